@@ -1,0 +1,23 @@
+#pragma once
+// A value or the alarm that stands in its place.
+
+#include <tl/expected.hpp>
+
+#include "base/alarm.h"
+
+namespace kadr {
+
+template <class T>
+using Result = tl::expected<T, Alarm>;
+using Status = Result<void>;
+
+inline tl::unexpected<Alarm> fail(const Alarm& alarm) { return tl::unexpected<Alarm>(alarm); }
+
+}  // namespace kadr
+
+/// Leaves the function with the alarm of `expression`, if it has one.
+#define KADR_TRY(expression)                                   \
+  do {                                                         \
+    if (auto status_ = (expression); !status_) [[unlikely]]    \
+      return tl::unexpected<::kadr::Alarm>(status_.error());   \
+  } while (false)

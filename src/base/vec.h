@@ -1,0 +1,62 @@
+#pragma once
+// Small vectors and exact trigonometry in degrees.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace kadr {
+
+/// At most this many axes in one channel (NCT 2.0: 16).
+inline constexpr std::size_t max_axes = 16;
+
+/// A value per axis, in the order of the axis table; mm, or degrees for rotary axes.
+using Axes = std::array<double, max_axes>;
+
+/// A bit per axis.
+using AxisMask = std::uint32_t;
+
+struct Vec2 {
+  double x = 0;
+  double y = 0;
+  friend Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vec2 operator*(double k, Vec2 a) { return {k * a.x, k * a.y}; }
+  friend bool operator==(const Vec2&, const Vec2&) = default;
+};
+
+struct Vec3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  friend Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vec3 operator*(double k, Vec3 a) { return {k * a.x, k * a.y, k * a.z}; }
+  friend bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+inline double length(Vec2 a) { return std::hypot(a.x, a.y); }
+inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
+
+struct SinCos {
+  double sin = 0;
+  double cos = 1;
+};
+
+inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double rad_per_deg = pi / 180.0;
+
+/// Sine and cosine of an angle in degrees; 0 and ±1 exactly at k·90°.
+///   law  sincos_deg(a + 90) == {cos a, -sin a}, bit by bit, while a + 90 is exact
+SinCos sincos_deg(double deg);
+
+/// Turned by `deg` counter-clockwise about the origin.
+Vec2 rotated(Vec2 v, double deg);
+
+/// Direction of `v` in degrees, (-180, 180]; exact at multiples of 90°.
+double angle_deg(Vec2 v);
+
+}  // namespace kadr

@@ -1,0 +1,49 @@
+#pragma once
+// Lines → blocks: the door of `lang`.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lang/block.h"
+#include "lang/line_reader.h"
+
+namespace kadr {
+
+class BlockReader {
+ public:
+  /// `encoding`: named by the user; otherwise guessed from the first bytes that need it.
+  BlockReader(std::unique_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
+
+  enum class Got : std::uint8_t { block, end };
+
+  /// The next block that holds anything. On an alarm `block` has its text, place and, where read, its number; the
+  /// next call goes on behind it.
+  Result<Got> next(Block& block);
+  /// Goes on with the block at `position`.
+  void seek(Position position);
+  /// Where the next block begins.
+  Position position() const { return position_; }
+  Encoding encoding() const { return encoding_.value_or(Encoding::utf8); }
+  bool encoding_was_guessed() const { return guessed_; }
+  std::uint64_t size() const { return lines_.size(); }
+  std::uint64_t offset() const { return lines_.offset(); }
+
+ private:
+  Status lex_line(Block& block);
+  Status decode_line();
+
+  LineReader lines_;
+  const Grammar& grammar_;
+  std::optional<Encoding> encoding_;
+  bool guessed_ = false;
+  bool marks_used_ = false;      // a block of this file has ended with ПС or LF
+  Line line_;
+  std::string decoded_;          // the line in UTF-8, where it is not already
+  std::string_view text_;        // the line's text
+  std::size_t rest_ = 0;         // where the next block of the line begins
+  bool in_line_ = false;
+  Position position_;
+};
+
+}  // namespace kadr

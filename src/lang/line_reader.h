@@ -1,0 +1,63 @@
+#pragma once
+// Bytes → lines: reads a program of any length through a window, from any place in it.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "lang/encoding.h"
+
+namespace kadr {
+
+struct Line {
+  std::string_view bytes;      // without its end; valid until the next call
+  std::uint64_t offset = 0;    // of its first byte in the file
+  std::uint32_t number = 1;    // counted from 1
+  bool ended = true;           // false: the file ends without an end of line
+  bool too_long = false;       // longer than limits::line_bytes; `bytes` is its beginning
+};
+
+/// Where the bytes come from: a file, or text in memory.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+  /// Reads up to `size` bytes at `offset` into `to`; 0 at the end. One call a window, never one a line.
+  virtual std::size_t read(std::uint64_t offset, char* to, std::size_t size) = 0;
+  virtual std::uint64_t size() const = 0;
+};
+
+/// nullptr if the file cannot be read (the reason is in errno).
+std::unique_ptr<ByteSource> open_file(const std::string& path);
+std::unique_ptr<ByteSource> text_source(std::string text);
+
+class LineReader {
+ public:
+  explicit LineReader(std::unique_ptr<ByteSource> source);
+
+  /// The next line; false at the end.
+  bool next(Line& line);
+  /// Goes on reading at the beginning of a line seen before.
+  void seek(std::uint64_t offset, std::uint32_t number);
+  /// The first bytes of the file (at most 256 KiB): what encoding and control are guessed from.
+  std::string_view sample();
+  std::uint64_t size() const;
+  /// Bytes read so far, for progress.
+  std::uint64_t offset() const { return window_offset_ + position_; }
+
+ private:
+  bool fill();
+
+  std::unique_ptr<ByteSource> source_;
+  std::string window_;
+  std::string sample_;
+  std::uint64_t window_offset_ = 0;   // of window_[0] in the file
+  std::size_t position_ = 0;          // next byte in the window
+  std::size_t filled_ = 0;
+  std::uint32_t line_ = 1;
+  bool at_end_ = false;
+  bool bare_cr_ = false;              // lines end with CR alone
+};
+
+}  // namespace kadr

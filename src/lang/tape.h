@@ -1,0 +1,36 @@
+#pragma once
+// Punched tape: rows of eight tracks in the ISO 7-bit code with even parity, and text (2С42 6.1, GOST 20999-83).
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace kadr {
+
+/// The byte of one row: seven bits of code and the eighth track that makes the number of holes even.
+std::uint8_t with_even_parity(std::uint8_t code);
+bool has_even_parity(std::uint8_t row);
+
+/// A row that cannot be read.
+struct TapeFault {
+  std::uint64_t row;   // counted from 1
+  std::uint8_t byte;
+};
+
+struct TapeText {
+  std::string text;                // UTF-8, a line a block
+  std::vector<TapeFault> faults;   // rows of odd parity, at most 1000; their characters are '?' in the text
+};
+
+/// Rows → text. NUL (blank tape) and DEL (deleted row) are left out, CR too; SO and SI switch to Russian letters and back.
+TapeText decode_tape(std::string_view rows);
+
+/// UTF-8 text → rows, with a leader and trailer of blank tape. The end of a line, a literal ПС or LF at its end become one LF.
+///   alarms  not a character of the code: bad_encoding, with its place in the text
+///   law     decode_tape(encode_tape(t)) == t for text of the code with one line end a block
+Result<std::string> encode_tape(std::string_view text, std::size_t leader_rows);
+
+}  // namespace kadr
