@@ -35,7 +35,7 @@
   X(label_twice)                                                                             \
   /* cycles */                                                                               \
   X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_undefined) X(pocket_not_available)   \
-  X(stepover_out_of_range) X(unclear_direction)                                              \
+  X(stepover_out_of_range) X(cycle_override)                                                 \
   /* probe and machine */                                                                    \
   X(probe_too_close) X(probe_no_contact) X(probe_feed_mode) X(limit_exceeded)                \
   X(reference_point_missing) X(interrupted)

@@ -17,7 +17,7 @@ namespace kadr {
 enum class Op : std::uint8_t {
   number, variable, parameter,                                   // push; `variable` replaces the top by #top
   add, subtract, multiply, divide, modulo, power, negate,
-  bit_and, bit_or, bit_xor, equal, not_equal, greater, greater_equal, less, less_equal,
+  logic_and, logic_or, logic_xor, equal, not_equal, greater, greater_equal, less, less_equal,
   abs, acos, asin, atan, cos, exp, fix, fup, ln, round, sin, sqrt, tan,
   scale                                                          // divides by `number`: raw digits to the unit of the address
 };

@@ -30,6 +30,7 @@ class BlockReader {
   std::uint64_t offset() const { return lines_.offset(); }
 
  private:
+  Status begin_line(Block& block, std::uint32_t nth);
   Status lex_line(Block& block);
   Status decode_line();
 
@@ -43,6 +44,8 @@ class BlockReader {
   std::string_view text_;        // the line's text
   std::size_t rest_ = 0;         // where the next block of the line begins
   bool in_line_ = false;
+  bool is_text_ = false;             // text_ is known to be UTF-8
+  bool expects_high_bytes_ = false;  // a line before needed decoding: so will this one
   Position position_;
 };
 

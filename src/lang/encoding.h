@@ -1,6 +1,7 @@
 #pragma once
 // Encodings of program text: which one a file has, and one line of it as UTF-8 (iconv).
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,14 +22,27 @@ enum class Encoding : std::uint8_t {
 std::string_view name_of(Encoding encoding);                       // "utf-8", "cp1251", …
 std::optional<Encoding> encoding_named(std::string_view name);     // "koi8-r", "CP866", …
 
-/// The most likely encoding of a sample of program text: valid UTF-8 is UTF-8; a tape image has even parity in
-/// (nearly) every row; among the one-byte Russian ones the letters' frequencies decide.
+/// The most likely encoding of a sample of program text: a tape image has even parity in (nearly) every row; valid
+/// UTF-8 is UTF-8 (its last character may be cut), unless it reads as small Russian letters of CP866; among the
+/// one-byte Russian ones the frequencies of pairs of letters decide, so that a single word such as ПС is enough.
 ///   returns  nothing where the sample holds no byte above 127: every one fits
 std::optional<Encoding> detect_encoding(std::string_view sample);
 
-/// Appends `bytes` as UTF-8 to `text`.
-///   alarms  bad_encoding, with the byte that has no meaning; parity_error with the row of the line, counted from 1
+/// Appends one line's `bytes` as UTF-8 to `text`; on an alarm, what stands before the fault.
+///   alarms  bad_encoding, with the byte that has no meaning; parity_error with the row of the line, counted from 1;
+///           their Span is the byte's place in `bytes`
+///   law     `text` stays valid UTF-8, whatever the bytes
 Status append_utf8(std::string_view bytes, Encoding encoding, std::string& text);
+
+/// One character of UTF-8; size 0 where the text does not begin with a whole, valid one.
+struct Character {
+  char32_t code = 0;
+  std::size_t size = 0;
+};
+Character first_character(std::string_view text);
+
+/// A byte above 127 of cp1251, koi8r or cp866 as UTF-8; empty where it has no meaning.
+std::string_view utf8_of(Encoding encoding, std::uint8_t byte);
 
 /// The Latin capital that a Cyrillic capital or small letter looks like (Х → X), or 0.
 char look_alike(char32_t letter);

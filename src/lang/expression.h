@@ -3,6 +3,7 @@
 // Operators and functions: Mach3 / RS274-NGC, spec/mach3 1. Angles in degrees.
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "base/result.h"
@@ -31,6 +32,8 @@ struct Number {
   bool has_point = false;
 };
 bool read_number(Cursor& cursor, Number& number);
+/// The same for digits that a double does not hold exactly.
+bool read_long_number(std::string_view digits, Number& number);
 
 /// Value of one step on the operands `a`, `b`.
 ///   alarms  division_by_zero, not_a_number
@@ -59,8 +62,7 @@ Result<double> evaluate(const Block& block, Expression expression, Variables&& v
       }
       case Op::scale: stack[top - 1] /= step.number; break;
       default: {
-        const bool two = step.op <= Op::less_equal && step.op != Op::negate;
-        const bool pair = two || step.op == Op::atan;
+        const bool pair = (step.op >= Op::add && step.op <= Op::less_equal && step.op != Op::negate) || step.op == Op::atan;
         const double b = pair ? stack[top - 1] : 0;
         const double a = pair ? stack[top - 2] : stack[top - 1];
         auto value = apply(step.op, a, b, step.where);

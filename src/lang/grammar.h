@@ -46,6 +46,8 @@ struct Grammar {
   bool lower_case = true;                 // small letters mean the same
   char parameter_address = 0;             // 'R' where R0..R9 are formal parameters (2С42 6.3.7)
   char label_address = 0;                 // 'O' where Onnnn begins a subprogram (Mach3)
+  char section_address = 0;               // 'L' where `L` alone begins a section of subprograms (2С42 6.3.5)
+  bool zero_between_slashes = false;      // G92 /2/: the number is a word of address A (2С42, last section)
   std::uint32_t block_length = 0;         // most characters in a block, 0 = free
   std::uint32_t variables = 0;            // highest #n
 

@@ -1,6 +1,7 @@
 #pragma once
 // Bytes → lines: reads a program of any length through a window, from any place in it.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -16,7 +17,7 @@ struct Line {
   std::uint64_t offset = 0;    // of its first byte in the file
   std::uint32_t number = 1;    // counted from 1
   bool ended = true;           // false: the file ends without an end of line
-  bool too_long = false;       // longer than limits::line_bytes; `bytes` is its beginning
+  bool too_long = false;       // longer than limits::line_bytes; `bytes` is its beginning, the rest is passed over
 };
 
 /// Where the bytes come from: a file, or text in memory.
@@ -28,10 +29,13 @@ class ByteSource {
   virtual std::uint64_t size() const = 0;
 };
 
-/// nullptr if the file cannot be read (the reason is in errno).
+/// nullptr if the file cannot be read (the reason is in errno). What cannot be read twice (a pipe, a terminal; "-" is
+/// the standard input) is kept in memory, up to 1 GiB (EFBIG beyond).
 std::unique_ptr<ByteSource> open_file(const std::string& path);
 std::unique_ptr<ByteSource> text_source(std::string text);
 
+/// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone where the sample holds no LF.
+/// A UTF-8 byte order mark at the beginning is passed over; nothing behind the last end of line is no line.
 class LineReader {
  public:
   explicit LineReader(std::unique_ptr<ByteSource> source);
@@ -43,18 +47,24 @@ class LineReader {
   /// The first bytes of the file (at most 256 KiB): what encoding and control are guessed from.
   std::string_view sample();
   std::uint64_t size() const;
-  /// Bytes read so far, for progress.
+  /// Bytes read so far, for progress. Less than size() after the end: the file could not be read to its end.
   std::uint64_t offset() const { return window_offset_ + position_; }
 
  private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
   bool fill();
+  std::size_t find_end();
+  bool skip_rest();
 
   std::unique_ptr<ByteSource> source_;
   std::string window_;
   std::string sample_;
+  std::string long_line_;             // beginning of a line that is too long
   std::uint64_t window_offset_ = 0;   // of window_[0] in the file
   std::size_t position_ = 0;          // next byte in the window
   std::size_t filled_ = 0;
+  std::size_t next_read_;             // bytes to ask for: few after a jump, then more
   std::uint32_t line_ = 1;
   bool at_end_ = false;
   bool bare_cr_ = false;              // lines end with CR alone

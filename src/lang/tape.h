@@ -14,6 +14,17 @@ namespace kadr {
 std::uint8_t with_even_parity(std::uint8_t code);
 bool has_even_parity(std::uint8_t row);
 
+/// The code of a tape as text, a row after the other; remembers which register SO and SI have set. Each line begins
+/// with Latin letters, so that a line can be read alone.
+class TapeLetters {
+ public:
+  /// Appends the character of one row without its eighth track; NUL, DEL, CR, SO and SI give none.
+  void append(std::uint8_t code, std::string& text);
+
+ private:
+  bool russian_ = false;
+};
+
 /// A row that cannot be read.
 struct TapeFault {
   std::uint64_t row;   // counted from 1
@@ -28,8 +39,10 @@ struct TapeText {
 /// Rows → text. NUL (blank tape) and DEL (deleted row) are left out, CR too; SO and SI switch to Russian letters and back.
 TapeText decode_tape(std::string_view rows);
 
-/// UTF-8 text → rows, with a leader and trailer of blank tape. The end of a line, a literal ПС or LF at its end become one LF.
-///   alarms  not a character of the code: bad_encoding, with its place in the text
+/// UTF-8 text → rows, with a leader and trailer of blank tape. The end of a line, a literal ПС or LF at its end become
+/// one LF; a last line without its end gets one. Russian letters stand between SO and SI.
+///   alarms  not a character of the code: bad_encoding, with its place in the text and the character (Ё and Ъ have no
+///           code; NUL, DEL, SO, SI and CR within a line would be lost in reading)
 ///   law     decode_tape(encode_tape(t)) == t for text of the code with one line end a block
 Result<std::string> encode_tape(std::string_view text, std::size_t leader_rows);
 

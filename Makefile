@@ -1,0 +1,32 @@
+# A thin door to the scripts of dev/.
+.POSIX:
+PREFIX = /usr/local
+EXAMPLE = examples/s2c42/flange
+PICTURE = out/flange.svg
+
+all:
+	@dev/build release
+
+run:
+	@dev/setup
+	@dev/build release kadr
+	@mkdir -p out
+	build/release/kadr run $(EXAMPLE).nc --control s2c42 --setup $(EXAMPLE).json --plot $(PICTURE)
+	@echo "The picture is in $(PICTURE)"
+
+test:
+	@dev/setup
+	@dev/test release
+
+check:
+	@dev/setup
+	@dev/check
+
+install:
+	@dev/build release kadr
+	install -D -m 755 build/release/kadr "$(DESTDIR)$(PREFIX)/bin/kadr"
+
+clean:
+	rm -rf build
+
+.PHONY: all run test check install clean

@@ -1,0 +1,24 @@
+#pragma once
+// controls/*.toml → ControlDef. A user's own file may extend a built-in one: `extends = "gost"` and the differences.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "config/control_def.h"
+
+namespace kadr {
+
+/// The control with that id, or in that file if `name` ends with .toml.
+///   returns  an error sentence with file and line: unknown key, function, group, word; a code twice; …
+tl::expected<ControlDef, std::string> load_control(const std::string& name);
+
+/// The same from TOML text; `file` names it in messages.
+tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file);
+
+/// Ids of the built-in controls.
+std::vector<std::string> built_in_controls();
+
+}  // namespace kadr

@@ -1,0 +1,33 @@
+#pragma once
+// What the readers of our TOML files share: the file's text, merging of `extends`, messages with a place.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+#include <toml++/toml.h>
+
+#include "config/control_def.h"
+
+namespace kadr::toml_tools {
+
+/// Text of a built-in file ("controls/gost.toml"), or of a file on disk.
+std::optional<std::string> read_text(const std::string& path);
+std::optional<std::string_view> embedded_text(std::string_view name);
+
+/// Lays `over` on `under`: tables key by key, anything else replaced.
+void merge(toml::table& under, const toml::table& over);
+
+/// "file:line: "
+std::string place(const std::string& file, const toml::node& node);
+
+Text text_of(const toml::table& row);
+
+/// Text of a node that must be a string, number or bool; the default where the key is missing.
+template <class T>
+T value_or(const toml::table& row, std::string_view key, T otherwise) {
+  return row[key].value_or(otherwise);
+}
+
+}  // namespace kadr::toml_tools

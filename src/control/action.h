@@ -1,0 +1,100 @@
+#pragma once
+// Action: one elementary thing the machine is to do, fully resolved; a plain value (design.md 1).
+// Lengths mm, angles degrees, times s. Axis values stand in the order of the control's axis names.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/alarm.h"
+#include "base/span.h"
+#include "base/vec.h"
+
+namespace kadr {
+
+/// Where an action comes from: the innermost block of the user's program.
+struct Origin {
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;      // counted from 1, in characters
+  std::uint32_t block = 0;       // N…
+  bool has_block = false;
+  bool main_block = false;       // ':' instead of N
+  std::uint8_t block_digits = 0; // as written, zeros included
+  std::uint8_t depth = 0;        // calls around it
+};
+
+enum class Plane : std::uint8_t { xy, zx, yz };   // G17, G18, G19
+enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };
+enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home };
+
+/// A motion along a line, an arc or a helix, of the tool point.
+struct Motion {
+  MotionKind kind = MotionKind::rapid;
+  Plane plane = Plane::xy;          // of arcs; directions as seen from the positive end of its normal
+  FeedUnit unit = FeedUnit::mm_per_min;
+  bool exact = false;               // exact stop at its end
+  AxisMask named = 0;               // axes whose position it gives anew
+  Axes to;                          // work coordinates at its end
+  Axes machine;                     // machine coordinates at its end
+  Vec3 center;                      // of an arc, work coordinates
+  double turns = 0;                 // swept angle / 360, positive
+  double feed = 0;                  // as commanded, in `unit`
+  double tolerance = 0;             // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+};
+
+struct Dwell { double seconds; };
+enum class SpindleDir : std::uint8_t { stop, cw, ccw, orient };
+struct Spindle { SpindleDir dir; double rpm; };               // rev/min
+struct Speed { double rpm; };                                 // a new speed of the turning or standing spindle
+enum class Coolant : std::uint8_t { off, mist, flood };
+struct CoolantSwitch { Coolant what; };
+struct ToolSelect { std::uint32_t tool; std::uint32_t corrector; };
+struct ToolChange { std::uint32_t tool; };
+struct MachineFunction { std::uint32_t code; };               // M code for the machine
+struct Stop { bool optional; };
+struct Message { std::string text; };
+/// The frame of what follows: machine = work + origin (+ length on the tool axis). Not a command to the machine.
+struct FrameChange { Axes origin; Axes length; };
+struct End { bool by_code; };                                 // M2, M30; false: the file ended
+
+struct Action {
+  Origin origin;
+  std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, Stop, Message, FrameChange, End> what;
+};
+
+/// Actions are handed on in batches.
+using ActionBatch = std::vector<Action>;
+
+/// An alarm with its place, as people and traces see it.
+struct AlarmReport {
+  Alarm alarm;
+  std::string file;
+  std::string line_text;            // UTF-8
+  Origin origin;
+  struct Call {
+    std::string what;               // "L02", "P100", "M20"
+    std::uint32_t line;
+    std::uint32_t block;
+    bool has_block;
+  };
+  std::vector<Call> calls;          // outermost first
+};
+
+/// What a probe motion met: handed back to `control` before the next block (design.md 1, the only backward arrow).
+struct ProbeAnswer {
+  bool touched = false;
+  Axes at{};                        // work coordinates where the motion ended
+};
+
+/// State after a run: the last line of a trace.
+struct Ending {
+  Axes position{};                  // work
+  Axes machine_position{};
+  std::vector<std::pair<std::string, double>> variables;       // "#100", "R2": all that are set
+  std::vector<std::pair<std::string, bool>> watched_unset;     // asked for, not set
+  std::vector<std::string> modal;                              // code words in force
+};
+
+}  // namespace kadr

@@ -1,0 +1,71 @@
+#pragma once
+// Control: the interpreter. Block → Action, with everything a control remembers. The door of this room.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "config/control_def.h"
+#include "config/setup.h"
+#include "control/action.h"
+#include "lang/block_reader.h"
+
+namespace kadr {
+
+/// Limits that stop a runaway program.
+struct RunLimits {
+  std::uint64_t repeated_blocks = 20'000'000;   // blocks carried out again after a jump back
+  std::uint32_t restarts = 1000;                // passes of an endless main program (M99, M47)
+};
+
+struct Program {
+  std::string file;                             // its name, for people
+  std::unique_ptr<ByteSource> source;
+  std::optional<Encoding> encoding;
+};
+
+class Machinery;   // control/machinery.h
+
+class Control {
+ public:
+  /// `def` must outlive the control.
+  Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits);
+  ~Control();
+
+  enum class State : std::uint8_t { running, needs_probe, stopped, ended };
+
+  /// Carries out blocks until `batch` (cleared first) is full or something must be answered.
+  ///   needs_probe  the last action is a probe motion: call answer() with what it met, then go on
+  ///   stopped      by an alarm: report() tells; go_on() takes the next block (checking), nothing of the faulty one has been done
+  ///   ended        the program is at its end
+  State run(ActionBatch& batch);
+
+  void answer(const ProbeAnswer& answer);
+  void go_on();
+
+  /// The alarm that stopped the run.
+  const AlarmReport& report() const;
+  /// An alarm of a later room, with the place of the action that caused it.
+  AlarmReport report_for(const Alarm& alarm, const Origin& origin) const;
+
+  /// Called for every warning (look-alike letters, …).
+  std::function<void(const AlarmReport&)> on_warning;
+
+  /// After the run, for people who check: the subprograms never called, read but not carried out; their faults go to `on_fault`.
+  void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
+
+  Ending ending() const;
+  std::uint64_t blocks() const;          // carried out
+  std::uint64_t bytes_read() const;      // for progress
+  std::uint64_t bytes() const;
+  Encoding encoding() const;
+  bool encoding_was_guessed() const;
+  const std::vector<std::string>& axes() const;
+  std::uint32_t rotary() const;
+
+ private:
+  std::unique_ptr<Machinery> machinery_;
+};
+
+}  // namespace kadr

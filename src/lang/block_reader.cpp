@@ -1,0 +1,127 @@
+#include "lang/block_reader.h"
+
+#include <algorithm>
+
+#include "lang/lexer.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::string_view mark_in_text = "ПС";
+
+bool has_high_bytes(std::string_view bytes) {
+  return std::any_of(bytes.begin(), bytes.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80) != 0 || c == '\x0e'; });
+}
+
+}  // namespace
+
+BlockReader::BlockReader(std::unique_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
+    : lines_(std::move(source)), grammar_(grammar), encoding_(encoding) {
+  if (encoding_) return;
+  encoding_ = detect_encoding(lines_.sample());
+  guessed_ = encoding_.has_value();
+}
+
+void BlockReader::seek(Position position) {
+  lines_.seek(position.offset, position.line);
+  in_line_ = false;
+  position_ = position;
+}
+
+Result<BlockReader::Got> BlockReader::next(Block& block) {
+  for (;;) {
+    if (!in_line_) {
+      if (!lines_.next(line_)) {
+        position_ = {lines_.offset(), line_.number + 1, 0};
+        return Got::end;
+      }
+      const std::uint32_t nth_wanted = position_.offset == line_.offset ? position_.nth : 0;
+      KADR_TRY(begin_line(block, nth_wanted));
+    }
+    block.clear();
+    block.position = position_;
+    const bool was_first = rest_ == 0;
+    const Status status = lex_line(block);
+    in_line_ = rest_ < text_.size();
+    position_ = in_line_ ? Position{line_.offset, line_.number, position_.nth + 1} : Position{lines_.offset(), line_.number + 1, 0};
+    if (!status) return fail(status.error());
+    if (was_first && line_.too_long) return fail(alarm(AlarmId::line_too_long, {0, 1}, double{limits::line_bytes}));
+    if (!block.empty() || block.has_number || !block.comments.empty() || !block.warnings.empty()) return Got::block;
+  }
+}
+
+/// Takes a new line in hand; passes over the blocks before `nth` when a jump goes into its middle.
+Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
+  text_ = line_.bytes;
+  rest_ = 0;
+  is_text_ = false;
+  position_ = {line_.offset, line_.number, 0};
+  if (encoding_ == Encoding::iso7 || expects_high_bytes_) {
+    const Status decoded = decode_line();
+    if (!decoded) {
+      block.clear();
+      block.position = position_;
+      block.text = text_;
+      block.where = {0, static_cast<std::uint32_t>(text_.size())};
+      in_line_ = false;
+      position_ = {lines_.offset(), line_.number + 1, 0};
+      return decoded;
+    }
+  }
+  for (std::uint32_t i = 0; i < nth; ++i) {
+    block.clear();
+    (void)lex_line(block);
+  }
+  position_.nth = nth;
+  return {};
+}
+
+Status BlockReader::lex_line(Block& block) {
+  auto lexed = lex_block(text_, rest_, is_text_, grammar_, block);
+  const bool unclear = lexed ? lexed->needs_utf8 : has_high_bytes(text_);
+  if (unclear && !is_text_) {
+    expects_high_bytes_ = true;
+    const Status decoded = decode_line();
+    if (!decoded) {
+      rest_ = text_.size();
+      return decoded;
+    }
+    block.clear();
+    lexed = lex_block(text_, rest_, true, grammar_, block);
+  }
+  if (!lexed) {
+    // The words behind the fault are lost up to the next end of block.
+    const std::size_t mark = is_text_ ? text_.find(mark_in_text, lexed.error().where.end) : std::string_view::npos;
+    rest_ = mark == std::string_view::npos ? text_.size() : mark + mark_in_text.size();
+    return fail(lexed.error());
+  }
+  rest_ = lexed->next;
+  if (lexed->marked) {
+    marks_used_ = true;
+  } else if (marks_used_ && grammar_.mark_everywhere && !block.empty()) {
+    const std::uint32_t end = block.where.end;
+    return fail(alarm(AlarmId::end_of_block_missing, {end > 0 ? end - 1 : 0, end}));
+  }
+  return {};
+}
+
+/// The line as UTF-8, from its first byte; only before a block of it has been taken.
+Status BlockReader::decode_line() {
+  if (!encoding_) {
+    encoding_ = detect_encoding(line_.bytes).value_or(Encoding::utf8);
+    guessed_ = true;
+  }
+  decoded_.clear();
+  Status status = append_utf8(line_.bytes, *encoding_, decoded_);
+  if (!status && status.error().id == AlarmId::parity_error) {
+    Alarm named = status.error();
+    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());   // row of the tape
+    return fail(named);
+  }
+  if (!status) return status;
+  text_ = decoded_;
+  is_text_ = true;
+  return {};
+}
+
+}  // namespace kadr
