@@ -35,6 +35,7 @@ struct CodeRow {
   bool needs_axis = false;      // at least one axis word
   std::uint32_t takes = 0;      // letters of the words it uses
   std::uint32_t needs = 0;      // letters that must be there
+  std::int32_t with = -1;       // tenth of the one code of its group that may stand beside it (M7 and M8)
   Text text;
   std::string manual;
   std::uint16_t cycle = 0;      // index in ControlDef::cycles + 1

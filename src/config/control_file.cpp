@@ -337,6 +337,8 @@ class Loader {
     c.takes = letters(row["takes"].value_or(std::string()));
     c.needs = letters(row["needs"].value_or(std::string()));
     c.needs_axis = row["needs_axis"].value_or(false);
+    if (const toml::array* const with = row["with"].as_array(); with != nullptr && !with->empty())
+      c.with = static_cast<std::int32_t>(std::strtod((*with)[0].value_or(std::string(" 0")).c_str() + 1, nullptr) * 10 + 0.5);
     for (int i = 0; i < 26; ++i)
       if ((c.takes >> i & 1u) != 0 && !def_.grammar.words[static_cast<std::size_t>(i)].known && !(def_.grammar.zero_between_slashes && i == 0))
         return Failed(place(name_, row) + "takes: no address " + static_cast<char>('A' + i));

@@ -57,11 +57,10 @@ struct Stop { bool optional; };
 struct Message { std::string text; };
 /// The frame of what follows: machine = work + origin (+ length on the tool axis). Not a command to the machine.
 struct FrameChange { Axes origin; Axes length; };
-struct End { bool by_code; };                                 // M2, M30; false: the file ended
 
 struct Action {
   Origin origin;
-  std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, Stop, Message, FrameChange, End> what;
+  std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, Stop, Message, FrameChange> what;
 };
 
 /// Actions are handed on in batches.

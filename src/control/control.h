@@ -62,6 +62,8 @@ class Control {
   Encoding encoding() const;
   bool encoding_was_guessed() const;
   const std::vector<std::string>& axes() const;
+  /// A code word of the set-up's `modal` that this control does not know; empty: all is well.
+  const std::string& setup_error() const;
   std::uint32_t rotary() const;
 
  private:

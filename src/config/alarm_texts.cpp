@@ -1,0 +1,111 @@
+#include "config/alarm_texts.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "config/toml_tools.h"
+
+namespace kadr {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+using toml_tools::place;
+
+constexpr std::string_view file_name = "controls/alarms.toml";
+
+std::string text_of(const AlarmArg& arg) { return arg.is_number() ? number_text(arg.number()) : std::string(arg.text()); }
+
+/// `pattern` with {0} {1} {2} replaced.
+std::string filled(const std::string& pattern, const Alarm& alarm) {
+  std::string text;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const bool hole = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}' && pattern[i + 1] >= '0' && pattern[i + 1] <= '2';
+    if (!hole) {
+      text += pattern[i];
+      continue;
+    }
+    const auto nth = static_cast<std::size_t>(pattern[i + 1] - '0');
+    text += nth < alarm.arg_count ? text_of(alarm.args[nth]) : "?";
+    i += 2;
+  }
+  return text;
+}
+
+/// In the language asked for, else in the other one.
+const std::string& in(const Text& text, Lang lang) {
+  const std::string& asked = lang == Lang::ru ? text.ru : text.en;
+  return !asked.empty() ? asked : lang == Lang::ru ? text.en : text.ru;
+}
+
+tl::expected<AlarmText, std::string> row_of(const toml::table& table) {
+  AlarmText row;
+  for (const auto& [key, node] : table) {
+    std::string* to = nullptr;
+    if (key == "en") to = &row.text.en;
+    else if (key == "ru") to = &row.text.ru;
+    else if (key == "hint_en") to = &row.hint.en;
+    else if (key == "hint_ru") to = &row.hint.ru;
+    else if (key != "args" && key != "severity") return Failed(place(std::string(file_name), node) + "unknown key '" + std::string(key.str()) + "'");
+    if (to != nullptr) *to = node.value_or(std::string());
+  }
+  return row;
+}
+
+void overlay(AlarmText& row, const AlarmText& own) {
+  const auto take = [](std::string& to, const std::string& from) {
+    if (!from.empty()) to = from;
+  };
+  take(row.number, own.number);
+  take(row.text.en, own.text.en);
+  take(row.text.ru, own.text.ru);
+  take(row.hint.en, own.hint.en);
+  take(row.hint.ru, own.hint.ru);
+}
+
+}  // namespace
+
+tl::expected<AlarmTexts, std::string> AlarmTexts::load(const ControlDef* def) {
+  AlarmTexts texts;
+  const std::string file(file_name);
+  try {
+    const toml::table table = toml::parse(toml_tools::embedded_text(file_name).value_or(""), file);
+    for (const auto& [name, node] : table) {
+      const AlarmId id = alarm_named(name.str());
+      if (id == AlarmId::count || !node.is_table()) return Failed(place(file, node) + "no alarm '" + std::string(name.str()) + "'");
+      auto row = row_of(*node.as_table());
+      if (!row) return Failed(row.error());
+      texts.rows_[static_cast<std::size_t>(id)] = std::move(*row);
+    }
+  } catch (const toml::parse_error& error) {
+    return Failed(file + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+  }
+  if (def != nullptr)
+    for (const auto& [id, own] : def->alarms) overlay(texts.rows_[static_cast<std::size_t>(id)], own);
+  return texts;
+}
+
+std::string AlarmTexts::sentence(const Alarm& alarm, Lang lang) const {
+  const std::string& pattern = in(row(alarm.id).text, lang);
+  if (!pattern.empty()) return filled(pattern, alarm);
+  std::string text(alarm.id == AlarmId::count ? "alarm" : name_of(alarm.id));
+  for (std::size_t i = 0; i < alarm.arg_count; ++i) text += (i == 0 ? ": " : ", ") + text_of(alarm.args[i]);
+  return text;
+}
+
+std::string AlarmTexts::hint(const Alarm& alarm, Lang lang) const { return filled(in(row(alarm.id).hint, lang), alarm); }
+
+const std::string& AlarmTexts::pattern(AlarmId id, Lang lang) const { return in(row(id).text, lang); }
+
+std::string number_text(double value, int decimals) {
+  if (!std::isfinite(value)) return fmt::format("{}", value);
+  if (std::abs(value) >= 1e15) return fmt::format("{:g}", value);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+}  // namespace kadr

@@ -1,0 +1,170 @@
+// G2 / G3: words → arc → Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; others as their file's [behaviour] says.
+
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/arc.h"
+#include "control/functions.h"
+#include "control/machinery.h"
+
+namespace kadr {
+namespace {
+
+struct PlaneAxes {
+  std::size_t first, second, normal;
+};
+PlaneAxes axes_of(Plane plane) {
+  switch (plane) {
+    case Plane::zx: return {2, 0, 1};
+    case Plane::yz: return {1, 2, 0};
+    default: return {0, 1, 2};
+  }
+}
+
+Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
+
+/// Places an alarm of the geometry at the arc's own words.
+tl::unexpected<Alarm> placed(const Machinery& m, Alarm alarm) {
+  alarm.where = m.block.where;
+  while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block.text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
+  return fail(alarm);
+}
+
+class Circular {
+ public:
+  Circular(Machinery& m, Turn turn) : m_(m), turn_(turn), axes_(axes_of(m.modal.plane)) {}
+
+  Status run(Span where) {
+    if (m_.modal.polar) return fail(alarm(AlarmId::polar_motion, where));
+    AxisMask named = 0;
+    const auto end = m_.target(named);
+    if (!end) return fail(end.error());
+    const std::uint32_t used = m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : 0u);
+    if ((m_.block.letters & used) == 0) return {};   // the code alone: only the mode
+    KADR_TRY(m_.feed_known(where));
+    const Axes& start = m_.position.programmed;
+    auto arc = shape(start, *end, where);
+    if (!arc) return fail(arc.error());
+    KADR_TRY(helix(start, *end, *arc));
+    KADR_TRY(scales(where));
+    hand_on(*arc, *end, named);
+    return {};
+  }
+
+ private:
+  Result<PlaneArc> shape(const Axes& start, const Axes& end, Span where) {
+    const double tolerance = m_.def.behaviour.arc_radius_difference;
+    const Vec2 from = in_plane(start, axes_);
+    const Vec2 to = in_plane(end, axes_);
+    if (m_.def.behaviour.arc_radius_word && m_.has('R')) {
+      if (has_center(axes_.first) || has_center(axes_.second)) return fail(alarm(AlarmId::not_together, m_.where('R'), "R", "I J K"));
+      const auto arc = arc_by_radius(from, to, m_.length_value('R'), turn_, tolerance);
+      if (!arc) return placed(m_, arc.error());
+      return arc;
+    }
+    if (!has_center(axes_.first) && !has_center(axes_.second)) return fail(alarm(AlarmId::center_missing, where));
+    if (!m_.def.behaviour.helix_by_lead && has_center(axes_.normal))
+      return fail(alarm(AlarmId::arc_not_in_plane, m_.where(m_.letters.center_letter[axes_.normal]), m_.letters.center_letter[axes_.normal]));
+    const auto arc = arc_around(from, to, {center(axes_.first, from.x), center(axes_.second, from.y)}, turn_, tolerance);
+    if (!arc) return placed(m_, arc.error());
+    return arc;
+  }
+
+  bool has_center(std::size_t axis) const { return m_.letters.center_letter[axis] != 0 && m_.has(m_.letters.center_letter[axis]); }
+
+  /// Centre coordinate; a word left out: the start point's own. INFERRED for absolute centres.
+  double center(std::size_t axis, double start) const {
+    if (!has_center(axis)) return start;
+    const double v = m_.length_value(m_.letters.center_letter[axis]);
+    switch (m_.def.behaviour.arc_centers) {
+      case ArcCenters::as_distance: return m_.modal.absolute ? v : start + v;
+      case ArcCenters::by_code: return m_.modal.centers_absolute ? v : start + v;
+      default: return start + v;
+    }
+  }
+
+  /// 2С42 6.6.6: with a motion on the normal axis K is the lead; Z/K a whole number, the turns.
+  Status helix(const Axes& start, const Axes& end, PlaneArc& arc) {
+    if (!m_.def.behaviour.helix_by_lead) return {};
+    const double rise = std::fabs(end[axes_.normal] - start[axes_.normal]);
+    const char letter = m_.letters.center_letter[axes_.normal];
+    if (!has_center(axes_.normal)) {
+      if (rise <= tol::same_point) return {};
+      return fail(alarm(AlarmId::word_missing, m_.block.where, letter, "G2, G3"));
+    }
+    const double lead = std::fabs(m_.length_value(letter));
+    if (rise <= tol::same_point) return fail(alarm(AlarmId::word_unused, m_.where(letter), letter));
+    const double turns = rise / lead;
+    const double whole = std::round(turns);
+    if (!(lead > 0) || whole < 1 || std::fabs(turns - whole) > tol::whole_turns)
+      return fail(alarm(AlarmId::turns_not_whole, m_.where(letter), rise, lead));
+    arc.turns += whole - 1;   // INFERRED: the arc itself, then whole turns
+    return {};
+  }
+
+  /// A circle stays one only where both axes of the plane have the same scale.
+  Status scales(Span where) const {
+    if (m_.transform.identity) return {};
+    if (std::fabs(m_.transform.scale[axes_.first]) == std::fabs(m_.transform.scale[axes_.second])) return {};
+    return fail(alarm(AlarmId::not_together, where, "G51", turn_ == Turn::cw ? "G2" : "G3"));
+  }
+
+  void hand_on(const PlaneArc& arc, const Axes& end, AxisMask named) {
+    Axes center = m_.position.programmed;
+    center[axes_.first] = arc.center.x;
+    center[axes_.second] = arc.center.y;
+    bool reversed = false;
+    Axes work = end;
+    if (!m_.transform.identity) {
+      const auto sign = [&](std::size_t a) { return m_.transform.scale[a] * m_.transform.mirror[a]; };
+      reversed = sign(axes_.first) * sign(axes_.second) < 0;
+      work = m_.transform.to_work(end);
+      center = m_.transform.to_work(center);
+    }
+    named |= 1u << axes_.first | 1u << axes_.second;
+    m_.move_to(end, work, named);
+    const bool cw = (turn_ == Turn::cw) != reversed;
+    Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);
+    m_.set_feed(motion);
+    motion.center = {center[0], center[1], center[2]};
+    motion.turns = arc.turns;
+  }
+
+  Machinery& m_;
+  Turn turn_;
+  PlaneAxes axes_;
+};
+
+Status circular(Machinery& m, const Call& call, Turn turn, MotionMode mode) {
+  if (call.row->modal) {
+    m.modal.motion = mode;
+    m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
+  }
+  m.cycle_memory.row = -1;
+  return Circular(m, turn).run(call.where);
+}
+
+}  // namespace
+
+Status functions::arc_cw(Machinery& m, const Call& call) { return circular(m, call, Turn::cw, MotionMode::arc_cw); }
+Status functions::arc_ccw(Machinery& m, const Call& call) { return circular(m, call, Turn::ccw, MotionMode::arc_ccw); }
+
+/// G12 / G13 (Mach3): from the centre out along +X by I, the circle, back; arg: 2 clockwise, 3 counter-clockwise.
+Status functions::circular_pocket(Machinery& m, const Call& call) {
+  KADR_TRY(m.feed_known(call.where));
+  const double radius = m.length_value('I');
+  if (!(radius > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('I'), 'I', radius));
+  const Axes middle = m.position.programmed;
+  Axes edge = middle;
+  edge[0] += radius;
+  KADR_TRY(m.straight(MotionKind::feed, edge, 1u));
+  const Axes center = m.transform.identity ? middle : m.transform.to_work(middle);
+  Motion& circle = m.add_motion(call.row->arg == 2 ? MotionKind::arc_cw : MotionKind::arc_ccw, 3u);
+  m.set_feed(circle);
+  circle.plane = Plane::xy;
+  circle.center = {center[0], center[1], center[2]};
+  circle.turns = 1;
+  return m.straight(MotionKind::feed, middle, 1u);
+}
+
+}  // namespace kadr

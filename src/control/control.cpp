@@ -1,0 +1,29 @@
+#include "control/control.h"
+
+#include "control/machinery.h"
+
+namespace kadr {
+
+Control::Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits)
+    : machinery_(std::make_unique<Machinery>(def, setup, std::move(program), limits)) {
+  machinery_->on_warning = &on_warning;
+}
+Control::~Control() = default;
+
+Control::State Control::run(ActionBatch& batch) { return machinery_->run(batch); }
+void Control::answer(const ProbeAnswer& answer) { machinery_->answer(answer); }
+void Control::go_on() { machinery_->go_on(); }
+const AlarmReport& Control::report() const { return machinery_->report; }
+AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const { return machinery_->report_of(alarm, origin, {}); }
+void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { machinery_->check_uncalled(on_fault); }
+Ending Control::ending() const { return machinery_->ending(); }
+std::uint64_t Control::blocks() const { return machinery_->flow.blocks(); }
+std::uint64_t Control::bytes_read() const { return machinery_->flow.bytes_read(); }
+std::uint64_t Control::bytes() const { return machinery_->flow.bytes(); }
+Encoding Control::encoding() const { return machinery_->flow.program().encoding(); }
+bool Control::encoding_was_guessed() const { return machinery_->flow.program().encoding_was_guessed(); }
+const std::vector<std::string>& Control::axes() const { return machinery_->axis_names; }
+std::uint32_t Control::rotary() const { return machinery_->def.rotary; }
+const std::string& Control::setup_error() const { return machinery_->start_error; }
+
+}  // namespace kadr

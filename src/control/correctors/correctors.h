@@ -1,0 +1,13 @@
+#pragma once
+// Axis correctors of the generic Soviet ISO control (spec/correctors 1) and its pocket cycle (3).
+
+#include "control/machinery.h"
+
+namespace kadr::correctors {
+
+/// Adds the block's corrector to the motion that goes to `to` (programmed): sets Transform::added.
+///   returns  the axes it moves besides those of the words
+///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown
+Result<AxisMask> apply(Machinery& m, const Axes& to);
+
+}  // namespace kadr::correctors

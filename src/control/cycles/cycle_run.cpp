@@ -1,0 +1,130 @@
+#include "control/cycles/cycle_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/machinery.h"
+
+namespace kadr {
+
+void CycleRun::start(const Job& job, SpindleDir spindle) {
+  cycle_ = job.cycle;
+  job_ = job;
+  spindle_ = spindle;
+  hole_ = 0;
+  in_hole_ = false;
+}
+
+Status CycleRun::next(Machinery& m) {
+  if (!in_hole_) {
+    if (hole_ == job_.holes) {
+      stop();
+      return {};
+    }
+    return begin_hole(m);
+  }
+  if (step_ == cycle_->steps.size()) {
+    in_hole_ = false;
+    ++hole_;
+    job_.hole[job_.first] += job_.step_first;
+    job_.hole[job_.second] += job_.step_second;
+    return {};
+  }
+  return step(m);
+}
+
+/// Up to R if below it (once), over the hole, down to R (spec/mach3 4, preliminary motion).
+Status CycleRun::begin_hole(Machinery& m) {
+  in_hole_ = true;
+  step_ = 0;
+  part_ = 0;
+  depth_ = job_.level;
+  if (!job_.preliminary) return {};
+  const double here = m.position.programmed[job_.drill];
+  if (hole_ == 0 && here < job_.level - tol::level) KADR_TRY(drill_to(m, MotionKind::rapid, job_.level));
+  KADR_TRY(plane_to(m, job_.hole[job_.first], job_.hole[job_.second]));
+  return drill_to(m, MotionKind::rapid, job_.level);
+}
+
+Status CycleRun::step(Machinery& m) {
+  const CycleStep now = cycle_->steps[step_];
+  if (now == CycleStep::peck_full) return peck(m, true);
+  if (now == CycleStep::peck_break) return peck(m, false);
+  if (now == CycleStep::passes_by_parameter) return passes(m);
+  ++step_;
+  switch (now) {
+    case CycleStep::feed_bottom: return drill_to(m, MotionKind::feed, job_.bottom);
+    case CycleStep::rapid_bottom: return drill_to(m, MotionKind::rapid, job_.bottom);
+    case CycleStep::retract: return drill_to(m, MotionKind::rapid, job_.clear);
+    case CycleStep::feed_retract: return drill_to(m, MotionKind::feed, job_.clear);
+    case CycleStep::feed_face: return drill_to(m, MotionKind::feed, job_.back_face);
+    case CycleStep::shift_out: return plane_to(m, job_.hole[job_.first] + job_.shift_first, job_.hole[job_.second] + job_.shift_second);
+    case CycleStep::shift_back: return plane_to(m, job_.hole[job_.first], job_.hole[job_.second]);
+    case CycleStep::dwell:
+      if (job_.dwell > 0) m.emit(Dwell{job_.dwell});
+      return {};
+    case CycleStep::spindle_stop: m.emit(Spindle{SpindleDir::stop, 0}); return {};
+    case CycleStep::spindle_reverse: m.emit(Spindle{spindle_ == SpindleDir::cw ? SpindleDir::ccw : SpindleDir::cw, m.modal.rpm}); return {};
+    case CycleStep::spindle_restore: m.emit(Spindle{spindle_, m.modal.rpm}); return {};
+    case CycleStep::orient: m.emit(Spindle{SpindleDir::orient, 0}); return {};
+    case CycleStep::stop: m.emit(Stop{false}); return {};
+    default: return {};
+  }
+}
+
+/// Down by the peck; out to R and back to just above the bottom (G83), or back a little and down again (G73).
+Status CycleRun::peck(Machinery& m, bool full) {
+  switch (part_) {
+    case 0:
+      depth_ = std::max(job_.bottom, depth_ - job_.peck);
+      part_ = depth_ <= job_.bottom + tol::level ? 0 : 1;
+      if (part_ == 0) {
+        depth_ = job_.bottom;
+        ++step_;
+      }
+      return drill_to(m, MotionKind::feed, depth_);
+    case 1:
+      part_ = 2;
+      return drill_to(m, MotionKind::rapid, full ? job_.level : std::min(job_.level, depth_ + m.def.behaviour.return_chip_break));
+    default:
+      part_ = 0;
+      return drill_to(m, MotionKind::rapid, std::min(job_.level, depth_ + m.def.behaviour.return_near));
+  }
+}
+
+/// L83 of the 2С42 (table 9): pass i begins at rapid at R2 + i·R3, a pass down, 0.3 s, rapid to R2; the last stops at R1.
+Status CycleRun::passes(Machinery& m) {
+  const double down = job_.bottom < job_.level ? -job_.peck : job_.peck;
+  switch (part_) {
+    case 0: part_ = 1; return drill_to(m, MotionKind::rapid, depth_);
+    case 1: {
+      const double next = depth_ + down;
+      const bool last = down < 0 ? next <= job_.bottom + tol::level : next >= job_.bottom - tol::level;
+      depth_ = last ? job_.bottom : next;
+      part_ = last ? 3 : 2;
+      KADR_TRY(drill_to(m, MotionKind::feed, depth_));
+      m.emit(Dwell{job_.dwell});
+      return {};
+    }
+    case 2: part_ = 0; return drill_to(m, MotionKind::rapid, job_.return_level);
+    default: ++step_; return drill_to(m, MotionKind::rapid, job_.clear);
+  }
+}
+
+Status CycleRun::drill_to(Machinery& m, MotionKind kind, double level) {
+  Axes to = m.position.programmed;
+  if (std::fabs(to[job_.drill] - level) <= tol::level) return {};
+  to[job_.drill] = level;
+  return m.straight(kind, to, 1u << job_.drill);
+}
+
+Status CycleRun::plane_to(Machinery& m, double first, double second) {
+  Axes to = m.position.programmed;
+  if (std::fabs(to[job_.first] - first) <= tol::level && std::fabs(to[job_.second] - second) <= tol::level) return {};
+  to[job_.first] = first;
+  to[job_.second] = second;
+  return m.straight(MotionKind::rapid, to, 1u << job_.first | 1u << job_.second);
+}
+
+}  // namespace kadr

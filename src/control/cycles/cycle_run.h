@@ -1,0 +1,67 @@
+#pragma once
+// Drilling cycles by steps (CycleRow::steps): a hole at a time, an action at a time, so that a cycle of any length runs
+// in constant memory. Levels are checked before the first motion; nothing fails after it.
+
+#include <cstdint>
+
+#include "base/result.h"
+#include "config/control_def.h"
+#include "control/action.h"
+#include "control/state.h"
+
+namespace kadr {
+
+class Machinery;
+
+/// Words that stay known while blocks of the same cycle follow each other (spec/mach3 4: "sticky").
+struct CycleMemory {
+  std::int16_t row = -1;          // code row of the cycle, -1: none
+  std::uint32_t known = 0;        // letters
+  double bottom = 0, level = 0;   // Z and R as programmed, mm
+  double peck = 0, dwell = 0;
+  double i = 0, j = 0, k = 0;
+};
+
+class CycleRun {
+ public:
+  bool active() const { return cycle_ != nullptr; }
+  void stop() { cycle_ = nullptr; }
+
+  /// Levels and holes of one block. Axes by index: first and second in the plane, drilling axis.
+  struct Job {
+    const CycleRow* cycle = nullptr;
+    std::size_t first = 0, second = 1, drill = 2;
+    double step_first = 0, step_second = 0;   // from hole to hole, mm
+    Axes hole{};                              // programmed, of the first hole
+    std::uint32_t holes = 1;
+    double level = 0, bottom = 0, clear = 0;  // R, Z, and where each hole ends
+    double peck = 0, dwell = 0;
+    double shift_first = 0, shift_second = 0, back_face = 0;   // G87
+    double return_level = 0;                  // L83: rapid here between passes
+    bool preliminary = true;                  // up to R before the first hole if below it
+    bool pass_from_level = false;             // L83: rapid to the level a pass begins at
+  };
+  void start(const Job& job, SpindleDir spindle);
+
+  /// Hands the next action(s) on: at most a few.
+  Status next(Machinery& m);
+
+ private:
+  Status begin_hole(Machinery& m);
+  Status step(Machinery& m);
+  Status peck(Machinery& m, bool full);
+  Status passes(Machinery& m);
+  Status drill_to(Machinery& m, MotionKind kind, double level);
+  Status plane_to(Machinery& m, double first, double second);
+
+  const CycleRow* cycle_ = nullptr;
+  Job job_;
+  SpindleDir spindle_ = SpindleDir::stop;
+  std::uint32_t hole_ = 0;
+  std::size_t step_ = 0;
+  std::uint32_t part_ = 0;        // within pecks
+  double depth_ = 0;              // reached by pecks
+  bool in_hole_ = false;
+};
+
+}  // namespace kadr

@@ -1,0 +1,201 @@
+#include "control/flow.h"
+
+#include <algorithm>
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_labels = 100'000;   // subprograms of one file
+
+/// Cycle bodies are written without numbers and marks.
+Grammar grammar_of_bodies(const Grammar& program) {
+  Grammar g = program;
+  g.block_number_required = false;
+  g.program_start_required = false;
+  g.mark_everywhere = false;
+  return g;
+}
+
+std::string text_of_bodies(const ControlDef& def, std::map<std::string, Position>& starts) {
+  std::string text;
+  std::uint32_t line = 1;
+  for (const CycleRow& cycle : def.cycles) {
+    if (cycle.body.empty()) continue;
+    starts[cycle.name] = {text.size(), line, 0};
+    text += cycle.body;
+    line += static_cast<std::uint32_t>(std::count(cycle.body.begin(), cycle.body.end(), '\n'));
+  }
+  return text;
+}
+
+}  // namespace
+
+Flow::Flow(const ControlDef& def, Program program, RunLimits limits)
+    : def_(def), file_(std::move(program.file)), limits_(limits), program_(std::move(program.source), def.grammar, program.encoding),
+      body_grammar_(grammar_of_bodies(def.grammar)) {
+  std::string bodies = text_of_bodies(def, body_starts_);
+  if (!bodies.empty()) bodies_ = std::make_unique<BlockReader>(text_source(std::move(bodies)), body_grammar_, Encoding::utf8);
+}
+
+Result<BlockReader::Got> Flow::next(Block& block) {
+  if (ended_) return BlockReader::Got::end;
+  auto got = reader_ == 0 ? program_.next(block) : bodies_->next(block);
+  ++blocks_;
+  if (!frames_.empty() || restarts_ != 0) KADR_TRY(count_block(block));
+  return got;
+}
+
+Status Flow::count_block(const Block& block) {
+  if (++repeated_ <= limits_.repeated_blocks) return {};
+  ended_ = true;
+  return fail(alarm(AlarmId::endless_program, block.where, static_cast<double>(limits_.repeated_blocks), block.text_of(block.number_where)));
+}
+
+void Flow::go_to(std::uint8_t reader, Position position) {
+  reader_ = reader;
+  (reader == 0 ? program_ : *bodies_).seek(position);
+}
+
+Status Flow::push(CallFrame frame, Span where) {
+  if (frames_.size() >= def_.behaviour.call_depth) return fail(alarm(AlarmId::call_too_deep, where, double(def_.behaviour.call_depth)));
+  frame.back = position();
+  frame.back_reader = reader_;
+  frames_.push_back(frame);
+  return {};
+}
+
+Status Flow::call(std::uint32_t subprogram, std::uint32_t times, const Origin& caller, Span where) {
+  if (!indexed_) make_index();
+  const auto label = labels_.find(subprogram);
+  if (label == labels_.end()) return fail(alarm(AlarmId::subprogram_missing, where, double(subprogram)));
+  if (label->second.twice) return fail(alarm(AlarmId::label_twice, where, double(subprogram)));
+  label->second.called = true;
+  CallFrame frame;
+  frame.kind = CallFrame::Kind::subprogram;
+  frame.start = label->second.position;
+  frame.name = subprogram;
+  frame.left = times;
+  frame.caller = caller;
+  KADR_TRY(push(frame, where));
+  go_to(0, frame.start);
+  return {};
+}
+
+Status Flow::call_body(const CycleRow& cycle, std::uint32_t times, const Origin& caller, Span where) {
+  CallFrame frame;
+  frame.kind = CallFrame::Kind::cycle_body;
+  frame.start = body_starts_.at(cycle.name);
+  frame.reader = 1;
+  frame.left = times;
+  frame.caller = caller;
+  frame.name = static_cast<std::uint32_t>(&cycle - def_.cycles.data());
+  KADR_TRY(push(frame, where));
+  go_to(1, frame.start);
+  return {};
+}
+
+Status Flow::repeat(std::uint32_t times, const Origin& caller, Span where) {
+  CallFrame frame;
+  frame.kind = CallFrame::Kind::repetition;
+  frame.start = position();
+  frame.reader = reader_;
+  frame.left = times;
+  frame.caller = caller;
+  return push(frame, where);
+}
+
+Result<std::optional<CallFrame>> Flow::end_subprogram(Span where) {
+  if (frames_.empty()) return fail(alarm(AlarmId::return_without_call, where));
+  CallFrame& top = frames_.back();
+  if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
+  if (--top.left > 0) {
+    top.repeating = true;
+    go_to(top.reader, top.start);
+    return std::optional<CallFrame>();
+  }
+  const CallFrame left = top;
+  frames_.pop_back();
+  go_to(left.back_reader, left.back);
+  return std::optional<CallFrame>(left);
+}
+
+Status Flow::end_repetition(Span where) {
+  if (frames_.empty() || frames_.back().kind != CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_alone, where));
+  CallFrame& top = frames_.back();
+  if (--top.left > 0) {
+    top.repeating = true;
+    go_to(top.reader, top.start);
+  } else {
+    frames_.pop_back();
+  }
+  return {};
+}
+
+Status Flow::restart(Span where) {
+  if (++restarts_ > limits_.restarts) {
+    ended_ = true;
+    return fail(alarm(AlarmId::endless_program, where, double(limits_.restarts), ""));
+  }
+  frames_.clear();
+  go_to(0, {});
+  return {};
+}
+
+/// Reads the file once for the beginnings of its subprograms. Faults are left to the blocks that are carried out.
+void Flow::make_index() {
+  indexed_ = true;
+  const Position here = program_.position();
+  program_.seek({});
+  auto block = std::make_unique<Block>();
+  bool in_section = false;
+  for (;;) {
+    const Position at = program_.position();
+    const auto got = program_.next(*block);
+    if (got && *got == BlockReader::Got::end) break;
+    std::optional<std::uint32_t> name;
+    if (def_.behaviour.subprograms_by_section) {
+      constexpr std::uint8_t digits_of_label = 5;   // N02001: subprogram 02, block 001 (2С42 6.3.5)
+      if (block->marker == Marker::section) in_section = true;
+      if (block->marker == Marker::program_start) in_section = false;
+      if (in_section && block->has_number && block->number_digits == digits_of_label) name = block->number / 1000;
+      if (name && labels_.contains(*name)) name.reset();
+      if (const Word* const m = block->find('M'); got && m != nullptr && m->code == 20) in_section = false;
+    } else if (block->marker == Marker::label) {
+      name = block->label;
+    }
+    if (!name || labels_.size() >= most_labels) continue;
+    auto [label, added] = labels_.try_emplace(*name, Label{block->position.offset == at.offset ? at : block->position, false, false});
+    if (!added) label->second.twice = true;
+  }
+  program_.seek(here);
+}
+
+void Flow::each_uncalled(const std::function<void(Result<BlockReader::Got>, const Block&)>& visit) {
+  if (def_.grammar.label_address == 0 && !def_.behaviour.subprograms_by_section) return;
+  if (!indexed_) make_index();
+  auto block = std::make_unique<Block>();
+  for (const auto& [name, label] : labels_) {
+    if (label.called || passed_.contains(name)) continue;
+    program_.seek(label.position);
+    bool first = true;
+    for (;;) {
+      const auto got = program_.next(*block);
+      if (got && *got == BlockReader::Got::end) break;
+      const bool other = block->marker != Marker::none || (def_.behaviour.subprograms_by_section && block->number_digits == 5 && block->number / 1000 != name);
+      if (!first && other) break;
+      visit(got, *block);
+      first = false;
+    }
+  }
+}
+
+std::string Flow::name_of(const ControlDef& def, const CallFrame& frame) {
+  const auto two_digits = [](std::uint32_t n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+  switch (frame.kind) {
+    case CallFrame::Kind::repetition: return "H … M20";
+    case CallFrame::Kind::cycle_body: return def.cycles[frame.name].name;
+    default: return def.behaviour.subprograms_by_section ? "L" + two_digits(frame.name) : "O" + std::to_string(frame.name);
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,85 @@
+// From a function's name to its code; the functions that only set a mode.
+
+#include "control/functions.h"
+
+#include <iterator>
+
+namespace kadr {
+namespace {
+
+constexpr Handler handlers[] = {
+#define KADR_FUNCTION_HANDLER(name, phase, axes) functions::name,
+    KADR_FUNCTIONS(KADR_FUNCTION_HANDLER)
+#undef KADR_FUNCTION_HANDLER
+};
+static_assert(std::size(handlers) == static_cast<std::size_t>(Function::count));
+
+Status set_plane(Machinery& m, Plane plane) {
+  if (m.modal.radius_side != 0 && m.modal.plane != plane && m.def.behaviour.arc_radius_word)
+    return fail(alarm(AlarmId::compensation_active, m.block.where, "G17, G18, G19"));
+  m.modal.plane = plane;
+  m.apply_mirror();
+  return {};
+}
+
+Status set_feed_mode(Machinery& m, FeedMode mode) {
+  if (m.modal.feed_mode != mode) m.modal.feed_known = false;   // a feed of the other unit means nothing
+  m.modal.feed_mode = mode;
+  return {};
+}
+
+}  // namespace
+
+Handler handler_of(Function function) { return handlers[static_cast<std::size_t>(function)]; }
+
+namespace functions {
+
+// Addresses that other functions read: nothing to do by themselves.
+Status block_number(Machinery&, const Call&) { return {}; }
+Status axis(Machinery&, const Call&) { return {}; }
+Status center(Machinery&, const Call&) { return {}; }
+Status word_of_code(Machinery&, const Call&) { return {}; }
+Status formal_parameter(Machinery&, const Call&) { return {}; }
+Status code(Machinery&, const Call&) { return {}; }
+Status label(Machinery&, const Call&) { return {}; }
+Status corrector_word(Machinery&, const Call&) { return {}; }
+
+Status plane_xy(Machinery& m, const Call&) { return set_plane(m, Plane::xy); }
+Status plane_zx(Machinery& m, const Call&) { return set_plane(m, Plane::zx); }
+Status plane_yz(Machinery& m, const Call&) { return set_plane(m, Plane::yz); }
+Status absolute(Machinery& m, const Call&) { return m.modal.absolute = true, Status(); }
+Status incremental(Machinery& m, const Call&) { return m.modal.absolute = false, Status(); }
+Status centers_absolute(Machinery& m, const Call&) { return m.modal.centers_absolute = true, Status(); }
+Status centers_incremental(Machinery& m, const Call&) { return m.modal.centers_absolute = false, Status(); }
+Status inch(Machinery& m, const Call&) { return m.modal.inch = m.variables.inch = true, Status(); }
+Status millimetre(Machinery& m, const Call&) { return m.modal.inch = m.variables.inch = false, Status(); }
+Status feed_inverse_time(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
+Status feed_per_minute(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::per_minute); }
+Status feed_per_revolution(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::per_revolution); }
+Status surface_speed(Machinery& m, const Call&) { return m.modal.surface_speed = true, Status(); }
+Status spindle_rpm(Machinery& m, const Call&) { return m.modal.surface_speed = false, Status(); }
+Status exact_stop_block(Machinery& m, const Call&) { return m.block_exact = true, Status(); }
+Status exact_stop_mode(Machinery& m, const Call&) {
+  m.modal.exact = true;
+  m.modal.blend_tolerance = 0;
+  return {};
+}
+/// G64, with P the path tolerance (RS274/NGC; Mach3 itself has none).
+Status constant_velocity(Machinery& m, const Call&) {
+  const double tolerance = m.length_value('P');
+  if (tolerance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', tolerance));
+  m.modal.exact = false;
+  m.modal.blend_tolerance = tolerance;
+  return {};
+}
+// Joins of the offset path: their mode is kept for the cutter radius compensation (modal.rows).
+Status corner_arc(Machinery&, const Call&) { return {}; }
+Status corner_line(Machinery&, const Call&) { return {}; }
+Status retract_initial(Machinery& m, const Call&) { return m.modal.retract_initial = true, Status(); }
+Status retract_level(Machinery& m, const Call&) { return m.modal.retract_initial = false, Status(); }
+Status override_permission(Machinery& m, const Call& call) { return m.modal.override_permission = static_cast<std::uint8_t>(call.row->arg), Status(); }
+Status override_on(Machinery& m, const Call&) { return m.modal.override_enabled = true, Status(); }
+Status override_off(Machinery& m, const Call&) { return m.modal.override_enabled = false, Status(); }
+
+}  // namespace functions
+}  // namespace kadr

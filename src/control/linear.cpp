@@ -1,0 +1,189 @@
+// G0, G1 and what moves in straight lines: polar mode, machine coordinates, reference points, probe.
+
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/correctors/correctors.h"
+#include "control/functions.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::uint32_t x_bit = letter_bit('X');
+constexpr std::uint32_t y_bit = letter_bit('Y');
+
+/// Mach3 10.7.6: X is the radius and Y the angle from the pole; a word left out keeps its last value.
+void polar_target(Machinery& m, Axes& to, AxisMask& named) {
+  if ((m.block.letters & (x_bit | y_bit)) == 0) return;
+  Modal& modal = m.modal;
+  if (m.has('X')) modal.polar_radius = (modal.absolute ? 0.0 : modal.polar_radius) + m.length_value('X');
+  if (m.has('Y')) modal.polar_angle = (modal.absolute ? 0.0 : modal.polar_angle) + m.value('Y');
+  const SinCos turn = sincos_deg(modal.polar_angle);
+  to[0] = modal.pole.x + modal.polar_radius * turn.cos;
+  to[1] = modal.pole.y + modal.polar_radius * turn.sin;
+  named |= 3u;
+}
+
+/// G53 beside G0 or G1: the words are machine coordinates (Mach3 10.7.17).
+Status machine_motion(Machinery& m, MotionKind kind) {
+  Axes to = m.position.machine;
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const Word* const w = m.letters.axis_letter[a] != 0 ? m.word(m.letters.axis_letter[a]) : nullptr;
+    if (w == nullptr) continue;
+    const bool is_length = m.def.address(w->address).unit == WordUnit::length;
+    to[a] = w->value * (is_length ? m.unit_scale() : 1.0);
+    named |= 1u << a;
+    if (!(std::fabs(to[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w->where, w->address, to[a]));
+  }
+  return m.to_machine(kind, to, named, 0);
+}
+
+Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode) {
+  if (call.row->modal) {
+    m.modal.motion = mode;
+    m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
+  }
+  m.cycle_memory.row = -1;
+  AxisMask named = 0;
+  auto to = m.target(named);
+  if (!to) return fail(to.error());
+  if (m.modal.polar) polar_target(m, *to, named);
+  if (m.def.behaviour.correctors) {
+    auto corrected = correctors::apply(m, *to);
+    if (!corrected) return fail(corrected.error());
+    named |= *corrected;
+  }
+  if (named == 0) return {};   // the code alone: only the mode
+  if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
+  if (m.block_machine_coordinates) return machine_motion(m, kind);
+  return m.straight(kind, *to, named);
+}
+
+/// Axes of the block's words, whatever their values; all linear ones if there is none.
+AxisMask named_axes(const Machinery& m) {
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (m.letters.axis_letter[a] != 0 && m.has(m.letters.axis_letter[a])) named |= 1u << a;
+  return named != 0 ? named : (1u << m.axis_count) - 1;
+}
+
+}  // namespace
+
+namespace functions {
+
+Status rapid(Machinery& m, const Call& call) { return straight(m, call, MotionKind::rapid, MotionMode::rapid); }
+Status linear(Machinery& m, const Call& call) { return straight(m, call, MotionKind::feed, MotionMode::linear); }
+
+Status no_motion(Machinery& m, const Call& call) {
+  m.modal.motion = MotionMode::none;
+  m.modal.motion_row = call.row->modal && m.def.behaviour.arc_radius_word ? std::int16_t{-1} : m.modal.motion_row;
+  m.cycle_memory.row = -1;
+  return {};
+}
+
+Status machine_coordinates(Machinery& m, const Call& call) {
+  bool straight_coded = false;
+  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
+    const Word& w = m.block.words[i];
+    const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
+    if (row < 0) continue;
+    const Function f = m.def.codes[static_cast<std::size_t>(row)].function;
+    straight_coded = straight_coded || f == Function::rapid || f == Function::linear;
+  }
+  const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
+  if (!straight_coded && !in_force) return fail(alarm(AlarmId::machine_motion_mode, call.where));
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, "G53"));
+  if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, "G53"));
+  m.block_machine_coordinates = true;
+  return {};
+}
+
+/// G28 / G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second.
+/// INFERRED: axes named go home; none named: all of them, at once.
+Status home_through(Machinery& m, const Call& call) {
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
+  AxisMask named = 0;
+  if (m.has_axis_words()) {
+    const auto through = m.target(named);
+    if (!through) return fail(through.error());
+    KADR_TRY(m.straight(MotionKind::rapid, *through, named));
+  }
+  Axes home{};
+  for (std::size_t a = 0; a < m.axis_count && a < 6; ++a) home[a] = m.variables.raw(first + static_cast<std::uint32_t>(a));
+  return m.to_machine(MotionKind::home, home, named_axes(m), 0);
+}
+
+/// G28.1 (Mach3 10.7.11): the axes go to their switches at feed; the commanded end is the reference point.
+Status home_axes(Machinery& m, const Call& call) {
+  KADR_TRY(m.feed_known(call.where));
+  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed);
+}
+
+/// G25 (2С42): to the machine's reference point at 2000 mm/min.
+Status approach_reference(Machinery& m, const Call&) {
+  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed);
+}
+
+/// G26 (2С42): to an absolute point of the machine; INFERRED: at rapid.
+Status machine_point(Machinery& m, const Call&) { return machine_motion(m, MotionKind::rapid); }
+
+/// G10 (GOST turning example): rapid to a polar point: pole by axis words, radius B, angle A from the first of them.
+/// What a word leaves out stays as it was.
+Status pole_rapid(Machinery& m, const Call& call) {
+  const bool turning = m.modal.plane == Plane::zx || (m.has('Z') && !m.has('Y'));
+  const std::size_t along = turning ? 2 : 0;
+  const std::size_t across = turning ? 0 : 1;
+  const auto pole_word = [&](std::size_t axis, double old) { return m.has(m.letters.axis_letter[axis]) ? m.length_value(m.letters.axis_letter[axis]) : old; };
+  m.modal.pole = {pole_word(along, m.modal.pole.x), pole_word(across, m.modal.pole.y)};
+  if (m.has('B')) m.modal.polar_radius = m.length_value('B');
+  if (m.has('A')) m.modal.polar_angle = m.value('A');
+  if (!m.has('B') && !m.has('A')) return fail(alarm(AlarmId::word_missing, call.where, 'B', call.row->code));
+  const SinCos turn = sincos_deg(m.modal.polar_angle);
+  Axes to = m.position.programmed;
+  to[along] = m.modal.pole.x + m.modal.polar_radius * turn.cos;
+  to[across] = m.modal.pole.y + m.modal.polar_radius * turn.sin;
+  return m.straight(MotionKind::rapid, to, 1u << along | 1u << across);
+}
+
+/// G31 (Mach3 10.7.12).
+Status probe(Machinery& m, const Call& call) {
+  const std::uint32_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
+  if ((m.block.letters & linear) == 0) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  if (m.modal.feed_mode == FeedMode::inverse_time) return fail(alarm(AlarmId::probe_feed_mode, call.where));
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  KADR_TRY(m.feed_known(call.where));
+  AxisMask named = 0;
+  const auto to = m.target(named);
+  if (!to) return fail(to.error());
+  double distance = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const double way = (*to)[a] - m.position.programmed[a];
+    if ((m.def.rotary >> a & 1u) == 0) distance += way * way;
+    else if (std::fabs(way) > tol::same_angle) return fail(alarm(AlarmId::rotary_motion, call.where, call.row->code));
+  }
+  if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)
+    return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));
+  m.needs_probe = true;
+  m.probe_where = call.where;
+  return m.straight(MotionKind::probe, *to, named);
+}
+
+}  // namespace functions
+
+/// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
+void Machinery::answer(const ProbeAnswer& answer) {
+  needs_probe = false;
+  const std::uint32_t first = variables.first(VariableKind::probe_point);
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    position.work[a] = answer.at[a];
+    position.machine[a] = answer.at[a] + frames.origin[a] + frames.length[a];
+    if (answer.touched && first != 0 && a < 6) variables.set_raw(first + static_cast<std::uint32_t>(a), answer.at[a]);
+  }
+  (void)variables.take_frames_changed();
+  position.programmed = transform.to_programmed(position.work);
+  if (!answer.touched) fail_with(alarm(AlarmId::probe_no_contact, probe_where));
+}
+
+}  // namespace kadr

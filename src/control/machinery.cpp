@@ -1,0 +1,341 @@
+#include "control/machinery.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "lang/expression.h"
+
+namespace kadr {
+namespace {
+
+/// The instructions' view of the variables.
+struct Reading {
+  const Variables& variables;
+  Result<double> variable(double number, Span where) const { return variables.variable(number, where); }
+  Result<double> parameter(int index, Span where) const { return variables.parameter(index, where); }
+};
+
+std::uint32_t characters(std::string_view text) {
+  return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+Machinery::Machinery(const ControlDef& control, const Setup& setup, Program program, RunLimits limits)
+    : def(control), letters(control), variables(control), flow(control, std::move(program), limits) {
+  modal.rows.fill(-1);
+  read_setup(setup);
+  start_modal(setup);
+}
+
+Control::State Machinery::run(ActionBatch& to) {
+  to.clear();
+  batch = &to;
+  if (first_frames_) {
+    first_frames_ = false;
+    emit(FrameChange{frames.origin, frames.length});
+  }
+  while (to.size() < batch_size && !stopped_) {
+    if (cycle_run.active()) {
+      if (const Status status = cycle_run.next(*this); !status) fail_with(status.error());
+      continue;
+    }
+    if (flow.ended()) return Control::State::ended;
+    const auto got = flow.next(block);
+    if (got && *got == BlockReader::Got::end) {
+      if (const Status closed = end_of_file(); !closed) {
+        fail_with(closed.error());
+        break;
+      }
+      flow.end();
+      return Control::State::ended;
+    }
+    if (!flow.in_body()) origin = origin_of_block();
+    for (const Alarm& w : block.warnings) warn(w);
+    const Status status = got ? execute() : Status(fail(got.error()));
+    if (!status) fail_with(status.error());
+    if (needs_probe) return Control::State::needs_probe;
+  }
+  return stopped_ ? Control::State::stopped : Control::State::running;
+}
+
+/// The file's end ends the program too; not in the middle of a call or a repetition.
+Status Machinery::end_of_file() {
+  if (flow.depth() == 0) return {};
+  const CallFrame frame = flow.frames().back();
+  flow.frames().clear();
+  const AlarmId id = frame.kind == CallFrame::Kind::repetition ? AlarmId::repeat_end_missing : AlarmId::subprogram_end_missing;
+  return fail(alarm(id, {}, double(frame.kind == CallFrame::Kind::repetition ? frame.caller.line : frame.name)));
+}
+
+void Machinery::go_on() { stopped_ = false; }
+
+void Machinery::fail_with(const Alarm& failed) {
+  cycle_run.stop();
+  report = report_of(failed, origin, block.text);
+  stopped_ = true;
+}
+
+void Machinery::warn(const Alarm& alarm) {
+  if (*on_warning) (*on_warning)(report_of(alarm, origin, block.text));
+}
+
+AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
+  AlarmReport r{alarm, flow.file(), std::string(line_text), at, {}};
+  if (!flow.in_body() && alarm.where.begin <= line_text.size()) r.origin.column = characters(line_text.substr(0, alarm.where.begin)) + 1;
+  for (const CallFrame& frame : flow.frames())
+    r.calls.push_back({Flow::name_of(def, frame), frame.caller.line, frame.caller.block, frame.caller.has_block});
+  return r;
+}
+
+Origin Machinery::origin_of_block() const {
+  Origin o;
+  o.line = block.position.line;
+  o.column = block.where.begin == 0 ? 1 : characters(block.text.substr(0, block.where.begin)) + 1;
+  o.block = block.number;
+  o.has_block = block.has_number;
+  o.main_block = block.main_block;
+  o.block_digits = block.number_digits;
+  o.depth = static_cast<std::uint8_t>(std::min<std::size_t>(flow.depth(), 255));
+  return o;
+}
+
+// ---- one block
+
+Status Machinery::execute() {
+  if (block.marker != Marker::none || skipping_section_ || !flow.started) {
+    KADR_TRY(structure());
+    if (skipping_section_ || flow.ended()) return {};
+  }
+  if (block.skip != 0 && skip_switches[std::min<std::size_t>(block.skip, 9)]) return {};
+  if (block.empty() && block.comments.empty()) return {};
+  const std::size_t actions = batch->size();
+  moment_taken_ = false;
+  block_exact = block_machine_coordinates = false;
+  if (!block.code.empty()) {
+    take_moment();
+    variables.begin_block();
+  }
+  Status status = evaluate_words();
+  if (status) status = plan_block(def, letters, block, modal.motion_row, plan_);
+  if (status && !plan_.moves_only) take_moment();
+  if (status) status = carry_out(plan_);
+  if (!status) take_back(actions);
+  return status;
+}
+
+/// '%', sections of subprograms, labels: where a program begins.
+Status Machinery::structure() {
+  switch (block.marker) {
+    case Marker::program_start:
+      if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading) flow.end();   // the next program of the tape
+      flow.started = true;
+      skipping_section_ = false;
+      return {};
+    case Marker::section:
+      if (flow.depth() != 0) return fail(alarm(AlarmId::subprogram_end_missing, block.where, double(flow.frames().back().name)));
+      skipping_section_ = true;
+      return {};
+    case Marker::label:
+      if (flow.depth() == 0) flow.pass_label(block.label);
+      return {};
+    default: break;
+  }
+  if (skipping_section_ || flow.started || block.empty()) return {};
+  flow.started = true;
+  if (!def.grammar.program_start_required) return {};
+  return fail(alarm(AlarmId::program_start_missing, {block.where.begin, block.where.begin + 1}));
+}
+
+Status Machinery::evaluate_words() {
+  if (block.code.empty()) return check_ranges();
+  if (!def.behaviour.delayed_assignment) KADR_TRY(assign());
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    Word& w = block.words[i];
+    if (!w.expression) continue;
+    const auto result = evaluate(block, w.expression, Reading{variables});
+    if (!result) return fail(result.error());
+    w.value = *result;
+    if (def.grammar.word(w.address).code) {
+      const double nearest = std::round(w.value * 10);
+      const bool is_code = std::fabs(w.value * 10 - nearest) < tol::whole_number && nearest >= 0 && nearest < ControlDef::most_tenths;
+      w.code = is_code ? static_cast<std::int32_t>(nearest) : -1;
+    }
+  }
+  KADR_TRY(check_ranges());
+  return def.behaviour.delayed_assignment ? assign() : Status();
+}
+
+/// All values first, then all assignments: `#1=5 X#1` uses the old #1 (spec/mach3 1).
+Status Machinery::assign() {
+  assigned_.clear();
+  for (const Assignment& a : block.assignments) {
+    const auto target = evaluate(block, a.target, Reading{variables});
+    if (!target) return fail(target.error());
+    const auto value = evaluate(block, a.value, Reading{variables});
+    if (!value) return fail(value.error());
+    assigned_.push_back(*target);
+    assigned_.push_back(*value);
+  }
+  for (std::size_t i = 0; i < block.assignments.size(); ++i) {
+    if (def.grammar.parameter_address != 0) variables.set_parameter(static_cast<int>(assigned_[2 * i]), assigned_[2 * i + 1]);
+    else KADR_TRY(variables.set(assigned_[2 * i], assigned_[2 * i + 1], block.assignments[i].where));
+  }
+  if (variables.take_frames_changed()) change_frames();
+  return {};
+}
+
+Status Machinery::check_ranges() const {
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    if (!(std::fabs(w.value) <= 1e9)) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
+    const AddressRow& row = def.address(w.address);
+    if (w.value < row.least || w.value > row.most) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
+    if (row.whole && w.value != std::floor(w.value)) return fail(alarm(AlarmId::word_not_integer, w.where, w.address, w.value));
+  }
+  return {};
+}
+
+Status Machinery::carry_out(const Plan& plan) {
+  if (def.grammar.expressions)
+    for (const Span comment : block.comments) {
+      const std::string_view text = block.text_of(comment);
+      if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) emit(Message{std::string(text.substr(4))});
+    }
+  bool motion_began = false;
+  for (std::uint32_t i = 0; i < plan.count; ++i) {
+    const PlanItem& item = plan.items[i];
+    const CodeRow* const row = item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr;
+    const Word* const w = item.word == no_word ? nullptr : &block.words[item.word];
+    const Phase phase = row != nullptr ? row->phase : def.address(item.address).phase;
+    if (phase == Phase::motion && !motion_began) {
+      motion_began = true;
+      if (modal.radius_side != 0)
+        if (const double radius = radius_in_force(); radius != 0) {
+          const Word* const d = word('D');
+          const Span at = w != nullptr && d == nullptr ? block.where : d != nullptr ? d->where : block.where;
+          return fail(alarm(AlarmId::compensation_not_available, at, radius));
+        }
+    }
+    const Function function = row != nullptr ? row->function : def.address(item.address).function;
+    KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block.where}));
+    if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
+  }
+  return {};
+}
+
+void Machinery::take_moment() {
+  if (moment_taken_) return;
+  moment_taken_ = true;
+  variables.begin_block();
+  moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
+  kept_offset_.first = 0;
+}
+
+/// Nothing of a faulty block is done (design.md 4).
+void Machinery::take_back(std::size_t actions) {
+  batch->resize(actions);
+  needs_probe = false;
+  cycle_run.stop();
+  if (!moment_taken_) return;
+  variables.undo_block();
+  (void)variables.take_frames_changed();
+  modal = moment_.modal;
+  transform = moment_.transform;
+  position = moment_.position;
+  frames = moment_.frames;
+  cycle_memory = moment_.cycle_memory;
+  pocket = moment_.pocket;
+  set_position = moment_.set_position;
+  set_position_by_g52 = moment_.set_position_by_g52;
+  tables.zero_shift = moment_.zero_shift;
+  if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
+}
+
+void Machinery::run_codes(std::initializer_list<std::string_view> codes) {
+  for (const std::string_view code : codes)
+    for (std::size_t i = 0; i < def.codes.size(); ++i) {
+      const CodeRow& row = def.codes[i];
+      if (row.code != code) continue;
+      if (traits_of(row.function).takes_axes) {
+        modal.motion = row.function == Function::rapid ? MotionMode::rapid : MotionMode::linear;
+        modal.motion_row = static_cast<std::int16_t>(i);
+      } else {
+        (void)handler_of(row.function)(*this, {&row, nullptr, block.where});
+      }
+      if (row.group != 0) modal.rows[row.group] = static_cast<std::int16_t>(i);
+    }
+}
+
+// ---- words
+
+double Machinery::value(char letter) const {
+  const Word* const w = block.find(letter);
+  return w == nullptr ? 0.0 : w->value * def.address(letter).scale;
+}
+
+Span Machinery::where(char letter) const {
+  const Word* const w = block.find(letter);
+  return w == nullptr ? block.where : w->where;
+}
+
+Result<std::uint32_t> Machinery::whole(char letter, double least, double most) const {
+  const double v = value(letter);
+  const double nearest = std::round(v);
+  if (std::fabs(v - nearest) > tol::whole_number) return fail(alarm(AlarmId::word_not_integer, where(letter), letter, v));
+  if (nearest < least || nearest > most) return fail(alarm(AlarmId::value_out_of_range, where(letter), letter, v));
+  return static_cast<std::uint32_t>(nearest);
+}
+
+// ---- the rest of the contract
+
+void Machinery::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) {
+  auto plan = std::make_unique<Plan>();
+  flow.each_uncalled([&](Result<BlockReader::Got> got, const Block& read) {
+    Status status = got ? Status() : Status(fail(got.error()));
+    Block& looked_at = const_cast<Block&>(read);   // expressions have no value here: codes by expression are left alone
+    bool known = true;
+    for (std::uint32_t i = 0; i < looked_at.word_count; ++i) known = known && !(looked_at.words[i].expression && looked_at.words[i].code < 0 && letters.codes >> (looked_at.words[i].address - 'A') & 1u);
+    if (status && known) status = plan_block(def, letters, read, any_motion, *plan);
+    Origin at;
+    at.line = read.position.line;
+    at.block = read.number;
+    at.has_block = read.has_number;
+    at.block_digits = read.number_digits;
+    if (!status) on_fault(report_of(status.error(), at, read.text));
+  });
+}
+
+Ending Machinery::ending() const {
+  Ending e;
+  e.position = position.work;
+  e.machine_position = position.machine;
+  for (std::uint32_t n = 1; n <= variables.highest() && def.grammar.variables != 0; ++n)
+    if (variables.is_set(n)) e.variables.emplace_back("#" + std::to_string(n), *variables.variable(n, {}));
+  for (int i = 0; i < 10; ++i)
+    if (variables.parameter_set(i)) e.variables.emplace_back("R" + std::to_string(i), variables.raw_parameter(i));
+  for (const std::string& name : watch_) {
+    const auto same = [&](const auto& v) { return v.first == name; };
+    if (std::any_of(e.variables.begin(), e.variables.end(), same)) continue;
+    const auto read = name.starts_with('#') ? variables.variable(std::strtod(name.c_str() + 1, nullptr), {}) : Result<double>(fail(Alarm()));
+    if (read) e.variables.emplace_back(name, *read);
+    else e.watched_unset.emplace_back(name, true);
+  }
+  for (std::size_t g = 1; g < def.groups.size(); ++g)
+    if (modal.rows[g] >= 0) e.modal.push_back(def.codes[static_cast<std::size_t>(modal.rows[g])].code);
+  const auto add = [&](const char* letter, double v) {
+    std::string text = std::to_string(v);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    e.modal.push_back(letter + text);
+  };
+  if (modal.feed_known) add("F", modal.inch && modal.feed_mode != FeedMode::inverse_time ? modal.feed / mm_per_inch : modal.feed);
+  add("S", modal.rpm);
+  add("T", modal.tool_selected);
+  add("D", modal.offset_number);
+  add("H", modal.length_number);
+  return e;
+}
+
+}  // namespace kadr

@@ -1,0 +1,178 @@
+#pragma once
+// The inside of Control: state, and what the functions of a control's table share. Only src/control includes it.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "control/control.h"
+#include "control/cycles/cycle_run.h"
+#include "control/flow.h"
+#include "control/plan.h"
+#include "control/state.h"
+#include "control/variables.h"
+
+namespace kadr {
+
+inline constexpr double mm_per_inch = 25.4;
+inline constexpr double farthest = 1e7;          // mm, degrees: a coordinate beyond ten kilometres is a mistake
+inline constexpr std::size_t batch_size = 256;   // actions handed on at a time
+
+/// Parameters of G87 of the generic Soviet control (spec/correctors 3), kept for G79.
+struct PocketCycle {
+  bool defined = false;
+  double x = 0, y = 0, z = 0, clearance = 0, corner = 0, stepover = 0, direction = 0, pass = 0;
+};
+
+class Machinery {
+ public:
+  Machinery(const ControlDef& control, const Setup& setup, Program program, RunLimits limits);
+
+  Control::State run(ActionBatch& batch);
+  void answer(const ProbeAnswer& answer);
+  void go_on();
+  void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
+  Ending ending() const;
+  AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
+
+  // ---- words of the block being carried out
+
+  const Word* word(char letter) const { return block.find(letter); }
+  bool has(char letter) const { return block.has(letter); }
+  /// Value of a word with the scale of its address; 0 if it is not there.
+  double value(char letter) const;
+  /// The same as a length: mm.
+  double length_value(char letter) const { return value(letter) * unit_scale(); }
+  double unit_scale() const { return modal.inch ? mm_per_inch : 1.0; }
+  /// A whole number between the two.
+  ///   alarms  word_not_integer, value_out_of_range
+  Result<std::uint32_t> whole(char letter, double least, double most) const;
+  Span where(char letter) const;
+  bool has_axis_words() const { return (block.letters & letters.axes) != 0; }
+
+  // ---- motion
+
+  /// End point by the block's axis words, programmed coordinates; `named`: axes that have a word.
+  Result<Axes> target(AxisMask& named) const;
+  /// One axis word as a programmed end coordinate.
+  double axis_target(const Word& w, std::size_t axis) const;
+  /// Hands a straight motion to a programmed point on.
+  Status straight(MotionKind kind, const Axes& programmed, AxisMask named);
+  /// A straight motion to a machine position on the named axes.
+  Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed);
+  /// Position after a motion; the axes not named stay where they are.
+  void move_to(const Axes& programmed, const Axes& work, AxisMask named);
+  Motion& add_motion(MotionKind kind, AxisMask named);
+  Status feed_known(Span where) const;
+  /// The motion's feed, unit, exact stop from the modal state.
+  void set_feed(Motion& motion);
+  double feed_limited(double feed);
+
+  template <class What>
+  void emit(What&& what) {
+    Action& action = batch->emplace_back();
+    action.origin = origin;
+    action.what = std::forward<What>(what);
+  }
+
+  // ---- frames
+
+  /// Origin and length worked out anew from the tables and the modal state.
+  void refresh_frames();
+  /// The same, and the tool's coordinates in the new frame (the machine stands).
+  void change_frames();
+  double radius_in_force() const;
+  /// An offset is about to be written: an alarm later in the block brings it back.
+  void keep_offset(std::uint32_t number) { kept_offset_ = {number, tables.offsets[number]}; }
+  /// Codes a cycle carries out by itself; modes only.
+  void run_codes(std::initializer_list<std::string_view> codes);
+  /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
+  void apply_mirror();
+  void warn(const Alarm& alarm);
+
+  // ---- what the functions work on
+
+  const ControlDef& def;
+  const LetterSets letters;
+  Modal modal;
+  Transform transform;
+  ToolPosition position;
+  Frames frames;
+  Tables tables;
+  Variables variables;
+  Flow flow;
+  CycleMemory cycle_memory;
+  CycleRun cycle_run;
+  PocketCycle pocket;
+  std::vector<double> corrector_applied;   // by corrector and axis: what it added last (spec/correctors 1)
+  Axes set_position{};                     // G92 / G52 shift (Mach3), mm
+  bool set_position_by_g52 = false;
+  bool block_exact = false;                // G9 in this block
+  bool block_machine_coordinates = false;  // G53 with a motion (Mach3)
+  bool needs_probe = false;
+  Span probe_where;
+  bool optional_stop_on = false;
+  std::array<bool, 10> skip_switches{};
+  std::array<bool, max_axes> mirror_switches{};   // panel mode of the 2С42 (6.8)
+  std::string start_error;                 // word of the set-up's `modal` that the control does not know
+
+  Block block;
+  Origin origin;
+  ActionBatch* batch = nullptr;
+  std::vector<std::string> axis_names;
+  std::size_t axis_count = 3;
+  std::function<void(const AlarmReport&)>* on_warning = nullptr;
+  AlarmReport report;
+
+ private:
+  /// What a block may change and an alarm takes back.
+  struct Moment {
+    Modal modal;
+    Transform transform;
+    ToolPosition position;
+    Frames frames;
+    CycleMemory cycle_memory;
+    PocketCycle pocket;
+    Axes set_position;
+    bool set_position_by_g52;
+    Axes zero_shift;
+  };
+
+  void read_setup(const Setup& setup);
+  void start_modal(const Setup& setup);
+  bool starts(const std::string& text) const;
+  Status execute();
+  Status carry_out(const Plan& plan);
+  Status evaluate_words();
+  Status assign();
+  Status check_ranges() const;
+  Status structure();
+  Status end_of_file();
+  void take_moment();
+  void take_back(std::size_t actions);
+  Origin origin_of_block() const;
+  void fail_with(const Alarm& alarm);
+
+  Plan plan_;
+  Moment moment_;
+  bool moment_taken_ = false;
+  std::vector<double> assigned_;
+  std::pair<std::uint32_t, ToolOffset> kept_offset_{};   // [0] is none
+  bool stopped_ = false;
+  bool start_missing_reported_ = false;
+  bool skipping_section_ = false;
+  bool first_frames_ = true;
+  std::vector<std::string> watch_;
+};
+
+/// What a row's function does (control/functions.cpp).
+struct Call {
+  const CodeRow* row = nullptr;   // nullptr: an address that acts by itself
+  const Word* word = nullptr;     // nullptr: the motion in force
+  Span where;
+};
+using Handler = Status (*)(Machinery&, const Call&);
+Handler handler_of(Function function);
+
+}  // namespace kadr

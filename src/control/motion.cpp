@@ -1,0 +1,160 @@
+// Straight motions and frames: programmed point → work → machine, and the Motion that goes there.
+
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/machinery.h"
+
+namespace kadr {
+
+double Machinery::axis_target(const Word& w, std::size_t axis) const {
+  const bool is_length = def.address(w.address).unit == WordUnit::length;
+  const double v = w.value * def.address(w.address).scale * (is_length && modal.inch ? mm_per_inch : 1.0);
+  return modal.absolute ? v : position.programmed[axis] + v;
+}
+
+Result<Axes> Machinery::target(AxisMask& named) const {
+  Axes to = position.programmed;
+  named = 0;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    if ((letters.axes & letter_bit(w.address)) == 0) continue;
+    const auto axis = static_cast<std::size_t>(letters.axis_of[static_cast<std::size_t>(w.address - 'A')]);
+    to[axis] = axis_target(w, axis);
+    named |= 1u << axis;
+    if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));
+  }
+  return to;
+}
+
+Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
+  Action& action = batch->emplace_back();
+  action.origin = origin;
+  Motion& motion = action.what.emplace<Motion>();
+  motion.kind = kind;
+  motion.plane = modal.plane;
+  motion.named = named;
+  motion.to = position.work;
+  motion.machine = position.machine;
+  motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
+  motion.tolerance = modal.blend_tolerance;
+  return motion;
+}
+
+void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
+  if (transform.turns_plane() && (named & 3u) != 0) named |= 3u;   // turned: X and Y move together
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    if ((named >> a & 1u) == 0) continue;
+    position.work[a] = work[a];
+    position.machine[a] = work[a] + frames.origin[a] + frames.length[a];
+  }
+  position.programmed = programmed;
+}
+
+Status Machinery::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
+  if (transform.identity) [[likely]] {
+    move_to(programmed, programmed, named);
+  } else {
+    const Axes work = transform.to_work(programmed);
+    for (std::size_t a = 0; a < axis_count; ++a)
+      if (!(std::fabs(work[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, block.where, axis_names[a], work[a]));
+    move_to(programmed, work, named);
+  }
+  Motion& motion = add_motion(kind, named);
+  if (kind != MotionKind::rapid && kind != MotionKind::home) set_feed(motion);
+  return {};
+}
+
+Status Machinery::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    if ((named >> a & 1u) == 0) continue;
+    position.machine[a] = machine[a];
+    position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
+  }
+  position.programmed = transform.to_programmed(position.work);
+  Motion& motion = add_motion(kind, named);
+  if (feed > 0) motion.feed = feed;
+  else if (kind == MotionKind::feed) set_feed(motion);
+  return {};
+}
+
+Status Machinery::feed_known(Span at) const {
+  if (modal.feed_mode == FeedMode::inverse_time) {
+    if (!has('F')) return fail(alarm(AlarmId::feed_missing, at));
+    return {};
+  }
+  if (!modal.feed_known || modal.feed <= 0) return fail(alarm(AlarmId::feed_missing, at));
+  return {};
+}
+
+double Machinery::feed_limited(double feed) {
+  const double most = def.behaviour.feed_most;
+  return most > 0 && feed > most ? most : feed;   // 2С42 6.5.2: at most 5 m/min
+}
+
+void Machinery::set_feed(Motion& motion) {
+  switch (modal.feed_mode) {
+    case FeedMode::per_minute:
+      motion.unit = FeedUnit::mm_per_min;
+      motion.feed = feed_limited(modal.feed);
+      break;
+    case FeedMode::per_revolution:
+      motion.unit = FeedUnit::mm_per_rev;
+      motion.feed = modal.feed;
+      break;
+    case FeedMode::inverse_time:
+      motion.unit = FeedUnit::per_min;
+      motion.feed = modal.feed;
+      break;
+  }
+}
+
+// ---- frames
+
+double Machinery::radius_in_force() const {
+  if (modal.radius_by_word >= 0) return modal.radius_by_word;
+  return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].radius : 0.0;
+}
+
+void Machinery::refresh_frames() {
+  const std::uint32_t fixtures = variables.first(VariableKind::fixture);
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    double origin_of_axis = tables.common[a] + tables.zero_shift[a] + set_position[a];
+    if (fixtures != 0 && a < 6)
+      origin_of_axis += variables.raw(variables.first(VariableKind::fixture, modal.fixture - 1) + static_cast<std::uint32_t>(a));
+    else
+      origin_of_axis += tables.zeros[modal.work_zero][a];
+    frames.origin[a] = origin_of_axis;
+  }
+  constexpr std::size_t length_axis = 2;   // Z
+  const std::uint32_t number = modal.length_number != 0 ? modal.length_number : modal.offset_number;
+  const bool in_table = number < tables.offsets.size();
+  frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].length;
+}
+
+void Machinery::change_frames() {
+  const Frames before = frames;
+  refresh_frames();
+  if (before == frames) return;
+  emit(FrameChange{frames.origin, frames.length});
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    // With `next_motion` a new length is taken out by the next motion of its axis: the tool's coordinate stays as programmed.
+    const double length = def.behaviour.length_offset == LengthOffset::at_once ? frames.length[a] - before.length[a] : 0.0;
+    const double shift = frames.origin[a] - before.origin[a] + length;
+    if (shift != 0) position.work[a] -= shift;
+  }
+  position.programmed = transform.to_programmed(position.work);
+}
+
+void Machinery::apply_mirror() {
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    bool on = mirror_switches[a];
+    if (a == 1 && modal.plane == Plane::zx) on = false;   // 2С42 6.8: with G18 Y is not mirrored
+    if (a == 0 && modal.plane == Plane::yz) on = false;   // with G19 X is not
+    transform.mirror[a] = on ? std::int8_t{-1} : std::int8_t{1};
+  }
+  transform.refresh();
+  position.programmed = transform.to_programmed(position.work);
+}
+
+}  // namespace kadr

@@ -1,0 +1,180 @@
+#include "control/plan.h"
+
+#include <bit>
+
+namespace kadr {
+namespace {
+
+/// Collects the calls of one block.
+class Planner {
+ public:
+  Planner(const ControlDef& def, const LetterSets& letters, const Block& block, Plan& plan) : def_(def), letters_(letters), block_(block), plan_(plan) {}
+
+  Status run(std::int16_t motion_row) {
+    plan_.count = 0;
+    plan_.taken = 0;
+    for (std::uint32_t i = 0; i < block_.word_count; ++i) {
+      const Word& word = block_.words[i];
+      const std::uint32_t bit = letter_bit(word.address);
+      if ((letters_.codes & bit) != 0) KADR_TRY(code(word, static_cast<std::uint8_t>(i)));
+      else if ((letters_.acting & bit) != 0) acting(word, static_cast<std::uint8_t>(i));
+    }
+    KADR_TRY(motion_in_force(motion_row));
+    if (code_count_ != 0 || (block_.letters & ~letters_.acting & ~plan_.taken) != 0) KADR_TRY(words_used());
+    plan_.moves_only = code_count_ == 0 && (block_.letters & letters_.acting) == 0 && block_.assignments.empty();
+    return {};
+  }
+
+ private:
+  Status code(const Word& word, std::uint8_t index) {
+    const std::int32_t row_index = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
+    if (row_index < 0) return fail(alarm(AlarmId::code_unknown, word.where, block_.text_of(word.where)));
+    const CodeRow& row = def_.codes[static_cast<std::size_t>(row_index)];
+    if (row.group != 0) KADR_TRY(one_of_group(row, row_index, word));
+    const FunctionTraits& traits = traits_of(row.function);
+    if (traits.takes_axes) KADR_TRY(axes_taken(row, word));
+    if (row.own_block) own_block_ = &word;
+    plan_.taken |= row.takes;
+    ++code_count_;
+    if (row.needs_axis && (block_.letters & letters_.axes) == 0) return fail(alarm(AlarmId::no_axis_word, word.where, row.code));
+    if (const std::uint32_t missing = row.needs & ~block_.letters; missing != 0)
+      return fail(alarm(AlarmId::word_missing, word.where, static_cast<char>('A' + std::countr_zero(missing)), row.code));
+    add(row.phase, index, static_cast<std::int16_t>(row_index), 0);
+    return {};
+  }
+
+  Status one_of_group(const CodeRow& row, std::int32_t row_index, const Word& word) {
+    const std::uint64_t bit = std::uint64_t{1} << row.group;
+    if ((groups_seen_ & bit) != 0) {
+      const PlanItem& other = plan_.items[first_of_group_[row.group]];
+      const CodeRow& other_row = def_.codes[static_cast<std::size_t>(other.row)];
+      const bool allowed = (row.with >= 0 && row.with == other_row.tenth) || (other_row.with >= 0 && other_row.with == row.tenth);
+      if (!allowed) {
+        const Word& first = block_.words[other.word];
+        return fail(alarm(AlarmId::group_conflict, word.where, block_.text_of(first.where), block_.text_of(word.where)));
+      }
+    }
+    (void)row_index;
+    groups_seen_ |= bit;
+    first_of_group_[row.group] = static_cast<std::uint8_t>(plan_.count);
+    return {};
+  }
+
+  /// Two codes that both want the axis words of the block; a motion code beside G28 and its like only sets the mode.
+  Status axes_taken(const CodeRow& row, const Word& word) {
+    const bool is_mode = row.modal && row.phase == Phase::motion;
+    if (is_mode) {
+      motion_coded_ = true;
+      return {};
+    }
+    if (axes_taker_ != nullptr) return fail(alarm(AlarmId::not_together, word.where, block_.text_of(axes_taker_->where), block_.text_of(word.where)));
+    axes_taker_ = &word;
+    return {};
+  }
+
+  void acting(const Word& word, std::uint8_t index) {
+    if ((plan_.taken & letter_bit(word.address)) != 0) return;
+    const AddressRow& row = def_.address(word.address);
+    add(row.phase, index, -1, word.address);
+  }
+
+  /// Axis words alone: the motion code in force acts again.
+  Status motion_in_force(std::int16_t motion_row) {
+    std::uint32_t starts = letters_.axes | letters_.centers;
+    if (def_.behaviour.correctors) starts |= letter_bit('L');
+    const std::uint32_t loose = block_.letters & starts & ~plan_.taken;
+    if (loose == 0 || motion_coded_ || axes_taker_ != nullptr) return {};
+    if (motion_row == any_motion) {
+      plan_.taken = ~0u;
+      return {};
+    }
+    if (motion_row < 0) {
+      const Word& word = *first_of(loose);
+      return fail(alarm(AlarmId::no_motion_mode, word.where, word.address));
+    }
+    const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
+    if ((loose & row.takes) == 0) return {};   // words_used names it
+    plan_.taken |= row.takes;
+    add(row.phase, no_word, motion_row, 0);
+    return {};
+  }
+
+  const Word* first_of(std::uint32_t letters) const {
+    for (std::uint32_t i = 0; i < block_.word_count; ++i)
+      if ((letters & letter_bit(block_.words[i].address)) != 0) return &block_.words[i];
+    return &block_.words[0];
+  }
+
+  Status words_used() const {
+    const std::uint32_t loose = block_.letters & ~letters_.codes & ~letters_.acting & ~plan_.taken;
+    if (loose != 0) {
+      const Word& word = *first_of(loose);
+      return fail(alarm(AlarmId::word_unused, word.where, word.address));
+    }
+    if (own_block_ != nullptr && (code_count_ > 1 || (block_.letters & letters_.axes & ~plan_.taken) != 0))
+      return fail(alarm(AlarmId::own_block, own_block_->where, block_.text_of(own_block_->where)));
+    return {};
+  }
+
+  void add(Phase phase, std::uint8_t word, std::int16_t row, char address) {
+    const std::uint8_t rank = def_.order[static_cast<std::size_t>(phase)];
+    std::uint32_t at = plan_.count++;
+    for (; at > 0 && plan_.items[at - 1].rank > rank; --at) {
+      plan_.items[at] = plan_.items[at - 1];
+      for (std::uint8_t& first : first_of_group_)
+        if (first == at - 1) first = static_cast<std::uint8_t>(at);
+    }
+    plan_.items[at] = {rank, word, row, address};
+    if (row >= 0) {
+      const std::uint8_t group = def_.codes[static_cast<std::size_t>(row)].group;
+      if (group != 0) first_of_group_[group] = static_cast<std::uint8_t>(at);
+    }
+  }
+
+  const ControlDef& def_;
+  const LetterSets& letters_;
+  const Block& block_;
+  Plan& plan_;
+  std::uint64_t groups_seen_ = 0;
+  std::array<std::uint8_t, most_groups> first_of_group_{};   // index of its item; means something only where groups_seen_ has the bit
+  std::uint32_t code_count_ = 0;
+  bool motion_coded_ = false;
+  const Word* axes_taker_ = nullptr;
+  const Word* own_block_ = nullptr;
+};
+
+}  // namespace
+
+LetterSets::LetterSets(const ControlDef& def) {
+  axis_of.fill(-1);
+  for (std::size_t i = 0; i < 26; ++i) {
+    const AddressRow& row = def.addresses[i];
+    const std::uint32_t bit = 1u << i;
+    switch (row.function) {
+      case Function::count:
+      case Function::block_number:
+      case Function::label:
+      case Function::formal_parameter:
+      case Function::word_of_code: break;
+      case Function::code: codes |= bit; break;
+      case Function::axis:
+        axes |= bit;
+        axis_of[i] = static_cast<std::int8_t>(row.axis);
+        axis_letter[row.axis] = row.letter;
+        break;
+      case Function::center:
+        centers |= bit;
+        axis_of[i] = static_cast<std::int8_t>(row.axis);
+        center_letter[row.axis] = row.letter;
+        break;
+      case Function::corrector_word: break;
+      default: acting |= bit;
+    }
+  }
+}
+
+Status plan_block(const ControlDef& def, const LetterSets& letters, const Block& block, std::int16_t motion_row, Plan& plan) {
+  return Planner(def, letters, block, plan).run(motion_row);
+}
+
+}  // namespace kadr

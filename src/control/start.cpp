@@ -1,0 +1,121 @@
+// The state before the first block: power-on codes of the control, then the set-up file.
+
+#include <algorithm>
+
+#include "control/machinery.h"
+#include "lang/lexer.h"
+
+namespace kadr {
+namespace {
+
+Axes axes_of(const AxisValues& values, const std::vector<std::string>& names) {
+  Axes axes{};
+  for (std::size_t a = 0; a < names.size() && a < max_axes; ++a)
+    if (const auto found = values.find(names[a]); found != values.end()) axes[a] = found->second;
+  return axes;
+}
+
+/// "G54" → 1 … "G59" → 6, "G59 P7" → 7, "common" → 0.
+int zero_number(const std::string& name) {
+  if (const auto p = name.find('P'); p != std::string::npos) return std::atoi(name.c_str() + p + 1);
+  if (name.size() >= 3 && name[0] == 'G') return std::atoi(name.c_str() + 1) - 53;
+  return 0;
+}
+
+}  // namespace
+
+void Machinery::read_setup(const Setup& setup) {
+  axis_names = def.axes;
+  axis_count = axis_names.size();
+  tables.offsets.resize(def.behaviour.offsets + 1);
+  tables.correctors.resize(def.behaviour.offsets + 1);
+  corrector_applied.resize((def.behaviour.offsets + 1) * 3);
+  for (const auto& [number, offset] : setup.offsets)
+    if (number >= 0 && static_cast<std::size_t>(number) < tables.offsets.size()) tables.offsets[static_cast<std::size_t>(number)] = offset;
+  for (const auto& [number, mm] : setup.correctors)
+    if (number >= 0 && static_cast<std::size_t>(number) < tables.correctors.size()) tables.correctors[static_cast<std::size_t>(number)] = mm;
+  for (const auto& [number, zero] : setup.zeros)
+    if (number > 0 && static_cast<std::size_t>(number) < tables.zeros.size()) tables.zeros[static_cast<std::size_t>(number)] = axes_of(zero, axis_names);
+  for (const auto& [number, point] : setup.reference_points)
+    if (number > 0 && static_cast<std::size_t>(number) < tables.reference.size()) tables.reference[static_cast<std::size_t>(number)] = axes_of(point, axis_names);
+  const std::uint32_t fixtures = variables.first(VariableKind::fixture);
+  const auto write = [&](std::uint32_t first, const Axes& values) {
+    for (std::uint32_t a = 0; a < 6 && a < axis_count && first != 0; ++a)
+      if (values[a] != 0) variables.set_raw(first + a, values[a]);
+  };
+  for (const auto& [name, offset] : setup.work_offsets) {
+    const int number = zero_number(name);
+    const Axes values = axes_of(offset, axis_names);
+    if (number == 0) tables.common = values;
+    else if (fixtures != 0) write(variables.first(VariableKind::fixture, static_cast<std::uint32_t>(number - 1)), values);
+    else if (number > 0 && static_cast<std::size_t>(number) < tables.zeros.size()) tables.zeros[static_cast<std::size_t>(number)] = values;
+  }
+  write(variables.first(VariableKind::home), tables.reference[1]);
+  write(variables.first(VariableKind::home_second), tables.reference[2]);
+  for (const auto& [name, value] : setup.variables) {
+    if (!value || name.size() < 2) continue;
+    if (name[0] == 'R') variables.set_parameter(name[1] - '0', *value);
+    else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest()) variables.set_raw(static_cast<std::uint32_t>(n), *value);
+  }
+  for (const int s : setup.skip)
+    if (s >= 0 && s < 10) skip_switches[static_cast<std::size_t>(s)] = true;
+  optional_stop_on = setup.optional_stop;
+  for (const std::string& axis : setup.mirror)
+    if (const auto found = std::find(axis_names.begin(), axis_names.end(), axis); found != axis_names.end())
+      mirror_switches[static_cast<std::size_t>(found - axis_names.begin())] = true;
+  watch_ = setup.watch;
+}
+
+/// Runs the initial code of each group and the set-up's code words like a block, without moving.
+void Machinery::start_modal(const Setup& setup) {
+  static std::function<void(const AlarmReport&)> nobody;
+  ActionBatch unseen;
+  batch = &unseen;
+  on_warning = &nobody;
+  flow.started = true;
+  std::string words;
+  for (const GroupRow& group : def.groups)
+    if (group.power_on >= 0) words += def.codes[static_cast<std::size_t>(group.power_on)].code + " ";
+  const auto run_words = [&](const std::string& text) {
+    Grammar plain = def.grammar;
+    plain.block_number_required = false;
+    plain.block_length = 0;
+    for (WordFormat& w : plain.words)
+      if (w.code) w.at_most = 0;
+    block.clear();
+    if (lex_block(text, 0, true, plain, block)) (void)execute();
+  };
+  run_words(words);
+  for (const std::string& word : setup.modal) start_error = start_error.empty() && !starts(word) ? word : start_error;
+  std::string given;
+  for (const std::string& word : setup.modal) given += word + " ";
+  run_words(given);
+  if (setup.feed) {
+    modal.feed = *setup.feed;
+    modal.feed_known = true;
+  }
+  modal.rpm = setup.spindle_rpm;
+  modal.spindle = setup.spindle_dir == "cw" ? SpindleDir::cw : setup.spindle_dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
+  modal.tool = modal.tool_selected = static_cast<std::uint32_t>(std::max(setup.tool, 0));
+  apply_mirror();
+  refresh_frames();
+  const Axes start = axes_of(setup.start, axis_names);
+  for (std::size_t a = 0; a < max_axes; ++a) {
+    const double shift = frames.origin[a] + frames.length[a];
+    position.machine[a] = setup.start_in_work ? start[a] + shift : start[a];
+    position.work[a] = position.machine[a] - shift;
+  }
+  position.programmed = transform.to_programmed(position.work);
+  flow.started = false;
+  block.clear();
+  batch = nullptr;
+}
+
+/// Is it a code word of this control?
+bool Machinery::starts(const std::string& text) const {
+  if (text.size() < 2) return false;
+  if (text[0] != 'G' && text[0] != 'M') return def.grammar.word(text[0]).known;
+  return def.row_of(text[0], static_cast<std::int32_t>(std::strtod(text.c_str() + 1, nullptr) * 10 + 0.5)) >= 0;
+}
+
+}  // namespace kadr

@@ -1,0 +1,155 @@
+// Feed, spindle, tools, coolant, dwell, stops, messages to the machine.
+
+#include <cmath>
+
+#include "control/functions.h"
+
+namespace kadr {
+namespace {
+
+/// Does the block hold a code of that function?
+bool has_function(const Machinery& m, std::initializer_list<Function> wanted) {
+  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
+    const Word& w = m.block.words[i];
+    if (w.code < 0) continue;
+    const std::int32_t row = m.def.row_of(w.address, w.code);
+    if (row < 0) continue;
+    for (const Function f : wanted)
+      if (m.def.codes[static_cast<std::size_t>(row)].function == f) return true;
+  }
+  return false;
+}
+
+bool turns_spindle(const Machinery& m) {
+  return has_function(m, {Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
+}
+
+Status turn_spindle(Machinery& m, SpindleDir dir) {
+  m.modal.spindle = dir;
+  m.emit(Spindle{dir, m.modal.rpm});
+  return {};
+}
+
+Status flood(Machinery& m) {
+  m.modal.flood = true;
+  m.emit(CoolantSwitch{Coolant::flood});
+  return {};
+}
+
+/// A coded feed or speed (spec/gost 3: `F28` names a row of the machine's table), or the number itself.
+double coded(const std::map<std::int32_t, double>& table, double value) {
+  if (table.empty()) return value;
+  const auto found = table.find(static_cast<std::int32_t>(value));
+  return found == table.end() ? -1 : found->second;
+}
+
+Status dwell_for(Machinery& m, char letter) {
+  const double seconds = m.value(letter);
+  if (!(seconds >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, seconds));
+  m.emit(Dwell{seconds});
+  return {};
+}
+
+}  // namespace
+
+namespace functions {
+
+Status feed_word(Machinery& m, const Call& call) {
+  const bool is_length = m.modal.feed_mode != FeedMode::inverse_time;
+  double feed = coded(m.def.feed_codes, m.value('F'));
+  if (!(feed >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'F', m.value('F')));
+  if (is_length) feed *= m.unit_scale();
+  const double most = m.def.behaviour.feed_most;
+  if (most > 0 && feed > most && m.modal.feed_mode == FeedMode::per_minute) m.warn(warning(AlarmId::feed_limited, call.where, feed, most));
+  m.modal.feed = feed;
+  m.modal.feed_known = true;
+  return {};
+}
+
+Status speed_word(Machinery& m, const Call& call) {
+  const double rpm = coded(m.def.speed_codes, m.value('S'));
+  if (!(rpm >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'S', m.value('S')));
+  if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {   // 2С42 6.4.3
+    m.warn(warning(AlarmId::speed_without_direction, call.where));
+    return {};
+  }
+  m.modal.rpm = rpm;
+  if (!turns_spindle(m)) m.emit(Speed{rpm});
+  return {};
+}
+
+/// T: place in the magazine; where correctors belong to tools, T0404 is tool 04 with corrector 04 (spec/gost 4).
+Status tool_word(Machinery& m, const Call& call) {
+  const auto number = m.whole('T', 0, 99'999'999);
+  if (!number) return fail(number.error());
+  const bool pair = m.def.behaviour.tool_and_corrector && call.word->digits > 2;
+  m.modal.tool_selected = pair ? *number / 100 : *number;
+  m.modal.corrector = pair ? *number % 100 : 0;
+  if (pair && m.modal.corrector < m.tables.offsets.size()) m.modal.offset_number = m.modal.corrector;
+  m.emit(ToolSelect{m.modal.tool_selected, m.modal.corrector});
+  return {};
+}
+
+Status change_tool(Machinery& m, const Call&) {
+  m.modal.tool = m.modal.tool_selected;
+  m.emit(ToolChange{m.modal.tool});
+  return {};
+}
+
+Status spindle_cw(Machinery& m, const Call&) { return turn_spindle(m, SpindleDir::cw); }
+Status spindle_ccw(Machinery& m, const Call&) { return turn_spindle(m, SpindleDir::ccw); }
+Status spindle_orient(Machinery& m, const Call&) { return turn_spindle(m, SpindleDir::orient); }
+Status spindle_stop(Machinery& m, const Call&) {
+  m.modal.spindle = SpindleDir::stop;
+  m.emit(Spindle{SpindleDir::stop, 0});
+  return {};
+}
+Status spindle_cw_coolant(Machinery& m, const Call&) {
+  KADR_TRY(turn_spindle(m, SpindleDir::cw));
+  return flood(m);
+}
+Status spindle_ccw_coolant(Machinery& m, const Call&) {
+  KADR_TRY(turn_spindle(m, SpindleDir::ccw));
+  return flood(m);
+}
+
+Status coolant_mist(Machinery& m, const Call&) {
+  m.modal.mist = true;
+  m.emit(CoolantSwitch{Coolant::mist});
+  return {};
+}
+Status coolant_flood(Machinery& m, const Call&) { return flood(m); }
+Status coolant_off(Machinery& m, const Call&) {
+  m.modal.mist = m.modal.flood = false;
+  m.emit(CoolantSwitch{Coolant::off});
+  return {};
+}
+
+/// G4 with the word its row takes: E in 0.1 s (2С42), P in s.
+Status dwell(Machinery& m, const Call& call) {
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    if ((call.row->takes & letter_bit(letter)) != 0 && m.has(letter)) return dwell_for(m, letter);
+  return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+}
+
+/// A dwell time in a block with a motion: after the motion (2С42 6.4.5).
+Status dwell_word(Machinery& m, const Call& call) { return dwell_for(m, call.word->address); }
+
+Status machine_function(Machinery& m, const Call& call) {
+  m.emit(MachineFunction{static_cast<std::uint32_t>(call.word->code / 10)});
+  return {};
+}
+
+Status program_stop(Machinery& m, const Call&) {
+  m.emit(Stop{false});
+  return {};
+}
+
+/// M01 stops only while the operator's switch is on.
+Status optional_stop(Machinery& m, const Call&) {
+  if (m.optional_stop_on) m.emit(Stop{true});
+  return {};
+}
+
+}  // namespace functions
+}  // namespace kadr

@@ -1,0 +1,100 @@
+#include "control/variables.h"
+
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+constexpr std::uint32_t first_system_variable = 1000;   // below it every number is the program's own
+
+/// The number of a variable, or 0 if `number` is none.
+std::uint32_t number_of(double number, std::uint32_t highest) {
+  const double nearest = std::round(number);
+  if (!(nearest >= 1) || nearest > highest || std::fabs(number - nearest) > tol::whole_number) return 0;
+  return static_cast<std::uint32_t>(nearest);
+}
+
+}  // namespace
+
+Variables::Variables(const ControlDef& def) : def_(def), values_(def.grammar.variables + 1), set_(def.grammar.variables + 1) {}
+
+Result<double> Variables::variable(double number, Span where) const {
+  const std::uint32_t n = number_of(number, highest());
+  if (n == 0) return fail(alarm(AlarmId::variable_unknown, where, number));
+  if (inch && n >= first_system_variable && is_length(n)) return values_[n] / mm_per_inch;
+  return values_[n];
+}
+
+Result<double> Variables::parameter(int index, Span where) const {
+  if (!parameter_set(index)) return fail(alarm(AlarmId::variable_not_set, where, "R" + std::to_string(index)));
+  return parameters_[index];
+}
+
+Status Variables::set(double number, double value, Span where) {
+  const std::uint32_t n = number_of(number, highest());
+  if (n == 0) return fail(alarm(AlarmId::variable_unknown, where, number));
+  const bool length = n >= first_system_variable && is_length(n);
+  set_raw(n, inch && length ? value * mm_per_inch : value);
+  return {};
+}
+
+void Variables::set_raw(std::uint32_t number, double value) {
+  undo_.push_back({static_cast<std::int32_t>(number), values_[number], set_[number]});
+  values_[number] = value;
+  set_[number] = true;
+  if (number >= first_system_variable && kind_of(number) != VariableKind::free) frames_changed_ = true;
+}
+
+void Variables::set_parameter(int index, double value) {
+  undo_.push_back({-index - 1, parameters_[index], parameter_set(index)});
+  parameters_[index] = value;
+  parameters_set_ |= 1u << index;
+}
+
+void Variables::undo_block() {
+  while (!undo_.empty()) {
+    const Undo& old = undo_.back();
+    if (old.number >= 0) {
+      values_[static_cast<std::size_t>(old.number)] = old.value;
+      set_[static_cast<std::size_t>(old.number)] = old.was_set;
+    } else {
+      const int index = -old.number - 1;
+      parameters_[index] = old.value;
+      if (!old.was_set) parameters_set_ &= ~(1u << index);
+    }
+    undo_.pop_back();
+  }
+  frames_changed_ = true;
+}
+
+VariableKind Variables::kind_of(std::uint32_t number) const {
+  for (const VariableRow& row : def_.variables) {
+    if (number < row.from) continue;
+    const std::uint32_t beyond = number - row.from;
+    const std::uint32_t nth = row.stride == 0 ? 0 : beyond / row.stride;
+    if (nth < row.repeat && beyond - nth * row.stride < row.count) return row.kind;
+  }
+  return VariableKind::free;
+}
+
+bool Variables::is_length(std::uint32_t number) const {
+  const VariableKind kind = kind_of(number);
+  return kind != VariableKind::free && kind != VariableKind::fixture_number;
+}
+
+std::uint32_t Variables::first(VariableKind kind, std::uint32_t nth) const {
+  for (const VariableRow& row : def_.variables)
+    if (row.kind == kind) return row.from + nth * row.stride;
+  return 0;
+}
+
+bool Variables::take_frames_changed() {
+  const bool changed = frames_changed_;
+  frames_changed_ = false;
+  return changed;
+}
+
+}  // namespace kadr

@@ -1,0 +1,39 @@
+#pragma once
+// What a touch probe meets on a straight line: switch positions of the setup, and a hole in a solid workpiece.
+//
+//        top ─────┐   r  ┌─────     Where the centre of the tip (a sphere of radius r) touches:
+//                 │ ╭──╮ │            the top face at top + r, the wall at distance R − r from the hole's axis,
+//                 │ ╰──╯ │            the bottom at top − depth + r, the rim (a circle) at distance r.
+//   top − depth   └──────┘
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/setup.h"
+#include "path/axis_roles.h"
+
+namespace kadr {
+
+/// The part 0..1 of the way from `from` to `to` at which the tip first touches the workpiece; nothing: it stays free.
+/// A tip that starts inside the material touches at 0; one that starts in touch and moves away does not.
+std::optional<double> first_touch(const ProbeHole& hole, Vec3 from, Vec3 to);
+
+class Probe {
+ public:
+  Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const Setup& setup);
+
+  /// Work coordinates. Where nothing is met, the end.
+  ProbeAnswer meet(const Axes& from, const Axes& to) const;
+
+ private:
+  struct Switch {
+    std::size_t axis;
+    double position;
+  };
+  AxisRoles roles_;
+  std::vector<Switch> switches_;
+  std::optional<ProbeHole> hole_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,110 @@
+#include "out/alarm_print.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "out/source_line.h"
+
+namespace kadr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* severity_word(Severity severity, Lang lang) {
+  if (severity == Severity::warning) return lang == Lang::ru ? "предупреждение" : "warning";
+  return lang == Lang::ru ? "ошибка" : "alarm";
+}
+
+std::string call_text(const AlarmReport::Call& call, Lang lang) {
+  const std::string block = call.has_block ? fmt::format(" N{}", call.block) : "";
+  return lang == Lang::ru ? fmt::format("вызов {} в строке {}{}", call.what, call.line, block)
+                          : fmt::format("called {} in line {}{}", call.what, call.line, block);
+}
+
+std::string dumped(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+/// A path as a URI reference: slashes stay, bytes that a URI may not hold become %XX.
+std::string uri_of(const std::string& file) {
+  std::string uri;
+  for (const char c : file) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("-._~/").find(c) != std::string_view::npos;
+    if (plain) uri += c;
+    else if (c == '\\') uri += '/';
+    else uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return uri;
+}
+
+Json rule_json(const Finding& finding) {
+  Json rule = {{"id", name_of(finding.id)}, {"shortDescription", {{"text", finding.rule}}}};
+  if (!finding.hint.empty()) rule["help"] = {{"text", finding.hint}};
+  return rule;
+}
+
+Json result_json(const Finding& finding, std::size_t rule) {
+  const Json region = {{"startLine", finding.line}, {"startColumn", finding.column}, {"endColumn", finding.end_column},
+                       {"snippet", {{"text", finding.line_text}}}};
+  const Json place = {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(finding.file)}}}, {"region", region}}}};
+  return {{"ruleId", name_of(finding.id)},
+          {"ruleIndex", rule},
+          {"level", finding.severity == Severity::alarm ? "error" : "warning"},
+          {"message", {{"text", finding.text}}},
+          {"locations", Json::array({place})}};
+}
+
+}  // namespace
+
+std::string block_text(const Origin& origin) {
+  return origin.has_block ? fmt::format("{}{:0{}}", origin.main_block ? ':' : 'N', origin.block, origin.block_digits) : "";
+}
+
+Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang) {
+  const Alarm& alarm = report.alarm;
+  Finding f{alarm.id, alarm.severity, texts.number(alarm.id), texts.sentence(alarm, lang), texts.hint(alarm, lang), texts.pattern(alarm.id, lang),
+            report.file, report.line_text, report.origin.line, 1, 2, block_text(report.origin), {}};
+  if (f.rule.empty()) f.rule = name_of(alarm.id);
+  f.column = report.line_text.empty() ? std::max(report.origin.column, 1U) : characters_before(report.line_text, alarm.where.begin) + 1;
+  f.end_column = std::max(f.column + 1, characters_before(report.line_text, alarm.where.end) + 1);
+  for (const AlarmReport::Call& call : report.calls) f.calls.push_back(call_text(call, lang));
+  return f;
+}
+
+std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang) {
+  const Finding f = finding_of(report, texts, lang);
+  std::string text = fmt::format("{}:{}:{}: {} {}: {}", f.file, f.line, f.column, severity_word(f.severity, lang), name_of(f.id), f.text);
+  if (!f.number.empty()) text += fmt::format(" [{}]", f.number);
+  text += '\n';
+  if (!f.line_text.empty()) text += marked_line(f.line_text, report.alarm.where);
+  if (!f.hint.empty()) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "подсказка" : "hint", f.hint);
+  for (auto call = f.calls.rbegin(); call != f.calls.rend(); ++call) text += fmt::format("  {}\n", *call);
+  return text;
+}
+
+std::string findings_json(const std::vector<Finding>& findings) {
+  Json all = Json::array();
+  for (const Finding& f : findings) {
+    all.push_back({{"file", f.file}, {"line", f.line}, {"column", f.column}, {"end_column", f.end_column},
+                   {"severity", severity_word(f.severity, Lang::en)}, {"id", name_of(f.id)},
+                   {"number", f.number.empty() ? Json() : Json(f.number)}, {"text", f.text}, {"hint", f.hint},
+                   {"block", f.block.empty() ? Json() : Json(f.block)}, {"line_text", f.line_text}, {"calls", f.calls}});
+  }
+  return dumped(all);
+}
+
+std::string findings_sarif(const std::vector<Finding>& findings, const std::string& version) {
+  Json rules = Json::array(), results = Json::array();
+  std::map<AlarmId, std::size_t> known;
+  for (const Finding& f : findings) {
+    const auto [rule, is_new] = known.emplace(f.id, rules.size());
+    if (is_new) rules.push_back(rule_json(f));
+    results.push_back(result_json(f, rule->second));
+  }
+  const Json driver = {{"name", "Kadr"}, {"version", version}, {"rules", rules}};
+  const Json run = {{"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
+  return dumped({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}});
+}
+
+}  // namespace kadr

@@ -1,0 +1,44 @@
+#pragma once
+// Alarms for people (text with the place marked) and for programs (JSON, SARIF 2.1.0).
+
+#include <string>
+#include <vector>
+
+#include "config/alarm_texts.h"
+#include "control/action.h"
+
+namespace kadr {
+
+/// `file:line:column: alarm ID: text`, the source line with the place marked, the hint, the calls. Ends in '\n'.
+///   law  columns count characters; tabs stay tabs, other control characters are shown as pictures; long lines are clipped
+std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang);
+
+/// An alarm resolved to words, for lists over several controls.
+struct Finding {
+  AlarmId id;
+  Severity severity;
+  std::string number;      // the control's own, may be empty
+  std::string text;
+  std::string hint;
+  std::string rule;        // the text's pattern
+  std::string file;
+  std::string line_text;
+  std::uint32_t line;
+  std::uint32_t column;    // in characters, from 1
+  std::uint32_t end_column;
+  std::string block;       // "N10", empty: none
+  std::vector<std::string> calls;
+};
+
+Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang);
+
+/// A JSON array of objects.
+std::string findings_json(const std::vector<Finding>& findings);
+
+/// A SARIF 2.1.0 log with one run of the tool Kadr.
+std::string findings_sarif(const std::vector<Finding>& findings, const std::string& version);
+
+/// "N010" as it was written; empty without a block number.
+std::string block_text(const Origin& origin);
+
+}  // namespace kadr

@@ -1,0 +1,130 @@
+#include "out/summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace kadr {
+namespace {
+
+/// The words of the summary; both languages in one row.
+struct Words {
+  const char *blocks, *motions, *rapids, *feeds, *arcs, *other;
+  const char *path, *cutting, *rapid, *cutting_box, *box;
+  const char *time, *dwell, *tool_change, *estimate, *unknown;
+  const char *tools, *alarms, *warnings;
+};
+
+constexpr Words english = {"blocks", "motions", "rapid", "feed", "arcs", "other",
+                           "path, mm", "cutting", "rapid", "cutting, mm", "all, mm",
+                           "time", "dwell", "tool change", "from programmed feeds and rapid rates, without acceleration",
+                           "motions without a time (no feed, or the spindle stands)",
+                           "tools", "alarms", "warnings"};
+constexpr Words russian = {"кадров", "движений", "ускоренных", "на подаче", "дуг", "прочих",
+                           "путь, мм", "резание", "быстрый ход", "резание, мм", "всё, мм",
+                           "время", "выдержка", "смена инструмента", "по программным подачам и быстрым ходам станка, без разгонов",
+                           "движений без времени (нет подачи или шпиндель стоит)",
+                           "инструменты", "ошибок", "предупреждений"};
+
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string line(std::string_view name, const std::string& value) {
+  constexpr std::size_t width = 16;
+  const std::size_t pad = width > characters(name) ? width - characters(name) : 1;
+  return std::string(name) + std::string(pad, ' ') + value + "\n";
+}
+
+std::string box_text(const Box& box) {
+  const auto range = [](char axis, double least, double most) {
+    return fmt::format("{} {} … {}", axis, number_text(least, 3), number_text(most, 3));
+  };
+  return range('X', box.least.x, box.most.x) + "   " + range('Y', box.least.y, box.most.y) + "   " + range('Z', box.least.z, box.most.z);
+}
+
+}  // namespace
+
+void Box::take(Vec3 p) {
+  if (empty) least = most = p;
+  empty = false;
+  least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+  most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+}
+
+Statistics::Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates, const ToolPosition& start)
+    : roles_(AxisRoles::of(axes, rotary)), position_(start), estimate_(roles_, rates) {}
+
+void Statistics::start_with(double spindle_rpm, std::uint32_t tool) {
+  estimate_.spindle(spindle_rpm);
+  if (tool != 0) use(tool);
+}
+
+void Statistics::use(std::uint32_t tool) {
+  const auto found = std::find_if(tools_.begin(), tools_.end(), [&](const ToolUse& use) { return use.tool == tool; });
+  in_spindle_ = static_cast<std::size_t>(found - tools_.begin());
+  if (found == tools_.end()) tools_.push_back({tool, 0});
+}
+
+void Statistics::take_motion(const Motion& motion) {
+  const Curve curve(roles_, position_.work, motion);
+  const double length = curve.length();
+  const double before = estimate_.split().cutting;
+  estimate_.motion(motion, position_.work, length);
+  if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
+
+  const bool cuts = motion.kind == MotionKind::feed || curve.arc();
+  ++(curve.arc() ? arcs_ : motion.kind == MotionKind::rapid ? rapids_ : cuts ? feeds_ : others_);
+  (cuts || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += length;
+  const auto take = [&](Vec3 p) {
+    box_.take(p);
+    if (cuts) cutting_box_.take(p);
+  };
+  take(roles_.point(position_.work));
+  take(roles_.point(motion.to));
+  if (curve.arc()) {
+    const Extents extents = curve.extents();
+    take(roles_.point(extents.least));
+    take(roles_.point(extents.most));
+  }
+  position_.take(motion);
+}
+
+void Statistics::take(const Action& action) {
+  if (const auto* motion = std::get_if<Motion>(&action.what)) return take_motion(*motion);
+  if (const auto* frame = std::get_if<FrameChange>(&action.what)) return position_.take(*frame);
+  if (const auto* change = std::get_if<ToolChange>(&action.what)) use(change->tool);
+  estimate_.other(action);
+}
+
+std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
+  const Words& w = lang == Lang::ru ? russian : english;
+  const TimeSplit& t = estimate_.split();
+  std::string text = line(w.blocks, fmt::format("{}", blocks));
+  std::string motions = fmt::format("{} ({} {}, {} {}, {} {}", rapids_ + feeds_ + arcs_ + others_, w.rapids, rapids_, w.feeds, feeds_, w.arcs, arcs_);
+  if (others_ > 0) motions += fmt::format(", {} {}", w.other, others_);
+  text += line(w.motions, motions + ")");
+  text += line(w.path, fmt::format("{} {}, {} {}", w.cutting, number_text(cutting_mm_, 3), w.rapid, number_text(rapid_mm_, 3)));
+  if (!cutting_box_.empty) text += line(w.cutting_box, box_text(cutting_box_));
+  if (!box_.empty) text += line(w.box, box_text(box_));
+  text += line(w.time, fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(t.total()), w.cutting, duration_text(t.cutting), w.rapid,
+                                   duration_text(t.rapid), w.dwell, duration_text(t.dwell), w.tool_change, duration_text(t.tool_change)));
+  text += line("", w.estimate);
+  if (t.unknown > 0) text += line("", fmt::format("{}: {}", w.unknown, t.unknown));
+  if (!tools_.empty()) {
+    std::string tools;
+    for (const ToolUse& use : tools_) tools += fmt::format("{}T{} ({} {})", tools.empty() ? "" : ", ", use.tool, w.cutting, duration_text(use.cutting_s));
+    text += line(w.tools, tools);
+  }
+  return text + line(w.alarms, fmt::format("{}, {} {}", alarms_, w.warnings, warnings_));
+}
+
+std::string duration_text(double seconds) {
+  const auto tenths = static_cast<std::uint64_t>(std::round(std::clamp(seconds, 0.0, 1e15) * 10));
+  const std::uint64_t whole = tenths / 10;
+  if (whole < 600) return fmt::format("{}:{:02}.{}", whole / 60, whole % 60, tenths % 10);
+  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60) : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace kadr

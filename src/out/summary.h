@@ -1,0 +1,67 @@
+#pragma once
+// Statistics: what a run came to, for the summary on stdout (design.md 5).
+
+#include <string>
+#include <vector>
+
+#include "config/alarm_texts.h"
+#include "motion/estimate.h"
+
+namespace kadr {
+
+/// Box of the X, Y, Z that occurred.
+struct Box {
+  Vec3 least;
+  Vec3 most;
+  bool empty = true;
+  void take(Vec3 p);
+};
+
+/// Takes Actions in order; cheap per action, no memory but for the tools.
+class Statistics {
+ public:
+  Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates, const ToolPosition& start);
+
+  /// State of the setup's spindle and tool before the first action.
+  void start_with(double spindle_rpm, std::uint32_t tool);
+
+  void take(const Action& action);
+  void count(Severity severity) { ++(severity == Severity::alarm ? alarms_ : warnings_); }
+
+  /// The summary, lines ending in '\n'.
+  std::string text(std::uint64_t blocks, Lang lang) const;
+
+  struct ToolUse {
+    std::uint32_t tool;
+    double cutting_s;
+  };
+
+  std::uint64_t rapids() const { return rapids_; }
+  std::uint64_t feeds() const { return feeds_; }
+  std::uint64_t arcs() const { return arcs_; }
+  double cutting_mm() const { return cutting_mm_; }
+  double rapid_mm() const { return rapid_mm_; }
+  const Box& cutting_box() const { return cutting_box_; }
+  const Box& box() const { return box_; }
+  const TimeSplit& time() const { return estimate_.split(); }
+  const std::vector<ToolUse>& tools() const { return tools_; }
+
+ private:
+  void take_motion(const Motion& motion);
+  void use(std::uint32_t tool);
+
+  AxisRoles roles_;
+  ToolPosition position_;
+  TimeEstimate estimate_;
+  std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;   // others: probe, home
+  std::uint64_t alarms_ = 0, warnings_ = 0;
+  double cutting_mm_ = 0, rapid_mm_ = 0;
+  Box cutting_box_, box_;
+  std::vector<ToolUse> tools_;       // in order of first use
+  std::size_t in_spindle_ = 0;       // index in tools_; its size: none known
+};
+
+/// 3725.4 s → "1:02:05", 65.3 s → "1:05.3".
+std::string duration_text(double seconds);
+
+}  // namespace kadr

@@ -1,0 +1,53 @@
+#pragma once
+// Which axes are X, Y, Z and which are rotary; and where the tool stands, followed from Action to Action.
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "control/action.h"
+
+namespace kadr {
+
+/// What the rooms after `control` know of a channel's axes.
+struct AxisRoles {
+  std::size_t count = 3;
+  AxisMask rotary = 0;
+  std::array<int, 3> xyz{0, 1, 2};   // places of X, Y, Z among the axes; -1: there is none
+
+  static AxisRoles of(const std::vector<std::string>& names, AxisMask rotary) {
+    AxisRoles roles{std::min(names.size(), max_axes), rotary, {-1, -1, -1}};
+    for (std::size_t i = 0; i < roles.count; ++i)
+      if (names[i].size() == 1 && names[i][0] >= 'X' && names[i][0] <= 'Z')
+        roles.xyz[static_cast<std::size_t>(names[i][0] - 'X')] = static_cast<int>(i);
+    return roles;
+  }
+
+  bool is_rotary(std::size_t axis) const { return (rotary >> axis & 1U) != 0; }
+  double value(const Axes& axes, std::size_t letter) const {
+    return xyz[letter] < 0 ? 0 : axes[static_cast<std::size_t>(xyz[letter])];
+  }
+  Vec3 point(const Axes& axes) const { return {value(axes, 0), value(axes, 1), value(axes, 2)}; }
+};
+
+/// Where the tool point is. At the start: Control::ending() before the first block.
+struct ToolPosition {
+  Axes work{};
+  Axes machine{};
+
+  void take(const Motion& motion) {
+    work = motion.to;
+    machine = motion.machine;
+  }
+  void take(const FrameChange& frame) {
+    for (std::size_t i = 0; i < max_axes; ++i) work[i] = machine[i] - frame.origin[i] - frame.length[i];
+  }
+  void take(const Action& action) {
+    if (const auto* motion = std::get_if<Motion>(&action.what)) take(*motion);
+    else if (const auto* frame = std::get_if<FrameChange>(&action.what)) take(*frame);
+  }
+};
+
+}  // namespace kadr

@@ -1,0 +1,372 @@
+#!/usr/bin/env python3
+"""Holds controls/*.toml against their rules and against the engine's headers. python3 tests/controls_table.py
+
+The loader (src/config/control_file) refuses most of this too; here every fault is listed at once, without a build,
+and what the loader does not look at is checked: both languages, the manual's section, alarm texts and their arguments.
+"""
+import pathlib
+import re
+import sys
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CONTROLS = ROOT / "controls"
+CYRILLIC = re.compile("[А-Яа-яЁё]")
+
+
+def header(name):
+    return (ROOT / "src" / name).read_text(encoding="utf-8")
+
+
+def macro_rows(text, macro):
+    """The X(…) rows of `#define MACRO(X)`, comments taken out."""
+    body = re.search(r"#define " + macro + r"\(X\)((?:.*\\\n)*.*)", text)[1]
+    return re.findall(r"X\(([^)]*)\)", re.sub(r"/\*.*?\*/", "", body))
+
+
+def enum_names(text, enum):
+    body = re.sub(r"//[^\n]*", "", re.search(r"enum class " + enum + r"[^{]*\{(.*?)\};", text, re.S)[1])
+    return [n for n in re.findall(r"\w+", body) if n != "count"]
+
+
+def struct_fields(text, struct):
+    body = re.search(r"struct " + struct + r" \{(.*?)\n\};", text, re.S)[1]
+    return re.findall(r"^\s+([\w:<>, ]+?) (\w+)(?:\{\}| = [^;]+)?;", body, re.M)
+
+
+FUNCTION_H, DEF_H, GRAMMAR_H = header("config/function.h"), header("config/control_def.h"), header("lang/grammar.h")
+PHASES = macro_rows(FUNCTION_H, "KADR_PHASES")
+FUNCTIONS = dict(re.split(r",\s*", row)[:2] for row in macro_rows(FUNCTION_H, "KADR_FUNCTIONS"))  # name: its phase
+ALARMS = macro_rows(header("base/alarm_ids.h"), "KADR_ALARMS")
+STEPS = enum_names(DEF_H, "CycleStep")
+VARIABLE_KINDS = enum_names(DEF_H, "VariableKind")
+UNITS = enum_names(DEF_H, "WordUnit")
+BEHAVIOUR = {name: kind for kind, name in struct_fields(DEF_H, "Behaviour")}
+ENUMS = {"ArcCenters": enum_names(DEF_H, "ArcCenters"), "LengthOffset": enum_names(DEF_H, "LengthOffset")}
+END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
+MOST_AXES = 16
+
+# Keys that are not named as the field they fill.
+GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address"}
+GRAMMAR_KEYS |= {"formal_parameter", "parameters_in", "label", "section", "most_codes"}
+TOP_KEYS = {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
+            "variables", "alarms", "defaults", "feed_codes", "speed_codes"}
+TEXT_KEYS = {"en", "ru", "manual"}
+ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many"}
+CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "from", "to"}
+GROUP_KEYS = {"modal", "initial", "en", "ru"}
+CYCLE_KEYS = TEXT_KEYS | {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off"}
+VARIABLE_KEYS = TEXT_KEYS | {"from", "count", "stride", "repeat", "is"}
+ALARM_KEYS = {"severity", "args", "en", "ru", "hint_en", "hint_ru"}
+
+ADDRESS_FUNCTIONS = {"block_number", "axis", "center", "word_of_code", "feed_word", "speed_word", "tool_word", "offset_word",
+                     "formal_parameter", "code", "label", "dwell_word", "repeat_word", "call_word", "corrector_word"}
+
+passed = 0
+failures = []
+
+
+def check(ok, what):
+    global passed
+    if ok:
+        passed += 1
+    else:
+        failures.append(what)
+    return ok
+
+
+def load(path):
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        check(False, f"{path.name}: {error}")
+        return None
+
+
+def check_text(row, where, manual=True, proper_name=False):
+    for key in ("en", "ru") + (("manual",) if manual else ()):
+        check(isinstance(row.get(key), str) and row[key].strip() != "", f"{where}: {key} is missing")
+    check(proper_name or not CYRILLIC.search(row.get("en", "")), f"{where}: Russian letters in the English text")
+    check(CYRILLIC.search(row.get("ru", "")), f"{where}: the Russian text is not Russian")
+
+
+def check_keys(row, known, where):
+    for key in row:
+        check(key in known, f"{where}: unknown key '{key}'")
+
+
+def descriptor_letters(text):
+    """Addresses of a format: `3G2` is G."""
+    return {m[1] for m in re.finditer(r"(?<!\S)\d?([A-Z])(?=[+±*\d])\S*", text)}
+
+
+def code_name(letter, key):
+    tenth = round(float(key) * 10)
+    return f"{letter}{tenth // 10}" + (f".{tenth % 10}" if tenth % 10 else "")
+
+
+class Control:
+    """One file of a control, merged with what it extends."""
+
+    def __init__(self, path, table):
+        self.name, self.t = path.name, table
+        self.addresses = table.get("address", {})
+        self.groups = table.get("groups", {})
+        self.order = table.get("order", {}).get("phases", [])
+        self.axes = table.get("axes", {}).get("names", [])
+        self.codes = {}  # "G43.4": row
+
+    def at(self, *path):
+        return f"{self.name}: " + " ".join(str(p) for p in path)
+
+    def check(self):
+        self.check_head()
+        self.check_grammar()
+        self.check_behaviour()
+        self.check_order()
+        self.check_addresses()
+        for section, letter in (("g", "G"), ("m", "M")):
+            self.check_codes(section, letter)
+        self.check_groups()
+        self.check_cycles()
+        self.check_variables()
+        for key in self.t.get("alarms", {}):
+            check(key in ALARMS, self.at("alarms", key, "is no alarm"))
+
+    def check_head(self):
+        check_keys(self.t, TOP_KEYS, self.at())
+        check(self.t.get("id") == self.name.removesuffix(".toml"), self.at("id is not the name of the file"))
+        check_text(self.t.get("name", {}), self.at("name"), manual=False, proper_name=True)
+        check(self.t.get("spec"), self.at("spec is missing"))
+        check(1 <= len(self.axes) <= MOST_AXES, self.at("axes: 1 to", MOST_AXES))
+        check(len(set(self.axes)) == len(self.axes), self.at("axes: one stands twice"))
+        for axis in self.t.get("axes", {}).get("rotary", []):
+            check(axis in self.axes, self.at("rotary", axis, "is no axis"))
+
+    def check_grammar(self):
+        grammar = self.t.get("grammar", {})
+        check_keys(grammar, GRAMMAR_KEYS, self.at("grammar"))
+        check(grammar.get("end_of_block", "line") in END_OF_BLOCK, self.at("grammar end_of_block"))
+        for key in ("formal_parameter", "label", "section"):
+            if key in grammar:
+                check(grammar[key] in self.addresses, self.at("grammar", key, "has no address row"))
+        for letter in grammar.get("parameters_in", ""):
+            check(letter in self.addresses, self.at("parameters_in", letter, "has no address row"))
+        for letter in grammar.get("most_codes", {}):
+            check(letter in self.addresses, self.at("most_codes", letter, "has no address row"))
+
+    def check_behaviour(self):
+        for key, value in self.t.get("behaviour", {}).items():
+            if not check(key in BEHAVIOUR, self.at("behaviour", key, "is not known")):
+                continue
+            kind = BEHAVIOUR[key]
+            if kind in ENUMS:
+                good = value in ENUMS[kind]
+            elif kind == "bool":
+                good = isinstance(value, bool)
+            else:
+                good = isinstance(value, (int, float)) and not isinstance(value, bool) and value >= 0
+                good = good and (kind == "double" or isinstance(value, int))
+            check(good, self.at("behaviour", key, "=", value, "is no", kind))
+
+    def check_order(self):
+        check(len(set(self.order)) == len(self.order), self.at("order: a phase twice"))
+        for phase in self.order:
+            check(phase in PHASES and phase != "none", self.at("order:", phase, "is no phase"))
+
+    def check_function(self, row, where):
+        does = row.get("does")
+        if not check(does in FUNCTIONS, f"{where}: '{does}' is no function"):
+            return
+        phase = row.get("phase", FUNCTIONS[does])
+        check(phase in PHASES, f"{where}: '{phase}' is no phase")
+        check(phase == "none" or phase in self.order, f"{where}: phase '{phase}' is not in the order")
+
+    def check_addresses(self):
+        described = descriptor_letters(self.t.get("format", ""))
+        for letter, row in self.addresses.items():
+            where = self.at("address", letter)
+            check(re.fullmatch("[A-Z]", letter), f"{where}: no letter")
+            check_keys(row, ADDRESS_KEYS, where)
+            check_text(row, where)
+            self.check_function(row, where)
+            check(row.get("does") in ADDRESS_FUNCTIONS, f"{where}: '{row.get('does')}' is no function of an address")
+            if row.get("does") in ("axis", "center"):
+                check(row.get("axis") in self.axes, f"{where}: no axis '{row.get('axis')}'")
+            check(row.get("unit", "none") in UNITS, f"{where}: unit")
+            form = row.get("format")
+            if form is not None:
+                check(re.fullmatch(r"\+?free|[+±]?\*?0?[1-9][0-9]?", form), f"{where}: format '{form}'")
+            parameter = row.get("does") == "formal_parameter"
+            check(form is not None or letter in described or parameter, f"{where}: no format, in the row or in `format`")
+        for letter in described:
+            check(letter in self.addresses, self.at("format:", letter, "has no address row"))
+        for axis in self.axes:
+            row = self.addresses.get(axis, {})
+            check(row.get("does") == "axis" and row.get("axis") == axis, self.at("axis", axis, "has no address of its name"))
+
+    def check_codes(self, section, letter):
+        for key, row in self.t.get(section, {}).items():
+            where = self.at(letter + key)
+            check_keys(row, CODE_KEYS, where)
+            check_text(row, where)
+            self.check_function(row, where)
+            check(row.get("does") not in ADDRESS_FUNCTIONS, f"{where}: '{row.get('does')}' is a function of addresses")
+            if "group" in row:
+                check(row["group"] in self.groups, f"{where}: no group '{row['group']}'")
+            takes = row.get("takes", "")
+            check(len(set(takes)) == len(takes), f"{where}: takes a letter twice")
+            for word in takes:
+                check(word in self.addresses or (word == "A" and self.t.get("grammar", {}).get("zero_between_slashes")),
+                      f"{where}: takes {word}, which is no address")
+            check(set(row.get("needs", "")) <= set(takes), f"{where}: needs what it does not take")
+            if key == "other":
+                check(letter == "M" and row.get("from", 0) <= row.get("to", 99999), f"{where}: from, to")
+                continue
+            check("from" not in row and "to" not in row, f"{where}: from, to are for `other`")
+            if not check(re.fullmatch(r"\d+(\.\d)?", key), f"{where}: no number of a code"):
+                continue
+            name = code_name(letter, key)
+            check(name not in self.codes, f"{where}: stands twice")
+            self.codes[name] = row
+            if row.get("does") == "cycle":
+                check(name in self.t.get("cycle", {}), f"{where}: no [cycle.{name}]")
+        for name, row in self.codes.items():
+            for other in row.get("with", []):
+                partner = self.codes.get(other, {})
+                check(partner.get("group") == row.get("group") and name in partner.get("with", []), self.at(name, "with", other))
+
+    def check_groups(self):
+        used = {row.get("group") for section in ("g", "m") for row in self.t.get(section, {}).values()}
+        for name, row in self.groups.items():
+            where = self.at("group", name)
+            check_keys(row, GROUP_KEYS, where)
+            check_text(row, where, manual=False)
+            check(name in used, f"{where}: no code")
+            if "initial" in row:
+                check(row.get("modal", True), f"{where}: initial, but not modal")
+                code = self.codes.get(row["initial"])
+                check(code is not None and code.get("group") == name, f"{where}: initial {row['initial']} is not of the group")
+        for code in self.t.get("defaults", {}).get("end", []):
+            check(code in self.codes, self.at("defaults end:", code, "is no code"))
+
+    def check_cycles(self):
+        called = {name for name, row in self.codes.items() if row.get("does") == "cycle"}
+        by_word = any(row.get("does") == "call_word" for row in self.addresses.values())
+        for name, row in self.t.get("cycle", {}).items():
+            where = self.at("cycle", name)
+            check_keys(row, CYCLE_KEYS, where)
+            check_text(row, where)
+            check(name in called or (by_word and name[0] == "L"), f"{where}: no code calls it")
+            check(("steps" in row) != ("body" in row), f"{where}: steps or a body")
+            for step in row.get("steps", []):
+                check(step in STEPS, f"{where}: '{step}' is no step")
+            takes = self.codes.get(name, {}).get("takes", "")
+            check(set(row.get("needs", "")) <= set(takes), f"{where}: needs what its code does not take")
+
+    def check_variables(self):
+        taken = {}
+        most = self.t.get("grammar", {}).get("variables", 0)
+        for row in self.t.get("variables", []):
+            where = self.at("variables from", row.get("from"))
+            check_keys(row, VARIABLE_KEYS, where)
+            check_text(row, where)
+            check(row.get("is") in VARIABLE_KINDS, f"{where}: '{row.get('is')}' is no kind")
+            first, count, stride = row.get("from", 0), row.get("count", 1), row.get("stride", 0)
+            check(row.get("repeat", 1) == 1 or stride >= count, f"{where}: stride less than count")
+            numbers = [first + i * stride + j for i in range(row.get("repeat", 1)) for j in range(count)]
+            check(not any(n in taken for n in numbers), f"{where}: a number twice")
+            check(1 <= numbers[0] and numbers[-1] <= most, f"{where}: beyond #{most}")
+            taken.update(dict.fromkeys(numbers, first))
+
+
+def check_alarms(table):
+    check(list(table) == ALARMS, "alarms.toml: not the ids of alarm_ids.h in their order: "
+          + " ".join(sorted(set(table) ^ set(ALARMS))))
+    for name, row in table.items():
+        where = f"alarms.toml: {name}"
+        check_keys(row, ALARM_KEYS, where)
+        check_text(row, where, manual=False)
+        check_text({"en": row.get("hint_en", ""), "ru": row.get("hint_ru", "")}, f"{where} hint", manual=False)
+        check(row.get("severity", "alarm") in ("alarm", "warning"), f"{where}: severity")
+        args = row.get("args", -1)
+        check(0 <= args <= 3, f"{where}: args 0 to 3")
+        for key in ("en", "ru"):
+            used = sorted({int(n) for n in re.findall(r"\{(\d+)\}", row.get(key, ""))})
+            check(used == list(range(args)), f"{where}: {key} uses {used}, args = {args}")
+        for key in ("hint_en", "hint_ru"):
+            check("{" not in row.get(key, ""), f"{where}: {key} has arguments")
+    check_alarm_calls(table)
+
+
+def split_arguments(text):
+    """Arguments of a call whose '(' has just been passed; None if the call does not end in the text."""
+    parts, depth, part, quote = [], 0, "", ""
+    for before, c in zip(" " + text, text):
+        if quote:
+            quote = "" if c == quote and before != "\\" else quote
+        elif c in "\"'":
+            quote = c
+        elif c in "([{":
+            depth += 1
+        elif c in ")]}":
+            if depth == 0:
+                return parts + [part.strip()]
+            depth -= 1
+        elif c == "," and depth == 0:
+            parts.append(part.strip())
+            part = ""
+            continue
+        part += c
+    return None
+
+
+def check_alarm_calls(table):
+    """Every alarm(AlarmId::x, where, …) of the sources gives at least the arguments that the text uses."""
+    for path in sorted((ROOT / "src").rglob("*.cpp")) + sorted((ROOT / "src").rglob("*.h")):
+        text = path.read_text(encoding="utf-8")
+        for call in re.finditer(r"\b(?:alarm|warning)\(\s*AlarmId::(\w+)\s*,", text):
+            parts = split_arguments(text[call.end():])
+            args = table.get(call[1], {}).get("args", 0)
+            line = text.count("\n", 0, call.start()) + 1
+            if parts is not None:
+                check(len(parts) - 1 >= args, f"{path.relative_to(ROOT)}:{line}: {call[1]} gives {len(parts) - 1} arguments, its text uses {args}")
+
+
+def merged(path, depth=0):
+    """A control's table laid over what it extends, as src/config does."""
+    table = load(path)
+    if table is None or "extends" not in table or depth == 8:
+        return table
+    under = merged(CONTROLS / f"{table['extends']}.toml", depth + 1)
+    return None if under is None else lay(under, table)
+
+
+def lay(under, over):
+    for key, value in over.items():
+        both = isinstance(value, dict) and isinstance(under.get(key), dict)
+        under[key] = lay(under[key], value) if both else value
+    return under
+
+
+def main():
+    for name, found in (("phases", PHASES), ("functions", FUNCTIONS), ("alarms", ALARMS), ("steps", STEPS), ("behaviour", BEHAVIOUR)):
+        check(len(found) > 5, f"headers: no {name} found")
+    for path in sorted(CONTROLS.glob("*.toml")):
+        before = len(failures)
+        table = load(path) if path.name == "alarms.toml" else merged(path)
+        if table is None:
+            continue
+        if path.name == "alarms.toml":
+            check_alarms(table)
+        else:
+            Control(path, table).check()
+        print(f"{path.name}: {'ok' if len(failures) == before else 'FAILED'}")
+    for failure in failures:
+        print("  " + failure)
+    print(f"{passed} passed, {len(failures)} failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
