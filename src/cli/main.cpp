@@ -1,1 +1,60 @@
-int main() {}
+// The program: command line → one command → exit status.
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <exception>
+
+#include "cli/command_line.h"
+
+namespace kadr::cli {
+
+void complain(const std::string& text) { fmt::print(stderr, "kadr: {}\n", text); }
+
+Lang language(const Options& options) {
+  if (options.lang == "ru") return Lang::ru;
+  if (options.lang == "en") return Lang::en;
+  for (const char* const name : {"LC_ALL", "LC_MESSAGES", "LANG"})
+    if (const char* const value = std::getenv(name); value != nullptr && *value != '\0') return std::string(value).starts_with("ru") ? Lang::ru : Lang::en;
+  return Lang::en;
+}
+
+namespace {
+
+int perform(const CLI::App& app, const Commands& commands) {
+  if (app.got_subcommand("run")) return run(commands.options);
+  if (app.got_subcommand("check")) return check(commands.options);
+  if (app.got_subcommand("explain")) return explain(commands.explain);
+  if (app.got_subcommand("controls")) return list_controls(commands.options.lang);
+  if (app.got_subcommand("tape")) {
+    TapeOptions options = commands.tape;
+    options.decode = app.get_subcommand("tape")->got_subcommand("decode");
+    return tape(options);
+  }
+  if (app.got_subcommand("man")) return fmt::print("{}", manual_page(app)), ok;
+  return fmt::print("{}", completion(app, commands.shell)), ok;
+}
+
+}  // namespace
+}  // namespace kadr::cli
+
+int main(int argc, char** argv) {
+  using namespace kadr::cli;
+  Commands commands;
+  const auto app = make_app(commands);
+  try {
+    app->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app->exit(error) == 0 ? ok : wrong_usage;
+  }
+  try {
+    return perform(*app, commands);
+  } catch (const std::bad_alloc&) {
+    complain("out of memory");
+  } catch (const std::exception& error) {   // of a library: a bug, but said plainly
+    complain(error.what());
+  }
+  return wrong_usage;
+}

@@ -126,6 +126,7 @@ class Loader {
     number("arc_radius_difference", b.arc_radius_difference);
     flag("helix_by_lead", b.helix_by_lead);
     number("feed_most", b.feed_most);
+    flag("feed_required", b.feed_required);
     number("reference_feed", b.reference_feed);
     number("return_chip_break", b.return_chip_break);
     number("return_near", b.return_near);

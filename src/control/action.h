@@ -55,8 +55,9 @@ struct ToolChange { std::uint32_t tool; };
 struct MachineFunction { std::uint32_t code; };               // M code for the machine
 struct Stop { bool optional; };
 struct Message { std::string text; };
-/// The frame of what follows: machine = work + origin (+ length on the tool axis). Not a command to the machine.
-struct FrameChange { Axes origin; Axes length; };
+/// The frame of what follows: machine = work + origin + length. Not a command to the machine: the tool stands, `work` are
+/// its coordinates from now on (a length that is taken out by the next motion only, 2С42, leaves them as they were).
+struct FrameChange { Axes origin; Axes length; Axes work; };
 
 struct Action {
   Origin origin;

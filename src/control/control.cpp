@@ -12,6 +12,7 @@ Control::~Control() = default;
 
 Control::State Control::run(ActionBatch& batch) { return machinery_->run(batch); }
 void Control::answer(const ProbeAnswer& answer) { machinery_->answer(answer); }
+bool Control::is_stopped() const { return machinery_->is_stopped(); }
 void Control::go_on() { machinery_->go_on(); }
 const AlarmReport& Control::report() const { return machinery_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const { return machinery_->report_of(alarm, origin, {}); }

@@ -42,6 +42,8 @@ class Control {
   State run(ActionBatch& batch);
 
   void answer(const ProbeAnswer& answer);
+  /// Stopped by an alarm, of a block or of an answer (no contact).
+  bool is_stopped() const;
   void go_on();
 
   /// The alarm that stopped the run.

@@ -34,7 +34,7 @@ Control::State Machinery::run(ActionBatch& to) {
   batch = &to;
   if (first_frames_) {
     first_frames_ = false;
-    emit(FrameChange{frames.origin, frames.length});
+    emit(FrameChange{frames.origin, frames.length, position.work});
   }
   while (to.size() < batch_size && !stopped_) {
     if (cycle_run.active()) {

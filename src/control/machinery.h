@@ -32,6 +32,7 @@ class Machinery {
   Control::State run(ActionBatch& batch);
   void answer(const ProbeAnswer& answer);
   void go_on();
+  bool is_stopped() const { return stopped_; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   Ending ending() const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
@@ -64,7 +65,7 @@ class Machinery {
   /// Position after a motion; the axes not named stay where they are.
   void move_to(const Axes& programmed, const Axes& work, AxisMask named);
   Motion& add_motion(MotionKind kind, AxisMask named);
-  Status feed_known(Span where) const;
+  Status feed_known(Span where);
   /// The motion's feed, unit, exact stop from the modal state.
   void set_feed(Motion& motion);
   double feed_limited(double feed);
@@ -97,7 +98,7 @@ class Machinery {
   const LetterSets letters;
   Modal modal;
   Transform transform;
-  ToolPosition position;
+  ProgramPosition position;
   Frames frames;
   Tables tables;
   Variables variables;
@@ -130,7 +131,7 @@ class Machinery {
   struct Moment {
     Modal modal;
     Transform transform;
-    ToolPosition position;
+    ProgramPosition position;
     Frames frames;
     CycleMemory cycle_memory;
     PocketCycle pocket;

@@ -78,12 +78,14 @@ Status Machinery::to_machine(MotionKind kind, const Axes& machine, AxisMask name
   return {};
 }
 
-Status Machinery::feed_known(Span at) const {
+Status Machinery::feed_known(Span at) {
   if (modal.feed_mode == FeedMode::inverse_time) {
     if (!has('F')) return fail(alarm(AlarmId::feed_missing, at));
     return {};
   }
-  if (!modal.feed_known || modal.feed <= 0) return fail(alarm(AlarmId::feed_missing, at));
+  if (modal.feed_known && modal.feed > 0) [[likely]] return {};
+  if (def.behaviour.feed_required) return fail(alarm(AlarmId::feed_missing, at));
+  warn(warning(AlarmId::feed_missing, at));
   return {};
 }
 
@@ -136,13 +138,13 @@ void Machinery::change_frames() {
   const Frames before = frames;
   refresh_frames();
   if (before == frames) return;
-  emit(FrameChange{frames.origin, frames.length});
   for (std::size_t a = 0; a < axis_count; ++a) {
     // With `next_motion` a new length is taken out by the next motion of its axis: the tool's coordinate stays as programmed.
     const double length = def.behaviour.length_offset == LengthOffset::at_once ? frames.length[a] - before.length[a] : 0.0;
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;
   }
+  emit(FrameChange{frames.origin, frames.length, position.work});
   position.programmed = transform.to_programmed(position.work);
 }
 

@@ -71,7 +71,7 @@ struct Transform {
   bool turns_plane() const { return rotation != 0; }
 };
 
-struct ToolPosition {
+struct ProgramPosition {
   Axes programmed{};                  // as the program's words mean it
   Axes work{};                        // tool point in the work system in force
   Axes machine{};

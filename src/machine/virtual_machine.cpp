@@ -31,12 +31,13 @@ Status VirtualMachine::check(const Motion& motion) const {
   return is_arc(motion.kind) ? check_arc(motion) : Status{};
 }
 
-/// The frame does not change within a motion: machine − work is the same along it.
+/// machine − work is the same along the motion, or taken up evenly by it: the greater of both ends bounds it.
 Status VirtualMachine::check_arc(const Motion& motion) const {
   const Extents box = Curve(roles_, position_.work, motion).extents();
   for (std::size_t i = 0; i < roles_.count; ++i) {
-    const double shift = motion.machine[i] - motion.to[i], from = position_.machine[i];
-    const double least = box.least[i] + shift, most = box.most[i] + shift;
+    const double from = position_.machine[i];
+    const auto [low, high] = std::minmax({from - position_.work[i], motion.machine[i] - motion.to[i]});
+    const double least = box.least[i] + low, most = box.most[i] + high;
     if (most > most_[i] && most > from + tol::same_point) return beyond(i, most);
     if (least < least_[i] && least < from - tol::same_point) return beyond(i, least);
   }

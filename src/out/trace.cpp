@@ -73,7 +73,6 @@ std::string fields_of(const Action& action) {
     std::string operator()(const Stop& s) const { return s.optional ? R"(optional_stop")" : R"(stop")"; }
     std::string operator()(const Message& m) const { return R"(message","text":)" + json(m.text); }
     std::string operator()(const FrameChange&) const { return {}; }
-    std::string operator()(const End&) const { return {}; }
   };
   return std::visit(Fields{}, action.what);
 }
@@ -145,8 +144,7 @@ void TraceWriter::write_points(const Motion& motion) {
   out_.append(R"(,"points":[)");
   for (std::size_t n = 0; n < points_.size(); ++n) {
     const Axes to = curve.at(points_[n]);
-    Axes machine = to;
-    for (std::size_t i = 0; i < roles_.count; ++i) machine[i] += motion.machine[i] - motion.to[i];
+    const Axes machine = machine_along(roles_, position_, motion, to, points_[n]);
     std::size_t most = head_room;
     for (const std::string& key : keys_) most += 2 * (key.size() + number_room);
     char* at = put_field(out_.room(most), n == 0 ? R"({"part":)" : R"(,{"part":)", points_[n]);

@@ -13,7 +13,7 @@ class TraceWriter {
   TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start,
               std::vector<double> points = {});
 
-  /// One line; FrameChange and End give none.
+  /// One line; FrameChange gives none.
   void write(const Action& action);
 
   /// The last line: the state after the run, and the alarm if one stopped it.

@@ -42,12 +42,21 @@ struct ToolPosition {
     machine = motion.machine;
   }
   void take(const FrameChange& frame) {
-    for (std::size_t i = 0; i < max_axes; ++i) work[i] = machine[i] - frame.origin[i] - frame.length[i];
+    work = frame.work;
   }
   void take(const Action& action) {
     if (const auto* motion = std::get_if<Motion>(&action.what)) take(*motion);
     else if (const auto* frame = std::get_if<FrameChange>(&action.what)) take(*frame);
   }
 };
+
+/// Machine coordinates at the `part` of a motion where the work coordinates are `work`. What lies between the two is the
+/// same along the motion, or taken up evenly by it (a tool length that the next motion takes out, 2С42).
+inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
+  Axes machine = work;
+  for (std::size_t i = 0; i < roles.count; ++i)
+    machine[i] += (1 - part) * (from.machine[i] - from.work[i]) + part * (motion.machine[i] - motion.to[i]);
+  return machine;
+}
 
 }  // namespace kadr

@@ -46,7 +46,7 @@ class Drilling {
  private:
   char letter_of(std::size_t axis) const { return m_.letters.axis_letter[axis]; }
 
-  Status allowed() const {
+  Status allowed() {
     const Span at = call_.where;
     bool any = false;
     for (std::size_t a = 0; a < 3; ++a) any = any || m_.has(letter_of(a));

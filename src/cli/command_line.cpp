@@ -1,0 +1,112 @@
+#include "cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include "config/control_file.h"
+
+namespace kadr::cli {
+namespace {
+
+constexpr const char* run_examples =
+    "Examples:\n"
+    "  kadr run flange.nc                              guess the control, print the summary\n"
+    "  kadr run flange.nc --control s2c42 --plot f.svg draw the path\n"
+    "  kadr run part.tap --control mach3 --trace -     every action as a line of JSON\n"
+    "  kadr run part.nc --setup shop.json --lang ru    offsets and start from a file, in Russian\n"
+    "Exit status: 0 ran to its end, 1 stopped by an alarm, 2 wrong usage or unreadable file.";
+constexpr const char* check_examples =
+    "Examples:\n"
+    "  kadr check programs/                            every program of a folder, every fault\n"
+    "  kadr check a.nc b.nc --control gost\n"
+    "  kadr check programs/ --format sarif >r.sarif    for an editor or a code host\n"
+    "Exit status: 0 no error, 1 errors found, 2 wrong usage or unreadable file.";
+constexpr const char* explain_examples =
+    "Examples:\n"
+    "  kadr explain s2c42 G41         a code: group, words, source\n"
+    "  kadr explain s2c42 L83         a cycle and its body\n"
+    "  kadr explain mach3 X           an address\n"
+    "  kadr explain mach3             the whole control\n"
+    "  kadr explain mach3 radius_mismatch   an alarm and what to do";
+constexpr const char* tape_examples =
+    "Examples:\n"
+    "  kadr tape encode flange.nc flange.tape     text to rows with even parity\n"
+    "  kadr tape decode flange.tape               rows to text; parity errors by row on stderr\n"
+    "Exit status: 0 all well, 1 parity errors or a character that has no code, 2 wrong usage.";
+
+void language_option(CLI::App& app, std::string& lang) { app.add_option("--lang", lang, "language of messages: en or ru (default: by LANG)")->check(CLI::IsMember({"en", "ru"})); }
+
+void program_options(CLI::App& app, Options& o) {
+  app.add_option("--control", o.control, "control: an id of `kadr controls`, or a file NAME.toml (default: guessed from the text)");
+  app.add_option("--machine", o.machine, "machine profile: an id or a file NAME.toml (default: generic)");
+  app.add_option("--setup", o.setup, "state before the start: a JSON file");
+  app.add_option("--encoding", o.encoding, "of the text: utf-8, cp1251, koi8-r, cp866, iso7 (default: detected)");
+  app.add_option("--skip", o.skip, "skip switches that are on, 1 to 9");
+  app.add_flag("--optional-stop", o.optional_stop, "stop at M01");
+  app.add_option("--max-blocks", o.limits.repeated_blocks, "stop a program that repeats more blocks than this")->capture_default_str();
+  app.add_option("--max-passes", o.limits.restarts, "stop an endless program (M99, M47) after so many passes")->capture_default_str();
+  app.add_flag("--quiet,-q", o.quiet, "no summary, no progress bar");
+  language_option(app, o.lang);
+}
+
+void add_run(CLI::App& app, Commands& c) {
+  CLI::App* const run = app.add_subcommand("run", "carry a program out: summary, trace, picture");
+  run->add_option("PROGRAM", c.options.programs, "the part program (- for standard input)")->required()->expected(1);
+  program_options(*run, c.options);
+  run->add_option("--trace", c.options.trace, "every action as a line of JSON, to a file or - for stdout");
+  run->add_option("--plot", c.options.plot, "draw the path: a file .svg or .png");
+  run->footer(run_examples);
+}
+
+void add_check(CLI::App& app, Commands& c) {
+  CLI::App* const check = app.add_subcommand("check", "find every fault of programs");
+  check->add_option("PROGRAM", c.options.programs, "programs and folders of programs")->required();
+  program_options(*check, c.options);
+  check->add_option("--format", c.options.format, "text, json or sarif")->check(CLI::IsMember({"text", "json", "sarif"}))->capture_default_str();
+  check->footer(check_examples);
+}
+
+void add_explain(CLI::App& app, Commands& c) {
+  CLI::App* const explain = app.add_subcommand("explain", "what a code, address, cycle or alarm means");
+  explain->add_option("CONTROL", c.explain.control, "control id or NAME.toml")->required();
+  explain->add_option("CODE", c.explain.code, "G41, M3, X, L81, an alarm id; left out: all codes");
+  explain->add_flag("--markdown", c.explain.markdown, "the page of the documentation");
+  language_option(*explain, c.explain.lang);
+  explain->footer(explain_examples);
+  CLI::App* const controls = app.add_subcommand("controls", "the controls Kadr knows");
+  language_option(*controls, c.options.lang);
+}
+
+void add_tape(CLI::App& app, Commands& c) {
+  CLI::App* const tape = app.add_subcommand("tape", "punched tape: rows of ISO-7 with even parity, and text");
+  tape->require_subcommand(1);
+  for (const bool decode : {true, false}) {
+    CLI::App* const sub = tape->add_subcommand(decode ? "decode" : "encode", decode ? "rows to text" : "text to rows");
+    sub->add_option("INPUT", c.tape.input, "file, or - for stdin")->required();
+    sub->add_option("OUTPUT", c.tape.output, "file, or - for stdout (default)");
+    language_option(*sub, c.tape.lang);
+    if (!decode) {
+      sub->add_option("--encoding", c.tape.encoding, "of the text: utf-8, cp1251, koi8-r, cp866 (default: detected)");
+      sub->add_option("--leader", c.tape.leader, "rows of blank tape before and after")->capture_default_str()->check(CLI::Range(0, 100000));
+    }
+  }
+  tape->footer(tape_examples);
+}
+
+}  // namespace
+
+std::unique_ptr<CLI::App> make_app(Commands& c) {
+  auto app = std::make_unique<CLI::App>("Kadr reads part programs exactly as a given control would: checks, runs, draws and times them.", "kadr");
+  app->set_version_flag("--version", std::string("kadr ") + KADR_VERSION);
+  app->require_subcommand(1);
+  add_run(*app, c);
+  add_check(*app, c);
+  add_explain(*app, c);
+  add_tape(*app, c);
+  app->add_subcommand("man", "print the manual page (kadr man > kadr.1)");
+  CLI::App* const complete = app->add_subcommand("completion", "print the completion script of a shell");
+  complete->add_option("SHELL", c.shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  app->footer("`kadr COMMAND --help` shows options and examples. Try: kadr run examples/s2c42/flange.nc --plot flange.svg");
+  return app;
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,48 @@
+// kadr explain, kadr controls: the rows of the control files.
+
+#include <fmt/core.h>
+
+#include "cli/options.h"
+#include "config/control_file.h"
+#include "out/code_page.h"
+
+namespace kadr::cli {
+namespace {
+
+Lang language_named(const std::string& lang) {
+  Options options;
+  options.lang = lang;
+  return language(options);
+}
+
+}  // namespace
+
+int explain(const ExplainOptions& options) {
+  const auto def = load_control(options.control);
+  if (!def) return complain(def.error()), wrong_usage;
+  const auto texts = AlarmTexts::load(&*def);
+  if (!texts) return complain(texts.error()), wrong_usage;
+  const Lang lang = language_named(options.lang);
+  if (options.markdown) return fmt::print("{}", control_page(*def)), ok;
+  if (options.code.empty()) return fmt::print("{}", explain_control(*def, lang)), ok;
+  const auto text = explain_code(*def, *texts, options.code, lang);
+  if (!text) {
+    complain(lang == Lang::ru ? fmt::format("{}: нет кода, адреса, цикла или ошибки '{}'", options.control, options.code)
+                              : fmt::format("{}: no code, address, cycle or alarm '{}'", options.control, options.code));
+    return wrong_usage;
+  }
+  fmt::print("{}", *text);
+  return ok;
+}
+
+int list_controls(const std::string& lang_name) {
+  const Lang lang = language_named(lang_name);
+  for (const std::string& id : built_in_controls()) {
+    const auto def = load_control(id);
+    if (!def) return complain(def.error()), wrong_usage;
+    fmt::print("{:<12}{}\n", id, lang == Lang::ru ? def->name.ru : def->name.en);
+  }
+  return ok;
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,25 @@
+#pragma once
+// A line on the terminal during long work; nothing elsewhere.
+
+#include <chrono>
+
+#include "control/control.h"
+
+namespace kadr::cli {
+
+class Progress {
+ public:
+  explicit Progress(bool quiet);
+  ~Progress();
+  void show(const Control& control);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool on_;
+  bool shown_ = false;
+  unsigned calls_ = 0;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+};
+
+}  // namespace kadr::cli

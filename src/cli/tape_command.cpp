@@ -1,0 +1,86 @@
+// kadr tape decode|encode: punched tape images and text.
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include "cli/options.h"
+#include "lang/encoding.h"
+#include "lang/tape.h"
+
+namespace kadr::cli {
+namespace {
+
+constexpr std::size_t longest_tape = 256u << 20;   // bytes: 680 km of tape
+
+std::optional<std::string> read_all(const std::string& name) {
+  std::string text;
+  std::ifstream file;
+  if (name != "-") file.open(name, std::ios::binary);
+  std::istream& in = name == "-" ? std::cin : file;
+  char piece[1 << 16];
+  while (in.read(piece, sizeof piece) || in.gcount() > 0) {
+    text.append(piece, static_cast<std::size_t>(in.gcount()));
+    if (text.size() > longest_tape) {
+      complain(fmt::format("{}: longer than {} MiB, no tape", name, longest_tape >> 20));
+      return std::nullopt;
+    }
+  }
+  if (name != "-" && !file.is_open()) {
+    complain(fmt::format("{}: {}", name, std::strerror(errno)));
+    return std::nullopt;
+  }
+  return text;
+}
+
+bool write_all(const std::string& name, const std::string& text) {
+  if (name.empty() || name == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  std::ofstream file(name, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) complain(fmt::format("{}: {}", name, std::strerror(errno)));
+  return static_cast<bool>(file);
+}
+
+int decode(const TapeOptions& options, const std::string& rows, bool ru) {
+  const TapeText text = decode_tape(rows);
+  for (const TapeFault& fault : text.faults)
+    complain(ru ? fmt::format("{}: строка {}: нечётное число отверстий (байт {:03o})", options.input, fault.row, fault.byte)
+                : fmt::format("{}: row {}: parity error (byte {:03o})", options.input, fault.row, fault.byte));
+  if (!write_all(options.output, text.text)) return wrong_usage;
+  return text.faults.empty() ? ok : alarms;
+}
+
+int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
+  auto encoding = options.encoding.empty() ? detect_encoding(bytes) : encoding_named(options.encoding);
+  if (!options.encoding.empty() && !encoding) return complain(fmt::format("no encoding '{}'", options.encoding)), wrong_usage;
+  std::string text;
+  if (const Status decoded = append_utf8(bytes, encoding.value_or(Encoding::utf8), text); !decoded)
+    return complain(fmt::format("{}: byte {}: not text in {}", options.input, decoded.error().where.begin + 1, name_of(encoding.value_or(Encoding::utf8)))), alarms;
+  const auto rows = encode_tape(text, options.leader);
+  if (!rows) {
+    const Span at = rows.error().where;
+    complain(ru ? fmt::format("{}: символ '{}' (байт {}) не пробить в коде ISO-7", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1)
+                : fmt::format("{}: '{}' (byte {}) has no ISO-7 code", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1));
+    return alarms;
+  }
+  return write_all(options.output, *rows) ? ok : wrong_usage;
+}
+
+}  // namespace
+
+int tape(const TapeOptions& options) {
+  const auto bytes = read_all(options.input);
+  if (!bytes) return wrong_usage;
+  Options shared;
+  shared.lang = options.lang;
+  const bool ru = language(shared) == Lang::ru;
+  return options.decode ? decode(options, *bytes, ru) : encode(options, *bytes, ru);
+}
+
+}  // namespace kadr::cli

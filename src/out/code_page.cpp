@@ -1,0 +1,154 @@
+#include "out/code_page.h"
+
+#include <fmt/core.h>
+
+#include <cctype>
+
+namespace kadr {
+namespace {
+
+const std::string& pick(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
+
+std::string letters_of(std::uint32_t bits) {
+  std::string text;
+  for (int i = 0; i < 26; ++i)
+    if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", static_cast<char>('A' + i));
+  return text;
+}
+
+std::string initial_mark(const ControlDef& def, const CodeRow& row) {
+  if (row.group == 0 || def.groups[row.group].power_on < 0) return {};
+  return def.codes[static_cast<std::size_t>(def.groups[row.group].power_on)].code == row.code ? "*" : "";
+}
+
+/// Digits of an address as the manual writes them: "+043", "02", "free".
+std::string format_of(const ControlDef& def, const AddressRow& row) {
+  const WordFormat& w = def.grammar.word(row.letter);
+  if (w.whole_digits == 0) return w.sign ? "+free" : "free";
+  std::string text = w.sign ? "+" : "";
+  if (w.drop_zeros) text += '0';
+  text += std::to_string(w.whole_digits);
+  if (w.fraction_digits != 0) text += std::to_string(w.fraction_digits);
+  if (w.point) text += ", point";
+  return text;
+}
+
+std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  std::string text = fmt::format("{} {}: {}\n", def.id, row.code, pick(row.text, lang));
+  const GroupRow& group = def.groups[row.group];
+  if (row.group != 0) text += fmt::format("  {}: {} ({})\n", ru ? "группа" : "group", group.name, pick(group.text, lang));
+  text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts", row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
+  if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
+  if (row.takes != 0) text += fmt::format("  {}: {}\n", ru ? "слова" : "words", letters_of(row.takes));
+  if (row.needs != 0) text += fmt::format("  {}: {}\n", ru ? "обязательны" : "must have", letters_of(row.needs));
+  text += fmt::format("  {}: {}{}\n", ru ? "функция Kadr" : "Kadr's function", traits_of(row.function).name, row.arg != 0 ? fmt::format(" {}", row.arg) : "");
+  text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
+  return text;
+}
+
+std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  std::string text = fmt::format("{} {}: {}\n", def.id, row.letter, pick(row.text, lang));
+  text += fmt::format("  {}: {}\n", ru ? "формат" : "format", format_of(def, row));
+  if (row.unit == WordUnit::length && def.grammar.word(row.letter).implied)
+    text += fmt::format("  {}\n", ru ? "без точки: в единицах младшего разряда формата" : "without a point: in units of the format's last digit");
+  text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
+  return text;
+}
+
+std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
+  std::string text = fmt::format("{} {}: {}\n", def.id, row.name, pick(row.text, lang));
+  std::string_view body = row.body;
+  while (!body.empty()) {
+    const std::size_t end = body.find('\n');
+    text += fmt::format("  {}\n", body.substr(0, end));
+    body.remove_prefix(end + 1);
+  }
+  text += fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, row.manual);
+  return text;
+}
+
+std::string alarm_text_of(const AlarmTexts& texts, AlarmId id, Lang lang) {
+  Alarm plain;
+  plain.id = id;
+  std::string text = fmt::format("{}: {}\n", name_of(id), texts.pattern(id, lang));
+  const std::string hint = texts.hint(plain, lang);
+  if (!hint.empty()) text += fmt::format("  {}\n", hint);
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+  return out;
+}
+
+void code_rows(const ControlDef& def, char letter, std::string& page) {
+  page += fmt::format("\n## {} codes\n\n| code | group | lasts | words | meaning | значение | source |\n|---|---|---|---|---|---|---|\n", letter);
+  for (const CodeRow& row : def.codes)
+    if (row.letter == letter)
+      page += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", row.code, initial_mark(def, row), def.groups[row.group].name, row.modal ? "modal" : "block",
+                          letters_of(row.takes), escaped(row.text.en), escaped(row.text.ru), escaped(row.manual));
+}
+
+}  // namespace
+
+std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
+  std::string code;
+  for (const char c : what) code += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  if (const AlarmId id = alarm_named(what); id != AlarmId::count) return alarm_text_of(texts, id, lang);
+  if (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z') {
+    const AddressRow& row = def.address(code[0]);
+    if (row.function == Function::count) return std::nullopt;
+    return address_text(def, row, lang);
+  }
+  std::optional<std::string> text;
+  if (code[0] == 'G' || code[0] == 'M') {
+    char* end = nullptr;
+    const double number = std::strtod(code.c_str() + 1, &end);
+    const bool is_number = end != code.c_str() + 1 && *end == '\0' && number >= 0 && number < ControlDef::most_tenths / 10;
+    const std::int32_t row = is_number ? def.row_of(code[0], static_cast<std::int32_t>(number * 10 + 0.5)) : -1;
+    if (row >= 0) text = code_text(def, def.codes[static_cast<std::size_t>(row)], lang);
+  }
+  for (const CycleRow& row : def.cycles)
+    if (row.name == code) return text.value_or("") + cycle_text(def, row, lang);
+  return text;
+}
+
+std::string explain_control(const ControlDef& def, Lang lang) {
+  std::string text = fmt::format("{}: {}\n", def.id, pick(def.name, lang));
+  if (!def.lineage.empty()) text += fmt::format("  extends {}\n", def.lineage.front());
+  if (!def.descriptor.empty()) text += fmt::format("  {}\n", def.descriptor);
+  for (const CodeRow& row : def.codes) text += fmt::format("  {:<8}{:<2}{}\n", row.code, initial_mark(def, row), pick(row.text, lang));
+  for (const CycleRow& row : def.cycles)
+    if (!row.body.empty() || row.name[0] == 'L') text += fmt::format("  {:<10}{}\n", row.name, pick(row.text, lang));
+  return text;
+}
+
+std::string control_page(const ControlDef& def) {
+  std::string page = fmt::format("<!-- Made by `kadr explain {0} --markdown`: do not edit, see dev/docs. -->\n# {1}\n\n{2}\n\nControl id: `{0}`. Rules: `{3}`.\n", def.id, def.name.en, def.name.ru, def.spec);
+  if (!def.descriptor.empty()) page += fmt::format("\nFormat: `{}`\n", def.descriptor);
+  page += "\n`*` is in force at power-on.\n\n## Addresses\n\n| address | format | meaning | значение | source |\n|---|---|---|---|---|\n";
+  for (const AddressRow& row : def.addresses)
+    if (row.function != Function::count)
+      page += fmt::format("| {} | {} | {} | {} | {} |\n", row.letter, format_of(def, row), escaped(row.text.en), escaped(row.text.ru), escaped(row.manual));
+  code_rows(def, 'G', page);
+  code_rows(def, 'M', page);
+  bool bodies = false;
+  for (const CycleRow& row : def.cycles) {
+    if (row.body.empty()) continue;
+    if (!bodies) page += "\n## Cycles\n\n| cycle | meaning | значение | body |\n|---|---|---|---|\n";
+    bodies = true;
+    std::string body;
+    for (const char c : row.body) body += c == '\n' ? std::string("` · `") : std::string(1, c);
+    page += fmt::format("| {} | {} | {} | `{}` |\n", row.name, escaped(row.text.en), escaped(row.text.ru), body.substr(0, body.size() - std::string("` · `").size()));
+  }
+  if (!def.variables.empty()) page += "\n## System variables\n\n| numbers | meaning | значение | source |\n|---|---|---|---|\n";
+  for (const VariableRow& row : def.variables)
+    page += fmt::format("| #{}{}{} | {} | {} | {} |\n", row.from, row.count > 1 ? fmt::format("–#{}", row.from + row.count - 1) : "",
+                        row.repeat > 1 ? fmt::format(", every {} up to {} times", row.stride, row.repeat) : "", escaped(row.text.en), escaped(row.text.ru), escaped(row.manual));
+  return page;
+}
+
+}  // namespace kadr

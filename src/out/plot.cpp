@@ -1,0 +1,67 @@
+#include "out/plot.h"
+
+#include <algorithm>
+
+#include "base/tolerance.h"
+#include "out/plot_page.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_zeros = 12;
+constexpr double chord = 0.02;           // mm between an arc and its picture
+constexpr int most_arc_pieces = 720;
+
+Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
+  if (is_arc(motion.kind)) return Stroke::arc;
+  if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return Stroke::rapid;
+  const bool down = to.z < from.z && length(Vec2{to.x - from.x, to.y - from.y}) < tol::same_point;
+  return down ? Stroke::plunge : Stroke::feed;
+}
+
+}  // namespace
+
+Plot::Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start)
+    : roles_(AxisRoles::of(axes, rotary)), position_(start) {}
+
+void Plot::take_frame(const FrameChange& frame) {
+  position_.take(frame);
+  const Vec3 origin = roles_.point(frame.origin);
+  if (!origin_known_ && !started_) {
+    first_origin_ = origin;
+    origin_known_ = true;
+  }
+  shift_ = origin - first_origin_;
+}
+
+/// Only zeros that something was done in.
+void Plot::mark_zero() {
+  const auto same = [&](Vec3 zero) { return length(zero - shift_) < tol::same_point; };
+  if (zeros_.size() < most_zeros && std::none_of(zeros_.begin(), zeros_.end(), same)) zeros_.push_back(shift_);
+}
+
+void Plot::take_motion(const Motion& motion) {
+  const Vec3 from = roles_.point(position_.work), to = roles_.point(motion.to);
+  if (!started_) path_.start(from + shift_);
+  started_ = true;
+  const Stroke stroke = stroke_of(motion, from, to);
+  if (stroke != Stroke::rapid) mark_zero();
+  if (is_arc(motion.kind)) {
+    const Curve curve(roles_, position_.work, motion);
+    const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));
+    for (int i = 1; i < pieces; ++i) path_.go(roles_.point(curve.at(double(i) / pieces)) + shift_, stroke);
+  }
+  path_.go(to + shift_, stroke);
+  position_.take(motion);
+}
+
+void Plot::take(const Action& action) {
+  if (const auto* motion = std::get_if<Motion>(&action.what)) take_motion(*motion);
+  else if (const auto* frame = std::get_if<FrameChange>(&action.what)) take_frame(*frame);
+}
+
+tl::expected<void, std::string> Plot::write(const std::string& file, const PlotTitle& title) const {
+  return draw_page(file, {path_, zeros_, title});
+}
+
+}  // namespace kadr

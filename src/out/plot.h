@@ -1,0 +1,48 @@
+#pragma once
+// Plot: the path as a picture, SVG or PNG: isometric and the three planes.
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "out/plot_path.h"
+
+namespace kadr {
+
+struct PlotTitle {
+  std::string file;
+  std::string control;
+  Lang lang = Lang::en;
+};
+
+/// Takes Actions in order. Coordinates of the picture: the first work system; others stand where they are on the machine.
+class Plot {
+ public:
+  Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start);
+
+  void take(const Action& action);
+
+  /// Draws; the ending of the name (.svg, .png) says which.
+  ///   returns  an error sentence
+  tl::expected<void, std::string> write(const std::string& file, const PlotTitle& title) const;
+
+  const PlotPath& path() const { return path_; }
+  /// Work zeros in the picture's coordinates.
+  const std::vector<Vec3>& zeros() const { return zeros_; }
+
+ private:
+  void take_motion(const Motion& motion);
+  void take_frame(const FrameChange& frame);
+  void mark_zero();
+
+  AxisRoles roles_;
+  ToolPosition position_;
+  PlotPath path_;
+  Vec3 first_origin_;
+  Vec3 shift_;                 // origin now − first origin
+  bool origin_known_ = false;
+  bool started_ = false;
+  std::vector<Vec3> zeros_;
+};
+
+}  // namespace kadr

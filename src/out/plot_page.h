@@ -1,0 +1,22 @@
+#pragma once
+// The page of a plot: title, the isometric view large on the left, the planes on the right, legend below.
+
+#include <string>
+#include <vector>
+
+#include "out/plot.h"
+
+namespace kadr {
+
+struct PlotScene {
+  const PlotPath& path;
+  const std::vector<Vec3>& zeros;
+  const PlotTitle& title;
+};
+
+tl::expected<void, std::string> draw_page(const std::string& file, const PlotScene& scene);
+
+/// What of the path the picture shows: all the cutting, and rapid motion around it as far as half its size.
+Box shown_box(const PlotScene& scene);
+
+}  // namespace kadr
