@@ -114,8 +114,8 @@ int check(const Options& options) {
     if (interrupted()) break;
     if (options.format == "text") findings.clear();
   }
-  if (options.format == "json") fmt::print("{}\n", findings_json(findings));
-  if (options.format == "sarif") fmt::print("{}\n", findings_sarif(findings, KADR_VERSION));
+  if (options.format == "json") fmt::print("{}", findings_json(findings));
+  if (options.format == "sarif") fmt::print("{}", findings_sarif(findings, KADR_VERSION));
   print_count(options, checked, faults, warnings);
   return status;
 }

@@ -77,7 +77,7 @@ std::optional<Program> open_program(const Job& job) {
   return program;
 }
 
-std::optional<AlarmReport> carry_out(Control& control, const Job& job, const Outlets& outlets) {
+Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
   control.on_warning = outlets.warning;
   const Ending start = control.ending();
   VirtualMachine machine(control.axes(), control.rotary(), job.profile, job.setup, {start.position, start.machine_position});
@@ -92,20 +92,20 @@ std::optional<AlarmReport> carry_out(Control& control, const Job& job, const Out
       }
       if (const Status taken = machine.take(action); !taken) {                     // machine: limits
         const AlarmReport report = control.report_for(taken.error(), action.origin);
-        if (!outlets.alarm(report)) return report;
+        if (!outlets.alarm(report)) return {report, machine.position()};
       }
       outlets.action(action);                                                      // out: trace, summary, plot
     }
     if (state == Control::State::stopped || control.is_stopped()) {
       const AlarmReport report = control.report();
-      if (!outlets.alarm(report)) return report;
+      if (!outlets.alarm(report)) return {report, std::nullopt};
       control.go_on();
     }
-    if (state == Control::State::ended) return std::nullopt;
+    if (state == Control::State::ended) return {};
     if (interrupted()) {
       const AlarmReport report = control.report_for(alarm(AlarmId::interrupted, {}), batch.empty() ? Origin() : batch.back().origin);
       (void)outlets.alarm(report);
-      return report;
+      return {report, std::nullopt};
     }
     if (outlets.batch) outlets.batch(control);
   }

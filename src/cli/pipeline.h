@@ -7,6 +7,7 @@
 
 #include "cli/options.h"
 #include "config/machine_profile.h"
+#include "path/axis_roles.h"
 
 namespace kadr::cli {
 
@@ -36,8 +37,14 @@ struct Outlets {
   std::function<void(const Control&)> batch;         // between batches: progress
 };
 
-/// Carries the program out. returns the alarm that stopped it, if one did.
-std::optional<AlarmReport> carry_out(Control& control, const Job& job, const Outlets& outlets);
+/// How a run came to its end.
+struct Stopped {
+  std::optional<AlarmReport> report;          // the alarm that stopped it, if one did
+  std::optional<ToolPosition> machine_stood;  // where, if the machine refused a motion: the control was ahead of it
+};
+
+/// Carries the program out.
+Stopped carry_out(Control& control, const Job& job, const Outlets& outlets);
 
 /// Ctrl-C and SIGTERM ask for the end of the run; what has been done is kept.
 void catch_interrupts();

@@ -86,8 +86,13 @@ int run(const Options& options) {
                                                  [&](const Control& c) { progress.show(c); }});
   bool written = true;
   if (trace) {
-    if (stopped) trace->finish(control.ending(), *stopped, *job->texts, lang);
-    else trace->finish(control.ending());
+    Ending ending = control.ending();
+    if (stopped.machine_stood) {
+      ending.position = stopped.machine_stood->work;
+      ending.machine_position = stopped.machine_stood->machine;
+    }
+    if (stopped.report) trace->finish(ending, *stopped.report, *job->texts, lang);
+    else trace->finish(ending);
     written = trace->ok();
     if (!written) complain(fmt::format("{}: {}", options.trace, std::strerror(errno)));
   }
@@ -98,7 +103,7 @@ int run(const Options& options) {
   }
   if (!options.quiet) fmt::print("{}", statistics.text(control.blocks(), lang));
   if (!written) return wrong_usage;
-  return stopped ? alarms : ok;
+  return stopped.report ? alarms : ok;
 }
 
 }  // namespace kadr::cli

@@ -64,8 +64,28 @@ struct Action {
   std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, Stop, Message, FrameChange> what;
 };
 
-/// Actions are handed on in batches.
-using ActionBatch = std::vector<Action>;
+/// Actions are handed on in batches. Clearing keeps the elements, so that a long run builds none anew.
+class ActionBatch {
+ public:
+  Action& add() {
+    if (size_ == actions_.size()) actions_.emplace_back();
+    return actions_[size_++];
+  }
+  void clear() { size_ = 0; }
+  void cut(std::size_t size) { size_ = size; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  Action& operator[](std::size_t i) { return actions_[i]; }
+  Action& back() { return actions_[size_ - 1]; }
+  Action* begin() { return actions_.data(); }
+  Action* end() { return actions_.data() + size_; }
+  const Action* begin() const { return actions_.data(); }
+  const Action* end() const { return actions_.data() + size_; }
+
+ private:
+  std::vector<Action> actions_;
+  std::size_t size_ = 0;
+};
 
 /// An alarm with its place, as people and traces see it.
 struct AlarmReport {

@@ -37,17 +37,17 @@ class Circular {
   Status run(Span where) {
     if (m_.modal.polar) return fail(alarm(AlarmId::polar_motion, where));
     AxisMask named = 0;
-    const auto end = m_.target(named);
-    if (!end) return fail(end.error());
+    Axes end;
+    KADR_TRY(m_.target(end, named));
     const std::uint32_t used = m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : 0u);
     if ((m_.block.letters & used) == 0) return {};   // the code alone: only the mode
     KADR_TRY(m_.feed_known(where));
     const Axes& start = m_.position.programmed;
-    auto arc = shape(start, *end, where);
+    auto arc = shape(start, end, where);
     if (!arc) return fail(arc.error());
-    KADR_TRY(helix(start, *end, *arc));
+    KADR_TRY(helix(start, end, *arc));
     KADR_TRY(scales(where));
-    hand_on(*arc, *end, named);
+    hand_on(*arc, end, named);
     return {};
   }
 

@@ -46,18 +46,18 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
   }
   m.cycle_memory.row = -1;
   AxisMask named = 0;
-  auto to = m.target(named);
-  if (!to) return fail(to.error());
-  if (m.modal.polar) polar_target(m, *to, named);
+  Axes to;
+  KADR_TRY(m.target(to, named));
+  if (m.modal.polar) polar_target(m, to, named);
   if (m.def.behaviour.correctors) {
-    auto corrected = correctors::apply(m, *to);
+    auto corrected = correctors::apply(m);
     if (!corrected) return fail(corrected.error());
     named |= *corrected;
   }
   if (named == 0) return {};   // the code alone: only the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
-  return m.straight(kind, *to, named);
+  return m.straight(kind, to, named);
 }
 
 /// Axes of the block's words, whatever their values; all linear ones if there is none.
@@ -106,9 +106,9 @@ Status home_through(Machinery& m, const Call& call) {
   const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
   AxisMask named = 0;
   if (m.has_axis_words()) {
-    const auto through = m.target(named);
-    if (!through) return fail(through.error());
-    KADR_TRY(m.straight(MotionKind::rapid, *through, named));
+    Axes through;
+    KADR_TRY(m.target(through, named));
+    KADR_TRY(m.straight(MotionKind::rapid, through, named));
   }
   Axes home{};
   for (std::size_t a = 0; a < m.axis_count && a < 6; ++a) home[a] = m.variables.raw(first + static_cast<std::uint32_t>(a));
@@ -155,11 +155,11 @@ Status probe(Machinery& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));
   AxisMask named = 0;
-  const auto to = m.target(named);
-  if (!to) return fail(to.error());
+  Axes to;
+  KADR_TRY(m.target(to, named));
   double distance = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
-    const double way = (*to)[a] - m.position.programmed[a];
+    const double way = to[a] - m.position.programmed[a];
     if ((m.def.rotary >> a & 1u) == 0) distance += way * way;
     else if (std::fabs(way) > tol::same_angle) return fail(alarm(AlarmId::rotary_motion, call.where, call.row->code));
   }
@@ -167,7 +167,7 @@ Status probe(Machinery& m, const Call& call) {
     return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));
   m.needs_probe = true;
   m.probe_where = call.where;
-  return m.straight(MotionKind::probe, *to, named);
+  return m.straight(MotionKind::probe, to, named);
 }
 
 }  // namespace functions

@@ -235,7 +235,7 @@ void Machinery::take_moment() {
 
 /// Nothing of a faulty block is done (design.md 4).
 void Machinery::take_back(std::size_t actions) {
-  batch->resize(actions);
+  batch->cut(actions);
   needs_probe = false;
   cycle_run.stop();
   if (!moment_taken_) return;

@@ -55,7 +55,7 @@ class Machinery {
   // ---- motion
 
   /// End point by the block's axis words, programmed coordinates; `named`: axes that have a word.
-  Result<Axes> target(AxisMask& named) const;
+  Status target(Axes& to, AxisMask& named) const;
   /// One axis word as a programmed end coordinate.
   double axis_target(const Word& w, std::size_t axis) const;
   /// Hands a straight motion to a programmed point on.
@@ -72,7 +72,7 @@ class Machinery {
 
   template <class What>
   void emit(What&& what) {
-    Action& action = batch->emplace_back();
+    Action& action = batch->add();
     action.origin = origin;
     action.what = std::forward<What>(what);
   }

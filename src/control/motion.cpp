@@ -13,8 +13,8 @@ double Machinery::axis_target(const Word& w, std::size_t axis) const {
   return modal.absolute ? v : position.programmed[axis] + v;
 }
 
-Result<Axes> Machinery::target(AxisMask& named) const {
-  Axes to = position.programmed;
+Status Machinery::target(Axes& to, AxisMask& named) const {
+  to = position.programmed;
   named = 0;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
@@ -24,13 +24,14 @@ Result<Axes> Machinery::target(AxisMask& named) const {
     named |= 1u << axis;
     if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));
   }
-  return to;
+  return {};
 }
 
 Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
-  Action& action = batch->emplace_back();
+  Action& action = batch->add();
   action.origin = origin;
-  Motion& motion = action.what.emplace<Motion>();
+  Motion* const reused = std::get_if<Motion>(&action.what);
+  Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
   motion.kind = kind;
   motion.plane = modal.plane;
   motion.named = named;
@@ -38,6 +39,10 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.machine = position.machine;
   motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
   motion.tolerance = modal.blend_tolerance;
+  motion.unit = FeedUnit::mm_per_min;
+  motion.feed = 0;
+  motion.turns = 0;
+  motion.center = {};
   return motion;
 }
 

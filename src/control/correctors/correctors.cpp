@@ -46,8 +46,7 @@ bool cancels(const Machinery& m) {
 
 }  // namespace
 
-Result<AxisMask> correctors::apply(Machinery& m, const Axes& to) {
-  (void)to;
+Result<AxisMask> correctors::apply(Machinery& m) {
   AxisMask moved = 0;
   for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
     const Word& w = m.block.words[i];

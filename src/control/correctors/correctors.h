@@ -5,9 +5,9 @@
 
 namespace kadr::correctors {
 
-/// Adds the block's corrector to the motion that goes to `to` (programmed): sets Transform::added.
+/// Adds the block's correctors to its motion: sets Transform::added.
 ///   returns  the axes it moves besides those of the words
 ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown
-Result<AxisMask> apply(Machinery& m, const Axes& to);
+Result<AxisMask> apply(Machinery& m);
 
 }  // namespace kadr::correctors

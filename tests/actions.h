@@ -1,0 +1,33 @@
+#pragma once
+// Actions for the tests of the rooms after `control`: motions in one work system.
+
+#include "control/action.h"
+
+namespace kadr::test {
+
+inline Motion straight(MotionKind kind, Vec3 to, double feed = 0) {
+  Motion m{};
+  m.kind = kind;
+  m.to = {to.x, to.y, to.z};
+  m.machine = m.to;
+  m.feed = feed;
+  return m;
+}
+
+inline Motion arc(MotionKind kind, Vec3 to, Vec3 center, double turns, Plane plane = Plane::xy) {
+  Motion m = straight(kind, to, 100);
+  m.center = center;
+  m.turns = turns;
+  m.plane = plane;
+  return m;
+}
+
+inline Action action(const Motion& motion, std::uint32_t line = 1) {
+  Action a{};
+  a.origin.line = line;
+  a.origin.column = 1;
+  a.what = motion;
+  return a;
+}
+
+}  // namespace kadr::test

@@ -1,0 +1,45 @@
+// config/machine_profile: machines/*.toml.
+
+#include "config/machine_profile.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace kadr {
+namespace {
+
+std::string refusal(const std::string& toml) {
+  const auto file = std::filesystem::temp_directory_path() / "kadr_machine_profile_test.toml";
+  std::ofstream(file) << toml;
+  const auto profile = load_machine(file.string());
+  EXPECT_FALSE(profile);
+  return profile ? "" : profile.error().substr(file.string().size());
+}
+
+TEST(machine_profile, built_in_ones_load) {
+  for (const char* id : {"generic", "s2c42-mill", "mach3-router"}) {
+    const auto profile = load_machine(id);
+    ASSERT_TRUE(profile) << profile.error();
+    EXPECT_EQ(profile->id, id);
+    EXPECT_FALSE(profile->name_ru.empty());
+    for (const char* axis : {"X", "Y", "Z"}) EXPECT_GT(profile->axes.at(axis).rapid, 0) << id;
+  }
+  EXPECT_EQ(load_machine("s2c42-mill")->axes.at("Z").least, -260);
+}
+
+TEST(machine_profile, unknown_names_the_known) {
+  EXPECT_EQ(load_machine("lathe").error(), "no machine 'lathe'; there are: generic, mach3-router, s2c42-mill, or a file of your own (NAME.toml)");
+  EXPECT_EQ(load_machine("/nowhere.toml").error(), "/nowhere.toml: cannot be read");
+}
+
+TEST(machine_profile, mistakes_have_a_line) {
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { rapd = 1 }"), ":3: unknown key 'rapd'");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { limits = [2, 1] }"), ":3: limits of axis X must be [least, most]");
+  EXPECT_EQ(refusal("id = 'a'\ntool_change = -1\n[axes]"), ":2: 'tool_change' must be a number, not below zero");
+  EXPECT_EQ(refusal("id = 'a'"), ": [axes] is missing");
+}
+
+}  // namespace
+}  // namespace kadr

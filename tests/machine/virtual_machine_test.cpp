@@ -1,0 +1,79 @@
+// machine/virtual_machine: axis limits, and the position after frame changes.
+
+#include "machine/virtual_machine.h"
+
+#include <gtest/gtest.h>
+
+#include "actions.h"
+
+namespace kadr {
+namespace {
+
+using test::action;
+using test::arc;
+using test::straight;
+using enum MotionKind;
+
+const std::vector<std::string> names = {"X", "Y", "Z"};
+
+VirtualMachine machine(const Setup& setup = {}, const ToolPosition& start = {}) {
+  MachineProfile profile;
+  profile.axes["X"] = {10000, -100, 100};
+  return {names, 0, profile, setup, start};
+}
+
+TEST(virtual_machine, limit_of_the_profile) {
+  VirtualMachine m = machine();
+  EXPECT_TRUE(m.take(action(straight(rapid, {100, 0, 0}))));
+  const Status refused = m.take(action(straight(rapid, {100.5, 5, 0})));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().id, AlarmId::limit_exceeded);
+  EXPECT_EQ(refused.error().args[0].text(), "X");
+  EXPECT_EQ(refused.error().args[1].number(), 100.5);
+  EXPECT_EQ(refused.error().args[2].number(), 100);
+  EXPECT_EQ(m.position().work[1], 0);   // nothing has moved
+}
+
+TEST(virtual_machine, the_setup_goes_before_the_profile) {
+  kadr::Setup setup;
+  setup.machine["X"].limits = {{-5, 5}};
+  setup.machine["*"].limits = {{-50, 50}};
+  VirtualMachine m = machine(setup);
+  EXPECT_FALSE(m.take(action(straight(rapid, {6, 0, 0}))));
+  EXPECT_FALSE(m.take(action(straight(rapid, {0, 51, 0}))));
+  EXPECT_TRUE(m.take(action(straight(rapid, {5, 50, 0}))));
+}
+
+TEST(virtual_machine, the_top_of_an_arc_counts) {
+  VirtualMachine m = machine({}, {{95, 0, 0}, {95, 0, 0}});
+  const Status refused = m.take(action(arc(arc_ccw, {95, 20, 0}, {95, 10, 0}, 0.5)));
+  ASSERT_FALSE(refused);
+  EXPECT_DOUBLE_EQ(refused.error().args[1].number(), 105);
+  EXPECT_TRUE(m.take(action(arc(arc_cw, {95, 20, 0}, {95, 10, 0}, 0.5))));
+}
+
+TEST(virtual_machine, from_outside_an_axis_may_come_in) {
+  VirtualMachine m = machine({}, {{150, 0, 0}, {150, 0, 0}});
+  EXPECT_TRUE(m.take(action(straight(rapid, {150, 10, 0}))));
+  EXPECT_TRUE(m.take(action(straight(rapid, {120, 10, 0}))));
+  EXPECT_FALSE(m.take(action(straight(rapid, {121, 10, 0}))));
+}
+
+TEST(virtual_machine, probe_switch_stops_the_motion) {
+  kadr::Setup setup;
+  setup.probe[1] = AxisValues{{"X", 80}};
+  setup.probe[2] = std::nullopt;
+  const VirtualMachine m = machine(setup);
+  Motion motion = straight(probe, {100, 50, 0}, 60);
+  motion.machine = {110, 50, 0};
+  const ProbeAnswer answer = m.probe(motion);
+  EXPECT_TRUE(answer.touched);
+  EXPECT_EQ(answer.at, (Axes{80, 40, 0}));
+  end_at(motion, answer);
+  EXPECT_EQ(motion.machine, (Axes{90, 40, 0}));
+  EXPECT_FALSE(m.probe(straight(probe, {79, 0, 0})).touched);
+  EXPECT_EQ(m.probe(straight(probe, {79, 0, 0})).at, (Axes{79, 0, 0}));
+}
+
+}  // namespace
+}  // namespace kadr

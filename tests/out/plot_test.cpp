@@ -1,0 +1,118 @@
+// out/plot: bounded memory, extents, several work systems, both file forms.
+
+#include "out/plot.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "actions.h"
+#include "out/plot_view.h"
+
+namespace kadr {
+namespace {
+
+using test::action;
+using test::arc;
+using test::straight;
+using enum MotionKind;
+
+const std::vector<std::string> names = {"X", "Y", "Z"};
+
+Plot small_part() {
+  Plot plot(names, 0, {});
+  plot.take(action(straight(rapid, {10, 0, 5})));
+  plot.take(action(straight(feed, {10, 0, -2}, 100)));
+  plot.take(action(arc(arc_ccw, {10, 0, -2}, {0, 0, 0}, 1)));
+  return plot;
+}
+
+TEST(plot, keeps_the_path_and_its_extents) {
+  const Plot plot = small_part();
+  EXPECT_EQ(plot.path().tolerance(), 0);
+  EXPECT_EQ(plot.path().points()[2].stroke, Stroke::plunge);
+  EXPECT_NEAR(plot.path().cutting_box().least.x, -10, 0.02);
+  EXPECT_EQ(plot.path().box().most, (Vec3{10, plot.path().box().most.y, 5}));
+}
+
+TEST(plot, work_systems_stand_where_they_are_on_the_machine) {
+  Plot plot(names, 0, {});
+  for (const double origin : {100.0, 300.0}) {
+    plot.take({{}, FrameChange{{origin, 0, 0}, {}, {}}});
+    Motion m = straight(feed, {10, 0, 0}, 100);
+    m.machine[0] += origin;
+    plot.take(action(m));
+  }
+  EXPECT_EQ(plot.path().points().back().at, (Vec3{210, 0, 0}));
+  ASSERT_EQ(plot.zeros().size(), 2U);
+  EXPECT_EQ(plot.zeros()[1], (Vec3{200, 0, 0}));
+}
+
+RC_GTEST_PROP(plot_path, never_holds_more_than_it_may, ()) {
+  const std::size_t most = *rc::gen::inRange<std::size_t>(10, 500);
+  const double size = *rc::gen::inRange(0, 1000) / 10.0;
+  PlotPath path(most);
+  path.start({});
+  Box box;
+  for (int i = 0; i < 5000; ++i) {
+    const double t = i * 0.7;
+    const Vec3 p{size * std::sin(t), size * std::cos(t * 1.3), i % 5 * 0.1};
+    box.take(p);
+    path.go(p, static_cast<Stroke>(i % 4));
+    RC_ASSERT(path.points().size() <= most);
+  }
+  RC_ASSERT(path.tolerance() > 0);
+  RC_ASSERT(path.box().most.x >= box.most.x && path.box().least.y <= box.least.y);   // extents stay right
+}
+
+TEST(plot_view, round_steps) {
+  EXPECT_DOUBLE_EQ(round_step(0.7), 1);
+  EXPECT_DOUBLE_EQ(round_step(1.2), 2);
+  EXPECT_DOUBLE_EQ(round_step(20), 20);
+  EXPECT_DOUBLE_EQ(round_step(0.031), 0.05);
+  EXPECT_DOUBLE_EQ(round_step(7), 10);
+}
+
+TEST(plot_view, a_fitted_box_stays_in_its_area) {
+  const Area area{100, 50, 400, 300};
+  const Box box{{-10, 5, -3}, {90, 35, 0}, false};
+  for (const View view : {View::isometric, View::xy, View::xz, View::yz}) {
+    const ViewScale scale = fitted(view, box, area);
+    for (const Vec3 p : {box.least, box.most}) {
+      const Vec2 at = scale.page(projected(view, p));
+      EXPECT_GE(at.x, area.x - 1e-9);
+      EXPECT_LE(at.x, area.right() + 1e-9);
+      EXPECT_GE(at.y, area.y - 1e-9);
+      EXPECT_LE(at.y, area.bottom() + 1e-9);
+    }
+  }
+}
+
+TEST(plot, writes_svg_and_png) {
+  const auto folder = std::filesystem::temp_directory_path();
+  for (const char* name : {"kadr_plot_test.svg", "kadr_plot_test.png"}) {
+    const std::string file = (folder / name).string();
+    const auto done = small_part().write(file, {"part.nc", "2С42-65", Lang::ru});
+    ASSERT_TRUE(done) << done.error();
+    std::ifstream stream(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_NE(bytes.substr(0, 100).find(name[15] == 's' ? "<svg" : "PNG"), std::string::npos);
+    std::filesystem::remove(file);
+  }
+  EXPECT_EQ(small_part().write("a.pdf", {}).error(), "a.pdf: a plot is .svg or .png");
+  EXPECT_FALSE(small_part().write("/nowhere/a.png", {}));
+  EXPECT_FALSE(small_part().write("/nowhere/a.svg", {}));
+}
+
+TEST(plot, without_motion_it_says_so) {
+  const std::string file = (std::filesystem::temp_directory_path() / "kadr_plot_empty.png").string();
+  EXPECT_TRUE(Plot(names, 0, {}).write(file, {"empty.nc", "Mach3", Lang::en}));
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace kadr

@@ -1,0 +1,76 @@
+// out/summary: what a run came to.
+
+#include "out/summary.h"
+
+#include <gtest/gtest.h>
+
+#include "actions.h"
+
+namespace kadr {
+namespace {
+
+using test::action;
+using test::arc;
+using test::straight;
+using enum MotionKind;
+
+Statistics run() {
+  const std::vector<std::string> names = {"X", "Y", "Z"};
+  MachineProfile profile;
+  profile.tool_change_s = 10;
+  Statistics s(names, 0, rates_of(profile, kadr::Setup{}, names), {});
+  s.take({{}, ToolChange{4}});
+  s.take(action(straight(rapid, {100, 0, 0})));
+  s.take(action(straight(feed, {100, 50, 0}, 100)));
+  s.take(action(arc(arc_ccw, {80, 50, 0}, {90, 50, 0}, 0.5)));
+  s.take({{}, Dwell{2}});
+  s.count(Severity::warning);
+  return s;
+}
+
+TEST(summary, counts_lengths_and_extents) {
+  const Statistics s = run();
+  EXPECT_EQ(s.rapids(), 1U);
+  EXPECT_EQ(s.feeds(), 1U);
+  EXPECT_EQ(s.arcs(), 1U);
+  EXPECT_DOUBLE_EQ(s.rapid_mm(), 100);
+  EXPECT_DOUBLE_EQ(s.cutting_mm(), 50 + 10 * pi);
+  EXPECT_EQ(s.cutting_box().most, (Vec3{100, 60, 0}));
+  EXPECT_EQ(s.cutting_box().least, (Vec3{80, 0, 0}));
+  EXPECT_EQ(s.box().least, (Vec3{0, 0, 0}));
+  ASSERT_EQ(s.tools().size(), 1U);
+  EXPECT_DOUBLE_EQ(s.tools()[0].cutting_s, s.time().cutting);
+}
+
+TEST(summary, text_in_both_languages) {
+  const std::string english = run().text(6, Lang::en);
+  EXPECT_EQ(english,
+            "blocks          6\n"
+            "motions         3 (rapid 1, feed 1, arcs 1)\n"
+            "path, mm        cutting 81.416, rapid 100\n"
+            "cutting, mm     X 80 … 100   Y 0 … 60   Z 0 … 0\n"
+            "all, mm         X 0 … 100   Y 0 … 60   Z 0 … 0\n"
+            "time            1:01.4 (cutting 0:48.8, rapid 0:00.6, dwell 0:02.0, tool change 0:10.0)\n"
+            "                from programmed feeds and rapid rates, without acceleration\n"
+            "tools           T4 (cutting 0:48.8)\n"
+            "alarms          0, warnings 1\n");
+  EXPECT_NE(run().text(6, Lang::ru).find("без разгонов"), std::string::npos);
+}
+
+TEST(summary, durations) {
+  EXPECT_EQ(duration_text(0), "0:00.0");
+  EXPECT_EQ(duration_text(59.96), "1:00.0");
+  EXPECT_EQ(duration_text(725), "12:05");
+  EXPECT_EQ(duration_text(3725.4), "1:02:05");
+}
+
+TEST(summary, work_position_follows_the_frame) {
+  const std::vector<std::string> names = {"X", "Y", "Z"};
+  Statistics s(names, 0, rates_of(MachineProfile{}, kadr::Setup{}, names), {});
+  s.take({{}, FrameChange{{100, 0, 0}, {}, {-100, 0, 0}}});
+  s.take(action(straight(feed, {0, 0, 0}, 100)));
+  EXPECT_DOUBLE_EQ(s.cutting_mm(), 100);
+}
+
+}  // namespace
+}  // namespace kadr

@@ -1,0 +1,157 @@
+// out/trace: the exact lines. design.md 5, tests/golden/README.md.
+
+#include "out/trace.h"
+
+#include <cstdlib>
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <rapidcheck/gtest.h>
+
+#include "actions.h"
+
+namespace kadr {
+namespace {
+
+using test::action;
+using test::arc;
+using test::straight;
+using enum MotionKind;
+
+const std::vector<std::string> names = {"X", "Y", "Z"};
+
+std::string traced(const std::function<void(TraceWriter&)>& write, std::vector<double> points = {}, const ToolPosition& start = {}) {
+  std::FILE* const file = std::tmpfile();
+  {
+    TraceWriter writer(file, names, 0, start, std::move(points));
+    write(writer);
+    EXPECT_TRUE(writer.ok());
+  }
+  std::string text(static_cast<std::size_t>(std::ftell(file)), '\0');
+  std::rewind(file);
+  EXPECT_EQ(std::fread(text.data(), 1, text.size(), file), text.size());
+  std::fclose(file);
+  return text;
+}
+
+std::string line_of(const Action& a) {
+  return traced([&](TraceWriter& w) { w.write(a); });
+}
+
+template <class T>
+std::string line_of_what(const T& what) {
+  Action a{};
+  a.origin = {3, 5, 10, true, false, 3, 0};
+  a.what = what;
+  return line_of(a);
+}
+
+TEST(trace, motions) {
+  Motion m = straight(rapid, {1, -2.5, 0});
+  m.machine = {101, 0, -0.0};
+  EXPECT_EQ(line_of(action(m, 7)), R"({"do":"rapid","line":7,"col":1,"to":{"X":1,"Y":-2.5,"Z":0},"machine":{"X":101,"Y":0,"Z":0}})" "\n");
+  m = straight(feed, {0.1 + 0.2, -1e-12, 0}, 120);
+  m.exact = true;
+  EXPECT_EQ(line_of_what(m), R"({"do":"feed","block":"N010","line":3,"col":5,"to":{"X":0.3,"Y":0,"Z":0},"machine":{"X":0.3,"Y":0,"Z":0},)"
+                             R"("feed":120,"unit":"mm/min","exact":true})" "\n");
+}
+
+TEST(trace, arcs_name_their_plane_and_its_two_centres) {
+  Motion m = arc(arc_cw, {10, 0, 0}, {5, 6, 7}, 0.5, Plane::zx);
+  m.unit = FeedUnit::mm_per_rev;
+  EXPECT_EQ(line_of(action(m)), R"({"do":"arc_cw","line":1,"col":1,"to":{"X":10,"Y":0,"Z":0},"machine":{"X":10,"Y":0,"Z":0},)"
+                                R"("center":{"Z":7,"X":5},"plane":"ZX","turns":0.5,"feed":100,"unit":"mm/rev","exact":false})" "\n");
+}
+
+TEST(trace, other_actions) {
+  const std::string head = R"(","block":"N010","line":3,"col":5)";
+  EXPECT_EQ(line_of_what(Dwell{2.5}), R"({"do":"dwell)" + head + R"(,"seconds":2.5})" "\n");
+  EXPECT_EQ(line_of_what(Spindle{SpindleDir::ccw, 600}), R"({"do":"spindle)" + head + R"(,"spindle":1,"dir":"ccw","rpm":600})" "\n");
+  EXPECT_EQ(line_of_what(Speed{700}), R"({"do":"speed)" + head + R"(,"spindle":1,"rpm":700})" "\n");
+  EXPECT_EQ(line_of_what(CoolantSwitch{Coolant::flood}), R"({"do":"coolant)" + head + R"(,"what":"flood","code":"M8"})" "\n");
+  EXPECT_EQ(line_of_what(ToolSelect{4, 0}), R"({"do":"tool)" + head + R"(,"tool":4})" "\n");
+  EXPECT_EQ(line_of_what(ToolChange{4}), R"({"do":"toolchange)" + head + R"(,"tool":4})" "\n");
+  EXPECT_EQ(line_of_what(MachineFunction{78}), R"({"do":"m)" + head + R"(,"code":"M78"})" "\n");
+  EXPECT_EQ(line_of_what(Stop{false}), R"({"do":"stop)" + head + "}\n");
+  EXPECT_EQ(line_of_what(Stop{true}), R"({"do":"optional_stop)" + head + "}\n");
+  EXPECT_EQ(line_of_what(Message{"„Фреза\" \\ \x01"}), R"({"do":"message)" + head + R"(,"text":"„Фреза\" \\ \u0001"})" "\n");
+  EXPECT_EQ(line_of_what(FrameChange{}), "");
+}
+
+TEST(trace, block_numbers_as_written) {
+  Action a = action(straight(rapid, {}));
+  a.origin.has_block = true;
+  a.origin.block = 0;
+  a.origin.block_digits = 1;
+  a.origin.main_block = true;
+  EXPECT_NE(line_of(a).find(R"("block":":0")"), std::string::npos);
+  a.origin.block = 12345;
+  EXPECT_NE(line_of(a).find(R"("block":":12345")"), std::string::npos);
+}
+
+TEST(trace, points_within_a_motion) {
+  Motion m = arc(arc_ccw, {-10, 0, 0}, {}, 0.5);
+  m.machine[0] = 90;
+  const std::string line = traced([&](TraceWriter& w) { w.write(action(m)); }, {0.5, 1}, {{10, 0, 0}, {110, 0, 0}});
+  EXPECT_NE(line.find(R"(,"points":[{"part":0.5,"to":{"X":0,"Y":10,"Z":0},"machine":{"X":100,"Y":10,"Z":0}},{"part":1,"to":{"X":-10,)"), std::string::npos) << line;
+}
+
+TEST(trace, last_line) {
+  Ending ending;
+  ending.position = {1, 2, 3};
+  ending.variables = {{"#100", 2.5}};
+  ending.watched_unset = {{"#101", true}};
+  ending.modal = {"G1", "G90"};
+  const std::string state = R"(,"position":{"X":1,"Y":2,"Z":3},"machine_position":{"X":0,"Y":0,"Z":0},"variables":{"#100":2.5,"#101":null},"modal":["G1","G90"]})" "\n";
+  EXPECT_EQ(traced([&](TraceWriter& w) { w.finish(ending); }), R"({"do":"end")" + state);
+
+  ControlDef def;
+  def.alarms[AlarmId::radius_mismatch] = {"2012", {"Radii {0} and {1}", "Радиусы {0} и {1}"}, {}};
+  AlarmReport report;
+  report.alarm = alarm(AlarmId::radius_mismatch, {}, 3.05, "x\"y");
+  report.origin = {2, 4, 2, true, false, 1, 0};
+  const AlarmTexts texts = AlarmTexts::load(&def).value();
+  EXPECT_EQ(traced([&](TraceWriter& w) { w.finish(ending, report, texts, Lang::ru); }),
+            R"({"do":"alarm","block":"N2","line":2,"col":4,"id":"radius_mismatch","number":2012,"text":"Радиусы 3.05 и x\"y","args":[3.05,"x\"y"])" + state);
+}
+
+std::string number(double value) {
+  char text[32];
+  return {text, put_number(text, value)};
+}
+
+TEST(numbers, as_json_wants_them) {
+  EXPECT_EQ(number(0), "0");
+  EXPECT_EQ(number(-4e-10), "0");
+  EXPECT_EQ(number(-6e-10), "-0.000000001");
+  EXPECT_EQ(number(120.5), "120.5");
+  EXPECT_EQ(number(1234567.123456789), "1234567.123456789");
+  EXPECT_EQ(number(0.999999999999), "1");
+  EXPECT_EQ(number(5e6 + 0.125), "5000000.125");
+  EXPECT_EQ(number(1e300), "1e+300");
+  EXPECT_EQ(number(std::nan("")), "null");
+}
+
+RC_GTEST_PROP(numbers, read_back_within_half_of_a_billionth, (int whole, int part)) {
+  const double value = whole % 4'000'000 + part * 1e-9;
+  const std::string text = number(value);
+  RC_ASSERT(std::abs(std::strtod(text.c_str(), nullptr) - value) <= 0.51e-9 + 1e-15 * std::abs(value));
+  RC_ASSERT(text.find('.') == std::string::npos || text.back() != '0');
+}
+
+TEST(trace, every_line_is_json) {
+  std::string text = traced([](TraceWriter& w) {
+    for (int i = 0; i < 3000; ++i) w.write(action(straight(feed, {i * 0.1, i / 3.0, -i * 1e-5}, 100), unsigned(i)));
+  });
+  std::size_t lines = 0;
+  for (std::size_t at = 0; at < text.size(); ++lines) {
+    const std::size_t end = text.find('\n', at);
+    ASSERT_EQ(nlohmann::json::parse(text.substr(at, end - at)).at("line"), lines);
+    at = end + 1;
+  }
+  EXPECT_EQ(lines, 3000U);
+}
+
+}  // namespace
+}  // namespace kadr

@@ -1,0 +1,177 @@
+// path/curve: length, points and extents of lines, arcs and helices; the slow twin is the sampled path.
+
+#include "path/curve.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "actions.h"
+
+namespace kadr {
+namespace {
+
+using test::arc;
+using test::straight;
+using enum MotionKind;
+
+const AxisRoles xyz = AxisRoles::of({"X", "Y", "Z"}, 0);
+
+TEST(axis_roles, are_found_by_name) {
+  const AxisRoles roles = AxisRoles::of({"Z", "A", "X"}, 2);
+  EXPECT_EQ(roles.xyz, (std::array<int, 3>{2, -1, 0}));
+  EXPECT_TRUE(roles.is_rotary(1));
+  const Vec3 p = roles.point({1, 2, 3});
+  EXPECT_EQ(p, (Vec3{3, 0, 1}));
+}
+
+TEST(curve, line) {
+  const Axes from{1, 2, 3};
+  const Motion m = straight(feed, {4, 6, 15});
+  const Curve curve(xyz, from, m);
+  EXPECT_DOUBLE_EQ(curve.length(), 13);
+  EXPECT_EQ(curve.at(0.5), (Axes{2.5, 4, 9}));
+  EXPECT_EQ(curve.pieces(0.01), 1);
+}
+
+TEST(curve, rotary_axes_go_along_and_have_no_length) {
+  const AxisRoles roles = AxisRoles::of({"X", "Y", "Z", "A"}, 8);
+  const Axes from{};
+  Motion m = straight(feed, {3, 4, 0});
+  m.to[3] = 90;
+  EXPECT_DOUBLE_EQ(Curve(roles, from, m).length(), 5);
+  EXPECT_DOUBLE_EQ(Curve(roles, from, m).rotary_length(), 90);
+  EXPECT_DOUBLE_EQ(Curve(roles, from, m).at(0.25)[3], 22.5);
+}
+
+TEST(curve, quarter_circle_is_exact_at_quadrants) {
+  const Axes from{10, 0, 0};
+  const Motion half = arc(arc_ccw, {-10, 0, 0}, {0, 0, 0}, 0.5);
+  const Curve curve(xyz, from, half);
+  EXPECT_EQ(curve.at(0.5), (Axes{0, 10, 0}));
+  EXPECT_EQ(curve.extents().most, (Axes{10, 10, 0}));
+  EXPECT_EQ(curve.extents().least, (Axes{-10, 0, 0}));
+  EXPECT_DOUBLE_EQ(curve.length(), 10 * pi);
+  const Motion other = arc(arc_cw, {-10, 0, 0}, {0, 0, 0}, 0.5);
+  EXPECT_EQ(Curve(xyz, from, other).at(0.5), (Axes{0, -10, 0}));
+}
+
+// Seen from the positive end of the normal: G18 turns from Z to X.
+TEST(curve, planes_turn_from_their_first_axis_to_the_second) {
+  const Axes from{0, 0, 10};
+  const Motion zx = arc(arc_ccw, {10, 0, 0}, {}, 0.25, Plane::zx);
+  const Axes middle = Curve(xyz, from, zx).at(0.5);
+  EXPECT_GT(middle[0], 0);
+  EXPECT_GT(middle[2], 0);
+  const Axes y_start{0, 10, 0};
+  const Motion yz = arc(arc_ccw, {0, 0, 10}, {}, 0.25, Plane::yz);
+  EXPECT_GT(Curve(xyz, y_start, yz).at(0.5)[2], 0);
+}
+
+TEST(curve, helix) {
+  const Axes from{20, 0, 0};
+  const Motion m = arc(arc_ccw, {20, 0, -9}, {}, 3);
+  const Curve curve(xyz, from, m);
+  EXPECT_DOUBLE_EQ(curve.length(), std::hypot(3 * 2 * pi * 20, 9));
+  EXPECT_DOUBLE_EQ(curve.at(1.0 / 3)[2], -3);
+  EXPECT_EQ(curve.extents().least, (Axes{-20, -20, -9}));
+}
+
+/// A random arc of any plane and direction, its radius growing a little.
+struct RandomArc {
+  Axes from{};
+  Motion motion;
+};
+
+RandomArc random_arc() {
+  const auto number = [](int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000) / 1000.0; };
+  RandomArc a;
+  const auto plane = *rc::gen::inRange(0, 3);
+  const std::array<std::size_t, 2> in = plane == 0 ? std::array<std::size_t, 2>{0, 1} : plane == 1 ? std::array<std::size_t, 2>{2, 0} : std::array<std::size_t, 2>{1, 2};
+  const double radius = number(1, 100), start = number(-180, 180), turns = number(0, 4) + 0.001, grown = radius + number(0, 1) * 0.01;
+  const double sign = *rc::gen::arbitrary<bool>() ? 1 : -1;
+  std::array<double, 3> center{number(-50, 50), number(-50, 50), number(-50, 50)};
+  for (std::size_t i = 0; i < 3; ++i) a.from[i] = a.motion.to[i] = center[i];
+  const SinCos s = sincos_deg(start), e = sincos_deg(start + sign * 360 * turns);
+  a.from[in[0]] += radius * s.cos;
+  a.from[in[1]] += radius * s.sin;
+  Axes to{};
+  for (std::size_t i = 0; i < 3; ++i) to[i] = center[i] + (i != in[0] && i != in[1] ? number(-30, 30) : 0);
+  to[in[0]] += grown * e.cos;
+  to[in[1]] += grown * e.sin;
+  a.motion = arc(sign > 0 ? arc_ccw : arc_cw, {to[0], to[1], to[2]}, {center[0], center[1], center[2]}, turns, static_cast<Plane>(plane));
+  return a;
+}
+
+RC_GTEST_PROP(curve, agrees_with_its_sampled_twin, ()) {
+  const RandomArc a = random_arc();
+  const Curve curve(xyz, a.from, a.motion);
+  constexpr int steps = 20'000;
+  double length = 0;
+  Extents box{a.from, a.from};
+  Axes before = a.from;
+  for (int i = 1; i <= steps; ++i) {
+    const Axes p = curve.at(double(i) / steps);
+    length += std::hypot(p[0] - before[0], p[1] - before[1], p[2] - before[2]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.least[k] = std::min(box.least[k], p[k]);
+      box.most[k] = std::max(box.most[k], p[k]);
+    }
+    before = p;
+  }
+  RC_ASSERT(std::abs(curve.length() - length) < 1e-5 * length + 1e-9);
+  const Extents exact = curve.extents();
+  for (std::size_t k = 0; k < 3; ++k) {
+    RC_ASSERT(std::abs(exact.least[k] - box.least[k]) < 1e-3);
+    RC_ASSERT(std::abs(exact.most[k] - box.most[k]) < 1e-3);
+  }
+}
+
+RC_GTEST_PROP(curve, ends_are_exact, ()) {
+  const RandomArc a = random_arc();
+  const Curve curve(xyz, a.from, a.motion);
+  RC_ASSERT(curve.at(0) == a.from);
+  RC_ASSERT(curve.at(1) == a.motion.to);
+}
+
+RC_GTEST_PROP(curve, turned_by_a_quarter_it_turns, ()) {
+  const auto a = random_arc();
+  RC_PRE(a.motion.plane == Plane::xy);
+  const auto turned = [](const Axes& p) { return Axes{-p[1], p[0], p[2]}; };
+  Motion m = a.motion;
+  m.to = turned(m.to);
+  m.center = {-a.motion.center.y, a.motion.center.x, a.motion.center.z};
+  const Axes from = turned(a.from);
+  const Curve one(xyz, a.from, a.motion), other(xyz, from, m);
+  RC_ASSERT(std::abs(one.length() - other.length()) < 1e-9 * (1 + one.length()));
+  const Axes p = turned(one.at(0.37)), q = other.at(0.37);
+  for (std::size_t k = 0; k < 3; ++k) RC_ASSERT(std::abs(p[k] - q[k]) < 1e-9);
+}
+
+RC_GTEST_PROP(curve, mirrored_it_is_the_opposite_arc, ()) {
+  const auto a = random_arc();
+  RC_PRE(a.motion.plane == Plane::xy);
+  Motion m = a.motion;
+  m.kind = a.motion.kind == arc_cw ? arc_ccw : arc_cw;
+  m.to[0] = -m.to[0];
+  m.center.x = -m.center.x;
+  Axes from = a.from;
+  from[0] = -from[0];
+  const Extents one = Curve(xyz, a.from, a.motion).extents(), other = Curve(xyz, from, m).extents();
+  RC_ASSERT(std::abs(one.least[0] + other.most[0]) < 1e-9);
+  RC_ASSERT(std::abs(one.most[0] + other.least[0]) < 1e-9);
+  RC_ASSERT(std::abs(one.most[1] - other.most[1]) < 1e-9);
+}
+
+RC_GTEST_PROP(curve, pieces_keep_the_chord, ()) {
+  const auto a = random_arc();
+  const Curve curve(xyz, a.from, a.motion);
+  const double chord = *rc::gen::inRange(1, 1000) / 1000.0;
+  const int n = curve.pieces(chord);
+  const Axes p = curve.at(0), q = curve.at(0.5 / n), r = curve.at(1.0 / n);
+  double gap = 0;
+  for (std::size_t k = 0; k < 3; ++k) gap = std::hypot(gap, q[k] - (p[k] + r[k]) / 2);
+  RC_ASSERT(gap <= chord * 1.001 + 0.01);   // the radius grows by 0.01
+}
+
+}  // namespace
+}  // namespace kadr

@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+"""Runner of the faulty programs: `kadr check` must find every fault of tests/faulty/CONTROL/*.nc, and nothing else.
+
+    run_faulty.py --kadr build/kadr                 all programs
+    run_faulty.py --kadr build/kadr --only 'arc-*'  some of them
+
+Beside each program NAME.nc (NAME.tape: rows of a punched tape) stands NAME.expect:
+
+    3:10 address_twice               a fault: line, column in characters from 1, id; in the order of `kadr check`
+    3:4 warning look_alike_letter    a warning
+    text: Address X twice            English text of the first fault
+    args: --setup NAME.json          further arguments
+    exit: 1                          default: 1 with a fault, 0 without
+    # …                              a remark
+
+Each program is checked twice: --format json gives the findings, --format text must show the same lines, each with its source
+line and a caret under the place, and the count. An unknown key, a folder without programs, a file without its neighbour fail.
+Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+"""
+import argparse
+import concurrent.futures
+import fnmatch
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent / 'faulty'
+CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors')
+PROGRAMS = ('.nc', '.tape')
+TIME_LIMIT_S = 20
+FAULT = re.compile(r'(\d+):(\d+) (warning )?([a-z_]+)')
+
+
+class Failure(Exception):
+    """Why a program failed, for a person."""
+
+
+class Expected:
+    """What NAME.expect says."""
+
+    def __init__(self, path):
+        self.findings, self.text, self.args, self.exit = [], None, [], None
+        for number, line in enumerate(path.read_text(encoding='utf-8').splitlines(), 1):
+            line = line.strip()
+            if not line or line.startswith('#'):
+                continue
+            if found := FAULT.fullmatch(line):
+                self.findings.append((int(found[1]), int(found[2]), 'warning' if found[3] else 'alarm', found[4]))
+                continue
+            key, colon, value = line.partition(':')
+            value = value.strip()
+            if not colon or not value or key not in ('text', 'args', 'exit'):
+                raise Failure(f'{path.name}:{number}: not understood: {line}')
+            if key == 'text':
+                self.text = value
+            elif key == 'args':
+                self.args = shlex.split(value)
+            else:
+                self.exit = int(value)
+        self.faults = sum(f[2] == 'alarm' for f in self.findings)
+        if self.text and not self.findings:
+            raise Failure(f'{path.name}: text, but no finding')
+        if not self.findings and self.exit is None:
+            raise Failure(f'{path.name}: expects nothing; say exit: 0 if that is meant')
+        if self.exit is None:
+            self.exit = 1 if self.faults else 0
+
+
+def run(kadr, program, control, args, style):
+    command = [kadr, 'check', program.name, '--control', control, '--lang', 'en', '--format', style, *args]
+    try:
+        done = subprocess.run(command, cwd=program.parent, stdin=subprocess.DEVNULL, capture_output=True, timeout=TIME_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        raise Failure(f'no end within {TIME_LIMIT_S} s') from None
+    return done.returncode, done.stdout.decode(errors='replace'), done.stderr.decode(errors='replace')
+
+
+def shown(findings):
+    return '; '.join(f'{line}:{column} {"warning " if severity == "warning" else ""}{name}' for line, column, severity, name in findings) or 'nothing'
+
+
+def check_json(expected, status, out, err):
+    if status != expected.exit:
+        raise Failure(f'exit status expected {expected.exit}, got {status} {err.strip()[:160]}')
+    try:
+        findings = json.loads(out)
+    except json.JSONDecodeError:
+        raise Failure(f'stdout is not JSON: {out[:120]!r} {err[:160]!r}') from None
+    got = [(f['line'], f['column'], f['severity'], f['id']) for f in findings]
+    if got != expected.findings:
+        raise Failure(f'expected {shown(expected.findings)}\n      got      {shown(got)}')
+    if expected.text is not None:
+        first = next((f for f in findings if f['severity'] == 'alarm'), findings[0])
+        if first['text'] != expected.text:
+            raise Failure(f'text expected {expected.text!r}, got {first["text"]!r}')
+    for f in findings:
+        if not f['hint'] or not f['text'] or re.search(r'\{\d?\}', f['text']):
+            raise Failure(f'{f["line"]}:{f["column"]} {f["id"]}: text or hint is not complete: {f["text"]!r} {f["hint"]!r}')
+    return findings
+
+
+def check_text(program, expected, findings, status, out, err):
+    if status != expected.exit:
+        raise Failure(f'--format text: exit status expected {expected.exit}, got {status}')
+    lines = err.splitlines()
+    at = 0
+    for f in findings:
+        head = f'{program.name}:{f["line"]}:{f["column"]}: {f["severity"]} {f["id"]}: {f["text"]}'
+        while at < len(lines) and not lines[at].startswith(head):
+            at += 1
+        if at == len(lines):
+            raise Failure(f'--format text lacks: {head}')
+        if f['line_text']:
+            check_caret(f, lines[at + 1:at + 3])
+        at += 1
+    plural = lambda n: '' if n == 1 else 's'
+    warnings = len(findings) - expected.faults
+    count = f'1 program checked: {expected.faults} error{plural(expected.faults)}, {warnings} warning{plural(warnings)}.'
+    if out.strip() != count:
+        raise Failure(f'--format text: count expected {count!r}, got {out.strip()!r}')
+
+
+def check_caret(finding, two_lines):
+    """Under the source line stands a caret, below the character at the column."""
+    where = f'{finding["line"]}:{finding["column"]}'
+    if len(two_lines) < 2 or not re.fullmatch(r'\s*\^~*\s*', two_lines[1]):
+        raise Failure(f'--format text: no caret line at {where}')
+    source, caret = finding['line_text'], two_lines[1].index('^')
+    if len(source) >= finding['column'] and source[finding['column'] - 1].isprintable():
+        if caret >= len(two_lines[0]) or two_lines[0][caret] != source[finding['column'] - 1]:
+            raise Failure(f'--format text: the caret of {where} is under another character')
+
+
+def judge(kadr, program, control):
+    """None, or why it failed."""
+    expectation = program.with_suffix('.expect')
+    if not expectation.exists():
+        return f'{expectation.name} is missing'
+    try:
+        expected = Expected(expectation)
+        findings = check_json(expected, *run(kadr, program, control, expected.args, 'json'))
+        check_text(program, expected, findings, *run(kadr, program, control, expected.args, 'text'))
+    except Failure as failure:
+        return str(failure)
+    return None
+
+
+def programs_of(control, failures):
+    folder = ROOT / control
+    files = sorted(folder.iterdir()) if folder.is_dir() else []
+    programs = [f for f in files if f.suffix in PROGRAMS]
+    if not programs:
+        failures.append((f'{control}/', 'holds no program'))
+    used = {f.name for p in programs for f in (p, p.with_suffix('.expect'), p.with_suffix('.json'))}
+    failures += [(f'{control}/{f.name}', 'belongs to no program') for f in files if f.name not in used]
+    return [(p, control) for p in programs]
+
+
+def main():
+    parser = argparse.ArgumentParser(description='Check the faulty programs and compare.')
+    parser.add_argument('--kadr', required=True, help='the program under test')
+    parser.add_argument('--only', help='only programs whose name matches, e.g. "arc-*"')
+    options = parser.parse_args()
+    kadr = os.path.abspath(options.kadr)
+    if not os.access(kadr, os.X_OK):
+        print(f'{options.kadr}: not a program', file=sys.stderr)
+        return 2
+    failures = [(f.name, 'is no control') for f in sorted(ROOT.iterdir()) if f.name not in CONTROLS]
+    jobs = [job for control in CONTROLS for job in programs_of(control, failures)]
+    if options.only:
+        jobs = [job for job in jobs if fnmatch.fnmatch(job[0].name, options.only) or fnmatch.fnmatch(job[0].stem, options.only)]
+    if not jobs:
+        print('no program to check', file=sys.stderr)
+        return 2
+    passed = 0
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        for (program, control), why in zip(jobs, pool.map(lambda job: judge(kadr, *job), jobs)):
+            passed += why is None
+            if why is not None:
+                failures.append((f'{control}/{program.name}', why))
+    for name, why in failures:
+        print(f'FAILED {name}: {why}')
+    print(f'{passed} passed, {len(failures)} failed')
+    return 1 if failures else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
