@@ -48,7 +48,7 @@ bool starts_with(std::string_view text, std::size_t at, std::string_view word) {
 /// Precedence climbing over the text of one value; writes instructions in the order of a stack machine.
 class Compiler {
  public:
-  Compiler(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
+  Compiler(Cursor& cursor, Block& block) : cursor_(cursor), block_(block) {}
 
   /// number | #value | [expression] | function[expression] | -value
   Status value() {
@@ -169,7 +169,6 @@ class Compiler {
   std::string_view text_at(std::size_t at) const { return at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…"); }
 
   Cursor& cursor_;
-  const Grammar& grammar_;
   Block& block_;
   int depth_ = 0;
   int pushed_ = 0;
@@ -266,10 +265,10 @@ Result<double> apply(Op op, double a, double b, Span where) {
   }
 }
 
-Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& block) {
+Result<Expression> compile_value(Cursor& cursor, const Grammar&, Block& block) {
   Expression expression;
   expression.begin = static_cast<std::uint16_t>(block.code.size());
-  KADR_TRY(Compiler(cursor, grammar, block).value());
+  KADR_TRY(Compiler(cursor, block).value());
   expression.end = static_cast<std::uint16_t>(block.code.size());
   return expression;
 }

@@ -1,20 +1,17 @@
 #include "lang/lexer.h"
 
 #include <cmath>
-#include <cstring>
+#include <limits>
 
 #include "lang/encoding.h"
 #include "lang/expression.h"
+#include "lang/word_reader.h"
 
 namespace kadr {
 namespace {
 
-constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\0' || c == '\x7f'; }
 bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 /// One character above 127 of valid UTF-8.
@@ -34,7 +31,7 @@ Wide wide_at(std::string_view text, std::size_t at) {
 class Lexer {
  public:
   Lexer(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block)
-      : cursor_{text, from}, begin_(from), is_utf8_(is_utf8), grammar_(grammar), block_(block) {}
+      : cursor_{text, from}, begin_(from), is_utf8_(is_utf8), grammar_(grammar), block_(block), words_(cursor_, grammar, block) {}
 
   Result<Lexed> run() {
     block_.text = cursor_.text;
@@ -111,208 +108,28 @@ class Lexer {
 
   Status word(char letter, std::size_t bytes) {
     const std::size_t begin = cursor_.at;
-    if (letter == 'L' && marks_end("LF", begin)) return end_mark(2);
+    if (letter == 'L' && words_.marks_end("LF", begin)) return end_mark(2);
     cursor_.at += bytes;
     cursor_.skip_blanks();
     const WordFormat& format = grammar_.word(letter);
-    if (letter == grammar_.section_address && no_value_follows()) return section(begin);
+    if (letter == grammar_.section_address && words_.no_value_follows()) return section(begin);
     if (!format.known) return fail(alarm(AlarmId::address_unknown, span(begin, cursor_.at), letter));
-    if (letter == 'N') return block_number(begin, format);
-    if (letter == grammar_.label_address) return label(begin, format);
-    if (letter == grammar_.parameter_address) return formal_parameter(begin);
-    KADR_TRY(room_for(letter, format, begin));
+    if (letter == 'N') return words_.block_number(begin, format);
+    if (letter == grammar_.label_address) return words_.label(begin, format);
+    if (letter == grammar_.parameter_address) return words_.formal_parameter(begin);
+    KADR_TRY(words_.room_for(letter, format, begin));
     Word& w = block_.words[block_.word_count];
     w.address = letter;
     w.expression = {};
     w.code = -1;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
-    KADR_TRY(value(w, format, begin));
+    KADR_TRY(words_.value(w, format, begin));
     w.where = span(begin, cursor_.at);
     ++block_.word_count;
     return {};
   }
 
-  Status room_for(char letter, const WordFormat& format, std::size_t begin) {
-    const std::uint32_t bit = letter_bit(letter);
-    if (block_.word_count == limits::block_words)
-      return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_words}));
-    if ((block_.letters & bit) == 0) [[likely]] {
-      block_.letters |= bit;
-      block_.at[static_cast<std::size_t>(letter - 'A')] = static_cast<std::uint8_t>(block_.word_count);
-      return {};
-    }
-    if (format.at_most == 0) return {};
-    if (format.at_most == 1) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), letter));
-    std::uint32_t count = 1;
-    for (std::uint32_t i = 0; i < block_.word_count; ++i) count += block_.words[i].address == letter;
-    if (count <= format.at_most) return {};
-    return fail(alarm(AlarmId::too_many_codes, span(begin, cursor_.at), letter, double(count), double(format.at_most)));
-  }
-
-  Status value(Word& w, const WordFormat& format, std::size_t begin) {
-    char sign = 0;
-    const std::size_t sign_at = cursor_.at;
-    if (cursor_.peek() == '+' || cursor_.peek() == '-') {
-      sign = cursor_.text[cursor_.at++];
-      cursor_.skip_blanks();
-    }
-    const char c = cursor_.peek();
-    if (is_digit(c) || c == '.') [[likely]] {
-      if (sign != 0 && !format.sign) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
-      return number(w, format, sign, begin);
-    }
-    if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);
-    if (!grammar_.expressions || no_value_follows()) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
-    auto expression = compile_value(cursor_, grammar_, block_);
-    if (!expression) return fail(expression.error());
-    if (sign == '-') {
-      block_.code.push_back({Op::negate, 0, span(sign_at, cursor_.at)});
-      ++expression->end;
-    }
-    w.expression = *expression;
-    w.digits = 0;
-    w.has_point = false;
-    return {};
-  }
-
-  Status number(Word& w, const WordFormat& format, char sign, std::size_t begin) {
-    Number read;
-    if (!read_number(cursor_, read)) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
-    if (grammar_.expressions && cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at])) KADR_TRY(digits_apart(read, w, begin));
-    w.digits = static_cast<std::uint8_t>(std::min(read.whole_digits + read.fraction_digits, 255));
-    w.has_point = read.has_point;
-    if (format.whole_digits != 0) KADR_TRY(check_digits(w, read, format, begin));
-    w.value = format.implied && !read.has_point ? read.mantissa / powers_of_ten[format.fraction_digits] : read.value;
-    if (sign == '-') w.value = -w.value;
-    if (format.code) KADR_TRY(code_of(w, read, begin));
-    if (format.parameter) {
-      cursor_.skip_blanks();
-      const char c = cursor_.peek();
-      if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -read.mantissa : read.mantissa, c, begin);
-    }
-    if (format.second_number) return second_number(w);
-    return {};
-  }
-
-  /// RS274/NGC: blanks mean nothing, even between digits (`X1 0` is X10).
-  Status digits_apart(Number& read, const Word& w, std::size_t begin) {
-    Cursor ahead = cursor_;
-    ahead.skip_blanks();
-    if (!is_digit(ahead.peek()) && (ahead.peek() != '.' || read.has_point)) return {};
-    std::string digits;
-    Cursor from{cursor_.text, cursor_.at - read.whole_digits - read.fraction_digits - (read.has_point ? 1u : 0u)};
-    while (is_digit(from.peek()) || from.peek() == '.') {
-      digits += from.text[from.at++];
-      cursor_.at = from.at;
-      from.skip_blanks();
-    }
-    Cursor whole{digits, 0};
-    if (!read_number(whole, read) || whole.at != digits.size())
-      return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
-    return {};
-  }
-
-  Status check_digits(const Word& w, const Number& read, const WordFormat& format, std::size_t begin) const {
-    const int most = format.whole_digits + (format.implied && !read.has_point ? format.fraction_digits : 0);
-    const Span where = span(begin, cursor_.at);
-    if (read.has_point && !format.point) return fail(alarm(AlarmId::point_not_allowed, where, w.address));
-    if (read.whole_digits > most) return fail(alarm(AlarmId::too_many_digits, where, w.address, double(read.whole_digits), double(most)));
-    if (read.fraction_digits > format.fraction_digits)
-      return fail(alarm(AlarmId::too_many_decimals, where, w.address, double(read.fraction_digits), double(format.fraction_digits)));
-    if (!format.drop_zeros && !read.has_point && read.whole_digits < most)
-      return fail(alarm(AlarmId::too_few_digits, where, w.address, double(read.whole_digits), double(most)));
-    return {};
-  }
-
-  Status code_of(Word& w, const Number& read, std::size_t begin) const {
-    const double tenth = w.value * 10;
-    const double nearest = std::round(tenth);
-    if (std::fabs(tenth - nearest) > 1e-9 || nearest < 0 || nearest > 1e9)
-      return fail(alarm(AlarmId::code_unknown, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
-    w.code = static_cast<std::int32_t>(nearest);
-    (void)read;
-    return {};
-  }
-
-  Status second_number(Word& w) {
-    cursor_.skip_blanks();
-    if (!is_digit(cursor_.peek())) return {};
-    Number read;
-    if (!read_number(cursor_, read)) return fail(alarm(AlarmId::number_damaged, span(cursor_.at, cursor_.at + 1), w.address));
-    w.second = read.value;
-    return {};
-  }
-
-  // ---- formal parameters (2С42 6.3.7)
-
-  /// `X+R1`, `Z-1200+R2`: the raw digits are added, then take the unit of the address.
-  Status parameter_sum(Word& w, const WordFormat& format, double constant, char sign, std::size_t begin) {
-    const std::size_t sign_at = cursor_.at;
-    if (cursor_.peek() == '+' || cursor_.peek() == '-') {
-      ++cursor_.at;
-      cursor_.skip_blanks();
-    }
-    if (cursor_.peek() != grammar_.parameter_address) return fail(alarm(AlarmId::parameter_not_allowed, span(sign_at, cursor_.at + 1), w.address));
-    ++cursor_.at;
-    if (!is_digit(cursor_.peek())) return fail(alarm(AlarmId::number_missing, span(sign_at, cursor_.at), grammar_.parameter_address));
-    const double index = cursor_.text[cursor_.at++] - '0';
-    Expression e;
-    e.begin = static_cast<std::uint16_t>(block_.code.size());
-    const Span where = span(begin, cursor_.at);
-    block_.code.push_back({Op::number, constant, where});
-    block_.code.push_back({Op::parameter, index, where});
-    block_.code.push_back({sign == '-' ? Op::subtract : Op::add, 0, where});
-    if (format.implied) block_.code.push_back({Op::scale, powers_of_ten[format.fraction_digits], where});
-    e.end = static_cast<std::uint16_t>(block_.code.size());
-    w.expression = e;
-    w.digits = 0;
-    return {};
-  }
-
-  /// `R2+50` sets R2; the sign is mandatory, INFERRED: without one it is +.
-  Status formal_parameter(std::size_t begin) {
-    if (!is_digit(cursor_.peek())) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.parameter_address));
-    const double index = cursor_.text[cursor_.at++] - '0';
-    cursor_.skip_blanks();
-    const char sign = cursor_.peek();
-    if (sign == '+' || sign == '-') ++cursor_.at;
-    cursor_.skip_blanks();
-    Number read;
-    if (!is_digit(cursor_.peek()) || !read_number(cursor_, read) || read.has_point)
-      return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.parameter_address));
-    if (read.whole_digits > 7) return fail(alarm(AlarmId::too_many_digits, span(begin, cursor_.at), grammar_.parameter_address, double(read.whole_digits), 7.0));
-    for (const Assignment& other : block_.assignments)
-      if (block_.code[other.target.begin].number == index) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), cursor_.text.substr(begin, 2)));
-    const Span where = span(begin, cursor_.at);
-    const auto target = constant(index, where);
-    const auto value = constant(sign == '-' ? -read.mantissa : read.mantissa, where);
-    block_.assignments.push_back({target, value, where});
-    return {};
-  }
-
-  Expression constant(double number, Span where) {
-    const auto begin = static_cast<std::uint16_t>(block_.code.size());
-    block_.code.push_back({Op::number, number, where});
-    return {begin, static_cast<std::uint16_t>(begin + 1)};
-  }
-
   // ---- numbers of blocks, labels, sections
-
-  Status block_number(std::size_t begin, const WordFormat& format) {
-    Number read;
-    if (!is_digit(cursor_.peek()) || !read_number(cursor_, read)) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), 'N'));
-    if (block_.has_number) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), 'N'));
-    if (block_.word_count != 0) return fail(alarm(AlarmId::block_number_position, span(begin, cursor_.at)));
-    Word w;
-    w.address = 'N';
-    if (format.whole_digits != 0) KADR_TRY(check_digits(w, read, format, begin));
-    if (read.value >= 1e9 || read.has_point) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), 'N'));
-    block_.has_number = true;
-    block_.number = static_cast<std::uint32_t>(read.value);
-    block_.number_digits = read.whole_digits;
-    block_.number_where = span(begin, cursor_.at);
-    return {};
-  }
 
   Status main_block() {
     const std::size_t begin = cursor_.at;
@@ -320,20 +137,7 @@ class Lexer {
     ++cursor_.at;
     cursor_.skip_blanks();
     block_.main_block = true;
-    return block_number(begin, grammar_.word('N'));
-  }
-
-  Status label(std::size_t begin, const WordFormat& format) {
-    Number read;
-    if (!is_digit(cursor_.peek()) || !read_number(cursor_, read)) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.label_address));
-    if (block_.marker == Marker::label) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), grammar_.label_address));
-    Word w;
-    w.address = grammar_.label_address;
-    if (format.whole_digits != 0) KADR_TRY(check_digits(w, read, format, begin));
-    if (read.value >= 1e9 || read.has_point) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), grammar_.label_address));
-    block_.marker = Marker::label;
-    block_.label = static_cast<std::uint32_t>(read.value);
-    return {};
+    return words_.block_number(begin, grammar_.word('N'));
   }
 
   Status section(std::size_t begin) {
@@ -387,14 +191,14 @@ class Lexer {
     if (!grammar_.zero_between_slashes) return fail(alarm(AlarmId::skip_position, span(cursor_.at, cursor_.at + 1)));
     const std::size_t begin = cursor_.at++;
     cursor_.skip_blanks();
-    KADR_TRY(room_for('A', grammar_.word('A'), begin));
+    KADR_TRY(words_.room_for('A', grammar_.word('A'), begin));
     Word& w = block_.words[block_.word_count];
     w.address = 'A';
     w.expression = {};
     w.code = -1;
     WordFormat format = grammar_.word('A');
     format.parameter = true;
-    KADR_TRY(value(w, format, begin));
+    KADR_TRY(words_.value(w, format, begin));
     cursor_.skip_blanks();
     if (cursor_.peek() != '/') return fail(alarm(AlarmId::skip_position, span(begin, begin + 1)));
     ++cursor_.at;
@@ -431,19 +235,6 @@ class Lexer {
     return {};
   }
 
-  bool marks_end(std::string_view mark, std::size_t at) const {
-    if (grammar_.end_of_block == EndOfBlock::line_only || !cursor_.text.substr(at).starts_with(mark)) return false;
-    const std::size_t next = at + mark.size();
-    return next >= cursor_.text.size() || is_blank(cursor_.text[next]) || cursor_.text[next] == '(';
-  }
-
-  bool no_value_follows() const {
-    if (cursor_.at >= cursor_.text.size()) return true;
-    const char c = cursor_.text[cursor_.at];
-    if (c == '(' || c == ';' || c == '/') return true;
-    return is_high(c) || marks_end("LF", cursor_.at);
-  }
-
   Status unexpected() {
     const auto c = static_cast<unsigned char>(cursor_.text[cursor_.at]);
     const Span where = span(cursor_.at, cursor_.at + 1);
@@ -475,6 +266,7 @@ class Lexer {
   bool is_utf8_;
   const Grammar& grammar_;
   Block& block_;
+  WordReader words_;
   Lexed result_;
   bool done_ = false;
 };

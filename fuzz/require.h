@@ -1,0 +1,28 @@
+#pragma once
+// What the fuzz targets share: an invariant that does not hold is a finding.
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "lang/encoding.h"
+
+namespace kadr::fuzz {
+
+/// `what`: the sentence that does not hold, for the person who reads the log.
+inline void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+inline bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = first_character(text).size;
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
+}  // namespace kadr::fuzz

@@ -1,0 +1,66 @@
+#pragma once
+// One control file (merged with what it extends) → ControlDef; a method a section. Only control_file.cpp uses it.
+
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "config/control_def.h"
+#include "config/toml_tools.h"
+
+namespace kadr {
+
+using Failed = tl::unexpected<std::string>;
+using Done = tl::expected<void, std::string>;
+
+/// Leaves the function with the error sentence of `expression`, if it has one.
+#define KADR_LOAD(expression)                                     \
+  do {                                                            \
+    if (auto done_ = (expression); !done_) return Failed(done_.error()); \
+  } while (false)
+
+class ControlLoader {
+ public:
+  ControlLoader(const toml::table& file, std::string name) : file_(file), name_(std::move(name)) {}
+  tl::expected<ControlDef, std::string> load();
+
+ private:
+  Done known_keys(const toml::table& table, std::initializer_list<std::string_view> known) const;
+  const toml::table* section(std::string_view key) const { return file_[key].as_table(); }
+  Done grammar();
+  static char first_letter(const toml::table& t, std::string_view key);
+  Done behaviour();
+  Done axes();
+  int axis_named(const std::string& name) const;
+  Done order();
+  /// `phase` of the row, or the function's own; it must stand in the control's order.
+  tl::expected<Phase, std::string> phase_of(const toml::table& row, Function function) const;
+  tl::expected<Function, std::string> function_of(const toml::table& row) const;
+  Done addresses();
+  Done address(char letter, const toml::table& row);
+  Done word_format(char letter, const toml::table& row, const AddressRow& a);
+  Done groups();
+  int group_named(std::string_view name) const;
+  /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
+  static std::uint32_t letters(const std::string& text);
+  static std::uint32_t letter_bit_of(char c) { return 1u << (c - 'A'); }
+  Done codes(std::string_view key, char letter);
+  Done code(char letter, double number, const toml::table& row);
+  /// "other": the numbers that have no row of their own go to the machine.
+  Done other_codes(const toml::table& row, char letter);
+  std::uint16_t cycle_named(std::string_view name) const;
+  Done cycles();
+  std::int32_t row_named(const std::string& code) const;
+  Done initial_codes();
+  Done variables();
+  Done alarms();
+  void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
+  const toml::table& file_;
+  std::string name_;
+  ControlDef def_;
+  std::map<char, std::uint8_t> most_codes_;
+  std::vector<std::string> initial_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,238 @@
+// Sections of a control file that hold its codes: groups, G, M, cycles, variables, alarms.
+
+#include "config/control_loader.h"
+
+#include <algorithm>
+#include <set>
+
+#include "lang/format.h"
+
+namespace kadr {
+
+using toml_tools::place;
+using toml_tools::text_of;
+
+namespace {
+
+constexpr std::string_view step_names[] = {"feed_bottom", "rapid_bottom", "retract",   "feed_retract", "dwell",      "spindle_stop",
+                                           "spindle_reverse", "spindle_restore", "orient", "stop",     "peck_full",  "peck_break",
+                                           "shift_out",   "shift_back",   "feed_face", "passes_by_parameter"};
+static_assert(std::size(step_names) == static_cast<std::size_t>(CycleStep::count));
+
+constexpr std::string_view variable_kinds[] = {"free", "probe_point", "home", "home_second", "set_position", "fixture_number", "fixture"};
+
+}  // namespace
+
+Done ControlLoader::groups() {
+  def_.groups.push_back({"", false, -1, {}});
+  const toml::table* const t = section("groups");
+  if (t == nullptr) return {};
+  for (const auto& [key, node] : *t) {
+    const toml::table* const row = node.as_table();
+    if (row == nullptr) return Failed(place(name_, node) + "a group is a table");
+    KADR_LOAD(known_keys(*row, {"modal", "initial", "en", "ru"}));
+    def_.groups.push_back({std::string(key.str()), (*row)["modal"].value_or(true), -1, text_of(*row)});
+    initial_.push_back((*row)["initial"].value_or(std::string()));
+  }
+  return {};
+}
+
+int ControlLoader::group_named(std::string_view name) const {
+  for (std::size_t i = 1; i < def_.groups.size(); ++i)
+    if (def_.groups[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+/// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
+std::uint32_t ControlLoader::letters(const std::string& text) {
+  std::uint32_t bits = 0;
+  for (const char c : text)
+    if (c >= 'A' && c <= 'Z') bits |= letter_bit_of(c);
+  return bits;
+}
+
+Done ControlLoader::codes(std::string_view key, char letter) {
+  const toml::table* const t = section(key);
+  if (t == nullptr) return {};
+  std::vector<std::pair<double, const toml::table*>> rows;
+  for (const auto& [code, node] : *t) {
+    const toml::table* const row = node.as_table();
+    if (row == nullptr) return Failed(place(name_, node) + "a code is a table");
+    if (code.str() == "other") {
+      KADR_LOAD(other_codes(*row, letter));
+      continue;
+    }
+    char* end = nullptr;
+    const std::string digits(code.str());
+    const double number = std::strtod(digits.c_str(), &end);
+    if (end == digits.c_str() || *end != '\0' || number < 0 || number * 10 >= ControlDef::most_tenths)
+      return Failed(place(name_, node) + "'" + digits + "' is no code number");
+    rows.emplace_back(number, row);
+  }
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [number, row] : rows) KADR_LOAD(code(letter, number, *row));
+  return {};
+}
+
+Done ControlLoader::code(char letter, double number, const toml::table& row) {
+  KADR_LOAD(known_keys(row, {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "en", "ru", "manual", "from", "to"}));
+  CodeRow c;
+  c.letter = letter;
+  c.tenth = static_cast<std::int32_t>(number * 10 + 0.5);
+  c.code = letter + std::to_string(c.tenth / 10) + (c.tenth % 10 != 0 ? "." + std::to_string(c.tenth % 10) : "");
+  const auto function = function_of(row);
+  if (!function) return Failed(function.error());
+  c.function = *function;
+  const auto phase = phase_of(row, *function);
+  if (!phase) return Failed(phase.error());
+  c.phase = *phase;
+  c.arg = static_cast<int>(row["arg"].value_or(std::int64_t{0}));
+  if (const auto group = row["group"].value<std::string>()) {
+    const int index = group_named(*group);
+    if (index < 0) return Failed(place(name_, row) + "no group '" + *group + "'");
+    c.group = static_cast<std::uint8_t>(index);
+  }
+  c.modal = row["modal"].value_or(c.group != 0 && def_.groups[c.group].modal);
+  c.own_block = row["own_block"].value_or(false);
+  c.takes = letters(row["takes"].value_or(std::string()));
+  c.needs = letters(row["needs"].value_or(std::string()));
+  c.needs_axis = row["needs_axis"].value_or(false);
+  if (const toml::array* const with = row["with"].as_array(); with != nullptr && !with->empty())
+    c.with = static_cast<std::int32_t>(std::strtod((*with)[0].value_or(std::string(" 0")).c_str() + 1, nullptr) * 10 + 0.5);
+  for (int i = 0; i < 26; ++i)
+    if ((c.takes >> i & 1u) != 0 && !def_.grammar.words[static_cast<std::size_t>(i)].known && !(def_.grammar.zero_between_slashes && i == 0))
+      return Failed(place(name_, row) + "takes: no address " + static_cast<char>('A' + i));
+  c.text = text_of(row);
+  c.manual = row["manual"].value_or(std::string());
+  if (c.function == Function::cycle) {
+    c.cycle = cycle_named(c.code);
+    if (c.cycle == 0) return Failed(place(name_, row) + "no [cycle." + c.code + "]");
+  }
+  auto& index = letter == 'G' ? def_.g_rows : def_.m_rows;
+  index[static_cast<std::size_t>(c.tenth)] = static_cast<std::int16_t>(def_.codes.size());
+  def_.codes.push_back(std::move(c));
+  return {};
+}
+
+/// "other": the numbers that have no row of their own go to the machine.
+Done ControlLoader::other_codes(const toml::table& row, char letter) {
+  if (letter != 'M') return Failed(place(name_, row) + "only M codes may have 'other'");
+  const auto from = row["from"].value_or(std::int64_t{0});
+  const auto to = row["to"].value_or(std::int64_t{99999});
+  KADR_LOAD(code('M', 0, row));
+  CodeRow& c = def_.codes.back();
+  c.code = "M" + std::to_string(from) + "…M" + std::to_string(to);
+  c.tenth = -1;
+  def_.m_rows[0] = -1;
+  def_.m_user_from = static_cast<std::int32_t>(from * 10);
+  def_.m_user_to = static_cast<std::int32_t>(to * 10);
+  def_.m_user_row = static_cast<std::int32_t>(def_.codes.size()) - 1;
+  return {};
+}
+
+std::uint16_t ControlLoader::cycle_named(std::string_view name) const {
+  for (std::size_t i = 0; i < def_.cycles.size(); ++i)
+    if (def_.cycles[i].name == name) return static_cast<std::uint16_t>(i + 1);
+  return 0;
+}
+
+Done ControlLoader::cycles() {
+  const toml::table* const t = section("cycle");
+  if (t == nullptr) return {};
+  for (const auto& [key, node] : *t) {
+    const toml::table* const row = node.as_table();
+    if (row == nullptr) return Failed(place(name_, node) + "a cycle is a table");
+    KADR_LOAD(known_keys(*row, {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "en", "ru", "manual"}));
+    CycleRow c;
+    c.name = std::string(key.str());
+    if (const toml::array* const steps = (*row)["steps"].as_array())
+      for (const auto& step : *steps) {
+        const auto* const found = std::find(std::begin(step_names), std::end(step_names), step.value_or(std::string()));
+        if (found == std::end(step_names)) return Failed(place(name_, step) + "unknown step");
+        c.steps.push_back(static_cast<CycleStep>(found - std::begin(step_names)));
+      }
+    if (const toml::array* const body = (*row)["body"].as_array())
+      for (const auto& line : *body) c.body += line.value_or(std::string()) + "\n";
+    if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + "a cycle has steps or a body");
+    c.needs = letters((*row)["needs"].value_or(std::string()));
+    c.needs_spindle = (*row)["needs_spindle"].value_or(false);
+    c.needs_spindle_cw = (*row)["needs_spindle_cw"].value_or(false);
+    c.needs_override_off = (*row)["needs_override_off"].value_or(false);
+    c.text = text_of(*row);
+    c.manual = (*row)["manual"].value_or(std::string());
+    def_.cycles.push_back(std::move(c));
+  }
+  return {};
+}
+
+std::int32_t ControlLoader::row_named(const std::string& code) const {
+  for (std::size_t i = 0; i < def_.codes.size(); ++i)
+    if (def_.codes[i].code == code) return static_cast<std::int32_t>(i);
+  return -1;
+}
+
+Done ControlLoader::initial_codes() {
+  for (std::size_t i = 1; i < def_.groups.size(); ++i) {
+    const std::string& code = initial_[i - 1];
+    if (code.empty()) continue;
+    const std::int32_t row = row_named(code);
+    if (row < 0 || def_.codes[static_cast<std::size_t>(row)].group != i) return Failed(name_ + ": [groups] \"" + def_.groups[i].name + "\": initial code " + code + " is not of this group");
+    def_.groups[i].power_on = row;
+  }
+  const toml::table* const t = section("defaults");
+  const toml::array* const end = t == nullptr ? nullptr : (*t)["end"].as_array();
+  if (end == nullptr) return {};
+  for (const auto& node : *end) {
+    const std::int32_t row = row_named(node.value_or(std::string()));
+    if (row < 0) return Failed(place(name_, node) + "unknown code");
+    def_.end_codes.push_back(row);
+  }
+  return {};
+}
+
+Done ControlLoader::variables() {
+  const toml::array* const rows = file_["variables"].as_array();
+  if (rows == nullptr) return {};
+  for (const auto& node : *rows) {
+    const toml::table* const row = node.as_table();
+    if (row == nullptr) return Failed(place(name_, node) + "a variable is a table");
+    VariableRow v;
+    const std::string kind = (*row)["is"].value_or(std::string());
+    const auto* const found = std::find(std::begin(variable_kinds), std::end(variable_kinds), kind);
+    if (found == std::end(variable_kinds)) return Failed(place(name_, node) + "unknown kind '" + kind + "'");
+    v.kind = static_cast<VariableKind>(found - std::begin(variable_kinds));
+    const auto number = [&](const char* key, std::uint32_t otherwise) { return static_cast<std::uint32_t>((*row)[key].value_or(std::int64_t{otherwise})); };
+    v.from = number("from", 0);
+    v.count = number("count", 1);
+    v.stride = number("stride", 0);
+    v.repeat = number("repeat", 1);
+    v.text = text_of(*row);
+    v.manual = (*row)["manual"].value_or(std::string());
+    def_.variables.push_back(std::move(v));
+  }
+  return {};
+}
+
+Done ControlLoader::alarms() {
+  const toml::table* const t = section("alarms");
+  if (t == nullptr) return {};
+  for (const auto& [key, node] : *t) {
+    const toml::table* const row = node.as_table();
+    const AlarmId id = alarm_named(key.str());
+    if (row == nullptr || id == AlarmId::count) return Failed(place(name_, node) + "unknown alarm '" + std::string(key.str()) + "'");
+    AlarmText text;
+    if (const auto number = (*row)["number"].value<std::int64_t>()) text.number = std::to_string(*number);
+    else text.number = (*row)["number"].value_or(std::string());
+    text.text = text_of(*row);
+    text.hint = {(*row)["hint_en"].value_or(std::string()), (*row)["hint_ru"].value_or(std::string())};
+    def_.alarms[id] = std::move(text);
+  }
+  return {};
+}
+
+void ControlLoader::code_table(std::string_view key, std::map<std::int32_t, double>& to) const {
+  if (const toml::table* const t = section(key))
+    for (const auto& [code, value] : *t) to[std::atoi(std::string(code.str()).c_str())] = value.value_or(0.0);
+}
+
+}  // namespace kadr

@@ -1,0 +1,243 @@
+// Sections of a control file that say how its words are written and what they mean: grammar, behaviour, axes, addresses.
+
+#include "config/control_loader.h"
+
+#include <algorithm>
+#include <set>
+
+#include "lang/format.h"
+
+namespace kadr {
+
+using toml_tools::place;
+using toml_tools::text_of;
+
+tl::expected<ControlDef, std::string> ControlLoader::load() {
+  def_.id = file_["id"].value_or(std::string());
+  if (def_.id.empty()) return Failed(name_ + ": id is missing");
+  if (const toml::table* const text = file_["name"].as_table()) def_.name = text_of(*text);
+  def_.spec = file_["spec"].value_or(std::string());
+  KADR_LOAD(known_keys(file_, {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g", "m",
+                               "cycle", "variables", "alarms", "defaults", "feed_codes", "speed_codes"}));
+  KADR_LOAD(grammar());
+  KADR_LOAD(behaviour());
+  KADR_LOAD(axes());
+  KADR_LOAD(order());
+  KADR_LOAD(addresses());
+  KADR_LOAD(groups());
+  KADR_LOAD(cycles());
+  def_.g_rows.assign(ControlDef::most_tenths, -1);
+  def_.m_rows.assign(ControlDef::most_tenths, -1);
+  KADR_LOAD(codes("g", 'G'));
+  KADR_LOAD(codes("m", 'M'));
+  KADR_LOAD(initial_codes());
+  KADR_LOAD(variables());
+  KADR_LOAD(alarms());
+  code_table("feed_codes", def_.feed_codes);
+  code_table("speed_codes", def_.speed_codes);
+  return std::move(def_);
+}
+
+Done ControlLoader::known_keys(const toml::table& table, std::initializer_list<std::string_view> known) const {
+  for (const auto& [key, node] : table)
+    if (std::find(known.begin(), known.end(), key.str()) == known.end())
+      return Failed(place(name_, node) + "unknown key '" + std::string(key.str()) + "'");
+  return {};
+}
+
+Done ControlLoader::grammar() {
+  def_.descriptor = file_["format"].value_or(std::string());
+  Grammar& g = def_.grammar;
+  if (!def_.descriptor.empty())
+    if (auto applied = apply_descriptor(def_.descriptor, g); !applied) return Failed(name_ + ": format: " + applied.error());
+  const toml::table* const t = section("grammar");
+  if (t == nullptr) return {};
+  KADR_LOAD(known_keys(*t, {"block_number_required", "program_start_required", "percent_number", "percent_digits", "percent_ignored", "comment_forbidden",
+                            "block_length", "formal_parameter", "parameters_in", "most_codes", "semicolon_comments", "slash_comments",
+                            "expressions", "variables", "label", "section", "lower_case", "end_of_block", "main_blocks", "skip_levels",
+                            "mark_everywhere", "zero_between_slashes"}));
+  const auto flag = [&](const char* key, bool& to) { to = (*t)[key].value_or(to); };
+  flag("block_number_required", g.block_number_required);
+  flag("program_start_required", g.program_start_required);
+  flag("percent_number", g.percent_number);
+  flag("percent_ignored", g.percent_ignored);
+  flag("semicolon_comments", g.semicolon_comments);
+  flag("slash_comments", g.slash_comments);
+  flag("expressions", g.expressions);
+  flag("lower_case", g.lower_case);
+  flag("main_blocks", g.main_blocks);
+  flag("skip_levels", g.skip_levels);
+  flag("mark_everywhere", g.mark_everywhere);
+  flag("zero_between_slashes", g.zero_between_slashes);
+  g.percent_digits = static_cast<std::uint8_t>((*t)["percent_digits"].value_or(std::int64_t{g.percent_digits}));
+  g.comment_forbidden = (*t)["comment_forbidden"].value_or(g.comment_forbidden);
+  g.block_length = static_cast<std::uint32_t>((*t)["block_length"].value_or(std::int64_t{g.block_length}));
+  g.variables = static_cast<std::uint32_t>((*t)["variables"].value_or(std::int64_t{g.variables}));
+  g.parameter_address = first_letter(*t, "formal_parameter");
+  g.label_address = first_letter(*t, "label");
+  g.section_address = first_letter(*t, "section");
+  if ((*t)["end_of_block"].value_or(std::string("line")) == "line_only") g.end_of_block = EndOfBlock::line_only;
+  for (const char letter : (*t)["parameters_in"].value_or(std::string())) g.word(letter).parameter = true;
+  if (const toml::table* const most = (*t)["most_codes"].as_table())
+    for (const auto& [letter, count] : *most) most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(count.value_or(std::int64_t{0}));
+  return {};
+}
+
+char ControlLoader::first_letter(const toml::table& t, std::string_view key) {
+  const std::string text = t[key].value_or(std::string());
+  return text.empty() ? '\0' : text[0];
+}
+
+Done ControlLoader::behaviour() {
+  const toml::table* const t = section("behaviour");
+  if (t == nullptr) return {};
+  Behaviour& b = def_.behaviour;
+  std::set<std::string_view> known = {"arc_centers", "length_offset"};
+  const auto flag = [&](const char* key, bool& to) { known.insert(key); to = (*t)[key].value_or(to); };
+  const auto number = [&](const char* key, double& to) { known.insert(key); to = (*t)[key].value_or(to); };
+  const auto count = [&](const char* key, std::uint32_t& to) {
+    known.insert(key);
+    to = static_cast<std::uint32_t>((*t)[key].value_or(std::int64_t{to}));
+  };
+  flag("arc_radius_word", b.arc_radius_word);
+  number("arc_radius_difference", b.arc_radius_difference);
+  flag("helix_by_lead", b.helix_by_lead);
+  number("feed_most", b.feed_most);
+  flag("feed_required", b.feed_required);
+  number("reference_feed", b.reference_feed);
+  number("return_chip_break", b.return_chip_break);
+  number("return_near", b.return_near);
+  number("probe_least_distance", b.probe_least_distance);
+  flag("speed_needs_direction", b.speed_needs_direction);
+  flag("tool_and_corrector", b.tool_and_corrector);
+  flag("zero_change_checked", b.zero_change_checked);
+  flag("subprogram_zero_local", b.subprogram_zero_local);
+  flag("subprograms_by_section", b.subprograms_by_section);
+  flag("ends_reading", b.ends_reading);
+  flag("delayed_assignment", b.delayed_assignment);
+  flag("correctors", b.correctors);
+  count("call_depth", b.call_depth);
+  count("offsets", b.offsets);
+  count("fixtures", b.fixtures);
+  const std::string centers = (*t)["arc_centers"].value_or(std::string("incremental"));
+  if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
+  else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;
+  else if (centers != "incremental") return Failed(place(name_, *t) + "arc_centers: incremental, as_distance or by_code");
+  b.length_offset = (*t)["length_offset"].value_or(std::string()) == "at_once" ? LengthOffset::at_once : LengthOffset::next_motion;
+  for (const auto& [key, node] : *t)
+    if (!known.contains(key.str())) return Failed(place(name_, node) + "unknown behaviour '" + std::string(key.str()) + "'");
+  return {};
+}
+
+Done ControlLoader::axes() {
+  const toml::table* const t = section("axes");
+  const toml::array* const names = t == nullptr ? nullptr : (*t)["names"].as_array();
+  if (names == nullptr || names->empty() || names->size() > max_axes) return Failed(name_ + ": [axes] names: 1 to 16 axes");
+  for (const auto& name : *names) def_.axes.push_back(name.value_or(std::string()));
+  if (const toml::array* const rotary = (*t)["rotary"].as_array())
+    for (const auto& name : *rotary) {
+      const int axis = axis_named(name.value_or(std::string()));
+      if (axis < 0) return Failed(place(name_, name) + "rotary: no such axis");
+      def_.rotary |= 1u << axis;
+    }
+  return {};
+}
+
+int ControlLoader::axis_named(const std::string& name) const {
+  const auto found = std::find(def_.axes.begin(), def_.axes.end(), name);
+  return found == def_.axes.end() ? -1 : static_cast<int>(found - def_.axes.begin());
+}
+
+Done ControlLoader::order() {
+  const toml::table* const t = section("order");
+  const toml::array* const phases = t == nullptr ? nullptr : (*t)["phases"].as_array();
+  if (phases == nullptr) return Failed(name_ + ": [order] phases is missing");
+  for (const auto& node : *phases) {
+    const Phase phase = phase_named(node.value_or(std::string()));
+    if (phase == Phase::count) return Failed(place(name_, node) + "unknown phase '" + node.value_or(std::string()) + "'");
+    if (def_.order[static_cast<std::size_t>(phase)] != 0) return Failed(place(name_, node) + "phase twice");
+    def_.order_list.push_back(phase);
+    def_.order[static_cast<std::size_t>(phase)] = static_cast<std::uint8_t>(def_.order_list.size());
+  }
+  return {};
+}
+
+/// `phase` of the row, or the function's own; it must stand in the control's order.
+tl::expected<Phase, std::string> ControlLoader::phase_of(const toml::table& row, Function function) const {
+  Phase phase = traits_of(function).phase;
+  if (const auto named = row["phase"].value<std::string>()) phase = phase_named(*named);
+  if (phase == Phase::count) return Failed(place(name_, row) + "unknown phase");
+  if (phase != Phase::none && def_.order[static_cast<std::size_t>(phase)] == 0)
+    return Failed(place(name_, row) + "phase '" + std::string(name_of(phase)) + "' is not in [order]");
+  return phase;
+}
+
+tl::expected<Function, std::string> ControlLoader::function_of(const toml::table& row) const {
+  const std::string name = row["does"].value_or(std::string());
+  const Function function = function_named(name);
+  if (function == Function::count) return Failed(place(name_, row) + "unknown function '" + name + "'");
+  return function;
+}
+
+Done ControlLoader::addresses() {
+  const toml::table* const t = section("address");
+  if (t == nullptr) return Failed(name_ + ": [address] is missing");
+  for (const auto& [key, node] : *t) {
+    const toml::table* const row = node.as_table();
+    if (key.str().size() != 1 || key.str()[0] < 'A' || key.str()[0] > 'Z' || row == nullptr)
+      return Failed(place(name_, node) + "an address is a letter A to Z with a table");
+    KADR_LOAD(address(key.str()[0], *row));
+  }
+  return {};
+}
+
+Done ControlLoader::address(char letter, const toml::table& row) {
+  KADR_LOAD(known_keys(row, {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many", "en", "ru", "manual"}));
+  AddressRow& a = def_.addresses[static_cast<std::size_t>(letter - 'A')];
+  a.letter = letter;
+  const auto function = function_of(row);
+  if (!function) return Failed(function.error());
+  a.function = *function;
+  const auto phase = phase_of(row, *function);
+  if (!phase) return Failed(phase.error());
+  a.phase = *phase;
+  if (const auto axis = row["axis"].value<std::string>()) {
+    const int index = axis_named(*axis);
+    if (index < 0) return Failed(place(name_, row) + "no axis '" + *axis + "'");
+    a.axis = static_cast<std::uint8_t>(index);
+  }
+  const std::string unit = row["unit"].value_or(std::string());
+  a.unit = unit == "length" ? WordUnit::length : unit == "angle" ? WordUnit::angle : WordUnit::none;
+  a.scale = row["scale"].value_or(1.0);
+  a.least = row["least"].value_or(a.least);
+  a.most = row["most"].value_or(a.most);
+  a.whole = row["whole"].value_or(false);
+  a.text = text_of(row);
+  a.manual = row["manual"].value_or(std::string());
+  a.format = row["format"].value_or(std::string());
+  return word_format(letter, row, a);
+}
+
+Done ControlLoader::word_format(char letter, const toml::table& row, const AddressRow& a) {
+  WordFormat& w = def_.grammar.word(letter);
+  const bool parameter = w.parameter;
+  if (a.format == "free" || a.format == "+free") {
+    w = {};
+    w.known = w.drop_zeros = w.point = true;
+    w.sign = a.format[0] == '+';
+  } else if (!a.format.empty()) {
+    auto parsed = parse_word_format(a.format, false);
+    if (!parsed) return Failed(place(name_, row) + parsed.error());
+    w = *parsed;
+  }
+  w.known = true;
+  w.parameter = parameter;
+  w.second_number = row["second"].value_or(false);
+  w.code = a.function == Function::code;
+  if (w.code && w.at_most == 1) w.at_most = 0;
+  if (most_codes_.contains(letter)) w.at_most = most_codes_[letter];
+  if (row["many"].value_or(false)) w.at_most = 0;
+  return {};
+}
+
+}  // namespace kadr

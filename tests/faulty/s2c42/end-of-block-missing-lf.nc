@@ -1,0 +1,5 @@
+% LF
+N1 (LF lost in N3) LF
+N2 G1 X1000 F100 LF
+N3 Y1000
+N4 M2 LF
