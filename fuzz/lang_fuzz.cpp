@@ -49,14 +49,16 @@ bool inside(kadr::Span span, std::string_view text) { return span.begin <= span.
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-void check_block(const kadr::Block& block, bool good) {
+void check_block(const kadr::BlockReader& reader, const kadr::Block& block, bool good) {
   using kadr::limits::block_assignments, kadr::limits::block_words, kadr::limits::expression_steps;
   require(inside(block.where, block.text), "the block lies in its text");
   require(block.word_count <= block_words, "not too many words");
   require(block.assignments.size() <= block_assignments, "not too many assignments");
   require(block.code.size() <= expression_steps + block_words, "not too many instructions");
+  kadr::Span place = block.where;
+  const std::string shown = reader.shown(block.text, place);
+  require(kadr::fuzz::is_utf8(shown) && inside(place, shown), "a block can be shown, and its place in it");
   if (!good) return;
-  require(kadr::fuzz::is_utf8(block.text), "the text of a block is UTF-8");
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const kadr::Word& word = block.words[i];
     require(inside(word.where, block.text) && word.where.begin < word.where.end, "the word lies in its text");
@@ -74,7 +76,7 @@ Read read_one(kadr::BlockReader& reader, kadr::Block& block, bool& at_end) {
   read.good = got.has_value();
   at_end = got && *got == kadr::BlockReader::Got::end;
   if (at_end) return read;
-  check_block(block, read.good);
+  check_block(reader, block, read.good);
   read.position = block.position;
   read.where = block.where;
   read.number = block.number;

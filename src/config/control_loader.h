@@ -20,6 +20,8 @@ using Done = tl::expected<void, std::string>;
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
   } while (false)
 
+inline constexpr std::uint32_t most_variables = 1'000'000;
+
 class ControlLoader {
  public:
   ControlLoader(const toml::table& file, std::string name) : file_(file), name_(std::move(name)) {}
@@ -28,6 +30,8 @@ class ControlLoader {
  private:
   Done known_keys(const toml::table& table, std::initializer_list<std::string_view> known) const;
   const toml::table* section(std::string_view key) const { return file_[key].as_table(); }
+  /// Whole number of a key, 0 to `most`; where it is none, load() fails.
+  std::uint32_t whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most);
   Done grammar();
   static char first_letter(const toml::table& t, std::string_view key);
   Done behaviour();
@@ -61,6 +65,7 @@ class ControlLoader {
   ControlDef def_;
   std::map<char, std::uint8_t> most_codes_;
   std::vector<std::string> initial_;
+  std::string bad_number_;         // the first number that whole() refused
 };
 
 }  // namespace kadr

@@ -86,7 +86,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   const auto phase = phase_of(row, *function);
   if (!phase) return Failed(phase.error());
   c.phase = *phase;
-  c.arg = static_cast<int>(row["arg"].value_or(std::int64_t{0}));
+  c.arg = static_cast<int>(whole(row, "arg", 0, 1000));
   if (const auto group = row["group"].value<std::string>()) {
     const int index = group_named(*group);
     if (index < 0) return Failed(place(name_, row) + "no group '" + *group + "'");
@@ -117,8 +117,9 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
 /// "other": the numbers that have no row of their own go to the machine.
 Done ControlLoader::other_codes(const toml::table& row, char letter) {
   if (letter != 'M') return Failed(place(name_, row) + "only M codes may have 'other'");
-  const auto from = row["from"].value_or(std::int64_t{0});
-  const auto to = row["to"].value_or(std::int64_t{99999});
+  constexpr std::uint32_t most_code = 99'999;
+  const std::uint32_t from = whole(row, "from", 0, most_code);
+  const std::uint32_t to = whole(row, "to", most_code, most_code);
   KADR_LOAD(code('M', 0, row));
   CodeRow& c = def_.codes.back();
   c.code = "M" + std::to_string(from) + "…M" + std::to_string(to);
@@ -201,7 +202,7 @@ Done ControlLoader::variables() {
     const auto* const found = std::find(std::begin(variable_kinds), std::end(variable_kinds), kind);
     if (found == std::end(variable_kinds)) return Failed(place(name_, node) + "unknown kind '" + kind + "'");
     v.kind = static_cast<VariableKind>(found - std::begin(variable_kinds));
-    const auto number = [&](const char* key, std::uint32_t otherwise) { return static_cast<std::uint32_t>((*row)[key].value_or(std::int64_t{otherwise})); };
+    const auto number = [&](const char* key, std::uint32_t otherwise) { return whole(*row, key, otherwise, most_variables); };
     v.from = number("from", 0);
     v.count = number("count", 1);
     v.stride = number("stride", 0);
@@ -221,7 +222,7 @@ Done ControlLoader::alarms() {
     const AlarmId id = alarm_named(key.str());
     if (row == nullptr || id == AlarmId::count) return Failed(place(name_, node) + "unknown alarm '" + std::string(key.str()) + "'");
     AlarmText text;
-    if (const auto number = (*row)["number"].value<std::int64_t>()) text.number = std::to_string(*number);
+    if (const auto number = (*row)["number"].value_exact<std::int64_t>()) text.number = std::to_string(*number);
     else text.number = (*row)["number"].value_or(std::string());
     text.text = text_of(*row);
     text.hint = {(*row)["hint_en"].value_or(std::string()), (*row)["hint_ru"].value_or(std::string())};

@@ -35,7 +35,17 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   KADR_LOAD(alarms());
   code_table("feed_codes", def_.feed_codes);
   code_table("speed_codes", def_.speed_codes);
+  if (!bad_number_.empty()) return Failed(bad_number_);
   return std::move(def_);
+}
+
+std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most) {
+  const toml::node* const node = row.get(key);
+  if (node == nullptr) return otherwise;
+  const auto number = node->value_exact<std::int64_t>();
+  if (number && *number >= 0 && *number <= std::int64_t{most}) return static_cast<std::uint32_t>(*number);
+  if (bad_number_.empty()) bad_number_ = place(name_, *node) + std::string(key) + " must be a whole number from 0 to " + std::to_string(most);
+  return otherwise;
 }
 
 Done ControlLoader::known_keys(const toml::table& table, std::initializer_list<std::string_view> known) const {
@@ -69,17 +79,17 @@ Done ControlLoader::grammar() {
   flag("skip_levels", g.skip_levels);
   flag("mark_everywhere", g.mark_everywhere);
   flag("zero_between_slashes", g.zero_between_slashes);
-  g.percent_digits = static_cast<std::uint8_t>((*t)["percent_digits"].value_or(std::int64_t{g.percent_digits}));
+  g.percent_digits = static_cast<std::uint8_t>(whole(*t, "percent_digits", g.percent_digits, 9));
   g.comment_forbidden = (*t)["comment_forbidden"].value_or(g.comment_forbidden);
-  g.block_length = static_cast<std::uint32_t>((*t)["block_length"].value_or(std::int64_t{g.block_length}));
-  g.variables = static_cast<std::uint32_t>((*t)["variables"].value_or(std::int64_t{g.variables}));
+  g.block_length = whole(*t, "block_length", g.block_length, limits::line_bytes);
+  g.variables = whole(*t, "variables", g.variables, most_variables);
   g.parameter_address = first_letter(*t, "formal_parameter");
   g.label_address = first_letter(*t, "label");
   g.section_address = first_letter(*t, "section");
   if ((*t)["end_of_block"].value_or(std::string("line")) == "line_only") g.end_of_block = EndOfBlock::line_only;
   for (const char letter : (*t)["parameters_in"].value_or(std::string())) g.word(letter).parameter = true;
   if (const toml::table* const most = (*t)["most_codes"].as_table())
-    for (const auto& [letter, count] : *most) most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(count.value_or(std::int64_t{0}));
+    for (const auto& [letter, node] : *most) most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(whole(*most, letter.str(), 0, limits::block_words));
   return {};
 }
 
@@ -95,9 +105,9 @@ Done ControlLoader::behaviour() {
   std::set<std::string_view> known = {"arc_centers", "length_offset"};
   const auto flag = [&](const char* key, bool& to) { known.insert(key); to = (*t)[key].value_or(to); };
   const auto number = [&](const char* key, double& to) { known.insert(key); to = (*t)[key].value_or(to); };
-  const auto count = [&](const char* key, std::uint32_t& to) {
+  const auto count = [&](const char* key, std::uint32_t& to, std::uint32_t most) {
     known.insert(key);
-    to = static_cast<std::uint32_t>((*t)[key].value_or(std::int64_t{to}));
+    to = whole(*t, key, to, most);
   };
   flag("arc_radius_word", b.arc_radius_word);
   number("arc_radius_difference", b.arc_radius_difference);
@@ -116,9 +126,9 @@ Done ControlLoader::behaviour() {
   flag("ends_reading", b.ends_reading);
   flag("delayed_assignment", b.delayed_assignment);
   flag("correctors", b.correctors);
-  count("call_depth", b.call_depth);
-  count("offsets", b.offsets);
-  count("fixtures", b.fixtures);
+  count("call_depth", b.call_depth, 255);
+  count("offsets", b.offsets, 9999);
+  count("fixtures", b.fixtures, 1000);
   const std::string centers = (*t)["arc_centers"].value_or(std::string("incremental"));
   if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
   else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;

@@ -86,8 +86,12 @@ std::vector<T> list(const Json& value, const std::string& key, T (*read)(const J
 }
 
 AxisValues axis_values(const Json& value, const std::string& key) {
+  constexpr double farthest = 1e7;   // mm: ten kilometres, as for a program's own positions
   AxisValues axes;
-  for (const auto& [axis, position] : table(value, key).items()) axes[axis] = number(position, key + "." + axis);
+  for (const auto& [axis, position] : table(value, key).items()) {
+    axes[axis] = number(position, key + "." + axis);
+    if (std::abs(axes[axis]) > farthest) wrong(key + "." + axis, "at most ten million");
+  }
   return axes;
 }
 
@@ -212,6 +216,12 @@ void probe_workpiece(const Json& value, const std::string& key, Setup& setup) {
   setup.probe_hole = probed;
 }
 
+/// "#100", "R2".
+bool names_variable(const std::string& name) {
+  if (name.size() < 2 || name.size() > 8 || name.find_first_not_of("0123456789", 1) != std::string::npos) return false;
+  return name[0] == '#' || (name[0] == 'R' && name.size() == 2);
+}
+
 std::optional<double> number_or_vacant(const Json& value, const std::string& key) {
   return value.is_null() ? std::nullopt : std::optional(number(value, key));
 }
@@ -247,7 +257,10 @@ Readers readers_of_state(Setup& s) {
       {"correctors", [&](const Json& v, const std::string& k) { numbered(v, k, s.correctors, number); }},
       {"variables",
        [&](const Json& v, const std::string& k) {
-         for (const auto& [name, value] : table(v, k).items()) s.variables[name] = number_or_vacant(value, k + "." + name);
+         for (const auto& [name, value] : table(v, k).items()) {
+           if (!names_variable(name)) wrong(k + "." + name, "named #n or R0 to R9");
+           s.variables[name] = number_or_vacant(value, k + "." + name);
+         }
        }},
       {"spindle", [&](const Json& v, const std::string& k) { spindle(v, k, s); }},
       {"tool", [&](const Json& v, const std::string& k) { s.tool = whole(v, k); }},

@@ -35,7 +35,7 @@ class Circular {
   Circular(Machinery& m, Turn turn) : m_(m), turn_(turn), axes_(axes_of(m.modal.plane)) {}
 
   Status run(Span where) {
-    if (m_.modal.polar) return fail(alarm(AlarmId::polar_motion, where));
+    if (m_.modal.polar) return fail(alarm(AlarmId::polar_motion, where, turn_ == Turn::cw ? "G2" : "G3"));
     AxisMask named = 0;
     Axes end;
     KADR_TRY(m_.target(end, named));

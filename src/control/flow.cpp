@@ -131,6 +131,14 @@ Status Flow::end_repetition(Span where) {
   return {};
 }
 
+void Flow::abandon(std::optional<Position> again) {
+  if (frames_.empty()) return;
+  const CallFrame left = frames_.back();
+  frames_.pop_back();
+  if (left.kind != CallFrame::Kind::repetition) go_to(left.back_reader, left.back);
+  else if (again) go_to(reader_, *again);
+}
+
 Status Flow::restart(Span where) {
   if (++restarts_ > limits_.restarts) {
     ended_ = true;
@@ -148,6 +156,7 @@ void Flow::make_index() {
   program_.seek({});
   auto block = std::make_unique<Block>();
   bool in_section = false;
+  std::int64_t current = -1;   // subprogram of the blocks that are being read
   for (;;) {
     const Position at = program_.position();
     const auto got = program_.next(*block);
@@ -156,9 +165,11 @@ void Flow::make_index() {
     if (def_.behaviour.subprograms_by_section) {
       constexpr std::uint8_t digits_of_label = 5;   // N02001: subprogram 02, block 001 (2С42 6.3.5)
       if (block->marker == Marker::section) in_section = true;
+      if (block->marker != Marker::none) current = -1;
       if (block->marker == Marker::program_start) in_section = false;
       if (in_section && block->has_number && block->number_digits == digits_of_label) name = block->number / 1000;
-      if (name && labels_.contains(*name)) name.reset();
+      if (name && *name == current) name.reset();
+      else if (name) current = *name;
       if (const Word* const m = block->find('M'); got && m != nullptr && m->code == 20) in_section = false;
     } else if (block->marker == Marker::label) {
       name = block->label;

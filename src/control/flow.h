@@ -54,6 +54,9 @@ class Flow {
   void pass_label(std::uint32_t label) { if (passed_.size() < 1000) passed_.insert(label); }
 
   bool ended() const { return ended_; }
+  /// Leaves the innermost call or repetition whose end was not found; in a repetition to go on at `again`.
+  void abandon(std::optional<Position> again);
+  std::string shown(std::string_view text, Span& place) const { return reader_ == 0 ? program_.shown(text, place) : std::string(text); }
   bool in_body() const { return reader_ == 1; }
   std::size_t depth() const { return frames_.size(); }
   const std::vector<CallFrame>& frames() const { return frames_; }

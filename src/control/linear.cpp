@@ -60,6 +60,15 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
   return m.straight(kind, to, named);
 }
 
+bool axes_taken_by_code(const Machinery& m) {
+  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
+    const Word& w = m.block.words[i];
+    const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
+    if (row >= 0 && (m.def.codes[static_cast<std::size_t>(row)].takes & m.letters.axes) != 0) return true;
+  }
+  return false;
+}
+
 /// Axes of the block's words, whatever their values; all linear ones if there is none.
 AxisMask named_axes(const Machinery& m) {
   AxisMask named = 0;
@@ -75,7 +84,14 @@ namespace functions {
 Status rapid(Machinery& m, const Call& call) { return straight(m, call, MotionKind::rapid, MotionMode::rapid); }
 Status linear(Machinery& m, const Call& call) { return straight(m, call, MotionKind::feed, MotionMode::linear); }
 
+/// G80 (Mach3 10.7.23): axis words of its block need another code that takes them.
 Status no_motion(Machinery& m, const Call& call) {
+  if (m.def.behaviour.arc_radius_word && m.has_axis_words() && !axes_taken_by_code(m)) {
+    const Word* first = nullptr;
+    for (std::uint32_t i = 0; i < m.block.word_count && first == nullptr; ++i)
+      if ((m.letters.axes & letter_bit(m.block.words[i].address)) != 0) first = &m.block.words[i];
+    return fail(alarm(AlarmId::no_motion_mode, first->where, first->address));
+  }
   m.modal.motion = MotionMode::none;
   m.modal.motion_row = call.row->modal && m.def.behaviour.arc_radius_word ? std::int16_t{-1} : m.modal.motion_row;
   m.cycle_memory.row = -1;
@@ -161,7 +177,7 @@ Status probe(Machinery& m, const Call& call) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const double way = to[a] - m.position.programmed[a];
     if ((m.def.rotary >> a & 1u) == 0) distance += way * way;
-    else if (std::fabs(way) > tol::same_angle) return fail(alarm(AlarmId::rotary_motion, call.where, call.row->code));
+    else if (std::fabs(way) > tol::same_angle) return fail(alarm(AlarmId::rotary_motion, m.where(m.letters.axis_letter[a]), m.letters.axis_letter[a]));
   }
   if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)
     return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));

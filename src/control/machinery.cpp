@@ -52,6 +52,7 @@ Control::State Machinery::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) origin = origin_of_block();
+    if (!got && block.marker == Marker::program_start) flow.started = true;   // damaged, but there
     for (const Alarm& w : block.warnings) warn(w);
     const Status status = got ? execute() : Status(fail(got.error()));
     if (!status) fail_with(status.error());
@@ -64,12 +65,17 @@ Control::State Machinery::run(ActionBatch& to) {
 Status Machinery::end_of_file() {
   if (flow.depth() == 0) return {};
   const CallFrame frame = flow.frames().back();
-  flow.frames().clear();
   const AlarmId id = frame.kind == CallFrame::Kind::repetition ? AlarmId::repeat_end_missing : AlarmId::subprogram_end_missing;
   return fail(alarm(id, {}, double(frame.kind == CallFrame::Kind::repetition ? frame.caller.line : frame.name)));
 }
 
-void Machinery::go_on() { stopped_ = false; }
+/// After an end that came too early the open call or repetition is left, so that one fault is not found again and again.
+void Machinery::go_on() {
+  stopped_ = false;
+  if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
+  const bool at_end_of_file = report.alarm.where.end == 0;
+  flow.abandon(at_end_of_file ? std::optional<Position>() : block.position);
+}
 
 void Machinery::fail_with(const Alarm& failed) {
   cycle_run.stop();
@@ -82,8 +88,11 @@ void Machinery::warn(const Alarm& alarm) {
 }
 
 AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
-  AlarmReport r{alarm, flow.file(), std::string(line_text), at, {}};
-  if (!flow.in_body() && alarm.where.begin <= line_text.size()) r.origin.column = characters(line_text.substr(0, alarm.where.begin)) + 1;
+  AlarmReport r{alarm, flow.file(), {}, at, {}};
+  const bool in_body = flow.in_body() && !line_text.empty();
+  if (in_body) r.alarm.where = call_where;   // the body stands in no file: the place is the call
+  r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
+  if (r.alarm.where.begin <= r.line_text.size()) r.origin.column = characters(std::string_view(r.line_text).substr(0, r.alarm.where.begin)) + 1;
   for (const CallFrame& frame : flow.frames())
     r.calls.push_back({Flow::name_of(def, frame), frame.caller.line, frame.caller.block, frame.caller.has_block});
   return r;
@@ -119,10 +128,26 @@ Status Machinery::execute() {
   }
   Status status = evaluate_words();
   if (status) status = plan_block(def, letters, block, modal.motion_row, plan_);
-  if (status && !plan_.moves_only) take_moment();
+  if (status && !changes_only_position()) take_moment();
   if (status) status = carry_out(plan_);
+  if (status && moment_taken_) status = check_place();
   if (!status) take_back(actions);
   return status;
+}
+
+/// A motion that either fails before anything has changed, or is carried out.
+bool Machinery::changes_only_position() const {
+  if (!plan_.moves_only || modal.polar || modal.motion == MotionMode::cycle || !transform.identity) return false;
+  return !def.behaviour.correctors || !has('L');
+}
+
+/// Shifts and factors must not carry the tool beyond what a number of the control can hold.
+Status Machinery::check_place() const {
+  constexpr double most = 4 * farthest;   // origin, length and coordinate may lie apart
+  for (std::size_t a = 0; a < axis_count; ++a)
+    for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
+      if (!(std::fabs(v) <= most)) return fail(alarm(AlarmId::position_out_of_range, block.where, axis_names[a], v));
+  return {};
 }
 
 /// '%', sections of subprograms, labels: where a program begins.
@@ -201,7 +226,10 @@ Status Machinery::carry_out(const Plan& plan) {
   if (def.grammar.expressions)
     for (const Span comment : block.comments) {
       const std::string_view text = block.text_of(comment);
-      if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) emit(Message{std::string(text.substr(4))});
+      if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) {
+        Span all;
+        emit(Message{flow.shown(text.substr(4), all)});
+      }
     }
   bool motion_began = false;
   for (std::uint32_t i = 0; i < plan.count; ++i) {
@@ -231,6 +259,7 @@ void Machinery::take_moment() {
   variables.begin_block();
   moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
   kept_offset_.first = 0;
+  if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
 }
 
 /// Nothing of a faulty block is done (design.md 4).
@@ -242,6 +271,7 @@ void Machinery::take_back(std::size_t actions) {
   variables.undo_block();
   (void)variables.take_frames_changed();
   modal = moment_.modal;
+  variables.inch = modal.inch;
   transform = moment_.transform;
   position = moment_.position;
   frames = moment_.frames;
@@ -250,6 +280,7 @@ void Machinery::take_back(std::size_t actions) {
   set_position = moment_.set_position;
   set_position_by_g52 = moment_.set_position_by_g52;
   tables.zero_shift = moment_.zero_shift;
+  if (def.behaviour.correctors) corrector_applied = kept_corrections_;
   if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
 }
 

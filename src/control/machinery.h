@@ -118,6 +118,9 @@ class Machinery {
   std::array<bool, max_axes> mirror_switches{};   // panel mode of the 2С42 (6.8)
   std::string start_error;                 // word of the set-up's `modal` that the control does not know
 
+  std::string call_text;                   // block that called the cycle body being carried out, and its L word
+  Span call_where;
+
   Block block;
   Origin origin;
   ActionBatch* batch = nullptr;
@@ -148,6 +151,8 @@ class Machinery {
   Status evaluate_words();
   Status assign();
   Status check_ranges() const;
+  bool changes_only_position() const;
+  Status check_place() const;
   Status structure();
   Status end_of_file();
   void take_moment();
@@ -159,6 +164,7 @@ class Machinery {
   Moment moment_;
   bool moment_taken_ = false;
   std::vector<double> assigned_;
+  std::vector<double> kept_corrections_;   // corrector_applied before the block
   std::pair<std::uint32_t, ToolOffset> kept_offset_{};   // [0] is none
   bool stopped_ = false;
   bool start_missing_reported_ = false;

@@ -47,14 +47,14 @@ void Machinery::read_setup(const Setup& setup) {
     const int number = zero_number(name);
     const Axes values = axes_of(offset, axis_names);
     if (number == 0) tables.common = values;
-    else if (fixtures != 0) write(variables.first(VariableKind::fixture, static_cast<std::uint32_t>(number - 1)), values);
+    else if (fixtures != 0 && static_cast<std::uint32_t>(number - 1) < def.behaviour.fixtures) write(variables.first(VariableKind::fixture, static_cast<std::uint32_t>(number - 1)), values);
     else if (number > 0 && static_cast<std::size_t>(number) < tables.zeros.size()) tables.zeros[static_cast<std::size_t>(number)] = values;
   }
   write(variables.first(VariableKind::home), tables.reference[1]);
   write(variables.first(VariableKind::home_second), tables.reference[2]);
   for (const auto& [name, value] : setup.variables) {
     if (!value || name.size() < 2) continue;
-    if (name[0] == 'R') variables.set_parameter(name[1] - '0', *value);
+    if (name[0] == 'R' && name[1] >= '0' && name[1] <= '9') variables.set_parameter(name[1] - '0', *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest()) variables.set_raw(static_cast<std::uint32_t>(n), *value);
   }
   for (const int s : setup.skip)

@@ -42,6 +42,7 @@ Status Variables::set(double number, double value, Span where) {
 }
 
 void Variables::set_raw(std::uint32_t number, double value) {
+  if (number >= values_.size()) return;   // a row of the control's file beyond its variables
   undo_.push_back({static_cast<std::int32_t>(number), values_[number], set_[number]});
   values_[number] = value;
   set_[number] = true;

@@ -22,6 +22,23 @@ BlockReader::BlockReader(std::unique_ptr<ByteSource> source, const Grammar& gram
   guessed_ = encoding_.has_value();
 }
 
+std::string BlockReader::shown(std::string_view text, Span& place) const {
+  if (is_text_ || !has_high_bytes(text)) return std::string(text);
+  std::string all;
+  Span there = {0, 0};
+  std::size_t bytes = 1;
+  for (std::size_t i = 0; i <= text.size(); i += bytes) {
+    bytes = encoding() == Encoding::utf8 && i < text.size() ? std::max<std::size_t>(first_character(text.substr(i)).size, 1) : 1;
+    if (i <= place.begin) there.begin = static_cast<std::uint32_t>(all.size());
+    if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
+    if (i == text.size()) break;
+    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);   // a row whose parity is wrong, too
+    else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
+  }
+  place = there;
+  return all;
+}
+
 void BlockReader::seek(Position position) {
   lines_.seek(position.offset, position.line);
   in_line_ = false;
@@ -58,7 +75,7 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   position_ = {line_.offset, line_.number, 0};
   if (encoding_ == Encoding::iso7 || expects_high_bytes_) {
     const Status decoded = decode_line();
-    if (!decoded) {
+    if (!decoded && encoding_ == Encoding::iso7) {   // elsewhere the damage may lie in a comment: lex_line finds out
       block.clear();
       block.position = position_;
       block.text = text_;

@@ -24,6 +24,8 @@ class BlockReader {
   void seek(Position position);
   /// Where the next block begins.
   Position position() const { return position_; }
+  /// The text of the block last read as UTF-8, however it was read; `place` becomes the place there.
+  std::string shown(std::string_view text, Span& place) const;
   Encoding encoding() const { return encoding_.value_or(Encoding::utf8); }
   bool encoding_was_guessed() const { return guessed_; }
   std::uint64_t size() const { return lines_.size(); }

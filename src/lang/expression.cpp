@@ -147,7 +147,8 @@ class Compiler {
   Status end_of_expression(std::size_t at) {
     const char c = cursor_.peek();
     if (c == ']' || c == '\0') return {};
-    return fail(alarm(AlarmId::operator_unknown, span(at, at + 1), text_at(at)));
+    const bool is_value = c == '#' || c == '[' || c == '.' || (c >= '0' && c <= '9');   // an operator is missing in front of it
+    return fail(alarm(is_value ? AlarmId::expression_syntax : AlarmId::operator_unknown, span(at, at + 1), text_at(at)));
   }
 
   Status enter(std::size_t at) {

@@ -191,6 +191,9 @@ class Lexer {
     if (!grammar_.zero_between_slashes) return fail(alarm(AlarmId::skip_position, span(cursor_.at, cursor_.at + 1)));
     const std::size_t begin = cursor_.at++;
     cursor_.skip_blanks();
+    const char first = cursor_.peek();
+    if (!is_digit(first) && first != '+' && first != '-' && first != grammar_.parameter_address)
+      return fail(alarm(AlarmId::skip_position, span(begin, begin + 1)));
     KADR_TRY(words_.room_for('A', grammar_.word('A'), begin));
     Word& w = block_.words[block_.word_count];
     w.address = 'A';
@@ -239,6 +242,7 @@ class Lexer {
     const auto c = static_cast<unsigned char>(cursor_.text[cursor_.at]);
     const Span where = span(cursor_.at, cursor_.at + 1);
     if (c < 0x20) return fail(alarm(AlarmId::control_character, where, double(c)));
+    if (c == '.') return fail(alarm(AlarmId::number_damaged, where));   // a second point
     return fail(alarm(AlarmId::unexpected_character, where, cursor_.text[cursor_.at]));
   }
 

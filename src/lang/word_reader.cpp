@@ -43,6 +43,7 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
     return number(w, format, sign, begin);
   }
   if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);
+  if (c != '\0' && c == grammar_.parameter_address) return fail(alarm(AlarmId::parameter_not_allowed, span(begin, cursor_.at + 1), w.address));
   if (!grammar_.expressions || no_value_follows()) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
   auto expression = compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());

@@ -25,7 +25,7 @@ Result<Named> read(const Machinery& m, const Word& w) {
     return fail(alarm(AlarmId::corrector_unknown, w.where, number));
   named.number = static_cast<std::size_t>(number);
   if (pair) {
-    if (w.value != std::floor(w.value) || w.value < 1 || w.value > 7) return fail(alarm(AlarmId::corrector_axis, w.where, w.value));
+    if (w.value != std::floor(w.value) || w.value < 1 || w.value > 7) return fail(alarm(AlarmId::corrector_axis, w.where, number));
     named.axes = static_cast<AxisMask>(w.value);
     return named;
   }

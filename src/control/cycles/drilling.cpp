@@ -32,7 +32,12 @@ class Drilling {
     const auto row = static_cast<std::int16_t>(call_.row - m_.def.codes.data());
     m_.modal.motion = MotionMode::cycle;
     m_.modal.motion_row = row;
-    if (memory_.row != row) memory_ = CycleMemory{};
+    if (memory_.row != row) {   // only R outlives another cycle or motion (Mach3 10.7.24)
+      CycleMemory kept;
+      kept.level = memory_.level;
+      kept.known = memory_.known & letter_bit('R');
+      memory_ = kept;
+    }
     memory_.row = row;
     KADR_TRY(allowed());
     KADR_TRY(remember());
@@ -53,13 +58,13 @@ class Drilling {
     if (!any) return fail(alarm(AlarmId::no_axis_word, at, call_.row->code));
     if (m_.modal.feed_mode == FeedMode::inverse_time) return fail(alarm(AlarmId::not_together, at, call_.row->code, "G93"));
     if (m_.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, at, call_.row->code));
-    if (m_.modal.polar && (m_.has('X') || m_.has('Y'))) return fail(alarm(AlarmId::polar_motion, at));
+    if (m_.modal.polar && (m_.has('X') || m_.has('Y'))) return fail(alarm(AlarmId::polar_motion, at, call_.row->code));
     KADR_TRY(m_.feed_known(at));
     for (std::size_t a = 3; a < m_.axis_count; ++a) {
       const char letter = letter_of(a);
       if (letter == 0 || !m_.has(letter)) continue;
       const double to = m_.axis_target(*m_.word(letter), a);
-      if (std::fabs(to - m_.position.programmed[a]) > tol::same_angle) return fail(alarm(AlarmId::rotary_motion, m_.where(letter), call_.row->code));
+      if (std::fabs(to - m_.position.programmed[a]) > tol::same_angle) return fail(alarm(AlarmId::rotary_motion, m_.where(letter), letter));
     }
     if (cycle_.needs_spindle_cw && m_.modal.spindle != SpindleDir::cw) return fail(alarm(AlarmId::spindle_direction, at, call_.row->code));
     if (cycle_.needs_spindle && m_.modal.spindle != SpindleDir::cw && m_.modal.spindle != SpindleDir::ccw)

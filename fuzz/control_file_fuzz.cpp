@@ -1,0 +1,36 @@
+// Fuzz target for config/control_file: any text may be a control's file. What is accepted also runs a program and has a page.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "config/control_file.h"
+#include "control/control.h"
+#include "out/code_page.h"
+#include "require.h"
+
+namespace {
+
+constexpr const char* program = "%\nN1 G90 G0 X1 Y2 Z3 F100 S100 M3\nN2 G1 X5 T1 D1 H1 L1\nN3 G2 X1 I1 J1 R1\nN4 M2\n";
+constexpr kadr::RunLimits few_passes{200, 2};
+constexpr int most_batches = 50;
+
+void try_out(const kadr::ControlDef& def) {
+  (void)kadr::control_page(def);
+  kadr::Control control(def, {}, {"fuzz.nc", kadr::text_source(program), std::nullopt}, few_passes);
+  kadr::ActionBatch batch;
+  for (int i = 0; i < most_batches; ++i) {
+    const auto state = control.run(batch);
+    if (state == kadr::Control::State::ended) return;
+    if (state == kadr::Control::State::needs_probe) control.answer({});
+    if (control.is_stopped()) control.go_on();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto def = kadr::parse_control({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
+  if (def) try_out(*def);
+  else kadr::fuzz::require(!def.error().empty(), "a refusal says why");
+  return 0;
+}

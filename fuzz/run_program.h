@@ -1,0 +1,206 @@
+#pragma once
+// A whole run as a fuzz target: text → Control → machine → statistics, plot, trace, alarms in both languages.
+// The first byte holds the switches below, the rest is the program. Checking goes on after alarms.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "config/control_file.h"
+#include "control/control.h"
+#include "machine/virtual_machine.h"
+#include "out/alarm_print.h"
+#include "out/plot.h"
+#include "out/summary.h"
+#include "out/trace.h"
+#include "require.h"
+
+namespace kadr::fuzz {
+
+inline constexpr std::size_t most_actions = 20'000;   // of one run
+inline constexpr std::size_t most_alarms = 200;
+inline constexpr std::size_t most_shown = 40;         // alarms that are put into words
+inline constexpr RunLimits few_passes{2000, 5};
+inline constexpr double farthest_end = 1e8;           // mm: what no motion may reach
+inline constexpr double same_place = 1e-5;            // mm: rounding of coordinates of ten kilometres
+
+/// Switches in the first byte; '@' is none of them.
+enum : unsigned { mirror_x = 1, mirror_y = 2, skip_blocks = 4, narrow_limits = 8, as_cp1251 = 16 };
+
+/// What all runs of a control share.
+struct Shop {
+  ControlDef def;
+  AlarmTexts texts;
+  MachineProfile profile;
+  std::FILE* nowhere;
+
+  static Shop open(const char* control) {
+    auto def = load_control(control);
+    require(def.has_value(), "the control's file is good");
+    auto texts = AlarmTexts::load(&*def);
+    require(texts.has_value(), "the alarm texts are good");
+    return {std::move(*def), std::move(*texts), std::move(*load_machine("generic")), std::fopen("/dev/null", "wb")};
+  }
+};
+
+inline Setup some_setup(unsigned switches) {
+  Setup s;
+  s.start = {{"X", 10}, {"Y", -20}, {"Z", 100}};
+  s.offsets = {{1, {50, 5}}, {2, {-12.5, 0}}, {9, {33.3, 0}}};
+  s.work_offsets = {{"G54", {{"X", 100}, {"Y", 50}}}, {"G55", {{"Z", -25}}}, {"common", {{"X", 1}}}};
+  s.zeros = {{1, {{"X", 100}, {"Y", 50}, {"Z", 7}}}, {2, {{"X", -3}}}};
+  s.correctors = {{1, 0.5}, {2, -0.25}, {15, 9.8}, {17, 2}};
+  s.variables = {{"#100", 3.5}, {"R0", 100}, {"R1", -20000}, {"R2", 1000}, {"R3", 5000}};
+  s.reference_points = {{1, {{"X", 500}, {"Y", 400}, {"Z", 300}}}, {2, {{"Z", 200}}}};
+  s.probe_hole = ProbeHole{1, 0, 0, 40, 0, 10};
+  s.watch = {"#100", "#2000", "#7", "R4"};
+  s.spindle_rpm = 500;
+  s.points = {0.25, 0.5};
+  if ((switches & mirror_x) != 0) s.mirror.emplace_back("X");
+  if ((switches & mirror_y) != 0) s.mirror.emplace_back("Y");
+  if ((switches & skip_blocks) != 0) s.skip = {1, 3};
+  s.optional_stop = (switches & skip_blocks) != 0;
+  if ((switches & narrow_limits) != 0) s.machine["*"].limits = {-300, 300};
+  return s;
+}
+
+inline bool is_finite(const Axes& axes) {
+  for (const double v : axes)
+    if (!std::isfinite(v)) return false;
+  return true;
+}
+inline bool near(double a, double b) { return std::fabs(a - b) <= same_place * (1 + 1e-6 * std::fabs(a)); }
+inline bool near(const Axes& a, const Axes& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!near(a[i], b[i])) return false;
+  return true;
+}
+
+class Run {
+ public:
+  Run(const Shop& shop, std::string text, unsigned switches)
+      : shop_(shop), setup_(some_setup(switches)),
+        control_(shop.def, setup_,
+                 {"fuzz.nc", text_source(std::move(text)), (switches & as_cp1251) != 0 ? std::optional(Encoding::cp1251) : std::nullopt},
+                 few_passes),
+        stand_{control_.ending().position, control_.ending().machine_position},
+        machine_(control_.axes(), control_.rotary(), shop.profile, setup_, stand_),
+        statistics_(control_.axes(), control_.rotary(), rates_of(shop.profile, setup_, control_.axes()), stand_),
+        plot_(control_.axes(), control_.rotary(), stand_),
+        trace_(shop.nowhere, control_.axes(), control_.rotary(), stand_, setup_.points) {
+    require(is_finite(stand_.work) && is_finite(stand_.machine), "the run begins somewhere");
+    control_.on_warning = [this](const AlarmReport& report) { show(report); };
+  }
+
+  void carry_out() {
+    ActionBatch batch;
+    for (Control::State state = Control::State::running; state != Control::State::ended && actions_ < most_actions && alarms_ < most_alarms;) {
+      const Ending before = control_.ending();
+      const std::uint64_t blocks = control_.blocks();
+      state = control_.run(batch);
+      const bool one_block = control_.blocks() == blocks + 1;
+      for (Action& action : batch) take(action);
+      if (state == Control::State::stopped || control_.is_stopped()) {
+        stopped(state == Control::State::stopped && one_block ? &before : nullptr);
+        control_.go_on();
+      }
+    }
+    control_.check_uncalled([this](const AlarmReport& report) { show(report); });
+    const Ending end = control_.ending();
+    if (alarms_ == 0) trace_.finish(end);
+    else trace_.finish(end, last_, shop_.texts, Lang::ru);
+    require(is_utf8(statistics_.text(control_.blocks(), Lang::ru)), "the summary is UTF-8");
+  }
+
+ private:
+  void take(Action& action) {
+    ++actions_;
+    if (auto* const motion = std::get_if<Motion>(&action.what)) {
+      if (motion->kind == MotionKind::probe) {
+        const ProbeAnswer answer = machine_.probe(*motion);
+        end_at(*motion, answer);
+        control_.answer(answer);
+      }
+      check_motion(*motion);
+    }
+    if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
+      require(is_finite(frame->origin) && is_finite(frame->length) && is_finite(frame->work), "the frame is of numbers");
+      frame_ = *frame;
+    }
+    check_other(action);
+    if (const Status taken = machine_.take(action); !taken) show(control_.report_for(taken.error(), action.origin));
+    stand_.take(action);
+    statistics_.take(action);
+    plot_.take(action);
+    trace_.write(action);
+  }
+
+  void check_motion(const Motion& motion) const {
+    require(is_finite(motion.to) && is_finite(motion.machine), "a motion ends somewhere");
+    require(std::isfinite(motion.center.x) && std::isfinite(motion.center.y) && std::isfinite(motion.center.z), "an arc has a centre");
+    require(std::isfinite(motion.feed) && motion.feed >= 0, "the feed is a number");
+    require(std::isfinite(motion.turns) && std::isfinite(motion.tolerance) && motion.tolerance >= 0, "turns and tolerance are numbers");
+    const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
+    require(arc ? motion.turns > 0 : motion.turns == 0, "an arc turns, a line does not");
+    for (std::size_t a = 0; a < control_.axes().size(); ++a) {
+      require(std::fabs(motion.to[a]) < farthest_end && std::fabs(motion.machine[a]) < farthest_end, "a motion ends on this earth");
+      // An axis that does not move keeps a length that its next motion takes out (2С42).
+      const double apart = motion.machine[a] - motion.to[a];
+      const bool in_frame = near(apart, frame_.origin[a] + frame_.length[a]);
+      require(in_frame || near(apart, stand_.machine[a] - stand_.work[a]), "machine = work + origin + length");
+    }
+  }
+
+  static void check_other(const Action& action) {
+    if (const auto* const dwell = std::get_if<Dwell>(&action.what)) require(std::isfinite(dwell->seconds) && dwell->seconds >= 0, "a dwell ends");
+    if (const auto* const spindle = std::get_if<Spindle>(&action.what)) require(std::isfinite(spindle->rpm), "the speed is a number");
+    if (const auto* const message = std::get_if<Message>(&action.what)) require(is_utf8(message->text), "a message is UTF-8");
+  }
+
+  /// `before`: the state before the block that failed, where the run began with it.
+  void stopped(const Ending* before) {
+    ++alarms_;
+    last_ = control_.report();
+    show(last_);
+    const Ending after = control_.ending();
+    require(near(after.position, stand_.work) && near(after.machine_position, stand_.machine), "after an alarm the control stands where the motions led");
+    if (before == nullptr) return;
+    require(before->variables == after.variables, "a faulty block changes no variable");
+    require(before->modal == after.modal, "a faulty block changes no mode");
+  }
+
+  void show(const AlarmReport& report) {
+    if (++shown_ > most_shown) return;
+    std::vector<Finding> findings;
+    for (const Lang lang : {Lang::en, Lang::ru}) {
+      require(is_utf8(alarm_text(report, shop_.texts, lang)), "an alarm is UTF-8");
+      findings.push_back(finding_of(report, shop_.texts, lang));
+      require(!findings.back().text.empty() && findings.back().end_column >= findings.back().column, "an alarm has a text and a place");
+    }
+    require(nlohmann::json::accept(findings_json(findings)), "the list of alarms is JSON");
+    if (shown_ % 8 == 1) require(nlohmann::json::accept(findings_sarif(findings, "0")), "the SARIF log is JSON");
+  }
+
+  const Shop& shop_;
+  Setup setup_;
+  Control control_;
+  ToolPosition stand_;
+  VirtualMachine machine_;
+  Statistics statistics_;
+  Plot plot_;
+  TraceWriter trace_;
+  FrameChange frame_{};
+  AlarmReport last_;
+  std::size_t actions_ = 0;
+  std::size_t alarms_ = 0;
+  std::size_t shown_ = 0;
+};
+
+inline int run_program(const Shop& shop, const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  Run(shop, std::string(reinterpret_cast<const char*>(data) + 1, size - 1), data[0]).carry_out();
+  return 0;
+}
+
+}  // namespace kadr::fuzz

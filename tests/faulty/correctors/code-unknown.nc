@@ -1,0 +1,5 @@
+% LF
+N1 (G81 и M10 нет) LF
+N2 G81 X1. LF
+N3 M10 LF
+N4 M02 LF

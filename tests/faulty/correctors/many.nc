@@ -1,0 +1,9 @@
+% LF
+N1 (много ошибок) LF
+N2 G00 X1. X2. LF
+N3 L17 LF
+N4 G79 X1. LF
+N5 G01 X5. LF
+N6 G00 X1. Y1. L15 LF
+N7 G92 X0. LF
+N8 M02 LF

@@ -1,0 +1,4 @@
+% LF
+N1 (G79 без G87) LF
+N2 G79 X1. Y1. Z0. LF
+N3 M02 LF

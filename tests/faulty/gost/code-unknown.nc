@@ -1,0 +1,5 @@
+%012 LF
+N1 (M77, G33 нет) LF
+N2 M77 LF
+N3 G33 Z1. LF
+N4 M02 LF

@@ -1,0 +1,4 @@
+%012 LF
+N1 (G10 без A и B) LF
+N2 G10 Z84. X0. LF
+N3 M02 LF

@@ -1,0 +1,4 @@
+(the end is not on the circle)
+F100
+G3 X10 Y1 I5 J0
+M2

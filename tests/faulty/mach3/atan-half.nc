@@ -1,0 +1,3 @@
+(ATAN needs a second argument)
+#3=ATAN[1]
+M2

@@ -1,0 +1,3 @@
+(N behind other words)
+G0 X1 N20
+M2

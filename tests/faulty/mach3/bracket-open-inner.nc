@@ -1,0 +1,3 @@
+(inner bracket not closed)
+#1=[2*[3+4]
+M2

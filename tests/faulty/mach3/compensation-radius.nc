@@ -1,0 +1,3 @@
+(radius by P)
+G41 P2.5
+M2

@@ -1,0 +1,6 @@
+(cycle under G41)
+F100 S500 M3
+G0 Z10
+G41 D0
+G81 X1 Z-5 R2
+M2

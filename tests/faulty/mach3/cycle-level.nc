@@ -1,0 +1,5 @@
+(R below Z)
+F100 S500 M3
+G0 Z10
+G81 X1 Z5 R2
+M2

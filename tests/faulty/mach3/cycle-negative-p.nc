@@ -1,0 +1,5 @@
+(P negative)
+F100 S500 M3
+G0 Z10
+G82 X1 Z-5 R2 P-1
+M2

@@ -1,0 +1,5 @@
+(X, Y, Z missing)
+F100 S500 M3
+G0 Z10
+G81 R2
+M2

@@ -1,0 +1,6 @@
+(P missing)
+F100 S500 M3
+G0 Z10
+G82 X1 Z-5 R2
+G89 X1 Z-5 R2
+M2

@@ -1,0 +1,5 @@
+(Q missing)
+F100 S500 M3
+G0 Z10
+G83 X1 Z-5 R2
+M2

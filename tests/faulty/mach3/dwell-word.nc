@@ -1,0 +1,3 @@
+(G4 without P)
+G4
+M2

@@ -1,0 +1,3 @@
+(nothing behind the sign =)
+#1=
+M2

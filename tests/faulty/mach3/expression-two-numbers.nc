@@ -1,0 +1,3 @@
+(operator missing)
+#1=[2 #3]
+M2

@@ -1,0 +1,3 @@
+(no function FOO)
+G0 X[FOO[2]]
+M2

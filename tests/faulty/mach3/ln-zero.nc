@@ -1,0 +1,3 @@
+(logarithm of zero)
+G0 XLN[0]
+M2

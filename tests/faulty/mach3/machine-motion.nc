@@ -1,0 +1,7 @@
+(G53 without G0 or G1)
+F100
+G81 X1 Z-1 R1
+G53 X5
+G80
+G53 X5
+M2

@@ -1,0 +1,19 @@
+(many faults)
+G0 X1 X2
+G77
+G0 G1
+G0 X[1+2
+#1=SQRT[-1]
+G0 X2 Q3
+G1 X5
+F100
+G2 X1 Y1
+G80
+X1
+G0 X1
+G51 Y0
+M98 P5
+(end
+G0 X1..5
+G92
+M2

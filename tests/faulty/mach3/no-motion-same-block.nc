@@ -1,0 +1,3 @@
+(axis word beside G80)
+G80 X5
+M2

@@ -1,0 +1,3 @@
+(no number behind Y)
+G0 X1 Y
+M2

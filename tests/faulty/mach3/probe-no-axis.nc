@@ -1,0 +1,4 @@
+(probe without an axis)
+F100
+G31
+M2

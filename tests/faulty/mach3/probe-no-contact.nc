@@ -1,0 +1,4 @@
+(no contact)
+F100
+G31 Z-10
+M2

@@ -1,0 +1,7 @@
+(O10 calls itself)
+M98 P10
+M2
+O10
+G0 X1
+M98 P10
+M99

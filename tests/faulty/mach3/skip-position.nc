@@ -1,0 +1,3 @@
+(slash in the middle)
+G0 /X1
+M2

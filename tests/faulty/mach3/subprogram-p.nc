@@ -1,0 +1,3 @@
+(M98 without P)
+M98
+M2

@@ -1,0 +1,3 @@
+(tool beyond 255)
+T256 M6
+M2
