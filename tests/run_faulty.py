@@ -100,6 +100,8 @@ def check_json(expected, status, out, err):
     for f in findings:
         if not f['hint'] or not f['text'] or re.search(r'\{\d?\}', f['text']):
             raise Failure(f'{f["line"]}:{f["column"]} {f["id"]}: text or hint is not complete: {f["text"]!r} {f["hint"]!r}')
+        if '\N{REPLACEMENT CHARACTER}' in f['line_text']:
+            raise Failure(f'{f["line"]}:{f["column"]}: the line is not decoded: {f["line_text"]!r}')
     return findings
 
 

@@ -77,6 +77,10 @@ Checked check_file(const Options& options, const std::string& file, std::vector<
   auto program = open_program(*job);
   if (!program) return Checked::unreadable;
   Control control(*job->def, job->setup, std::move(*program), options.limits);
+  if (!control.setup_error().empty()) {
+    complain(fmt::format("{}: the control {} has no {}", options.setup, job->def->id, control.setup_error()));
+    return Checked::unreadable;
+  }
   Collector collector(*job, options, findings);
   Progress progress(options.quiet);
   const auto take = [&](const AlarmReport& report) { return collector.take(report); };

@@ -40,7 +40,7 @@ void program_options(CLI::App& app, Options& o) {
   app.add_option("--machine", o.machine, "machine profile: an id or a file NAME.toml (default: generic)");
   app.add_option("--setup", o.setup, "state before the start: a JSON file");
   app.add_option("--encoding", o.encoding, "of the text: utf-8, cp1251, koi8-r, cp866, iso7 (default: detected)");
-  app.add_option("--skip", o.skip, "skip switches that are on, 1 to 9");
+  app.add_option("--skip", o.skip, "skip switches that are on, 1 to 9")->check(CLI::Range(1, 9));
   app.add_flag("--optional-stop", o.optional_stop, "stop at M01");
   app.add_option("--max-blocks", o.limits.repeated_blocks, "stop a program that repeats more blocks than this")->capture_default_str();
   app.add_option("--max-passes", o.limits.restarts, "stop an endless program (M99, M47) after so many passes")->capture_default_str();

@@ -25,7 +25,11 @@ std::optional<std::string> control_of(const Options& options, const std::string&
     return std::nullopt;
   }
   LineReader reader(std::move(source));
-  const Guess guess = guess_control(reader.sample());
+  std::string text;
+  const std::string_view sample = reader.sample();
+  const auto encoding = options.encoding.empty() ? detect_encoding(sample) : encoding_named(options.encoding);
+  if (encoding) (void)append_utf8(sample, *encoding, text);   // up to the first damaged byte
+  const Guess guess = guess_control(encoding ? std::string_view(text) : sample);
   const bool ru = language(options) == Lang::ru;
   complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
               : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));

@@ -58,7 +58,7 @@ int run(const Options& options) {
   const Lang lang = language(options);
   Control control(*job->def, job->setup, std::move(*program), options.limits);
   if (!control.setup_error().empty()) {
-    complain(fmt::format("{}: modal: the control has no {}", options.setup, control.setup_error()));
+    complain(fmt::format("{}: the control {} has no {}", options.setup, job->def->id, control.setup_error()));
     return wrong_usage;
   }
   const Ending start = control.ending();

@@ -29,7 +29,7 @@ tl::expected<toml::table, std::string> merged(std::string_view text, const std::
   }
   auto under = merged(base_text ? *base_text : std::string_view(*own_text), base_text ? name : *base, lineage);
   if (!under) return under;
-  toml_tools::merge(*under, table);
+  toml_tools::merge(*under, std::move(table));
   return under;
 }
 

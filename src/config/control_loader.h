@@ -32,6 +32,15 @@ class ControlLoader {
   const toml::table* section(std::string_view key) const { return file_[key].as_table(); }
   /// Whole number of a key, 0 to `most`; where it is none, load() fails.
   std::uint32_t whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most);
+  /// Value of a key that must have its type; where it has not, load() fails.
+  template <class T>
+  T typed(const toml::table& row, std::string_view key, T otherwise, std::string_view form) {
+    const toml::node* const node = row.get(key);
+    if (node == nullptr) return otherwise;
+    if (const auto value = node->value<T>(); value && node->is_boolean() == std::is_same_v<T, bool>) return *value;
+    if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + std::string(key) + " must be " + std::string(form);
+    return otherwise;
+  }
   Done grammar();
   static char first_letter(const toml::table& t, std::string_view key);
   Done behaviour();
@@ -65,7 +74,7 @@ class ControlLoader {
   ControlDef def_;
   std::map<char, std::uint8_t> most_codes_;
   std::vector<std::string> initial_;
-  std::string bad_number_;         // the first number that whole() refused
+  std::string bad_value_;         // the first number that whole() refused
 };
 
 }  // namespace kadr

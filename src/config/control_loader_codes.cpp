@@ -31,7 +31,7 @@ Done ControlLoader::groups() {
     const toml::table* const row = node.as_table();
     if (row == nullptr) return Failed(place(name_, node) + "a group is a table");
     KADR_LOAD(known_keys(*row, {"modal", "initial", "en", "ru"}));
-    def_.groups.push_back({std::string(key.str()), (*row)["modal"].value_or(true), -1, text_of(*row)});
+    def_.groups.push_back({std::string(key.str()), typed(*row, "modal", true, "true or false"), -1, text_of(*row)});
     initial_.push_back((*row)["initial"].value_or(std::string()));
   }
   return {};
@@ -92,15 +92,15 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
     if (index < 0) return Failed(place(name_, row) + "no group '" + *group + "'");
     c.group = static_cast<std::uint8_t>(index);
   }
-  c.modal = row["modal"].value_or(c.group != 0 && def_.groups[c.group].modal);
-  c.own_block = row["own_block"].value_or(false);
+  c.modal = typed(row, "modal", c.group != 0 && def_.groups[c.group].modal, "true or false");
+  c.own_block = typed(row, "own_block", false, "true or false");
   c.takes = letters(row["takes"].value_or(std::string()));
   c.needs = letters(row["needs"].value_or(std::string()));
-  c.needs_axis = row["needs_axis"].value_or(false);
+  c.needs_axis = typed(row, "needs_axis", false, "true or false");
   if (const toml::array* const with = row["with"].as_array(); with != nullptr && !with->empty())
     c.with = static_cast<std::int32_t>(std::strtod((*with)[0].value_or(std::string(" 0")).c_str() + 1, nullptr) * 10 + 0.5);
   for (int i = 0; i < 26; ++i)
-    if ((c.takes >> i & 1u) != 0 && !def_.grammar.words[static_cast<std::size_t>(i)].known && !(def_.grammar.zero_between_slashes && i == 0))
+    if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count && !(def_.grammar.zero_between_slashes && i == 0))
       return Failed(place(name_, row) + "takes: no address " + static_cast<char>('A' + i));
   c.text = text_of(row);
   c.manual = row["manual"].value_or(std::string());
@@ -156,9 +156,9 @@ Done ControlLoader::cycles() {
       for (const auto& line : *body) c.body += line.value_or(std::string()) + "\n";
     if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + "a cycle has steps or a body");
     c.needs = letters((*row)["needs"].value_or(std::string()));
-    c.needs_spindle = (*row)["needs_spindle"].value_or(false);
-    c.needs_spindle_cw = (*row)["needs_spindle_cw"].value_or(false);
-    c.needs_override_off = (*row)["needs_override_off"].value_or(false);
+    c.needs_spindle = typed(*row, "needs_spindle", false, "true or false");
+    c.needs_spindle_cw = typed(*row, "needs_spindle_cw", false, "true or false");
+    c.needs_override_off = typed(*row, "needs_override_off", false, "true or false");
     c.text = text_of(*row);
     c.manual = (*row)["manual"].value_or(std::string());
     def_.cycles.push_back(std::move(c));

@@ -35,7 +35,7 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   KADR_LOAD(alarms());
   code_table("feed_codes", def_.feed_codes);
   code_table("speed_codes", def_.speed_codes);
-  if (!bad_number_.empty()) return Failed(bad_number_);
+  if (!bad_value_.empty()) return Failed(bad_value_);
   return std::move(def_);
 }
 
@@ -44,7 +44,7 @@ std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key,
   if (node == nullptr) return otherwise;
   const auto number = node->value_exact<std::int64_t>();
   if (number && *number >= 0 && *number <= std::int64_t{most}) return static_cast<std::uint32_t>(*number);
-  if (bad_number_.empty()) bad_number_ = place(name_, *node) + std::string(key) + " must be a whole number from 0 to " + std::to_string(most);
+  if (bad_value_.empty()) bad_value_ = place(name_, *node) + std::string(key) + " must be a whole number from 0 to " + std::to_string(most);
   return otherwise;
 }
 
@@ -66,7 +66,7 @@ Done ControlLoader::grammar() {
                             "block_length", "formal_parameter", "parameters_in", "most_codes", "semicolon_comments", "slash_comments",
                             "expressions", "variables", "label", "section", "lower_case", "end_of_block", "main_blocks", "skip_levels",
                             "mark_everywhere", "zero_between_slashes"}));
-  const auto flag = [&](const char* key, bool& to) { to = (*t)[key].value_or(to); };
+  const auto flag = [&](const char* key, bool& to) { to = typed(*t, key, to, "true or false"); };
   flag("block_number_required", g.block_number_required);
   flag("program_start_required", g.program_start_required);
   flag("percent_number", g.percent_number);
@@ -103,8 +103,8 @@ Done ControlLoader::behaviour() {
   if (t == nullptr) return {};
   Behaviour& b = def_.behaviour;
   std::set<std::string_view> known = {"arc_centers", "length_offset"};
-  const auto flag = [&](const char* key, bool& to) { known.insert(key); to = (*t)[key].value_or(to); };
-  const auto number = [&](const char* key, double& to) { known.insert(key); to = (*t)[key].value_or(to); };
+  const auto flag = [&](const char* key, bool& to) { known.insert(key); to = typed(*t, key, to, "true or false"); };
+  const auto number = [&](const char* key, double& to) { known.insert(key); to = typed(*t, key, to, "a number"); };
   const auto count = [&](const char* key, std::uint32_t& to, std::uint32_t most) {
     known.insert(key);
     to = whole(*t, key, to, most);
@@ -133,7 +133,9 @@ Done ControlLoader::behaviour() {
   if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
   else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;
   else if (centers != "incremental") return Failed(place(name_, *t) + "arc_centers: incremental, as_distance or by_code");
-  b.length_offset = (*t)["length_offset"].value_or(std::string()) == "at_once" ? LengthOffset::at_once : LengthOffset::next_motion;
+  const std::string length = (*t)["length_offset"].value_or(std::string("next_motion"));
+  if (length == "at_once") b.length_offset = LengthOffset::at_once;
+  else if (length != "next_motion") return Failed(place(name_, *t->get("length_offset")) + "length_offset: at_once or next_motion");
   for (const auto& [key, node] : *t)
     if (!known.contains(key.str())) return Failed(place(name_, node) + "unknown behaviour '" + std::string(key.str()) + "'");
   return {};
@@ -218,10 +220,10 @@ Done ControlLoader::address(char letter, const toml::table& row) {
   }
   const std::string unit = row["unit"].value_or(std::string());
   a.unit = unit == "length" ? WordUnit::length : unit == "angle" ? WordUnit::angle : WordUnit::none;
-  a.scale = row["scale"].value_or(1.0);
-  a.least = row["least"].value_or(a.least);
-  a.most = row["most"].value_or(a.most);
-  a.whole = row["whole"].value_or(false);
+  a.scale = typed(row, "scale", 1.0, "a number");
+  a.least = typed(row, "least", a.least, "a number");
+  a.most = typed(row, "most", a.most, "a number");
+  a.whole = typed(row, "whole", false, "true or false");
   a.text = text_of(row);
   a.manual = row["manual"].value_or(std::string());
   a.format = row["format"].value_or(std::string());
@@ -240,13 +242,14 @@ Done ControlLoader::word_format(char letter, const toml::table& row, const Addre
     if (!parsed) return Failed(place(name_, row) + parsed.error());
     w = *parsed;
   }
-  w.known = true;
+  // A format string says which addresses there are; a row with a format of its own adds one.
+  w.known = def_.descriptor.empty() || !a.format.empty() || w.known || a.function == Function::formal_parameter;
   w.parameter = parameter;
-  w.second_number = row["second"].value_or(false);
+  w.second_number = typed(row, "second", false, "true or false");
   w.code = a.function == Function::code;
   if (w.code && w.at_most == 1) w.at_most = 0;
   if (most_codes_.contains(letter)) w.at_most = most_codes_[letter];
-  if (row["many"].value_or(false)) w.at_most = 0;
+  if (typed(row, "many", false, "true or false")) w.at_most = 0;
   return {};
 }
 

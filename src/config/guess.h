@@ -12,7 +12,7 @@ struct Guess {
   std::string reason_ru;
 };
 
-/// `sample`: the first bytes of the program, in whatever encoding (only the ASCII part is looked at, and ПС in UTF-8).
+/// `sample`: the beginning of the program, UTF-8.
 Guess guess_control(std::string_view sample);
 
 }  // namespace kadr

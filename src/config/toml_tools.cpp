@@ -21,18 +21,19 @@ std::optional<std::string_view> embedded_text(std::string_view name) {
   return std::nullopt;
 }
 
-void merge(toml::table& under, const toml::table& over) {
-  for (const auto& [key, node] : over) {
+void merge(toml::table& under, toml::table&& over) {
+  for (auto&& [key, node] : over) {
     toml::table* const old = under[key].as_table();
-    if (const toml::table* const table = node.as_table(); table != nullptr && old != nullptr)
-      merge(*old, *table);
+    if (toml::table* const table = node.as_table(); table != nullptr && old != nullptr)
+      merge(*old, std::move(*table));
     else
-      under.insert_or_assign(key, node);
+      node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });   // moved: a copy forgets its place
   }
 }
 
 std::string place(const std::string& file, const toml::node& node) {
-  return file + ":" + std::to_string(node.source().begin.line) + ": ";
+  const toml::source_path_ptr& path = node.source().path;   // of the file it extends, it may be
+  return (path ? *path : file) + ":" + std::to_string(node.source().begin.line) + ": ";
 }
 
 Text text_of(const toml::table& row) {

@@ -17,7 +17,7 @@ std::optional<std::string> read_text(const std::string& path);
 std::optional<std::string_view> embedded_text(std::string_view name);
 
 /// Lays `over` on `under`: tables key by key, anything else replaced.
-void merge(toml::table& under, const toml::table& over);
+void merge(toml::table& under, toml::table&& over);
 
 /// "file:line: "
 std::string place(const std::string& file, const toml::node& node);

@@ -47,7 +47,7 @@ struct Motion {
 struct Dwell { double seconds; };
 enum class SpindleDir : std::uint8_t { stop, cw, ccw, orient };
 struct Spindle { SpindleDir dir; double rpm; };               // rev/min
-struct Speed { double rpm; };                                 // a new speed of the turning or standing spindle
+struct Speed { double value; bool surface; };                 // a new speed: rev/min, or m/min at the surface (G96)
 enum class Coolant : std::uint8_t { off, mist, flood };
 struct CoolantSwitch { Coolant what; };
 struct ToolSelect { std::uint32_t tool; std::uint32_t corrector; };

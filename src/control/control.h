@@ -64,7 +64,7 @@ class Control {
   Encoding encoding() const;
   bool encoding_was_guessed() const;
   const std::vector<std::string>& axes() const;
-  /// A code word of the set-up's `modal` that this control does not know; empty: all is well.
+  /// What the set-up names and this control has not ("modal: G999", "start: axis Q"); empty: all is well.
   const std::string& setup_error() const;
   std::uint32_t rotary() const;
 

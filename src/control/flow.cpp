@@ -31,7 +31,7 @@ std::string text_of_bodies(const ControlDef& def, std::map<std::string, Position
 }  // namespace
 
 Flow::Flow(const ControlDef& def, Program program, RunLimits limits)
-    : def_(def), file_(std::move(program.file)), limits_(limits), program_(std::move(program.source), def.grammar, program.encoding),
+    : def_(def), file_(std::move(program.file)), limits_(limits), source_(std::move(program.source)), program_(source_, def.grammar, program.encoding),
       body_grammar_(grammar_of_bodies(def.grammar)) {
   std::string bodies = text_of_bodies(def, body_starts_);
   if (!bodies.empty()) bodies_ = std::make_unique<BlockReader>(text_source(std::move(bodies)), body_grammar_, Encoding::utf8);
@@ -149,17 +149,22 @@ Status Flow::restart(Span where) {
   return {};
 }
 
+BlockReader& Flow::elsewhere() {
+  if (!elsewhere_) elsewhere_ = std::make_unique<BlockReader>(source_, def_.grammar, program_.encoding());
+  return *elsewhere_;
+}
+
 /// Reads the file once for the beginnings of its subprograms. Faults are left to the blocks that are carried out.
 void Flow::make_index() {
   indexed_ = true;
-  const Position here = program_.position();
-  program_.seek({});
+  BlockReader& reader = elsewhere();
+  reader.seek({});
   auto block = std::make_unique<Block>();
   bool in_section = false;
   std::int64_t current = -1;   // subprogram of the blocks that are being read
   for (;;) {
-    const Position at = program_.position();
-    const auto got = program_.next(*block);
+    const Position at = reader.position();
+    const auto got = reader.next(*block);
     if (got && *got == BlockReader::Got::end) break;
     std::optional<std::uint32_t> name;
     if (def_.behaviour.subprograms_by_section) {
@@ -178,19 +183,20 @@ void Flow::make_index() {
     auto [label, added] = labels_.try_emplace(*name, Label{block->position.offset == at.offset ? at : block->position, false, false});
     if (!added) label->second.twice = true;
   }
-  program_.seek(here);
 }
 
 void Flow::each_uncalled(const std::function<void(Result<BlockReader::Got>, const Block&)>& visit) {
   if (def_.grammar.label_address == 0 && !def_.behaviour.subprograms_by_section) return;
   if (!indexed_) make_index();
   auto block = std::make_unique<Block>();
+  BlockReader& reader = elsewhere();
+  visiting_ = true;
   for (const auto& [name, label] : labels_) {
     if (label.called || passed_.contains(name)) continue;
-    program_.seek(label.position);
+    reader.seek(label.position);
     bool first = true;
     for (;;) {
-      const auto got = program_.next(*block);
+      const auto got = reader.next(*block);
       if (got && *got == BlockReader::Got::end) break;
       const bool other = block->marker != Marker::none || (def_.behaviour.subprograms_by_section && block->number_digits == 5 && block->number / 1000 != name);
       if (!first && other) break;
@@ -198,6 +204,7 @@ void Flow::each_uncalled(const std::function<void(Result<BlockReader::Got>, cons
       first = false;
     }
   }
+  visiting_ = false;
 }
 
 std::string Flow::name_of(const ControlDef& def, const CallFrame& frame) {

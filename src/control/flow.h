@@ -56,7 +56,8 @@ class Flow {
   bool ended() const { return ended_; }
   /// Leaves the innermost call or repetition whose end was not found; in a repetition to go on at `again`.
   void abandon(std::optional<Position> again);
-  std::string shown(std::string_view text, Span& place) const { return reader_ == 0 ? program_.shown(text, place) : std::string(text); }
+  std::string shown(std::string_view text, Span& place) const { return visiting_ ? elsewhere_->shown(text, place) : reader_ == 0 ? program_.shown(text, place) : std::string(text); }
+  bool is_indexed() const { return indexed_; }
   bool in_body() const { return reader_ == 1; }
   std::size_t depth() const { return frames_.size(); }
   const std::vector<CallFrame>& frames() const { return frames_; }
@@ -86,12 +87,15 @@ class Flow {
   Status push(CallFrame frame, Span where);
   Status count_block(const Block& block);
   void make_index();
+  BlockReader& elsewhere();
   void go_to(std::uint8_t reader, Position position);
 
   const ControlDef& def_;
   std::string file_;
   RunLimits limits_;
+  std::shared_ptr<ByteSource> source_;
   BlockReader program_;
+  std::unique_ptr<BlockReader> elsewhere_;   // reads the file in other places: the block in hand keeps its text
   Grammar body_grammar_;
   std::unique_ptr<BlockReader> bodies_;
   std::map<std::string, Position> body_starts_;
@@ -100,6 +104,7 @@ class Flow {
   std::map<std::uint32_t, Label> labels_;
   std::set<std::uint32_t> passed_;
   bool indexed_ = false;
+  bool visiting_ = false;      // each_uncalled is at work
   bool ended_ = false;
   std::uint32_t restarts_ = 0;
   std::uint64_t blocks_ = 0;

@@ -148,6 +148,12 @@ Status machine_point(Machinery& m, const Call&) { return machine_motion(m, Motio
 /// G10 (GOST turning example): rapid to a polar point: pole by axis words, radius B, angle A from the first of them.
 /// What a word leaves out stays as it was.
 Status pole_rapid(Machinery& m, const Call& call) {
+  m.modal.motion = MotionMode::rapid;
+  m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());   // N11, N12: in force, B or A alone
+  if (call.row->modal) {
+    m.modal.motion = MotionMode::rapid;
+    m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
+  }
   const bool turning = m.modal.plane == Plane::zx || (m.has('Z') && !m.has('Y'));
   const std::size_t along = turning ? 2 : 0;
   const std::size_t across = turning ? 0 : 1;

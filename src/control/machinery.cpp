@@ -83,6 +83,12 @@ void Machinery::fail_with(const Alarm& failed) {
   stopped_ = true;
 }
 
+void Machinery::hold_text() {
+  if (flow.is_indexed()) return;
+  held_text_ = block.text;
+  block.text = held_text_;
+}
+
 void Machinery::warn(const Alarm& alarm) {
   if (*on_warning) (*on_warning)(report_of(alarm, origin, block.text));
 }

@@ -91,6 +91,8 @@ class Machinery {
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
   void apply_mirror();
   void warn(const Alarm& alarm);
+  /// The first call reads the whole file through the block's own reader: the block's text is kept meanwhile.
+  void hold_text();
 
   // ---- what the functions work on
 
@@ -116,7 +118,7 @@ class Machinery {
   bool optional_stop_on = false;
   std::array<bool, 10> skip_switches{};
   std::array<bool, max_axes> mirror_switches{};   // panel mode of the 2С42 (6.8)
-  std::string start_error;                 // word of the set-up's `modal` that the control does not know
+  std::string start_error;                 // what the set-up names and the control has not
 
   std::string call_text;                   // block that called the cycle body being carried out, and its L word
   Span call_where;
@@ -144,6 +146,7 @@ class Machinery {
   };
 
   void read_setup(const Setup& setup);
+  void check_setup(const Setup& setup);
   void start_modal(const Setup& setup);
   bool starts(const std::string& text) const;
   Status execute();
@@ -171,6 +174,7 @@ class Machinery {
   bool skipping_section_ = false;
   bool first_frames_ = true;
   std::vector<std::string> watch_;
+  std::string held_text_;
 };
 
 /// What a row's function does (control/functions.cpp).

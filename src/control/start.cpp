@@ -24,12 +24,34 @@ int zero_number(const std::string& name) {
 
 }  // namespace
 
+/// What the set-up names and this control has not: axes, numbers beyond its tables.
+void Machinery::check_setup(const Setup& setup) {
+  const auto note = [&](const std::string& what) { if (start_error.empty()) start_error = what; };
+  const auto axes_known = [&](const char* key, const AxisValues& values) {
+    for (const auto& [axis, value] : values)
+      if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note(std::string(key) + ": axis " + axis);
+  };
+  const auto in_table = [&](const char* key, int number, std::size_t size) {
+    if (number < 0 || static_cast<std::size_t>(number) >= size) note(std::string(key) + ": number " + std::to_string(number));
+  };
+  for (const std::string& axis : setup.axes)
+    if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note("axes: axis " + axis);
+  axes_known("start", setup.start);
+  for (const std::string& axis : setup.mirror) axes_known("mirror", {{axis, 0.0}});
+  for (const auto& [number, offset] : setup.offsets) in_table("offsets", number, tables.offsets.size());
+  for (const auto& [number, value] : setup.correctors) in_table("correctors", number, tables.correctors.size());
+  for (const auto& [number, zero] : setup.zeros) in_table("zeros", number, tables.zeros.size()), axes_known("zeros", zero);
+  for (const auto& [number, point] : setup.reference_points) in_table("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
+  for (const auto& [name, zero] : setup.work_offsets) axes_known("work_offsets", zero);
+}
+
 void Machinery::read_setup(const Setup& setup) {
   axis_names = def.axes;
   axis_count = axis_names.size();
   tables.offsets.resize(def.behaviour.offsets + 1);
   tables.correctors.resize(def.behaviour.offsets + 1);
   corrector_applied.resize((def.behaviour.offsets + 1) * 3);
+  check_setup(setup);
   for (const auto& [number, offset] : setup.offsets)
     if (number >= 0 && static_cast<std::size_t>(number) < tables.offsets.size()) tables.offsets[static_cast<std::size_t>(number)] = offset;
   for (const auto& [number, mm] : setup.correctors)
@@ -86,7 +108,8 @@ void Machinery::start_modal(const Setup& setup) {
     if (lex_block(text, 0, true, plain, block)) (void)execute();
   };
   run_words(words);
-  for (const std::string& word : setup.modal) start_error = start_error.empty() && !starts(word) ? word : start_error;
+  for (const std::string& word : setup.modal)
+    if (start_error.empty() && !starts(word)) start_error = "modal: " + word;
   std::string given;
   for (const std::string& word : setup.modal) given += word + " ";
   run_words(given);

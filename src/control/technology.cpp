@@ -74,7 +74,7 @@ Status speed_word(Machinery& m, const Call& call) {
     return {};
   }
   m.modal.rpm = rpm;
-  if (!turns_spindle(m)) m.emit(Speed{rpm});
+  if (!turns_spindle(m)) m.emit(Speed{rpm, m.modal.surface_speed});
   return {};
 }
 

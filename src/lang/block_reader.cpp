@@ -15,7 +15,7 @@ bool has_high_bytes(std::string_view bytes) {
 
 }  // namespace
 
-BlockReader::BlockReader(std::unique_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
+BlockReader::BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
     : lines_(std::move(source)), grammar_(grammar), encoding_(encoding) {
   if (encoding_) return;
   encoding_ = detect_encoding(lines_.sample());

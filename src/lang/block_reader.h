@@ -13,7 +13,7 @@ namespace kadr {
 class BlockReader {
  public:
   /// `encoding`: named by the user; otherwise guessed from the first bytes that need it.
-  BlockReader(std::unique_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
+  BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
 
   enum class Got : std::uint8_t { block, end };
 

@@ -118,7 +118,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path) {
 
 std::unique_ptr<ByteSource> text_source(std::string text) { return std::make_unique<TextSource>(std::move(text)); }
 
-LineReader::LineReader(std::unique_ptr<ByteSource> source)
+LineReader::LineReader(std::shared_ptr<ByteSource> source)
     : source_(std::move(source)), window_(window_bytes, '\0'), next_read_(window_bytes) {
   fill();
   bare_cr_ = has_bare_cr({window_.data(), filled_});

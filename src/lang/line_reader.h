@@ -38,7 +38,7 @@ std::unique_ptr<ByteSource> text_source(std::string text);
 /// A UTF-8 byte order mark at the beginning is passed over; nothing behind the last end of line is no line.
 class LineReader {
  public:
-  explicit LineReader(std::unique_ptr<ByteSource> source);
+  explicit LineReader(std::shared_ptr<ByteSource> source);
 
   /// The next line; false at the end.
   bool next(Line& line);
@@ -57,7 +57,7 @@ class LineReader {
   std::size_t find_end();
   bool skip_rest();
 
-  std::unique_ptr<ByteSource> source_;
+  std::shared_ptr<ByteSource> source_;   // shared with readers of other places of the file
   std::string window_;
   std::string sample_;
   std::string long_line_;             // beginning of a line that is too long

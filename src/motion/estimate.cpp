@@ -73,7 +73,7 @@ void TimeEstimate::other(const Action& action) {
     turning_ = starts;
     if (starts) rpm_ = spindle->rpm;
   } else if (const auto* speed = std::get_if<Speed>(&action.what)) {
-    rpm_ = speed->rpm;
+    rpm_ = speed->surface ? 0 : speed->value;
   } else if (std::holds_alternative<ToolChange>(action.what)) {
     split_.tool_change += rates_.tool_change_s;
   }

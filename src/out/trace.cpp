@@ -61,7 +61,9 @@ std::string fields_of(const Action& action) {
     std::string operator()(const Spindle& s) const {
       return R"(spindle","spindle":1,"dir":")" + std::string(dir_names[index(s.dir)]) + R"(","rpm":)" + number_string(s.rpm);
     }
-    std::string operator()(const Speed& s) const { return R"(speed","spindle":1,"rpm":)" + number_string(s.rpm); }
+    std::string operator()(const Speed& s) const {
+      return (s.surface ? R"(speed","spindle":1,"surface_speed":)" : R"(speed","spindle":1,"rpm":)") + number_string(s.value);
+    }
     std::string operator()(const CoolantSwitch& c) const {
       return R"(coolant","what":")" + std::string(coolant_names[index(c.what)]) + R"(","code":")" + std::string(coolant_codes[index(c.what)]) + '"';
     }

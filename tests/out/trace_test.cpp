@@ -68,7 +68,7 @@ TEST(trace, other_actions) {
   const std::string head = R"(","block":"N010","line":3,"col":5)";
   EXPECT_EQ(line_of_what(Dwell{2.5}), R"({"do":"dwell)" + head + R"(,"seconds":2.5})" "\n");
   EXPECT_EQ(line_of_what(Spindle{SpindleDir::ccw, 600}), R"({"do":"spindle)" + head + R"(,"spindle":1,"dir":"ccw","rpm":600})" "\n");
-  EXPECT_EQ(line_of_what(Speed{700}), R"({"do":"speed)" + head + R"(,"spindle":1,"rpm":700})" "\n");
+  EXPECT_EQ(line_of_what(Speed{700, false}), R"({"do":"speed)" + head + R"(,"spindle":1,"rpm":700})" "\n");
   EXPECT_EQ(line_of_what(CoolantSwitch{Coolant::flood}), R"({"do":"coolant)" + head + R"(,"what":"flood","code":"M8"})" "\n");
   EXPECT_EQ(line_of_what(ToolSelect{4, 0}), R"({"do":"tool)" + head + R"(,"tool":4})" "\n");
   EXPECT_EQ(line_of_what(ToolChange{4}), R"({"do":"toolchange)" + head + R"(,"tool":4})" "\n");

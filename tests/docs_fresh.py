@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""The pages docs/controls/ID.md are what dev/docs makes of the controls built into the program, and each has its notes.
+
+    docs_fresh.py --kadr build/kadr
+
+Prints a line per page that is out of date, then `N passed, N failed`. Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+"""
+import argparse
+import difflib
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGES = ROOT / 'docs' / 'controls'
+TIME_LIMIT_S = 60
+
+
+def made_by(kadr, folder):
+    """Name → text of the pages that dev/docs writes now."""
+    subprocess.run([ROOT / 'dev' / 'docs', folder], env={**os.environ, 'KADR': kadr}, check=True, timeout=TIME_LIMIT_S)
+    return {page.name: page.read_text(encoding='utf-8') for page in sorted(Path(folder).iterdir())}
+
+
+def faults_of(name, text):
+    """What is wrong with one page."""
+    page = PAGES / name
+    if not page.is_file():
+        yield 'is missing'
+        return
+    there = page.read_text(encoding='utf-8')
+    if there != text:
+        lines = difflib.unified_diff(there.splitlines(), text.splitlines(), 'there', 'now', lineterm='', n=0)
+        yield 'is out of date, run dev/docs\n' + '\n'.join(f'    {line}' for line in list(lines)[2:8])
+    notes = PAGES / f'{page.stem}-notes.md'
+    if not notes.is_file():
+        yield f'has no {notes.name}'
+    elif f']({name})' not in notes.read_text(encoding='utf-8'):
+        yield f'{notes.name} does not link to it'
+
+
+def main():
+    parser = argparse.ArgumentParser(description='Are the generated pages up to date?')
+    parser.add_argument('--kadr', required=True, help='the program under test')
+    kadr = os.path.abspath(parser.parse_args().kadr)
+    if not os.access(kadr, os.X_OK):
+        print(f'{kadr}: not a program', file=sys.stderr)
+        return 2
+    with tempfile.TemporaryDirectory() as folder:
+        pages = made_by(kadr, folder)
+    passed, failed = 0, 0
+    for name, text in pages.items():
+        faults = list(faults_of(name, text))
+        for fault in faults:
+            print(f'FAILED docs/controls/{name} {fault}')
+        passed, failed = passed + (not faults), failed + bool(faults)
+    known = set(pages) | {f'{Path(name).stem}-notes.md' for name in pages}
+    for stray in sorted(page.name for page in PAGES.iterdir() if page.name not in known):
+        print(f'FAILED docs/controls/{stray} belongs to no control')
+        failed += 1
+    print(f'{passed} passed, {failed} failed')
+    return 0 if passed and not failed else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())

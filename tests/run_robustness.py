@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+"""What no input and no surroundings may do to kadr: crash, hang, eat memory, leave a broken trace.
+
+    run_robustness.py --kadr build/kadr             all checks
+    run_robustness.py --kadr build/kadr --only 'sig*'
+
+Each check_… function below is one; it makes its program in a temporary folder and raises Failure.
+Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+"""
+import argparse
+import fnmatch
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+TIME_LIMIT_S = 20
+MEMORY_LIMIT_MB = 64
+CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors')
+
+
+class Failure(Exception):
+    """Why a check failed, for a person."""
+
+
+def expect(holds, why):
+    if not holds:
+        raise Failure(why)
+
+
+class Kadr:
+    """The program under test, and a folder for its files."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, Path(folder)
+        self.sanitized = b'__asan_init' in Path(program).read_bytes()
+
+    def file(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return str(path)
+
+    def start(self, *arguments, **pipes):
+        streams = {'stdin': subprocess.DEVNULL, 'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **pipes}
+        return subprocess.Popen([self.program, *arguments], cwd=self.folder, **streams)
+
+    def run(self, *arguments, expected=(0, 1)):
+        """Runs to the end; exit status and text of stderr. Guards time, memory, signals."""
+        with open(self.folder / 'stdout', 'wb') as out, open(self.folder / 'stderr', 'wb') as err:
+            process = self.start(*arguments, stdout=out, stderr=err)
+            begin = time.monotonic()
+            while True:
+                pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+                if pid:
+                    break
+                if time.monotonic() - begin > TIME_LIMIT_S:
+                    process.kill()
+                    process.wait()
+                    raise Failure(f'{arguments[0]}: no end within {TIME_LIMIT_S} s')
+                time.sleep(0.01)
+        process.returncode = code = os.waitstatus_to_exitcode(status)
+        text = (self.folder / 'stderr').read_bytes().decode(errors='replace')
+        expect(code in expected, f'{" ".join(arguments[:3])}: exit status {code}, expected {expected}; {text[:300]}')
+        megabytes = usage.ru_maxrss / 1024
+        expect(self.sanitized or megabytes < MEMORY_LIMIT_MB, f'{arguments[0]} took {megabytes:.0f} MB')
+        return code, text
+
+    def faults(self, file, control):
+        """Ids of the faults that `kadr check` finds."""
+        self.run('check', file, '--control', control, '--format', 'json', '--quiet', '--lang', 'en')
+        return [fault['id'] for fault in json.loads((self.folder / 'stdout').read_text(encoding='utf-8'))]
+
+
+# ---- programs that are none
+
+def check_long_line(kadr):
+    path = kadr.file('long.nc', 'G0 X1\n')
+    with open(path, 'r+b') as file:
+        for _ in range(64):
+            file.seek(0, os.SEEK_END)
+            file.write(b'X' * (1 << 20))
+    expect('line_too_long' in kadr.faults(path, 'mach3'), 'line_too_long is not named')
+    kadr.run('run', path, '--control', 'mach3', '--quiet', expected=(1,))
+
+
+def check_zeros(kadr):
+    path = kadr.file('zeros.nc', '')
+    os.truncate(path, 20 << 20)
+    for control in CONTROLS:
+        expect('line_too_long' in kadr.faults(path, control), f'{control}: line_too_long is not named')
+
+
+def check_junk(kadr):
+    path = kadr.file('junk.nc', random.Random(1).randbytes(2 << 20))
+    for control in CONTROLS:
+        expect(kadr.faults(path, control), f'{control}: no fault')
+    kadr.run('run', path, '--quiet', expected=(1,))   # the control is guessed
+    kadr.run('tape', 'decode', path, '/dev/null')
+
+
+def check_nested_brackets(kadr):
+    deep = 100_000
+    path = kadr.file('nested.nc', 'F100\n' + 'G1 X' + '[' * deep + '1' + ']' * deep + '\nG1 X' + '[' * 30_000 + '1' + ']' * 30_000 + '\n')
+    found = kadr.faults(path, 'mach3')
+    expect('nesting_too_deep' in found, f'nesting_too_deep is not named, but {found}')
+
+
+def check_signs_and_functions_in_a_row(kadr):
+    path = kadr.file('signs.nc', 'F100\nG1 X' + '[' + '-' * 60_000 + '1]\nG1 X' + 'sin[' * 15_000 + '\nG1 X' + '#' * 60_000 + '1\n')
+    found = kadr.faults(path, 'mach3')
+    expect(len(found) >= 3, f'three faults expected, found {found}')
+
+
+def check_many_labels(kadr):
+    path = kadr.file('labels.nc', 'M98 P99999\nM98 P1\nM30\n' + ''.join(f'O{n}\nM99\n' for n in range(1, 100_001)))
+    expect(kadr.faults(path, 'mach3') == [], 'a program of 100,000 subprograms has no fault')
+
+
+def check_recursion(kadr):
+    path = kadr.file('recursion.nc', 'M98 P1\nM30\nO1\nM98 P1 L99999999\nM99\n')
+    expect('call_too_deep' in kadr.faults(path, 'mach3'), 'call_too_deep is not named')
+    path = kadr.file('recursion2.nc', '%\nN1 L01\nN2 M2\nL\nN01001 L01\nN2 M17\nM20\n')
+    expect('call_too_deep' in kadr.faults(path, 's2c42'), 'call_too_deep is not named')
+
+
+def check_half_a_character(kadr):
+    path = kadr.file('half.nc', '%\nN1 G1 X1000 F100 ПС\nN2 П'.encode()[:-1])
+    expect('bad_encoding' in kadr.faults(path, 's2c42') or kadr.faults(path, 's2c42'), 'no fault')
+    path = kadr.file('half_comment.nc', 'G0 X1 (П'.encode()[:-1])
+    expect(kadr.faults(path, 'mach3'), 'no fault')
+
+
+def check_empty(kadr):
+    path = kadr.file('empty.nc', '')
+    for control in CONTROLS:
+        kadr.run('run', path, '--control', control, '--quiet')
+        kadr.run('check', path, '--control', control, '--quiet')
+
+
+# ---- files that cannot be read
+
+def check_directory(kadr):
+    (kadr.folder / 'folder.nc').mkdir()
+    _, text = kadr.run('run', 'folder.nc', '--control', 'mach3', expected=(2,))
+    expect('folder.nc' in text, f'the message does not name the folder: {text!r}')
+
+
+def check_unreadable(kadr):
+    path = kadr.file('secret.nc', 'G0 X1\n')
+    os.chmod(path, 0)
+    if not os.access(path, os.R_OK):   # root may read all
+        _, text = kadr.run('run', path, '--control', 'mach3', expected=(2,))
+        expect('secret.nc' in text, f'the message does not name the file: {text!r}')
+    _, text = kadr.run('run', 'missing.nc', '--control', 'mach3', expected=(2,))
+    expect('missing.nc' in text, f'the message does not name the file: {text!r}')
+
+
+# ---- a run that is broken off
+
+def interrupt(kadr, sent):
+    path = kadr.file('endless.nc', 'F1000\nG1 X1\nG1 X0\nM99\n')
+    trace = kadr.folder / 'trace.jsonl'
+    process = kadr.start('run', path, '--control', 'mach3', '--trace', str(trace), '--max-passes', '1000000000', '--max-blocks', '1000000000000',
+                         '--quiet', '--lang', 'en')
+    time.sleep(0.4)
+    expect(process.poll() is None, f'ended by itself: {process.stderr.read()[:300]}')
+    process.send_signal(sent)
+    try:
+        process.communicate(timeout=TIME_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        raise Failure('does not stop') from None
+    expect(process.returncode == 1, f'exit status {process.returncode}, expected 1')
+    with open(trace, 'rb') as file:
+        file.seek(max(0, trace.stat().st_size - 100_000))
+        last = file.read()
+    trace.unlink()
+    expect(last.endswith(b'\n'), 'the trace ends in the middle of a line')
+    line = json.loads(last.splitlines()[-1])
+    expect(line.get('do') == 'alarm' and line.get('id') == 'interrupted', f'the last line of the trace: {line}')
+
+
+def check_sigint(kadr):
+    interrupt(kadr, signal.SIGINT)
+
+
+def check_sigterm(kadr):
+    interrupt(kadr, signal.SIGTERM)
+
+
+def check_stdout_closed(kadr):
+    path = kadr.file('long_trace.nc', 'F1000\n' + 'G1 X1\nG1 X0\n' * 50_000)
+    process = kadr.start('run', path, '--control', 'mach3', '--trace', '-')
+    process.stdout.readline()
+    process.stdout.close()
+    try:
+        process.wait(timeout=TIME_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        raise Failure('hangs') from None
+    text = process.stderr.read().decode(errors='replace')
+    expect(process.returncode in (2, -signal.SIGPIPE) and 'Sanitizer' not in text, f'exit status {process.returncode}; {text[:300]}')
+
+
+def check_disk_full(kadr):
+    path = kadr.file('trace_full.nc', 'F1000\n' + 'G1 X1\nG1 X0\n' * 50_000)
+    _, text = kadr.run('run', path, '--control', 'mach3', '--trace', '/dev/full', '--quiet', expected=(2,))
+    expect('/dev/full' in text, f'the message does not name the trace: {text!r}')
+    path = kadr.file('trace_short.nc', 'G0 X1\n')
+    _, text = kadr.run('run', path, '--control', 'mach3', '--trace', '/dev/full', '--quiet', expected=(2,))
+    expect('/dev/full' in text, f'a short trace: the message does not name it: {text!r}')
+
+
+def check_trace_into_nothing(kadr):
+    path = kadr.file('short.nc', 'G0 X1\n')
+    _, text = kadr.run('run', path, '--control', 'mach3', '--trace', 'no/such/folder/trace.jsonl', '--quiet', expected=(2,))
+    expect('no/such/folder' in text, f'the message does not name the trace: {text!r}')
+
+
+def main():
+    parser = argparse.ArgumentParser(description='Check that nothing crashes, hangs or breaks off badly.')
+    parser.add_argument('--kadr', required=True, help='the program under test')
+    parser.add_argument('--only', help='only checks whose name matches, e.g. "sig*"')
+    options = parser.parse_args()
+    program = os.path.abspath(options.kadr)
+    if not os.access(program, os.X_OK):
+        print(f'{options.kadr}: not a program', file=sys.stderr)
+        return 2
+    checks = {name.removeprefix('check_').replace('_', '-'): check for name, check in globals().items() if name.startswith('check_')}
+    chosen = {name: check for name, check in checks.items() if fnmatch.fnmatch(name, options.only or '*')}
+    if not chosen:
+        print('no check of that name', file=sys.stderr)
+        return 2
+    failed = 0
+    for name, check in chosen.items():
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                check(Kadr(program, folder))
+            except Failure as failure:
+                print(f'FAILED {name}: {failure}')
+                failed += 1
+    print(f'{len(chosen) - failed} passed, {failed} failed')
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
