@@ -103,6 +103,11 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return decoded;
     }
+    if (rest_ != 0) {   // the blocks before this one were read undecoded: the same place in the text
+      std::string before;
+      (void)append_utf8(line_.bytes.substr(0, rest_), *encoding_, before);
+      rest_ = before.size();
+    }
     block.clear();
     lexed = lex_block(text_, rest_, true, grammar_, block);
   }
@@ -122,7 +127,7 @@ Status BlockReader::lex_line(Block& block) {
   return {};
 }
 
-/// The line as UTF-8, from its first byte; only before a block of it has been taken.
+/// The line as UTF-8, from its first byte.
 Status BlockReader::decode_line() {
   if (!encoding_) {
     encoding_ = detect_encoding(line_.bytes).value_or(Encoding::utf8);

@@ -68,9 +68,11 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
   if (sign == '-') w.value = -w.value;
   if (format.code) KADR_TRY(code_of(w, begin));
   if (format.parameter) {
+    const std::size_t end = cursor_.at;
     cursor_.skip_blanks();
     const char c = cursor_.peek();
     if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -read.mantissa : read.mantissa, c, begin);
+    cursor_.at = end;   // blanks behind the word are no part of it
   }
   if (format.second_number) return second_number(w);
   return {};
@@ -116,8 +118,12 @@ Status WordReader::code_of(Word& w, std::size_t begin) const {
 }
 
 Status WordReader::second_number(Word& w) {
+  const std::size_t end = cursor_.at;
   cursor_.skip_blanks();
-  if (!is_digit(cursor_.peek())) return {};
+  if (!is_digit(cursor_.peek())) {
+    cursor_.at = end;   // blanks behind the word are no part of it
+    return {};
+  }
   Number read;
   if (!read_number(cursor_, read)) return fail(alarm(AlarmId::number_damaged, span(cursor_.at, cursor_.at + 1), w.address));
   w.second = read.value;

@@ -34,6 +34,13 @@ void Plot::take_frame(const FrameChange& frame) {
   shift_ = origin - first_origin_;
 }
 
+/// The work system of the first cut is the picture's: what was drawn on the way there moves into it.
+void Plot::take_reference() {
+  path_.move_all(-1.0 * shift_);
+  first_origin_ = first_origin_ + shift_;
+  shift_ = {};
+}
+
 /// Only zeros that something was done in.
 void Plot::mark_zero() {
   const auto same = [&](Vec3 zero) { return length(zero - shift_) < tol::same_point; };
@@ -45,7 +52,10 @@ void Plot::take_motion(const Motion& motion) {
   if (!started_) path_.start(from + shift_);
   started_ = true;
   const Stroke stroke = stroke_of(motion, from, to);
-  if (stroke != Stroke::rapid) mark_zero();
+  if (stroke != Stroke::rapid) {
+    if (zeros_.empty()) take_reference();
+    mark_zero();
+  }
   if (is_arc(motion.kind)) {
     const Curve curve(roles_, position_.work, motion);
     const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));

@@ -15,7 +15,7 @@ struct PlotTitle {
   Lang lang = Lang::en;
 };
 
-/// Takes Actions in order. Coordinates of the picture: the first work system; others stand where they are on the machine.
+/// Takes Actions in order. Coordinates of the picture: the work system of the first cut; others stand where they are on the machine.
 class Plot {
  public:
   Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start);
@@ -34,6 +34,7 @@ class Plot {
   void take_motion(const Motion& motion);
   void take_frame(const FrameChange& frame);
   void mark_zero();
+  void take_reference();
 
   AxisRoles roles_;
   ToolPosition position_;

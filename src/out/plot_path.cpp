@@ -51,4 +51,14 @@ void PlotPath::thin() {
   }
 }
 
+void PlotPath::move_all(Vec3 by) {
+  for (PlotPoint& point : points_) point.at = point.at + by;
+  last_.at = last_.at + by;
+  for (Box* const box : {&box_, &cutting_box_}) {
+    if (box->empty) continue;
+    box->least = box->least + by;
+    box->most = box->most + by;
+  }
+}
+
 }  // namespace kadr

@@ -24,6 +24,8 @@ class PlotPath {
 
   void start(Vec3 at);
   void go(Vec3 to, Stroke stroke);
+  /// Every point so far moves by that much.
+  void move_all(Vec3 by);
 
   /// The vertices in order; the first one's stroke means nothing.
   const std::vector<PlotPoint>& points() const { return points_; }

@@ -60,14 +60,14 @@ TEST(words, of_2c42_count_increments_of_a_micrometre) {
     {"X+R1 Z-1200+R2 Y-R3",      "X? Z? Y?",             "X+R1|Z-1200+R2|Y-R3|"},
     {"X5 M6 M8 M3 ПС",           "X0.005 M6 M8 M3",      "X5|M6|M8|M3|"},
     {"G92 /2/ X10",              "G92 A2 X0.01",         "G92|/2/|X10|"},
-    {"Х8000 С5",                 "",                     ""},                 // С is Cyrillic: no address C
   });
 }
 
 TEST(words, of_gost_follow_the_format) {
   expect_words(words_of("gost"), {
     {"X8000 Y8. Z100",           "X8 Y8 Z1",             "X8000|Y8.|Z100|"},   // X+053, Z+042
-    {"F125 F12.5",               "F12.5",                "F125|"},
+    {"F125",                     "F12.5",                "F125|"},            // F031
+    {"F12.5",                    "F12.5",                "F12.5|"},
     {"T0404 M03",                "T404 M3",              "T0404|M03|"},
     {"X-12.345 LF",              "X-12.345",             "X-12.345|"},
   });
@@ -119,11 +119,12 @@ TEST(alarms_of_words, on_2c42_by_digits_and_signs) {
     {"X5 X6",       "address_twice: X"},
     {"M1 M2 M3 M4 M5 M6", "too_many_codes: M"},
     {"X5+6",        "parameter_not_allowed: +6"},
-    {"L+R1",        "sign_not_allowed: +"},
+    {"L+R1",        "parameter_not_allowed: L+R"},
     {"TR1",         "parameter_not_allowed: TR"},
     {"R2+50 R2+51", "address_twice: R2+51"},
-    {"R12345678",   "too_many_digits: R12345678"},   // R1 and seven digits fit
+    {"R123456789",  "too_many_digits: R123456789"},  // R1 and eight digits
     {"W5",          "address_unknown: W"},
+    {"С5",          "address_unknown: С"},           // Cyrillic: the Latin C is meant
     {"X1 (5%)",     "comment_character: %"},
     {"X1 (5:)",     "comment_character: :"},
   });
