@@ -2,8 +2,7 @@
 
 #include <cstdio>
 
-#include "config/control_file.h"
-#include "control/control.h"
+#include "kadr/kadr.h"
 
 int main(int argc, char** argv) {
   const auto def = kadr::load_control("s2c42");

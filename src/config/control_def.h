@@ -77,6 +77,7 @@ enum class CycleStep : std::uint8_t {
 
 struct CycleRow {
   std::string name;                 // "G81", "L81"
+  std::uint32_t call_number = 0;    // 81 of L81; 0: called by its code
   std::vector<CycleStep> steps;     // by steps …
   std::string body;                 // … or as a program in the control's own language
   std::uint32_t needs = 0;          // letters that must be known (given or sticky)

@@ -146,6 +146,7 @@ Done ControlLoader::cycles() {
     KADR_LOAD(known_keys(*row, {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "en", "ru", "manual"}));
     CycleRow c;
     c.name = std::string(key.str());
+    if (c.name[0] == 'L') c.call_number = static_cast<std::uint32_t>(std::atoi(c.name.c_str() + 1));
     if (const toml::array* const steps = (*row)["steps"].as_array())
       for (const auto& step : *steps) {
         const auto* const found = std::find(std::begin(step_names), std::end(step_names), step.value_or(std::string()));

@@ -39,16 +39,16 @@ Flow::Flow(const ControlDef& def, Program program, RunLimits limits)
 
 Result<BlockReader::Got> Flow::next(Block& block) {
   if (ended_) return BlockReader::Got::end;
-  auto got = reader_ == 0 ? program_.next(block) : bodies_->next(block);
+  if (!frames_.empty() || restarts_ != 0) KADR_TRY(count_repeated(block));
   ++blocks_;
-  if (!frames_.empty() || restarts_ != 0) KADR_TRY(count_block(block));
-  return got;
+  return reader_ == 0 ? program_.next(block) : bodies_->next(block);
 }
 
-Status Flow::count_block(const Block& block) {
+/// `last`: the block before, still in hand.
+Status Flow::count_repeated(const Block& last) {
   if (++repeated_ <= limits_.repeated_blocks) return {};
   ended_ = true;
-  return fail(alarm(AlarmId::endless_program, block.where, static_cast<double>(limits_.repeated_blocks), block.text_of(block.number_where)));
+  return fail(alarm(AlarmId::endless_program, last.where, static_cast<double>(limits_.repeated_blocks), last.text_of(last.number_where)));
 }
 
 void Flow::go_to(std::uint8_t reader, Position position) {

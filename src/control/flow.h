@@ -85,7 +85,7 @@ class Flow {
     bool called = false;
   };
   Status push(CallFrame frame, Span where);
-  Status count_block(const Block& block);
+  Status count_repeated(const Block& last);
   void make_index();
   BlockReader& elsewhere();
   void go_to(std::uint8_t reader, Position position);

@@ -125,6 +125,11 @@ Status Machinery::execute() {
   }
   if (block.skip != 0 && skip_switches[std::min<std::size_t>(block.skip, 9)]) return {};
   if (block.empty() && block.comments.empty()) return {};
+  return attempt();
+}
+
+/// The block's words carried out, or nothing of them.
+Status Machinery::attempt() {
   const std::size_t actions = batch->size();
   moment_taken_ = false;
   block_exact = block_machine_coordinates = false;
@@ -132,13 +137,17 @@ Status Machinery::execute() {
     take_moment();
     variables.begin_block();
   }
-  Status status = evaluate_words();
-  if (status) status = plan_block(def, letters, block, modal.motion_row, plan_);
-  if (status && !changes_only_position()) take_moment();
-  if (status) status = carry_out(plan_);
-  if (status && moment_taken_) status = check_place();
+  Status status = words();
   if (!status) take_back(actions);
   return status;
+}
+
+Status Machinery::words() {
+  KADR_TRY(evaluate_words());
+  KADR_TRY(plan_block(def, letters, block, modal.motion_row, plan_));
+  if (!changes_only_position()) take_moment();
+  KADR_TRY(carry_out(plan_));
+  return moment_taken_ ? check_place() : Status();
 }
 
 /// A motion that either fails before anything has changed, or is carried out.
@@ -290,18 +299,19 @@ void Machinery::take_back(std::size_t actions) {
   if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
 }
 
-void Machinery::run_codes(std::initializer_list<std::string_view> codes) {
-  for (const std::string_view code : codes)
+void Machinery::run_modes(std::initializer_list<Function> functions) {
+  for (const Function function : functions)
     for (std::size_t i = 0; i < def.codes.size(); ++i) {
       const CodeRow& row = def.codes[i];
-      if (row.code != code) continue;
-      if (traits_of(row.function).takes_axes) {
-        modal.motion = row.function == Function::rapid ? MotionMode::rapid : MotionMode::linear;
+      if (row.function != function) continue;
+      if (function == Function::rapid) {
+        modal.motion = MotionMode::rapid;
         modal.motion_row = static_cast<std::int16_t>(i);
       } else {
-        (void)handler_of(row.function)(*this, {&row, nullptr, block.where});
+        (void)handler_of(function)(*this, {&row, nullptr, block.where});
       }
       if (row.group != 0) modal.rows[row.group] = static_cast<std::int16_t>(i);
+      break;
     }
 }
 

@@ -86,8 +86,8 @@ class Machinery {
   double radius_in_force() const;
   /// An offset is about to be written: an alarm later in the block brings it back.
   void keep_offset(std::uint32_t number) { kept_offset_ = {number, tables.offsets[number]}; }
-  /// Codes a cycle carries out by itself; modes only.
-  void run_codes(std::initializer_list<std::string_view> codes);
+  /// Modes that a cycle sets by itself.
+  void run_modes(std::initializer_list<Function> functions);
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
   void apply_mirror();
   void warn(const Alarm& alarm);
@@ -150,6 +150,8 @@ class Machinery {
   void start_modal(const Setup& setup);
   bool starts(const std::string& text) const;
   Status execute();
+  Status attempt();
+  Status words();
   Status carry_out(const Plan& plan);
   Status evaluate_words();
   Status assign();

@@ -26,7 +26,7 @@ struct Plan {
   std::array<PlanItem, limits::block_words + 2> items;
   std::uint32_t count = 0;
   std::uint32_t taken = 0;        // letters some code uses
-  bool moves_only = false;        // nothing but a motion (and its feed): no state besides the position can be half changed
+  bool moves_only = false;        // no code, no F, S, T …, no assignment: axis words alone
 };
 
 /// Letters by what they are, made once from the control's table.

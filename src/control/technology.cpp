@@ -85,7 +85,10 @@ Status tool_word(Machinery& m, const Call& call) {
   const bool pair = m.def.behaviour.tool_and_corrector && call.word->digits > 2;
   m.modal.tool_selected = pair ? *number / 100 : *number;
   m.modal.corrector = pair ? *number % 100 : 0;
-  if (pair && m.modal.corrector < m.tables.offsets.size()) m.modal.offset_number = m.modal.corrector;
+  if (pair && m.modal.corrector < m.tables.offsets.size()) {
+    m.modal.offset_number = m.modal.corrector;
+    m.change_frames();
+  }
   m.emit(ToolSelect{m.modal.tool_selected, m.modal.corrector});
   return {};
 }

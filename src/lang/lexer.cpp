@@ -36,8 +36,7 @@ class Lexer {
   Result<Lexed> run() {
     block_.text = cursor_.text;
     cursor_.skip_blanks();
-    Status status = beginning();
-    while (status && !done_ && cursor_.at < cursor_.text.size()) status = item();
+    const Status status = items();   // a Status is as large as an Alarm: never assigned, only returned
     block_.where = span(begin_, cursor_.at);
     if (result_.needs_utf8) return result_;
     if (!status) return fail(status.error());
@@ -48,6 +47,12 @@ class Lexer {
   }
 
  private:
+  Status items() {
+    KADR_TRY(beginning());
+    while (!done_ && cursor_.at < cursor_.text.size()) KADR_TRY(item());
+    return {};
+  }
+
   // ---- what stands before the words
 
   Status beginning() {

@@ -1,7 +1,6 @@
 #include "control/s2c42/calls.h"
 
 #include <cmath>
-#include <string>
 
 #include "base/tolerance.h"
 
@@ -13,9 +12,8 @@ constexpr double pass_dwell = 0.3;           // s: `G4 E3` of L83's body, table 
 constexpr double most_passes = 100'000;
 
 const CycleRow* cycle_of(const ControlDef& def, std::uint32_t number) {
-  const std::string name = "L" + std::to_string(number);
   for (const CycleRow& cycle : def.cycles)
-    if (cycle.name == name) return &cycle;
+    if (cycle.call_number == number) return &cycle;
   return nullptr;
 }
 
@@ -67,9 +65,9 @@ Status call(Machinery& m, const Call& call) {
       return m.flow.call_body(*cycle, times, m.origin, w.where);
     }
     // The body begins with G1 G9 G17 G43 and ends with G0 (table 9).
-    m.run_codes({"G17", "G43"});
+    m.run_modes({Function::plane_xy, Function::length_plus});
     KADR_TRY(start_deep_drilling(m, *cycle, w.where));
-    m.run_codes({"G0"});
+    m.run_modes({Function::rapid});
     return {};
   }
   const std::size_t depth = m.flow.depth();

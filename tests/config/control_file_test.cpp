@@ -1,0 +1,188 @@
+// config/control_file: the built-in controls hold together; a file of one's own extends one of them. Spec gost 3; design.md 3.
+
+#include "config/control_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "control/machinery.h"
+
+namespace kadr {
+namespace {
+
+class BuiltIn : public testing::TestWithParam<std::string> {
+ protected:
+  const ControlDef def = load_control(GetParam()).value();
+};
+INSTANTIATE_TEST_SUITE_P(controls, BuiltIn, testing::ValuesIn(built_in_controls()), [](const auto& test) { return test.param; });
+
+TEST(built_in_controls, are_the_four) {
+  const auto ids = built_in_controls();
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()), (std::set<std::string>{"correctors", "gost", "mach3", "s2c42"}));
+}
+
+TEST_P(BuiltIn, is_named_by_its_id_in_both_languages) {
+  EXPECT_EQ(def.id, GetParam());
+  EXPECT_NE(def.name.en, "");
+  EXPECT_NE(def.name.ru, "");
+}
+
+TEST_P(BuiltIn, every_code_calls_a_function_in_a_phase_of_the_order) {
+  ASSERT_FALSE(def.codes.empty());
+  for (const CodeRow& row : def.codes) {
+    ASSERT_LT(row.function, Function::count) << row.code;
+    EXPECT_NE(handler_of(row.function), nullptr) << row.code;
+    if (row.phase != Phase::none) { EXPECT_NE(def.order[static_cast<std::size_t>(row.phase)], 0) << row.code; }
+  }
+  for (const AddressRow& row : def.addresses) {
+    if (row.function == Function::count) continue;
+    EXPECT_NE(handler_of(row.function), nullptr) << row.letter;
+    EXPECT_TRUE(def.grammar.word(row.letter).known) << row.letter;
+    if (row.phase != Phase::none) { EXPECT_NE(def.order[static_cast<std::size_t>(row.phase)], 0) << row.letter; }
+  }
+}
+
+TEST_P(BuiltIn, phases_rank_as_the_file_lists_them) {
+  std::uint8_t rank = 0;
+  for (const Phase phase : def.order_list) EXPECT_EQ(def.order[static_cast<std::size_t>(phase)], ++rank) << name_of(phase);
+}
+
+TEST_P(BuiltIn, every_code_is_found_by_its_number) {
+  for (std::size_t i = 0; i < def.codes.size(); ++i) {
+    if (def.codes[i].tenth < 0) continue;   // M…: the others
+    EXPECT_EQ(def.row_of(def.codes[i].letter, def.codes[i].tenth), static_cast<std::int32_t>(i)) << def.codes[i].code;
+  }
+  EXPECT_EQ(def.row_of('G', 9999), -1);
+  EXPECT_EQ(def.row_of('G', -1), -1);
+}
+
+TEST_P(BuiltIn, rows_refer_to_groups_cycles_and_words_that_exist) {
+  for (const CodeRow& row : def.codes) {
+    EXPECT_LT(row.group, def.groups.size()) << row.code;
+    EXPECT_EQ(row.cycle != 0, row.function == Function::cycle) << row.code;
+    EXPECT_LE(row.cycle, def.cycles.size()) << row.code;
+    EXPECT_EQ(row.needs & ~row.takes, 0u) << row.code << " needs what it does not take";
+  }
+  for (std::size_t g = 1; g < def.groups.size(); ++g)
+    if (const std::int32_t row = def.groups[g].power_on; row >= 0) {
+      EXPECT_EQ(def.codes[static_cast<std::size_t>(row)].group, g);
+    }
+}
+
+TEST_P(BuiltIn, rows_say_what_they_are_in_both_languages_and_where_it_stands) {
+  for (const CodeRow& row : def.codes) {
+    EXPECT_NE(row.text.en, "") << row.code;
+    EXPECT_NE(row.text.ru, "") << row.code;
+    EXPECT_NE(row.manual, "") << row.code;
+  }
+}
+
+// ---- a file of one's own
+
+ControlDef extended(const std::string& toml) {
+  auto def = parse_control(toml, "own.toml");
+  if (!def) ADD_FAILURE() << def.error();
+  return def.value();
+}
+
+std::string refusal(const std::string& toml) {
+  const auto def = parse_control(toml, "own.toml");
+  EXPECT_FALSE(def) << toml;
+  return def ? "" : def.error();
+}
+
+const CodeRow* code_of(const ControlDef& def, char letter, int tenth) {
+  const std::int32_t row = def.row_of(letter, tenth);
+  return row < 0 ? nullptr : &def.codes[static_cast<std::size_t>(row)];
+}
+
+const std::string head = "id = \"own\"\nextends = \"gost\"\n";   // two lines
+
+TEST(extends, alone_is_the_control_below) {
+  const ControlDef own = extended(head);
+  const ControlDef below = load_control("gost").value();
+  EXPECT_EQ(own.id, "own");
+  EXPECT_EQ(own.lineage, std::vector<std::string>{"gost"});
+  EXPECT_EQ(own.codes.size(), below.codes.size());
+  EXPECT_EQ(own.order_list, below.order_list);
+  EXPECT_EQ(own.axes, below.axes);
+}
+
+TEST(extends, overrides_one_code_and_adds_one) {
+  const ControlDef own = extended(head + "[g]\n\"94\" = { does = \"feed_per_revolution\" }\n\"770\" = { does = \"dwell\", phase = \"dwell_after\", takes = \"P\", en = \"a\", ru = \"b\" }\n");
+  ASSERT_NE(code_of(own, 'G', 940), nullptr);
+  EXPECT_EQ(code_of(own, 'G', 940)->function, Function::feed_per_revolution);
+  ASSERT_NE(code_of(own, 'G', 7700), nullptr);
+  EXPECT_EQ(code_of(own, 'G', 7700)->function, Function::dwell);
+  EXPECT_EQ(own.codes.size(), load_control("gost").value().codes.size() + 1);
+  EXPECT_EQ(code_of(own, 'G', 950)->function, Function::feed_per_revolution);   // untouched
+}
+
+TEST(extends, keeps_what_the_changed_row_does_not_name) {
+  const ControlDef own = extended(head + "[g]\n\"00\" = { en = \"fast\" }\n");
+  EXPECT_EQ(code_of(own, 'G', 0)->function, Function::rapid);
+  EXPECT_EQ(code_of(own, 'G', 0)->text.en, "fast");
+}
+
+TEST(errors, name_file_line_and_thing) {
+  struct Case { const char* toml; const char* place; const char* thing; };
+  const Case cases[] = {
+      {"[g]\n\"04\" = { does = \"dwell\", takse = \"P\" }\n", "own.toml:4: ", "takse"},
+      {"[g]\n\"4\" = { does = \"sleep\" }\n", "own.toml:4: ", "sleep"},
+      {"[g]\n\n\"4\" = { does = \"dwell\", group = \"nap\" }\n", "own.toml:5: ", "nap"},
+      {"[g]\n\"4\" = { does = \"dwell\", phase = \"later\" }\n", "own.toml:4: ", "phase"},
+      {"[g]\n\"4x\" = { does = \"dwell\" }\n", "own.toml:4: ", "4x"},
+      {"[g]\n\"4\" = 5\n", "own.toml:4: ", "table"},
+      {"[order]\nphases = [\"motion\", \"nap\"]\n", "own.toml:4: ", "nap"},
+      {"[behaviour]\nsleepy = true\n", "own.toml:4: ", "sleepy"},
+      {"[grammar]\nsleepy = true\n", "own.toml:4: ", "sleepy"},
+      {"[alarms]\nsleepy = { en = \"x\" }\n", "own.toml:4: ", "sleepy"},
+      {"[address]\nX = { axis = \"Nap\" }\n", "own.toml:4: ", "Nap"},
+      {"[cycle.G81]\nsteps = [\"nap\"]\n", "own.toml:4: ", "step"},
+      {"[nap]\n", "own.toml:3: ", "nap"},
+      {"[g]\n\"4\" = { does = \"dwell\"\n", "own.toml:", ""},   // no TOML
+  };
+  for (const Case& c : cases) {
+    const std::string sentence = refusal(head + c.toml);
+    EXPECT_EQ(sentence.find(c.place), 0u) << c.toml << sentence;
+    EXPECT_NE(sentence.find(c.thing), std::string::npos) << c.toml << sentence;
+  }
+}
+
+TEST(errors, of_a_code_twice) {
+  // gost writes "04": the same code with other digits is another row.
+  const std::string sentence = refusal(head + "[g]\n\"4\" = { does = \"dwell\", phase = \"dwell_after\", takes = \"P\" }\n");
+  EXPECT_EQ(sentence.find("own.toml:4: "), 0u) << sentence;
+}
+
+TEST(errors, of_what_is_missing) {
+  EXPECT_NE(refusal("extends = \"nap\"\nid = \"own\"\n").find("nap"), std::string::npos);
+  EXPECT_NE(refusal("extends = \"gost\"\n[groups]\nmotion = { initial = \"G4\" }\n").find("G4"), std::string::npos);
+  EXPECT_FALSE(parse_control("", "own.toml"));
+  const auto none = load_control("nap");
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().find("mach3"), std::string::npos);   // it tells which there are
+  EXPECT_FALSE(load_control("alarms"));
+  EXPECT_FALSE(load_control("/no/such/file.toml"));
+}
+
+TEST(errors, of_a_file_that_extends_itself) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "kadr_control_file_test";
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const char* name, const char* base) { std::ofstream(folder / name) << "id = \"a\"\nextends = \"" << base << "\"\n"; };
+  write("itself.toml", "itself.toml");
+  write("one.toml", "two.toml");
+  write("two.toml", "one.toml");
+  for (const char* name : {"itself.toml", "one.toml"}) {
+    const auto def = load_control((folder / name).string());
+    ASSERT_FALSE(def);
+    EXPECT_NE(def.error().find("extends itself"), std::string::npos) << def.error();
+  }
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace kadr

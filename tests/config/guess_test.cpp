@@ -1,0 +1,79 @@
+// config/guess: the control of a program, from its text: the golden programs, the examples, small samples.
+
+#include "config/guess.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "lang/encoding.h"
+
+namespace kadr {
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// A program as UTF-8, whatever it is written in.
+std::string program_of(const std::filesystem::path& path) {
+  const std::string bytes = text_of(path);
+  std::string text;
+  EXPECT_TRUE(append_utf8(bytes, detect_encoding(bytes).value_or(Encoding::utf8), text)) << path;
+  return text;
+}
+
+TEST(guess, of_the_golden_programs) {
+  int programs = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(KADR_ROOT "/tests/golden")) {
+    if (entry.path().extension() != ".json" || entry.path().filename() == "schema.json") continue;
+    if (entry.path().stem() == "correctors-01-single") continue;   // `Z+100. L17` alone reads like GOST too: its control must be named
+    const auto golden = nlohmann::json::parse(text_of(entry.path()));
+    ++programs;
+    EXPECT_EQ(guess_control(golden.at("program").get<std::string>()).control, golden.at("control").get<std::string>()) << entry.path();
+  }
+  EXPECT_GT(programs, 10);
+}
+
+TEST(guess, of_the_examples) {
+  int programs = 0;
+  for (const char* control : {"mach3", "s2c42", "gost", "correctors"})
+    for (const auto& entry : std::filesystem::directory_iterator(KADR_ROOT "/examples/" + std::string(control))) {
+      const auto kind = entry.path().extension();
+      if ((kind != ".nc" && kind != ".tap") || entry.path().stem() == "factory_part") continue;   // that one has a control of its own
+      ++programs;
+      EXPECT_EQ(guess_control(program_of(entry.path())).control, control) << entry.path();
+    }
+  EXPECT_GT(programs, 8);
+}
+
+TEST(guess, of_small_samples) {
+  struct Case { const char* text; const char* control; };
+  const Case cases[] = {
+      {"G0 X1.5\nG1 Z-2\nM30\n", "mach3"},
+      {"#100=5\nG1 X#100\n", "mach3"},
+      {"O100\nG81 X1 Y1 Z-1 R2\n", "mach3"},
+      {"% ПС\nN1 G0 X8000 ПС\nN2 M2 ПС\n", "s2c42"},
+      {"%\nN1 G0 X8000\nN2 L81 R0+60 R1-5000 R2+2000\nN3 M2\n", "s2c42"},
+      {"% LF\nN001 G91 Z-50. L4 04 LF\nN002 M02 LF\n", "correctors"},
+      {"%012 LF\n:1 G90 G00 X10. LF\nN2 M02 LF\n", "gost"},
+      {"", "mach3"},
+  };
+  for (const Case& c : cases) EXPECT_EQ(guess_control(c.text).control, c.control) << c.text;
+}
+
+TEST(guess, tells_why_in_both_languages) {
+  const Guess guess = guess_control("% ПС\nN1 G0 X8000 ПС\n");
+  EXPECT_NE(guess.reason_en, "");
+  EXPECT_NE(guess.reason_ru, "");
+}
+
+TEST(guess, does_not_read_comments) { EXPECT_EQ(guess_control("(L81 R1+5 ПС)\nG0 X1.5\n").control, "mach3"); }
+
+}  // namespace
+}  // namespace kadr
