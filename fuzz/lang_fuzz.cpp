@@ -38,7 +38,7 @@ struct Read {
   kadr::Position position;
   bool good = false;
   kadr::AlarmId alarm = kadr::AlarmId::count;
-  kadr::Span where;
+  kadr::Span where;          // in the text as it is shown: a line with comments alone may be read undecoded
   std::vector<kadr::Word> words;
   std::uint32_t number = 0;
   std::size_t assignments = 0;
@@ -79,6 +79,7 @@ Read read_one(kadr::BlockReader& reader, kadr::Block& block, bool& at_end) {
   check_block(reader, block, read.good);
   read.position = block.position;
   read.where = block.where;
+  (void)reader.shown(block.text, read.where);
   read.number = block.number;
   if (!got) {
     read.alarm = got.error().id;
@@ -86,6 +87,7 @@ Read read_one(kadr::BlockReader& reader, kadr::Block& block, bool& at_end) {
     return read;
   }
   read.words.assign(block.words.begin(), block.words.begin() + block.word_count);
+  for (kadr::Word& word : read.words) (void)reader.shown(block.text, word.where);
   read.assignments = block.assignments.size();
   read.instructions = block.code.size();
   return read;

@@ -21,6 +21,7 @@ namespace kadr::fuzz {
 inline constexpr std::size_t most_actions = 20'000;   // of one run
 inline constexpr std::size_t most_alarms = 200;
 inline constexpr std::size_t most_shown = 40;         // alarms that are put into words
+inline constexpr std::size_t most_compared = 15;      // alarms before which the state is kept, to be compared
 inline constexpr RunLimits few_passes{2000, 5};
 inline constexpr double farthest_end = 1e8;           // mm: what no motion may reach
 inline constexpr double same_place = 1e-5;            // mm: rounding of coordinates of ten kilometres
@@ -96,13 +97,14 @@ class Run {
   void carry_out() {
     ActionBatch batch;
     for (Control::State state = Control::State::running; state != Control::State::ended && actions_ < most_actions && alarms_ < most_alarms;) {
-      const Ending before = control_.ending();
+      const bool compared = alarms_ < most_compared;
+      const Ending before = compared ? control_.ending() : Ending();
       const std::uint64_t blocks = control_.blocks();
       state = control_.run(batch);
       const bool one_block = control_.blocks() == blocks + 1;
       for (Action& action : batch) take(action);
       if (state == Control::State::stopped || control_.is_stopped()) {
-        stopped(state == Control::State::stopped && one_block ? &before : nullptr);
+        stopped(compared && state == Control::State::stopped && one_block ? &before : nullptr);
         control_.go_on();
       }
     }
@@ -163,6 +165,7 @@ class Run {
     ++alarms_;
     last_ = control_.report();
     show(last_);
+    if (alarms_ > 2 * most_compared) return;
     const Ending after = control_.ending();
     require(near(after.position, stand_.work) && near(after.machine_position, stand_.machine), "after an alarm the control stands where the motions led");
     if (before == nullptr) return;

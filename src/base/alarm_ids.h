@@ -13,11 +13,11 @@
   X(block_number_missing) X(block_number_position) X(end_of_block_missing)                   \
   X(program_start_missing) X(program_number_damaged) X(skip_position)                        \
   X(expression_syntax) X(bracket_not_closed) X(nesting_too_deep) X(operator_unknown)         \
-  X(function_unknown) X(parameter_sign_missing) X(parameter_not_allowed)                     \
+  X(function_unknown) X(parameter_not_allowed)                     \
   /* meaning: codes and words */                                                             \
   X(code_unknown) X(group_conflict) X(word_unused) X(word_missing) X(word_not_integer)       \
   X(value_out_of_range) X(no_axis_word) X(own_block) X(not_together)                         \
-  X(variable_unknown) X(variable_read_only) X(variable_not_set)                              \
+  X(variable_unknown) X(variable_not_set)                              \
   X(division_by_zero) X(not_a_number)                                                        \
   /* motion */                                                                               \
   X(feed_missing) X(feed_limited) X(radius_mismatch) X(radius_too_small) X(center_missing)   \
@@ -27,16 +27,14 @@
   X(machine_motion_mode) X(zero_change) X(position_out_of_range)                             \
   /* spindle, tool, offsets */                                                               \
   X(speed_without_direction) X(spindle_not_turning) X(spindle_direction)                     \
-  X(offset_unknown) X(corrector_unknown) X(corrector_axis) X(zero_unknown)                   \
-  X(tool_missing)                                                                            \
+  X(corrector_unknown) X(corrector_axis)                                                     \
   /* flow */                                                                                 \
   X(subprogram_missing) X(subprogram_end_missing) X(return_without_call) X(call_too_deep)    \
-  X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(too_many_subprograms)       \
-  X(label_twice)                                                                             \
+  X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(label_twice)                \
   /* cycles */                                                                               \
   X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_undefined) X(pocket_not_available)   \
   X(stepover_out_of_range) X(cycle_override)                                                 \
   /* probe and machine */                                                                    \
   X(probe_too_close) X(probe_no_contact) X(probe_feed_mode) X(limit_exceeded)                \
-  X(reference_point_missing) X(interrupted)
+  X(interrupted)
 // clang-format on

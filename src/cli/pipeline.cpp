@@ -85,9 +85,12 @@ Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
   control.on_warning = outlets.warning;
   const Ending start = control.ending();
   VirtualMachine machine(control.axes(), control.rotary(), job.profile, job.setup, {start.position, start.machine_position});
+  if (machine.has_limits()) control.hand_over_each_block();
   ActionBatch batch;
   for (;;) {
     const Control::State state = control.run(batch);                               // lang, control: blocks → actions
+    const ToolPosition before = machine.position();
+    std::optional<AlarmReport> refusal;
     for (Action& action : batch) {
       if (auto* const motion = std::get_if<Motion>(&action.what); motion != nullptr && motion->kind == MotionKind::probe) {
         const ProbeAnswer answer = machine.probe(*motion);                         // machine: what the probe meets
@@ -95,11 +98,17 @@ Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
         control.answer(answer);
       }
       if (const Status taken = machine.take(action); !taken) {                     // machine: limits
-        const AlarmReport report = control.report_for(taken.error(), action.origin);
-        if (!outlets.alarm(report)) return {report, machine.position()};
+        refusal = control.report_for(taken.error(), action.origin);
+        break;
       }
-      outlets.action(action);                                                      // out: trace, summary, plot
     }
+    if (refusal) {                                                                 // nothing of the block is done
+      machine.go_back(before);
+      control.refused();
+      if (!outlets.alarm(*refusal)) return {refusal, before};
+      continue;
+    }
+    for (const Action& action : batch) outlets.action(action);                     // out: trace, summary, plot
     if (state == Control::State::stopped || control.is_stopped()) {
       const AlarmReport report = control.report();
       if (!outlets.alarm(report)) return {report, std::nullopt};

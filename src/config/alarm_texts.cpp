@@ -14,7 +14,11 @@ using toml_tools::place;
 
 constexpr std::string_view file_name = "controls/alarms.toml";
 
-std::string text_of(const AlarmArg& arg) { return arg.is_number() ? number_text(arg.number()) : std::string(arg.text()); }
+/// A shop thinks in micrometres; what is smaller than that is shown as it is.
+std::string text_of(const AlarmArg& arg) {
+  if (!arg.is_number()) return std::string(arg.text());
+  return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
+}
 
 /// `pattern` with {0} {1} {2} replaced.
 std::string filled(const std::string& pattern, const Alarm& alarm) {

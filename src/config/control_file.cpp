@@ -17,17 +17,19 @@ tl::expected<toml::table, std::string> merged(std::string_view text, const std::
   }
   const auto base = table["extends"].value<std::string>();
   if (!base) return table;
+  if (!table.contains("id")) return Failed(file + ": id is missing: a file that extends another is a control of its own");
   if (lineage.size() == deepest) return Failed(file + ": extends itself");
   lineage.push_back(*base);
-  const std::string name = "controls/" + *base + ".toml";
+  std::string name = "controls/" + *base + ".toml";
   const auto base_text = toml_tools::embedded_text(name);
   std::optional<std::string> own_text;
   if (!base_text) {
     const auto slash = file.rfind('/');
-    own_text = toml_tools::read_text((slash == std::string::npos ? std::string() : file.substr(0, slash + 1)) + *base);
+    name = (slash == std::string::npos || base->starts_with('/') ? std::string() : file.substr(0, slash + 1)) + *base;
+    own_text = toml_tools::read_text(name);
     if (!own_text) return Failed(file + ": extends '" + *base + "': no such control");
   }
-  auto under = merged(base_text ? *base_text : std::string_view(*own_text), base_text ? name : *base, lineage);
+  auto under = merged(base_text ? *base_text : std::string_view(*own_text), name, lineage);
   if (!under) return under;
   toml_tools::merge(*under, std::move(table));
   return under;

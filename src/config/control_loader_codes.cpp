@@ -83,15 +83,15 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   const auto function = function_of(row);
   if (!function) return Failed(function.error());
   c.function = *function;
+  if (const auto group = row["group"].value<std::string>()) {
+    const int index = group_named(*group);
+    if (index < 0) return Failed(place(name_, row, "group") + "no group '" + *group + "'");
+    c.group = static_cast<std::uint8_t>(index);
+  }
   const auto phase = phase_of(row, *function);
   if (!phase) return Failed(phase.error());
   c.phase = *phase;
   c.arg = static_cast<int>(whole(row, "arg", 0, 1000));
-  if (const auto group = row["group"].value<std::string>()) {
-    const int index = group_named(*group);
-    if (index < 0) return Failed(place(name_, row) + "no group '" + *group + "'");
-    c.group = static_cast<std::uint8_t>(index);
-  }
   c.modal = typed(row, "modal", c.group != 0 && def_.groups[c.group].modal, "true or false");
   c.own_block = typed(row, "own_block", false, "true or false");
   c.takes = letters(row["takes"].value_or(std::string()));
@@ -101,7 +101,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
     c.with = static_cast<std::int32_t>(std::strtod((*with)[0].value_or(std::string(" 0")).c_str() + 1, nullptr) * 10 + 0.5);
   for (int i = 0; i < 26; ++i)
     if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count && !(def_.grammar.zero_between_slashes && i == 0))
-      return Failed(place(name_, row) + "takes: no address " + static_cast<char>('A' + i));
+      return Failed(place(name_, row, "takes") + "takes: no address " + static_cast<char>('A' + i));
   c.text = text_of(row);
   c.manual = row["manual"].value_or(std::string());
   if (c.function == Function::cycle) {
@@ -109,6 +109,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
     if (c.cycle == 0) return Failed(place(name_, row) + "no [cycle." + c.code + "]");
   }
   auto& index = letter == 'G' ? def_.g_rows : def_.m_rows;
+  if (index[static_cast<std::size_t>(c.tenth)] >= 0) return Failed(place(name_, row) + c.code + " has a row already (the same code with other digits)");
   index[static_cast<std::size_t>(c.tenth)] = static_cast<std::int16_t>(def_.codes.size());
   def_.codes.push_back(std::move(c));
   return {};

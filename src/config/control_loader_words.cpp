@@ -178,16 +178,16 @@ Done ControlLoader::order() {
 tl::expected<Phase, std::string> ControlLoader::phase_of(const toml::table& row, Function function) const {
   Phase phase = traits_of(function).phase;
   if (const auto named = row["phase"].value<std::string>()) phase = phase_named(*named);
-  if (phase == Phase::count) return Failed(place(name_, row) + "unknown phase");
+  if (phase == Phase::count) return Failed(place(name_, row, "phase") + "unknown phase");
   if (phase != Phase::none && def_.order[static_cast<std::size_t>(phase)] == 0)
-    return Failed(place(name_, row) + "phase '" + std::string(name_of(phase)) + "' is not in [order]");
+    return Failed(place(name_, row, "phase") + "phase '" + std::string(name_of(phase)) + "' is not in [order]");
   return phase;
 }
 
 tl::expected<Function, std::string> ControlLoader::function_of(const toml::table& row) const {
   const std::string name = row["does"].value_or(std::string());
   const Function function = function_named(name);
-  if (function == Function::count) return Failed(place(name_, row) + "unknown function '" + name + "'");
+  if (function == Function::count) return Failed(place(name_, row, "does") + "unknown function '" + name + "'");
   return function;
 }
 
@@ -215,7 +215,7 @@ Done ControlLoader::address(char letter, const toml::table& row) {
   a.phase = *phase;
   if (const auto axis = row["axis"].value<std::string>()) {
     const int index = axis_named(*axis);
-    if (index < 0) return Failed(place(name_, row) + "no axis '" + *axis + "'");
+    if (index < 0) return Failed(place(name_, row, "axis") + "no axis '" + *axis + "'");
     a.axis = static_cast<std::uint8_t>(index);
   }
   const std::string unit = row["unit"].value_or(std::string());
@@ -239,7 +239,7 @@ Done ControlLoader::word_format(char letter, const toml::table& row, const Addre
     w.sign = a.format[0] == '+';
   } else if (!a.format.empty()) {
     auto parsed = parse_word_format(a.format, false);
-    if (!parsed) return Failed(place(name_, row) + parsed.error());
+    if (!parsed) return Failed(place(name_, row, "format") + parsed.error());
     w = *parsed;
   }
   // A format string says which addresses there are; a row with a format of its own adds one.

@@ -43,6 +43,8 @@ class Clues {
     std::size_t best = 1;
     for (std::size_t i = 0; i < of.size(); ++i)
       if (of[i].weight > of[best].weight) best = i;
+    constexpr double weak = 1;
+    if (of[best].weight < weak || lines_ == 0) return {ids[best], "the text tells little", "по тексту почти ничего не видно"};
     return {ids[best], of[best].en, of[best].ru};
   }
 

@@ -36,6 +36,11 @@ std::string place(const std::string& file, const toml::node& node) {
   return (path ? *path : file) + ":" + std::to_string(node.source().begin.line) + ": ";
 }
 
+std::string place(const std::string& file, const toml::table& row, std::string_view key) {
+  const toml::node* const node = row.get(key);
+  return place(file, node != nullptr ? *node : static_cast<const toml::node&>(row));
+}
+
 Text text_of(const toml::table& row) {
   return {row["en"].value_or(std::string()), row["ru"].value_or(std::string())};
 }

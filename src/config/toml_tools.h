@@ -22,6 +22,9 @@ void merge(toml::table& under, toml::table&& over);
 /// "file:line: "
 std::string place(const std::string& file, const toml::node& node);
 
+/// The same of a key of a row, or of the row where the key is missing: a row may come from two files.
+std::string place(const std::string& file, const toml::table& row, std::string_view key);
+
 Text text_of(const toml::table& row);
 
 /// Text of a node that must be a string, number or bool; the default where the key is missing.

@@ -23,6 +23,20 @@ PlaneAxes axes_of(Plane plane) {
 
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
+/// A circle stays one only where both axes of the plane have the same scale, and is turned (G68) in XY only.
+Status stays_circle(const Machinery& m, PlaneAxes axes, Span where, std::string_view code) {
+  const Transform& t = m.transform;
+  if (t.identity) return {};
+  if (t.turns_plane() && axes.normal != 2) return fail(alarm(AlarmId::plane_wrong, where, code));
+  if (std::fabs(t.scale[axes.first]) == std::fabs(t.scale[axes.second])) return {};
+  return fail(alarm(AlarmId::not_together, where, "G51", code));
+}
+
+/// Mirrored along one axis of the plane: the circle is run the other way round.
+bool runs_reversed(const Transform& t, PlaneAxes axes) {
+  return t.scale[axes.first] * t.mirror[axes.first] * t.scale[axes.second] * t.mirror[axes.second] < 0;
+}
+
 /// Places an alarm of the geometry at the arc's own words.
 tl::unexpected<Alarm> placed(const Machinery& m, Alarm alarm) {
   alarm.where = m.block.where;
@@ -46,7 +60,7 @@ class Circular {
     auto arc = shape(start, end, where);
     if (!arc) return fail(arc.error());
     KADR_TRY(helix(start, end, *arc));
-    KADR_TRY(scales(where));
+    KADR_TRY(stays_circle(m_, axes_, where, turn_ == Turn::cw ? "G2" : "G3"));
     hand_on(*arc, end, named);
     return {};
   }
@@ -102,13 +116,6 @@ class Circular {
     return {};
   }
 
-  /// A circle stays one only where both axes of the plane have the same scale.
-  Status scales(Span where) const {
-    if (m_.transform.identity) return {};
-    if (std::fabs(m_.transform.scale[axes_.first]) == std::fabs(m_.transform.scale[axes_.second])) return {};
-    return fail(alarm(AlarmId::not_together, where, "G51", turn_ == Turn::cw ? "G2" : "G3"));
-  }
-
   void hand_on(const PlaneArc& arc, const Axes& end, AxisMask named) {
     Axes center = m_.position.programmed;
     center[axes_.first] = arc.center.x;
@@ -116,8 +123,7 @@ class Circular {
     bool reversed = false;
     Axes work = end;
     if (!m_.transform.identity) {
-      const auto sign = [&](std::size_t a) { return m_.transform.scale[a] * m_.transform.mirror[a]; };
-      reversed = sign(axes_.first) * sign(axes_.second) < 0;
+      reversed = runs_reversed(m_.transform, axes_);
       work = m_.transform.to_work(end);
       center = m_.transform.to_work(center);
     }
@@ -154,12 +160,15 @@ Status functions::circular_pocket(Machinery& m, const Call& call) {
   KADR_TRY(m.feed_known(call.where));
   const double radius = m.length_value('I');
   if (!(radius > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('I'), 'I', radius));
+  const PlaneAxes plane = axes_of(Plane::xy);
+  KADR_TRY(stays_circle(m, plane, call.where, call.row->code));
   const Axes middle = m.position.programmed;
   Axes edge = middle;
   edge[0] += radius;
   KADR_TRY(m.straight(MotionKind::feed, edge, 1u));
   const Axes center = m.transform.identity ? middle : m.transform.to_work(middle);
-  Motion& circle = m.add_motion(call.row->arg == 2 ? MotionKind::arc_cw : MotionKind::arc_ccw, 3u);
+  const bool cw = (call.row->arg == 2) != runs_reversed(m.transform, plane);
+  Motion& circle = m.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, 3u);
   m.set_feed(circle);
   circle.plane = Plane::xy;
   circle.center = {center[0], center[1], center[2]};

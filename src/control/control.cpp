@@ -12,10 +12,19 @@ Control::~Control() = default;
 
 Control::State Control::run(ActionBatch& batch) { return machinery_->run(batch); }
 void Control::answer(const ProbeAnswer& answer) { machinery_->answer(answer); }
+void Control::hand_over_each_block() { machinery_->each_block = true; }
+void Control::refused() { machinery_->refused(); }
 bool Control::is_stopped() const { return machinery_->is_stopped(); }
 void Control::go_on() { machinery_->go_on(); }
 const AlarmReport& Control::report() const { return machinery_->report; }
-AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const { return machinery_->report_of(alarm, origin, {}); }
+AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
+  const Block& last = machinery_->block;
+  if (origin.line != last.position.line || machinery_->flow.in_body()) return machinery_->report_of(alarm, origin, {});
+  Alarm placed = alarm;   // the block is still in hand
+  placed.where = last.where;
+  return machinery_->report_of(placed, origin, last.text);
+}
+
 void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { machinery_->check_uncalled(on_fault); }
 Ending Control::ending() const { return machinery_->ending(); }
 std::uint64_t Control::blocks() const { return machinery_->flow.blocks(); }

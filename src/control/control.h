@@ -42,6 +42,10 @@ class Control {
   State run(ActionBatch& batch);
 
   void answer(const ProbeAnswer& answer);
+  /// Hands actions over after each block, so that the machine may refuse one.
+  void hand_over_each_block();
+  /// The machine has refused an action of the last block: nothing of the block is done, as with an alarm of its own.
+  void refused();
   /// Stopped by an alarm, of a block or of an answer (no contact).
   bool is_stopped() const;
   void go_on();

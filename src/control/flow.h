@@ -57,7 +57,6 @@ class Flow {
   /// Leaves the innermost call or repetition whose end was not found; in a repetition to go on at `again`.
   void abandon(std::optional<Position> again);
   std::string shown(std::string_view text, Span& place) const { return visiting_ ? elsewhere_->shown(text, place) : reader_ == 0 ? program_.shown(text, place) : std::string(text); }
-  bool is_indexed() const { return indexed_; }
   bool in_body() const { return reader_ == 1; }
   std::size_t depth() const { return frames_.size(); }
   const std::vector<CallFrame>& frames() const { return frames_; }

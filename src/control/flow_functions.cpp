@@ -53,7 +53,6 @@ Status call_subprogram(Machinery& m, const Call& call) {
       if (!count) return fail(count.error());
       times = *count;
     }
-  m.hold_text();
   return m.flow.call(*name, times, m.origin, call.where);
 }
 

@@ -36,7 +36,7 @@ Control::State Machinery::run(ActionBatch& to) {
     first_frames_ = false;
     emit(FrameChange{frames.origin, frames.length, position.work});
   }
-  while (to.size() < batch_size && !stopped_) {
+  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
     if (cycle_run.active()) {
       if (const Status status = cycle_run.next(*this); !status) fail_with(status.error());
       continue;
@@ -81,12 +81,6 @@ void Machinery::fail_with(const Alarm& failed) {
   cycle_run.stop();
   report = report_of(failed, origin, block.text);
   stopped_ = true;
-}
-
-void Machinery::hold_text() {
-  if (flow.is_indexed()) return;
-  held_text_ = block.text;
-  block.text = held_text_;
 }
 
 void Machinery::warn(const Alarm& alarm) {
@@ -145,7 +139,7 @@ Status Machinery::attempt() {
 Status Machinery::words() {
   KADR_TRY(evaluate_words());
   KADR_TRY(plan_block(def, letters, block, modal.motion_row, plan_));
-  if (!changes_only_position()) take_moment();
+  if (each_block || !changes_only_position()) take_moment();
   KADR_TRY(carry_out(plan_));
   return moment_taken_ ? check_place() : Status();
 }
@@ -297,6 +291,11 @@ void Machinery::take_back(std::size_t actions) {
   tables.zero_shift = moment_.zero_shift;
   if (def.behaviour.correctors) corrector_applied = kept_corrections_;
   if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
+}
+
+void Machinery::refused() {
+  if (batch != nullptr) take_back(0);
+  moment_taken_ = false;
 }
 
 void Machinery::run_modes(std::initializer_list<Function> functions) {

@@ -32,6 +32,7 @@ class Machinery {
   Control::State run(ActionBatch& batch);
   void answer(const ProbeAnswer& answer);
   void go_on();
+  void refused();
   bool is_stopped() const { return stopped_; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   Ending ending() const;
@@ -91,8 +92,6 @@ class Machinery {
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
   void apply_mirror();
   void warn(const Alarm& alarm);
-  /// The first call reads the whole file through the block's own reader: the block's text is kept meanwhile.
-  void hold_text();
 
   // ---- what the functions work on
 
@@ -116,6 +115,7 @@ class Machinery {
   bool needs_probe = false;
   Span probe_where;
   bool optional_stop_on = false;
+  bool each_block = false;                 // hand over after each block
   std::array<bool, 10> skip_switches{};
   std::array<bool, max_axes> mirror_switches{};   // panel mode of the 2С42 (6.8)
   std::string start_error;                 // what the set-up names and the control has not
@@ -176,7 +176,6 @@ class Machinery {
   bool skipping_section_ = false;
   bool first_frames_ = true;
   std::vector<std::string> watch_;
-  std::string held_text_;
 };
 
 /// What a row's function does (control/functions.cpp).

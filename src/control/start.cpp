@@ -137,8 +137,10 @@ void Machinery::start_modal(const Setup& setup) {
 /// Is it a code word of this control?
 bool Machinery::starts(const std::string& text) const {
   if (text.size() < 2) return false;
+  if (text[0] < 'A' || text[0] > 'Z') return false;
   if (text[0] != 'G' && text[0] != 'M') return def.grammar.word(text[0]).known;
-  return def.row_of(text[0], static_cast<std::int32_t>(std::strtod(text.c_str() + 1, nullptr) * 10 + 0.5)) >= 0;
+  const double tenth = std::strtod(text.c_str() + 1, nullptr) * 10 + 0.5;
+  return tenth >= 0 && tenth < ControlDef::most_tenths && def.row_of(text[0], static_cast<std::int32_t>(tenth)) >= 0;
 }
 
 }  // namespace kadr

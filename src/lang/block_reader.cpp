@@ -61,8 +61,8 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
     const Status status = lex_line(block);
     in_line_ = rest_ < text_.size();
     position_ = in_line_ ? Position{line_.offset, line_.number, position_.nth + 1} : Position{lines_.offset(), line_.number + 1, 0};
-    if (!status) return fail(status.error());
     if (was_first && line_.too_long) return fail(alarm(AlarmId::line_too_long, {0, 1}, double{limits::line_bytes}));
+    if (!status) return fail(status.error());
     if (!block.empty() || block.has_number || !block.comments.empty() || !block.warnings.empty()) return Got::block;
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/vec.h"
+#include "lang/encoding.h"
 
 namespace kadr {
 namespace {
@@ -167,7 +168,11 @@ class Compiler {
   Span span(std::size_t begin, std::size_t end) const {
     return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(std::min(end, cursor_.text.size()))};
   }
-  std::string_view text_at(std::size_t at) const { return at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…"); }
+  /// The character there, whole.
+  std::string_view text_at(std::size_t at) const {
+    if (at >= cursor_.text.size()) return "…";
+    return cursor_.text.substr(at, std::max<std::size_t>(first_character(cursor_.text.substr(at)).size, 1));
+  }
 
   Cursor& cursor_;
   Block& block_;

@@ -23,7 +23,12 @@ class VirtualMachine {
   /// What a straight probe motion from here meets on its way.
   ProbeAnswer probe(const Motion& motion) const;
 
+  /// Some axis has a limit: motions may be refused.
+  bool has_limits() const;
+
   const ToolPosition& position() const { return position_; }
+  /// The actions since then are not carried out after all.
+  void go_back(const ToolPosition& to) { position_ = to; }
   const AxisRoles& roles() const { return roles_; }
 
  private:

@@ -76,7 +76,7 @@ void TextBuffer::append(std::string_view text) {
 
 bool TextBuffer::flush() {
   const auto filled = static_cast<std::size_t>(at_ - text_.get());
-  if (filled > 0 && std::fwrite(text_.get(), 1, filled, file_) != filled) ok_ = false;
+  if (filled > 0 && (std::fwrite(text_.get(), 1, filled, file_) != filled || std::fflush(file_) != 0)) ok_ = false;
   at_ = text_.get();
   return ok_;
 }

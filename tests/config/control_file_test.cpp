@@ -132,7 +132,7 @@ TEST(errors, name_file_line_and_thing) {
   const Case cases[] = {
       {"[g]\n\"04\" = { does = \"dwell\", takse = \"P\" }\n", "own.toml:4: ", "takse"},
       {"[g]\n\"4\" = { does = \"sleep\" }\n", "own.toml:4: ", "sleep"},
-      {"[g]\n\n\"4\" = { does = \"dwell\", group = \"nap\" }\n", "own.toml:5: ", "nap"},
+      {"[g]\n\n\"4\" = { does = \"linear\", group = \"nap\" }\n", "own.toml:5: ", "nap"},
       {"[g]\n\"4\" = { does = \"dwell\", phase = \"later\" }\n", "own.toml:4: ", "phase"},
       {"[g]\n\"4x\" = { does = \"dwell\" }\n", "own.toml:4: ", "4x"},
       {"[g]\n\"4\" = 5\n", "own.toml:4: ", "table"},
@@ -140,7 +140,6 @@ TEST(errors, name_file_line_and_thing) {
       {"[behaviour]\nsleepy = true\n", "own.toml:4: ", "sleepy"},
       {"[grammar]\nsleepy = true\n", "own.toml:4: ", "sleepy"},
       {"[alarms]\nsleepy = { en = \"x\" }\n", "own.toml:4: ", "sleepy"},
-      {"[address]\nX = { axis = \"Nap\" }\n", "own.toml:4: ", "Nap"},
       {"[cycle.G81]\nsteps = [\"nap\"]\n", "own.toml:4: ", "step"},
       {"[nap]\n", "own.toml:3: ", "nap"},
       {"[g]\n\"4\" = { does = \"dwell\"\n", "own.toml:", ""},   // no TOML
@@ -152,6 +151,11 @@ TEST(errors, name_file_line_and_thing) {
   }
 }
 
+TEST(errors, in_a_row_laid_over_another_name_the_line_of_ones_own_file) {
+  EXPECT_EQ(refusal(head + "[address]\nX = { axis = \"Nap\" }\n").find("own.toml:4: "), 0u);
+  EXPECT_EQ(refusal(head + "[g]\n\"04\" = { does = \"sleep\" }\n").find("own.toml:4: "), 0u);
+}
+
 TEST(errors, of_a_code_twice) {
   // gost writes "04": the same code with other digits is another row.
   const std::string sentence = refusal(head + "[g]\n\"4\" = { does = \"dwell\", phase = \"dwell_after\", takes = \"P\" }\n");
@@ -160,7 +164,7 @@ TEST(errors, of_a_code_twice) {
 
 TEST(errors, of_what_is_missing) {
   EXPECT_NE(refusal("extends = \"nap\"\nid = \"own\"\n").find("nap"), std::string::npos);
-  EXPECT_NE(refusal("extends = \"gost\"\n[groups]\nmotion = { initial = \"G4\" }\n").find("G4"), std::string::npos);
+  EXPECT_NE(refusal(head + "[groups]\nmotion = { initial = \"G4\" }\n").find("G4"), std::string::npos);
   EXPECT_FALSE(parse_control("", "own.toml"));
   const auto none = load_control("nap");
   ASSERT_FALSE(none);

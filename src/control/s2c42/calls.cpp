@@ -71,7 +71,6 @@ Status call(Machinery& m, const Call& call) {
     return {};
   }
   const std::size_t depth = m.flow.depth();
-  m.hold_text();
   KADR_TRY(m.flow.call(name, times, m.origin, w.where));
   CallFrame& frame = m.flow.frames()[depth];
   frame.work_zero = m.modal.work_zero;
