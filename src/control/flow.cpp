@@ -56,6 +56,13 @@ void Flow::go_to(std::uint8_t reader, Position position) {
   (reader == 0 ? program_ : *bodies_).seek(position);
 }
 
+void Flow::back_to(const Place& place) {
+  frames_ = place.frames;
+  restarts_ = place.restarts;
+  ended_ = place.ended;
+  if (reader_ != place.reader || position() != place.position) go_to(place.reader, place.position);
+}
+
 Status Flow::push(CallFrame frame, Span where) {
   if (frames_.size() >= def_.behaviour.call_depth) return fail(alarm(AlarmId::call_too_deep, where, double(def_.behaviour.call_depth)));
   frame.back = position();

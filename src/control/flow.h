@@ -39,6 +39,16 @@ class Flow {
   Result<BlockReader::Got> next(Block& block);
 
   // ---- jumps
+  /// Calls open and where reading goes on: what a faulty block may have changed.
+  struct Place {
+    std::vector<CallFrame> frames;
+    Position position;
+    std::uint8_t reader = 0;
+    std::uint32_t restarts = 0;
+    bool ended = false;
+  };
+  Place place() const { return {frames_, position(), reader_, restarts_, ended_}; }
+  void back_to(const Place& place);
   /// alarms  subprogram_missing, label_twice, call_too_deep
   Status call(std::uint32_t subprogram, std::uint32_t times, const Origin& caller, Span where);
   Status call_body(const CycleRow& cycle, std::uint32_t times, const Origin& caller, Span where);

@@ -41,6 +41,10 @@ Control::State Machinery::run(ActionBatch& to) {
       if (const Status status = cycle_run.next(*this); !status) fail_with(status.error());
       continue;
     }
+    if (waiting_count_ != 0) {
+      if (const Status status = after_cycle(); !status) fail_with(status.error());
+      continue;
+    }
     if (flow.ended()) return Control::State::ended;
     const auto got = flow.next(block);
     if (got && *got == BlockReader::Got::end) {
@@ -79,6 +83,7 @@ void Machinery::go_on() {
 
 void Machinery::fail_with(const Alarm& failed) {
   cycle_run.stop();
+  waiting_count_ = 0;
   report = report_of(failed, origin, block.text);
   stopped_ = true;
 }
@@ -127,6 +132,8 @@ Status Machinery::attempt() {
   const std::size_t actions = batch->size();
   moment_taken_ = false;
   block_exact = block_machine_coordinates = false;
+  waiting_count_ = 0;
+  flow_before_.reset();
   if (!block.code.empty()) {
     take_moment();
     variables.begin_block();
@@ -229,89 +236,6 @@ Status Machinery::check_ranges() const {
     if (row.whole && w.value != std::floor(w.value)) return fail(alarm(AlarmId::word_not_integer, w.where, w.address, w.value));
   }
   return {};
-}
-
-Status Machinery::carry_out(const Plan& plan) {
-  if (def.grammar.expressions)
-    for (const Span comment : block.comments) {
-      const std::string_view text = block.text_of(comment);
-      if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) {
-        Span all;
-        emit(Message{flow.shown(text.substr(4), all)});
-      }
-    }
-  bool motion_began = false;
-  for (std::uint32_t i = 0; i < plan.count; ++i) {
-    const PlanItem& item = plan.items[i];
-    const CodeRow* const row = item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr;
-    const Word* const w = item.word == no_word ? nullptr : &block.words[item.word];
-    const Phase phase = row != nullptr ? row->phase : def.address(item.address).phase;
-    if (phase == Phase::motion && !motion_began) {
-      motion_began = true;
-      if (modal.radius_side != 0)
-        if (const double radius = radius_in_force(); radius != 0) {
-          const Word* const d = word('D');
-          const Span at = w != nullptr && d == nullptr ? block.where : d != nullptr ? d->where : block.where;
-          return fail(alarm(AlarmId::compensation_not_available, at, radius));
-        }
-    }
-    const Function function = row != nullptr ? row->function : def.address(item.address).function;
-    KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block.where}));
-    if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
-  }
-  return {};
-}
-
-void Machinery::take_moment() {
-  if (moment_taken_) return;
-  moment_taken_ = true;
-  variables.begin_block();
-  moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
-  kept_offset_.first = 0;
-  if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
-}
-
-/// Nothing of a faulty block is done (design.md 4).
-void Machinery::take_back(std::size_t actions) {
-  batch->cut(actions);
-  needs_probe = false;
-  cycle_run.stop();
-  if (!moment_taken_) return;
-  variables.undo_block();
-  (void)variables.take_frames_changed();
-  modal = moment_.modal;
-  variables.inch = modal.inch;
-  transform = moment_.transform;
-  position = moment_.position;
-  frames = moment_.frames;
-  cycle_memory = moment_.cycle_memory;
-  pocket = moment_.pocket;
-  set_position = moment_.set_position;
-  set_position_by_g52 = moment_.set_position_by_g52;
-  tables.zero_shift = moment_.zero_shift;
-  if (def.behaviour.correctors) corrector_applied = kept_corrections_;
-  if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
-}
-
-void Machinery::refused() {
-  if (batch != nullptr) take_back(0);
-  moment_taken_ = false;
-}
-
-void Machinery::run_modes(std::initializer_list<Function> functions) {
-  for (const Function function : functions)
-    for (std::size_t i = 0; i < def.codes.size(); ++i) {
-      const CodeRow& row = def.codes[i];
-      if (row.function != function) continue;
-      if (function == Function::rapid) {
-        modal.motion = MotionMode::rapid;
-        modal.motion_row = static_cast<std::int16_t>(i);
-      } else {
-        (void)handler_of(function)(*this, {&row, nullptr, block.where});
-      }
-      if (row.group != 0) modal.rows[row.group] = static_cast<std::int16_t>(i);
-      break;
-    }
 }
 
 // ---- words

@@ -153,6 +153,11 @@ class Machinery {
   Status attempt();
   Status words();
   Status carry_out(const Plan& plan);
+  Status carry_out(const PlanItem& item);
+  Status radius_comp_possible() const;
+  const CodeRow* row_of(const PlanItem& item) const { return item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr; }
+  Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
+  Status after_cycle();
   Status evaluate_words();
   Status assign();
   Status check_ranges() const;
@@ -166,6 +171,9 @@ class Machinery {
   void fail_with(const Alarm& alarm);
 
   Plan plan_;
+  std::array<std::uint8_t, limits::block_words> waiting_{};   // items of plan_ that stop or end the program after the block's cycle
+  std::size_t waiting_count_ = 0;
+  std::optional<Flow::Place> flow_before_;                    // kept where a block has more than one item that jumps
   Moment moment_;
   bool moment_taken_ = false;
   std::vector<double> assigned_;

@@ -15,11 +15,17 @@ Axes axes_of(const AxisValues& values, const std::vector<std::string>& names) {
   return axes;
 }
 
-/// "G54" → 1 … "G59" → 6, "G59 P7" → 7, "common" → 0.
+/// "G54" → 1 … "G59" → 6, "G59 P7" → 7, "common" → 0; -1: no work offset's name.
 int zero_number(const std::string& name) {
-  if (const auto p = name.find('P'); p != std::string::npos) return std::atoi(name.c_str() + p + 1);
-  if (name.size() >= 3 && name[0] == 'G') return std::atoi(name.c_str() + 1) - 53;
-  return 0;
+  constexpr std::string_view extended = "G59 P";
+  const auto number = [&](std::size_t from) {
+    const bool digits = name.size() > from && name.size() < from + 5 && name.find_first_not_of("0123456789", from) == std::string::npos;
+    return digits ? std::atoi(name.c_str() + from) : -1;
+  };
+  if (name == "common") return 0;
+  if (name.starts_with(extended)) return number(extended.size());
+  const int code = name.starts_with("G") ? number(1) : -1;
+  return code >= 54 && code <= 59 ? code - 53 : -1;
 }
 
 }  // namespace
@@ -42,7 +48,11 @@ void Machinery::check_setup(const Setup& setup) {
   for (const auto& [number, value] : setup.correctors) in_table("correctors", number, tables.correctors.size());
   for (const auto& [number, zero] : setup.zeros) in_table("zeros", number, tables.zeros.size()), axes_known("zeros", zero);
   for (const auto& [number, point] : setup.reference_points) in_table("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
-  for (const auto& [name, zero] : setup.work_offsets) axes_known("work_offsets", zero);
+  const std::size_t fixtures = variables.first(VariableKind::fixture) != 0 ? def.behaviour.fixtures + 1 : tables.zeros.size();
+  for (const auto& [name, zero] : setup.work_offsets) {
+    if (const int number = zero_number(name); number < 0 || static_cast<std::size_t>(number) >= fixtures) note("work_offsets: " + name);
+    axes_known("work_offsets", zero);
+  }
 }
 
 void Machinery::read_setup(const Setup& setup) {

@@ -119,8 +119,8 @@ Status BlockReader::lex_line(Block& block) {
   }
   rest_ = lexed->next;
   if (lexed->marked) {
-    marks_used_ = true;
-  } else if (marks_used_ && grammar_.mark_everywhere && !block.empty()) {
+    first_mark_ = std::min(first_mark_, line_.offset);
+  } else if (line_.offset >= first_mark_ && grammar_.mark_everywhere && !block.empty()) {
     const std::uint32_t end = block.where.end;
     return fail(alarm(AlarmId::end_of_block_missing, {end > 0 ? end - 1 : 0, end}));
   }

@@ -40,7 +40,7 @@ class BlockReader {
   const Grammar& grammar_;
   std::optional<Encoding> encoding_;
   bool guessed_ = false;
-  bool marks_used_ = false;      // a block of this file has ended with ПС or LF
+  std::uint64_t first_mark_ = ~std::uint64_t{0};   // offset of the first line with a block that ended with ПС or LF
   Line line_;
   std::string decoded_;          // the line in UTF-8, where it is not already
   std::string_view text_;        // the line's text

@@ -157,7 +157,7 @@ TEST(cycles, come_before_the_end_of_their_block) {
   ASSERT_EQ(r.first_alarm(), "");
   for (const Motion& m : r.motions())
     if (m.kind == MotionKind::feed) { EXPECT_NEAR(m.machine[0], 101, 1e-9); }
-  EXPECT_EQ(r.motions().size(), 5u);
+  EXPECT_EQ(r.motions().size(), 6u);   // to the start, up to R, over the hole, down, up
 }
 
 TEST(cycles, that_turn_the_spindle_stop_reverse_and_restore_it) {

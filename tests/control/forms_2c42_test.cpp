@@ -73,7 +73,7 @@ RC_GTEST_PROP(subprogram, is_its_body_written_out, ()) {
   Blocks written = start;
   for (int i = 0; i < times; ++i) written = joined({written, body});
   const std::string call = times == 1 ? "L07" : "L070" + std::to_string(times);
-  const Blocks tail = {"G90 X0"};
+  const Blocks tail = {"G90 G1 X0"};
   RC_ASSERT(actions_of(section + "N07999 M2\n" + main_program(joined({start, {call}, tail}))) == actions_of(main_program(joined({written, tail}))));
 }
 

@@ -1,0 +1,120 @@
+// A planned block carried out in the order of execution, and taken back where it fails: nothing of a faulty block is done.
+
+#include "control/machinery.h"
+
+namespace kadr {
+namespace {
+
+/// Stops or ends the program.
+bool ends_or_stops(const CodeRow* row) {
+  if (row == nullptr) return false;
+  const Function f = row->function;
+  return f == Function::program_stop || f == Function::optional_stop || f == Function::program_end || f == Function::tape_end;
+}
+
+}  // namespace
+
+Status Machinery::carry_out(const Plan& plan) {
+  if (def.grammar.expressions)
+    for (const Span comment : block.comments) {
+      const std::string_view text = block.text_of(comment);
+      if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) {
+        Span all;
+        emit(Message{flow.shown(text.substr(4), all)});
+      }
+    }
+  bool motion_began = false;
+  for (std::uint32_t i = 0; i < plan.count; ++i) {
+    const PlanItem& item = plan.items[i];
+    const Phase phase = phase_of(item);
+    if (phase == Phase::motion && !motion_began) {
+      motion_began = true;
+      KADR_TRY(radius_comp_possible());
+    }
+    if (phase == Phase::flow && i + 1 < plan.count && !flow_before_) flow_before_ = flow.place();
+    if (cycle_run.active() && ends_or_stops(row_of(item))) waiting_[waiting_count_++] = static_cast<std::uint8_t>(i);
+    else KADR_TRY(carry_out(item));
+  }
+  return {};
+}
+
+Status Machinery::carry_out(const PlanItem& item) {
+  const CodeRow* const row = row_of(item);
+  const Word* const w = item.word == no_word ? nullptr : &block.words[item.word];
+  const Function function = row != nullptr ? row->function : def.address(item.address).function;
+  KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block.where}));
+  if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
+  return {};
+}
+
+Status Machinery::radius_comp_possible() const {
+  if (modal.radius_side == 0) return {};
+  const double radius = radius_in_force();
+  if (radius == 0) return {};
+  const Word* const d = word('D');
+  return fail(alarm(AlarmId::compensation_not_available, d != nullptr ? d->where : block.where, radius));
+}
+
+/// M0, M2 and their like in the block of a cycle: the holes come first (order of execution: motion, stop, flow).
+Status Machinery::after_cycle() {
+  const std::size_t count = waiting_count_;
+  waiting_count_ = 0;
+  for (std::size_t i = 0; i < count; ++i) KADR_TRY(carry_out(plan_.items[waiting_[i]]));
+  return {};
+}
+
+void Machinery::take_moment() {
+  if (moment_taken_) return;
+  moment_taken_ = true;
+  variables.begin_block();
+  moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
+  kept_offset_.first = 0;
+  if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
+}
+
+/// Nothing of a faulty block is done (design.md 4).
+void Machinery::take_back(std::size_t actions) {
+  batch->cut(actions);
+  needs_probe = false;
+  cycle_run.stop();
+  waiting_count_ = 0;
+  if (flow_before_) flow.back_to(*flow_before_);
+  if (!moment_taken_) return;
+  variables.undo_block();
+  (void)variables.take_frames_changed();
+  modal = moment_.modal;
+  variables.inch = modal.inch;
+  transform = moment_.transform;
+  position = moment_.position;
+  frames = moment_.frames;
+  cycle_memory = moment_.cycle_memory;
+  pocket = moment_.pocket;
+  set_position = moment_.set_position;
+  set_position_by_g52 = moment_.set_position_by_g52;
+  tables.zero_shift = moment_.zero_shift;
+  if (def.behaviour.correctors) corrector_applied = kept_corrections_;
+  if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
+}
+
+void Machinery::refused() {
+  if (batch != nullptr) take_back(0);
+  moment_taken_ = false;
+}
+
+void Machinery::run_modes(std::initializer_list<Function> functions) {
+  for (const Function function : functions)
+    for (std::size_t i = 0; i < def.codes.size(); ++i) {
+      const CodeRow& row = def.codes[i];
+      if (row.function != function) continue;
+      if (function == Function::rapid) {
+        modal.motion = MotionMode::rapid;
+        modal.motion_row = static_cast<std::int16_t>(i);
+      } else {
+        (void)handler_of(function)(*this, {&row, nullptr, block.where});
+      }
+      if (row.group != 0) modal.rows[row.group] = static_cast<std::int16_t>(i);
+      break;
+    }
+}
+
+}  // namespace kadr
