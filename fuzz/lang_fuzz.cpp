@@ -15,7 +15,7 @@ namespace {
 using kadr::fuzz::require;
 
 constexpr const char* controls[] = {"s2c42", "mach3", "gost", "correctors"};
-constexpr std::size_t most_sought = 300;   // blocks that are jumped to
+constexpr std::size_t most_sought = 300;  // blocks that are jumped to
 
 const kadr::Grammar& grammar_of(std::size_t index) {
   static const std::vector<kadr::ControlDef> defs = [] {
@@ -38,7 +38,7 @@ struct Read {
   kadr::Position position;
   bool good = false;
   kadr::AlarmId alarm = kadr::AlarmId::count;
-  kadr::Span where;          // in the text as it is shown: a line with comments alone may be read undecoded
+  kadr::Span where;  // in the text as it is shown: a line with comments alone may be read undecoded
   std::vector<kadr::Word> words;
   std::uint32_t number = 0;
   std::size_t assignments = 0;

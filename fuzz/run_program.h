@@ -18,13 +18,13 @@
 
 namespace kadr::fuzz {
 
-inline constexpr std::size_t most_actions = 20'000;   // of one run
+inline constexpr std::size_t most_actions = 20'000;  // of one run
 inline constexpr std::size_t most_alarms = 200;
-inline constexpr std::size_t most_shown = 40;         // alarms that are put into words
-inline constexpr std::size_t most_compared = 15;      // alarms before which the state is kept, to be compared
+inline constexpr std::size_t most_shown = 40;     // alarms that are put into words
+inline constexpr std::size_t most_compared = 15;  // alarms before which the state is kept, to be compared
 inline constexpr RunLimits few_passes{2000, 5};
-inline constexpr double farthest_end = 1e8;           // mm: what no motion may reach
-inline constexpr double same_place = 1e-5;            // mm: rounding of coordinates of ten kilometres
+inline constexpr double farthest_end = 1e8;  // mm: what no motion may reach
+inline constexpr double same_place = 1e-5;   // mm: rounding of coordinates of ten kilometres
 
 /// Switches in the first byte; '@' is none of them.
 enum : unsigned { mirror_x = 1, mirror_y = 2, skip_blocks = 4, narrow_limits = 8, as_cp1251 = 16 };
@@ -81,7 +81,8 @@ inline bool near(const Axes& a, const Axes& b) {
 class Run {
  public:
   Run(const Shop& shop, std::string text, unsigned switches)
-      : shop_(shop), setup_(some_setup(switches)),
+      : shop_(shop),
+        setup_(some_setup(switches)),
         control_(shop.def, setup_,
                  {"fuzz.nc", text_source(std::move(text)), (switches & as_cp1251) != 0 ? std::optional(Encoding::cp1251) : std::nullopt},
                  few_passes),
@@ -96,7 +97,8 @@ class Run {
 
   void carry_out() {
     ActionBatch batch;
-    for (Control::State state = Control::State::running; state != Control::State::ended && actions_ < most_actions && alarms_ < most_alarms;) {
+    for (Control::State state = Control::State::running;
+         state != Control::State::ended && actions_ < most_actions && alarms_ < most_alarms;) {
       const bool compared = alarms_ < most_compared;
       const Ending before = compared ? control_.ending() : Ending();
       const std::uint64_t blocks = control_.blocks();
@@ -155,7 +157,8 @@ class Run {
   }
 
   static void check_other(const Action& action) {
-    if (const auto* const dwell = std::get_if<Dwell>(&action.what)) require(std::isfinite(dwell->seconds) && dwell->seconds >= 0, "a dwell ends");
+    if (const auto* const dwell = std::get_if<Dwell>(&action.what))
+      require(std::isfinite(dwell->seconds) && dwell->seconds >= 0, "a dwell ends");
     if (const auto* const spindle = std::get_if<Spindle>(&action.what)) require(std::isfinite(spindle->rpm), "the speed is a number");
     if (const auto* const message = std::get_if<Message>(&action.what)) require(is_utf8(message->text), "a message is UTF-8");
   }
@@ -167,7 +170,8 @@ class Run {
     show(last_);
     if (alarms_ > 2 * most_compared) return;
     const Ending after = control_.ending();
-    require(near(after.position, stand_.work) && near(after.machine_position, stand_.machine), "after an alarm the control stands where the motions led");
+    require(near(after.position, stand_.work) && near(after.machine_position, stand_.machine),
+            "after an alarm the control stands where the motions led");
     if (before == nullptr) return;
     require(before->variables == after.variables, "a faulty block changes no variable");
     require(before->modal == after.modal, "a faulty block changes no mode");

@@ -46,7 +46,7 @@ void check_encodings(std::string_view bytes) {
     const kadr::Status status = kadr::append_utf8(bytes, encoding, text);
     require(is_utf8(text));
     if (!status) require(status.error().where.end <= bytes.size() && status.error().where.begin < status.error().where.end);
-    if (guess && *guess == Encoding::koi8r) require(encoding != Encoding::koi8r || status);   // KOI8-R has all 256
+    if (guess && *guess == Encoding::koi8r) require(encoding != Encoding::koi8r || status);  // KOI8-R has all 256
   }
 }
 

@@ -20,9 +20,11 @@ class Choices {
     return number % count;
   }
   int between(int least, int most) { return least + static_cast<int>(below(static_cast<std::size_t>(most - least) + 1)); }
-  bool one_in(std::size_t count) { return below(count) + 1 == count; }   // false when the bytes are used up
+  bool one_in(std::size_t count) { return below(count) + 1 == count; }  // false when the bytes are used up
   template <class T, std::size_t N>
-  T of(const T (&all)[N]) { return all[below(N)]; }
+  T of(const T (&all)[N]) {
+    return all[below(N)];
+  }
 
  private:
   std::uint8_t next() { return at_ < bytes_.size() ? bytes_[at_++] : std::uint8_t{0}; }

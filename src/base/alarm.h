@@ -29,9 +29,9 @@ enum class Severity : std::uint8_t { alarm, warning };
 class AlarmArg {
  public:
   AlarmArg() = default;
-  AlarmArg(double number) : is_number_(true), number_(number) {}  // NOLINT: a number is an argument
-  AlarmArg(std::string_view text);                                // NOLINT: so is a piece of text
-  AlarmArg(const char* text) : AlarmArg(std::string_view(text)) {}  // NOLINT
+  AlarmArg(double number) : is_number_(true), number_(number) {}     // NOLINT: a number is an argument
+  AlarmArg(std::string_view text);                                   // NOLINT: so is a piece of text
+  AlarmArg(const char* text) : AlarmArg(std::string_view(text)) {}   // NOLINT
   AlarmArg(char letter) : AlarmArg(std::string_view(&letter, 1)) {}  // NOLINT
 
   bool is_number() const { return is_number_; }

@@ -16,8 +16,8 @@ inline tl::unexpected<Alarm> fail(const Alarm& alarm) { return tl::unexpected<Al
 }  // namespace kadr
 
 /// Leaves the function with the alarm of `expression`, if it has one.
-#define KADR_TRY(expression)                                   \
-  do {                                                         \
-    if (auto status_ = (expression); !status_) [[unlikely]]    \
-      return tl::unexpected<::kadr::Alarm>(status_.error());   \
+#define KADR_TRY(expression)                                 \
+  do {                                                       \
+    if (auto status_ = (expression); !status_) [[unlikely]]  \
+      return tl::unexpected<::kadr::Alarm>(status_.error()); \
   } while (false)

@@ -4,10 +4,11 @@
 
 namespace kadr::tol {
 
-inline constexpr double same_point = 1e-6;       // mm: far below any programmed step, far above rounding
-inline constexpr double same_angle = 1e-9;       // degrees: rounding of a whole turn in double, times a thousand
-inline constexpr double whole_number = 1e-6;     // an expression that must give an integer may miss it by rounding
-inline constexpr double whole_turns = 1e-4;      // turns: Z/K of a helix written with three decimals, 2С42 6.6.6
-inline constexpr double level = same_point;      // mm: two levels of a cycle closer than this are one
+inline constexpr double same_point = 1e-6;     // mm: far below any programmed step, far above rounding
+inline constexpr double same_angle = 1e-9;     // degrees: rounding of a whole turn in double, times a thousand
+inline constexpr double whole_number = 1e-6;   // an expression that must give an integer may miss it by rounding
+inline constexpr double whole_turns = 1e-4;    // turns: Z/K of a helix written with three decimals, 2С42 6.6.6
+inline constexpr double ellipse_chord = 5e-4;  // mm: half the least increment of the controls, an ellipse as chords
+inline constexpr double level = same_point;    // mm: two levels of a cycle closer than this are one
 
 }  // namespace kadr::tol

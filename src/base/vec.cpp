@@ -11,7 +11,7 @@ SinCos sincos_deg(double deg) {
   int quarter = 0;
   const double rest_deg = std::remquo(deg, 90.0, &quarter);  // remquo is exact; deg + 90 would round
   const double rest = rest_deg * rad_per_deg;
-  const bool middle = std::fabs(rest_deg) == 45;   // either neighbour may be the nearest quarter: both must give the same
+  const bool middle = std::fabs(rest_deg) == 45;  // either neighbour may be the nearest quarter: both must give the same
   const double s = middle ? std::copysign(root_half, rest) : std::sin(rest);
   const double c = middle ? root_half : std::cos(rest);
   switch (quarter & 3) {

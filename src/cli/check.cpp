@@ -16,8 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_faults = 1000;   // of one program: beyond, it is no program of this control
-constexpr const char* program_endings[] = {".nc", ".ngc", ".tap", ".txt", ".iso", ".prg", ".nct", ".gcode", ".cnc", ".mpf", ".up", ".eia", ".ptp", ".tape"};
+constexpr std::size_t most_faults = 1000;  // of one program: beyond, it is no program of this control
+constexpr const char* program_endings[] = {".nc",    ".ngc", ".tap", ".txt", ".iso", ".prg", ".nct",
+                                           ".gcode", ".cnc", ".mpf", ".up",  ".eia", ".ptp", ".tape"};
 
 bool is_program(const fs::path& path) {
   std::string ending = path.extension().string();
@@ -61,7 +62,7 @@ class Collector {
   std::size_t warnings = 0;
 
  private:
-  static constexpr std::size_t most_again = 100'000;   // repetitions of known faults: a loop that only fails
+  static constexpr std::size_t most_again = 100'000;  // repetitions of known faults: a loop that only fails
   const Job& job_;
   const Options& options_;
   std::vector<Finding>& findings_;
@@ -71,7 +72,8 @@ class Collector {
 
 enum class Checked { clean, faulty, unreadable };
 
-Checked check_file(const Options& options, const std::string& file, std::vector<Finding>& findings, std::size_t& faults, std::size_t& warnings) {
+Checked check_file(const Options& options, const std::string& file, std::vector<Finding>& findings, std::size_t& faults,
+                   std::size_t& warnings) {
   auto job = make_job(options, file);
   if (!job) return Checked::unreadable;
   auto program = open_program(*job);
@@ -84,7 +86,8 @@ Checked check_file(const Options& options, const std::string& file, std::vector<
   Collector collector(*job, options, findings);
   Progress progress(options.quiet);
   const auto take = [&](const AlarmReport& report) { return collector.take(report); };
-  (void)carry_out(control, *job, {[](const Action&) {}, [&](const AlarmReport& r) { (void)take(r); }, take, [&](const Control& c) { progress.show(c); }});
+  (void)carry_out(control, *job,
+                  {[](const Action&) {}, [&](const AlarmReport& r) { (void)take(r); }, take, [&](const Control& c) { progress.show(c); }});
   if (!interrupted()) control.check_uncalled([&](const AlarmReport& r) { (void)take(r); });
   faults += collector.faults;
   warnings += collector.warnings;
@@ -94,7 +97,9 @@ Checked check_file(const Options& options, const std::string& file, std::vector<
 void print_count(const Options& options, std::size_t files, std::size_t faults, std::size_t warnings) {
   if (options.format != "text") return;
   if (language(options) == Lang::ru) fmt::print("Проверено программ: {}. Ошибок: {}, предупреждений: {}.\n", files, faults, warnings);
-  else fmt::print("{} program{} checked: {} error{}, {} warning{}.\n", files, files == 1 ? "" : "s", faults, faults == 1 ? "" : "s", warnings, warnings == 1 ? "" : "s");
+  else
+    fmt::print("{} program{} checked: {} error{}, {} warning{}.\n", files, files == 1 ? "" : "s", faults, faults == 1 ? "" : "s", warnings,
+               warnings == 1 ? "" : "s");
 }
 
 }  // namespace

@@ -33,7 +33,9 @@ constexpr const char* tape_examples =
     "  kadr tape decode flange.tape               rows to text; parity errors by row on stderr\n"
     "Exit status: 0 all well, 1 parity errors or a character that has no code, 2 wrong usage.";
 
-void language_option(CLI::App& app, std::string& lang) { app.add_option("--lang", lang, "language of messages: en or ru (default: by LANG)")->check(CLI::IsMember({"en", "ru"})); }
+void language_option(CLI::App& app, std::string& lang) {
+  app.add_option("--lang", lang, "language of messages: en or ru (default: by LANG)")->check(CLI::IsMember({"en", "ru"}));
+}
 
 void program_options(CLI::App& app, Options& o) {
   app.add_option("--control", o.control, "control: an id of `kadr controls`, or a file NAME.toml (default: guessed from the text)");
@@ -61,7 +63,9 @@ void add_check(CLI::App& app, Commands& c) {
   CLI::App* const check = app.add_subcommand("check", "find every fault of programs");
   check->add_option("PROGRAM", c.options.programs, "programs and folders of programs")->required();
   program_options(*check, c.options);
-  check->add_option("--format", c.options.format, "text, json or sarif")->check(CLI::IsMember({"text", "json", "sarif"}))->capture_default_str();
+  check->add_option("--format", c.options.format, "text, json or sarif")
+      ->check(CLI::IsMember({"text", "json", "sarif"}))
+      ->capture_default_str();
   check->footer(check_examples);
 }
 
@@ -86,7 +90,9 @@ void add_tape(CLI::App& app, Commands& c) {
     language_option(*sub, c.tape.lang);
     if (!decode) {
       sub->add_option("--encoding", c.tape.encoding, "of the text: utf-8, cp1251, koi8-r, cp866 (default: detected)");
-      sub->add_option("--leader", c.tape.leader, "rows of blank tape before and after")->capture_default_str()->check(CLI::Range(0, 100000));
+      sub->add_option("--leader", c.tape.leader, "rows of blank tape before and after")
+          ->capture_default_str()
+          ->check(CLI::Range(0, 100000));
     }
   }
   tape->footer(tape_examples);
@@ -95,7 +101,8 @@ void add_tape(CLI::App& app, Commands& c) {
 }  // namespace
 
 std::unique_ptr<CLI::App> make_app(Commands& c) {
-  auto app = std::make_unique<CLI::App>("Kadr reads part programs exactly as a given control would: checks, runs, draws and times them.", "kadr");
+  auto app =
+      std::make_unique<CLI::App>("Kadr reads part programs exactly as a given control would: checks, runs, draws and times them.", "kadr");
   app->set_version_flag("--version", std::string("kadr ") + KADR_VERSION);
   app->require_subcommand(1);
   add_run(*app, c);

@@ -17,7 +17,7 @@ struct Commands {
   Options options;
   ExplainOptions explain;
   TapeOptions tape;
-  std::string shell;       // of completion
+  std::string shell;  // of completion
 };
 
 std::unique_ptr<CLI::App> make_app(Commands& commands);

@@ -1,9 +1,8 @@
 // The program: command line → one command → exit status.
 
-#include <CLI/CLI.hpp>
-
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
 
@@ -17,7 +16,8 @@ Lang language(const Options& options) {
   if (options.lang == "ru") return Lang::ru;
   if (options.lang == "en") return Lang::en;
   for (const char* const name : {"LC_ALL", "LC_MESSAGES", "LANG"})
-    if (const char* const value = std::getenv(name); value != nullptr && *value != '\0') return std::string(value).starts_with("ru") ? Lang::ru : Lang::en;
+    if (const char* const value = std::getenv(name); value != nullptr && *value != '\0')
+      return std::string(value).starts_with("ru") ? Lang::ru : Lang::en;
   return Lang::en;
 }
 
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     return perform(*app, commands);
   } catch (const std::bad_alloc&) {
     complain("out of memory");
-  } catch (const std::exception& error) {   // of a library: a bug, but said plainly
+  } catch (const std::exception& error) {  // of a library: a bug, but said plainly
     complain(error.what());
   }
   return wrong_usage;

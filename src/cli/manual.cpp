@@ -1,8 +1,8 @@
 // Manual page and shell completion, from the tree of commands.
 
-#include <CLI/CLI.hpp>
-
 #include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
 
 #include "cli/command_line.h"
 #include "config/control_file.h"
@@ -10,7 +10,9 @@
 namespace kadr::cli {
 namespace {
 
-std::vector<const CLI::App*> subcommands(const CLI::App& app) { return app.get_subcommands([](const CLI::App*) { return true; }); }
+std::vector<const CLI::App*> subcommands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
 
 std::vector<const CLI::Option*> options(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return option->get_name() != "--help,-h" && option->get_name() != "-h,--help"; });
@@ -33,7 +35,8 @@ std::string roff(const std::string& text) {
 
 void manual_of(const CLI::App& app, const std::string& name, std::string& page) {
   page += fmt::format(".SS {}\n{}.\n", roff(name), roff(app.get_description()));
-  for (const CLI::Option* const option : options(app)) page += fmt::format(".TP\n.B {}\n{}\n", roff(option->get_name(true)), roff(option->get_description()));
+  for (const CLI::Option* const option : options(app))
+    page += fmt::format(".TP\n.B {}\n{}\n", roff(option->get_name(true)), roff(option->get_description()));
   if (!app.get_footer().empty()) page += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(app.get_footer()));
   for (const CLI::App* const sub : subcommands(app)) manual_of(*sub, name + " " + sub->get_name(), page);
 }
@@ -87,7 +90,8 @@ std::string fish_script(const CLI::App& app) {
     script += fmt::format("complete -c kadr -n __fish_use_subcommand -a {} -d '{}'\n", sub->get_name(), quoted(sub->get_description()));
     for (const CLI::Option* const option : options(*sub))
       for (const std::string& name : option->get_lnames())
-        script += fmt::format("complete -c kadr -n '__fish_seen_subcommand_from {}' -l {} -d '{}'\n", sub->get_name(), name, quoted(option->get_description()));
+        script += fmt::format("complete -c kadr -n '__fish_seen_subcommand_from {}' -l {} -d '{}'\n", sub->get_name(), name,
+                              quoted(option->get_description()));
   }
   return script + fmt::format("complete -c kadr -l control -x -a '{}'\n", controls_list());
 }
@@ -95,7 +99,8 @@ std::string fish_script(const CLI::App& app) {
 }  // namespace
 
 std::string manual_page(const CLI::App& app) {
-  std::string page = fmt::format(".TH KADR 1 \"\" \"kadr {}\" \"User Commands\"\n.SH NAME\nkadr \\- reads part programs as a given control would\n", KADR_VERSION);
+  std::string page = fmt::format(
+      ".TH KADR 1 \"\" \"kadr {}\" \"User Commands\"\n.SH NAME\nkadr \\- reads part programs as a given control would\n", KADR_VERSION);
   page += ".SH SYNOPSIS\n.B kadr\n.I command\n[options]\n.SH DESCRIPTION\n" + roff(app.get_description()) + "\n.SH COMMANDS\n";
   for (const CLI::App* const sub : subcommands(app)) manual_of(*sub, sub->get_name(), page);
   page += ".SH EXIT STATUS\n0: all well. 1: stopped by an alarm, or errors found. 2: wrong usage or unreadable file.\n";

@@ -14,15 +14,15 @@ enum Exit : int { ok = 0, alarms = 1, wrong_usage = 2 };
 
 struct Options {
   std::vector<std::string> programs;
-  std::string control;        // empty: guessed
-  std::string machine;        // empty: generic
+  std::string control;  // empty: guessed
+  std::string machine;  // empty: generic
   std::string setup;
   std::string encoding;
-  std::string trace;          // file, "-": stdout
-  std::string plot;           // .svg or .png
-  std::string lang;           // "ru", "en"; empty: by LANG
-  std::string format = "text";   // of check: text, json, sarif
-  std::vector<int> skip;      // switches that are on
+  std::string trace;            // file, "-": stdout
+  std::string plot;             // .svg or .png
+  std::string lang;             // "ru", "en"; empty: by LANG
+  std::string format = "text";  // of check: text, json, sarif
+  std::vector<int> skip;        // switches that are on
   bool optional_stop = false;
   bool quiet = false;
   RunLimits limits;
@@ -38,9 +38,9 @@ int check(const Options& options);
 
 struct ExplainOptions {
   std::string control;
-  std::string code;           // empty: the whole control
+  std::string code;  // empty: the whole control
   std::string lang;
-  bool markdown = false;      // the page of docs/controls
+  bool markdown = false;  // the page of docs/controls
 };
 int explain(const ExplainOptions& options);
 int list_controls(const std::string& lang);
@@ -48,8 +48,8 @@ int list_controls(const std::string& lang);
 struct TapeOptions {
   bool decode = true;
   std::string input, output;
-  std::string encoding;       // of the text
-  std::size_t leader = 100;   // rows of blank tape
+  std::string encoding;      // of the text
+  std::size_t leader = 100;  // rows of blank tape
   std::string lang;
 };
 int tape(const TapeOptions& options);

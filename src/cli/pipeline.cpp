@@ -28,7 +28,7 @@ std::optional<std::string> control_of(const Options& options, const std::string&
   std::string text;
   const std::string_view sample = reader.sample();
   const auto encoding = options.encoding.empty() ? detect_encoding(sample) : encoding_named(options.encoding);
-  if (encoding) (void)append_utf8(sample, *encoding, text);   // up to the first damaged byte
+  if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
   const Guess guess = guess_control(encoding ? std::string_view(text) : sample);
   const bool ru = language(options) == Lang::ru;
   complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
@@ -88,27 +88,27 @@ Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
   if (machine.has_limits()) control.hand_over_each_block();
   ActionBatch batch;
   for (;;) {
-    const Control::State state = control.run(batch);                               // lang, control: blocks → actions
+    const Control::State state = control.run(batch);  // lang, control: blocks → actions
     const ToolPosition before = machine.position();
     std::optional<AlarmReport> refusal;
     for (Action& action : batch) {
       if (auto* const motion = std::get_if<Motion>(&action.what); motion != nullptr && motion->kind == MotionKind::probe) {
-        const ProbeAnswer answer = machine.probe(*motion);                         // machine: what the probe meets
+        const ProbeAnswer answer = machine.probe(*motion);  // machine: what the probe meets
         end_at(*motion, answer);
         control.answer(answer);
       }
-      if (const Status taken = machine.take(action); !taken) {                     // machine: limits
+      if (const Status taken = machine.take(action); !taken) {  // machine: limits
         refusal = control.report_for(taken.error(), action.origin);
         break;
       }
     }
-    if (refusal) {                                                                 // nothing of the block is done
+    if (refusal) {  // nothing of the block is done
       machine.go_back(before);
       control.refused();
       if (!outlets.alarm(*refusal)) return {refusal, before};
       continue;
     }
-    for (const Action& action : batch) outlets.action(action);                     // out: trace, summary, plot
+    for (const Action& action : batch) outlets.action(action);  // out: trace, summary, plot
     if (state == Control::State::stopped || control.is_stopped()) {
       const AlarmReport report = control.report();
       if (!outlets.alarm(report)) return {report, std::nullopt};

@@ -30,11 +30,11 @@ std::optional<Program> open_program(const Job& job);
 
 /// What looks at the actions of a run.
 struct Outlets {
-  std::function<void(const Action&)> action;         // after the machine has taken it
+  std::function<void(const Action&)> action;  // after the machine has taken it
   std::function<void(const AlarmReport&)> warning;
   /// An alarm; true: go on with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  std::function<void(const Control&)> batch;         // between batches: progress
+  std::function<void(const Control&)> batch;  // between batches: progress
 };
 
 /// How a run came to its end.

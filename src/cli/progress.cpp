@@ -11,7 +11,7 @@ namespace {
 
 constexpr auto first_after = std::chrono::milliseconds(800);
 constexpr auto again_after = std::chrono::milliseconds(200);
-constexpr int width = 40;   // characters of the bar
+constexpr int width = 40;  // characters of the bar
 
 }  // namespace
 
@@ -22,14 +22,15 @@ Progress::~Progress() {
 }
 
 void Progress::show(const Control& control) {
-  if (!on_ || ++calls_ % 64 != 0) return;   // a look at the clock each 64 batches
+  if (!on_ || ++calls_ % 64 != 0) return;  // a look at the clock each 64 batches
   const auto now = Clock::now();
   if (now - start_ < first_after || now - last_ < again_after || control.bytes() == 0) return;
   last_ = now;
   shown_ = true;
   const double part = std::min(1.0, static_cast<double>(control.bytes_read()) / static_cast<double>(control.bytes()));
   const int full = static_cast<int>(part * width);
-  fmt::print(stderr, "\r[{}{}] {:3.0f} %  {} blocks ", std::string(static_cast<std::size_t>(full), '#'), std::string(static_cast<std::size_t>(width - full), '.'), part * 100, control.blocks());
+  fmt::print(stderr, "\r[{}{}] {:3.0f} %  {} blocks ", std::string(static_cast<std::size_t>(full), '#'),
+             std::string(static_cast<std::size_t>(width - full), '.'), part * 100, control.blocks());
   std::fflush(stderr);
 }
 

@@ -76,14 +76,14 @@ int run(const Options& options) {
     statistics.count(report.alarm.severity);
     fmt::print(stderr, "{}", alarm_text(report, *job->texts, lang));
   };
-  const auto stopped = carry_out(control, *job, {[&](const Action& action) {
-                                                   statistics.take(action);
-                                                   if (trace) trace->write(action);
-                                                   if (plot) plot->take(action);
-                                                 },
-                                                 say,
-                                                 [&](const AlarmReport& report) { return say(report), false; },
-                                                 [&](const Control& c) { progress.show(c); }});
+  const auto stopped =
+      carry_out(control, *job,
+                {[&](const Action& action) {
+                   statistics.take(action);
+                   if (trace) trace->write(action);
+                   if (plot) plot->take(action);
+                 },
+                 say, [&](const AlarmReport& report) { return say(report), false; }, [&](const Control& c) { progress.show(c); }});
   bool written = true;
   if (trace) {
     Ending ending = control.ending();

@@ -16,7 +16,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr std::size_t longest_tape = 256u << 20;   // bytes: 680 km of tape
+constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
 
 std::optional<std::string> read_all(const std::string& name) {
   std::string text;
@@ -61,12 +61,16 @@ int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
   if (!options.encoding.empty() && !encoding) return complain(fmt::format("no encoding '{}'", options.encoding)), wrong_usage;
   std::string text;
   if (const Status decoded = append_utf8(bytes, encoding.value_or(Encoding::utf8), text); !decoded)
-    return complain(fmt::format("{}: byte {}: not text in {}", options.input, decoded.error().where.begin + 1, name_of(encoding.value_or(Encoding::utf8)))), alarms;
+    return complain(fmt::format("{}: byte {}: not text in {}", options.input, decoded.error().where.begin + 1,
+                                name_of(encoding.value_or(Encoding::utf8)))),
+           alarms;
   const auto rows = encode_tape(text, options.leader);
   if (!rows) {
     const Span at = rows.error().where;
-    complain(ru ? fmt::format("{}: символ '{}' (байт {}) не пробить в коде ISO-7", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1)
-                : fmt::format("{}: '{}' (byte {}) has no ISO-7 code", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1));
+    complain(
+        ru ? fmt::format("{}: символ '{}' (байт {}) не пробить в коде ISO-7", options.input, text.substr(at.begin, at.end - at.begin),
+                         at.begin + 1)
+           : fmt::format("{}: '{}' (byte {}) has no ISO-7 code", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1));
     return alarms;
   }
   return write_all(options.output, *rows) ? ok : wrong_usage;

@@ -1,8 +1,8 @@
 #include "config/alarm_texts.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "config/toml_tools.h"
 
@@ -24,7 +24,8 @@ std::string text_of(const AlarmArg& arg) {
 std::string filled(const std::string& pattern, const Alarm& alarm) {
   std::string text;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
-    const bool hole = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}' && pattern[i + 1] >= '0' && pattern[i + 1] <= '2';
+    const bool hole =
+        pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}' && pattern[i + 1] >= '0' && pattern[i + 1] <= '2';
     if (!hole) {
       text += pattern[i];
       continue;
@@ -50,7 +51,8 @@ tl::expected<AlarmText, std::string> row_of(const toml::table& table) {
     else if (key == "ru") to = &row.text.ru;
     else if (key == "hint_en") to = &row.hint.en;
     else if (key == "hint_ru") to = &row.hint.ru;
-    else if (key != "args" && key != "severity") return Failed(place(std::string(file_name), node) + "unknown key '" + std::string(key.str()) + "'");
+    else if (key != "args" && key != "severity")
+      return Failed(place(std::string(file_name), node) + "unknown key '" + std::string(key.str()) + "'");
     if (to != nullptr) *to = node.value_or(std::string());
   }
   return row;

@@ -2,9 +2,8 @@
 // Alarms in words: controls/alarms.toml in English and Russian, over it the control's own numbers and wording.
 
 #include <string>
-#include <vector>
-
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "base/alarm.h"
 #include "config/control_def.h"
@@ -35,7 +34,7 @@ class AlarmTexts {
   AlarmTexts() : rows_(static_cast<std::size_t>(AlarmId::count) + 1) {}
   const AlarmText& row(AlarmId id) const { return rows_[static_cast<std::size_t>(id)]; }
 
-  std::vector<AlarmText> rows_;   // by AlarmId
+  std::vector<AlarmText> rows_;  // by AlarmId
 };
 
 /// A number for people: shortest, up to `decimals` places, no -0.

@@ -23,22 +23,22 @@ struct Text {
 
 /// One G or M code.
 struct CodeRow {
-  std::string code;             // "G43.4"
+  std::string code;  // "G43.4"
   char letter = 'G';
-  std::int32_t tenth = 0;       // ten times the number
+  std::int32_t tenth = 0;  // ten times the number
   Function function = Function::count;
   Phase phase = Phase::none;
   int arg = 0;
-  std::uint8_t group = 0;       // index in ControlDef::groups; 0 = none: any number of them
-  bool modal = false;           // stays in force (its group is a modal one)
-  bool own_block = false;       // must stand alone (with the words it takes)
-  bool needs_axis = false;      // at least one axis word
-  std::uint32_t takes = 0;      // letters of the words it uses
-  std::uint32_t needs = 0;      // letters that must be there
-  std::int32_t with = -1;       // tenth of the one code of its group that may stand beside it (M7 and M8)
+  std::uint8_t group = 0;   // index in ControlDef::groups; 0 = none: any number of them
+  bool modal = false;       // stays in force (its group is a modal one)
+  bool own_block = false;   // must stand alone (with the words it takes)
+  bool needs_axis = false;  // at least one axis word
+  std::uint32_t takes = 0;  // letters of the words it uses
+  std::uint32_t needs = 0;  // letters that must be there
+  std::int32_t with = -1;   // tenth of the one code of its group that may stand beside it (M7 and M8)
   Text text;
   std::string manual;
-  std::uint16_t cycle = 0;      // index in ControlDef::cycles + 1
+  std::uint16_t cycle = 0;  // index in ControlDef::cycles + 1
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -46,41 +46,53 @@ enum class WordUnit : std::uint8_t { none, length, angle };
 /// One address.
 struct AddressRow {
   char letter = 0;
-  Function function = Function::count;   // count: the control has no such address
+  Function function = Function::count;  // count: the control has no such address
   Phase phase = Phase::none;
-  std::uint8_t axis = 0;        // of `axis` and `center`: index in ControlDef::axes
+  std::uint8_t axis = 0;  // of `axis` and `center`: index in ControlDef::axes
   WordUnit unit = WordUnit::none;
-  double scale = 1;             // the word's value times this is in mm, degrees, s, …
-  bool whole = false;           // must be a whole number
-  double least = -1e300;        // value_out_of_range beyond
+  double scale = 1;       // the word's value times this is in mm, degrees, s, …
+  bool whole = false;     // must be a whole number
+  double least = -1e300;  // value_out_of_range beyond
   double most = 1e300;
   Text text;
   std::string manual;
-  std::string format;           // as written in the file, for people
+  std::string format;  // as written in the file, for people
 };
 
 struct GroupRow {
   std::string name;
   bool modal = true;
-  std::int32_t power_on = -1;   // row of the code in force at power-on, -1: none
+  std::int32_t power_on = -1;  // row of the code in force at power-on, -1: none
   Text text;
 };
 
 /// One step of a drilling cycle (control/cycles).
 enum class CycleStep : std::uint8_t {
-  feed_bottom, rapid_bottom, retract, feed_retract, dwell, spindle_stop, spindle_reverse, spindle_restore, orient, stop,
-  peck_full, peck_break,             // down by Q: all the way out, or back a little, between the passes
-  shift_out, shift_back, feed_face,  // G87: by I, J in the plane and back; up to K
-  passes_by_parameter,               // L83 of the 2С42: pass levels from R1, R2, R3
+  feed_bottom,
+  rapid_bottom,
+  retract,
+  feed_retract,
+  dwell,
+  spindle_stop,
+  spindle_reverse,
+  spindle_restore,
+  orient,
+  stop,
+  peck_full,
+  peck_break,  // down by Q: all the way out, or back a little, between the passes
+  shift_out,
+  shift_back,
+  feed_face,            // G87: by I, J in the plane and back; up to K
+  passes_by_parameter,  // L83 of the 2С42: pass levels from R1, R2, R3
   count
 };
 
 struct CycleRow {
-  std::string name;                 // "G81", "L81"
-  std::uint32_t call_number = 0;    // 81 of L81; 0: called by its code
-  std::vector<CycleStep> steps;     // by steps …
-  std::string body;                 // … or as a program in the control's own language
-  std::uint32_t needs = 0;          // letters that must be known (given or sticky)
+  std::string name;               // "G81", "L81"
+  std::uint32_t call_number = 0;  // 81 of L81; 0: called by its code
+  std::vector<CycleStep> steps;   // by steps …
+  std::string body;               // … or as a program in the control's own language
+  std::uint32_t needs = 0;        // letters that must be known (given or sticky)
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
   bool needs_override_off = false;  // L84 of the 2С42: G23
@@ -107,31 +119,31 @@ enum class LengthOffset : std::uint8_t { at_once, next_motion };
 /// How the engine's functions behave on this control, where controls differ.
 struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
-  bool arc_radius_word = false;             // G2 … R
-  double arc_radius_difference = 0.01;      // mm
-  bool helix_by_lead = false;               // 2С42: K is the lead, Z/K whole turns
+  bool arc_radius_word = false;         // G2 … R
+  double arc_radius_difference = 0.01;  // mm
+  bool helix_by_lead = false;           // 2С42: K is the lead, Z/K whole turns
   LengthOffset length_offset = LengthOffset::next_motion;
-  double feed_most = 0;                     // mm/min; 0 = no limit
-  bool feed_required = true;                // a motion at feed before any F: an alarm; else a warning
-  double reference_feed = 2000;             // mm/min, G25 of the 2С42
-  double return_chip_break = 1;             // mm, G73
-  double return_near = 1;                   // mm, back to just above the bottom in G83
-  double probe_least_distance = 0;          // mm
-  bool speed_needs_direction = false;       // 2С42: S without M3/M4 changes nothing
-  bool tool_and_corrector = false;          // T0404: the last two of more than two digits are the corrector
-  bool zero_change_checked = false;         // 2С42: with G90 and G40 on a straight section only
-  bool subprogram_zero_local = false;       // 2С42: the caller's zero comes back
-  bool subprograms_by_section = false;      // 2С42: `L`, N02001, M17
-  bool ends_reading = true;                 // nothing after the end is read (GOST)
-  bool delayed_assignment = false;          // Mach3: #1=5 X#1 uses the old #1
-  bool correctors = false;                  // axis correctors (spec/correctors)
+  double feed_most = 0;                 // mm/min; 0 = no limit
+  bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning
+  double reference_feed = 2000;         // mm/min, G25 of the 2С42
+  double return_chip_break = 1;         // mm, G73
+  double return_near = 1;               // mm, back to just above the bottom in G83
+  double probe_least_distance = 0;      // mm
+  bool speed_needs_direction = false;   // 2С42: S without M3/M4 changes nothing
+  bool tool_and_corrector = false;      // T0404: the last two of more than two digits are the corrector
+  bool zero_change_checked = false;     // 2С42: with G90 and G40 on a straight section only
+  bool subprogram_zero_local = false;   // 2С42: the caller's zero comes back
+  bool subprograms_by_section = false;  // 2С42: `L`, N02001, M17
+  bool ends_reading = true;             // nothing after the end is read (GOST)
+  bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
+  bool correctors = false;              // axis correctors (spec/correctors)
   std::uint32_t call_depth = 16;
-  std::uint32_t offsets = 99;               // highest offset number
+  std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;
 };
 
 struct AlarmText {
-  std::string number;     // the control's own, may be empty
+  std::string number;  // the control's own, may be empty
   Text text;
   Text hint;
 };
@@ -139,29 +151,29 @@ struct AlarmText {
 struct ControlDef {
   std::string id;
   Text name;
-  std::string spec;                        // where its rules stand
-  std::vector<std::string> lineage;        // "gost" for a file that extends it
-  std::string descriptor;                  // the format string
+  std::string spec;                  // where its rules stand
+  std::vector<std::string> lineage;  // "gost" for a file that extends it
+  std::string descriptor;            // the format string
   Grammar grammar;
   Behaviour behaviour;
-  std::vector<std::string> axes;           // names in order
-  std::uint32_t rotary = 0;                // bit per axis
-  std::vector<GroupRow> groups;            // [0] is no group
-  std::vector<CodeRow> codes;              // in the file's order
+  std::vector<std::string> axes;  // names in order
+  std::uint32_t rotary = 0;       // bit per axis
+  std::vector<GroupRow> groups;   // [0] is no group
+  std::vector<CodeRow> codes;     // in the file's order
   std::array<AddressRow, 26> addresses{};
   std::vector<CycleRow> cycles;
   std::vector<VariableRow> variables;
-  std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};   // rank of each phase
+  std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};  // rank of each phase
   std::vector<Phase> order_list;
-  std::vector<std::int32_t> end_codes;     // rows put in force by the end of the program
-  std::map<AlarmId, AlarmText> alarms;     // the control's own wording
-  std::map<std::int32_t, double> feed_codes;    // coded F and S (spec/gost 3), empty: direct
+  std::vector<std::int32_t> end_codes;        // rows put in force by the end of the program
+  std::map<AlarmId, AlarmText> alarms;        // the control's own wording
+  std::map<std::int32_t, double> feed_codes;  // coded F and S (spec/gost 3), empty: direct
   std::map<std::int32_t, double> speed_codes;
 
   static constexpr std::int32_t most_tenths = 100'000;  // G9999.9, M9999.9
-  std::vector<std::int16_t> g_rows;        // by tenth → row, -1: unknown
+  std::vector<std::int16_t> g_rows;                     // by tenth → row, -1: unknown
   std::vector<std::int16_t> m_rows;
-  std::int32_t m_user_from = -1;           // other M codes that go to the machine (free functions, macros M100…)
+  std::int32_t m_user_from = -1;  // other M codes that go to the machine (free functions, macros M100…)
   std::int32_t m_user_to = -1;
   std::int32_t m_user_row = -1;
 

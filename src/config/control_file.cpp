@@ -8,7 +8,7 @@ namespace {
 
 /// The table of a file with what it extends laid under it; `lineage` collects the ids below.
 tl::expected<toml::table, std::string> merged(std::string_view text, const std::string& file, std::vector<std::string>& lineage) {
-  constexpr std::size_t deepest = 8;   // a file that extends itself would never end
+  constexpr std::size_t deepest = 8;  // a file that extends itself would never end
   toml::table table;
   try {
     table = toml::parse(text, file);

@@ -15,8 +15,8 @@ using Failed = tl::unexpected<std::string>;
 using Done = tl::expected<void, std::string>;
 
 /// Leaves the function with the error sentence of `expression`, if it has one.
-#define KADR_LOAD(expression)                                     \
-  do {                                                            \
+#define KADR_LOAD(expression)                                            \
+  do {                                                                   \
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
   } while (false)
 
@@ -74,7 +74,7 @@ class ControlLoader {
   ControlDef def_;
   std::map<char, std::uint8_t> most_codes_;
   std::vector<std::string> initial_;
-  std::string bad_value_;         // the first number that whole() refused
+  std::string bad_value_;  // the first number that whole() refused
 };
 
 }  // namespace kadr

@@ -1,10 +1,9 @@
 // Sections of a control file that hold its codes: groups, G, M, cycles, variables, alarms.
 
-#include "config/control_loader.h"
-
 #include <algorithm>
 #include <set>
 
+#include "config/control_loader.h"
 #include "lang/format.h"
 
 namespace kadr {
@@ -14,9 +13,9 @@ using toml_tools::text_of;
 
 namespace {
 
-constexpr std::string_view step_names[] = {"feed_bottom", "rapid_bottom", "retract",   "feed_retract", "dwell",      "spindle_stop",
-                                           "spindle_reverse", "spindle_restore", "orient", "stop",     "peck_full",  "peck_break",
-                                           "shift_out",   "shift_back",   "feed_face", "passes_by_parameter"};
+constexpr std::string_view step_names[] = {
+    "feed_bottom", "rapid_bottom", "retract",   "feed_retract", "dwell",     "spindle_stop", "spindle_reverse", "spindle_restore",
+    "orient",      "stop",         "peck_full", "peck_break",   "shift_out", "shift_back",   "feed_face",       "passes_by_parameter"};
 static_assert(std::size(step_names) == static_cast<std::size_t>(CycleStep::count));
 
 constexpr std::string_view variable_kinds[] = {"free", "probe_point", "home", "home_second", "set_position", "fixture_number", "fixture"};
@@ -75,7 +74,8 @@ Done ControlLoader::codes(std::string_view key, char letter) {
 }
 
 Done ControlLoader::code(char letter, double number, const toml::table& row) {
-  KADR_LOAD(known_keys(row, {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "en", "ru", "manual", "from", "to"}));
+  KADR_LOAD(known_keys(row, {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "en", "ru",
+                             "manual", "from", "to"}));
   CodeRow c;
   c.letter = letter;
   c.tenth = static_cast<std::int32_t>(number * 10 + 0.5);
@@ -100,7 +100,8 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   if (const toml::array* const with = row["with"].as_array(); with != nullptr && !with->empty())
     c.with = static_cast<std::int32_t>(std::strtod((*with)[0].value_or(std::string(" 0")).c_str() + 1, nullptr) * 10 + 0.5);
   for (int i = 0; i < 26; ++i)
-    if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count && !(def_.grammar.zero_between_slashes && i == 0))
+    if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count &&
+        !(def_.grammar.zero_between_slashes && i == 0))
       return Failed(place(name_, row, "takes") + "takes: no address " + static_cast<char>('A' + i));
   c.text = text_of(row);
   c.manual = row["manual"].value_or(std::string());
@@ -109,7 +110,8 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
     if (c.cycle == 0) return Failed(place(name_, row) + "no [cycle." + c.code + "]");
   }
   auto& index = letter == 'G' ? def_.g_rows : def_.m_rows;
-  if (index[static_cast<std::size_t>(c.tenth)] >= 0) return Failed(place(name_, row) + c.code + " has a row already (the same code with other digits)");
+  if (index[static_cast<std::size_t>(c.tenth)] >= 0)
+    return Failed(place(name_, row) + c.code + " has a row already (the same code with other digits)");
   index[static_cast<std::size_t>(c.tenth)] = static_cast<std::int16_t>(def_.codes.size());
   def_.codes.push_back(std::move(c));
   return {};
@@ -144,7 +146,8 @@ Done ControlLoader::cycles() {
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
     if (row == nullptr) return Failed(place(name_, node) + "a cycle is a table");
-    KADR_LOAD(known_keys(*row, {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "en", "ru", "manual"}));
+    KADR_LOAD(
+        known_keys(*row, {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "en", "ru", "manual"}));
     CycleRow c;
     c.name = std::string(key.str());
     if (c.name[0] == 'L') c.call_number = static_cast<std::uint32_t>(std::atoi(c.name.c_str() + 1));
@@ -179,7 +182,8 @@ Done ControlLoader::initial_codes() {
     const std::string& code = initial_[i - 1];
     if (code.empty()) continue;
     const std::int32_t row = row_named(code);
-    if (row < 0 || def_.codes[static_cast<std::size_t>(row)].group != i) return Failed(name_ + ": [groups] \"" + def_.groups[i].name + "\": initial code " + code + " is not of this group");
+    if (row < 0 || def_.codes[static_cast<std::size_t>(row)].group != i)
+      return Failed(name_ + ": [groups] \"" + def_.groups[i].name + "\": initial code " + code + " is not of this group");
     def_.groups[i].power_on = row;
   }
   const toml::table* const t = section("defaults");

@@ -1,10 +1,9 @@
 // Sections of a control file that say how its words are written and what they mean: grammar, behaviour, axes, addresses.
 
-#include "config/control_loader.h"
-
 #include <algorithm>
 #include <set>
 
+#include "config/control_loader.h"
 #include "lang/format.h"
 
 namespace kadr {
@@ -17,8 +16,8 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   if (def_.id.empty()) return Failed(name_ + ": id is missing");
   if (const toml::table* const text = file_["name"].as_table()) def_.name = text_of(*text);
   def_.spec = file_["spec"].value_or(std::string());
-  KADR_LOAD(known_keys(file_, {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g", "m",
-                               "cycle", "variables", "alarms", "defaults", "feed_codes", "speed_codes"}));
+  KADR_LOAD(known_keys(file_, {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g",
+                               "m", "cycle", "variables", "alarms", "defaults", "feed_codes", "speed_codes"}));
   KADR_LOAD(grammar());
   KADR_LOAD(behaviour());
   KADR_LOAD(axes());
@@ -62,10 +61,28 @@ Done ControlLoader::grammar() {
     if (auto applied = apply_descriptor(def_.descriptor, g); !applied) return Failed(name_ + ": format: " + applied.error());
   const toml::table* const t = section("grammar");
   if (t == nullptr) return {};
-  KADR_LOAD(known_keys(*t, {"block_number_required", "program_start_required", "percent_number", "percent_digits", "percent_ignored", "comment_forbidden",
-                            "block_length", "formal_parameter", "parameters_in", "most_codes", "semicolon_comments", "slash_comments",
-                            "expressions", "variables", "label", "section", "lower_case", "end_of_block", "main_blocks", "skip_levels",
-                            "mark_everywhere", "zero_between_slashes"}));
+  KADR_LOAD(known_keys(*t, {"block_number_required",
+                            "program_start_required",
+                            "percent_number",
+                            "percent_digits",
+                            "percent_ignored",
+                            "comment_forbidden",
+                            "block_length",
+                            "formal_parameter",
+                            "parameters_in",
+                            "most_codes",
+                            "semicolon_comments",
+                            "slash_comments",
+                            "expressions",
+                            "variables",
+                            "label",
+                            "section",
+                            "lower_case",
+                            "end_of_block",
+                            "main_blocks",
+                            "skip_levels",
+                            "mark_everywhere",
+                            "zero_between_slashes"}));
   const auto flag = [&](const char* key, bool& to) { to = typed(*t, key, to, "true or false"); };
   flag("block_number_required", g.block_number_required);
   flag("program_start_required", g.program_start_required);
@@ -89,7 +106,8 @@ Done ControlLoader::grammar() {
   if ((*t)["end_of_block"].value_or(std::string("line")) == "line_only") g.end_of_block = EndOfBlock::line_only;
   for (const char letter : (*t)["parameters_in"].value_or(std::string())) g.word(letter).parameter = true;
   if (const toml::table* const most = (*t)["most_codes"].as_table())
-    for (const auto& [letter, node] : *most) most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(whole(*most, letter.str(), 0, limits::block_words));
+    for (const auto& [letter, node] : *most)
+      most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(whole(*most, letter.str(), 0, limits::block_words));
   return {};
 }
 
@@ -103,8 +121,14 @@ Done ControlLoader::behaviour() {
   if (t == nullptr) return {};
   Behaviour& b = def_.behaviour;
   std::set<std::string_view> known = {"arc_centers", "length_offset"};
-  const auto flag = [&](const char* key, bool& to) { known.insert(key); to = typed(*t, key, to, "true or false"); };
-  const auto number = [&](const char* key, double& to) { known.insert(key); to = typed(*t, key, to, "a number"); };
+  const auto flag = [&](const char* key, bool& to) {
+    known.insert(key);
+    to = typed(*t, key, to, "true or false");
+  };
+  const auto number = [&](const char* key, double& to) {
+    known.insert(key);
+    to = typed(*t, key, to, "a number");
+  };
   const auto count = [&](const char* key, std::uint32_t& to, std::uint32_t most) {
     known.insert(key);
     to = whole(*t, key, to, most);
@@ -204,7 +228,8 @@ Done ControlLoader::addresses() {
 }
 
 Done ControlLoader::address(char letter, const toml::table& row) {
-  KADR_LOAD(known_keys(row, {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many", "en", "ru", "manual"}));
+  KADR_LOAD(known_keys(
+      row, {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many", "en", "ru", "manual"}));
   AddressRow& a = def_.addresses[static_cast<std::size_t>(letter - 'A')];
   a.letter = letter;
   const auto function = function_of(row);

@@ -7,7 +7,7 @@
 namespace kadr {
 
 struct EmbeddedFile {
-  std::string_view name;   // "controls/s2c42.toml"
+  std::string_view name;  // "controls/s2c42.toml"
   std::string_view text;
 };
 

@@ -85,12 +85,12 @@ enum class Function : std::uint8_t {
 struct FunctionTraits {
   std::string_view name;
   Phase phase;
-  bool takes_axes;   // the block's axis words are its own; no modal motion in that block
+  bool takes_axes;  // the block's axis words are its own; no modal motion in that block
 };
 
 const FunctionTraits& traits_of(Function function);
-Function function_named(std::string_view name);   // Function::count if there is none
-Phase phase_named(std::string_view name);         // Phase::count if there is none
+Function function_named(std::string_view name);  // Function::count if there is none
+Phase phase_named(std::string_view name);        // Phase::count if there is none
 std::string_view name_of(Phase phase);
 
 }  // namespace kadr

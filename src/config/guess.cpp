@@ -31,13 +31,18 @@ class Clues {
   Guess best() const {
     const double n = lines_ == 0 ? 1.0 : static_cast<double>(lines_);
     const std::array<Clue, 4> of = {
-        Clue{(marks_ps_ > 0 ? 4.0 : 0.0) + (parameters_ > 0 ? 4.0 : 0.0) + (l_cycles_ > 0 ? 4.0 : 0.0) + (long_integers_ > 0 && points_ == 0 ? 2.0 : 0.0) +
-                 (numbered_ == lines_ && lines_ > 0 ? 1.0 : 0.0),
-             "blocks end with ПС, numbers without points, L81…L89 or R parameters", "кадры кончаются ПС, числа без точки, L81…L89 или параметры R"},
-        Clue{(variables_ > 0 ? 4.0 : 0.0) + (static_cast<double>(lines_ - numbered_) / n > 0.5 ? 1.5 : 0.0) + (points_ > 0 ? 1.0 : 0.0) + (probe_or_o_ > 0 ? 2.0 : 0.0) + 0.5,
-             "free numbers with decimal points, few block numbers, # variables or O programs", "числа с точкой, мало номеров кадров, переменные # или программы O"},
-        Clue{(pairs_ > 0 ? 6.0 : 0.0) + (pocket_ > 0 ? 6.0 : 0.0), "axis correctors (L1 15) or pocket cycles G87/G79", "корректоры по осям (L1 15) или циклы карманов G87/G79"},
-        Clue{(marks_lf_ > 0 ? 2.0 : 0.0) + (main_blocks_ > 0 ? 2.0 : 0.0) + (numbered_ == lines_ && lines_ > 0 && marks_ps_ == 0 ? 1.5 : 0.0) + (main_blocks_ > 0 ? 1.0 : 0.0),
+        Clue{(marks_ps_ > 0 ? 4.0 : 0.0) + (parameters_ > 0 ? 4.0 : 0.0) + (l_cycles_ > 0 ? 4.0 : 0.0) +
+                 (long_integers_ > 0 && points_ == 0 ? 2.0 : 0.0) + (numbered_ == lines_ && lines_ > 0 ? 1.0 : 0.0),
+             "blocks end with ПС, numbers without points, L81…L89 or R parameters",
+             "кадры кончаются ПС, числа без точки, L81…L89 или параметры R"},
+        Clue{(variables_ > 0 ? 4.0 : 0.0) + (static_cast<double>(lines_ - numbered_) / n > 0.5 ? 1.5 : 0.0) + (points_ > 0 ? 1.0 : 0.0) +
+                 (probe_or_o_ > 0 ? 2.0 : 0.0) + 0.5,
+             "free numbers with decimal points, few block numbers, # variables or O programs",
+             "числа с точкой, мало номеров кадров, переменные # или программы O"},
+        Clue{(pairs_ > 0 ? 6.0 : 0.0) + (pocket_ > 0 ? 6.0 : 0.0), "axis correctors (L1 15) or pocket cycles G87/G79",
+             "корректоры по осям (L1 15) или циклы карманов G87/G79"},
+        Clue{(marks_lf_ > 0 ? 2.0 : 0.0) + (main_blocks_ > 0 ? 2.0 : 0.0) +
+                 (numbered_ == lines_ && lines_ > 0 && marks_ps_ == 0 ? 1.5 : 0.0) + (main_blocks_ > 0 ? 1.0 : 0.0),
              "numbered blocks that end with LF, main blocks", "нумерованные кадры с LF, главные кадры"}};
     constexpr std::array<const char*, 4> ids = {"s2c42", "mach3", "correctors", "gost"};
     std::size_t best = 1;

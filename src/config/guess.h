@@ -8,7 +8,7 @@ namespace kadr {
 
 struct Guess {
   std::string control;
-  std::string reason_en;   // what in the text speaks for it
+  std::string reason_en;  // what in the text speaks for it
   std::string reason_ru;
 };
 

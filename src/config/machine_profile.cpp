@@ -94,7 +94,8 @@ tl::expected<MachineProfile, std::string> load_machine(const std::string& name) 
   std::string known;
   for (const EmbeddedFile& built_in : embedded_files())
     if (built_in.name.starts_with(folder))
-      known += (known.empty() ? "" : ", ") + std::string(built_in.name.substr(folder.size(), built_in.name.size() - folder.size() - ending.size()));
+      known += (known.empty() ? "" : ", ") +
+               std::string(built_in.name.substr(folder.size(), built_in.name.size() - folder.size() - ending.size()));
   return Failed("no machine '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)");
 }
 

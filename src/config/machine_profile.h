@@ -3,14 +3,13 @@
 
 #include <map>
 #include <string>
-
 #include <tl/expected.hpp>
 
 namespace kadr {
 
 struct AxisProfile {
-  double rapid = 10000;            // mm/min or degrees/min
-  double least = -1e300;           // machine coordinate, mm or degrees
+  double rapid = 10000;   // mm/min or degrees/min
+  double least = -1e300;  // machine coordinate, mm or degrees
   double most = 1e300;
 };
 
@@ -18,7 +17,7 @@ struct MachineProfile {
   std::string id = "generic";
   std::string name_en = "generic three-axis mill";
   std::string name_ru = "обобщённый фрезерный станок";
-  std::map<std::string, AxisProfile> axes;   // by name; others: AxisProfile{}
+  std::map<std::string, AxisProfile> axes;  // by name; others: AxisProfile{}
   double tool_change_s = 10;
   double spindle_start_s = 0;
 };

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <sstream>
-
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace kadr {
 namespace {
@@ -86,7 +85,7 @@ std::vector<T> list(const Json& value, const std::string& key, T (*read)(const J
 }
 
 AxisValues axis_values(const Json& value, const std::string& key) {
-  constexpr double farthest = 1e7;   // mm: ten kilometres, as for a program's own positions
+  constexpr double farthest = 1e7;  // mm: ten kilometres, as for a program's own positions
   AxisValues axes;
   for (const auto& [axis, position] : table(value, key).items()) {
     axes[axis] = number(position, key + "." + axis);
@@ -143,8 +142,12 @@ Reader add_number(double& to) {
 ToolOffset tool_offset(const Json& value, const std::string& key) {
   ToolOffset offset;
   read_table(value, key,
-             {{"length", add_number(offset.length)}, {"length_wear", add_number(offset.length)}, {"radius", add_number(offset.radius)},
-              {"radius_wear", add_number(offset.radius)}, {"corner_radius", only_neutral}, {"corner_radius_wear", only_neutral}});
+             {{"length", add_number(offset.length)},
+              {"length_wear", add_number(offset.length)},
+              {"radius", add_number(offset.radius)},
+              {"radius_wear", add_number(offset.radius)},
+              {"corner_radius", only_neutral},
+              {"corner_radius_wear", only_neutral}});
   return offset;
 }
 
@@ -173,7 +176,11 @@ AxisLimits axis_limits(const Json& value, const std::string& key) {
     if (axis.limits->first > axis.limits->second) wrong(name, "[least, most]");
   };
   read_table(value, key,
-             {{"rapid", rapid}, {"limits", limits}, {"acceleration", only_neutral}, {"jerk_time", only_neutral}, {"zone3", only_neutral},
+             {{"rapid", rapid},
+              {"limits", limits},
+              {"acceleration", only_neutral},
+              {"jerk_time", only_neutral},
+              {"zone3", only_neutral},
               {"position_error", only_neutral}});
   return axis;
 }
@@ -186,7 +193,11 @@ void spindle(const Json& value, const std::string& key, Setup& setup) {
   for (const auto& [name, row] : table(value, key).items()) {
     if (row_number(name, key) != 1) not_served(key + "." + name);
     read_table(row, key + "." + name,
-               {{"rpm", to_number(setup.spindle_rpm)}, {"dir", dir}, {"name", only_neutral}, {"channel", only_first}, {"angle", only_neutral},
+               {{"rpm", to_number(setup.spindle_rpm)},
+                {"dir", dir},
+                {"name", only_neutral},
+                {"channel", only_first},
+                {"angle", only_neutral},
                 {"ranges", only_neutral}});
   }
 }
@@ -206,11 +217,10 @@ void probe_workpiece(const Json& value, const std::string& key, Setup& setup) {
   if (neutral(value)) return;
   ProbeHole probed;
   bool has_hole = false;
-  read_table(value, key,
-             {{"tip_radius", to_number(probed.tip_radius)}, {"hole", [&](const Json& item, const std::string& name) {
-                                                               hole(item, name, probed);
-                                                               has_hole = true;
-                                                             }}});
+  read_table(value, key, {{"tip_radius", to_number(probed.tip_radius)}, {"hole", [&](const Json& item, const std::string& name) {
+                                                                           hole(item, name, probed);
+                                                                           has_hole = true;
+                                                                         }}});
   if (!has_hole) wrong(key, "a table with 'hole'");
   if (!(probed.tip_radius >= 0)) wrong(key + ".tip_radius", "zero or above");
   setup.probe_hole = probed;
@@ -272,7 +282,8 @@ Readers readers_of_state(Setup& s) {
 /// The machine and its operator.
 Readers readers_of_machine(Setup& s) {
   const Reader override_part = [&](const Json& v, const std::string& k) {
-    read_table(v, k, {{"feed", to_number(s.feed_override)}, {"rapid", to_number(s.rapid_override)}, {"spindle", to_number(s.spindle_override)}});
+    read_table(v, k,
+               {{"feed", to_number(s.feed_override)}, {"rapid", to_number(s.rapid_override)}, {"spindle", to_number(s.spindle_override)}});
     if (std::min({s.feed_override, s.rapid_override, s.spindle_override}) < 0) wrong(k, "zero or above");
   };
   return {

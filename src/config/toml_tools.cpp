@@ -24,15 +24,13 @@ std::optional<std::string_view> embedded_text(std::string_view name) {
 void merge(toml::table& under, toml::table&& over) {
   for (auto&& [key, node] : over) {
     toml::table* const old = under[key].as_table();
-    if (toml::table* const table = node.as_table(); table != nullptr && old != nullptr)
-      merge(*old, std::move(*table));
-    else
-      node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });   // moved: a copy forgets its place
+    if (toml::table* const table = node.as_table(); table != nullptr && old != nullptr) merge(*old, std::move(*table));
+    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });  // moved: a copy forgets its place
   }
 }
 
 std::string place(const std::string& file, const toml::node& node) {
-  const toml::source_path_ptr& path = node.source().path;   // of the file it extends, it may be
+  const toml::source_path_ptr& path = node.source().path;  // of the file it extends, it may be
   return (path ? *path : file) + ":" + std::to_string(node.source().begin.line) + ": ";
 }
 
@@ -41,8 +39,6 @@ std::string place(const std::string& file, const toml::table& row, std::string_v
   return place(file, node != nullptr ? *node : static_cast<const toml::node&>(row));
 }
 
-Text text_of(const toml::table& row) {
-  return {row["en"].value_or(std::string()), row["ru"].value_or(std::string())};
-}
+Text text_of(const toml::table& row) { return {row["en"].value_or(std::string()), row["ru"].value_or(std::string())}; }
 
 }  // namespace kadr::toml_tools

@@ -1,12 +1,12 @@
 #pragma once
 // What the readers of our TOML files share: the file's text, merging of `extends`, messages with a place.
 
+#include <toml++/toml.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
-
 #include <tl/expected.hpp>
-#include <toml++/toml.h>
 
 #include "config/control_def.h"
 

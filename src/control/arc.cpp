@@ -35,8 +35,8 @@ Result<PlaneArc> arc_by_radius(Vec2 from, Vec2 to, double radius, Turn turn, dou
   double r = std::fabs(radius);
   if (r < half - max_difference || r <= tol::same_point) return fail(alarm(AlarmId::radius_too_small, {}, r, half));
   r = std::max(r, half);
-  const double rise = std::sqrt((r - half) * (r + half));   // r*r - half*half cancels near a half circle
-  const Vec2 left{-chord.y / distance, chord.x / distance};   // of the chord
+  const double rise = std::sqrt((r - half) * (r + half));    // r*r - half*half cancels near a half circle
+  const Vec2 left{-chord.y / distance, chord.x / distance};  // of the chord
   // A short ccw arc has its centre on the left of the chord, a long one on the right; cw the other way round.
   const bool center_left = (turn == Turn::ccw) == (radius > 0);
   const Vec2 center = from + 0.5 * chord + (center_left ? rise : -rise) * left;

@@ -10,7 +10,7 @@ enum class Turn : std::uint8_t { cw, ccw };
 
 struct PlaneArc {
   Vec2 center;
-  double turns = 0;       // swept angle / 360, positive; 1 for a full circle
+  double turns = 0;  // swept angle / 360, positive; 1 for a full circle
 };
 
 /// Arc from `from` to `to` around `center`; a full circle if the two coincide.

@@ -23,6 +23,7 @@ Status Machinery::carry_out(const Plan& plan) {
         emit(Message{flow.shown(text.substr(4), all)});
       }
     }
+  block_axes_taken = plan.axes_taken;
   bool motion_began = false;
   for (std::uint32_t i = 0; i < plan.count; ++i) {
     const PlanItem& item = plan.items[i];
@@ -32,7 +33,8 @@ Status Machinery::carry_out(const Plan& plan) {
       KADR_TRY(radius_comp_possible());
     }
     if (phase == Phase::flow && i + 1 < plan.count && !flow_before_) flow_before_ = flow.place();
-    if (cycle_run.active() && ends_or_stops(row_of(item))) waiting_[waiting_count_++] = static_cast<std::uint8_t>(i);
+    if ((cycle_run.active() || ellipse_run.active()) && ends_or_stops(row_of(item)))
+      waiting_[waiting_count_++] = static_cast<std::uint8_t>(i);
     else KADR_TRY(carry_out(item));
   }
   return {};
@@ -77,6 +79,7 @@ void Machinery::take_back(std::size_t actions) {
   batch->cut(actions);
   needs_probe = false;
   cycle_run.stop();
+  ellipse_run.stop();
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
   if (!moment_taken_) return;

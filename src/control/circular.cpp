@@ -1,5 +1,6 @@
 // G2 / G3: words → arc → Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; others as their file's [behaviour] says.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/tolerance.h"
@@ -23,13 +24,15 @@ PlaneAxes axes_of(Plane plane) {
 
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
-/// A circle stays one only where both axes of the plane have the same scale, and is turned (G68) in XY only.
-Status stays_circle(const Machinery& m, PlaneAxes axes, Span where, std::string_view code) {
-  const Transform& t = m.transform;
-  if (t.identity) return {};
-  if (t.turns_plane() && axes.normal != 2) return fail(alarm(AlarmId::plane_wrong, where, code));
-  if (std::fabs(t.scale[axes.first]) == std::fabs(t.scale[axes.second])) return {};
-  return fail(alarm(AlarmId::not_together, where, "G51", code));
+/// A circle of another plane does not stay in it under G68, which turns in XY.
+Status turned_in_plane(const Machinery& m, PlaneAxes axes, Span where, std::string_view code) {
+  if (m.transform.turns_plane() && axes.normal != 2) return fail(alarm(AlarmId::plane_wrong, where, code));
+  return {};
+}
+
+/// Unequal factors make an ellipse of a circle (Mach3 10.7.15).
+bool is_ellipse(const Transform& t, PlaneAxes axes) {
+  return !t.identity && std::fabs(t.scale[axes.first]) != std::fabs(t.scale[axes.second]);
 }
 
 /// Mirrored along one axis of the plane: the circle is run the other way round.
@@ -54,13 +57,14 @@ class Circular {
     Axes end;
     KADR_TRY(m_.target(end, named));
     const std::uint32_t used = m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : 0u);
-    if ((m_.block.letters & used) == 0) return {};   // the code alone: only the mode
+    if ((m_.block.letters & used) == 0) return {};  // the code alone: only the mode
     KADR_TRY(m_.feed_known(where));
     const Axes& start = m_.position.programmed;
     auto arc = shape(start, end, where);
     if (!arc) return fail(arc.error());
     KADR_TRY(helix(start, end, *arc));
-    KADR_TRY(stays_circle(m_, axes_, where, turn_ == Turn::cw ? "G2" : "G3"));
+    KADR_TRY(turned_in_plane(m_, axes_, where, turn_ == Turn::cw ? "G2" : "G3"));
+    if (is_ellipse(m_.transform, axes_)) return start_ellipse(*arc, end, named);
     hand_on(*arc, end, named);
     return {};
   }
@@ -78,7 +82,8 @@ class Circular {
     }
     if (!has_center(axes_.first) && !has_center(axes_.second)) return fail(alarm(AlarmId::center_missing, where));
     if (!m_.def.behaviour.helix_by_lead && has_center(axes_.normal))
-      return fail(alarm(AlarmId::arc_not_in_plane, m_.where(m_.letters.center_letter[axes_.normal]), m_.letters.center_letter[axes_.normal]));
+      return fail(
+          alarm(AlarmId::arc_not_in_plane, m_.where(m_.letters.center_letter[axes_.normal]), m_.letters.center_letter[axes_.normal]));
     const auto arc = arc_around(from, to, {center(axes_.first, from.x), center(axes_.second, from.y)}, turn_, tolerance);
     if (!arc) return placed(m_, arc.error());
     return arc;
@@ -112,7 +117,24 @@ class Circular {
     const double whole = std::round(turns);
     if (!(lead > 0) || whole < 1 || std::fabs(turns - whole) > tol::whole_turns)
       return fail(alarm(AlarmId::turns_not_whole, m_.where(letter), rise, lead));
-    arc.turns += whole - 1;   // INFERRED: the arc itself, then whole turns
+    arc.turns += whole - 1;  // INFERRED: the arc itself, then whole turns
+    return {};
+  }
+
+  /// All of it must lie within reach before the first piece moves.
+  Status start_ellipse(const PlaneArc& arc, const Axes& end, AxisMask named) {
+    EllipseRun::Job job;
+    job.first = axes_.first;
+    job.second = axes_.second;
+    job.center = arc.center;
+    job.from = m_.position.programmed;
+    job.to = end;
+    job.sweep_deg = (turn_ == Turn::ccw ? 360 : -360) * arc.turns;
+    job.greatest_scale = std::max(std::fabs(m_.transform.scale[axes_.first]), std::fabs(m_.transform.scale[axes_.second]));
+    job.named = named | 1u << axes_.first | 1u << axes_.second;
+    const double reach = (length(arc.center) + length(in_plane(end, axes_) - arc.center)) * job.greatest_scale;
+    if (!(reach <= farthest)) return fail(alarm(AlarmId::position_out_of_range, m_.block.where, m_.axis_names[axes_.first], reach));
+    m_.ellipse_run.start(job);
     return {};
   }
 
@@ -147,6 +169,7 @@ Status circular(Machinery& m, const Call& call, Turn turn, MotionMode mode) {
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   }
   m.cycle_memory.row = -1;
+  if (m.block_axes_taken) return {};
   return Circular(m, turn).run(call.where);
 }
 
@@ -161,7 +184,8 @@ Status functions::circular_pocket(Machinery& m, const Call& call) {
   const double radius = m.length_value('I');
   if (!(radius > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('I'), 'I', radius));
   const PlaneAxes plane = axes_of(Plane::xy);
-  KADR_TRY(stays_circle(m, plane, call.where, call.row->code));
+  KADR_TRY(turned_in_plane(m, plane, call.where, call.row->code));
+  if (is_ellipse(m.transform, plane)) return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
   const Axes middle = m.position.programmed;
   Axes edge = middle;
   edge[0] += radius;

@@ -20,7 +20,7 @@ const AlarmReport& Control::report() const { return machinery_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
   const Block& last = machinery_->block;
   if (origin.line != last.position.line || machinery_->flow.in_body()) return machinery_->report_of(alarm, origin, {});
-  Alarm placed = alarm;   // the block is still in hand
+  Alarm placed = alarm;  // the block is still in hand
   placed.where = last.where;
   return machinery_->report_of(placed, origin, last.text);
 }

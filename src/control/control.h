@@ -15,17 +15,17 @@ namespace kadr {
 
 /// Limits that stop a runaway program.
 struct RunLimits {
-  std::uint64_t repeated_blocks = 20'000'000;   // blocks carried out again after a jump back
-  std::uint32_t restarts = 1000;                // passes of an endless main program (M99, M47)
+  std::uint64_t repeated_blocks = 20'000'000;  // blocks carried out again after a jump back
+  std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
 };
 
 struct Program {
-  std::string file;                             // its name, for people
+  std::string file;  // its name, for people
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };
 
-class Machinery;   // control/machinery.h
+class Machinery;  // control/machinery.h
 
 class Control {
  public:
@@ -62,8 +62,8 @@ class Control {
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
 
   Ending ending() const;
-  std::uint64_t blocks() const;          // carried out
-  std::uint64_t bytes_read() const;      // for progress
+  std::uint64_t blocks() const;      // carried out
+  std::uint64_t bytes_read() const;  // for progress
   std::uint64_t bytes() const;
   Encoding encoding() const;
   bool encoding_was_guessed() const;

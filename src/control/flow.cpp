@@ -5,7 +5,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_labels = 100'000;   // subprograms of one file
+constexpr std::size_t most_labels = 100'000;  // subprograms of one file
 
 /// Cycle bodies are written without numbers and marks.
 Grammar grammar_of_bodies(const Grammar& program) {
@@ -31,7 +31,11 @@ std::string text_of_bodies(const ControlDef& def, std::map<std::string, Position
 }  // namespace
 
 Flow::Flow(const ControlDef& def, Program program, RunLimits limits)
-    : def_(def), file_(std::move(program.file)), limits_(limits), source_(std::move(program.source)), program_(source_, def.grammar, program.encoding),
+    : def_(def),
+      file_(std::move(program.file)),
+      limits_(limits),
+      source_(std::move(program.source)),
+      program_(source_, def.grammar, program.encoding),
       body_grammar_(grammar_of_bodies(def.grammar)) {
   std::string bodies = text_of_bodies(def, body_starts_);
   if (!bodies.empty()) bodies_ = std::make_unique<BlockReader>(text_source(std::move(bodies)), body_grammar_, Encoding::utf8);
@@ -168,14 +172,14 @@ void Flow::make_index() {
   reader.seek({});
   auto block = std::make_unique<Block>();
   bool in_section = false;
-  std::int64_t current = -1;   // subprogram of the blocks that are being read
+  std::int64_t current = -1;  // subprogram of the blocks that are being read
   for (;;) {
     const Position at = reader.position();
     const auto got = reader.next(*block);
     if (got && *got == BlockReader::Got::end) break;
     std::optional<std::uint32_t> name;
     if (def_.behaviour.subprograms_by_section) {
-      constexpr std::uint8_t digits_of_label = 5;   // N02001: subprogram 02, block 001 (2С42 6.3.5)
+      constexpr std::uint8_t digits_of_label = 5;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
       if (block->marker == Marker::section) in_section = true;
       if (block->marker != Marker::none) current = -1;
       if (block->marker == Marker::program_start) in_section = false;
@@ -205,7 +209,8 @@ void Flow::each_uncalled(const std::function<void(Result<BlockReader::Got>, cons
     for (;;) {
       const auto got = reader.next(*block);
       if (got && *got == BlockReader::Got::end) break;
-      const bool other = block->marker != Marker::none || (def_.behaviour.subprograms_by_section && block->number_digits == 5 && block->number / 1000 != name);
+      const bool other = block->marker != Marker::none ||
+                         (def_.behaviour.subprograms_by_section && block->number_digits == 5 && block->number / 1000 != name);
       if (!first && other) break;
       visit(got, *block);
       first = false;

@@ -18,13 +18,13 @@ namespace kadr {
 struct CallFrame {
   enum class Kind : std::uint8_t { subprogram, cycle_body, repetition };
   Kind kind = Kind::subprogram;
-  Position start;              // first block of its body
-  Position back;               // where the caller goes on
-  std::uint8_t reader = 0;     // of the body: 0 the program, 1 the cycle bodies
+  Position start;           // first block of its body
+  Position back;            // where the caller goes on
+  std::uint8_t reader = 0;  // of the body: 0 the program, 1 the cycle bodies
   std::uint8_t back_reader = 0;
-  std::uint32_t name = 0;      // subprogram number
-  std::uint32_t left = 0;      // passes still to do, this one included
-  bool repeating = false;      // beyond its first pass
+  std::uint32_t name = 0;  // subprogram number
+  std::uint32_t left = 0;  // passes still to do, this one included
+  bool repeating = false;  // beyond its first pass
   Origin caller;
   std::uint8_t work_zero = 0;  // of the caller (2С42: comes back)
   Axes zero_shift{};
@@ -61,12 +61,16 @@ class Flow {
   Status restart(Span where);
   void end() { ended_ = true; }
   /// The main program runs over this label (its own name, or into a subprogram): it counts as called.
-  void pass_label(std::uint32_t label) { if (passed_.size() < 1000) passed_.insert(label); }
+  void pass_label(std::uint32_t label) {
+    if (passed_.size() < 1000) passed_.insert(label);
+  }
 
   bool ended() const { return ended_; }
   /// Leaves the innermost call or repetition whose end was not found; in a repetition to go on at `again`.
   void abandon(std::optional<Position> again);
-  std::string shown(std::string_view text, Span& place) const { return visiting_ ? elsewhere_->shown(text, place) : reader_ == 0 ? program_.shown(text, place) : std::string(text); }
+  std::string shown(std::string_view text, Span& place) const {
+    return visiting_ ? elsewhere_->shown(text, place) : reader_ == 0 ? program_.shown(text, place) : std::string(text);
+  }
   bool in_body() const { return reader_ == 1; }
   std::size_t depth() const { return frames_.size(); }
   const std::vector<CallFrame>& frames() const { return frames_; }
@@ -104,7 +108,7 @@ class Flow {
   RunLimits limits_;
   std::shared_ptr<ByteSource> source_;
   BlockReader program_;
-  std::unique_ptr<BlockReader> elsewhere_;   // reads the file in other places: the block in hand keeps its text
+  std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places: the block in hand keeps its text
   Grammar body_grammar_;
   std::unique_ptr<BlockReader> bodies_;
   std::map<std::string, Position> body_starts_;
@@ -113,7 +117,7 @@ class Flow {
   std::map<std::uint32_t, Label> labels_;
   std::set<std::uint32_t> passed_;
   bool indexed_ = false;
-  bool visiting_ = false;      // each_uncalled is at work
+  bool visiting_ = false;  // each_uncalled is at work
   bool ended_ = false;
   std::uint32_t restarts_ = 0;
   std::uint64_t blocks_ = 0;

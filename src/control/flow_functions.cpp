@@ -18,7 +18,7 @@ Status end_program(Machinery& m, Span where) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, where});
-    if (row.letter == 'M') m.batch->cut(silent);   // M2 itself stops spindle and coolant
+    if (row.letter == 'M') m.batch->cut(silent);  // M2 itself stops spindle and coolant
     if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(row_index);
   }
   return {};

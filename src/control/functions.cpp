@@ -23,7 +23,7 @@ Status set_plane(Machinery& m, Plane plane) {
 }
 
 Status set_feed_mode(Machinery& m, FeedMode mode) {
-  if (m.modal.feed_mode != mode) m.modal.feed_known = false;   // a feed of the other unit means nothing
+  if (m.modal.feed_mode != mode) m.modal.feed_known = false;  // a feed of the other unit means nothing
   m.modal.feed_mode = mode;
   return {};
 }
@@ -77,7 +77,9 @@ Status corner_arc(Machinery&, const Call&) { return {}; }
 Status corner_line(Machinery&, const Call&) { return {}; }
 Status retract_initial(Machinery& m, const Call&) { return m.modal.retract_initial = true, Status(); }
 Status retract_level(Machinery& m, const Call&) { return m.modal.retract_initial = false, Status(); }
-Status override_permission(Machinery& m, const Call& call) { return m.modal.override_permission = static_cast<std::uint8_t>(call.row->arg), Status(); }
+Status override_permission(Machinery& m, const Call& call) {
+  return m.modal.override_permission = static_cast<std::uint8_t>(call.row->arg), Status();
+}
 Status override_on(Machinery& m, const Call&) { return m.modal.override_enabled = true, Status(); }
 Status override_off(Machinery& m, const Call&) { return m.modal.override_enabled = false, Status(); }
 

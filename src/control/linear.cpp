@@ -45,6 +45,7 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   }
   m.cycle_memory.row = -1;
+  if (m.block_axes_taken) return {};
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));
@@ -54,7 +55,7 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
     if (!corrected) return fail(corrected.error());
     named |= *corrected;
   }
-  if (named == 0) return {};   // the code alone: only the mode
+  if (named == 0) return {};  // the code alone: only the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
   return m.straight(kind, to, named);
@@ -149,7 +150,7 @@ Status machine_point(Machinery& m, const Call&) { return machine_motion(m, Motio
 /// What a word leaves out stays as it was.
 Status pole_rapid(Machinery& m, const Call& call) {
   m.modal.motion = MotionMode::rapid;
-  m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());   // N11, N12: in force, B or A alone
+  m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());  // N11, N12: in force, B or A alone
   if (call.row->modal) {
     m.modal.motion = MotionMode::rapid;
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
@@ -157,7 +158,9 @@ Status pole_rapid(Machinery& m, const Call& call) {
   const bool turning = m.modal.plane == Plane::zx || (m.has('Z') && !m.has('Y'));
   const std::size_t along = turning ? 2 : 0;
   const std::size_t across = turning ? 0 : 1;
-  const auto pole_word = [&](std::size_t axis, double old) { return m.has(m.letters.axis_letter[axis]) ? m.length_value(m.letters.axis_letter[axis]) : old; };
+  const auto pole_word = [&](std::size_t axis, double old) {
+    return m.has(m.letters.axis_letter[axis]) ? m.length_value(m.letters.axis_letter[axis]) : old;
+  };
   m.modal.pole = {pole_word(along, m.modal.pole.x), pole_word(across, m.modal.pole.y)};
   if (m.has('B')) m.modal.polar_radius = m.length_value('B');
   if (m.has('A')) m.modal.polar_angle = m.value('A');
@@ -183,7 +186,8 @@ Status probe(Machinery& m, const Call& call) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const double way = to[a] - m.position.programmed[a];
     if ((m.def.rotary >> a & 1u) == 0) distance += way * way;
-    else if (std::fabs(way) > tol::same_angle) return fail(alarm(AlarmId::rotary_motion, m.where(m.letters.axis_letter[a]), m.letters.axis_letter[a]));
+    else if (std::fabs(way) > tol::same_angle)
+      return fail(alarm(AlarmId::rotary_motion, m.where(m.letters.axis_letter[a]), m.letters.axis_letter[a]));
   }
   if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)
     return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));

@@ -17,7 +17,8 @@ struct Reading {
 };
 
 std::uint32_t characters(std::string_view text) {
-  return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::uint32_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 }  // namespace
@@ -37,8 +38,9 @@ Control::State Machinery::run(ActionBatch& to) {
     emit(FrameChange{frames.origin, frames.length, position.work});
   }
   while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
-    if (cycle_run.active()) {
-      if (const Status status = cycle_run.next(*this); !status) fail_with(status.error());
+    if (cycle_run.active() || ellipse_run.active()) {
+      const Status status = cycle_run.active() ? cycle_run.next(*this) : ellipse_run.next(*this);
+      if (!status) fail_with(status.error());
       continue;
     }
     if (waiting_count_ != 0) {
@@ -56,7 +58,7 @@ Control::State Machinery::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) origin = origin_of_block();
-    if (!got && block.marker == Marker::program_start) flow.started = true;   // damaged, but there
+    if (!got && block.marker == Marker::program_start) flow.started = true;  // damaged, but there
     for (const Alarm& w : block.warnings) warn(w);
     const Status status = got ? execute() : Status(fail(got.error()));
     if (!status) fail_with(status.error());
@@ -83,6 +85,7 @@ void Machinery::go_on() {
 
 void Machinery::fail_with(const Alarm& failed) {
   cycle_run.stop();
+  ellipse_run.stop();
   waiting_count_ = 0;
   report = report_of(failed, origin, block.text);
   stopped_ = true;
@@ -95,9 +98,10 @@ void Machinery::warn(const Alarm& alarm) {
 AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
   AlarmReport r{alarm, flow.file(), {}, at, {}};
   const bool in_body = flow.in_body() && !line_text.empty();
-  if (in_body) r.alarm.where = call_where;   // the body stands in no file: the place is the call
+  if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
-  if (r.alarm.where.begin <= r.line_text.size()) r.origin.column = characters(std::string_view(r.line_text).substr(0, r.alarm.where.begin)) + 1;
+  if (r.alarm.where.begin <= r.line_text.size())
+    r.origin.column = characters(std::string_view(r.line_text).substr(0, r.alarm.where.begin)) + 1;
   for (const CallFrame& frame : flow.frames())
     r.calls.push_back({Flow::name_of(def, frame), frame.caller.line, frame.caller.block, frame.caller.has_block});
   return r;
@@ -159,7 +163,7 @@ bool Machinery::changes_only_position() const {
 
 /// Shifts and factors must not carry the tool beyond what a number of the control can hold.
 Status Machinery::check_place() const {
-  constexpr double most = 4 * farthest;   // origin, length and coordinate may lie apart
+  constexpr double most = 4 * farthest;  // origin, length and coordinate may lie apart
   for (std::size_t a = 0; a < axis_count; ++a)
     for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
       if (!(std::fabs(v) <= most)) return fail(alarm(AlarmId::position_out_of_range, block.where, axis_names[a], v));
@@ -170,7 +174,8 @@ Status Machinery::check_place() const {
 Status Machinery::structure() {
   switch (block.marker) {
     case Marker::program_start:
-      if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading) flow.end();   // the next program of the tape
+      if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading)
+        flow.end();  // the next program of the tape
       flow.started = true;
       skipping_section_ = false;
       return {};
@@ -264,9 +269,11 @@ void Machinery::check_uncalled(const std::function<void(const AlarmReport&)>& on
   auto plan = std::make_unique<Plan>();
   flow.each_uncalled([&](Result<BlockReader::Got> got, const Block& read) {
     Status status = got ? Status() : Status(fail(got.error()));
-    Block& looked_at = const_cast<Block&>(read);   // expressions have no value here: codes by expression are left alone
+    Block& looked_at = const_cast<Block&>(read);  // expressions have no value here: codes by expression are left alone
     bool known = true;
-    for (std::uint32_t i = 0; i < looked_at.word_count; ++i) known = known && !(looked_at.words[i].expression && looked_at.words[i].code < 0 && letters.codes >> (looked_at.words[i].address - 'A') & 1u);
+    for (std::uint32_t i = 0; i < looked_at.word_count; ++i)
+      known = known &&
+              !(looked_at.words[i].expression && looked_at.words[i].code < 0 && letters.codes >> (looked_at.words[i].address - 'A') & 1u);
     if (status && known) status = plan_block(def, letters, read, any_motion, *plan);
     Origin at;
     at.line = read.position.line;
@@ -288,7 +295,8 @@ Ending Machinery::ending() const {
   for (const std::string& name : watch_) {
     const auto same = [&](const auto& v) { return v.first == name; };
     if (std::any_of(e.variables.begin(), e.variables.end(), same)) continue;
-    const auto read = name.starts_with('#') ? variables.variable(std::strtod(name.c_str() + 1, nullptr), {}) : Result<double>(fail(Alarm()));
+    const auto read =
+        name.starts_with('#') ? variables.variable(std::strtod(name.c_str() + 1, nullptr), {}) : Result<double>(fail(Alarm()));
     if (read) e.variables.emplace_back(name, *read);
     else e.watched_unset.emplace_back(name, true);
   }

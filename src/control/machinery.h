@@ -8,6 +8,7 @@
 
 #include "control/control.h"
 #include "control/cycles/cycle_run.h"
+#include "control/ellipse_run.h"
 #include "control/flow.h"
 #include "control/plan.h"
 #include "control/state.h"
@@ -16,8 +17,8 @@
 namespace kadr {
 
 inline constexpr double mm_per_inch = 25.4;
-inline constexpr double farthest = 1e7;          // mm, degrees: a coordinate beyond ten kilometres is a mistake
-inline constexpr std::size_t batch_size = 256;   // actions handed on at a time
+inline constexpr double farthest = 1e7;         // mm, degrees: a coordinate beyond ten kilometres is a mistake
+inline constexpr std::size_t batch_size = 256;  // actions handed on at a time
 
 /// Parameters of G87 of the generic Soviet control (spec/correctors 3), kept for G79.
 struct PocketCycle {
@@ -106,21 +107,23 @@ class Machinery {
   Flow flow;
   CycleMemory cycle_memory;
   CycleRun cycle_run;
+  EllipseRun ellipse_run;
   PocketCycle pocket;
-  std::vector<double> corrector_applied;   // by corrector and axis: what it added last (spec/correctors 1)
-  Axes set_position{};                     // G92 / G52 shift (Mach3), mm
+  std::vector<double> corrector_applied;  // by corrector and axis: what it added last (spec/correctors 1)
+  Axes set_position{};                    // G92 / G52 shift (Mach3), mm
   bool set_position_by_g52 = false;
+  bool block_axes_taken = false;           // a code of this block has its axis words: a motion code beside it only sets the mode
   bool block_exact = false;                // G9 in this block
   bool block_machine_coordinates = false;  // G53 with a motion (Mach3)
   bool needs_probe = false;
   Span probe_where;
   bool optional_stop_on = false;
-  bool each_block = false;                 // hand over after each block
+  bool each_block = false;  // hand over after each block
   std::array<bool, 10> skip_switches{};
-  std::array<bool, max_axes> mirror_switches{};   // panel mode of the 2С42 (6.8)
-  std::string start_error;                 // what the set-up names and the control has not
+  std::array<bool, max_axes> mirror_switches{};  // panel mode of the 2С42 (6.8)
+  std::string start_error;                       // what the set-up names and the control has not
 
-  std::string call_text;                   // block that called the cycle body being carried out, and its L word
+  std::string call_text;  // block that called the cycle body being carried out, and its L word
   Span call_where;
 
   Block block;
@@ -171,14 +174,14 @@ class Machinery {
   void fail_with(const Alarm& alarm);
 
   Plan plan_;
-  std::array<std::uint8_t, limits::block_words> waiting_{};   // items of plan_ that stop or end the program after the block's cycle
+  std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;
-  std::optional<Flow::Place> flow_before_;                    // kept where a block has more than one item that jumps
+  std::optional<Flow::Place> flow_before_;  // kept where a block has more than one item that jumps
   Moment moment_;
   bool moment_taken_ = false;
   std::vector<double> assigned_;
-  std::vector<double> kept_corrections_;   // corrector_applied before the block
-  std::pair<std::uint32_t, ToolOffset> kept_offset_{};   // [0] is none
+  std::vector<double> kept_corrections_;                // corrector_applied before the block
+  std::pair<std::uint32_t, ToolOffset> kept_offset_{};  // [0] is none
   bool stopped_ = false;
   bool start_missing_reported_ = false;
   bool skipping_section_ = false;
@@ -188,8 +191,8 @@ class Machinery {
 
 /// What a row's function does (control/functions.cpp).
 struct Call {
-  const CodeRow* row = nullptr;   // nullptr: an address that acts by itself
-  const Word* word = nullptr;     // nullptr: the motion in force
+  const CodeRow* row = nullptr;  // nullptr: an address that acts by itself
+  const Word* word = nullptr;    // nullptr: the motion in force
   Span where;
 };
 using Handler = Status (*)(Machinery&, const Call&);

@@ -47,7 +47,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
 }
 
 void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
-  if (transform.turns_plane() && (named & 3u) != 0) named |= 3u;   // turned: X and Y move together
+  if (transform.turns_plane() && (named & 3u) != 0) named |= 3u;  // turned: X and Y move together
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
     position.work[a] = work[a];
@@ -88,7 +88,8 @@ Status Machinery::feed_known(Span at) {
     if (!has('F')) return fail(alarm(AlarmId::feed_missing, at));
     return {};
   }
-  if (modal.feed_known && modal.feed > 0) [[likely]] return {};
+  if (modal.feed_known && modal.feed > 0) [[likely]]
+    return {};
   if (def.behaviour.feed_required) return fail(alarm(AlarmId::feed_missing, at));
   warn(warning(AlarmId::feed_missing, at));
   return {};
@@ -96,7 +97,7 @@ Status Machinery::feed_known(Span at) {
 
 double Machinery::feed_limited(double feed) {
   const double most = def.behaviour.feed_most;
-  return most > 0 && feed > most ? most : feed;   // 2С42 6.5.2: at most 5 m/min
+  return most > 0 && feed > most ? most : feed;  // 2С42 6.5.2: at most 5 m/min
 }
 
 void Machinery::set_feed(Motion& motion) {
@@ -129,11 +130,10 @@ void Machinery::refresh_frames() {
     double origin_of_axis = tables.common[a] + tables.zero_shift[a] + set_position[a];
     if (fixtures != 0 && a < 6)
       origin_of_axis += variables.raw(variables.first(VariableKind::fixture, modal.fixture - 1) + static_cast<std::uint32_t>(a));
-    else
-      origin_of_axis += tables.zeros[modal.work_zero][a];
+    else origin_of_axis += tables.zeros[modal.work_zero][a];
     frames.origin[a] = origin_of_axis;
   }
-  constexpr std::size_t length_axis = 2;   // Z
+  constexpr std::size_t length_axis = 2;  // Z
   const std::uint32_t number = modal.length_number != 0 ? modal.length_number : modal.offset_number;
   const bool in_table = number < tables.offsets.size();
   frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].length;
@@ -156,8 +156,8 @@ void Machinery::change_frames() {
 void Machinery::apply_mirror() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool on = mirror_switches[a];
-    if (a == 1 && modal.plane == Plane::zx) on = false;   // 2С42 6.8: with G18 Y is not mirrored
-    if (a == 0 && modal.plane == Plane::yz) on = false;   // with G19 X is not
+    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: with G18 Y is not mirrored
+    if (a == 0 && modal.plane == Plane::yz) on = false;  // with G19 X is not
     transform.mirror[a] = on ? std::int8_t{-1} : std::int8_t{1};
   }
   transform.refresh();

@@ -241,7 +241,9 @@ Status set_data(Machinery& m, const Call& call) {
   if (!number) return fail(number.error());
   if (*kind == 2) {
     const std::uint32_t first = m.variables.first(VariableKind::fixture, *number - 1);
-    each_axis_word(m, [&](std::size_t a, double v) { if (a < 6) m.variables.set_raw(first + static_cast<std::uint32_t>(a), v); });
+    each_axis_word(m, [&](std::size_t a, double v) {
+      if (a < 6) m.variables.set_raw(first + static_cast<std::uint32_t>(a), v);
+    });
     (void)m.variables.take_frames_changed();
   } else {
     ToolOffset& offset = m.tables.offsets[*number];

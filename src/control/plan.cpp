@@ -8,7 +8,8 @@ namespace {
 /// Collects the calls of one block.
 class Planner {
  public:
-  Planner(const ControlDef& def, const LetterSets& letters, const Block& block, Plan& plan) : def_(def), letters_(letters), block_(block), plan_(plan) {}
+  Planner(const ControlDef& def, const LetterSets& letters, const Block& block, Plan& plan)
+      : def_(def), letters_(letters), block_(block), plan_(plan) {}
 
   Status run(std::int16_t motion_row) {
     plan_.count = 0;
@@ -21,6 +22,7 @@ class Planner {
     }
     KADR_TRY(motion_in_force(motion_row));
     if (code_count_ != 0 || (block_.letters & ~letters_.acting & ~plan_.taken) != 0) KADR_TRY(words_used());
+    plan_.axes_taken = axes_taker_ != nullptr;
     plan_.moves_only = code_count_ == 0 && (block_.letters & letters_.acting) == 0 && block_.assignments.empty();
     return {};
   }
@@ -67,7 +69,8 @@ class Planner {
       motion_coded_ = true;
       return {};
     }
-    if (axes_taker_ != nullptr) return fail(alarm(AlarmId::not_together, word.where, block_.text_of(axes_taker_->where), block_.text_of(word.where)));
+    if (axes_taker_ != nullptr)
+      return fail(alarm(AlarmId::not_together, word.where, block_.text_of(axes_taker_->where), block_.text_of(word.where)));
     axes_taker_ = &word;
     return {};
   }
@@ -93,7 +96,7 @@ class Planner {
       return fail(alarm(AlarmId::no_motion_mode, word.where, word.address));
     }
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
-    if ((loose & row.takes) == 0) return {};   // words_used names it
+    if ((loose & row.takes) == 0) return {};  // words_used names it
     plan_.taken |= row.takes;
     add(row.phase, no_word, motion_row, 0);
     return {};
@@ -136,7 +139,7 @@ class Planner {
   const Block& block_;
   Plan& plan_;
   std::uint64_t groups_seen_ = 0;
-  std::array<std::uint8_t, most_groups> first_of_group_{};   // index of its item; means something only where groups_seen_ has the bit
+  std::array<std::uint8_t, most_groups> first_of_group_{};  // index of its item; means something only where groups_seen_ has the bit
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
   const Word* axes_taker_ = nullptr;

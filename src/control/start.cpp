@@ -32,7 +32,9 @@ int zero_number(const std::string& name) {
 
 /// What the set-up names and this control has not: axes, numbers beyond its tables.
 void Machinery::check_setup(const Setup& setup) {
-  const auto note = [&](const std::string& what) { if (start_error.empty()) start_error = what; };
+  const auto note = [&](const std::string& what) {
+    if (start_error.empty()) start_error = what;
+  };
   const auto axes_known = [&](const char* key, const AxisValues& values) {
     for (const auto& [axis, value] : values)
       if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note(std::string(key) + ": axis " + axis);
@@ -47,7 +49,8 @@ void Machinery::check_setup(const Setup& setup) {
   for (const auto& [number, offset] : setup.offsets) in_table("offsets", number, tables.offsets.size());
   for (const auto& [number, value] : setup.correctors) in_table("correctors", number, tables.correctors.size());
   for (const auto& [number, zero] : setup.zeros) in_table("zeros", number, tables.zeros.size()), axes_known("zeros", zero);
-  for (const auto& [number, point] : setup.reference_points) in_table("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
+  for (const auto& [number, point] : setup.reference_points)
+    in_table("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
   const std::size_t fixtures = variables.first(VariableKind::fixture) != 0 ? def.behaviour.fixtures + 1 : tables.zeros.size();
   for (const auto& [name, zero] : setup.work_offsets) {
     if (const int number = zero_number(name); number < 0 || static_cast<std::size_t>(number) >= fixtures) note("work_offsets: " + name);
@@ -65,11 +68,14 @@ void Machinery::read_setup(const Setup& setup) {
   for (const auto& [number, offset] : setup.offsets)
     if (number >= 0 && static_cast<std::size_t>(number) < tables.offsets.size()) tables.offsets[static_cast<std::size_t>(number)] = offset;
   for (const auto& [number, mm] : setup.correctors)
-    if (number >= 0 && static_cast<std::size_t>(number) < tables.correctors.size()) tables.correctors[static_cast<std::size_t>(number)] = mm;
+    if (number >= 0 && static_cast<std::size_t>(number) < tables.correctors.size())
+      tables.correctors[static_cast<std::size_t>(number)] = mm;
   for (const auto& [number, zero] : setup.zeros)
-    if (number > 0 && static_cast<std::size_t>(number) < tables.zeros.size()) tables.zeros[static_cast<std::size_t>(number)] = axes_of(zero, axis_names);
+    if (number > 0 && static_cast<std::size_t>(number) < tables.zeros.size())
+      tables.zeros[static_cast<std::size_t>(number)] = axes_of(zero, axis_names);
   for (const auto& [number, point] : setup.reference_points)
-    if (number > 0 && static_cast<std::size_t>(number) < tables.reference.size()) tables.reference[static_cast<std::size_t>(number)] = axes_of(point, axis_names);
+    if (number > 0 && static_cast<std::size_t>(number) < tables.reference.size())
+      tables.reference[static_cast<std::size_t>(number)] = axes_of(point, axis_names);
   const std::uint32_t fixtures = variables.first(VariableKind::fixture);
   const auto write = [&](std::uint32_t first, const Axes& values) {
     for (std::uint32_t a = 0; a < 6 && a < axis_count && first != 0; ++a)
@@ -79,7 +85,8 @@ void Machinery::read_setup(const Setup& setup) {
     const int number = zero_number(name);
     const Axes values = axes_of(offset, axis_names);
     if (number == 0) tables.common = values;
-    else if (fixtures != 0 && static_cast<std::uint32_t>(number - 1) < def.behaviour.fixtures) write(variables.first(VariableKind::fixture, static_cast<std::uint32_t>(number - 1)), values);
+    else if (fixtures != 0 && static_cast<std::uint32_t>(number - 1) < def.behaviour.fixtures)
+      write(variables.first(VariableKind::fixture, static_cast<std::uint32_t>(number - 1)), values);
     else if (number > 0 && static_cast<std::size_t>(number) < tables.zeros.size()) tables.zeros[static_cast<std::size_t>(number)] = values;
   }
   write(variables.first(VariableKind::home), tables.reference[1]);
@@ -87,7 +94,8 @@ void Machinery::read_setup(const Setup& setup) {
   for (const auto& [name, value] : setup.variables) {
     if (!value || name.size() < 2) continue;
     if (name[0] == 'R' && name[1] >= '0' && name[1] <= '9') variables.set_parameter(name[1] - '0', *value);
-    else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest()) variables.set_raw(static_cast<std::uint32_t>(n), *value);
+    else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())
+      variables.set_raw(static_cast<std::uint32_t>(n), *value);
   }
   for (const int s : setup.skip)
     if (s >= 0 && s < 10) skip_switches[static_cast<std::size_t>(s)] = true;

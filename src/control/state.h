@@ -18,39 +18,39 @@ enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
 /// What stays in force from block to block. `rows` names the code of each group; the fields say what it means.
 struct Modal {
-  std::array<std::int16_t, most_groups> rows;   // row of ControlDef::codes in force, -1: none
+  std::array<std::int16_t, most_groups> rows;  // row of ControlDef::codes in force, -1: none
   std::int16_t motion_row = -1;
   MotionMode motion = MotionMode::none;
   Plane plane = Plane::xy;
   FeedMode feed_mode = FeedMode::per_minute;
   SpindleDir spindle = SpindleDir::stop;
-  std::int8_t radius_side = 0;        // -1 left (G41), +1 right (G42)
-  std::int8_t length_sign = 0;        // +1 G43, -1 G44
-  std::int8_t corrector_sign = 0;     // +1 and -1: the corrector's absolute value with that sign; 0: its own
+  std::int8_t radius_side = 0;     // -1 left (G41), +1 right (G42)
+  std::int8_t length_sign = 0;     // +1 G43, -1 G44
+  std::int8_t corrector_sign = 0;  // +1 and -1: the corrector's absolute value with that sign; 0: its own
   bool absolute = true;
   bool centers_absolute = false;
   bool inch = false;
-  bool exact = false;                 // exact stop mode
-  bool retract_initial = true;        // G98
+  bool exact = false;           // exact stop mode
+  bool retract_initial = true;  // G98
   bool polar = false;
-  bool surface_speed = false;         // G96: `rpm` is m/min
+  bool surface_speed = false;  // G96: `rpm` is m/min
   bool mist = false;
   bool flood = false;
   bool override_enabled = true;
   bool feed_known = false;
-  std::uint8_t override_permission = 3;   // 1 feed, 2 spindle
-  std::uint8_t work_zero = 0;         // 0: none
+  std::uint8_t override_permission = 3;  // 1 feed, 2 spindle
+  std::uint8_t work_zero = 0;            // 0: none
   std::uint32_t fixture = 1;
-  std::uint32_t offset_number = 0;    // D
-  std::uint32_t length_number = 0;    // H, where it is a word of its own
+  std::uint32_t offset_number = 0;  // D
+  std::uint32_t length_number = 0;  // H, where it is a word of its own
   std::uint32_t tool_selected = 0;
-  std::uint32_t corrector = 0;        // of T0404
-  std::uint32_t tool = 0;             // in the spindle
-  double radius_by_word = -1;         // G41 P…; -1: from the table
-  double blend_tolerance = 0;         // G64 P…, mm
-  double feed = 0;                    // mm/min, mm/rev or 1/min by feed_mode
+  std::uint32_t corrector = 0;  // of T0404
+  std::uint32_t tool = 0;       // in the spindle
+  double radius_by_word = -1;   // G41 P…; -1: from the table
+  double blend_tolerance = 0;   // G64 P…, mm
+  double feed = 0;              // mm/min, mm/rev or 1/min by feed_mode
   double rpm = 0;
-  Vec2 pole;                          // polar mode, programmed coordinates
+  Vec2 pole;  // polar mode, programmed coordinates
   double polar_radius = 0;
   double polar_angle = 0;
 };
@@ -58,40 +58,40 @@ struct Modal {
 /// Programmed → work coordinates: scale, mirror, rotation about a point, what axis correctors have added.
 struct Transform {
   bool identity = true;
-  Axes scale;                         // negative where mirrored
-  Axes added;                         // by correctors, mm
-  double rotation = 0;                // degrees about Z
-  Vec2 rotation_center;               // work coordinates
-  std::array<std::int8_t, max_axes> mirror;   // +1, -1
+  Axes scale;                                // negative where mirrored
+  Axes added;                                // by correctors, mm
+  double rotation = 0;                       // degrees about Z
+  Vec2 rotation_center;                      // work coordinates
+  std::array<std::int8_t, max_axes> mirror;  // +1, -1
 
   Transform();
-  void refresh();                     // sets `identity`
+  void refresh();  // sets `identity`
   Axes to_work(const Axes& programmed) const;
   Axes to_programmed(const Axes& work) const;
   bool turns_plane() const { return rotation != 0; }
 };
 
 struct ProgramPosition {
-  Axes programmed{};                  // as the program's words mean it
-  Axes work{};                        // tool point in the work system in force
+  Axes programmed{};  // as the program's words mean it
+  Axes work{};        // tool point in the work system in force
   Axes machine{};
 };
 
 /// Where the work system lies.
 struct Frames {
-  Axes origin{};                      // machine coordinates of the work zero, all shifts included
-  Axes length{};                      // tool length, by axis
+  Axes origin{};  // machine coordinates of the work zero, all shifts included
+  Axes length{};  // tool length, by axis
   friend bool operator==(const Frames&, const Frames&) = default;
 };
 
 /// Tables of the control that a program reads (and, with G10, writes).
 struct Tables {
-  std::vector<ToolOffset> offsets;    // by number; [0] is none
-  std::array<Axes, 10> zeros{};       // work zeros 1… ; [0] is none
-  Axes common{};                      // common work offset
-  Axes zero_shift{};                  // temporary shift on top (G92 of the 2С42 and GOST)
+  std::vector<ToolOffset> offsets;  // by number; [0] is none
+  std::array<Axes, 10> zeros{};     // work zeros 1… ; [0] is none
+  Axes common{};                    // common work offset
+  Axes zero_shift{};                // temporary shift on top (G92 of the 2С42 and GOST)
   std::vector<double> correctors;
-  std::array<Axes, 5> reference{};    // reference points 1…4, machine
+  std::array<Axes, 5> reference{};  // reference points 1…4, machine
 };
 
 }  // namespace kadr

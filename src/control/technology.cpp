@@ -69,7 +69,7 @@ Status feed_word(Machinery& m, const Call& call) {
 Status speed_word(Machinery& m, const Call& call) {
   const double rpm = coded(m.def.speed_codes, m.value('S'));
   if (!(rpm >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'S', m.value('S')));
-  if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {   // 2С42 6.4.3
+  if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {  // 2С42 6.4.3
     m.warn(warning(AlarmId::speed_without_direction, call.where));
     return {};
   }

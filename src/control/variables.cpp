@@ -8,7 +8,7 @@ namespace kadr {
 namespace {
 
 constexpr double mm_per_inch = 25.4;
-constexpr std::uint32_t first_system_variable = 1000;   // below it every number is the program's own
+constexpr std::uint32_t first_system_variable = 1000;  // below it every number is the program's own
 
 /// The number of a variable, or 0 if `number` is none.
 std::uint32_t number_of(double number, std::uint32_t highest) {
@@ -42,7 +42,7 @@ Status Variables::set(double number, double value, Span where) {
 }
 
 void Variables::set_raw(std::uint32_t number, double value) {
-  if (number >= values_.size()) return;   // a row of the control's file beyond its variables
+  if (number >= values_.size()) return;  // a row of the control's file beyond its variables
   undo_.push_back({static_cast<std::int32_t>(number), values_[number], set_[number]});
   values_[number] = value;
   set_[number] = true;

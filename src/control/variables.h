@@ -39,11 +39,11 @@ class Variables {
   void begin_block() { undo_.clear(); }
   void undo_block();
 
-  bool inch = false;   // length variables are read and written in the program's unit
+  bool inch = false;  // length variables are read and written in the program's unit
 
  private:
   struct Undo {
-    std::int32_t number;   // negative: parameter -(number + 1)
+    std::int32_t number;  // negative: parameter -(number + 1)
     double value;
     bool was_set;
   };

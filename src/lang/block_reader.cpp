@@ -32,7 +32,7 @@ std::string BlockReader::shown(std::string_view text, Span& place) const {
     if (i <= place.begin) there.begin = static_cast<std::uint32_t>(all.size());
     if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
     if (i == text.size()) break;
-    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);   // a row whose parity is wrong, too
+    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);  // a row whose parity is wrong, too
     else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
   }
   place = there;
@@ -75,7 +75,7 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   position_ = {line_.offset, line_.number, 0};
   if (encoding_ == Encoding::iso7 || expects_high_bytes_) {
     const Status decoded = decode_line();
-    if (!decoded && encoding_ == Encoding::iso7) {   // elsewhere the damage may lie in a comment: lex_line finds out
+    if (!decoded && encoding_ == Encoding::iso7) {  // elsewhere the damage may lie in a comment: lex_line finds out
       block.clear();
       block.position = position_;
       block.text = text_;
@@ -103,7 +103,7 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return decoded;
     }
-    if (rest_ != 0) {   // the blocks before this one were read undecoded: the same place in the text
+    if (rest_ != 0) {  // the blocks before this one were read undecoded: the same place in the text
       std::string before;
       (void)append_utf8(line_.bytes.substr(0, rest_), *encoding_, before);
       rest_ = before.size();
@@ -137,7 +137,7 @@ Status BlockReader::decode_line() {
   Status status = append_utf8(line_.bytes, *encoding_, decoded_);
   if (!status && status.error().id == AlarmId::parity_error) {
     Alarm named = status.error();
-    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());   // row of the tape
+    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());  // row of the tape
     return fail(named);
   }
   if (!status) return status;

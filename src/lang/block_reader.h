@@ -40,11 +40,11 @@ class BlockReader {
   const Grammar& grammar_;
   std::optional<Encoding> encoding_;
   bool guessed_ = false;
-  std::uint64_t first_mark_ = ~std::uint64_t{0};   // offset of the first line with a block that ended with ПС or LF
+  std::uint64_t first_mark_ = ~std::uint64_t{0};  // offset of the first line with a block that ended with ПС or LF
   Line line_;
-  std::string decoded_;          // the line in UTF-8, where it is not already
-  std::string_view text_;        // the line's text
-  std::size_t rest_ = 0;         // where the next block of the line begins
+  std::string decoded_;    // the line in UTF-8, where it is not already
+  std::string_view text_;  // the line's text
+  std::size_t rest_ = 0;   // where the next block of the line begins
   bool in_line_ = false;
   bool is_text_ = false;             // text_ is known to be UTF-8
   bool expects_high_bytes_ = false;  // a line before needed decoding: so will this one

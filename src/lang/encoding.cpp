@@ -23,7 +23,7 @@ using HighHalf = std::array<Utf8, 128>;
 HighHalf load_high_half(const char* iconv_name) {
   HighHalf half;
   const iconv_t converter = iconv_open("UTF-8", iconv_name);
-  if (converter == reinterpret_cast<iconv_t>(-1)) return half;   // every byte is then without meaning
+  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // every byte is then without meaning
   for (std::size_t i = 0; i < half.size(); ++i) {
     char byte = static_cast<char>(128 + i);
     char* from = &byte;
@@ -109,16 +109,16 @@ constexpr std::array<std::string_view, 33> pair_cost = {
     "ttmtjttttlggittttoctktttttttttttt",  // э
     "znzznzzzzmzuozzzunftzzzgsezzzzzzd",  // ю
     "xznrniqmzxrtjlzvmojzznnrzmzzzzkqb",  // я
-    "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  //  
+    "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  //
 };
-constexpr int mixed_case_cost = 24;    // a capital behind a small letter, a small one behind two capitals: wrong encoding
-constexpr int typography_cost = 20;    // №, quotes, dashes, degrees: rare, but text
-constexpr int other_sign_cost = 48;    // frames, fractions, letters of other languages
+constexpr int mixed_case_cost = 24;  // a capital behind a small letter, a small one behind two capitals: wrong encoding
+constexpr int typography_cost = 20;  // №, quotes, dashes, degrees: rare, but text
+constexpr int other_sign_cost = 48;  // frames, fractions, letters of other languages
 
 struct Sign {
-  std::size_t letter = word_edge;   // а..я = 0..31
+  std::size_t letter = word_edge;  // а..я = 0..31
   bool capital = false;
-  int cost = 0;                     // of what is no Russian letter
+  int cost = 0;  // of what is no Russian letter
 };
 
 Sign sign_of(Encoding encoding, char byte) {
@@ -136,7 +136,7 @@ std::uint64_t cost_of(std::string_view sample, Encoding encoding) {
   for (std::size_t i = 0; i < signs.size(); ++i) signs[i] = sign_of(encoding, static_cast<char>(i));
   std::uint64_t cost = 0;
   Sign last;
-  std::size_t length = 0;   // letters of the word so far
+  std::size_t length = 0;  // letters of the word so far
   const auto add = [&](const Sign& sign) {
     const bool in_word = sign.letter != word_edge;
     if (in_word || length > 0) cost += static_cast<std::uint64_t>(pair_cost[last.letter][sign.letter] - 'a');
@@ -178,8 +178,8 @@ bool is_utf8(std::string_view sample) {
     const std::size_t size = first_character(sample).size;
     if (size == 0) {
       const auto wanted = static_cast<std::size_t>(std::countl_one(static_cast<unsigned char>(sample[0])));
-      const bool cut = sample.size() < wanted && wanted <= 4 &&
-                       std::all_of(sample.begin() + 1, sample.end(), [](char c) { return (c & 0xC0) == 0x80; });
+      const bool cut =
+          sample.size() < wanted && wanted <= 4 && std::all_of(sample.begin() + 1, sample.end(), [](char c) { return (c & 0xC0) == 0x80; });
       return any && cut;
     }
     any = true;
@@ -210,7 +210,7 @@ Character first_character(std::string_view text) {
     if ((next & 0xC0) != 0x80) return {};
     code = code << 6 | (next & 0x3Fu);
   }
-  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};   // a longer form than needed is not valid
+  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};  // a longer form than needed is not valid
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (code < smallest[size] || code > 0x10FFFF || surrogate) return {};
   return {code, size};
@@ -233,18 +233,17 @@ std::string_view name_of(Encoding encoding) {
 }
 
 std::optional<Encoding> encoding_named(std::string_view name) {
-  std::string plain;   // "Windows-1251" and "windows1251" are one
+  std::string plain;  // "Windows-1251" and "windows1251" are one
   for (const char c : name)
     if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   struct Name {
     std::string_view name;
     Encoding encoding;
   };
-  constexpr Name names[] = {{"utf8", Encoding::utf8},         {"ascii", Encoding::utf8},
-                            {"cp1251", Encoding::cp1251},     {"windows1251", Encoding::cp1251},
-                            {"koi8r", Encoding::koi8r},       {"koi8", Encoding::koi8r},
-                            {"cp866", Encoding::cp866},       {"ibm866", Encoding::cp866},
-                            {"iso7", Encoding::iso7},         {"tape", Encoding::iso7}};
+  constexpr Name names[] = {{"utf8", Encoding::utf8},          {"ascii", Encoding::utf8},   {"cp1251", Encoding::cp1251},
+                            {"windows1251", Encoding::cp1251}, {"koi8r", Encoding::koi8r},  {"koi8", Encoding::koi8r},
+                            {"cp866", Encoding::cp866},        {"ibm866", Encoding::cp866}, {"iso7", Encoding::iso7},
+                            {"tape", Encoding::iso7}};
   for (const Name& row : names)
     if (row.name == plain) return row.encoding;
   return std::nullopt;
@@ -254,7 +253,7 @@ std::optional<Encoding> detect_encoding(std::string_view sample) {
   if (ascii_run(sample) == sample.size()) return std::nullopt;
   if (is_tape(sample)) return Encoding::iso7;
   if (is_utf8(sample) && !is_small_cp866(sample)) return Encoding::utf8;
-  auto best = Encoding::cp1251;   // of equals the most frequent stands first
+  auto best = Encoding::cp1251;  // of equals the most frequent stands first
   std::uint64_t least = cost_of(sample, best);
   for (const Encoding encoding : {Encoding::cp866, Encoding::koi8r}) {
     const std::uint64_t cost = cost_of(sample, encoding);

@@ -12,15 +12,15 @@
 namespace kadr {
 
 enum class Encoding : std::uint8_t {
-  utf8,     // and plain ASCII
+  utf8,  // and plain ASCII
   cp1251,
   koi8r,
   cp866,
-  iso7,     // image of a punched tape: a byte a row, eighth track even parity; SO/SI switch to Russian letters (KOI-7 Н1)
+  iso7,  // image of a punched tape: a byte a row, eighth track even parity; SO/SI switch to Russian letters (KOI-7 Н1)
 };
 
-std::string_view name_of(Encoding encoding);                       // "utf-8", "cp1251", …
-std::optional<Encoding> encoding_named(std::string_view name);     // "koi8-r", "CP866", …
+std::string_view name_of(Encoding encoding);                    // "utf-8", "cp1251", …
+std::optional<Encoding> encoding_named(std::string_view name);  // "koi8-r", "CP866", …
 
 /// The most likely encoding of a sample of program text: a tape image has even parity in (nearly) every row; valid
 /// UTF-8 is UTF-8 (its last character may be cut), unless it reads as small Russian letters of CP866; among the

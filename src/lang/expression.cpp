@@ -11,8 +11,8 @@ namespace {
 
 constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-constexpr std::size_t exact_digits = 15;     // so many digits are a whole number exactly in a double
-constexpr std::size_t number_digits = 300;   // more than any double needs: the number is refused
+constexpr std::size_t exact_digits = 15;    // so many digits are a whole number exactly in a double
+constexpr std::size_t number_digits = 300;  // more than any double needs: the number is refused
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
@@ -23,20 +23,20 @@ struct FunctionName {
   Op op;
 };
 constexpr FunctionName functions[] = {
-    {"ABS", Op::abs}, {"ACOS", Op::acos}, {"ASIN", Op::asin}, {"ATAN", Op::atan}, {"COS", Op::cos},   {"EXP", Op::exp},   {"FIX", Op::fix},
-    {"FUP", Op::fup}, {"LN", Op::ln},     {"ROUND", Op::round}, {"SIN", Op::sin}, {"SQRT", Op::sqrt}, {"TAN", Op::tan},
+    {"ABS", Op::abs}, {"ACOS", Op::acos}, {"ASIN", Op::asin},   {"ATAN", Op::atan}, {"COS", Op::cos},   {"EXP", Op::exp}, {"FIX", Op::fix},
+    {"FUP", Op::fup}, {"LN", Op::ln},     {"ROUND", Op::round}, {"SIN", Op::sin},   {"SQRT", Op::sqrt}, {"TAN", Op::tan},
 };
 
 /// Binary operators and how tightly they bind (spec/mach3 1); the comparisons are not Mach3's: an alarm names them.
 struct OperatorName {
   std::string_view name;
   Op op;
-  int binding;   // 0: known, but not on this control
+  int binding;  // 0: known, but not on this control
 };
 constexpr OperatorName operators[] = {
-    {"**", Op::power, 4},      {"*", Op::multiply, 3},  {"/", Op::divide, 3},      {"MOD", Op::modulo, 3},    {"+", Op::add, 2},
-    {"-", Op::subtract, 2},    {"AND", Op::logic_and, 1}, {"OR", Op::logic_or, 1}, {"XOR", Op::logic_xor, 1}, {"EQ", Op::equal, 0},
-    {"NE", Op::not_equal, 0},  {"GT", Op::greater, 0},  {"GE", Op::greater_equal, 0}, {"LT", Op::less, 0},    {"LE", Op::less_equal, 0},
+    {"**", Op::power, 4},     {"*", Op::multiply, 3},    {"/", Op::divide, 3},         {"MOD", Op::modulo, 3},    {"+", Op::add, 2},
+    {"-", Op::subtract, 2},   {"AND", Op::logic_and, 1}, {"OR", Op::logic_or, 1},      {"XOR", Op::logic_xor, 1}, {"EQ", Op::equal, 0},
+    {"NE", Op::not_equal, 0}, {"GT", Op::greater, 0},    {"GE", Op::greater_equal, 0}, {"LT", Op::less, 0},       {"LE", Op::less_equal, 0},
 };
 
 bool starts_with(std::string_view text, std::size_t at, std::string_view word) {
@@ -132,10 +132,12 @@ class Compiler {
       const std::size_t begin = cursor_.at;
       const OperatorName* found = nullptr;
       for (const OperatorName& row : operators)
-        if (starts_with(cursor_.text, begin, row.name)) { found = &row; break; }
+        if (starts_with(cursor_.text, begin, row.name)) {
+          found = &row;
+          break;
+        }
       if (found == nullptr) return end_of_expression(begin);
-      if (found->binding == 0)
-        return fail(alarm(AlarmId::operator_unknown, span(begin, begin + found->name.size()), found->name));
+      if (found->binding == 0) return fail(alarm(AlarmId::operator_unknown, span(begin, begin + found->name.size()), found->name));
       if (found->binding < least_binding) return {};
       cursor_.at += found->name.size();
       KADR_TRY(enter(begin));
@@ -148,12 +150,13 @@ class Compiler {
   Status end_of_expression(std::size_t at) {
     const char c = cursor_.peek();
     if (c == ']' || c == '\0') return {};
-    const bool is_value = c == '#' || c == '[' || c == '.' || (c >= '0' && c <= '9');   // an operator is missing in front of it
+    const bool is_value = c == '#' || c == '[' || c == '.' || (c >= '0' && c <= '9');  // an operator is missing in front of it
     return fail(alarm(is_value ? AlarmId::expression_syntax : AlarmId::operator_unknown, span(at, at + 1), text_at(at)));
   }
 
   Status enter(std::size_t at) {
-    if (++depth_ > static_cast<int>(limits::expression_depth)) return fail(alarm(AlarmId::nesting_too_deep, span(at, at + 1), double{limits::expression_depth}));
+    if (++depth_ > static_cast<int>(limits::expression_depth))
+      return fail(alarm(AlarmId::nesting_too_deep, span(at, at + 1), double{limits::expression_depth}));
     return {};
   }
 
@@ -196,7 +199,7 @@ Result<double> apply_pair(Op op, double a, double b, Span where) {
     case Op::modulo: {
       if (b == 0) return fail(alarm(AlarmId::division_by_zero, where));
       const double rest = std::fmod(a, b);
-      return rest < 0 ? rest + std::fabs(b) : rest;   // RS274/NGC: never negative
+      return rest < 0 ? rest + std::fabs(b) : rest;  // RS274/NGC: never negative
     }
     case Op::power: return finite(std::pow(a, b), where);
     case Op::logic_and: return a != 0 && b != 0 ? 1.0 : 0.0;
@@ -208,7 +211,7 @@ Result<double> apply_pair(Op op, double a, double b, Span where) {
     case Op::greater_equal: return a >= b ? 1.0 : 0.0;
     case Op::less: return a < b ? 1.0 : 0.0;
     case Op::less_equal: return a <= b ? 1.0 : 0.0;
-    default: return angle_deg({b, a});   // ATAN[a]/[b]
+    default: return angle_deg({b, a});  // ATAN[a]/[b]
   }
 }
 
@@ -242,7 +245,7 @@ bool read_number(Cursor& cursor, Number& number) {
   number.fraction_digits = static_cast<std::uint8_t>(std::min<std::size_t>(fraction, 255));
   if (whole + fraction <= exact_digits) [[likely]] {
     number.mantissa = static_cast<double>(mantissa);
-    number.value = number.mantissa / powers_of_ten[fraction];   // both exact: correctly rounded
+    number.value = number.mantissa / powers_of_ten[fraction];  // both exact: correctly rounded
     return true;
   }
   return read_long_number({first, p}, number);

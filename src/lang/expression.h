@@ -26,7 +26,7 @@ Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& 
 /// Reads an unsigned number with an optional point; the cursor must stand on a digit or a point.
 struct Number {
   double value = 0;
-  double mantissa = 0;              // the digits without their point, as a whole number
+  double mantissa = 0;  // the digits without their point, as a whole number
   std::uint8_t whole_digits = 0;
   std::uint8_t fraction_digits = 0;
   bool has_point = false;
@@ -42,7 +42,7 @@ Result<double> apply(Op op, double a, double b, Span where);
 /// Runs the instructions. `variable(double number, Span)` and `parameter(int)` give Result<double>.
 template <class Variables>
 Result<double> evaluate(const Block& block, Expression expression, Variables&& variables) {
-  std::array<double, limits::expression_depth * 2> stack;   // the compiler bounds the depth
+  std::array<double, limits::expression_depth * 2> stack;  // the compiler bounds the depth
   std::size_t top = 0;
   for (std::size_t i = expression.begin; i < expression.end; ++i) {
     const Instruction& step = block.code[i];

@@ -8,8 +8,8 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr std::string_view decimal_sign = "DS";
-constexpr std::string_view codes = "GM";               // written G0, G01, M2 whatever the format says of zeros
-constexpr std::string_view without_point = "NGM";      // a number or a code has no fraction, with DS too
+constexpr std::string_view codes = "GM";           // written G0, G01, M2 whatever the format says of zeros
+constexpr std::string_view without_point = "NGM";  // a number or a code has no fraction, with DS too
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
@@ -80,7 +80,7 @@ class Descriptor {
     const std::size_t size = format_size(rest_.substr(1));
     auto format = parse_word_format(rest_.substr(1, size), point_);
     if (!format) return not_understood(piece, format.error());
-    if (letter == 'N' && format->implied) return not_understood(piece, "a block number has no fraction");   // N043G2
+    if (letter == 'N' && format->implied) return not_understood(piece, "a block number has no fraction");  // N043G2
     rest_.remove_prefix(1 + size);
     set(letter, *format, count);
     return {};
@@ -111,7 +111,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
   format.known = true;
   format.point = point;
   format.sign = take_sign(digits);
-  take(digits, "*");   // 2С42 writes T*2; the star's meaning is lost with a figure
+  take(digits, "*");  // 2С42 writes T*2; the star's meaning is lost with a figure
   if (digits.starts_with('-')) return Failed("a sign is written + or ±");
   format.drop_zeros = take(digits, "0");
   if (digits.empty() || digits.size() > 2) return Failed("one or two digits say how many stand before and after the point");
@@ -124,7 +124,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
 }
 
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar) {
-  Grammar changed = grammar;   // all or nothing
+  Grammar changed = grammar;  // all or nothing
   auto applied = Descriptor(descriptor, changed).apply();
   if (applied) grammar = changed;
   return applied;

@@ -36,7 +36,7 @@ class Lexer {
   Result<Lexed> run() {
     block_.text = cursor_.text;
     cursor_.skip_blanks();
-    const Status status = items();   // a Status is as large as an Alarm: never assigned, only returned
+    const Status status = items();  // a Status is as large as an Alarm: never assigned, only returned
     block_.where = span(begin_, cursor_.at);
     if (result_.needs_utf8) return result_;
     if (!status) return fail(status.error());
@@ -224,14 +224,15 @@ class Lexer {
     const Wide c = wide_at(cursor_.text, cursor_.at);
     const std::string_view rest = cursor_.text.substr(cursor_.at);
     if (grammar_.end_of_block != EndOfBlock::line_only && (rest.starts_with("ПС") || rest.starts_with("пс"))) return end_mark(4);
-    if (c.code == 0xA0 || c.code == 0xFEFF) {   // no-break space, byte order mark
+    if (c.code == 0xA0 || c.code == 0xFEFF) {  // no-break space, byte order mark
       cursor_.at += c.bytes;
       return {};
     }
     const char latin = look_alike(c.code);
     if (latin == 0) return fail(alarm(AlarmId::unexpected_character, span(cursor_.at, cursor_.at + c.bytes), rest.substr(0, c.bytes)));
     if (block_.warnings.size() < limits::block_words)
-      block_.warnings.push_back(warning(AlarmId::look_alike_letter, span(cursor_.at, cursor_.at + c.bytes), rest.substr(0, c.bytes), latin));
+      block_.warnings.push_back(
+          warning(AlarmId::look_alike_letter, span(cursor_.at, cursor_.at + c.bytes), rest.substr(0, c.bytes), latin));
     return word(latin, c.bytes);
   }
 
@@ -247,7 +248,7 @@ class Lexer {
     const auto c = static_cast<unsigned char>(cursor_.text[cursor_.at]);
     const Span where = span(cursor_.at, cursor_.at + 1);
     if (c < 0x20) return fail(alarm(AlarmId::control_character, where, double(c)));
-    if (c == '.') return fail(alarm(AlarmId::number_damaged, where));   // a second point
+    if (c == '.') return fail(alarm(AlarmId::number_damaged, where));  // a second point
     return fail(alarm(AlarmId::unexpected_character, where, cursor_.text[cursor_.at]));
   }
 

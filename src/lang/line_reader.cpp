@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t window_bytes = 256 * 1024;
 /// A line is looked for in so much; blanks and CRs before its end may stand beyond the length that is allowed.
 constexpr std::size_t searched_bytes = 2 * limits::line_bytes;
-constexpr std::size_t first_read = 16 * 1024;            // after a jump: a subprogram is short; doubled at each further read
-constexpr std::uint64_t most_piped_bytes = 1ull << 30;   // a pipe cannot be read twice, so it is kept in memory
+constexpr std::size_t first_read = 16 * 1024;           // after a jump: a subprogram is short; doubled at each further read
+constexpr std::uint64_t most_piped_bytes = 1ull << 30;  // a pipe cannot be read twice, so it is kept in memory
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 static_assert(searched_bytes < window_bytes);
 
@@ -112,7 +112,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path) {
     return nullptr;
   }
   if (!S_ISREG(status.st_mode)) return read_whole(file);
-  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);   // advice only: a refusal changes nothing
+  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // advice only: a refusal changes nothing
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
 
@@ -201,7 +201,7 @@ bool LineReader::next(Line& line) {
   const std::size_t raw = end != none ? end : std::min(filled_ - position_, searched_bytes);
   const std::string_view bytes(window_.data() + position_, raw);
   line = {without_crs(bytes), offset(), line_++, true, false};
-  if (raw == searched_bytes) {   // no end in sight
+  if (raw == searched_bytes) {  // no end in sight
     long_line_.assign(bytes, 0, limits::line_bytes);
     line.bytes = long_line_;
     line.too_long = true;

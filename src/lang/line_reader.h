@@ -13,11 +13,11 @@
 namespace kadr {
 
 struct Line {
-  std::string_view bytes;      // without its end; valid until the next call
-  std::uint64_t offset = 0;    // of its first byte in the file
-  std::uint32_t number = 1;    // counted from 1
-  bool ended = true;           // false: the file ends without an end of line
-  bool too_long = false;       // longer than limits::line_bytes; `bytes` is its beginning, the rest is passed over
+  std::string_view bytes;    // without its end; valid until the next call
+  std::uint64_t offset = 0;  // of its first byte in the file
+  std::uint32_t number = 1;  // counted from 1
+  bool ended = true;         // false: the file ends without an end of line
+  bool too_long = false;     // longer than limits::line_bytes; `bytes` is its beginning, the rest is passed over
 };
 
 /// Where the bytes come from: a file, or text in memory.
@@ -57,17 +57,17 @@ class LineReader {
   std::size_t find_end();
   bool skip_rest();
 
-  std::shared_ptr<ByteSource> source_;   // shared with readers of other places of the file
+  std::shared_ptr<ByteSource> source_;  // shared with readers of other places of the file
   std::string window_;
   std::string sample_;
-  std::string long_line_;             // beginning of a line that is too long
-  std::uint64_t window_offset_ = 0;   // of window_[0] in the file
-  std::size_t position_ = 0;          // next byte in the window
+  std::string long_line_;            // beginning of a line that is too long
+  std::uint64_t window_offset_ = 0;  // of window_[0] in the file
+  std::size_t position_ = 0;         // next byte in the window
   std::size_t filled_ = 0;
-  std::size_t next_read_;             // bytes to ask for: few after a jump, then more
+  std::size_t next_read_;  // bytes to ask for: few after a jump, then more
   std::uint32_t line_ = 1;
   bool at_end_ = false;
-  bool bare_cr_ = false;              // lines end with CR alone
+  bool bare_cr_ = false;  // lines end with CR alone
 };
 
 }  // namespace kadr

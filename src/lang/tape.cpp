@@ -13,8 +13,8 @@ namespace kadr {
 namespace {
 
 constexpr std::uint8_t deleted_row = 0x7F;
-constexpr std::uint8_t shift_out = 0x0E;   // to Russian letters
-constexpr std::uint8_t shift_in = 0x0F;    // and back
+constexpr std::uint8_t shift_out = 0x0E;  // to Russian letters
+constexpr std::uint8_t shift_in = 0x0F;   // and back
 constexpr std::uint8_t first_letter = 0x40;
 constexpr std::size_t most_faults = 1000;
 
@@ -69,7 +69,7 @@ bool remove_mark(std::string_view& line) {
     if (!rest.ends_with(mark)) continue;
     rest.remove_suffix(mark.size());
     const auto before = static_cast<unsigned char>(rest.empty() ? ' ' : rest.back());
-    if (before >= 'A' && before != '_') return false;   // a letter, or the end of one that is not ASCII
+    if (before >= 'A' && before != '_') return false;  // a letter, or the end of one that is not ASCII
     trim_right(rest);
     line = rest;
     return true;
@@ -97,10 +97,8 @@ void TapeLetters::append(std::uint8_t code, std::string& text) {
   if (code == shift_out) russian_ = true;
   if (code == shift_in || code == '\n') russian_ = false;
   if (leaves_no_character(code)) return;
-  if (russian_ && code >= first_letter)
-    text += utf8_of(Encoding::koi8r, code);
-  else
-    text += static_cast<char>(code);
+  if (russian_ && code >= first_letter) text += utf8_of(Encoding::koi8r, code);
+  else text += static_cast<char>(code);
 }
 
 TapeText decode_tape(std::string_view rows) {

@@ -27,13 +27,13 @@ class TapeLetters {
 
 /// A row that cannot be read.
 struct TapeFault {
-  std::uint64_t row;   // counted from 1
+  std::uint64_t row;  // counted from 1
   std::uint8_t byte;
 };
 
 struct TapeText {
-  std::string text;                // UTF-8, a line a block
-  std::vector<TapeFault> faults;   // rows of odd parity, at most 1000; their characters are '?' in the text
+  std::string text;               // UTF-8, a line a block
+  std::vector<TapeFault> faults;  // rows of odd parity, at most 1000; their characters are '?' in the text
 };
 
 /// Rows → text. NUL (blank tape) and DEL (deleted row) are left out, CR too; SO and SI switch to Russian letters and back.

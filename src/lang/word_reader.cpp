@@ -43,7 +43,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
     return number(w, format, sign, begin);
   }
   if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);
-  if (c != '\0' && c == grammar_.parameter_address) return fail(alarm(AlarmId::parameter_not_allowed, span(begin, cursor_.at + 1), w.address));
+  if (c != '\0' && c == grammar_.parameter_address)
+    return fail(alarm(AlarmId::parameter_not_allowed, span(begin, cursor_.at + 1), w.address));
   if (!grammar_.expressions || no_value_follows()) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
   auto expression = compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
@@ -60,7 +61,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
 Status WordReader::number(Word& w, const WordFormat& format, char sign, std::size_t begin) {
   Number read;
   if (!read_number(cursor_, read)) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
-  if (grammar_.expressions && cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at])) KADR_TRY(digits_apart(read, w, begin));
+  if (grammar_.expressions && cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at]))
+    KADR_TRY(digits_apart(read, w, begin));
   w.digits = static_cast<std::uint8_t>(std::min(read.whole_digits + read.fraction_digits, 255));
   w.has_point = read.has_point;
   if (format.whole_digits != 0) KADR_TRY(check_digits(w, read, format, begin));
@@ -72,7 +74,7 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
     cursor_.skip_blanks();
     const char c = cursor_.peek();
     if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -read.mantissa : read.mantissa, c, begin);
-    cursor_.at = end;   // blanks behind the word are no part of it
+    cursor_.at = end;  // blanks behind the word are no part of it
   }
   if (format.second_number) return second_number(w);
   return {};
@@ -121,7 +123,7 @@ Status WordReader::second_number(Word& w) {
   const std::size_t end = cursor_.at;
   cursor_.skip_blanks();
   if (!is_digit(cursor_.peek())) {
-    cursor_.at = end;   // blanks behind the word are no part of it
+    cursor_.at = end;  // blanks behind the word are no part of it
     return {};
   }
   Number read;
@@ -139,7 +141,8 @@ Status WordReader::parameter_sum(Word& w, const WordFormat& format, double const
     ++cursor_.at;
     cursor_.skip_blanks();
   }
-  if (cursor_.peek() != grammar_.parameter_address) return fail(alarm(AlarmId::parameter_not_allowed, span(sign_at, cursor_.at + 1), w.address));
+  if (cursor_.peek() != grammar_.parameter_address)
+    return fail(alarm(AlarmId::parameter_not_allowed, span(sign_at, cursor_.at + 1), w.address));
   ++cursor_.at;
   if (!is_digit(cursor_.peek())) return fail(alarm(AlarmId::number_missing, span(sign_at, cursor_.at), grammar_.parameter_address));
   const double index = cursor_.text[cursor_.at++] - '0';
@@ -167,9 +170,11 @@ Status WordReader::formal_parameter(std::size_t begin) {
   Number read;
   if (!is_digit(cursor_.peek()) || !read_number(cursor_, read) || read.has_point)
     return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.parameter_address));
-  if (read.whole_digits > 7) return fail(alarm(AlarmId::too_many_digits, span(begin, cursor_.at), grammar_.parameter_address, double(read.whole_digits), 7.0));
+  if (read.whole_digits > 7)
+    return fail(alarm(AlarmId::too_many_digits, span(begin, cursor_.at), grammar_.parameter_address, double(read.whole_digits), 7.0));
   for (const Assignment& other : block_.assignments)
-    if (block_.code[other.target.begin].number == index) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), cursor_.text.substr(begin, 2)));
+    if (block_.code[other.target.begin].number == index)
+      return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), cursor_.text.substr(begin, 2)));
   const Span where = span(begin, cursor_.at);
   const auto target = constant(index, where);
   const auto value = constant(sign == '-' ? -read.mantissa : read.mantissa, where);
@@ -201,7 +206,8 @@ Status WordReader::block_number(std::size_t begin, const WordFormat& format) {
 
 Status WordReader::label(std::size_t begin, const WordFormat& format) {
   Number read;
-  if (!is_digit(cursor_.peek()) || !read_number(cursor_, read)) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.label_address));
+  if (!is_digit(cursor_.peek()) || !read_number(cursor_, read))
+    return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.label_address));
   if (block_.marker == Marker::label) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), grammar_.label_address));
   Word w;
   w.address = grammar_.label_address;

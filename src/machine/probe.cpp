@@ -9,15 +9,15 @@ namespace kadr {
 namespace {
 
 constexpr int most_rim_steps = 10'000;
-constexpr double rim_reached = 1e-10;   // mm; the march along the line ends there
+constexpr double rim_reached = 1e-10;  // mm; the march along the line ends there
 
 /// The tip's way past the hole, seen from the hole's axis at the top face.
 struct Way {
   Vec3 from;
-  Vec3 along;      // from + along = to
-  double hole;     // radius
-  double tip;      // radius
-  double bottom;   // level of the hole's bottom, below 0
+  Vec3 along;     // from + along = to
+  double hole;    // radius
+  double tip;     // radius
+  double bottom;  // level of the hole's bottom, below 0
 
   Vec3 at(double part) const { return from + part * along; }
   static double off_axis(Vec3 p) { return std::hypot(p.x, p.y); }
@@ -60,7 +60,7 @@ std::optional<double> wall(const Way& way) {
   const double root_sq = b * b - a * c;
   if (root_sq < 0) return std::nullopt;
   const double root = std::sqrt(root_sq);
-  const double part = b > 0 ? -c / (b + root) : (root - b) / a;   // without cancellation
+  const double part = b > 0 ? -c / (b + root) : (root - b) / a;  // without cancellation
   if (!(part >= -tol::same_point / std::sqrt(a) && part <= 1)) return std::nullopt;
   const double z = way.at(part).z;
   return z <= 0 && z > way.bottom ? std::optional(std::max(part, 0.0)) : std::nullopt;

@@ -45,7 +45,7 @@ Status VirtualMachine::check_arc(const Motion& motion) const {
 }
 
 bool VirtualMachine::has_limits() const {
-  constexpr double none = 1e299;   // AxisProfile: ±1e300 is no limit
+  constexpr double none = 1e299;  // AxisProfile: ±1e300 is no limit
   for (std::size_t a = 0; a < roles_.count; ++a)
     if (least_[a] > -none || most_[a] < none) return true;
   return false;

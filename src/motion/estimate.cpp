@@ -8,7 +8,7 @@ namespace {
 
 /// The setup's entry of the axis, else the one for all axes.
 template <class T>
-std::optional<T> of_setup(const Setup& setup, const std::string& axis, std::optional<T> AxisLimits::* field) {
+std::optional<T> of_setup(const Setup& setup, const std::string& axis, std::optional<T> AxisLimits::*field) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.*field) return found->second.*field;
   return std::nullopt;
@@ -47,7 +47,7 @@ double TimeEstimate::rapid_minutes(const Motion& motion, const Axes& from) const
 
 double TimeEstimate::feed_minutes(const Motion& motion, const Axes& from, double length) const {
   if (motion.unit == FeedUnit::per_min) return 1 / (motion.feed * rates_.feed_part);
-  if (length == 0) length = Curve(roles_, from, motion).rotary_length();   // rotary axes alone: degrees for mm
+  if (length == 0) length = Curve(roles_, from, motion).rotary_length();  // rotary axes alone: degrees for mm
   if (length == 0) return 0;
   const double per_min = motion.unit == FeedUnit::mm_per_rev ? motion.feed * (turning_ ? rpm_ : 0) : motion.feed;
   return length / (per_min * rates_.feed_part);

@@ -9,8 +9,8 @@ namespace kadr {
 
 /// How fast the machine is, resolved per axis.
 struct Rates {
-  Axes rapid{};                // mm/min or degrees/min, override included
-  double feed_part = 1;        // feed override / 100
+  Axes rapid{};          // mm/min or degrees/min, override included
+  double feed_part = 1;  // feed override / 100
   double tool_change_s = 0;
   double spindle_start_s = 0;
 };
@@ -26,8 +26,8 @@ struct TimeSplit {
   double cutting = 0;
   double rapid = 0;
   double dwell = 0;
-  double tool_change = 0;      // and starts of the spindle
-  std::uint64_t unknown = 0;   // motions that would never end: no feed, spindle stands, override 0; not in the times
+  double tool_change = 0;     // and starts of the spindle
+  std::uint64_t unknown = 0;  // motions that would never end: no feed, spindle stands, override 0; not in the times
   double total() const { return cutting + rapid + dwell + tool_change; }
 };
 
@@ -53,8 +53,8 @@ class TimeEstimate {
   AxisRoles roles_;
   Rates rates_;
   TimeSplit split_;
-  double rpm_ = 0;             // commanded
-  bool turning_ = true;        // the setup may say that it stands: then rpm_ is 0
+  double rpm_ = 0;       // commanded
+  bool turning_ = true;  // the setup may say that it stands: then rpm_ is 0
 };
 
 }  // namespace kadr

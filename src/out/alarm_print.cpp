@@ -1,9 +1,9 @@
 #include "out/alarm_print.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "out/source_line.h"
@@ -30,7 +30,8 @@ std::string dumped(const Json& json) { return json.dump(1, ' ', false, Json::err
 std::string uri_of(const std::string& file) {
   std::string uri;
   for (const char c : file) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view("-._~/").find(c) != std::string_view::npos;
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("-._~/").find(c) != std::string_view::npos;
     if (plain) uri += c;
     else if (c == '\\') uri += '/';
     else uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
@@ -45,7 +46,9 @@ Json rule_json(const Finding& finding) {
 }
 
 Json result_json(const Finding& finding, std::size_t rule) {
-  const Json region = {{"startLine", finding.line}, {"startColumn", finding.column}, {"endColumn", finding.end_column},
+  const Json region = {{"startLine", finding.line},
+                       {"startColumn", finding.column},
+                       {"endColumn", finding.end_column},
                        {"snippet", {{"text", finding.line_text}}}};
   const Json place = {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(finding.file)}}}, {"region", region}}}};
   return {{"ruleId", name_of(finding.id)},
@@ -63,8 +66,19 @@ std::string block_text(const Origin& origin) {
 
 Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang) {
   const Alarm& alarm = report.alarm;
-  Finding f{alarm.id, alarm.severity, texts.number(alarm.id), texts.sentence(alarm, lang), texts.hint(alarm, lang), texts.pattern(alarm.id, lang),
-            report.file, report.line_text, report.origin.line, 1, 2, block_text(report.origin), {}};
+  Finding f{alarm.id,
+            alarm.severity,
+            texts.number(alarm.id),
+            texts.sentence(alarm, lang),
+            texts.hint(alarm, lang),
+            texts.pattern(alarm.id, lang),
+            report.file,
+            report.line_text,
+            report.origin.line,
+            1,
+            2,
+            block_text(report.origin),
+            {}};
   if (f.rule.empty()) f.rule = name_of(alarm.id);
   f.column = report.line_text.empty() ? std::max(report.origin.column, 1U) : characters_before(report.line_text, alarm.where.begin) + 1;
   f.end_column = std::max(f.column + 1, characters_before(report.line_text, alarm.where.end) + 1);
@@ -86,10 +100,18 @@ std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang 
 std::string findings_json(const std::vector<Finding>& findings) {
   Json all = Json::array();
   for (const Finding& f : findings) {
-    all.push_back({{"file", f.file}, {"line", f.line}, {"column", f.column}, {"end_column", f.end_column},
-                   {"severity", severity_word(f.severity, Lang::en)}, {"id", name_of(f.id)},
-                   {"number", f.number.empty() ? Json() : Json(f.number)}, {"text", f.text}, {"hint", f.hint},
-                   {"block", f.block.empty() ? Json() : Json(f.block)}, {"line_text", f.line_text}, {"calls", f.calls}});
+    all.push_back({{"file", f.file},
+                   {"line", f.line},
+                   {"column", f.column},
+                   {"end_column", f.end_column},
+                   {"severity", severity_word(f.severity, Lang::en)},
+                   {"id", name_of(f.id)},
+                   {"number", f.number.empty() ? Json() : Json(f.number)},
+                   {"text", f.text},
+                   {"hint", f.hint},
+                   {"block", f.block.empty() ? Json() : Json(f.block)},
+                   {"line_text", f.line_text},
+                   {"calls", f.calls}});
   }
   return dumped(all);
 }

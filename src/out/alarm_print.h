@@ -17,16 +17,16 @@ std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang 
 struct Finding {
   AlarmId id;
   Severity severity;
-  std::string number;      // the control's own, may be empty
+  std::string number;  // the control's own, may be empty
   std::string text;
   std::string hint;
-  std::string rule;        // the text's pattern
+  std::string rule;  // the text's pattern
   std::string file;
   std::string line_text;
   std::uint32_t line;
-  std::uint32_t column;    // in characters, from 1
+  std::uint32_t column;  // in characters, from 1
   std::uint32_t end_column;
-  std::string block;       // "N10", empty: none
+  std::string block;  // "N10", empty: none
   std::vector<std::string> calls;
 };
 

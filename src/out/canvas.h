@@ -1,10 +1,10 @@
 #pragma once
 // Canvas: the few strokes and texts that a plot needs, over Cairo.
 
+#include <cairo.h>
+
 #include <string>
 #include <string_view>
-
-#include <cairo.h>
 
 #include "base/vec.h"
 

@@ -38,11 +38,13 @@ std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   std::string text = fmt::format("{} {}: {}\n", def.id, row.code, pick(row.text, lang));
   const GroupRow& group = def.groups[row.group];
   if (row.group != 0) text += fmt::format("  {}: {} ({})\n", ru ? "группа" : "group", group.name, pick(group.text, lang));
-  text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts", row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
+  text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts",
+                      row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
   if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
   if (row.takes != 0) text += fmt::format("  {}: {}\n", ru ? "слова" : "words", letters_of(row.takes));
   if (row.needs != 0) text += fmt::format("  {}: {}\n", ru ? "обязательны" : "must have", letters_of(row.needs));
-  text += fmt::format("  {}: {}{}\n", ru ? "функция Kadr" : "Kadr's function", traits_of(row.function).name, row.arg != 0 ? fmt::format(" {}", row.arg) : "");
+  text += fmt::format("  {}: {}{}\n", ru ? "функция Kadr" : "Kadr's function", traits_of(row.function).name,
+                      row.arg != 0 ? fmt::format(" {}", row.arg) : "");
   text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
   return text;
 }
@@ -52,7 +54,8 @@ std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang
   std::string text = fmt::format("{} {}: {}\n", def.id, row.letter, pick(row.text, lang));
   text += fmt::format("  {}: {}\n", ru ? "формат" : "format", format_of(def, row));
   if (row.unit == WordUnit::length && def.grammar.word(row.letter).implied)
-    text += fmt::format("  {}\n", ru ? "без точки: в единицах младшего разряда формата" : "without a point: in units of the format's last digit");
+    text += fmt::format("  {}\n",
+                        ru ? "без точки: в единицах младшего разряда формата" : "without a point: in units of the format's last digit");
   text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
   return text;
 }
@@ -85,11 +88,13 @@ std::string escaped(const std::string& text) {
 }
 
 void code_rows(const ControlDef& def, char letter, std::string& page) {
-  page += fmt::format("\n## {} codes\n\n| code | group | lasts | words | meaning | значение | source |\n|---|---|---|---|---|---|---|\n", letter);
+  page += fmt::format("\n## {} codes\n\n| code | group | lasts | words | meaning | значение | source |\n|---|---|---|---|---|---|---|\n",
+                      letter);
   for (const CodeRow& row : def.codes)
     if (row.letter == letter)
-      page += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", row.code, initial_mark(def, row), def.groups[row.group].name, row.modal ? "modal" : "block",
-                          letters_of(row.takes), escaped(row.text.en), escaped(row.text.ru), escaped(row.manual));
+      page += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", row.code, initial_mark(def, row), def.groups[row.group].name,
+                          row.modal ? "modal" : "block", letters_of(row.takes), escaped(row.text.en), escaped(row.text.ru),
+                          escaped(row.manual));
 }
 
 }  // namespace
@@ -127,12 +132,15 @@ std::string explain_control(const ControlDef& def, Lang lang) {
 }
 
 std::string control_page(const ControlDef& def) {
-  std::string page = fmt::format("<!-- Made by `kadr explain {0} --markdown`: do not edit, see dev/docs. -->\n# {1}\n\n{2}\n\nControl id: `{0}`. Rules: `{3}`.\n", def.id, def.name.en, def.name.ru, def.spec);
+  std::string page = fmt::format(
+      "<!-- Made by `kadr explain {0} --markdown`: do not edit, see dev/docs. -->\n# {1}\n\n{2}\n\nControl id: `{0}`. Rules: `{3}`.\n",
+      def.id, def.name.en, def.name.ru, def.spec);
   if (!def.descriptor.empty()) page += fmt::format("\nFormat: `{}`\n", def.descriptor);
   page += "\n`*` is in force at power-on.\n\n## Addresses\n\n| address | format | meaning | значение | source |\n|---|---|---|---|---|\n";
   for (const AddressRow& row : def.addresses)
     if (row.function != Function::count)
-      page += fmt::format("| {} | {} | {} | {} | {} |\n", row.letter, format_of(def, row), escaped(row.text.en), escaped(row.text.ru), escaped(row.manual));
+      page += fmt::format("| {} | {} | {} | {} | {} |\n", row.letter, format_of(def, row), escaped(row.text.en), escaped(row.text.ru),
+                          escaped(row.manual));
   code_rows(def, 'G', page);
   code_rows(def, 'M', page);
   bool bodies = false;
@@ -142,12 +150,14 @@ std::string control_page(const ControlDef& def) {
     bodies = true;
     std::string body;
     for (const char c : row.body) body += c == '\n' ? std::string("` · `") : std::string(1, c);
-    page += fmt::format("| {} | {} | {} | `{}` |\n", row.name, escaped(row.text.en), escaped(row.text.ru), body.substr(0, body.size() - std::string("` · `").size()));
+    page += fmt::format("| {} | {} | {} | `{}` |\n", row.name, escaped(row.text.en), escaped(row.text.ru),
+                        body.substr(0, body.size() - std::string("` · `").size()));
   }
   if (!def.variables.empty()) page += "\n## System variables\n\n| numbers | meaning | значение | source |\n|---|---|---|---|\n";
   for (const VariableRow& row : def.variables)
     page += fmt::format("| #{}{}{} | {} | {} | {} |\n", row.from, row.count > 1 ? fmt::format("–#{}", row.from + row.count - 1) : "",
-                        row.repeat > 1 ? fmt::format(", every {} up to {} times", row.stride, row.repeat) : "", escaped(row.text.en), escaped(row.text.ru), escaped(row.manual));
+                        row.repeat > 1 ? fmt::format(", every {} up to {} times", row.stride, row.repeat) : "", escaped(row.text.en),
+                        escaped(row.text.ru), escaped(row.manual));
   return page;
 }
 

@@ -9,7 +9,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_zeros = 12;
-constexpr double chord = 0.02;           // mm between an arc and its picture
+constexpr double chord = 0.02;  // mm between an arc and its picture
 constexpr int most_arc_pieces = 720;
 
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {

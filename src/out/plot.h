@@ -2,7 +2,6 @@
 // Plot: the path as a picture, SVG or PNG: isometric and the three planes.
 
 #include <string>
-
 #include <tl/expected.hpp>
 
 #include "out/plot_path.h"
@@ -40,7 +39,7 @@ class Plot {
   ToolPosition position_;
   PlotPath path_;
   Vec3 first_origin_;
-  Vec3 shift_;                 // origin now − first origin
+  Vec3 shift_;  // origin now − first origin
   bool origin_known_ = false;
   bool started_ = false;
   std::vector<Vec3> zeros_;

@@ -1,10 +1,10 @@
 #include "out/plot_page.h"
 
-#include <algorithm>
-#include <memory>
-
 #include <cairo-svg.h>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
 
 #include "out/plot_view.h"
 
@@ -14,16 +14,20 @@ namespace {
 constexpr double page_width = 1600, page_height = 1060, margin = 28, gap = 26;
 constexpr double title_height = 70, legend_height = 34;
 constexpr double planes_width = 560;
-constexpr double reach = 0.25;           // rapid motion is shown as far as this part of the cutting's size
-constexpr double least_size = 1;         // mm
+constexpr double reach = 0.25;    // rapid motion is shown as far as this part of the cutting's size
+constexpr double least_size = 1;  // mm
 
 struct Words {
   const char *control, *nothing, *rapid, *feed, *arc, *plunge, *zero, *thinned, *size, *unit;
 };
-constexpr Words english = {"control", "no motion", "rapid", "feed", "arc", "plunge", "work zero",
-                           "thinned: of {} points, those closer than {} mm are left out", "cutting", "mm"};
-constexpr Words russian = {"УЧПУ", "нет движений", "быстрый ход", "рабочая подача", "дуга", "врезание", "нуль детали",
-                           "прорежено: из {} точек не показаны те, что ближе {} мм", "резание", "мм"};
+constexpr Words english = {"control", "no motion", "rapid",     "feed",
+                           "arc",     "plunge",    "work zero", "thinned: of {} points, those closer than {} mm are left out",
+                           "cutting", "mm"};
+constexpr Words russian = {"УЧПУ",        "нет движений",
+                           "быстрый ход", "рабочая подача",
+                           "дуга",        "врезание",
+                           "нуль детали", "прорежено: из {} точек не показаны те, что ближе {} мм",
+                           "резание",     "мм"};
 
 const Words& words(Lang lang) { return lang == Lang::ru ? russian : english; }
 
@@ -65,8 +69,7 @@ void draw_legend(Canvas& canvas, const PlotScene& scene) {
   canvas.zero_mark({x + 10, y - 4}, 6, style.ink);
   canvas.text({x + 24, y}, w.zero, style);
   if (scene.path.tolerance() > 0)
-    canvas.text({page_width - margin, y},
-                fmt::format(fmt::runtime(w.thinned), scene.path.seen(), number_text(scene.path.tolerance(), 3)),
+    canvas.text({page_width - margin, y}, fmt::format(fmt::runtime(w.thinned), scene.path.seen(), number_text(scene.path.tolerance(), 3)),
                 {13, colour(0xB04A00), Align::right, false});
 }
 
@@ -125,7 +128,7 @@ Box shown_box(const PlotScene& scene) {
 tl::expected<void, std::string> draw_page(const std::string& file, const PlotScene& scene) {
   const bool svg = file.ends_with(".svg") || file.ends_with(".SVG"), png = file.ends_with(".png") || file.ends_with(".PNG");
   if (!svg && !png) return tl::unexpected(file + ": a plot is .svg or .png");
-  constexpr double sharp = 1.5;   // pixels a unit of the page
+  constexpr double sharp = 1.5;  // pixels a unit of the page
   const Surface surface(svg ? cairo_svg_surface_create(file.c_str(), page_width, page_height)
                             : cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(page_width * sharp), int(page_height * sharp)),
                         cairo_surface_destroy);

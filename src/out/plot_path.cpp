@@ -5,7 +5,7 @@
 namespace kadr {
 namespace {
 
-constexpr double first_tolerance_part = 1e-4;   // of the box: below a pixel of any picture
+constexpr double first_tolerance_part = 1e-4;  // of the box: below a pixel of any picture
 
 double distance(Vec3 a, Vec3 b) { return length(a - b); }
 
@@ -47,7 +47,7 @@ void PlotPath::thin() {
     for (std::size_t i = 1; i < points_.size(); ++i)
       if (distance(points_[i].at, points_[kept - 1].at) >= tolerance_) points_[kept++] = points_[i];
     points_.resize(kept);
-    if (tolerance_ == 0) points_.resize(1);   // the tool never moved
+    if (tolerance_ == 0) points_.resize(1);  // the tool never moved
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-enum class Stroke : std::uint8_t { rapid, feed, plunge, arc };   // plunge: a feed straight down
+enum class Stroke : std::uint8_t { rapid, feed, plunge, arc };  // plunge: a feed straight down
 
 /// A vertex and how the path comes to it.
 struct PlotPoint {
@@ -44,7 +44,7 @@ class PlotPath {
 
   std::size_t most_;
   std::vector<PlotPoint> points_;
-  PlotPoint last_{};            // where the path stands; not among points_ while pending_
+  PlotPoint last_{};  // where the path stands; not among points_ while pending_
   bool pending_ = false;
   double tolerance_ = 0;
   std::uint64_t seen_ = 0;

@@ -6,10 +6,10 @@
 namespace kadr {
 namespace {
 
-constexpr double same_pixel = 0.45;       // of the page
-constexpr int strokes_at_once = 400;      // longer paths cost Cairo more than in proportion
+constexpr double same_pixel = 0.45;   // of the page
+constexpr int strokes_at_once = 400;  // longer paths cost Cairo more than in proportion
 constexpr double plunge_radius = 3.2;
-constexpr double beyond = 20'000;         // of the page: farther points overflow Cairo's numbers
+constexpr double beyond = 20'000;  // of the page: farther points overflow Cairo's numbers
 
 Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp(p.y, -beyond, beyond)}; }
 

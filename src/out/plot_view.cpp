@@ -1,10 +1,10 @@
 #include "out/plot_view.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <fmt/format.h>
 
 #include "out/plot_strokes.h"
 
@@ -17,7 +17,7 @@ constexpr Colour grid_zero = colour(0xB4C0CC);
 constexpr Colour edge = colour(0xC3CCD6);
 constexpr Colour ink = colour(0x20262E);
 constexpr Colour faint_ink = colour(0x5B6775);
-constexpr double tick_spacing = 58;         // of the page, at least
+constexpr double tick_spacing = 58;  // of the page, at least
 constexpr double iso_cos = 0.8660254037844386, iso_sin = 0.5;
 
 struct PlaneNames {

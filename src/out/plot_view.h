@@ -15,7 +15,7 @@ Vec2 projected(View view, Vec3 p);
 /// mm of the view's plane → page.
 struct ViewScale {
   double per_mm = 1;
-  Vec2 zero;   // of the page
+  Vec2 zero;  // of the page
   Vec2 page(Vec2 p) const { return {zero.x + per_mm * p.x, zero.y - per_mm * p.y}; }
 };
 

@@ -6,8 +6,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t widest = 110;   // characters shown of a line
-constexpr std::size_t ahead = 40;     // shown before the place, in a clipped line
+constexpr std::size_t widest = 110;  // characters shown of a line
+constexpr std::size_t ahead = 40;    // shown before the place, in a clipped line
 constexpr std::string_view indent = "  ";
 constexpr std::string_view clipped = "…";
 
@@ -27,7 +27,8 @@ std::vector<std::string_view> characters(std::string_view text) {
 /// Control characters must not reach a terminal: their pictures, U+2400 and on.
 std::string shown(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character[0]);
-  if (character == "\t" || (byte >= 0x20 && byte != 0x7F && !(byte == 0xC2 && character.size() == 2 && static_cast<unsigned char>(character[1]) < 0xA0)))
+  if (character == "\t" ||
+      (byte >= 0x20 && byte != 0x7F && !(byte == 0xC2 && character.size() == 2 && static_cast<unsigned char>(character[1]) < 0xA0)))
     return std::string(character);
   if (byte == 0x7F) return "\xE2\x90\xA1";
   if (byte < 0x20) return std::string("\xE2\x90") + static_cast<char>(0x80 + byte);

@@ -1,9 +1,9 @@
 #include "out/summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace kadr {
 namespace {
@@ -16,19 +16,48 @@ struct Words {
   const char *tools, *alarms, *warnings;
 };
 
-constexpr Words english = {"blocks", "motions", "rapid", "feed", "arcs", "other",
-                           "path, mm", "cutting", "rapid", "cutting, mm", "all, mm",
-                           "time", "dwell", "tool change", "from programmed feeds and rapid rates, without acceleration",
+constexpr Words english = {"blocks",
+                           "motions",
+                           "rapid",
+                           "feed",
+                           "arcs",
+                           "other",
+                           "path, mm",
+                           "cutting",
+                           "rapid",
+                           "cutting, mm",
+                           "all, mm",
+                           "time",
+                           "dwell",
+                           "tool change",
+                           "from programmed feeds and rapid rates, without acceleration",
                            "motions without a time (no feed, or the spindle stands)",
-                           "tools", "alarms", "warnings"};
-constexpr Words russian = {"кадров", "движений", "ускоренных", "на подаче", "дуг", "прочих",
-                           "путь, мм", "резание", "быстрый ход", "резание, мм", "всё, мм",
-                           "время", "выдержка", "смена инструмента", "по программным подачам и быстрым ходам станка, без разгонов",
+                           "tools",
+                           "alarms",
+                           "warnings"};
+constexpr Words russian = {"кадров",
+                           "движений",
+                           "ускоренных",
+                           "на подаче",
+                           "дуг",
+                           "прочих",
+                           "путь, мм",
+                           "резание",
+                           "быстрый ход",
+                           "резание, мм",
+                           "всё, мм",
+                           "время",
+                           "выдержка",
+                           "смена инструмента",
+                           "по программным подачам и быстрым ходам станка, без разгонов",
                            "движений без времени (нет подачи или шпиндель стоит)",
-                           "инструменты", "ошибок", "предупреждений"};
+                           "инструменты",
+                           "ошибок",
+                           "предупреждений"};
 
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string line(std::string_view name, const std::string& value) {
@@ -102,19 +131,22 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   const Words& w = lang == Lang::ru ? russian : english;
   const TimeSplit& t = estimate_.split();
   std::string text = line(w.blocks, fmt::format("{}", blocks));
-  std::string motions = fmt::format("{} ({} {}, {} {}, {} {}", rapids_ + feeds_ + arcs_ + others_, w.rapids, rapids_, w.feeds, feeds_, w.arcs, arcs_);
+  std::string motions =
+      fmt::format("{} ({} {}, {} {}, {} {}", rapids_ + feeds_ + arcs_ + others_, w.rapids, rapids_, w.feeds, feeds_, w.arcs, arcs_);
   if (others_ > 0) motions += fmt::format(", {} {}", w.other, others_);
   text += line(w.motions, motions + ")");
   text += line(w.path, fmt::format("{} {}, {} {}", w.cutting, number_text(cutting_mm_, 3), w.rapid, number_text(rapid_mm_, 3)));
   if (!cutting_box_.empty) text += line(w.cutting_box, box_text(cutting_box_));
   if (!box_.empty) text += line(w.box, box_text(box_));
-  text += line(w.time, fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(t.total()), w.cutting, duration_text(t.cutting), w.rapid,
-                                   duration_text(t.rapid), w.dwell, duration_text(t.dwell), w.tool_change, duration_text(t.tool_change)));
+  text +=
+      line(w.time, fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(t.total()), w.cutting, duration_text(t.cutting), w.rapid,
+                               duration_text(t.rapid), w.dwell, duration_text(t.dwell), w.tool_change, duration_text(t.tool_change)));
   text += line("", w.estimate);
   if (t.unknown > 0) text += line("", fmt::format("{}: {}", w.unknown, t.unknown));
   if (!tools_.empty()) {
     std::string tools;
-    for (const ToolUse& use : tools_) tools += fmt::format("{}T{} ({} {})", tools.empty() ? "" : ", ", use.tool, w.cutting, duration_text(use.cutting_s));
+    for (const ToolUse& use : tools_)
+      tools += fmt::format("{}T{} ({} {})", tools.empty() ? "" : ", ", use.tool, w.cutting, duration_text(use.cutting_s));
     text += line(w.tools, tools);
   }
   return text + line(w.alarms, fmt::format("{}, {} {}", alarms_, w.warnings, warnings_));
@@ -124,7 +156,8 @@ std::string duration_text(double seconds) {
   const auto tenths = static_cast<std::uint64_t>(std::round(std::clamp(seconds, 0.0, 1e15) * 10));
   const std::uint64_t whole = tenths / 10;
   if (whole < 600) return fmt::format("{}:{:02}.{}", whole / 60, whole % 60, tenths % 10);
-  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60) : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
+                      : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 }  // namespace kadr

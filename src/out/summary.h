@@ -53,12 +53,12 @@ class Statistics {
   AxisRoles roles_;
   ToolPosition position_;
   TimeEstimate estimate_;
-  std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;   // others: probe, home
+  std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // others: probe, home
   std::uint64_t alarms_ = 0, warnings_ = 0;
   double cutting_mm_ = 0, rapid_mm_ = 0;
   Box cutting_box_, box_;
-  std::vector<ToolUse> tools_;       // in order of first use
-  std::size_t in_spindle_ = 0;       // index in tools_; its size: none known
+  std::vector<ToolUse> tools_;  // in order of first use
+  std::size_t in_spindle_ = 0;  // index in tools_; its size: none known
 };
 
 /// 3725.4 s → "1:02:05", 65.3 s → "1:05.3".

@@ -1,17 +1,17 @@
 #include "out/text_buffer.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-#include <fmt/format.h>
 
 namespace kadr {
 namespace {
 
 constexpr double decimals = 1e9;
 constexpr std::uint64_t decimals_whole = 1'000'000'000;
-constexpr double most_exact = 4e6;   // times 1e9 still fits the 53 bits of a double
+constexpr double most_exact = 4e6;  // times 1e9 still fits the 53 bits of a double
 
 char* put_whole(char* at, std::uint64_t value) {
   char digits[20];

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t number_room = 32;
 constexpr std::size_t head_room = 192;
-constexpr std::size_t most_digits = 20;          // of a block number
+constexpr std::size_t most_digits = 20;  // of a block number
 
 constexpr std::array<std::string_view, 6> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home"};
 constexpr std::array<std::string_view, 3> unit_names = {"mm/min", "mm/rev", "1/min"};
@@ -19,13 +19,16 @@ constexpr std::array<std::string_view, 3> plane_names = {"XY", "ZX", "YZ"};
 constexpr std::array<std::string_view, 3> plane_axes = {"XY", "ZX", "YZ"};
 
 template <class E>
-constexpr std::size_t index(E value) { return static_cast<std::size_t>(value); }
+constexpr std::size_t index(E value) {
+  return static_cast<std::size_t>(value);
+}
 
 char* put_block(char* at, const Origin& origin) {
   *at++ = origin.main_block ? ':' : 'N';
   std::array<char, most_digits> digits;
   std::size_t count = 0;
-  for (std::uint32_t rest = origin.block; count < most_digits && (rest != 0 || count < std::max<std::size_t>(origin.block_digits, 1)); rest /= 10)
+  for (std::uint32_t rest = origin.block; count < most_digits && (rest != 0 || count < std::max<std::size_t>(origin.block_digits, 1));
+       rest /= 10)
     digits[count++] = static_cast<char>('0' + rest % 10);
   while (count > 0) *at++ = digits[--count];
   return at;
@@ -49,7 +52,8 @@ std::string json(std::string_view text) {
 /// A control's number as a JSON number if it is one.
 std::string number_or_text(const std::string& number) {
   if (number.empty()) return "null";
-  const bool digits = number.size() <= 9 && number[0] != '0' && std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool digits =
+      number.size() <= 9 && number[0] != '0' && std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
   return digits ? number : json(number);
 }
 
@@ -65,7 +69,8 @@ std::string fields_of(const Action& action) {
       return (s.surface ? R"(speed","spindle":1,"surface_speed":)" : R"(speed","spindle":1,"rpm":)") + number_string(s.value);
     }
     std::string operator()(const CoolantSwitch& c) const {
-      return R"(coolant","what":")" + std::string(coolant_names[index(c.what)]) + R"(","code":")" + std::string(coolant_codes[index(c.what)]) + '"';
+      return R"(coolant","what":")" + std::string(coolant_names[index(c.what)]) + R"(","code":")" +
+             std::string(coolant_codes[index(c.what)]) + '"';
     }
     std::string operator()(const ToolSelect& t) const {
       return R"(tool","tool":)" + std::to_string(t.tool) + (t.corrector == 0 ? "" : R"(,"corrector":)" + std::to_string(t.corrector));

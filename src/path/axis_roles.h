@@ -15,7 +15,7 @@ namespace kadr {
 struct AxisRoles {
   std::size_t count = 3;
   AxisMask rotary = 0;
-  std::array<int, 3> xyz{0, 1, 2};   // places of X, Y, Z among the axes; -1: there is none
+  std::array<int, 3> xyz{0, 1, 2};  // places of X, Y, Z among the axes; -1: there is none
 
   static AxisRoles of(const std::vector<std::string>& names, AxisMask rotary) {
     AxisRoles roles{std::min(names.size(), max_axes), rotary, {-1, -1, -1}};
@@ -26,9 +26,7 @@ struct AxisRoles {
   }
 
   bool is_rotary(std::size_t axis) const { return (rotary >> axis & 1U) != 0; }
-  double value(const Axes& axes, std::size_t letter) const {
-    return xyz[letter] < 0 ? 0 : axes[static_cast<std::size_t>(xyz[letter])];
-  }
+  double value(const Axes& axes, std::size_t letter) const { return xyz[letter] < 0 ? 0 : axes[static_cast<std::size_t>(xyz[letter])]; }
   Vec3 point(const Axes& axes) const { return {value(axes, 0), value(axes, 1), value(axes, 2)}; }
 };
 
@@ -41,9 +39,7 @@ struct ToolPosition {
     work = motion.to;
     machine = motion.machine;
   }
-  void take(const FrameChange& frame) {
-    work = frame.work;
-  }
+  void take(const FrameChange& frame) { work = frame.work; }
   void take(const Action& action) {
     if (const auto* motion = std::get_if<Motion>(&action.what)) take(*motion);
     else if (const auto* frame = std::get_if<FrameChange>(&action.what)) take(*frame);

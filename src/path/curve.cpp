@@ -7,7 +7,7 @@ namespace kadr {
 namespace {
 
 constexpr int most_pieces = 100'000;
-constexpr std::array<std::array<std::size_t, 2>, 3> plane_letters = {{{0, 1}, {2, 0}, {1, 2}}};   // xy, zx, yz
+constexpr std::array<std::array<std::size_t, 2>, 3> plane_letters = {{{0, 1}, {2, 0}, {1, 2}}};  // xy, zx, yz
 
 double component(const Vec3& v, std::size_t letter) { return letter == 0 ? v.x : letter == 1 ? v.y : v.z; }
 
@@ -18,8 +18,7 @@ double spiral_length(double radius, double growth, double rise, double sweep_rad
   constexpr std::array<double, 5> weight = {0.2844444444444444, 0.2393143352496833, 0.2393143352496833, 0.1184634425280945,
                                             0.1184634425280945};
   double sum = 0;
-  for (std::size_t i = 0; i < place.size(); ++i)
-    sum += weight[i] * std::hypot((radius + growth * place[i]) * sweep_rad, growth, rise);
+  for (std::size_t i = 0; i < place.size(); ++i) sum += weight[i] * std::hypot((radius + growth * place[i]) * sweep_rad, growth, rise);
   return sum;
 }
 

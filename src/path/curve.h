@@ -46,12 +46,12 @@ class Curve {
   const Axes& from_;
   const Motion& motion_;
   bool arc_ = false;
-  std::array<std::size_t, 2> plane_{0, 1};   // letters (0 X, 1 Y, 2 Z) of the plane, first and second
+  std::array<std::size_t, 2> plane_{0, 1};  // letters (0 X, 1 Y, 2 Z) of the plane, first and second
   Vec2 center_;
-  Vec2 arm_;                                 // centre → start
-  double sweep_deg_ = 0;                     // counter-clockwise positive
+  Vec2 arm_;              // centre → start
+  double sweep_deg_ = 0;  // counter-clockwise positive
   double radius_ = 0;
-  double radius_change_ = 0;                 // at the end, against the start
+  double radius_change_ = 0;  // at the end, against the start
 };
 
 }  // namespace kadr

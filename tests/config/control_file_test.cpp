@@ -35,13 +35,17 @@ TEST_P(BuiltIn, every_code_calls_a_function_in_a_phase_of_the_order) {
   for (const CodeRow& row : def.codes) {
     ASSERT_LT(row.function, Function::count) << row.code;
     EXPECT_NE(handler_of(row.function), nullptr) << row.code;
-    if (row.phase != Phase::none) { EXPECT_NE(def.order[static_cast<std::size_t>(row.phase)], 0) << row.code; }
+    if (row.phase != Phase::none) {
+      EXPECT_NE(def.order[static_cast<std::size_t>(row.phase)], 0) << row.code;
+    }
   }
   for (const AddressRow& row : def.addresses) {
     if (row.function == Function::count) continue;
     EXPECT_NE(handler_of(row.function), nullptr) << row.letter;
     EXPECT_TRUE(def.grammar.word(row.letter).known) << row.letter;
-    if (row.phase != Phase::none) { EXPECT_NE(def.order[static_cast<std::size_t>(row.phase)], 0) << row.letter; }
+    if (row.phase != Phase::none) {
+      EXPECT_NE(def.order[static_cast<std::size_t>(row.phase)], 0) << row.letter;
+    }
   }
 }
 
@@ -52,7 +56,7 @@ TEST_P(BuiltIn, phases_rank_as_the_file_lists_them) {
 
 TEST_P(BuiltIn, every_code_is_found_by_its_number) {
   for (std::size_t i = 0; i < def.codes.size(); ++i) {
-    if (def.codes[i].tenth < 0) continue;   // M…: the others
+    if (def.codes[i].tenth < 0) continue;  // M…: the others
     EXPECT_EQ(def.row_of(def.codes[i].letter, def.codes[i].tenth), static_cast<std::int32_t>(i)) << def.codes[i].code;
   }
   EXPECT_EQ(def.row_of('G', 9999), -1);
@@ -99,7 +103,7 @@ const CodeRow* code_of(const ControlDef& def, char letter, int tenth) {
   return row < 0 ? nullptr : &def.codes[static_cast<std::size_t>(row)];
 }
 
-const std::string head = "id = \"own\"\nextends = \"gost\"\n";   // two lines
+const std::string head = "id = \"own\"\nextends = \"gost\"\n";  // two lines
 
 TEST(extends, alone_is_the_control_below) {
   const ControlDef own = extended(head);
@@ -112,13 +116,15 @@ TEST(extends, alone_is_the_control_below) {
 }
 
 TEST(extends, overrides_one_code_and_adds_one) {
-  const ControlDef own = extended(head + "[g]\n\"94\" = { does = \"feed_per_revolution\" }\n\"770\" = { does = \"dwell\", phase = \"dwell_after\", takes = \"P\", en = \"a\", ru = \"b\" }\n");
+  const ControlDef own = extended(head +
+                                  "[g]\n\"94\" = { does = \"feed_per_revolution\" }\n\"770\" = { does = \"dwell\", phase = "
+                                  "\"dwell_after\", takes = \"P\", en = \"a\", ru = \"b\" }\n");
   ASSERT_NE(code_of(own, 'G', 940), nullptr);
   EXPECT_EQ(code_of(own, 'G', 940)->function, Function::feed_per_revolution);
   ASSERT_NE(code_of(own, 'G', 7700), nullptr);
   EXPECT_EQ(code_of(own, 'G', 7700)->function, Function::dwell);
   EXPECT_EQ(own.codes.size(), load_control("gost").value().codes.size() + 1);
-  EXPECT_EQ(code_of(own, 'G', 950)->function, Function::feed_per_revolution);   // untouched
+  EXPECT_EQ(code_of(own, 'G', 950)->function, Function::feed_per_revolution);  // untouched
 }
 
 TEST(extends, keeps_what_the_changed_row_does_not_name) {
@@ -128,7 +134,11 @@ TEST(extends, keeps_what_the_changed_row_does_not_name) {
 }
 
 TEST(errors, name_file_line_and_thing) {
-  struct Case { const char* toml; const char* place; const char* thing; };
+  struct Case {
+    const char* toml;
+    const char* place;
+    const char* thing;
+  };
   const Case cases[] = {
       {"[g]\n\"04\" = { does = \"dwell\", takse = \"P\" }\n", "own.toml:4: ", "takse"},
       {"[g]\n\"4\" = { does = \"sleep\" }\n", "own.toml:4: ", "sleep"},
@@ -142,7 +152,7 @@ TEST(errors, name_file_line_and_thing) {
       {"[alarms]\nsleepy = { en = \"x\" }\n", "own.toml:4: ", "sleepy"},
       {"[cycle.G81]\nsteps = [\"nap\"]\n", "own.toml:4: ", "step"},
       {"[nap]\n", "own.toml:3: ", "nap"},
-      {"[g]\n\"4\" = { does = \"dwell\"\n", "own.toml:", ""},   // no TOML
+      {"[g]\n\"4\" = { does = \"dwell\"\n", "own.toml:", ""},  // no TOML
   };
   for (const Case& c : cases) {
     const std::string sentence = refusal(head + c.toml);
@@ -168,7 +178,7 @@ TEST(errors, of_what_is_missing) {
   EXPECT_FALSE(parse_control("", "own.toml"));
   const auto none = load_control("nap");
   ASSERT_FALSE(none);
-  EXPECT_NE(none.error().find("mach3"), std::string::npos);   // it tells which there are
+  EXPECT_NE(none.error().find("mach3"), std::string::npos);  // it tells which there are
   EXPECT_FALSE(load_control("alarms"));
   EXPECT_FALSE(load_control("/no/such/file.toml"));
 }
@@ -176,7 +186,9 @@ TEST(errors, of_what_is_missing) {
 TEST(errors, of_a_file_that_extends_itself) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "kadr_control_file_test";
   std::filesystem::create_directories(folder);
-  const auto write = [&](const char* name, const char* base) { std::ofstream(folder / name) << "id = \"a\"\nextends = \"" << base << "\"\n"; };
+  const auto write = [&](const char* name, const char* base) {
+    std::ofstream(folder / name) << "id = \"a\"\nextends = \"" << base << "\"\n";
+  };
   write("itself.toml", "itself.toml");
   write("one.toml", "two.toml");
   write("two.toml", "one.toml");

@@ -21,12 +21,14 @@ TEST(functions, names_lead_back) {
 }
 
 TEST(phases, names_lead_back) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(Phase::count); ++i) EXPECT_EQ(phase_named(name_of(static_cast<Phase>(i))), static_cast<Phase>(i));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Phase::count); ++i)
+    EXPECT_EQ(phase_named(name_of(static_cast<Phase>(i))), static_cast<Phase>(i));
   EXPECT_EQ(phase_named("count"), Phase::count);
 }
 
 TEST(functions, that_move_take_the_axis_words) {
-  for (const Function f : {Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::cycle, Function::probe, Function::set_position})
+  for (const Function f :
+       {Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::cycle, Function::probe, Function::set_position})
     EXPECT_TRUE(traits_of(f).takes_axes) << traits_of(f).name;
   for (const Function f : {Function::plane_xy, Function::absolute, Function::dwell, Function::spindle_cw, Function::machine_coordinates})
     EXPECT_FALSE(traits_of(f).takes_axes) << traits_of(f).name;

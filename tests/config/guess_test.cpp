@@ -32,7 +32,7 @@ TEST(guess, of_the_golden_programs) {
   int programs = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(KADR_ROOT "/tests/golden")) {
     if (entry.path().extension() != ".json" || entry.path().filename() == "schema.json") continue;
-    if (entry.path().stem() == "correctors-01-single") continue;   // `Z+100. L17` alone reads like GOST too: its control must be named
+    if (entry.path().stem() == "correctors-01-single") continue;  // `Z+100. L17` alone reads like GOST too: its control must be named
     const auto golden = nlohmann::json::parse(text_of(entry.path()));
     ++programs;
     EXPECT_EQ(guess_control(golden.at("program").get<std::string>()).control, golden.at("control").get<std::string>()) << entry.path();
@@ -45,7 +45,7 @@ TEST(guess, of_the_examples) {
   for (const char* control : {"mach3", "s2c42", "gost", "correctors"})
     for (const auto& entry : std::filesystem::directory_iterator(KADR_ROOT "/examples/" + std::string(control))) {
       const auto kind = entry.path().extension();
-      if ((kind != ".nc" && kind != ".tap") || entry.path().stem() == "factory_part") continue;   // that one has a control of its own
+      if ((kind != ".nc" && kind != ".tap") || entry.path().stem() == "factory_part") continue;  // that one has a control of its own
       ++programs;
       EXPECT_EQ(guess_control(program_of(entry.path())).control, control) << entry.path();
     }
@@ -53,7 +53,10 @@ TEST(guess, of_the_examples) {
 }
 
 TEST(guess, of_small_samples) {
-  struct Case { const char* text; const char* control; };
+  struct Case {
+    const char* text;
+    const char* control;
+  };
   const Case cases[] = {
       {"G0 X1.5\nG1 Z-2\nM30\n", "mach3"},
       {"#100=5\nG1 X#100\n", "mach3"},

@@ -2,10 +2,10 @@
 
 #include "config/machine_profile.h"
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <fstream>
-
-#include <gtest/gtest.h>
 
 namespace kadr {
 namespace {
@@ -30,7 +30,8 @@ TEST(machine_profile, built_in_ones_load) {
 }
 
 TEST(machine_profile, unknown_names_the_known) {
-  EXPECT_EQ(load_machine("lathe").error(), "no machine 'lathe'; there are: generic, mach3-router, s2c42-mill, or a file of your own (NAME.toml)");
+  EXPECT_EQ(load_machine("lathe").error(),
+            "no machine 'lathe'; there are: generic, mach3-router, s2c42-mill, or a file of your own (NAME.toml)");
   EXPECT_EQ(load_machine("/nowhere.toml").error(), "/nowhere.toml: cannot be read");
 }
 

@@ -53,18 +53,21 @@ TEST(setup, offsets_are_geometry_and_wear) {
 }
 
 TEST(setup, probe_workpiece) {
-  const kadr::Setup s = read(R"({"probe_workpiece": {"tip_radius": 2, "hole": {"center": {"X": 50.3, "Y": 24.6}, "diameter": 40, "top": 0, "depth": 30}}})");
+  const kadr::Setup s =
+      read(R"({"probe_workpiece": {"tip_radius": 2, "hole": {"center": {"X": 50.3, "Y": 24.6}, "diameter": 40, "top": 0, "depth": 30}}})");
   ASSERT_TRUE(s.probe_hole);
   EXPECT_EQ(s.probe_hole->center_y, 24.6);
   EXPECT_EQ(s.probe_hole->depth, 30);
 }
 
 TEST(setup, keys_not_served_may_say_nothing) {
-  read(R"({"single_block": false, "clock": null, "channel": 1, "tool_table": {}, "events": [], "parameters": {}, "plane": "", "diameter": {"X": false}})");
+  read(
+      R"({"single_block": false, "clock": null, "channel": 1, "tool_table": {}, "events": [], "parameters": {}, "plane": "", "diameter": {"X": false}})");
   read(R"({"machine": {"*": {"rapid": 5000, "acceleration": null, "jerk_time": 0}}})");
   EXPECT_EQ(refusal(R"({"events": [{"do": "start"}]})"), "setup key 'events' is not served by this control yet");
   EXPECT_EQ(refusal(R"({"channel": 2})"), "setup key 'channel' is not served by this control yet");
-  EXPECT_EQ(refusal(R"({"machine": {"X": {"acceleration": 500}}})"), "setup key 'machine.X.acceleration' is not served by this control yet");
+  EXPECT_EQ(refusal(R"({"machine": {"X": {"acceleration": 500}}})"),
+            "setup key 'machine.X.acceleration' is not served by this control yet");
   EXPECT_EQ(refusal(R"({"work_offsets": {"G54": {"G17": 30}}})"), "setup key 'work_offsets.G54.G17' is not served by this control yet");
 }
 

@@ -26,7 +26,7 @@ std::string differences(const Scene& scene, const std::string& fault, const kadr
   if (!plain.alarms.empty()) return "the scene itself: " + plain.first_alarm() + " in line " + std::to_string(plain.alarms[0].origin.line);
   if (faulty.alarms.empty()) return "no alarm";
   const auto faulty_line = static_cast<std::uint32_t>(std::count(scene.before.begin(), scene.before.end(), '\n') + 1);
-  for (const AlarmReport& r : faulty.alarms)   // once, or once a pass of a repetition
+  for (const AlarmReport& r : faulty.alarms)  // once, or once a pass of a repetition
     if (r.origin.line != faulty_line) return "and then: " + std::string(name_of(r.alarm.id)) + " in line " + std::to_string(r.origin.line);
   if (exactly(stopped.actions) != exactly(cut.actions)) return "actions of the faulty block";
   if (exactly(stopped.ending) != exactly(cut.ending)) return "state:\n  " + exactly(stopped.ending) + "\n  " + exactly(cut.ending);
@@ -47,7 +47,8 @@ kadr::Setup tables() {
 }
 
 const std::string shows_mach3 =
-    "X4 Y30\nG4 P#1\nX#2 Y5\nG0 X#5221 Y#5211\nG91 X1 Y1 Z1\nG90 G1 X1 S700 T9 M6\nG43 H1 Z3\nG43 H2 Z4\nG49 Z5\nG55 X2\nG54 X3\nG59 P3 X4\nG54 G0 X0 Y0\n"
+    "X4 Y30\nG4 P#1\nX#2 Y5\nG0 X#5221 Y#5211\nG91 X1 Y1 Z1\nG90 G1 X1 S700 T9 M6\nG43 H1 Z3\nG43 H2 Z4\nG49 Z5\nG55 X2\nG54 X3\nG59 P3 "
+    "X4\nG54 G0 X0 Y0\n"
     "G92.3\nX7\nM3 M7\nM5 M9\nG15 G50 G69\n"
     "G0 X7 Y1\nG90 G2 X8 Y1 I0.5\nG83 X5 Y6 Z-3 R1 Q1\nX7\nG80\nG0 X1 Y2 Z3\n";
 
@@ -63,16 +64,56 @@ TEST(alarm_on_mach3, leaves_everything_as_it_was) {
       {"mach3", start + "G20 G93\nG0 X1\n", "G94 F3 G1 X2\n" + shows_mach3},
   };
   const char* faults[] = {
-      "#1=7 G1 X1 Y",          "#1=7 #2=8 G2 X9 Y1 I50 J3",  "#5221=9 G2 X9 Y1 I50 J3", "#1=1 #20000=5",          "#1=9 X[1/0]",
-      "#5221=9 M98 P999",      "G10 L1 P1 Z9 R0 M98",        "G10 L2 P2 X9 M98",        "G92 X9 M98 P999",         "G52 X9 M98 P999",
-      "S1000 M3 G2 X9 Y1 I50 J3", "T3 M6 G2 X9 Y1 I50 J3",   "G20 F5 G2 X9 Y1 I50 J3",  "G43 H2 G2 X9 Y1 I50 J3",  "G55 G2 X9 Y1 I50 J3",
-      "G19 G2 Y9 Z1 J50 K3",   "G91 G61 G2 X9 Y1 I50 J3",    "G93 F3 G2 X9 Y1 I50 J3",  "M7 M8 G2 X9 Y1 I50 J3",   "G68 A3 B4 R70 M98 P999",
-      "G51 X3 M98 P999",       "G16 M98 P999",               "G15 M98 P999",            "G81 X1 Z-1 R-5",          "G83 X1 Z-1 R3 Q0",
-      "G82 X1 Z-1 R3 P-1",     "G28 X5 M98 P999",            "G0 G53 X5 M98 P999",      "G59 P3 M98",              "M6 T5 M98 P999",
-      "G0 X3 M98 P999",        "G1 X3 Y99999999",            "X3 Y999999999 Z99999999", "G31 X50 M98 P999",        "G12 I5 M98 P999",
-      "G80 M98 P999",          "G92.1 M98 P999",             "G92.2 M98 P999",          "G98 G90.1 M48 M98 P999",  "G41 D1 P5",
-      "G41 P0 G18 M98 P999",   "M3 S0 M98 P999",             "G4 P-1 F77",              "F50 G64 P-1",             "G99 R9 X3 E4",
-      "M98 P999 L3",           "M0 M98",                     "G17 G18",                 "(MSG,x) G2 X9 Y1 I50 J3", "G81 X1 Y1 Z-1 R2 M98 P999",
+      "#1=7 G1 X1 Y",
+      "#1=7 #2=8 G2 X9 Y1 I50 J3",
+      "#5221=9 G2 X9 Y1 I50 J3",
+      "#1=1 #20000=5",
+      "#1=9 X[1/0]",
+      "#5221=9 M98 P999",
+      "G10 L1 P1 Z9 R0 M98",
+      "G10 L2 P2 X9 M98",
+      "G92 X9 M98 P999",
+      "G52 X9 M98 P999",
+      "S1000 M3 G2 X9 Y1 I50 J3",
+      "T3 M6 G2 X9 Y1 I50 J3",
+      "G20 F5 G2 X9 Y1 I50 J3",
+      "G43 H2 G2 X9 Y1 I50 J3",
+      "G55 G2 X9 Y1 I50 J3",
+      "G19 G2 Y9 Z1 J50 K3",
+      "G91 G61 G2 X9 Y1 I50 J3",
+      "G93 F3 G2 X9 Y1 I50 J3",
+      "M7 M8 G2 X9 Y1 I50 J3",
+      "G68 A3 B4 R70 M98 P999",
+      "G51 X3 M98 P999",
+      "G16 M98 P999",
+      "G15 M98 P999",
+      "G81 X1 Z-1 R-5",
+      "G83 X1 Z-1 R3 Q0",
+      "G82 X1 Z-1 R3 P-1",
+      "G28 X5 M98 P999",
+      "G0 G53 X5 M98 P999",
+      "G59 P3 M98",
+      "M6 T5 M98 P999",
+      "G0 X3 M98 P999",
+      "G1 X3 Y99999999",
+      "X3 Y999999999 Z99999999",
+      "G31 X50 M98 P999",
+      "G12 I5 M98 P999",
+      "G80 M98 P999",
+      "G92.1 M98 P999",
+      "G92.2 M98 P999",
+      "G98 G90.1 M48 M98 P999",
+      "G41 D1 P5",
+      "G41 P0 G18 M98 P999",
+      "M3 S0 M98 P999",
+      "G4 P-1 F77",
+      "F50 G64 P-1",
+      "G99 R9 X3 E4",
+      "M98 P999 L3",
+      "M0 M98",
+      "G17 G18",
+      "(MSG,x) G2 X9 Y1 I50 J3",
+      "G81 X1 Y1 Z-1 R2 M98 P999",
   };
   for (const Scene& scene : scenes)
     for (const char* fault : faults) EXPECT_EQ(differences(scene, fault, tables()), "") << scene.before << "fault: " << fault;
@@ -85,7 +126,8 @@ TEST(alarm_on_mach3, in_a_cycle_keeps_its_sticky_words) {
 }
 
 const std::string shows_2c42 =
-    "N900 X+R1 Y4000\nN901 G91 X1000 Y1000 Z1000\nN902 G90 G1 X1000 S700 M3\nN903 G43 D1 Z3000\nN904 D2 Z4000\nN905 G40 Z5000\nN906 G54 X2000\nN907 G53 X3000\n"
+    "N900 X+R1 Y4000\nN901 G91 X1000 Y1000 Z1000\nN902 G90 G1 X1000 S700 M3\nN903 G43 D1 Z3000\nN904 D2 Z4000\nN905 G40 Z5000\nN906 G54 "
+    "X2000\nN907 G53 X3000\n"
     "N908 H2\nN909 G91 X1000 M20\nN910 G90 G0 X0 Y0\nN911 G2 X8000 Y0 I4000 J0\nN912 L83\nN913 G1 X1000\nN914 M2\n";
 
 TEST(alarm_on_2c42, leaves_everything_as_it_was) {
@@ -97,36 +139,64 @@ TEST(alarm_on_2c42, leaves_everything_as_it_was) {
       {"s2c42", start + "N3 H2\nN4 X1000\n", "N800 G91 X500 M20\nN801 G90\n" + shows_2c42},
   };
   const char* faults[] = {
-      "N5 R1+5 G1 Z+R9",       "N5 R1+5 L77",         "N5 D02 L77",        "N5 G57 D2 L77",        "N5 G2 X100 Y9000 I0 J7000",
-      "N5 M3 S500 G2 X100 Y9000 I0 J7000", "N5 G44 D2 Z500 L77", "N5 H5 L77",  "N5 L77 H5",            "N5 G92 /2/ L77",
-      "N5 G92 X500 Y3 L77",    "N5 H5 G2 X100 Y9000 I0 J7000", "N5 T05 M6 L77", "N5 G0 X5000 H3 L77",  "N5 G25 X0 L77",
-      "N5 G26 X500 L77",       "N5 M17 X5 W3",        "N5 G20 M8 L77",     "N5 F999 X12345678",    "N5 G41 G36 X500 L77",
-      "N5 G4 E20 X500 L77",    "N5 G9 G0 X500 L77",   "N5 R3+0 L83",       "N5 R0+0 L83",       "N5 G19 G91 L84 R1+7 L77",
-      "N5 X5000 X6000",        "N5 G0 G1",            "N5 L8",             "N5 L7700",             "N5 G37 G2 X1000",
-      "N5 R9+1 X5000 Y+R8",    "N5 M60 M13 L77",
+      "N5 R1+5 G1 Z+R9",
+      "N5 R1+5 L77",
+      "N5 D02 L77",
+      "N5 G57 D2 L77",
+      "N5 G2 X100 Y9000 I0 J7000",
+      "N5 M3 S500 G2 X100 Y9000 I0 J7000",
+      "N5 G44 D2 Z500 L77",
+      "N5 H5 L77",
+      "N5 L77 H5",
+      "N5 G92 /2/ L77",
+      "N5 G92 X500 Y3 L77",
+      "N5 H5 G2 X100 Y9000 I0 J7000",
+      "N5 T05 M6 L77",
+      "N5 G0 X5000 H3 L77",
+      "N5 G25 X0 L77",
+      "N5 G26 X500 L77",
+      "N5 M17 X5 W3",
+      "N5 G20 M8 L77",
+      "N5 F999 X12345678",
+      "N5 G41 G36 X500 L77",
+      "N5 G4 E20 X500 L77",
+      "N5 G9 G0 X500 L77",
+      "N5 R3+0 L83",
+      "N5 R0+0 L83",
+      "N5 G19 G91 L84 R1+7 L77",
+      "N5 X5000 X6000",
+      "N5 G0 G1",
+      "N5 L8",
+      "N5 L7700",
+      "N5 G37 G2 X1000",
+      "N5 R9+1 X5000 Y+R8",
+      "N5 M60 M13 L77",
   };
   for (const Scene& scene : scenes)
     for (const char* fault : faults) EXPECT_EQ(differences(scene, fault, tables()), "") << scene.before << "fault: " << fault;
 }
 
 TEST(alarm_on_correctors, leaves_what_correctors_have_added) {
-  const Scene scene{"correctors", "% LF\nN1 G91 G17 LF\nN2 G01 X10. L17 F100 LF\n", "N4 X5. LF\nN5 X5. L17 LF\nN6 G40 X-10. L17 LF\nN7 X1. LF\nN8 M02 LF\n"};
+  const Scene scene{"correctors", "% LF\nN1 G91 G17 LF\nN2 G01 X10. L17 F100 LF\n",
+                    "N4 X5. LF\nN5 X5. L17 LF\nN6 G40 X-10. L17 LF\nN7 X1. LF\nN8 M02 LF\n"};
   kadr::Setup s;
   s.correctors = {{17, 2.5}, {18, 1}};
-  for (const char* fault : {"N3 X5. L17 L98 LF", "N3 G41 X5. Y3. L17 LF", "N3 X5. L1 17 L1 1000 LF", "N3 X9999999. L17 LF", "N3 G40 L1 17 L9 17 LF"})
+  for (const char* fault :
+       {"N3 X5. L17 L98 LF", "N3 G41 X5. Y3. L17 LF", "N3 X5. L1 17 L1 1000 LF", "N3 X9999999. L17 LF", "N3 G40 L1 17 L9 17 LF"})
     EXPECT_EQ(differences(scene, fault, s), "") << fault;
 }
 
 TEST(alarm, emits_nothing_of_its_block) {
   const auto r = run("mach3", "F100\nG0 X1\nS1000 M3 T4 M6 M8 G2 X5 Y5 I50 J3\n");
   EXPECT_EQ(r.first_alarm(), "radius_mismatch");
-  EXPECT_EQ(r.actions.size(), 2u);   // the frame at the start, G0
+  EXPECT_EQ(r.actions.size(), 2u);  // the frame at the start, G0
 }
 
 // ---- a fault at any block of any path
 
 RC_GTEST_PROP(alarm, at_any_block_leaves_what_was_before_and_the_rest_goes_on, ()) {
-  static constexpr const char* faults[] = {"G2 X1 Y1 I500 J3", "X[1/0] #1=5", "G1 X1 E5", "#5=3 M98 P999", "G91 G20 G18 M98 P999", "X1 X2", "G10 L2 P1 X7 M98", "?"};
+  static constexpr const char* faults[] = {"G2 X1 Y1 I500 J3",     "X[1/0] #1=5", "G1 X1 E5",         "#5=3 M98 P999",
+                                           "G91 G20 G18 M98 P999", "X1 X2",       "G10 L2 P1 X7 M98", "?"};
   Choices choose = choices(300);
   const Path path = random_path(choose, 3);
   Writer writer({Dimensions::mixed}, &choose);

@@ -10,11 +10,11 @@ namespace {
 using test::Choices;
 using test::choices;
 
-constexpr double tolerance = 0.01;   // mm
+constexpr double tolerance = 0.01;  // mm
 
 struct Asked {
   Vec2 center, from, to;
-  double radius = 0, start = 0, sweep = 0;   // degrees, ccw positive
+  double radius = 0, start = 0, sweep = 0;  // degrees, ccw positive
   Turn turn = Turn::ccw;
 };
 
@@ -96,7 +96,7 @@ RC_GTEST_PROP(arc_around, agrees_with_the_sampled_twin, ()) {
 
 RC_GTEST_PROP(arc_around, exchanged_and_opposed_is_the_same_arc_reversed, ()) {
   Asked a = random_arc();
-  a.to = a.to + Vec2{*rc::gen::inRange(-5, 6) / 1000.0, 0};   // a spiral within the tolerance
+  a.to = a.to + Vec2{*rc::gen::inRange(-5, 6) / 1000.0, 0};  // a spiral within the tolerance
   const auto there = arc_around(a.from, a.to, a.center, a.turn, tolerance);
   const auto back = arc_around(a.to, a.from, a.center, a.turn == Turn::cw ? Turn::ccw : Turn::cw, tolerance);
   RC_ASSERT(there.has_value());
@@ -107,7 +107,7 @@ RC_GTEST_PROP(arc_around, exchanged_and_opposed_is_the_same_arc_reversed, ()) {
 
 RC_GTEST_PROP(arc_by_radius, is_the_arc_by_its_centre, ()) {
   const Asked a = random_arc();
-  RC_PRE(std::fabs(std::fabs(a.sweep) - 180) > 1 && std::fabs(a.sweep) < 359);   // near a half circle the centre is ill-conditioned
+  RC_PRE(std::fabs(std::fabs(a.sweep) - 180) > 1 && std::fabs(a.sweep) < 359);  // near a half circle the centre is ill-conditioned
   const double radius = std::fabs(a.sweep) > 180 ? -a.radius : a.radius;
   const auto arc = arc_by_radius(a.from, a.to, radius, a.turn, tolerance);
   RC_ASSERT(arc.has_value());

@@ -15,16 +15,22 @@ struct Drilling {
   std::string code;
   Plane plane = Plane::xy;
   bool absolute = true, initial = true;
-  int start = 0, level = 0, depth = 0, peck = 0, repeats = 1;   // depth below the level
+  int start = 0, level = 0, depth = 0, peck = 0, repeats = 1;  // depth below the level
   double dwell = 0;
-  struct Hole { int first, second; };
+  struct Hole {
+    int first, second;
+  };
   std::vector<Hole> holes;
 
   char first() const { return plane == Plane::xy ? 'X' : plane == Plane::zx ? 'X' : 'Y'; }
   char second() const { return plane == Plane::xy ? 'Y' : 'Z'; }
   char drill() const { return plane == Plane::xy ? 'Z' : plane == Plane::zx ? 'Y' : 'X'; }
   std::string preparation() const {
-    return std::string("G21 G90 F100\n") + (plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19") + " G0 " + drill() + number(start) + "\n";
+    return std::string("G21 G90 F100\n") +
+           (plane == Plane::xy   ? "G17"
+            : plane == Plane::zx ? "G18"
+                                 : "G19") +
+           " G0 " + drill() + number(start) + "\n";
   }
   static std::string number(int thousandths) {
     char text[24];
@@ -47,7 +53,8 @@ Drilling random_drilling(Choices& choose) {
   d.peck = choose.between(100, 9000);
   d.dwell = choose.between(0, 4) / 2.0;
   d.repeats = choose.one_in(3) ? choose.between(2, 4) : 1;
-  for (std::size_t count = 1 + choose.below(4); count > 0; --count) d.holes.push_back({choose.between(-50, 50) * 100, choose.between(-50, 50) * 100});
+  for (std::size_t count = 1 + choose.below(4); count > 0; --count)
+    d.holes.push_back({choose.between(-50, 50) * 100, choose.between(-50, 50) * 100});
   return d;
 }
 
@@ -81,7 +88,7 @@ std::string one_hole(const Drilling& d, int clear) {
     for (int at = d.level - d.peck; at > bottom; at -= d.peck) {
       text += down + Drilling::number(at) + "\n";
       if (d.code == "G83") text += rapid + Drilling::number(d.level) + "\n";
-      text += rapid + Drilling::number(std::min(d.level, at + 1000)) + "\n";   // 1 mm: controls/mach3.toml, INFERRED there
+      text += rapid + Drilling::number(std::min(d.level, at + 1000)) + "\n";  // 1 mm: controls/mach3.toml, INFERRED there
     }
   text += down + Drilling::number(bottom) + "\n";
   if (dwells(d) && d.dwell > 0) text += "G4 P" + std::to_string(d.dwell) + "\n";
@@ -146,25 +153,32 @@ std::vector<std::size_t> kinds_of(const test::Run& r) {
   return kinds;
 }
 
-TEST(cycles, come_before_the_stop_of_their_block) {   // order of execution, spec mach3 2: motion, then M0
+TEST(cycles, come_before_the_stop_of_their_block) {  // order of execution, spec mach3 2: motion, then M0
   const auto r = run("mach3", "G21 F100\nG81 X1 Y1 Z-1 R2 M0\n");
   ASSERT_EQ(r.first_alarm(), "");
   EXPECT_TRUE(std::holds_alternative<Stop>(r.actions.back().what)) << testing::PrintToString(kinds_of(r));
 }
 
 TEST(cycles, come_before_the_end_of_their_block) {
-  const auto r = run("mach3", "G21 F100\nG55 G0 X0 Y0 Z0\nG81 X1 Y1 Z-1 R2 M30\n", [] { kadr::Setup s; s.work_offsets["G55"] = {{"X", 100}}; return s; }());
+  const auto r = run("mach3", "G21 F100\nG55 G0 X0 Y0 Z0\nG81 X1 Y1 Z-1 R2 M30\n", [] {
+    kadr::Setup s;
+    s.work_offsets["G55"] = {{"X", 100}};
+    return s;
+  }());
   ASSERT_EQ(r.first_alarm(), "");
   for (const Motion& m : r.motions())
-    if (m.kind == MotionKind::feed) { EXPECT_NEAR(m.machine[0], 101, 1e-9); }
-  EXPECT_EQ(r.motions().size(), 6u);   // to the start, up to R, over the hole, down, up
+    if (m.kind == MotionKind::feed) {
+      EXPECT_NEAR(m.machine[0], 101, 1e-9);
+    }
+  EXPECT_EQ(r.motions().size(), 6u);  // to the start, up to R, over the hole, down, up
 }
 
 TEST(cycles, that_turn_the_spindle_stop_reverse_and_restore_it) {
   const auto turns = [](const std::string& program) {
     std::string text;
     for (const Action& a : run("mach3", "G21 F100 S500\n" + program).actions)
-      if (const auto* s = std::get_if<Spindle>(&a.what)) text += s->dir == SpindleDir::cw ? "cw " : s->dir == SpindleDir::ccw ? "ccw " : s->dir == SpindleDir::stop ? "stop " : "orient ";
+      if (const auto* s = std::get_if<Spindle>(&a.what))
+        text += s->dir == SpindleDir::cw ? "cw " : s->dir == SpindleDir::ccw ? "ccw " : s->dir == SpindleDir::stop ? "stop " : "orient ";
     return text;
   };
   EXPECT_EQ(turns("M3\nG84 X1 Z-1 R1\n"), "cw stop ccw stop cw ");

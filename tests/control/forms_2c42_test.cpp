@@ -35,8 +35,10 @@ Contour random_contour(Choices& choose) {
     const auto& q = quarters[choose.below(4)];
     const int r = choose.between(100, 9000);
     const bool cw = (q[0] == q[1]) == (choose.below(2) == 0);
-    const bool along_x = (q[0] == q[1]) != cw;   // the quarter leaves along X: its centre stands beside in Y
-    const auto center = [&](int sign) { return along_x ? " I0 J" + std::to_string(q[1] * r) : " I" + std::to_string(sign * q[0] * r) + " J0"; };
+    const bool along_x = (q[0] == q[1]) != cw;  // the quarter leaves along X: its centre stands beside in Y
+    const auto center = [&](int sign) {
+      return along_x ? " I0 J" + std::to_string(q[1] * r) : " I" + std::to_string(sign * q[0] * r) + " J0";
+    };
     add(cw ? "G91 G2" : "G91 G3", cw ? "G91 G3" : "G91 G2", q[0] * r, q[1] * r, center(1), center(-1));
   }
   return c;
@@ -69,12 +71,14 @@ RC_GTEST_PROP(subprogram, is_its_body_written_out, ()) {
   const Blocks body = random_contour(choose).plain;
   const int times = choose.between(1, 3);
   std::string section = "L\n";
-  for (std::size_t i = 0; i < body.size(); ++i) section += "N0700" + std::to_string(i + 1) + " " + body[i] + (i + 1 == body.size() ? " M17\n" : "\n");
+  for (std::size_t i = 0; i < body.size(); ++i)
+    section += "N0700" + std::to_string(i + 1) + " " + body[i] + (i + 1 == body.size() ? " M17\n" : "\n");
   Blocks written = start;
   for (int i = 0; i < times; ++i) written = joined({written, body});
   const std::string call = times == 1 ? "L07" : "L070" + std::to_string(times);
   const Blocks tail = {"G90 G1 X0"};
-  RC_ASSERT(actions_of(section + "N07999 M2\n" + main_program(joined({start, {call}, tail}))) == actions_of(main_program(joined({written, tail}))));
+  RC_ASSERT(actions_of(section + "N07999 M2\n" + main_program(joined({start, {call}, tail}))) ==
+            actions_of(main_program(joined({written, tail}))));
 }
 
 RC_GTEST_PROP(repetition, is_its_passes_written_out, ()) {
@@ -101,7 +105,7 @@ RC_GTEST_PROP(mirror, of_the_mirrored_contour_is_the_contour, ()) {
   for (std::size_t i = 0; i < plain.size(); ++i) {
     RC_ASSERT(plain[i].kind == twice[i].kind);
     RC_ASSERT(std::fabs(plain[i].turns - twice[i].turns) <= 1e-12);
-    RC_ASSERT(plain[i].turns == 0 || std::fabs(plain[i].turns - 0.25) <= 1e-12);   // the contour is what it was meant to be
+    RC_ASSERT(plain[i].turns == 0 || std::fabs(plain[i].turns - 0.25) <= 1e-12);  // the contour is what it was meant to be
     RC_ASSERT(length(Vec3{plain[i].to[0] - twice[i].to[0], plain[i].to[1] - twice[i].to[1], 0}) <= 1e-9);
     RC_ASSERT(length(plain[i].center - twice[i].center) <= 1e-9);
   }
@@ -147,11 +151,11 @@ RC_GTEST_PROP(carrier, does_not_matter, ()) {
     RC_ASSERT(actions_of(main_program(blocks, " ПС", end)) == expected);
     RC_ASSERT(actions_of(main_program(blocks, " LF", end)) == expected);
   }
-  RC_ASSERT(actions_of(main_program(blocks, " ПС ", "")) == expected);   // one line
+  RC_ASSERT(actions_of(main_program(blocks, " ПС ", "")) == expected);  // one line
   RC_ASSERT(actions_of(main_program(blocks, " LF ", "")) == expected);
   const std::string marked = main_program(blocks, " ПС");
   RC_ASSERT(actions_of("\xEF\xBB\xBF" + marked) == expected);
-  RC_ASSERT(actions_of(written(marked, "CP1251")) == expected);   // guessed
+  RC_ASSERT(actions_of(written(marked, "CP1251")) == expected);  // guessed
   RC_ASSERT(actions_of(written(marked, "KOI8-R")) == expected);
   RC_ASSERT(actions_of(written(marked, "CP866")) == expected);
   RC_ASSERT(actions_of(encode_tape(main_program(blocks), 20).value()) == expected);

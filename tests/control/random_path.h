@@ -70,9 +70,9 @@ enum class Dimensions { absolute, incremental, mixed };
 /// How a path is written.
 struct Writing {
   Dimensions dimensions = Dimensions::absolute;
-  double unit = 1;             // mm; 25.4 for inches
-  int digits = 12;             // after the point
-  bool radius_words = true;    // R where the path asks for it
+  double unit = 1;           // mm; 25.4 for inches
+  int digits = 12;           // after the point
+  bool radius_words = true;  // R where the path asks for it
 };
 
 class Writer {

@@ -65,8 +65,9 @@ inline std::string exactly(const Action& action) {
   int size = std::snprintf(text, sizeof text, "%zu:", action.what.index());
   const auto add = [&](double x) { size += std::snprintf(text + size, sizeof text - static_cast<std::size_t>(size), " %a", x); };
   if (const auto* m = std::get_if<Motion>(&action.what)) {
-    for (const double x : {double(m->kind), double(m->plane), double(m->unit), double(m->exact), double(m->named), m->turns, m->feed, m->tolerance,
-                           m->center.x, m->center.y, m->center.z}) add(x);
+    for (const double x : {double(m->kind), double(m->plane), double(m->unit), double(m->exact), double(m->named), m->turns, m->feed,
+                           m->tolerance, m->center.x, m->center.y, m->center.z})
+      add(x);
     for (std::size_t a = 0; a < 9; ++a) add(m->to[a]), add(m->machine[a]);
   } else if (const auto* d = std::get_if<Dwell>(&action.what)) {
     add(d->seconds);

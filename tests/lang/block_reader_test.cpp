@@ -26,7 +26,8 @@ std::ostream& operator<<(std::ostream& to, const Read& r) {
 
 class Reading {
  public:
-  Reading(const std::string& text, const Grammar& grammar, std::optional<Encoding> encoding = {}) : reader_(text_source(text), grammar, encoding) {}
+  Reading(const std::string& text, const Grammar& grammar, std::optional<Encoding> encoding = {})
+      : reader_(text_source(text), grammar, encoding) {}
   std::optional<Read> next() {
     Block block;
     const auto got = reader_.next(block);

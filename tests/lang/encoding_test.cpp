@@ -71,7 +71,7 @@ TEST(append_utf8, appends_behind_what_is_there) {
 
 TEST(append_utf8, byte_without_meaning_is_named_and_the_text_before_it_kept) {
   std::string text;
-  const Status status = append_utf8("N10 \x98", Encoding::cp1251, text);   // CP1251 has no character 0x98
+  const Status status = append_utf8("N10 \x98", Encoding::cp1251, text);  // CP1251 has no character 0x98
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().id, AlarmId::bad_encoding);
   EXPECT_EQ(status.error().where, (Span{4, 5}));
@@ -85,13 +85,11 @@ TEST(append_utf8, utf8_that_is_too_long_cut_or_a_surrogate_is_bad) {
   }
 }
 
-TEST(append_utf8, tape_loses_its_eighth_track) {
-  EXPECT_EQ(read(punched("N1G1X8000"), Encoding::iso7), "N1G1X8000\n");
-}
+TEST(append_utf8, tape_loses_its_eighth_track) { EXPECT_EQ(read(punched("N1G1X8000"), Encoding::iso7), "N1G1X8000\n"); }
 
 TEST(append_utf8, tape_row_of_odd_parity_is_named) {
   std::string text;
-  const Status status = append_utf8("N1", Encoding::iso7, text);   // '1' is 0x31: three holes; 'N' is 0x4E: four
+  const Status status = append_utf8("N1", Encoding::iso7, text);  // '1' is 0x31: three holes; 'N' is 0x4E: four
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().id, AlarmId::parity_error);
   EXPECT_EQ(status.error().args[0].number(), 2);
@@ -99,7 +97,7 @@ TEST(append_utf8, tape_row_of_odd_parity_is_named) {
 }
 
 TEST(append_utf8, tape_leaves_out_nul_del_and_cr) {
-  std::string rows("\0\xFF\x8D", 3);   // blank tape, all holes, CR with its parity
+  std::string rows("\0\xFF\x8D", 3);  // blank tape, all holes, CR with its parity
   EXPECT_EQ(read(rows + punched("N3") + rows, Encoding::iso7), "N3\n");
 }
 
@@ -118,8 +116,8 @@ TEST(detect_encoding, literal_end_of_block_is_enough) {
 }
 
 TEST(detect_encoding, one_word_is_enough) {
-  for (const char* word : {"СВЕРЛО", "ФРЕЗА", "РЕЗЬБА", "РЕЗЕЦ", "КАРМАН", "КОНЕЦ", "СТОП", "ПОДХОД", "ОСЬ", "ШАГ", "УГОЛ", "ДЕТАЛЬ",
-                           "сверло", "фреза", "резьба", "конец", "проход", "деталь", "ход", "Сверло", "Фреза", "Подвод"})
+  for (const char* word : {"СВЕРЛО", "ФРЕЗА",  "РЕЗЬБА", "РЕЗЕЦ",  "КАРМАН", "КОНЕЦ",  "СТОП",   "ПОДХОД", "ОСЬ",    "ШАГ",   "УГОЛ",
+                           "ДЕТАЛЬ", "сверло", "фреза",  "резьба", "конец",  "проход", "деталь", "ход",    "Сверло", "Фреза", "Подвод"})
     expect_detected("(" + std::string(word) + ")");
 }
 

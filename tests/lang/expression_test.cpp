@@ -22,7 +22,9 @@ struct Value {
 Value value_of(const std::string& text) {
   Block block;
   Cursor cursor{text, 0};
-  const auto named = [&](const Alarm& a) { return std::string(name_of(a.id)) + ": " + text.substr(a.where.begin, a.where.end - a.where.begin); };
+  const auto named = [&](const Alarm& a) {
+    return std::string(name_of(a.id)) + ": " + text.substr(a.where.begin, a.where.end - a.where.begin);
+  };
   const auto compiled = compile_value(cursor, grammar_of("mach3"), block);
   if (!compiled) return {{}, named(compiled.error())};
   if (cursor.at != text.size()) return {{}, "rest: " + text.substr(cursor.at)};
@@ -32,18 +34,35 @@ Value value_of(const std::string& text) {
 }
 
 TEST(expressions, have_the_values_of_the_manual) {
-  struct Case { const char* text; double value; };
+  struct Case {
+    const char* text;
+    double value;
+  };
   const Case cases[] = {
-      {"12.5", 12.5}, {"[2]", 2}, {"-[2]", -2}, {"[+2]", 2}, {"[--2]", 2},
-      {"#5", 50}, {"##2", 200}, {"#[1+1]", 20}, {"-#3", -30},
-      {"[1+2*3]", 7}, {"[[1+2]*3]", 9}, {"[7-2-1]", 4}, {"[8/4/2]", 1},
-      {"[2*3**2]", 18}, {"[2**3*2]", 16}, {"[2**3**2]", 64}, {"[-2**2]", 4},
-      {"[7 MOD 3]", 1}, {"[-7 MOD 3]", 2}, {"[7 mod -3]", 1}, {"[1+7MOD3]", 2},
-      {"[1 AND 0]", 0}, {"[2 and 3]", 1}, {"[1 OR 0]", 1}, {"[1 XOR 1]", 0}, {"[1 OR 0 AND 0]", 0}, {"[1+1 AND 0]", 0},
-      {"ABS[-3]", 3}, {"SQRT[9]", 3}, {"ROUND[2.5]", 3}, {"ROUND[-2.5]", -3}, {"FIX[2.8]", 2}, {"FIX[-2.8]", -3}, {"FUP[2.1]", 3},
-      {"FUP[-2.8]", -2}, {"EXP[0]", 1}, {"LN[1]", 0}, {"sin[90]", 1}, {"COS[90]", 0}, {"COS[180]", -1}, {"TAN[180]", 0},
-      {"ATAN[1]/[0]", 90}, {"ATAN[0]/[-1]", 180}, {"ATAN[-1]/[0]", -90}, {"[ATAN[0]/[1]/2]", 0},
-      {"[ 1 + 2 ]", 3}, {"[1.5.5]", NAN},
+      {"12.5", 12.5},         {"[2]", 2},
+      {"-[2]", -2},           {"[+2]", 2},
+      {"[--2]", 2},           {"#5", 50},
+      {"##2", 200},           {"#[1+1]", 20},
+      {"-#3", -30},           {"[1+2*3]", 7},
+      {"[[1+2]*3]", 9},       {"[7-2-1]", 4},
+      {"[8/4/2]", 1},         {"[2*3**2]", 18},
+      {"[2**3*2]", 16},       {"[2**3**2]", 64},
+      {"[-2**2]", 4},         {"[7 MOD 3]", 1},
+      {"[-7 MOD 3]", 2},      {"[7 mod -3]", 1},
+      {"[1+7MOD3]", 2},       {"[1 AND 0]", 0},
+      {"[2 and 3]", 1},       {"[1 OR 0]", 1},
+      {"[1 XOR 1]", 0},       {"[1 OR 0 AND 0]", 0},
+      {"[1+1 AND 0]", 0},     {"ABS[-3]", 3},
+      {"SQRT[9]", 3},         {"ROUND[2.5]", 3},
+      {"ROUND[-2.5]", -3},    {"FIX[2.8]", 2},
+      {"FIX[-2.8]", -3},      {"FUP[2.1]", 3},
+      {"FUP[-2.8]", -2},      {"EXP[0]", 1},
+      {"LN[1]", 0},           {"sin[90]", 1},
+      {"COS[90]", 0},         {"COS[180]", -1},
+      {"TAN[180]", 0},        {"ATAN[1]/[0]", 90},
+      {"ATAN[0]/[-1]", 180},  {"ATAN[-1]/[0]", -90},
+      {"[ATAN[0]/[1]/2]", 0}, {"[ 1 + 2 ]", 3},
+      {"[1.5.5]", NAN},
   };
   for (const Case& c : cases) {
     const Value value = value_of(c.text);
@@ -57,14 +76,20 @@ TEST(expressions, have_the_values_of_the_manual) {
 }
 
 TEST(expressions, that_are_wrong_name_the_place) {
-  struct Fault { const char* text; const char* alarm; };
+  struct Fault {
+    const char* text;
+    const char* alarm;
+  };
   const Fault faults[] = {
-      {"[1+]", "expression_syntax: ]"},        {"[]", "expression_syntax: ]"},         {"[1+2", "bracket_not_closed: ["},
-      {"[1 2]", "expression_syntax: 2"},       {"[1 ? 2]", "operator_unknown: ?"},     {"[1 EQ 2]", "operator_unknown: EQ"},
-      {"[1 GE 2]", "operator_unknown: GE"},    {"FOO[1]", "function_unknown: FOO"},    {"SIN 30", "function_unknown: SIN"},
-      {"ATAN[1]", "expression_syntax: ATAN[1]"}, {"[.]", "number_damaged: ."},         {"#", "expression_syntax: "},
-      {"[1/0]", "division_by_zero: /0"},       {"[5 MOD 0]", "division_by_zero: MOD 0"}, {"SQRT[-1]", "not_a_number: SQRT[-1]"},
-      {"LN[0]", "not_a_number: LN[0]"},        {"ASIN[2]", "not_a_number: ASIN[2]"},   {"TAN[90]", "not_a_number: TAN[90]"},
+      {"[1+]", "expression_syntax: ]"},       {"[]", "expression_syntax: ]"},
+      {"[1+2", "bracket_not_closed: ["},      {"[1 2]", "expression_syntax: 2"},
+      {"[1 ? 2]", "operator_unknown: ?"},     {"[1 EQ 2]", "operator_unknown: EQ"},
+      {"[1 GE 2]", "operator_unknown: GE"},   {"FOO[1]", "function_unknown: FOO"},
+      {"SIN 30", "function_unknown: SIN"},    {"ATAN[1]", "expression_syntax: ATAN[1]"},
+      {"[.]", "number_damaged: ."},           {"#", "expression_syntax: "},
+      {"[1/0]", "division_by_zero: /0"},      {"[5 MOD 0]", "division_by_zero: MOD 0"},
+      {"SQRT[-1]", "not_a_number: SQRT[-1]"}, {"LN[0]", "not_a_number: LN[0]"},
+      {"ASIN[2]", "not_a_number: ASIN[2]"},   {"TAN[90]", "not_a_number: TAN[90]"},
       {"[10**400]", "not_a_number: **400"},
   };
   for (const Fault& f : faults) EXPECT_EQ(value_of(f.text).alarm, f.alarm) << f.text;
@@ -79,8 +104,12 @@ TEST(expressions, nest_sixty_four_deep_and_no_deeper) {
 
 TEST(parameters, are_added_as_raw_digits) {
   const SampleVariables variables{{{1, 500}, {2, -300}, {0, 60}}};
-  struct Case { const char* text; double value; };
-  const Case cases[] = {{"X+R1", 0.5}, {"X-R1", -0.5}, {"XR1", 0.5}, {"Z-1200+R2", -1.5}, {"Z-1200-R2", -0.9}, {"Z1200+R1", 1.7}, {"Z-R2", 0.3}, {"F+R0", 60}};
+  struct Case {
+    const char* text;
+    double value;
+  };
+  const Case cases[] = {{"X+R1", 0.5},       {"X-R1", -0.5},    {"XR1", 0.5},  {"Z-1200+R2", -1.5},
+                        {"Z-1200-R2", -0.9}, {"Z1200+R1", 1.7}, {"Z-R2", 0.3}, {"F+R0", 60}};
   for (const Case& c : cases) {
     const Sample sample(c.text, words_of("s2c42"));
     ASSERT_EQ(sample.alarm, "") << c.text;
@@ -110,7 +139,7 @@ TEST(assignments, wait_until_the_block_is_carried_out) {
 
 // ---- the slow twin: works on the text itself, splitting it at its last operator of least binding
 
-using Twin = std::optional<double>;   // nothing: it has no value
+using Twin = std::optional<double>;  // nothing: it has no value
 Twin twin(std::string_view text);
 
 std::string_view trimmed(std::string_view text) {
@@ -222,7 +251,9 @@ RC_GTEST_PROP(expressions, have_the_value_of_the_slow_twin, ()) {
   const Value value = value_of(text);
   const Twin expected = twin(text.substr(1, text.size() - 2));
   RC_TAG(expected.has_value());
-  if (!(value.number == expected)) RC_FAIL(text + " gave " + (value.number ? number_text(*value.number) : value.alarm) + ", not " + (expected ? number_text(*expected) : "an alarm"));
+  if (!(value.number == expected))
+    RC_FAIL(text + " gave " + (value.number ? number_text(*value.number) : value.alarm) + ", not " +
+            (expected ? number_text(*expected) : "an alarm"));
 }
 
 }  // namespace

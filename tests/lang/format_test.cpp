@@ -91,7 +91,7 @@ TEST(descriptor, codes_and_numbers_have_no_point_with_ds_either) {
 
 TEST(descriptor, older_form_asks_for_every_digit) {
   const Grammar g = described(older);
-  EXPECT_FALSE(g.word('X').drop_zeros);   // X+154125 = 154.125
+  EXPECT_FALSE(g.word('X').drop_zeros);  // X+154125 = 154.125
   EXPECT_FALSE(g.word('F').drop_zeros);
   EXPECT_FALSE(g.word('N').drop_zeros);
   EXPECT_FALSE(g.word('X').point);
@@ -114,7 +114,7 @@ TEST(descriptor, of_2c42) {
   EXPECT_EQ(g.word('N').whole_digits, 5);
   EXPECT_EQ(g.word('K').whole_digits + g.word('K').fraction_digits, 7);
   EXPECT_EQ(g.word('R').whole_digits, 1);
-  EXPECT_FALSE(g.word('L').drop_zeros);   // L0801: zeros are not dropped
+  EXPECT_FALSE(g.word('L').drop_zeros);  // L0801: zeros are not dropped
   EXPECT_TRUE(g.word('H').drop_zeros);
   EXPECT_FALSE(g.word('E').sign);
   EXPECT_EQ(g.word('T').whole_digits, 2);

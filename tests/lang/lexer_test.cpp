@@ -12,8 +12,8 @@ using namespace test;
 
 struct Case {
   const char* text;
-  const char* words;    // values
-  const char* places;   // exact characters
+  const char* words;   // values
+  const char* places;  // exact characters
 };
 
 void expect_words(const Grammar& grammar, std::initializer_list<Case> cases) {
@@ -27,7 +27,7 @@ void expect_words(const Grammar& grammar, std::initializer_list<Case> cases) {
 
 struct Fault {
   const char* text;
-  const char* alarm;   // "id: the characters it stands at"
+  const char* alarm;  // "id: the characters it stands at"
 };
 
 void expect_alarms(const Grammar& grammar, std::initializer_list<Fault> faults) {
@@ -36,48 +36,48 @@ void expect_alarms(const Grammar& grammar, std::initializer_list<Fault> faults) 
 
 TEST(words, of_mach3_are_free) {
   expect_words(words_of("mach3"), {
-    // text                      words                   characters
-    {"G1 X10 Y-2.5",             "G1 X10 Y-2.5",         "G1|X10|Y-2.5|"},
-    {"g1x10y-2.5",               "G1 X10 Y-2.5",         "g1|x10|y-2.5|"},
-    {"G01X+.5Y5.",               "G1 X0.5 Y5",           "G01|X+.5|Y5.|"},
-    {"X - 3 Y\t+4",              "X-3 Y4",               "X - 3|Y\t+4|"},
-    {"X1 0 Y1 .5",               "X10 Y1.5",             "X1 0|Y1 .5|"},      // blanks mean nothing
-    {"G38.2 Z-10",               "G38.2 Z-10",           "G38.2|Z-10|"},
-    {"G0 G90 G17 X1",            "G0 G90 G17 X1",        "G0|G90|G17|X1|"},
-    {"X#1 Y[2+3] Z-#2",          "X? Y? Z?",             "X#1|Y[2+3]|Z-#2|"},
-    {"G1 (X5) X1 ; Y7",          "G1 X1",                "G1|X1|"},
-    {"G1 X1 // back",            "G1 X1",                "G1|X1|"},
-    {"% 12 G1",                  "",                     ""},
-  });
+                                      // text                      words                   characters
+                                      {"G1 X10 Y-2.5", "G1 X10 Y-2.5", "G1|X10|Y-2.5|"},
+                                      {"g1x10y-2.5", "G1 X10 Y-2.5", "g1|x10|y-2.5|"},
+                                      {"G01X+.5Y5.", "G1 X0.5 Y5", "G01|X+.5|Y5.|"},
+                                      {"X - 3 Y\t+4", "X-3 Y4", "X - 3|Y\t+4|"},
+                                      {"X1 0 Y1 .5", "X10 Y1.5", "X1 0|Y1 .5|"},  // blanks mean nothing
+                                      {"G38.2 Z-10", "G38.2 Z-10", "G38.2|Z-10|"},
+                                      {"G0 G90 G17 X1", "G0 G90 G17 X1", "G0|G90|G17|X1|"},
+                                      {"X#1 Y[2+3] Z-#2", "X? Y? Z?", "X#1|Y[2+3]|Z-#2|"},
+                                      {"G1 (X5) X1 ; Y7", "G1 X1", "G1|X1|"},
+                                      {"G1 X1 // back", "G1 X1", "G1|X1|"},
+                                      {"% 12 G1", "", ""},
+                                  });
 }
 
 TEST(words, of_2c42_count_increments_of_a_micrometre) {
   expect_words(words_of("s2c42"), {
-    {"G01 X8000 Y-12 Z+1",       "G1 X8 Y-0.012 Z0.001", "G01|X8000|Y-12|Z+1|"},
-    {"X0012 I9999999",           "X0.012 I9999.999",     "X0012|I9999999|"},
-    {"F300 S1000 T5 D02 E250",   "F300 S1000 T5 D2 E250", "F300|S1000|T5|D02|E250|"},
-    {"L0801 H5",                 "L801 H5",              "L0801|H5|"},
-    {"X+R1 Z-1200+R2 Y-R3",      "X? Z? Y?",             "X+R1|Z-1200+R2|Y-R3|"},
-    {"X5 M6 M8 M3 ПС",           "X0.005 M6 M8 M3",      "X5|M6|M8|M3|"},
-    {"G92 /2/ X10",              "G92 A2 X0.01",         "G92|/2/|X10|"},
-  });
+                                      {"G01 X8000 Y-12 Z+1", "G1 X8 Y-0.012 Z0.001", "G01|X8000|Y-12|Z+1|"},
+                                      {"X0012 I9999999", "X0.012 I9999.999", "X0012|I9999999|"},
+                                      {"F300 S1000 T5 D02 E250", "F300 S1000 T5 D2 E250", "F300|S1000|T5|D02|E250|"},
+                                      {"L0801 H5", "L801 H5", "L0801|H5|"},
+                                      {"X+R1 Z-1200+R2 Y-R3", "X? Z? Y?", "X+R1|Z-1200+R2|Y-R3|"},
+                                      {"X5 M6 M8 M3 ПС", "X0.005 M6 M8 M3", "X5|M6|M8|M3|"},
+                                      {"G92 /2/ X10", "G92 A2 X0.01", "G92|/2/|X10|"},
+                                  });
 }
 
 TEST(words, of_gost_follow_the_format) {
   expect_words(words_of("gost"), {
-    {"X8000 Y8. Z100",           "X8 Y8 Z1",             "X8000|Y8.|Z100|"},   // X+053, Z+042
-    {"F125",                     "F12.5",                "F125|"},            // F031
-    {"F12.5",                    "F12.5",                "F12.5|"},
-    {"T0404 M03",                "T404 M3",              "T0404|M03|"},
-    {"X-12.345 LF",              "X-12.345",             "X-12.345|"},
-  });
+                                     {"X8000 Y8. Z100", "X8 Y8 Z1", "X8000|Y8.|Z100|"},  // X+053, Z+042
+                                     {"F125", "F12.5", "F125|"},                         // F031
+                                     {"F12.5", "F12.5", "F12.5|"},
+                                     {"T0404 M03", "T404 M3", "T0404|M03|"},
+                                     {"X-12.345 LF", "X-12.345", "X-12.345|"},
+                                 });
 }
 
 TEST(words, of_correctors_take_a_second_number) {
   expect_words(words_of("correctors"), {
-    {"G01 Z+100. L17",           "G1 Z100 L17",          "G01|Z+100.|L17|"},
-    {"X -100 L2 15 M08",         "X-100 L2/15 M8",       "X -100|L2 15|M08|"},
-  });
+                                           {"G01 Z+100. L17", "G1 Z100 L17", "G01|Z+100.|L17|"},
+                                           {"X -100 L2 15 M08", "X-100 L2/15 M8", "X -100|L2 15|M08|"},
+                                       });
 }
 
 TEST(words, after_an_alarm_are_those_before_it) {
@@ -88,58 +88,58 @@ TEST(words, after_an_alarm_are_those_before_it) {
 
 TEST(alarms_of_words, on_mach3) {
   expect_alarms(words_of("mach3"), {
-    {"G1 X",        "number_missing: X"},
-    {"G1 X Y2",     "function_unknown: Y"},          // X takes a function: Y is none
-    {"G1 X1..5",    "number_damaged: ."},
-    {"G1 X.",       "number_damaged: X."},
-    {"G1 E5",       "address_unknown: E"},
-    {"G1 X1 ? Y2",  "unexpected_character: ?"},
-    {"G1 X1 Ж Y2",  "unexpected_character: Ж"},
-    {"M3 M7 M8 M48 M6", "too_many_codes: M"},
-    {"X1 N5",       "block_number_position: N5"},
-    {"N5 N6",       "address_twice: N6"},
-    {"G1 X1 /2",    "skip_position: /"},
-    {"G1 (X1",      "comment_not_closed: ("},
-    {"F-5",         ""},                             // a sign is read; the range is the control's matter
-    {"#1 5",        "expression_syntax: #1 5"},
-    {"X[1+2",       "bracket_not_closed: ["},
-    {"G1.05",       "code_unknown: G1.05"},
-    {"X1\x01",      "control_character: \x01"},
-  });
+                                       {"G1 X", "number_missing: X"},
+                                       {"G1 X Y2", "function_unknown: Y"},  // X takes a function: Y is none
+                                       {"G1 X1..5", "number_damaged: ."},
+                                       {"G1 X.", "number_damaged: X."},
+                                       {"G1 E5", "address_unknown: E"},
+                                       {"G1 X1 ? Y2", "unexpected_character: ?"},
+                                       {"G1 X1 Ж Y2", "unexpected_character: Ж"},
+                                       {"M3 M7 M8 M48 M6", "too_many_codes: M"},
+                                       {"X1 N5", "block_number_position: N5"},
+                                       {"N5 N6", "address_twice: N6"},
+                                       {"G1 X1 /2", "skip_position: /"},
+                                       {"G1 (X1", "comment_not_closed: ("},
+                                       {"F-5", ""},  // a sign is read; the range is the control's matter
+                                       {"#1 5", "expression_syntax: #1 5"},
+                                       {"X[1+2", "bracket_not_closed: ["},
+                                       {"G1.05", "code_unknown: G1.05"},
+                                       {"X1\x01", "control_character: \x01"},
+                                   });
 }
 
 TEST(alarms_of_words, on_2c42_by_digits_and_signs) {
   expect_alarms(words_of("s2c42"), {
-    {"X12345678",   "too_many_digits: X12345678"},
-    {"X1.5",        "point_not_allowed: X1.5"},
-    {"F123456",     "too_many_digits: F123456"},
-    {"F-3",         "sign_not_allowed: -"},
-    {"N123456 X1",  "too_many_digits: N123456"},
-    {"G100",        "too_many_digits: G100"},
-    {"X5 X6",       "address_twice: X"},
-    {"M1 M2 M3 M4 M5 M6", "too_many_codes: M"},
-    {"X5+6",        "parameter_not_allowed: +6"},
-    {"L+R1",        "parameter_not_allowed: L+R"},
-    {"TR1",         "parameter_not_allowed: TR"},
-    {"R2+50 R2+51", "address_twice: R2+51"},
-    {"R123456789",  "too_many_digits: R123456789"},  // R1 and eight digits
-    {"W5",          "address_unknown: W"},
-    {"С5",          "address_unknown: С"},           // Cyrillic: the Latin C is meant
-    {"X1 (5%)",     "comment_character: %"},
-    {"X1 (5:)",     "comment_character: :"},
-  });
+                                       {"X12345678", "too_many_digits: X12345678"},
+                                       {"X1.5", "point_not_allowed: X1.5"},
+                                       {"F123456", "too_many_digits: F123456"},
+                                       {"F-3", "sign_not_allowed: -"},
+                                       {"N123456 X1", "too_many_digits: N123456"},
+                                       {"G100", "too_many_digits: G100"},
+                                       {"X5 X6", "address_twice: X"},
+                                       {"M1 M2 M3 M4 M5 M6", "too_many_codes: M"},
+                                       {"X5+6", "parameter_not_allowed: +6"},
+                                       {"L+R1", "parameter_not_allowed: L+R"},
+                                       {"TR1", "parameter_not_allowed: TR"},
+                                       {"R2+50 R2+51", "address_twice: R2+51"},
+                                       {"R123456789", "too_many_digits: R123456789"},  // R1 and eight digits
+                                       {"W5", "address_unknown: W"},
+                                       {"С5", "address_unknown: С"},  // Cyrillic: the Latin C is meant
+                                       {"X1 (5%)", "comment_character: %"},
+                                       {"X1 (5:)", "comment_character: :"},
+                                   });
 }
 
 TEST(alarms_of_words, on_gost_by_the_format) {
   expect_alarms(words_of("gost"), {
-    {"X1234567890", "too_many_digits: X1234567890"},
-    {"X1.2345",     "too_many_decimals: X1.2345"},
-    {"G0 G1 G2 G3", "too_many_codes: G"},
-  });
+                                      {"X1234567890", "too_many_digits: X1234567890"},
+                                      {"X1.2345", "too_many_decimals: X1.2345"},
+                                      {"G0 G1 G2 G3", "too_many_codes: G"},
+                                  });
 }
 
 TEST(look_alikes, are_understood_with_a_warning_at_the_letter) {
-  const Sample sample("N1 Х5000 М3", words_of("s2c42"));   // Cyrillic Х and М
+  const Sample sample("N1 Х5000 М3", words_of("s2c42"));  // Cyrillic Х and М
   EXPECT_EQ(sample.alarm, "");
   EXPECT_EQ(shown(sample.block), "X5 M3");
   ASSERT_EQ(sample.block.warnings.size(), 2u);
@@ -193,7 +193,7 @@ TEST(comments, are_kept) {
 
 TEST(block_length, counts_characters_not_bytes) {
   const std::string comment = "(" + std::string(70, 'a') + ")";
-  EXPECT_EQ(Sample("N1 X5000" + comment, grammar_of("s2c42")).alarm, "");   // 80
+  EXPECT_EQ(Sample("N1 X5000" + comment, grammar_of("s2c42")).alarm, "");  // 80
   EXPECT_TRUE(Sample("N1 X50000" + comment, grammar_of("s2c42")).alarm.starts_with("block_too_long: N1 X50000"));
   std::string russian = "N1 X5000(";
   for (int i = 0; i < 70; ++i) russian += "Ж";

@@ -32,8 +32,7 @@ constexpr std::size_t window = 256 * 1024;
 
 std::vector<Read> all_lines(LineReader& reader) {
   std::vector<Read> lines;
-  for (Line line; reader.next(line);)
-    lines.push_back({std::string(line.bytes), line.offset, line.number, line.ended, line.too_long});
+  for (Line line; reader.next(line);) lines.push_back({std::string(line.bytes), line.offset, line.number, line.ended, line.too_long});
   return lines;
 }
 
@@ -58,8 +57,8 @@ std::vector<Read> naive_split(const std::string& text) {
     std::string bytes = text.substr(begin, end == std::string::npos ? end : end - begin);
     while (!bytes.empty() && bytes.back() == '\r') bytes.pop_back();
     const bool too_long = bytes.size() > limits::line_bytes;
-    lines.push_back({bytes.substr(0, limits::line_bytes), begin, static_cast<std::uint32_t>(lines.size() + 1),
-                     end != std::string::npos, too_long});
+    lines.push_back(
+        {bytes.substr(0, limits::line_bytes), begin, static_cast<std::uint32_t>(lines.size() + 1), end != std::string::npos, too_long});
     begin = end == std::string::npos ? text.size() : end + 1;
   }
   return lines;
@@ -85,8 +84,7 @@ TEST(line_reader, byte_order_mark_is_passed_over) {
 
 TEST(line_reader, longest_line) {
   const std::string longest(limits::line_bytes, 'x');
-  EXPECT_EQ(lines_of(longest + "\r\nb\n"),
-            (std::vector<Read>{{longest, 0, 1, true, false}, {"b", longest.size() + 2, 2, true, false}}));
+  EXPECT_EQ(lines_of(longest + "\r\nb\n"), (std::vector<Read>{{longest, 0, 1, true, false}, {"b", longest.size() + 2, 2, true, false}}));
 }
 
 TEST(line_reader, longer_line_is_returned_once_and_passed_over) {
@@ -146,10 +144,10 @@ TEST(line_reader, one_read_a_window) {
 
 TEST(line_reader, loop_across_the_border_of_windows_is_read_few_times) {
   std::string text;
-  while (text.size() < 2 * window) text += "N10 G1 X100 Y100\n";   // 17 bytes
+  while (text.size() < 2 * window) text += "N10 G1 X100 Y100\n";  // 17 bytes
   int reads = 0;
   LineReader reader(std::make_unique<CountingSource>(text, reads));
-  const std::uint64_t begin = (window / 17 - 500) * 17;   // 500 lines before the border to 500 behind it
+  const std::uint64_t begin = (window / 17 - 500) * 17;  // 500 lines before the border to 500 behind it
   for (int i = 0; i < 100; ++i) {
     reader.seek(begin, 1);
     Line line;
@@ -171,18 +169,17 @@ RC_GTEST_PROP(line_reader_against_the_naive_split, short_texts, ()) {
 }
 
 RC_GTEST_PROP(line_reader_against_the_naive_split, around_the_border_of_windows, ()) {
-  const auto piece = rc::gen::oneOf(
-      rc::gen::map(rc::gen::inRange<std::size_t>(0, 100), [](std::size_t n) { return std::string(n, 'x'); }),
-      rc::gen::map(rc::gen::inRange<std::size_t>(65500, 65600), [](std::size_t n) { return std::string(n, 'y'); }),
-      rc::gen::map(rc::gen::inRange<std::size_t>(131000, 131200), [](std::size_t n) { return std::string(n, 'z'); }),
-      rc::gen::element<std::string>("\n", "\r\n", "\r", "\n\n", "\r\r\n"));
+  const auto piece =
+      rc::gen::oneOf(rc::gen::map(rc::gen::inRange<std::size_t>(0, 100), [](std::size_t n) { return std::string(n, 'x'); }),
+                     rc::gen::map(rc::gen::inRange<std::size_t>(65500, 65600), [](std::size_t n) { return std::string(n, 'y'); }),
+                     rc::gen::map(rc::gen::inRange<std::size_t>(131000, 131200), [](std::size_t n) { return std::string(n, 'z'); }),
+                     rc::gen::element<std::string>("\n", "\r\n", "\r", "\n\n", "\r\r\n"));
   std::string text;
   const auto border = *rc::gen::inRange<std::size_t>(window - 40, window + 40);
-  for (const auto& p : *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>("a", "bb", "\n", "\r\n")))
-    text += p;
+  for (const auto& p : *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>("a", "bb", "\n", "\r\n"))) text += p;
   text += std::string(border / 4, 'q') + "\n";
   while (text.size() + 60000 < border) text += std::string(50000, 'p') + "\n";
-  text.resize(border, 'o');   // what follows stands around the border
+  text.resize(border, 'o');  // what follows stands around the border
   for (const auto& p : *rc::gen::container<std::vector<std::string>>(piece)) text += p;
   RC_ASSERT(lines_of(text) == naive_split(text));
 }

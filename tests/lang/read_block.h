@@ -59,7 +59,9 @@ struct Sample {
   Sample(std::string line, const Grammar& grammar, std::size_t from = 0) : text(std::move(line)) {
     const auto result = lex_block(text, from, true, grammar, block);
     if (result) lexed = *result;
-    else alarm = std::string(name_of(result.error().id)) + ": " + text.substr(result.error().where.begin, result.error().where.end - result.error().where.begin);
+    else
+      alarm = std::string(name_of(result.error().id)) + ": " +
+              text.substr(result.error().where.begin, result.error().where.end - result.error().where.begin);
   }
 };
 

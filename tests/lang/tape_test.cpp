@@ -24,18 +24,16 @@ TEST(tape_parity, number_of_holes_is_even) {
 }
 
 TEST(tape_parity, codes_of_the_table) {
-  EXPECT_EQ(with_even_parity(045), 0245);    // %: three holes and the eighth
-  EXPECT_EQ(with_even_parity(012), 012);     // ПС: two holes
-  EXPECT_EQ(with_even_parity(0130), 0330);   // X: three
+  EXPECT_EQ(with_even_parity(045), 0245);   // %: three holes and the eighth
+  EXPECT_EQ(with_even_parity(012), 012);    // ПС: two holes
+  EXPECT_EQ(with_even_parity(0130), 0330);  // X: three
 }
 
 TEST(encode_tape, block_by_hand) {
-  EXPECT_EQ(encoded("%\nN1\n"), "\xA5\x0A\x4E\xB1\x0A");   // N 0x4E four holes, 1 0x31 three
+  EXPECT_EQ(encoded("%\nN1\n"), "\xA5\x0A\x4E\xB1\x0A");  // N 0x4E four holes, 1 0x31 three
 }
 
-TEST(encode_tape, leader_and_trailer_are_blank) {
-  EXPECT_EQ(encode_tape("N3\n", 2).value(), std::string("\0\0\x4E\x33\x0A\0\0", 7));
-}
+TEST(encode_tape, leader_and_trailer_are_blank) { EXPECT_EQ(encode_tape("N3\n", 2).value(), std::string("\0\0\x4E\x33\x0A\0\0", 7)); }
 
 TEST(encode_tape, literal_end_of_block_becomes_the_line_feed) {
   for (const char* text : {"N1 M2 ПС\n", "N1 M2 LF\n", "N1 M2ПС\n", "N1 M2  ПС  \n", "N1 M2 LF\r\n", "N1 M2 ПС"})
@@ -76,7 +74,7 @@ TEST(decode_tape, blank_and_deleted_rows_and_cr_give_nothing) {
 }
 
 TEST(decode_tape, odd_row_is_a_question_mark_and_a_fault) {
-  const TapeText tape = decode_tape("N1\n");   // '1' has three holes
+  const TapeText tape = decode_tape("N1\n");  // '1' has three holes
   EXPECT_EQ(tape.text, "N?\n");
   ASSERT_EQ(tape.faults.size(), 1u);
   EXPECT_EQ(tape.faults[0].row, 2u);
@@ -92,18 +90,18 @@ TEST(decode_tape, no_more_than_a_thousand_faults_are_listed) {
 }
 
 TEST(decode_tape, each_line_begins_with_latin_letters) {
-  const std::string open_comment = {static_cast<char>(0x8E), static_cast<char>(0xF3), 0x0A, 0x4E};   // SO С LF N
+  const std::string open_comment = {static_cast<char>(0x8E), static_cast<char>(0xF3), 0x0A, 0x4E};  // SO С LF N
   EXPECT_EQ(decode_tape(open_comment).text, "С\nN");
 }
 
 TEST(decode_tape, digits_are_the_same_among_russian_letters) {
-  const std::string rows = {static_cast<char>(0x8E), static_cast<char>(0xF3), 0x33};   // SO С 3
+  const std::string rows = {static_cast<char>(0x8E), static_cast<char>(0xF3), 0x33};  // SO С 3
   EXPECT_EQ(decode_tape(rows).text, "С3");
 }
 
 RC_GTEST_PROP(tape_round_trip, text_of_the_code_comes_back, ()) {
-  const std::vector<std::string> characters = {"N", "1", "0", " ", "(", ")", "%", "X", "+", "z", "~", "_", "@", "\t", "\n",
-                                               "А", "я", "Я", "ю", "ъ", "Ч", "П", "С", "L", "F", "Г"};
+  const std::vector<std::string> characters = {"N",  "1",  "0", " ", "(", ")", "%", "X", "+", "z", "~", "_", "@",
+                                               "\t", "\n", "А", "я", "Я", "ю", "ъ", "Ч", "П", "С", "L", "F", "Г"};
   std::string text;
   for (const auto& c : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(characters))) text += c;
   text += "\n";

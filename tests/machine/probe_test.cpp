@@ -2,15 +2,15 @@
 
 #include "machine/probe.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include <cmath>
 
 namespace kadr {
 namespace {
 
-const ProbeHole hole{2, 50, 20, 40, 0, 30};   // tip 2, centre X50 Y20, diameter 40, top 0, depth 30
+const ProbeHole hole{2, 50, 20, 40, 0, 30};  // tip 2, centre X50 Y20, diameter 40, top 0, depth 30
 
 Vec3 touch(Vec3 from, Vec3 to) {
   const auto part = first_touch(hole, from, to);
@@ -27,24 +27,24 @@ TEST(probe, wall) {
 }
 
 TEST(probe, faces) {
-  expect_at(touch({50, 20, 10}, {50, 20, -100}), {50, 20, -28});   // bottom
-  expect_at(touch({100, 20, 10}, {100, 20, -10}), {100, 20, 2});   // top face
+  expect_at(touch({50, 20, 10}, {50, 20, -100}), {50, 20, -28});  // bottom
+  expect_at(touch({100, 20, 10}, {100, 20, -10}), {100, 20, 2});  // top face
 }
 
 TEST(probe, rim) {
-  expect_at(touch({69, 20, 10}, {69, 20, -10}), {69, 20, std::sqrt(3)});   // 1 mm inside the edge
+  expect_at(touch({69, 20, 10}, {69, 20, -10}), {69, 20, std::sqrt(3)});  // 1 mm inside the edge
   expect_at(touch({50, 20, 1}, {100, 20, 1}), {70 - std::sqrt(3), 20, 1});
 }
 
 TEST(probe, free_ways) {
   EXPECT_FALSE(first_touch(hole, {50, 20, 10}, {50, 20, -20}));
   EXPECT_FALSE(first_touch(hole, {0, 0, 5}, {200, 100, 5}));
-  EXPECT_FALSE(first_touch(hole, {68, 20, -5}, {50, 20, -5}));   // away from the wall it touches
+  EXPECT_FALSE(first_touch(hole, {68, 20, -5}, {50, 20, -5}));  // away from the wall it touches
   EXPECT_FALSE(first_touch(hole, {100, 20, 2}, {100, 20, 20}));
 }
 
 TEST(probe, in_touch_already) {
-  EXPECT_EQ(first_touch(hole, {69, 20, -5}, {50, 20, -5}), 0.0);     // inside the material
+  EXPECT_EQ(first_touch(hole, {69, 20, -5}, {50, 20, -5}), 0.0);  // inside the material
   EXPECT_NEAR(*first_touch(hole, {68, 20, -5}, {80, 20, -5}), 0, 1e-9);
 }
 

@@ -31,7 +31,7 @@ TEST(virtual_machine, limit_of_the_profile) {
   EXPECT_EQ(refused.error().args[0].text(), "X");
   EXPECT_EQ(refused.error().args[1].number(), 100.5);
   EXPECT_EQ(refused.error().args[2].number(), 100);
-  EXPECT_EQ(m.position().work[1], 0);   // nothing has moved
+  EXPECT_EQ(m.position().work[1], 0);  // nothing has moved
 }
 
 TEST(virtual_machine, the_setup_goes_before_the_profile) {

@@ -63,7 +63,7 @@ TEST(estimate, split) {
   estimate.other({{}, Dwell{2.5}});
   estimate.other({{}, ToolChange{3}});
   estimate.other({{}, Spindle{SpindleDir::cw, 500}});
-  estimate.other({{}, Spindle{SpindleDir::cw, 600}});   // turns already
+  estimate.other({{}, Spindle{SpindleDir::cw, 600}});  // turns already
   EXPECT_DOUBLE_EQ(estimate.split().dwell, 2.5);
   EXPECT_DOUBLE_EQ(estimate.split().tool_change, 12);
 }

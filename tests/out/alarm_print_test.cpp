@@ -3,6 +3,7 @@
 #include "out/alarm_print.h"
 
 #include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
 
 #include "out/source_line.h"
@@ -20,7 +21,7 @@ AlarmReport report() {
   AlarmReport r;
   r.alarm = alarm(AlarmId::radius_mismatch, {20, 25}, 3.05, 6.82);
   r.file = "дет 1.nc";
-  r.line_text = "N2 (дуга)\tG02 X5 I0 J3";   // G02 begins after 5 + 8 + 2 bytes
+  r.line_text = "N2 (дуга)\tG02 X5 I0 J3";  // G02 begins after 5 + 8 + 2 bytes
   r.alarm.where = {14, 17};
   r.origin = {2, 1, 2, true, false, 1, 1};
   r.calls = {{"L02", 10, 100, true}, {"H3", 15, 0, false}};
@@ -60,9 +61,7 @@ TEST(alarm_print, long_lines_are_clipped_around_the_place) {
   EXPECT_EQ(text.find("^~") - end - 1, text.find("XX") - 2);
 }
 
-TEST(alarm_print, control_characters_do_not_reach_the_terminal) {
-  EXPECT_EQ(marked_line("a\x1b[2Jb\x7f", {1, 2}), "  a␛[2Jb␡\n   ^\n");
-}
+TEST(alarm_print, control_characters_do_not_reach_the_terminal) { EXPECT_EQ(marked_line("a\x1b[2Jb\x7f", {1, 2}), "  a␛[2Jb␡\n   ^\n"); }
 
 TEST(alarm_print, json) {
   const auto all = nlohmann::json::parse(findings_json({finding_of(report(), texts(), Lang::en)}));
@@ -79,8 +78,8 @@ TEST(alarm_print, json) {
 TEST(alarm_print, sarif) {
   AlarmReport other = report();
   other.alarm = warning(AlarmId::look_alike_letter, {0, 2}, "С", "C");
-  const auto log = nlohmann::json::parse(
-      findings_sarif({finding_of(report(), texts(), Lang::en), finding_of(other, texts(), Lang::en), finding_of(report(), texts(), Lang::en)}, "0.1.0"));
+  const auto log = nlohmann::json::parse(findings_sarif(
+      {finding_of(report(), texts(), Lang::en), finding_of(other, texts(), Lang::en), finding_of(report(), texts(), Lang::en)}, "0.1.0"));
   EXPECT_EQ(log.at("version"), "2.1.0");
   EXPECT_TRUE(log.at("$schema").get<std::string>().ends_with("sarif-2.1.0.json"));
   const auto& run = log.at("runs").at(0);

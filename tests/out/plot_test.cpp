@@ -2,13 +2,13 @@
 
 #include "out/plot.h"
 
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "actions.h"
 #include "out/plot_view.h"
@@ -66,7 +66,7 @@ RC_GTEST_PROP(plot_path, never_holds_more_than_it_may, ()) {
     RC_ASSERT(path.points().size() <= most);
   }
   RC_ASSERT(path.tolerance() > 0);
-  RC_ASSERT(path.box().most.x >= box.most.x && path.box().least.y <= box.least.y);   // extents stay right
+  RC_ASSERT(path.box().most.x >= box.most.x && path.box().least.y <= box.least.y);  // extents stay right
 }
 
 TEST(plot_view, round_steps) {

@@ -2,12 +2,12 @@
 
 #include "out/trace.h"
 
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
 #include <cstdlib>
 #include <functional>
-
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <rapidcheck/gtest.h>
 
 #include "actions.h"
 
@@ -50,32 +50,51 @@ std::string line_of_what(const T& what) {
 TEST(trace, motions) {
   Motion m = straight(rapid, {1, -2.5, 0});
   m.machine = {101, 0, -0.0};
-  EXPECT_EQ(line_of(action(m, 7)), R"({"do":"rapid","line":7,"col":1,"to":{"X":1,"Y":-2.5,"Z":0},"machine":{"X":101,"Y":0,"Z":0}})" "\n");
+  EXPECT_EQ(line_of(action(m, 7)), R"({"do":"rapid","line":7,"col":1,"to":{"X":1,"Y":-2.5,"Z":0},"machine":{"X":101,"Y":0,"Z":0}})"
+                                   "\n");
   m = straight(feed, {0.1 + 0.2, -1e-12, 0}, 120);
   m.exact = true;
   EXPECT_EQ(line_of_what(m), R"({"do":"feed","block":"N010","line":3,"col":5,"to":{"X":0.3,"Y":0,"Z":0},"machine":{"X":0.3,"Y":0,"Z":0},)"
-                             R"("feed":120,"unit":"mm/min","exact":true})" "\n");
+                             R"("feed":120,"unit":"mm/min","exact":true})"
+                             "\n");
 }
 
 TEST(trace, arcs_name_their_plane_and_its_two_centres) {
   Motion m = arc(arc_cw, {10, 0, 0}, {5, 6, 7}, 0.5, Plane::zx);
   m.unit = FeedUnit::mm_per_rev;
   EXPECT_EQ(line_of(action(m)), R"({"do":"arc_cw","line":1,"col":1,"to":{"X":10,"Y":0,"Z":0},"machine":{"X":10,"Y":0,"Z":0},)"
-                                R"("center":{"Z":7,"X":5},"plane":"ZX","turns":0.5,"feed":100,"unit":"mm/rev","exact":false})" "\n");
+                                R"("center":{"Z":7,"X":5},"plane":"ZX","turns":0.5,"feed":100,"unit":"mm/rev","exact":false})"
+                                "\n");
 }
 
 TEST(trace, other_actions) {
   const std::string head = R"(","block":"N010","line":3,"col":5)";
-  EXPECT_EQ(line_of_what(Dwell{2.5}), R"({"do":"dwell)" + head + R"(,"seconds":2.5})" "\n");
-  EXPECT_EQ(line_of_what(Spindle{SpindleDir::ccw, 600}), R"({"do":"spindle)" + head + R"(,"spindle":1,"dir":"ccw","rpm":600})" "\n");
-  EXPECT_EQ(line_of_what(Speed{700, false}), R"({"do":"speed)" + head + R"(,"spindle":1,"rpm":700})" "\n");
-  EXPECT_EQ(line_of_what(CoolantSwitch{Coolant::flood}), R"({"do":"coolant)" + head + R"(,"what":"flood","code":"M8"})" "\n");
-  EXPECT_EQ(line_of_what(ToolSelect{4, 0}), R"({"do":"tool)" + head + R"(,"tool":4})" "\n");
-  EXPECT_EQ(line_of_what(ToolChange{4}), R"({"do":"toolchange)" + head + R"(,"tool":4})" "\n");
-  EXPECT_EQ(line_of_what(MachineFunction{78}), R"({"do":"m)" + head + R"(,"code":"M78"})" "\n");
+  EXPECT_EQ(line_of_what(Dwell{2.5}), R"({"do":"dwell)" + head +
+                                          R"(,"seconds":2.5})"
+                                          "\n");
+  EXPECT_EQ(line_of_what(Spindle{SpindleDir::ccw, 600}), R"({"do":"spindle)" + head +
+                                                             R"(,"spindle":1,"dir":"ccw","rpm":600})"
+                                                             "\n");
+  EXPECT_EQ(line_of_what(Speed{700, false}), R"({"do":"speed)" + head +
+                                                 R"(,"spindle":1,"rpm":700})"
+                                                 "\n");
+  EXPECT_EQ(line_of_what(CoolantSwitch{Coolant::flood}), R"({"do":"coolant)" + head +
+                                                             R"(,"what":"flood","code":"M8"})"
+                                                             "\n");
+  EXPECT_EQ(line_of_what(ToolSelect{4, 0}), R"({"do":"tool)" + head +
+                                                R"(,"tool":4})"
+                                                "\n");
+  EXPECT_EQ(line_of_what(ToolChange{4}), R"({"do":"toolchange)" + head +
+                                             R"(,"tool":4})"
+                                             "\n");
+  EXPECT_EQ(line_of_what(MachineFunction{78}), R"({"do":"m)" + head +
+                                                   R"(,"code":"M78"})"
+                                                   "\n");
   EXPECT_EQ(line_of_what(Stop{false}), R"({"do":"stop)" + head + "}\n");
   EXPECT_EQ(line_of_what(Stop{true}), R"({"do":"optional_stop)" + head + "}\n");
-  EXPECT_EQ(line_of_what(Message{"„Фреза\" \\ \x01"}), R"({"do":"message)" + head + R"(,"text":"„Фреза\" \\ \u0001"})" "\n");
+  EXPECT_EQ(line_of_what(Message{"„Фреза\" \\ \x01"}), R"({"do":"message)" + head +
+                                                           R"(,"text":"„Фреза\" \\ \u0001"})"
+                                                           "\n");
   EXPECT_EQ(line_of_what(FrameChange{}), "");
 }
 
@@ -94,7 +113,9 @@ TEST(trace, points_within_a_motion) {
   Motion m = arc(arc_ccw, {-10, 0, 0}, {}, 0.5);
   m.machine[0] = 90;
   const std::string line = traced([&](TraceWriter& w) { w.write(action(m)); }, {0.5, 1}, {{10, 0, 0}, {110, 0, 0}});
-  EXPECT_NE(line.find(R"(,"points":[{"part":0.5,"to":{"X":0,"Y":10,"Z":0},"machine":{"X":100,"Y":10,"Z":0}},{"part":1,"to":{"X":-10,)"), std::string::npos) << line;
+  EXPECT_NE(line.find(R"(,"points":[{"part":0.5,"to":{"X":0,"Y":10,"Z":0},"machine":{"X":100,"Y":10,"Z":0}},{"part":1,"to":{"X":-10,)"),
+            std::string::npos)
+      << line;
 }
 
 TEST(trace, last_line) {
@@ -103,7 +124,9 @@ TEST(trace, last_line) {
   ending.variables = {{"#100", 2.5}};
   ending.watched_unset = {{"#101", true}};
   ending.modal = {"G1", "G90"};
-  const std::string state = R"(,"position":{"X":1,"Y":2,"Z":3},"machine_position":{"X":0,"Y":0,"Z":0},"variables":{"#100":2.5,"#101":null},"modal":["G1","G90"]})" "\n";
+  const std::string state =
+      R"(,"position":{"X":1,"Y":2,"Z":3},"machine_position":{"X":0,"Y":0,"Z":0},"variables":{"#100":2.5,"#101":null},"modal":["G1","G90"]})"
+      "\n";
   EXPECT_EQ(traced([&](TraceWriter& w) { w.finish(ending); }), R"({"do":"end")" + state);
 
   ControlDef def;
@@ -112,8 +135,10 @@ TEST(trace, last_line) {
   report.alarm = alarm(AlarmId::radius_mismatch, {}, 3.05, "x\"y");
   report.origin = {2, 4, 2, true, false, 1, 0};
   const AlarmTexts texts = AlarmTexts::load(&def).value();
-  EXPECT_EQ(traced([&](TraceWriter& w) { w.finish(ending, report, texts, Lang::ru); }),
-            R"({"do":"alarm","block":"N2","line":2,"col":4,"id":"radius_mismatch","number":2012,"text":"Радиусы 3.05 и x\"y","args":[3.05,"x\"y"])" + state);
+  EXPECT_EQ(
+      traced([&](TraceWriter& w) { w.finish(ending, report, texts, Lang::ru); }),
+      R"({"do":"alarm","block":"N2","line":2,"col":4,"id":"radius_mismatch","number":2012,"text":"Радиусы 3.05 и x\"y","args":[3.05,"x\"y"])" +
+          state);
 }
 
 std::string number(double value) {

@@ -86,7 +86,9 @@ RandomArc random_arc() {
   const auto number = [](int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000) / 1000.0; };
   RandomArc a;
   const auto plane = *rc::gen::inRange(0, 3);
-  const std::array<std::size_t, 2> in = plane == 0 ? std::array<std::size_t, 2>{0, 1} : plane == 1 ? std::array<std::size_t, 2>{2, 0} : std::array<std::size_t, 2>{1, 2};
+  const std::array<std::size_t, 2> in = plane == 0   ? std::array<std::size_t, 2>{0, 1}
+                                        : plane == 1 ? std::array<std::size_t, 2>{2, 0}
+                                                     : std::array<std::size_t, 2>{1, 2};
   const double radius = number(1, 100), start = number(-180, 180), turns = number(0, 4) + 0.001, grown = radius + number(0, 1) * 0.01;
   const double sign = *rc::gen::arbitrary<bool>() ? 1 : -1;
   std::array<double, 3> center{number(-50, 50), number(-50, 50), number(-50, 50)};
@@ -170,7 +172,7 @@ RC_GTEST_PROP(curve, pieces_keep_the_chord, ()) {
   const Axes p = curve.at(0), q = curve.at(0.5 / n), r = curve.at(1.0 / n);
   double gap = 0;
   for (std::size_t k = 0; k < 3; ++k) gap = std::hypot(gap, q[k] - (p[k] + r[k]) / 2);
-  RC_ASSERT(gap <= chord * 1.001 + 0.01);   // the radius grows by 0.01
+  RC_ASSERT(gap <= chord * 1.001 + 0.01);  // the radius grows by 0.01
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t corrected_axes = 3;   // X, Y, Z
+constexpr std::size_t corrected_axes = 3;  // X, Y, Z
 
 /// Which axes and which corrector an L word names.
 struct Named {
@@ -90,7 +90,7 @@ Status corrector_cancel(Machinery& m, const Call& call) {
 Status pocket_define(Machinery& m, const Call& call) {
   for (const char letter : {'X', 'Y', 'Z', 'R', 'I', 'J', 'K'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
-  constexpr double most_stepover = 40;   // % of the tool's diameter (spec/correctors 3)
+  constexpr double most_stepover = 40;  // % of the tool's diameter (spec/correctors 3)
   PocketCycle p;
   p.defined = true;
   p.x = m.value('X');
@@ -101,7 +101,8 @@ Status pocket_define(Machinery& m, const Call& call) {
   p.stepover = m.value('I');
   p.direction = m.value('J');
   p.pass = m.value('K');
-  if (!(p.stepover > 0 && p.stepover <= most_stepover)) return fail(alarm(AlarmId::stepover_out_of_range, m.where('I'), p.stepover, most_stepover));
+  if (!(p.stepover > 0 && p.stepover <= most_stepover))
+    return fail(alarm(AlarmId::stepover_out_of_range, m.where('I'), p.stepover, most_stepover));
   if (std::fabs(p.direction) != 1) return fail(alarm(AlarmId::value_out_of_range, m.where('J'), 'J', p.direction));
   if (!(p.pass > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('K'), 'K', p.pass));
   for (const char letter : {'X', 'Y'})

@@ -87,9 +87,7 @@ Status CycleRun::peck(Machinery& m, bool full) {
     case 1:
       part_ = 2;
       return drill_to(m, MotionKind::rapid, full ? job_.level : std::min(job_.level, depth_ + m.def.behaviour.return_chip_break));
-    default:
-      part_ = 0;
-      return drill_to(m, MotionKind::rapid, std::min(job_.level, depth_ + m.def.behaviour.return_near));
+    default: part_ = 0; return drill_to(m, MotionKind::rapid, std::min(job_.level, depth_ + m.def.behaviour.return_near));
   }
 }
 

@@ -15,9 +15,9 @@ class Machinery;
 
 /// Words that stay known while blocks of the same cycle follow each other (spec/mach3 4: "sticky").
 struct CycleMemory {
-  std::int16_t row = -1;          // code row of the cycle, -1: none
-  std::uint32_t known = 0;        // letters
-  double bottom = 0, level = 0;   // Z and R as programmed, mm
+  std::int16_t row = -1;         // code row of the cycle, -1: none
+  std::uint32_t known = 0;       // letters
+  double bottom = 0, level = 0;  // Z and R as programmed, mm
   double peck = 0, dwell = 0;
   double i = 0, j = 0, k = 0;
 };
@@ -31,15 +31,15 @@ class CycleRun {
   struct Job {
     const CycleRow* cycle = nullptr;
     std::size_t first = 0, second = 1, drill = 2;
-    double step_first = 0, step_second = 0;   // from hole to hole, mm
-    Axes hole{};                              // programmed, of the first hole
+    double step_first = 0, step_second = 0;  // from hole to hole, mm
+    Axes hole{};                             // programmed, of the first hole
     std::uint32_t holes = 1;
     double level = 0, bottom = 0, clear = 0;  // R, Z, and where each hole ends
     double peck = 0, dwell = 0;
-    double shift_first = 0, shift_second = 0, back_face = 0;   // G87
-    double return_level = 0;                  // L83: rapid here between passes
-    bool preliminary = true;                  // up to R before the first hole if below it
-    bool pass_from_level = false;             // L83: rapid to the level a pass begins at
+    double shift_first = 0, shift_second = 0, back_face = 0;  // G87
+    double return_level = 0;                                  // L83: rapid here between passes
+    bool preliminary = true;                                  // up to R before the first hole if below it
+    bool pass_from_level = false;                             // L83: rapid to the level a pass begins at
   };
   void start(const Job& job, SpindleDir spindle);
 
@@ -59,8 +59,8 @@ class CycleRun {
   SpindleDir spindle_ = SpindleDir::stop;
   std::uint32_t hole_ = 0;
   std::size_t step_ = 0;
-  std::uint32_t part_ = 0;        // within pecks
-  double depth_ = 0;              // reached by pecks
+  std::uint32_t part_ = 0;  // within pecks
+  double depth_ = 0;        // reached by pecks
   bool in_hole_ = false;
 };
 

@@ -32,7 +32,7 @@ class Drilling {
     const auto row = static_cast<std::int16_t>(call_.row - m_.def.codes.data());
     m_.modal.motion = MotionMode::cycle;
     m_.modal.motion_row = row;
-    if (memory_.row != row) {   // only R outlives another cycle or motion (Mach3 10.7.24)
+    if (memory_.row != row) {  // only R outlives another cycle or motion (Mach3 10.7.24)
       CycleMemory kept;
       kept.level = memory_.level;
       kept.known = memory_.known & letter_bit('R');
@@ -103,7 +103,8 @@ class Drilling {
     const double here = m_.position.programmed[axes_.drill];
     job.level = m_.modal.absolute ? memory_.level : here + memory_.level;
     job.bottom = m_.modal.absolute ? memory_.bottom : job.level + memory_.bottom;
-    if (job.level < job.bottom - tol::level) return fail(alarm(AlarmId::cycle_level, m_.has('R') ? m_.where('R') : call_.where, job.level, job.bottom));
+    if (job.level < job.bottom - tol::level)
+      return fail(alarm(AlarmId::cycle_level, m_.has('R') ? m_.where('R') : call_.where, job.level, job.bottom));
     job.clear = m_.modal.retract_initial ? std::max(here, job.level) : job.level;
     job.peck = memory_.peck;
     job.dwell = memory_.dwell;
@@ -113,6 +114,18 @@ class Drilling {
     if (job.peck > 0 && (job.level - job.bottom) / job.peck > most_pecks) return fail(alarm(AlarmId::cycle_peck, m_.where('Q'), job.peck));
     for (const double level : {job.level, job.bottom, job.back_face})
       if (!(std::fabs(level) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, call_.where, letter_of(axes_.drill), level));
+    return {};
+  }
+
+  /// Nothing may fail once the first hole has begun: every corner of it in work coordinates, too.
+  Status within_reach(const CycleRun::Job& job, Axes hole) const {
+    for (const double level : {job.level, job.bottom, job.clear, job.back_face}) {
+      hole[axes_.drill] = level;
+      const Axes work = m_.transform.to_work(hole);
+      for (std::size_t a = 0; a < m_.axis_count; ++a)
+        if (!(std::fabs(work[a]) <= farthest) || !(std::fabs(hole[a]) <= farthest))
+          return fail(alarm(AlarmId::position_out_of_range, call_.where, letter_of(a), work[a]));
+    }
     return {};
   }
 
@@ -130,15 +143,15 @@ class Drilling {
     }
     if (m_.has('L')) {
       const double repeats = m_.value('L');
-      if (repeats != std::floor(repeats) || repeats < 1 || repeats > 1e8) return fail(alarm(AlarmId::cycle_repeats, m_.where('L'), repeats));
+      if (repeats != std::floor(repeats) || repeats < 1 || repeats > 1e8)
+        return fail(alarm(AlarmId::cycle_repeats, m_.where('L'), repeats));
       job.holes = static_cast<std::uint32_t>(repeats);
     }
-    for (const std::size_t a : {axes_.first, axes_.second}) {
-      const double step = a == axes_.first ? job.step_first : job.step_second;
-      const double last = job.hole[a] + step * job.holes;
-      if (!(std::fabs(last) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, call_.where, letter_of(a), last));
-    }
-    return {};
+    Axes last = job.hole;
+    last[axes_.first] += job.step_first * (job.holes - 1);
+    last[axes_.second] += job.step_second * (job.holes - 1);
+    KADR_TRY(within_reach(job, job.hole));
+    return within_reach(job, last);
   }
 
   Machinery& m_;

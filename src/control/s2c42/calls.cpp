@@ -7,8 +7,8 @@
 namespace kadr::s2c42 {
 namespace {
 
-constexpr double mm_per_increment = 0.001;   // 6.5.1
-constexpr double pass_dwell = 0.3;           // s: `G4 E3` of L83's body, table 9
+constexpr double mm_per_increment = 0.001;  // 6.5.1
+constexpr double pass_dwell = 0.3;          // s: `G4 E3` of L83's body, table 9
 constexpr double most_passes = 100'000;
 
 const CycleRow* cycle_of(const ControlDef& def, std::uint32_t number) {
@@ -76,7 +76,8 @@ Status call(Machinery& m, const Call& call) {
   frame.work_zero = m.modal.work_zero;
   frame.zero_shift = m.tables.zero_shift;
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
-    if (m.modal.rows[g] >= 0 && m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].function == Function::work_zero) frame.zero_row = m.modal.rows[g];
+    if (m.modal.rows[g] >= 0 && m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].function == Function::work_zero)
+      frame.zero_row = m.modal.rows[g];
   return {};
 }
 

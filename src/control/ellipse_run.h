@@ -1,0 +1,41 @@
+#pragma once
+// An arc under unequal scale factors is part of an ellipse (Mach3 10.7.15): handed on as short straight motions, one at
+// a time, so that it takes no memory. Nothing fails after its start.
+
+#include <cstdint>
+
+#include "base/result.h"
+#include "base/vec.h"
+
+namespace kadr {
+
+class Machinery;
+
+class EllipseRun {
+ public:
+  /// The programmed arc, before scaling. Axes by index: first and second of the plane.
+  struct Job {
+    std::size_t first = 0, second = 1;
+    Vec2 center;                // programmed
+    Axes from{}, to{};          // programmed; other axes go linearly along
+    double sweep_deg = 0;       // counter-clockwise positive
+    double greatest_scale = 1;  // of the two axes
+    std::uint32_t named = 0;
+  };
+
+  bool active() const { return pieces_ != 0; }
+  void stop() { pieces_ = 0; }
+
+  /// Pieces whose chords stay within tol::ellipse_chord of the ellipse.
+  void start(const Job& job);
+
+  /// Hands the next straight motion on.
+  Status next(Machinery& m);
+
+ private:
+  Job job_;
+  std::uint32_t pieces_ = 0;
+  std::uint32_t done_ = 0;
+};
+
+}  // namespace kadr
