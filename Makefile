@@ -25,6 +25,10 @@ check:
 install:
 	@dev/build release kadr
 	install -D -m 755 build/release/kadr "$(DESTDIR)$(PREFIX)/bin/kadr"
+	build/release/kadr man >build/release/kadr.1
+	install -D -m 644 build/release/kadr.1 "$(DESTDIR)$(PREFIX)/share/man/man1/kadr.1"
+	build/release/kadr completion bash >build/release/kadr.bash
+	install -D -m 644 build/release/kadr.bash "$(DESTDIR)$(PREFIX)/share/bash-completion/completions/kadr"
 
 clean:
 	rm -rf build

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/alarm.h"
@@ -86,6 +87,8 @@ enum class CycleStep : std::uint8_t {
   passes_by_parameter,  // L83 of the 2С42: pass levels from R1, R2, R3
   count
 };
+
+std::string_view name_of(CycleStep step);
 
 struct CycleRow {
   std::string name;               // "G81", "L81"

@@ -22,6 +22,8 @@ constexpr std::string_view variable_kinds[] = {"free", "probe_point", "home", "h
 
 }  // namespace
 
+std::string_view name_of(CycleStep step) { return step_names[static_cast<std::size_t>(step)]; }
+
 Done ControlLoader::groups() {
   def_.groups.push_back({"", false, -1, {}});
   const toml::table* const t = section("groups");

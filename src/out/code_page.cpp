@@ -68,6 +68,10 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
     text += fmt::format("  {}\n", body.substr(0, end));
     body.remove_prefix(end + 1);
   }
+  std::string steps;
+  for (const CycleStep step : row.steps) steps += fmt::format("{}{}", steps.empty() ? "" : " → ", name_of(step));
+  if (!steps.empty()) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "шаги" : "steps", steps);
+  if (row.needs != 0) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "нужны" : "needs", letters_of(row.needs));
   text += fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, row.manual);
   return text;
 }
