@@ -15,7 +15,7 @@ std::vector<const CLI::App*> subcommands(const CLI::App& app) {
 }
 
 std::vector<const CLI::Option*> options(const CLI::App& app) {
-  return app.get_options([](const CLI::Option* option) { return option->get_name() != "--help,-h" && option->get_name() != "-h,--help"; });
+  return app.get_options([&](const CLI::Option* option) { return option != app.get_help_ptr(); });
 }
 
 /// Text for roff: backslashes, dashes and leading dots.

@@ -1,6 +1,7 @@
 // Sections of a control file that hold its codes: groups, G, M, cycles, variables, alarms.
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "config/control_loader.h"
@@ -80,7 +81,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
                              "manual", "from", "to"}));
   CodeRow c;
   c.letter = letter;
-  c.tenth = static_cast<std::int32_t>(number * 10 + 0.5);
+  c.tenth = static_cast<std::int32_t>(std::lround(number * 10));
   c.code = letter + std::to_string(c.tenth / 10) + (c.tenth % 10 != 0 ? "." + std::to_string(c.tenth % 10) : "");
   const auto function = function_of(row);
   if (!function) return Failed(function.error());
@@ -100,7 +101,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.needs = letters(row["needs"].value_or(std::string()));
   c.needs_axis = typed(row, "needs_axis", false, "true or false");
   if (const toml::array* const with = row["with"].as_array(); with != nullptr && !with->empty())
-    c.with = static_cast<std::int32_t>(std::strtod((*with)[0].value_or(std::string(" 0")).c_str() + 1, nullptr) * 10 + 0.5);
+    c.with = static_cast<std::int32_t>(std::lround(std::strtod((*with)[0].value_or(std::string(" 0")).c_str() + 1, nullptr) * 10));
   for (int i = 0; i < 26; ++i)
     if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count &&
         !(def_.grammar.zero_between_slashes && i == 0))

@@ -32,7 +32,7 @@ Status Machinery::carry_out(const Plan& plan) {
       motion_began = true;
       KADR_TRY(radius_comp_possible());
     }
-    if (phase == Phase::flow && i + 1 < plan.count && !flow_before_) flow_before_ = flow.place();
+    if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
     if ((cycle_run.active() || ellipse_run.active()) && ends_or_stops(row_of(item)))
       waiting_[waiting_count_++] = static_cast<std::uint8_t>(i);
     else KADR_TRY(carry_out(item));

@@ -19,7 +19,7 @@ Status Machinery::target(Axes& to, AxisMask& named) const {
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
     if ((letters.axes & letter_bit(w.address)) == 0) continue;
-    const auto axis = static_cast<std::size_t>(letters.axis_of[static_cast<std::size_t>(w.address - 'A')]);
+    const auto axis = static_cast<std::size_t>(static_cast<unsigned char>(letters.axis_of[static_cast<std::size_t>(w.address - 'A')]));
     to[axis] = axis_target(w, axis);
     named |= 1u << axis;
     if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));

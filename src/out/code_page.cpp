@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cctype>
+#include <cmath>
 
 namespace kadr {
 namespace {
@@ -116,8 +117,8 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   if (code[0] == 'G' || code[0] == 'M') {
     char* end = nullptr;
     const double number = std::strtod(code.c_str() + 1, &end);
-    const bool is_number = end != code.c_str() + 1 && *end == '\0' && number >= 0 && number < ControlDef::most_tenths / 10;
-    const std::int32_t row = is_number ? def.row_of(code[0], static_cast<std::int32_t>(number * 10 + 0.5)) : -1;
+    const bool is_number = end != code.c_str() + 1 && *end == '\0' && number >= 0 && number * 10 < ControlDef::most_tenths;
+    const std::int32_t row = is_number ? def.row_of(code[0], static_cast<std::int32_t>(std::lround(number * 10))) : -1;
     if (row >= 0) text = code_text(def, def.codes[static_cast<std::size_t>(row)], lang);
   }
   for (const CycleRow& row : def.cycles)
