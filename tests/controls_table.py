@@ -234,7 +234,7 @@ class Control:
         for name, row in self.codes.items():
             for other in row.get("with", []):
                 partner = self.codes.get(other, {})
-                check(partner.get("group") == row.get("group") and name in partner.get("with", []), self.at(name, "with", other))
+                check(partner.get("group") == row.get("group"), self.at(name, "with", other))
 
     def check_groups(self):
         used = {row.get("group") for section in ("g", "m") for row in self.t.get(section, {}).values()}

@@ -12,7 +12,7 @@
   X(too_many_words) X(too_many_codes) X(comment_not_closed) X(comment_character)             \
   X(block_number_missing) X(block_number_position) X(end_of_block_missing)                   \
   X(program_start_missing) X(program_number_damaged) X(skip_position)                        \
-  X(expression_syntax) X(bracket_not_closed) X(nesting_too_deep) X(operator_unknown)         \
+  X(mark_letter) X(call_digits) X(expression_syntax) X(bracket_not_closed) X(nesting_too_deep) X(operator_unknown)         \
   X(function_unknown) X(parameter_not_allowed)                     \
   /* meaning: codes and words */                                                             \
   X(code_unknown) X(group_conflict) X(word_unused) X(word_missing) X(word_not_integer)       \
@@ -26,11 +26,11 @@
   X(compensation_not_available) X(compensation_active) X(scale_zero)                         \
   X(machine_motion_mode) X(zero_change) X(position_out_of_range)                             \
   /* spindle, tool, offsets */                                                               \
-  X(speed_without_direction) X(spindle_not_turning) X(spindle_direction)                     \
+  X(speed_without_direction) X(speed_missing) X(spindle_not_turning) X(spindle_direction)                     \
   X(corrector_unknown) X(corrector_axis)                                                     \
   /* flow */                                                                                 \
   X(subprogram_missing) X(subprogram_end_missing) X(return_without_call) X(call_too_deep)    \
-  X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(label_twice)                \
+  X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(label_twice) X(end_missing)\
   /* cycles */                                                                               \
   X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_undefined) X(pocket_not_available)   \
   X(stepover_out_of_range) X(cycle_override)                                                 \

@@ -49,7 +49,10 @@ class Collector {
  public:
   Collector(const Job& job, const Options& options, std::vector<Finding>& findings) : job_(job), options_(options), findings_(findings) {}
 
-  bool take(const AlarmReport& report) {
+  bool take(AlarmReport report) {
+    // A main program that begins again (M99, M47) is no fault: one pass is looked at.
+    const bool begins_again = report.alarm.id == AlarmId::endless_program && report.alarm.args[1].text().empty();
+    if (begins_again && one_pass) return false;
     if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
     ++(report.alarm.severity == Severity::alarm ? faults : warnings);
     findings_.push_back(finding_of(report, *job_.texts, language(options_)));
@@ -60,6 +63,7 @@ class Collector {
 
   std::size_t faults = 0;
   std::size_t warnings = 0;
+  bool one_pass = false;
 
  private:
   static constexpr std::size_t most_again = 100'000;  // repetitions of known faults: a loop that only fails
@@ -78,12 +82,16 @@ Checked check_file(const Options& options, const std::string& file, std::vector<
   if (!job) return Checked::unreadable;
   auto program = open_program(*job);
   if (!program) return Checked::unreadable;
-  Control control(*job->def, job->setup, std::move(*program), options.limits);
+  RunLimits limits = options.limits;
+  const bool one_pass = limits.restarts == RunLimits{}.restarts;
+  if (one_pass) limits.restarts = 0;
+  Control control(*job->def, job->setup, std::move(*program), limits);
   if (!control.setup_error().empty()) {
     complain(fmt::format("{}: the control {} has no {}", options.setup, job->def->id, control.setup_error()));
     return Checked::unreadable;
   }
   Collector collector(*job, options, findings);
+  collector.one_pass = one_pass;
   Progress progress(options.quiet);
   const auto take = [&](const AlarmReport& report) { return collector.take(report); };
   (void)carry_out(control, *job,

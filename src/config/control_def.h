@@ -30,13 +30,13 @@ struct CodeRow {
   Function function = Function::count;
   Phase phase = Phase::none;
   int arg = 0;
-  std::uint8_t group = 0;   // index in ControlDef::groups; 0 = none: any number of them
-  bool modal = false;       // stays in force (its group is a modal one)
-  bool own_block = false;   // must stand alone (with the words it takes)
-  bool needs_axis = false;  // at least one axis word
-  std::uint32_t takes = 0;  // letters of the words it uses
-  std::uint32_t needs = 0;  // letters that must be there
-  std::int32_t with = -1;   // tenth of the one code of its group that may stand beside it (M7 and M8)
+  std::uint8_t group = 0;          // index in ControlDef::groups; 0 = none: any number of them
+  bool modal = false;              // stays in force (its group is a modal one)
+  bool own_block = false;          // must stand alone (with the words it takes)
+  bool needs_axis = false;         // at least one axis word
+  std::uint32_t takes = 0;         // letters of the words it uses
+  std::uint32_t needs = 0;         // letters that must be there
+  std::vector<std::int32_t> with;  // tenths of codes of its group that may stand beside it (M7 and M8)
   Text text;
   std::string manual;
   std::uint16_t cycle = 0;  // index in ControlDef::cycles + 1
@@ -137,6 +137,7 @@ struct Behaviour {
   bool zero_change_checked = false;     // 2С42: with G90 and G40 on a straight section only
   bool subprogram_zero_local = false;   // 2С42: the caller's zero comes back
   bool subprograms_by_section = false;  // 2С42: `L`, N02001, M17
+  bool end_required = false;            // a program without M2 or M30 is warned of
   bool ends_reading = true;             // nothing after the end is read (GOST)
   bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
   bool correctors = false;              // axis correctors (spec/correctors)

@@ -42,7 +42,7 @@ class ControlLoader {
     return otherwise;
   }
   Done grammar();
-  static char first_letter(const toml::table& t, std::string_view key);
+  char first_letter(const toml::table& t, std::string_view key);
   Done behaviour();
   Done axes();
   int axis_named(const std::string& name) const;

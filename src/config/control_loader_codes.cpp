@@ -100,8 +100,10 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.takes = letters(row["takes"].value_or(std::string()));
   c.needs = letters(row["needs"].value_or(std::string()));
   c.needs_axis = typed(row, "needs_axis", false, "true or false");
-  if (const toml::array* const with = row["with"].as_array(); with != nullptr && !with->empty())
-    c.with = static_cast<std::int32_t>(std::lround(std::strtod((*with)[0].value_or(std::string(" 0")).c_str() + 1, nullptr) * 10));
+  if (const toml::array* const with = row["with"].as_array())
+    for (const auto& other : *with)
+      c.with.push_back(
+          static_cast<std::int32_t>(std::lround(std::strtod(other.value_or(std::string(" 0")).substr(1).c_str(), nullptr) * 10)));
   for (int i = 0; i < 26; ++i)
     if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count &&
         !(def_.grammar.zero_between_slashes && i == 0))

@@ -11,6 +11,12 @@ namespace kadr {
 using toml_tools::place;
 using toml_tools::text_of;
 
+namespace {
+
+bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
+
+}  // namespace
+
 tl::expected<ControlDef, std::string> ControlLoader::load() {
   def_.id = file_["id"].value_or(std::string());
   if (def_.id.empty()) return Failed(name_ + ": id is missing");
@@ -104,16 +110,23 @@ Done ControlLoader::grammar() {
   g.label_address = first_letter(*t, "label");
   g.section_address = first_letter(*t, "section");
   if ((*t)["end_of_block"].value_or(std::string("line")) == "line_only") g.end_of_block = EndOfBlock::line_only;
-  for (const char letter : (*t)["parameters_in"].value_or(std::string())) g.word(letter).parameter = true;
+  for (const char letter : (*t)["parameters_in"].value_or(std::string())) {
+    if (!is_letter(letter)) return Failed(place(name_, *t, "parameters_in") + "parameters_in: letters A to Z");
+    g.word(letter).parameter = true;
+  }
   if (const toml::table* const most = (*t)["most_codes"].as_table())
-    for (const auto& [letter, node] : *most)
+    for (const auto& [letter, node] : *most) {
+      if (letter.str().size() != 1 || !is_letter(letter.str()[0])) return Failed(place(name_, node) + "most_codes: letters A to Z");
       most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(whole(*most, letter.str(), 0, limits::block_words));
+    }
   return {};
 }
 
 char ControlLoader::first_letter(const toml::table& t, std::string_view key) {
   const std::string text = t[key].value_or(std::string());
-  return text.empty() ? '\0' : text[0];
+  if (text.empty()) return '\0';
+  if (!is_letter(text[0]) && bad_value_.empty()) bad_value_ = place(name_, t, key) + std::string(key) + " must be a letter A to Z";
+  return is_letter(text[0]) ? text[0] : '\0';
 }
 
 Done ControlLoader::behaviour() {
@@ -147,6 +160,7 @@ Done ControlLoader::behaviour() {
   flag("zero_change_checked", b.zero_change_checked);
   flag("subprogram_zero_local", b.subprogram_zero_local);
   flag("subprograms_by_section", b.subprograms_by_section);
+  flag("end_required", b.end_required);
   flag("ends_reading", b.ends_reading);
   flag("delayed_assignment", b.delayed_assignment);
   flag("correctors", b.correctors);

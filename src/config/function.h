@@ -26,7 +26,7 @@ namespace kadr {
   /* motion */                                                                                           \
   X(rapid, motion, true)            X(linear, motion, true)          X(arc_cw, motion, true)             \
   X(arc_ccw, motion, true)          X(cycle, motion, true)           X(no_motion, motion, false)         \
-  X(circular_pocket, motion, false) X(probe, motion, true)           X(home_through, data, true)         \
+  X(circular_pocket, motion, true)  X(probe, motion, true)           X(home_through, data, true)         \
   X(home_axes, data, true)          X(machine_point, motion, true)   X(machine_coordinates, none, false) \
   X(approach_reference, motion, true) X(pole_rapid, motion, true)    X(pocket_define, motion, true)      \
   X(pocket_run, motion, true)                                                                            \

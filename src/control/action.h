@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -68,7 +69,9 @@ struct ToolChange {
   std::uint32_t tool;
 };
 struct MachineFunction {
-  std::uint32_t code;
+  std::uint32_t code;         // M code for the machine
+  std::optional<double> p{};  // words of a user macro (Mach3 M100 …)
+  std::optional<double> q{};
 };  // M code for the machine
 struct Stop {
   bool optional;

@@ -5,11 +5,17 @@
 namespace kadr {
 namespace {
 
-/// Stops or ends the program.
-bool ends_or_stops(const CodeRow* row) {
+/// Ends the program, a subprogram or a repetition.
+bool ends(const CodeRow* row) {
   if (row == nullptr) return false;
   const Function f = row->function;
-  return f == Function::program_stop || f == Function::optional_stop || f == Function::program_end || f == Function::tape_end;
+  return f == Function::program_end || f == Function::tape_end || f == Function::subprogram_end || f == Function::repetition_end ||
+         f == Function::subprogram_return;
+}
+
+/// Stops the program or ends something.
+bool ends_or_stops(const CodeRow* row) {
+  return ends(row) || (row != nullptr && (row->function == Function::program_stop || row->function == Function::optional_stop));
 }
 
 }  // namespace
@@ -25,6 +31,8 @@ Status Machinery::carry_out(const Plan& plan) {
     }
   block_axes_taken = plan.axes_taken;
   bool motion_began = false;
+  std::size_t calls_before = ~std::size_t{0};
+  bool ended_subprogram = false;
   for (std::uint32_t i = 0; i < plan.count; ++i) {
     const PlanItem& item = plan.items[i];
     const Phase phase = phase_of(item);
@@ -33,9 +41,16 @@ Status Machinery::carry_out(const Plan& plan) {
       KADR_TRY(radius_comp_possible());
     }
     if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
-    if ((cycle_run.active() || ellipse_run.active()) && ends_or_stops(row_of(item)))
+    if (row_of(item) != nullptr && ended_subprogram && ends(row_of(item))) break;  // `M17 M2`: M2 ends the section, not the program
+    if (calls_before < flow.depth() && ends(row_of(item))) keep_for_return(item);
+    else if ((cycle_run.active() || ellipse_run.active()) && ends_or_stops(row_of(item)))
       waiting_[waiting_count_++] = static_cast<std::uint8_t>(i);
-    else KADR_TRY(carry_out(item));
+    else {
+      const bool calls = phase == Phase::flow && is_call(item);
+      if (calls) calls_before = flow.depth();
+      KADR_TRY(carry_out(item));
+      ended_subprogram = ended_subprogram || (row_of(item) != nullptr && row_of(item)->function == Function::subprogram_end);
+    }
   }
   return {};
 }
@@ -47,6 +62,21 @@ Status Machinery::carry_out(const PlanItem& item) {
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block.where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
   return {};
+}
+
+bool Machinery::is_call(const PlanItem& item) const {
+  const CodeRow* const row = row_of(item);
+  const Function f = row != nullptr ? row->function : def.address(item.address).function;
+  return f == Function::call_word || f == Function::call_subprogram;
+}
+
+/// `L03 M17`: the call first, what the block ends when it is over (2С42 6.3.4, 6.3.5).
+void Machinery::keep_for_return(const PlanItem& item) {
+  for (std::int16_t& row : flow.frames().back().then)
+    if (row < 0) {
+      row = item.row;
+      return;
+    }
 }
 
 Status Machinery::radius_comp_possible() const {

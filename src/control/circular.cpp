@@ -58,6 +58,8 @@ class Circular {
     KADR_TRY(m_.target(end, named));
     const std::uint32_t used = m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : 0u);
     if ((m_.block.letters & used) == 0) return {};  // the code alone: only the mode
+    if (m_.def.behaviour.correctors && m_.has('L'))
+      return fail(alarm(AlarmId::not_together, m_.where('L'), "L", turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
     const Axes& start = m_.position.programmed;
     auto arc = shape(start, end, where);
@@ -81,7 +83,7 @@ class Circular {
       return arc;
     }
     if (!has_center(axes_.first) && !has_center(axes_.second)) return fail(alarm(AlarmId::center_missing, where));
-    if (!m_.def.behaviour.helix_by_lead && has_center(axes_.normal))
+    if (!m_.def.behaviour.helix_by_lead && has_center(axes_.normal) && m_.value(m_.letters.center_letter[axes_.normal]) != 0)
       return fail(
           alarm(AlarmId::arc_not_in_plane, m_.where(m_.letters.center_letter[axes_.normal]), m_.letters.center_letter[axes_.normal]));
     const auto arc = arc_around(from, to, {center(axes_.first, from.x), center(axes_.second, from.y)}, turn_, tolerance);

@@ -186,7 +186,8 @@ void Flow::make_index() {
       if (in_section && block->has_number && block->number_digits == digits_of_label) name = block->number / 1000;
       if (name && *name == current) name.reset();
       else if (name) current = *name;
-      if (const Word* const m = block->find('M'); got && m != nullptr && m->code == 20) in_section = false;
+      for (std::uint32_t i = 0; i < block->word_count && got; ++i)
+        if (block->words[i].address == 'M' && block->words[i].code == 20) in_section = false;
     } else if (block->marker == Marker::label) {
       name = block->label;
     }

@@ -27,7 +27,14 @@ Status end_program(Machinery& m, Span where) {
 Status leave_subprogram(Machinery& m, Span where) {
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
-  if (*left) s2c42::restore_zero(m, **left);
+  if (!*left) return {};
+  s2c42::restore_zero(m, **left);
+  for (const std::int16_t row : (*left)->then) {  // the rest of the calling block
+    if (row < 0) break;
+    const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
+    KADR_TRY(handler_of(code.function)(m, {&code, nullptr, where}));
+    if (code.function == Function::subprogram_end) break;  // `M17 M2`: M2 ends the section
+  }
   return {};
 }
 

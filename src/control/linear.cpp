@@ -101,15 +101,18 @@ Status no_motion(Machinery& m, const Call& call) {
 
 Status machine_coordinates(Machinery& m, const Call& call) {
   bool straight_coded = false;
+  bool other_coded = false;
   for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
     const Word& w = m.block.words[i];
     const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
     if (row < 0) continue;
     const Function f = m.def.codes[static_cast<std::size_t>(row)].function;
     straight_coded = straight_coded || f == Function::rapid || f == Function::linear;
+    other_coded = other_coded || f == Function::arc_cw || f == Function::arc_ccw || f == Function::cycle || f == Function::probe ||
+                  f == Function::circular_pocket;
   }
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
-  if (!straight_coded && !in_force) return fail(alarm(AlarmId::machine_motion_mode, call.where));
+  if (other_coded || (!straight_coded && !in_force)) return fail(alarm(AlarmId::machine_motion_mode, call.where));
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, "G53"));
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, "G53"));
   m.block_machine_coordinates = true;
@@ -191,6 +194,10 @@ Status probe(Machinery& m, const Call& call) {
   }
   if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)
     return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));
+  if (call.row->modal) {  // G38.2 leaves no motion code in force: axis words alone would be a rapid into the part
+    m.modal.motion = MotionMode::none;
+    m.modal.motion_row = -1;
+  }
   m.needs_probe = true;
   m.probe_where = call.where;
   return m.straight(MotionKind::probe, to, named);

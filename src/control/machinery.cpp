@@ -69,7 +69,10 @@ Control::State Machinery::run(ActionBatch& to) {
 
 /// The file's end ends the program too; not in the middle of a call or a repetition.
 Status Machinery::end_of_file() {
-  if (flow.depth() == 0) return {};
+  if (flow.depth() == 0) {
+    if (def.behaviour.end_required) warn(warning(AlarmId::end_missing, {}));
+    return {};
+  }
   const CallFrame frame = flow.frames().back();
   const AlarmId id = frame.kind == CallFrame::Kind::repetition ? AlarmId::repeat_end_missing : AlarmId::subprogram_end_missing;
   return fail(alarm(id, {}, double(frame.kind == CallFrame::Kind::repetition ? frame.caller.line : frame.name)));
@@ -174,8 +177,10 @@ Status Machinery::check_place() const {
 Status Machinery::structure() {
   switch (block.marker) {
     case Marker::program_start:
-      if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading)
+      if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading) {
+        warn(warning(AlarmId::end_missing, block.where));
         flow.end();  // the next program of the tape
+      }
       flow.started = true;
       skipping_section_ = false;
       return {};
@@ -188,6 +193,9 @@ Status Machinery::structure() {
       return {};
     default: break;
   }
+  constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: zeros are not dropped
+  if (skipping_section_ && block.has_number && block.number_digits != digits_of_label)
+    return fail(alarm(AlarmId::too_few_digits, block.number_where, 'N', double(block.number_digits), double(digits_of_label)));
   if (skipping_section_ || flow.started || block.empty()) return {};
   flow.started = true;
   if (!def.grammar.program_start_required) return {};

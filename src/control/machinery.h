@@ -158,6 +158,8 @@ class Machinery {
   Status carry_out(const Plan& plan);
   Status carry_out(const PlanItem& item);
   Status radius_comp_possible() const;
+  bool is_call(const PlanItem& item) const;
+  void keep_for_return(const PlanItem& item);
   const CodeRow* row_of(const PlanItem& item) const { return item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr; }
   Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
   Status after_cycle();

@@ -32,11 +32,11 @@ Status radius_comp(Machinery& m, const Call& call, std::int8_t side) {
 Status length(Machinery& m, const Call& call, std::int8_t sign) {
   m.modal.length_sign = sign;
   if ((call.row->takes & letter_bit('H')) != 0) {
-    // Mach3: no H is 0; where T0404 names a corrector, that one (spec/gost 4).
-    const auto number = offset_number(m, 'H', m.def.behaviour.tool_and_corrector ? m.modal.offset_number : 0);
+    const auto number = offset_number(m, 'H', 0);
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
-    if (*number == 0) m.modal.length_sign = 0;
+    // No H: Mach3 takes 0; where T0404 names a corrector, the one in force counts (spec/gost 4).
+    if (*number == 0 && !(m.def.behaviour.tool_and_corrector && !m.has('H'))) m.modal.length_sign = 0;
   }
   m.change_frames();
   return {};

@@ -1,9 +1,31 @@
 #include "control/plan.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace kadr {
 namespace {
+
+constexpr std::uint8_t sequence_length = 4;
+
+/// Order within one phase: a cycle is cancelled before a motion; a repetition is opened, then a call made, then an end met.
+std::uint8_t sequence(Function function) {
+  switch (function) {
+    case Function::no_motion:
+    case Function::repeat_word: return 0;
+    case Function::call_word:
+    case Function::call_subprogram: return 1;
+    case Function::program_end:
+    case Function::tape_end: return 3;
+    default: return 2;
+  }
+}
+
+/// Beside these a motion code only sets the mode: `G0 G91 G28 Z0` is what shops write.
+bool leaves_mode(Function function) {
+  return function == Function::home_through || function == Function::home_axes || function == Function::approach_reference ||
+         function == Function::machine_point;
+}
 
 /// Collects the calls of one block.
 class Planner {
@@ -20,6 +42,9 @@ class Planner {
       if ((letters_.codes & bit) != 0) KADR_TRY(code(word, static_cast<std::uint8_t>(i)));
       else if ((letters_.acting & bit) != 0) acting(word, static_cast<std::uint8_t>(i));
     }
+    if (axes_taker_ != nullptr && motion_word_ != nullptr && !leaves_mode(axes_taker_function_))
+      return fail(
+          alarm(AlarmId::not_together, motion_word_->where, block_.text_of(axes_taker_->where), block_.text_of(motion_word_->where)));
     KADR_TRY(motion_in_force(motion_row));
     if (code_count_ != 0 || (block_.letters & ~letters_.acting & ~plan_.taken) != 0) KADR_TRY(words_used());
     plan_.axes_taken = axes_taker_ != nullptr;
@@ -50,7 +75,9 @@ class Planner {
     if ((groups_seen_ & bit) != 0) {
       const PlanItem& other = plan_.items[first_of_group_[row.group]];
       const CodeRow& other_row = def_.codes[static_cast<std::size_t>(other.row)];
-      const bool allowed = (row.with >= 0 && row.with == other_row.tenth) || (other_row.with >= 0 && other_row.with == row.tenth);
+      const bool allowed = std::count(row.with.begin(), row.with.end(), other_row.tenth) +
+                               std::count(other_row.with.begin(), other_row.with.end(), row.tenth) !=
+                           0;
       if (!allowed) {
         const Word& first = block_.words[other.word];
         return fail(alarm(AlarmId::group_conflict, word.where, block_.text_of(first.where), block_.text_of(word.where)));
@@ -67,11 +94,13 @@ class Planner {
     const bool is_mode = row.modal && row.phase == Phase::motion;
     if (is_mode) {
       motion_coded_ = true;
+      motion_word_ = &word;
       return {};
     }
     if (axes_taker_ != nullptr)
       return fail(alarm(AlarmId::not_together, word.where, block_.text_of(axes_taker_->where), block_.text_of(word.where)));
     axes_taker_ = &word;
+    axes_taker_function_ = row.function;
     return {};
   }
 
@@ -120,7 +149,12 @@ class Planner {
   }
 
   void add(Phase phase, std::uint8_t word, std::int16_t row, char address) {
-    const std::uint8_t rank = def_.order[static_cast<std::size_t>(phase)];
+    Function function = Function::count;
+    if (row >= 0)
+      function = def_.codes[static_cast<std::size_t>(row)].function;
+    else if (address != 0)
+      function = def_.address(address).function;
+    const auto rank = static_cast<std::uint8_t>(def_.order[static_cast<std::size_t>(phase)] * sequence_length + sequence(function));
     std::uint32_t at = plan_.count++;
     for (; at > 0 && plan_.items[at - 1].rank > rank; --at) {
       plan_.items[at] = plan_.items[at - 1];
@@ -142,7 +176,9 @@ class Planner {
   std::array<std::uint8_t, most_groups> first_of_group_{};  // index of its item; means something only where groups_seen_ has the bit
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
+  const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
+  Function axes_taker_function_ = Function::count;
   const Word* own_block_ = nullptr;
 };
 

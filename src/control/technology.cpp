@@ -24,7 +24,8 @@ bool turns_spindle(const Machinery& m) {
   return has_function(m, {Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
 }
 
-Status turn_spindle(Machinery& m, SpindleDir dir) {
+Status turn_spindle(Machinery& m, SpindleDir dir, Span where) {
+  if (dir != SpindleDir::orient && m.modal.rpm == 0) m.warn(warning(AlarmId::speed_missing, where));
   m.modal.spindle = dir;
   m.emit(Spindle{dir, m.modal.rpm});
   return {};
@@ -99,20 +100,20 @@ Status change_tool(Machinery& m, const Call&) {
   return {};
 }
 
-Status spindle_cw(Machinery& m, const Call&) { return turn_spindle(m, SpindleDir::cw); }
-Status spindle_ccw(Machinery& m, const Call&) { return turn_spindle(m, SpindleDir::ccw); }
-Status spindle_orient(Machinery& m, const Call&) { return turn_spindle(m, SpindleDir::orient); }
+Status spindle_cw(Machinery& m, const Call& call) { return turn_spindle(m, SpindleDir::cw, call.where); }
+Status spindle_ccw(Machinery& m, const Call& call) { return turn_spindle(m, SpindleDir::ccw, call.where); }
+Status spindle_orient(Machinery& m, const Call& call) { return turn_spindle(m, SpindleDir::orient, call.where); }
 Status spindle_stop(Machinery& m, const Call&) {
   m.modal.spindle = SpindleDir::stop;
   m.emit(Spindle{SpindleDir::stop, 0});
   return {};
 }
-Status spindle_cw_coolant(Machinery& m, const Call&) {
-  KADR_TRY(turn_spindle(m, SpindleDir::cw));
+Status spindle_cw_coolant(Machinery& m, const Call& call) {
+  KADR_TRY(turn_spindle(m, SpindleDir::cw, call.where));
   return flood(m);
 }
-Status spindle_ccw_coolant(Machinery& m, const Call&) {
-  KADR_TRY(turn_spindle(m, SpindleDir::ccw));
+Status spindle_ccw_coolant(Machinery& m, const Call& call) {
+  KADR_TRY(turn_spindle(m, SpindleDir::ccw, call.where));
   return flood(m);
 }
 
@@ -139,7 +140,10 @@ Status dwell(Machinery& m, const Call& call) {
 Status dwell_word(Machinery& m, const Call& call) { return dwell_for(m, call.word->address); }
 
 Status machine_function(Machinery& m, const Call& call) {
-  m.emit(MachineFunction{static_cast<std::uint32_t>(call.word->code / 10)});
+  MachineFunction function{static_cast<std::uint32_t>(call.word->code / 10), {}, {}};
+  if ((call.row->takes & letter_bit('P')) != 0 && m.has('P')) function.p = m.value('P');
+  if ((call.row->takes & letter_bit('Q')) != 0 && m.has('Q')) function.q = m.value('Q');
+  m.emit(function);
   return {};
 }
 

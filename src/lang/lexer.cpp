@@ -41,6 +41,7 @@ class Lexer {
     if (result_.needs_utf8) return result_;
     if (!status) return fail(status.error());
     KADR_TRY(whole_block());
+    if (result_.needs_utf8) return result_;
     cursor_.skip_blanks();
     result_.next = cursor_.at;
     return result_;
@@ -70,8 +71,10 @@ class Lexer {
       done_ = true;
       return {};
     }
-    block_.marker = Marker::program_start;
+    const bool tape_begins = cursor_.at - begin > 1;
     cursor_.skip_blanks();
+    if (tape_begins && !is_digit(cursor_.peek())) return {};  // %% alone: the tape begins, no program yet (spec/gost 1)
+    block_.marker = Marker::program_start;
     if (!is_digit(cursor_.peek())) return {};
     Number number;
     const bool read = read_number(cursor_, number);
@@ -104,6 +107,7 @@ class Lexer {
       case '/': return slash();
       case '#': return grammar_.expressions ? assignment() : unexpected();
       case ':': return main_block();
+      case '\x1a': return end_of_dos_file();
       default: break;
     }
     if (is_high(c) || c == '\x0e') return wide();
@@ -180,8 +184,18 @@ class Lexer {
       const std::size_t bad = cursor_.text.substr(0, close).find_first_of(grammar_.comment_forbidden, begin);
       if (bad != std::string_view::npos) return fail(alarm(AlarmId::comment_character, span(bad, bad + 1), cursor_.text[bad]));
     }
+    if (is_utf8_ && !grammar_.comment_forbidden.empty()) KADR_TRY(no_mark_inside(begin + 1, close));
     block_.comments.push_back(span(begin + 1, close));
     cursor_.at = close + 1;
+    return {};
+  }
+
+  /// ПС as a word of its own inside a comment ends the block on the tape (2С42 6.2).
+  Status no_mark_inside(std::size_t begin, std::size_t end) const {
+    constexpr std::string_view mark = "ПС";
+    const auto apart = [&](std::size_t i) { return i < begin || i >= end || is_blank(cursor_.text[i]); };
+    for (std::size_t i = cursor_.text.find(mark, begin); i < end; i = cursor_.text.find(mark, i + 1))
+      if (apart(i - 1) && apart(i + mark.size())) return fail(alarm(AlarmId::comment_character, span(i, i + mark.size()), mark));
     return {};
   }
 
@@ -224,6 +238,7 @@ class Lexer {
     const Wide c = wide_at(cursor_.text, cursor_.at);
     const std::string_view rest = cursor_.text.substr(cursor_.at);
     if (grammar_.end_of_block != EndOfBlock::line_only && (rest.starts_with("ПС") || rest.starts_with("пс"))) return end_mark(4);
+    if (grammar_.end_of_block != EndOfBlock::line_only && rest.starts_with("ПC")) return mark_with_latin_letter();
     if (c.code == 0xA0 || c.code == 0xFEFF) {  // no-break space, byte order mark
       cursor_.at += c.bytes;
       return {};
@@ -236,11 +251,28 @@ class Lexer {
     return word(latin, c.bytes);
   }
 
+  /// ПС with a Latin C: meant all the same.
+  Status mark_with_latin_letter() {
+    constexpr std::size_t bytes = 3;
+    block_.warnings.push_back(warning(AlarmId::mark_letter, span(cursor_.at, cursor_.at + bytes)));
+    return end_mark(bytes);
+  }
+
   Status end_mark(std::size_t bytes) {
     cursor_.at += bytes;
     result_.marked = true;
     done_ = true;
     cursor_.skip_blanks();
+    return {};
+  }
+
+  /// Ctrl-Z ends a file of old systems.
+  Status end_of_dos_file() {
+    Cursor behind = cursor_;
+    ++behind.at;
+    behind.skip_blanks();
+    if (behind.at < behind.text.size()) return unexpected();
+    cursor_ = behind;
     return {};
   }
 
@@ -255,6 +287,10 @@ class Lexer {
   /// What can be said only of the block as a whole.
   Status whole_block() {
     if (grammar_.block_length != 0 && !block_.empty()) {
+      if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high()) {
+        result_.needs_utf8 = true;  // bytes are not characters
+        return {};
+      }
       std::uint32_t length = 0;
       for (std::size_t i = begin_; i < cursor_.at; ++i) length += (static_cast<unsigned char>(cursor_.text[i]) & 0xC0) != 0x80;
       if (length > grammar_.block_length)
@@ -264,6 +300,13 @@ class Lexer {
     if (grammar_.block_number_required && has_words && !block_.has_number && block_.marker == Marker::none)
       return fail(alarm(AlarmId::block_number_missing, span(begin_, begin_ + 1)));
     return {};
+  }
+
+  /// Bytes above 127 in the block so far.
+  bool has_high() const {
+    for (std::size_t i = begin_; i < cursor_.at; ++i)
+      if (is_high(cursor_.text[i])) return true;
+    return false;
   }
 
   char at(std::size_t ahead) const { return cursor_.at + ahead < cursor_.text.size() ? cursor_.text[cursor_.at + ahead] : '\0'; }

@@ -76,7 +76,12 @@ std::string fields_of(const Action& action) {
       return R"(tool","tool":)" + std::to_string(t.tool) + (t.corrector == 0 ? "" : R"(,"corrector":)" + std::to_string(t.corrector));
     }
     std::string operator()(const ToolChange& t) const { return R"(toolchange","tool":)" + std::to_string(t.tool); }
-    std::string operator()(const MachineFunction& m) const { return R"(m","code":"M)" + std::to_string(m.code) + '"'; }
+    std::string operator()(const MachineFunction& m) const {
+      std::string text = R"(m","code":"M)" + std::to_string(m.code) + '"';
+      if (m.p) text += R"(,"P":)" + number_string(*m.p);
+      if (m.q) text += R"(,"Q":)" + number_string(*m.q);
+      return text;
+    }
     std::string operator()(const Stop& s) const { return s.optional ? R"(optional_stop")" : R"(stop")"; }
     std::string operator()(const Message& m) const { return R"(message","text":)" + json(m.text); }
     std::string operator()(const FrameChange&) const { return {}; }

@@ -87,8 +87,11 @@ std::string one_hole(const Drilling& d, int clear) {
   if (pecks(d))
     for (int at = d.level - d.peck; at > bottom; at -= d.peck) {
       text += down + Drilling::number(at) + "\n";
-      if (d.code == "G83") text += rapid + Drilling::number(d.level) + "\n";
-      text += rapid + Drilling::number(std::min(d.level, at + 1000)) + "\n";  // 1 mm: controls/mach3.toml, INFERRED there
+      const Behaviour& b = control("mach3").behaviour;  // how far back: settings of the machine, INFERRED in controls/mach3.toml
+      const int back = static_cast<int>(std::lround(b.return_chip_break * 1000)),
+                near = static_cast<int>(std::lround(b.return_near * 1000));
+      text += rapid + Drilling::number(d.code == "G83" ? d.level : std::min(d.level, at + back)) + "\n";
+      text += rapid + Drilling::number(std::min(d.level, at + near)) + "\n";
     }
   text += down + Drilling::number(bottom) + "\n";
   if (dwells(d) && d.dwell > 0) text += "G4 P" + std::to_string(d.dwell) + "\n";

@@ -51,11 +51,11 @@ Status start_deep_drilling(Machinery& m, const CycleRow& cycle, Span where) {
 
 Status call(Machinery& m, const Call& call) {
   const Word& w = *call.word;
-  if (w.digits != 2 && w.digits != 4) return fail(alarm(AlarmId::too_few_digits, w.where, 'L', double(w.digits), 4.0));
+  if (w.digits != 2 && w.digits != 4) return fail(alarm(AlarmId::call_digits, w.where, double(w.digits)));
   const auto number = static_cast<std::uint32_t>(w.value);
   const std::uint32_t name = w.digits == 2 ? number : number / 100;
   const std::uint32_t times = w.digits == 2 ? 1 : number % 100;
-  if (times == 0) return fail(alarm(AlarmId::cycle_repeats, w.where, 0.0));
+  if (times == 0) return fail(alarm(AlarmId::value_out_of_range, w.where, 'L', w.value));
   const CycleRow* const cycle = cycle_of(m.def, name);
   if (cycle != nullptr) {
     if (cycle->needs_override_off && m.modal.override_permission != 0) return fail(alarm(AlarmId::cycle_override, w.where, cycle->name));
