@@ -42,10 +42,17 @@ Status Machinery::carry_out(const Plan& plan) {
     }
     if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
     if (row_of(item) != nullptr && ended_subprogram && ends(row_of(item))) break;  // `M17 M2`: M2 ends the section, not the program
-    if (calls_before < flow.depth() && ends(row_of(item))) keep_for_return(item);
-    else if ((cycle_run.active() || ellipse_run.active()) && ends_or_stops(row_of(item)))
+    const bool called = calls_before < flow.depth();
+    const bool drilling = cycle_run.active() || ellipse_run.active();
+    if (called && ends(row_of(item))) {
+      KADR_TRY(end_possible(item, calls_before));
+      keep_for_return(item);
+      ended_subprogram = row_of(item)->function == Function::subprogram_end;
+    } else if (drilling && ends_or_stops(row_of(item))) {
+      KADR_TRY(end_possible(item, flow.depth()));
       waiting_[waiting_count_++] = static_cast<std::uint8_t>(i);
-    else {
+      ended_subprogram = row_of(item)->function == Function::subprogram_end;
+    } else {
       const bool calls = phase == Phase::flow && is_call(item);
       if (calls) calls_before = flow.depth();
       KADR_TRY(carry_out(item));
@@ -68,6 +75,27 @@ bool Machinery::is_call(const PlanItem& item) const {
   const CodeRow* const row = row_of(item);
   const Function f = row != nullptr ? row->function : def.address(item.address).function;
   return f == Function::call_word || f == Function::call_subprogram;
+}
+
+/// An end that waits must be one that can come: what would fail then fails now, before anything is done.
+///   depth  calls and repetitions open around the block
+Status Machinery::end_possible(const PlanItem& item, std::size_t depth) const {
+  const Span at = block.words[item.word].where;
+  const CallFrame* const around = depth == 0 ? nullptr : &flow.frames()[depth - 1];
+  const bool in_repetition = around != nullptr && around->kind == CallFrame::Kind::repetition;
+  switch (row_of(item)->function) {
+    case Function::repetition_end: return in_repetition ? Status() : Status(fail(alarm(AlarmId::repeat_end_alone, at)));
+    case Function::subprogram_end:
+      if (around == nullptr) return fail(alarm(AlarmId::return_without_call, at));
+      break;
+    case Function::program_end:
+    case Function::tape_end:
+      if (around != nullptr && !in_repetition && def.behaviour.subprograms_by_section)
+        return fail(alarm(AlarmId::subprogram_end_missing, at, double(around->name)));
+      break;
+    default: return {};
+  }
+  return in_repetition ? Status(fail(alarm(AlarmId::repeat_end_missing, at, double(around->caller.line)))) : Status();
 }
 
 /// `L03 M17`: the call first, what the block ends when it is over (2С42 6.3.4, 6.3.5).

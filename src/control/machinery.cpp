@@ -81,9 +81,32 @@ Status Machinery::end_of_file() {
 /// After an end that came too early the open call or repetition is left, so that one fault is not found again and again.
 void Machinery::go_on() {
   stopped_ = false;
+  keep_from_faulty_block();
   if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
   const bool at_end_of_file = report.alarm.where.end == 0;
   flow.abandon(at_end_of_file ? std::optional<Position>() : block.position);
+}
+
+/// What the faulty block would have left to those behind it, so that one fault is one alarm: a feed, the end of a
+/// subprogram or repetition.
+void Machinery::keep_from_faulty_block() {
+  if (block.position.line != report.origin.line) return;
+  const AlarmId id = report.alarm.id;
+  const bool of_flow = id == AlarmId::return_without_call || id == AlarmId::repeat_end_alone || id == AlarmId::repeat_end_missing ||
+                       id == AlarmId::subprogram_end_missing || id == AlarmId::endless_program;
+  if (const Word* const f = block.find('F'); f != nullptr && !(modal.feed_known && modal.feed > 0)) {
+    modal.feed_known = true;
+    modal.feed = f->value > 0 ? f->value : 1;
+  }
+  if (of_flow || flow.depth() == 0) return;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    const std::int32_t row = w.address == 'M' && w.code >= 0 ? def.row_of('M', w.code) : -1;
+    if (row < 0) continue;
+    const Function f = def.codes[static_cast<std::size_t>(row)].function;
+    if (f == Function::subprogram_end) (void)flow.end_subprogram(w.where);
+    if (f == Function::repetition_end) (void)flow.end_repetition(w.where);
+  }
 }
 
 void Machinery::fail_with(const Alarm& failed) {

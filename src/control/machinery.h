@@ -160,6 +160,7 @@ class Machinery {
   Status radius_comp_possible() const;
   bool is_call(const PlanItem& item) const;
   void keep_for_return(const PlanItem& item);
+  Status end_possible(const PlanItem& item, std::size_t depth) const;
   const CodeRow* row_of(const PlanItem& item) const { return item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr; }
   Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
   Status after_cycle();
@@ -174,6 +175,7 @@ class Machinery {
   void take_back(std::size_t actions);
   Origin origin_of_block() const;
   void fail_with(const Alarm& alarm);
+  void keep_from_faulty_block();
 
   Plan plan_;
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
