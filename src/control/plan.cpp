@@ -150,10 +150,8 @@ class Planner {
 
   void add(Phase phase, std::uint8_t word, std::int16_t row, char address) {
     Function function = Function::count;
-    if (row >= 0)
-      function = def_.codes[static_cast<std::size_t>(row)].function;
-    else if (address != 0)
-      function = def_.address(address).function;
+    if (row >= 0) function = def_.codes[static_cast<std::size_t>(row)].function;
+    else if (address != 0) function = def_.address(address).function;
     const auto rank = static_cast<std::uint8_t>(def_.order[static_cast<std::size_t>(phase)] * sequence_length + sequence(function));
     std::uint32_t at = plan_.count++;
     for (; at > 0 && plan_.items[at - 1].rank > rank; --at) {
