@@ -100,17 +100,8 @@ Status no_motion(Machinery& m, const Call& call) {
 }
 
 Status machine_coordinates(Machinery& m, const Call& call) {
-  bool straight_coded = false;
-  bool other_coded = false;
-  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
-    const Word& w = m.block.words[i];
-    const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
-    if (row < 0) continue;
-    const Function f = m.def.codes[static_cast<std::size_t>(row)].function;
-    straight_coded = straight_coded || f == Function::rapid || f == Function::linear;
-    other_coded = other_coded || f == Function::arc_cw || f == Function::arc_ccw || f == Function::cycle || f == Function::probe ||
-                  f == Function::circular_pocket;
-  }
+  const bool straight_coded = m.has_code({Function::rapid, Function::linear});
+  const bool other_coded = m.has_code({Function::arc_cw, Function::arc_ccw, Function::cycle, Function::probe, Function::circular_pocket});
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
   if (other_coded || (!straight_coded && !in_force)) return fail(alarm(AlarmId::machine_motion_mode, call.where));
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, "G53"));

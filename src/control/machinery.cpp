@@ -281,6 +281,16 @@ double Machinery::value(char letter) const {
   return w == nullptr ? 0.0 : w->value * def.address(letter).scale;
 }
 
+bool Machinery::has_code(std::initializer_list<Function> functions) const {
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    const std::int32_t row = w.code < 0 ? -1 : def.row_of(w.address, w.code);
+    if (row >= 0 && std::find(functions.begin(), functions.end(), def.codes[static_cast<std::size_t>(row)].function) != functions.end())
+      return true;
+  }
+  return false;
+}
+
 Span Machinery::where(char letter) const {
   const Word* const w = block.find(letter);
   return w == nullptr ? block.where : w->where;

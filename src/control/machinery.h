@@ -1,11 +1,13 @@
 #pragma once
 // The inside of Control: state, and what the functions of a control's table share. Only src/control includes it.
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/units.h"
 #include "control/control.h"
 #include "control/cycles/cycle_run.h"
 #include "control/ellipse_run.h"
@@ -16,7 +18,6 @@
 
 namespace kadr {
 
-inline constexpr double mm_per_inch = 25.4;
 inline constexpr double farthest = 1e7;         // mm, degrees: a coordinate beyond ten kilometres is a mistake
 inline constexpr std::size_t batch_size = 256;  // actions handed on at a time
 
@@ -52,6 +53,8 @@ class Machinery {
   ///   alarms  word_not_integer, value_out_of_range
   Result<std::uint32_t> whole(char letter, double least, double most) const;
   Span where(char letter) const;
+  /// The block holds a code of one of these functions.
+  bool has_code(std::initializer_list<Function> functions) const;
   bool has_axis_words() const { return (block.letters & letters.axes) != 0; }
 
   // ---- motion

@@ -42,25 +42,12 @@ Status length(Machinery& m, const Call& call, std::int8_t sign) {
   return {};
 }
 
-/// The motion of this block: its own code, or the mode in force.
-MotionMode motion_of_block(const Machinery& m) {
-  MotionMode mode = m.modal.motion;
-  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
-    const Word& w = m.block.words[i];
-    const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
-    if (row < 0) continue;
-    const Function f = m.def.codes[static_cast<std::size_t>(row)].function;
-    if (f == Function::rapid || f == Function::linear) mode = MotionMode::linear;
-    if (f == Function::arc_cw || f == Function::arc_ccw) mode = MotionMode::arc_cw;
-  }
-  return mode;
-}
-
 /// 2С42, note to 6.4.1: a work zero changes on a straight section, with G90 and G40.
 Status check_zero_change(const Machinery& m, Span where) {
   if (!m.def.behaviour.zero_change_checked) return {};
-  const MotionMode motion = motion_of_block(m);
-  const bool straight = motion == MotionMode::rapid || motion == MotionMode::linear;
+  const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
+  const bool arc_coded = m.has_code({Function::arc_cw, Function::arc_ccw});
+  const bool straight = m.has_code({Function::rapid, Function::linear}) || (in_force && !arc_coded);
   if (straight && m.modal.absolute && m.modal.radius_side == 0) return {};
   return fail(alarm(AlarmId::zero_change, where));
 }

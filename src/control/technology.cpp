@@ -7,21 +7,8 @@
 namespace kadr {
 namespace {
 
-/// Does the block hold a code of that function?
-bool has_function(const Machinery& m, std::initializer_list<Function> wanted) {
-  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
-    const Word& w = m.block.words[i];
-    if (w.code < 0) continue;
-    const std::int32_t row = m.def.row_of(w.address, w.code);
-    if (row < 0) continue;
-    for (const Function f : wanted)
-      if (m.def.codes[static_cast<std::size_t>(row)].function == f) return true;
-  }
-  return false;
-}
-
 bool turns_spindle(const Machinery& m) {
-  return has_function(m, {Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
+  return m.has_code({Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
 }
 
 Status turn_spindle(Machinery& m, SpindleDir dir, Span where) {

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "base/units.h"
 
 namespace kadr {
 namespace {
 
-constexpr double mm_per_inch = 25.4;
 constexpr std::uint32_t first_system_variable = 1000;  // below it every number is the program's own
 
 /// The number of a variable, or 0 if `number` is none.

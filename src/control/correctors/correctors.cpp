@@ -35,15 +35,6 @@ Result<Named> read(const Machinery& m, const Word& w) {
   return named;
 }
 
-bool cancels(const Machinery& m) {
-  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
-    const Word& w = m.block.words[i];
-    const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
-    if (row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::corrector_cancel) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 Result<AxisMask> correctors::apply(Machinery& m) {
@@ -60,7 +51,7 @@ Result<AxisMask> correctors::apply(Machinery& m) {
       double& applied = m.corrector_applied[named->number * corrected_axes + a];
       double& added = m.transform.added[a];
       moved |= 1u << a;
-      if (cancels(m)) {
+      if (m.has_code({Function::corrector_cancel})) {
         // With the opposite sign, what it added last; never added: its stored value (spec/correctors 1).
         const double back = applied != 0 ? applied : stored;
         added = m.modal.absolute ? 0.0 : added - back;
