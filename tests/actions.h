@@ -18,7 +18,9 @@ inline Motion arc(MotionKind kind, Vec3 to, Vec3 center, double turns, Plane pla
   Motion m = straight(kind, to, 100);
   m.center = center;
   m.turns = turns;
-  m.plane = plane;
+  const PlaneAxes axes = axes_of(plane);
+  m.first = static_cast<std::uint8_t>(axes.first);
+  m.second = static_cast<std::uint8_t>(axes.second);
   return m;
 }
 

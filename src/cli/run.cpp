@@ -64,7 +64,7 @@ int run(const Options& options) {
   const Ending start = control.ending();
   const ToolPosition stand{start.position, start.machine_position};
   Statistics statistics(control.axes(), control.rotary(), rates_of(job->profile, job->setup, control.axes()), stand);
-  statistics.start_with(job->setup.spindle_rpm, static_cast<std::uint32_t>(std::max(job->setup.tool, 0)));
+  statistics.start_with(job->setup.spindle().rpm, static_cast<std::uint32_t>(std::max(job->setup.tool, 0)));
   std::optional<TraceWriter> trace;
   if (trace_file.get() != nullptr) trace.emplace(trace_file.get(), control.axes(), control.rotary(), stand, job->setup.points);
   std::optional<Plot> plot;

@@ -103,16 +103,69 @@ struct CycleRow {
   std::string manual;
 };
 
-enum class VariableKind : std::uint8_t { free, probe_point, home, home_second, set_position, fixture_number, fixture };
+// clang-format off
+#define KADR_VARIABLE_KINDS(X)                                                                              \
+  X(free) X(probe_point) X(home) X(home_second) X(set_position) X(fixture_number) X(fixture)                \
+  /* nct 23.1 */                                                                                            \
+  X(empty) X(constant_pi) X(constant_e) X(plc_in) X(plc_in_word) X(plc_out) X(plc_out_word)                               \
+  X(alarm_text) X(stop_text) X(message_text) X(message_box)                                                 \
+  X(clock) X(cutting_clock) X(date) X(time) X(parts_done) X(parts_required)                                 \
+  X(single_block_lock) X(override_lock) X(search_state) X(mirror_state) X(main_program)                     \
+  X(modal_group) X(modal_word)                                                                              \
+  X(end_position) X(machine_position) X(work_position) X(probe_position) X(length_in_force)                 \
+  X(servo_lag) X(handwheel_shift) X(distance_to_go)                                                         \
+  X(offset_length) X(offset_length_wear) X(offset_radius) X(offset_radius_wear)                             \
+  X(offset_corner) X(offset_corner_wear) X(offset_tip)                                                      \
+  X(offset_x) X(offset_y) X(offset_x_wear) X(offset_y_wear)                                                 \
+  X(zero_common) X(zero) X(rotation) X(zero_extended) X(rotation_extended)                                  \
+  X(zero_dynamic_number) X(zero_dynamic_value) X(zero_dynamic)                                              \
+  X(tool_magazine) X(tool_data) X(pallet_place) X(pallet_data) X(probe_position_5d)
+// clang-format on
+enum class VariableKind : std::uint8_t {
+#define KADR_VARIABLE_ENUM(name) name,
+  KADR_VARIABLE_KINDS(KADR_VARIABLE_ENUM)
+#undef KADR_VARIABLE_ENUM
+      count
+};
 
-/// System variables: `count` numbers from `from`, again every `stride`, `repeat` times.
-struct VariableRow {
-  VariableKind kind = VariableKind::free;
+/// Numbers of a system variable: `count` from `from`, again every `stride`, `repeat` times.
+struct VariableRange {
   std::uint32_t from = 0;
   std::uint32_t count = 1;
   std::uint32_t stride = 0;
   std::uint32_t repeat = 1;
+};
+
+struct VariableRow {
+  VariableKind kind = VariableKind::free;
+  std::vector<VariableRange> ranges;  // the short numbers, the long ones; the symbol means the last
+  std::string symbol;                 // "ABSIO" of #_ABSIO[n]; of a family (#_WZP7[n]) "WZP"
+  std::uint32_t first_index = 1;      // n of the first number
+  int arg = 0;                        // which: modal family 0 buffered, 1 executing, 2 interrupted; G54 is 1 of `zero`, …
+  int bit = -1;                       // one bit of another variable (`of`)
+  std::uint32_t of = 0;
+  bool read = true, write = true;
+  bool works = true;  // Kadr does it
   Text text;
+  std::string manual;
+};
+
+enum class ParameterScope : std::uint8_t { global, channel, axis, spindle };
+enum class ParameterType : std::uint8_t { bits, whole, real, text };
+enum class ParameterClass : std::uint8_t { run_time, restart, emergency };
+
+/// A parameter of the control (nct 24).
+struct ParameterRow {
+  std::string name;  // "0107"; "CLRG" where the manual gives no number
+  std::int32_t number = -1;
+  ParameterScope scope = ParameterScope::channel;
+  ParameterType type = ParameterType::real;
+  ParameterClass when = ParameterClass::run_time;
+  double least = -1e300, most = 1e300;
+  double initial = 0;
+  std::vector<std::string> bits;  // names by number; "" unknown; a name without a known number stands behind the eighth
+  bool used = false;              // Kadr obeys it
+  Text text;                      // en: the manual's own name first
   std::string manual;
 };
 
@@ -167,6 +220,7 @@ struct ControlDef {
   std::array<AddressRow, 26> addresses{};
   std::vector<CycleRow> cycles;
   std::vector<VariableRow> variables;
+  std::vector<ParameterRow> parameters;
   std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};  // rank of each phase
   std::vector<Phase> order_list;
   std::vector<std::int32_t> end_codes;        // rows put in force by the end of the program

@@ -19,7 +19,11 @@ constexpr std::string_view step_names[] = {
     "orient",      "stop",         "peck_full", "peck_break",   "shift_out", "shift_back",   "feed_face",       "passes_by_parameter"};
 static_assert(std::size(step_names) == static_cast<std::size_t>(CycleStep::count));
 
-constexpr std::string_view variable_kinds[] = {"free", "probe_point", "home", "home_second", "set_position", "fixture_number", "fixture"};
+constexpr std::string_view variable_kinds[] = {
+#define KADR_VARIABLE_NAME(name) #name,
+    KADR_VARIABLE_KINDS(KADR_VARIABLE_NAME)
+#undef KADR_VARIABLE_NAME
+};
 
 }  // namespace
 
@@ -214,10 +218,7 @@ Done ControlLoader::variables() {
     if (found == std::end(variable_kinds)) return Failed(place(name_, node) + "unknown kind '" + kind + "'");
     v.kind = static_cast<VariableKind>(found - std::begin(variable_kinds));
     const auto number = [&](const char* key, std::uint32_t otherwise) { return whole(*row, key, otherwise, most_variables); };
-    v.from = number("from", 0);
-    v.count = number("count", 1);
-    v.stride = number("stride", 0);
-    v.repeat = number("repeat", 1);
+    v.ranges.push_back({number("from", 0), number("count", 1), number("stride", 0), number("repeat", 1)});
     v.text = text_of(*row);
     v.manual = (*row)["manual"].value_or(std::string());
     def_.variables.push_back(std::move(v));

@@ -134,18 +134,13 @@ Reader to_number(double& to) {
   return [&to](const Json& value, const std::string& key) { to = number(value, key); };
 }
 
-/// Adds, for an offset is geometry plus wear.
-Reader add_number(double& to) {
-  return [&to](const Json& value, const std::string& key) { to += number(value, key); };
-}
-
 ToolOffset tool_offset(const Json& value, const std::string& key) {
   ToolOffset offset;
   read_table(value, key,
-             {{"length", add_number(offset.length)},
-              {"length_wear", add_number(offset.length)},
-              {"radius", add_number(offset.radius)},
-              {"radius_wear", add_number(offset.radius)},
+             {{"length", to_number(offset.length)},
+              {"length_wear", to_number(offset.length_wear)},
+              {"radius", to_number(offset.radius)},
+              {"radius_wear", to_number(offset.radius_wear)},
               {"corner_radius", only_neutral},
               {"corner_radius_wear", only_neutral}});
   return offset;
@@ -187,13 +182,15 @@ AxisLimits axis_limits(const Json& value, const std::string& key) {
 
 void spindle(const Json& value, const std::string& key, Setup& setup) {
   const Reader dir = [&](const Json& item, const std::string& name) {
-    setup.spindle_dir = word(item, name);
-    if (setup.spindle_dir != "cw" && setup.spindle_dir != "ccw" && setup.spindle_dir != "stop") wrong(name, "\"cw\", \"ccw\" or \"stop\"");
+    std::string& direction = setup.spindles[1].dir;
+    direction = word(item, name);
+    if (direction != "cw" && direction != "ccw" && direction != "stop") wrong(name, "\"cw\", \"ccw\" or \"stop\"");
   };
   for (const auto& [name, row] : table(value, key).items()) {
     if (row_number(name, key) != 1) not_served(key + "." + name);
+    SpindleSetup& spindle = setup.spindles[1];
     read_table(row, key + "." + name,
-               {{"rpm", to_number(setup.spindle_rpm)},
+               {{"rpm", to_number(spindle.rpm)},
                 {"dir", dir},
                 {"name", only_neutral},
                 {"channel", only_first},
@@ -313,6 +310,12 @@ Readers readers_of(Setup& setup) {
 }
 
 }  // namespace
+
+const SpindleSetup& Setup::spindle() const {
+  static const SpindleSetup stands;
+  const auto found = spindles.find(1);
+  return found == spindles.end() ? stands : found->second;
+}
 
 tl::expected<Setup, std::string> parse_setup(std::string_view json) {
   Setup setup;

@@ -11,17 +11,6 @@
 namespace kadr {
 namespace {
 
-struct PlaneAxes {
-  std::size_t first, second, normal;
-};
-PlaneAxes axes_of(Plane plane) {
-  switch (plane) {
-    case Plane::zx: return {2, 0, 1};
-    case Plane::yz: return {1, 2, 0};
-    default: return {0, 1, 2};
-  }
-}
-
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
 /// A circle of another plane does not stay in it under G68, which turns in XY.
@@ -49,7 +38,7 @@ tl::unexpected<Alarm> placed(const Machinery& m, Alarm alarm) {
 
 class Circular {
  public:
-  Circular(Machinery& m, Turn turn) : m_(m), turn_(turn), axes_(axes_of(m.modal.plane)) {}
+  Circular(Machinery& m, Turn turn) : m_(m), turn_(turn), axes_(m.modal.axes) {}
 
   Status run(Span where) {
     if (m_.modal.polar) return fail(alarm(AlarmId::polar_motion, where, turn_ == Turn::cw ? "G2" : "G3"));
@@ -156,7 +145,7 @@ class Circular {
     const bool cw = (turn_ == Turn::cw) != reversed;
     Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);
     m_.set_feed(motion);
-    motion.center = {center[0], center[1], center[2]};
+    motion.center = {center[axes_.first], center[axes_.second]};
     motion.turns = arc.turns;
   }
 
@@ -196,8 +185,9 @@ Status functions::circular_pocket(Machinery& m, const Call& call) {
   const bool cw = (call.row->arg == 2) != runs_reversed(m.transform, plane);
   Motion& circle = m.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, 3u);
   m.set_feed(circle);
-  circle.plane = Plane::xy;
-  circle.center = {center[0], center[1], center[2]};
+  circle.first = 0;
+  circle.second = 1;
+  circle.center = {center[0], center[1]};
   circle.turns = 1;
   return m.straight(MotionKind::feed, middle, 1u);
 }

@@ -33,7 +33,11 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   Motion* const reused = std::get_if<Motion>(&action.what);
   Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
   motion.kind = kind;
-  motion.plane = modal.plane;
+  motion.first = static_cast<std::uint8_t>(modal.axes.first);
+  motion.second = static_cast<std::uint8_t>(modal.axes.second);
+  motion.along = FeedAlong::path;
+  motion.own_override = false;
+  motion.detail.reset();
   motion.named = named;
   motion.to = position.work;
   motion.machine = position.machine;
@@ -121,7 +125,7 @@ void Machinery::set_feed(Motion& motion) {
 
 double Machinery::radius_in_force() const {
   if (modal.radius_by_word >= 0) return modal.radius_by_word;
-  return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].radius : 0.0;
+  return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].whole_radius() : 0.0;
 }
 
 void Machinery::refresh_frames() {
@@ -136,7 +140,7 @@ void Machinery::refresh_frames() {
   constexpr std::size_t length_axis = 2;  // Z
   const std::uint32_t number = modal.length_number != 0 ? modal.length_number : modal.offset_number;
   const bool in_table = number < tables.offsets.size();
-  frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].length;
+  frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].whole_length();
 }
 
 void Machinery::change_frames() {

@@ -135,8 +135,8 @@ void Machinery::start_modal(const Setup& setup) {
     modal.feed = *setup.feed;
     modal.feed_known = true;
   }
-  modal.rpm = setup.spindle_rpm;
-  modal.spindle = setup.spindle_dir == "cw" ? SpindleDir::cw : setup.spindle_dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
+  modal.rpm = setup.spindle().rpm;
+  modal.spindle = setup.spindle().dir == "cw" ? SpindleDir::cw : setup.spindle().dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
   modal.tool = modal.tool_selected = static_cast<std::uint32_t>(std::max(setup.tool, 0));
   apply_mirror();
   refresh_frames();

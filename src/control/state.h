@@ -13,6 +13,20 @@ namespace kadr {
 
 inline constexpr std::size_t most_groups = 48;
 
+enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
+
+/// Axes of the selected plane, by index; counter-clockwise turns the first towards the second.
+struct PlaneAxes {
+  std::size_t first = 0, second = 1, normal = 2;
+};
+inline PlaneAxes axes_of(Plane plane) {
+  switch (plane) {
+    case Plane::zx: return {2, 0, 1};
+    case Plane::yz: return {1, 2, 0};
+    default: return {0, 1, 2};
+  }
+}
+
 enum class MotionMode : std::uint8_t { none, rapid, linear, arc_cw, arc_ccw, cycle };
 enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
@@ -22,6 +36,7 @@ struct Modal {
   std::int16_t motion_row = -1;
   MotionMode motion = MotionMode::none;
   Plane plane = Plane::xy;
+  PlaneAxes axes;  // of the plane
   FeedMode feed_mode = FeedMode::per_minute;
   SpindleDir spindle = SpindleDir::stop;
   std::int8_t radius_side = 0;     // -1 left (G41), +1 right (G42)

@@ -73,10 +73,11 @@ void Variables::undo_block() {
 
 VariableKind Variables::kind_of(std::uint32_t number) const {
   for (const VariableRow& row : def_.variables) {
-    if (number < row.from) continue;
-    const std::uint32_t beyond = number - row.from;
-    const std::uint32_t nth = row.stride == 0 ? 0 : beyond / row.stride;
-    if (nth < row.repeat && beyond - nth * row.stride < row.count) return row.kind;
+    const VariableRange& range = row.ranges.front();
+    if (number < range.from) continue;
+    const std::uint32_t beyond = number - range.from;
+    const std::uint32_t nth = range.stride == 0 ? 0 : beyond / range.stride;
+    if (nth < range.repeat && beyond - nth * range.stride < range.count) return row.kind;
   }
   return VariableKind::free;
 }
@@ -88,7 +89,7 @@ bool Variables::is_length(std::uint32_t number) const {
 
 std::uint32_t Variables::first(VariableKind kind, std::uint32_t nth) const {
   for (const VariableRow& row : def_.variables)
-    if (row.kind == kind) return row.from + nth * row.stride;
+    if (row.kind == kind) return row.ranges.front().from + nth * row.ranges.front().stride;
   return 0;
 }
 

@@ -160,8 +160,9 @@ std::string control_page(const ControlDef& def) {
   }
   if (!def.variables.empty()) page += "\n## System variables\n\n| numbers | meaning | значение | source |\n|---|---|---|---|\n";
   for (const VariableRow& row : def.variables)
-    page += fmt::format("| #{}{}{} | {} | {} | {} |\n", row.from, row.count > 1 ? fmt::format("–#{}", row.from + row.count - 1) : "",
-                        row.repeat > 1 ? fmt::format(", every {} up to {} times", row.stride, row.repeat) : "", escaped(row.text.en),
+    const VariableRange& range = row.ranges.front();
+    page += fmt::format("| #{}{}{} | {} | {} | {} |\n", range.from, range.count > 1 ? fmt::format("–#{}", range.from + range.count - 1) : "",
+                        range.repeat > 1 ? fmt::format(", every {} up to {} times", range.stride, range.repeat) : "", escaped(row.text.en),
                         escaped(row.text.ru), escaped(row.manual));
   return page;
 }

@@ -10,13 +10,11 @@ constexpr std::size_t number_room = 32;
 constexpr std::size_t head_room = 192;
 constexpr std::size_t most_digits = 20;  // of a block number
 
-constexpr std::array<std::string_view, 6> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home"};
+constexpr std::array<std::string_view, 7> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home", "thread"};
 constexpr std::array<std::string_view, 3> unit_names = {"mm/min", "mm/rev", "1/min"};
-constexpr std::array<std::string_view, 4> dir_names = {"stop", "cw", "ccw", "orient"};
+constexpr std::array<std::string_view, 5> dir_names = {"stop", "cw", "ccw", "orient", "position"};
 constexpr std::array<std::string_view, 3> coolant_names = {"off", "mist", "flood"};
 constexpr std::array<std::string_view, 3> coolant_codes = {"M9", "M7", "M8"};
-constexpr std::array<std::string_view, 3> plane_names = {"XY", "ZX", "YZ"};
-constexpr std::array<std::string_view, 3> plane_axes = {"XY", "ZX", "YZ"};
 
 template <class E>
 constexpr std::size_t index(E value) {
@@ -35,8 +33,6 @@ char* put_block(char* at, const Origin& origin) {
 }
 
 char* put_field(char* at, std::string_view key, double value) { return put_number(put_text(at, key), value); }
-
-double component(const Vec3& v, char letter) { return letter == 'X' ? v.x : letter == 'Y' ? v.y : v.z; }
 
 std::string number_string(double value) {
   std::array<char, number_room> text;
@@ -85,6 +81,9 @@ std::string fields_of(const Action& action) {
     std::string operator()(const Stop& s) const { return s.optional ? R"(optional_stop")" : R"(stop")"; }
     std::string operator()(const Message& m) const { return R"(message","text":)" + json(m.text); }
     std::string operator()(const FrameChange&) const { return {}; }
+    std::string operator()(const AuxiliaryFunction&) const { return {}; }
+    std::string operator()(const Sync&) const { return {}; }
+    std::string operator()(const ZoneChange&) const { return {}; }
   };
   return std::visit(Fields{}, action.what);
 }
@@ -95,6 +94,7 @@ TraceWriter::TraceWriter(std::FILE* file, const std::vector<std::string>& axes, 
                          std::vector<double> points)
     : out_(file), roles_(AxisRoles::of(axes, rotary)), points_(std::move(points)), position_(start) {
   for (std::size_t i = 0; i < roles_.count; ++i) keys_.push_back(json(axes[i]) + ":");
+  names_ = axes;
 }
 
 char* TraceWriter::put_head(char* at, std::string_view kind, const Origin& origin) const {
@@ -121,15 +121,11 @@ char* TraceWriter::put_axes(char* at, std::string_view key, const Axes& axes) co
 }
 
 char* TraceWriter::put_arc(char* at, const Motion& motion) const {
-  const std::string_view plane = plane_axes[index(motion.plane)];
-  at = put_text(at, R"(,"center":{)");
-  for (std::size_t i = 0; i < plane.size(); ++i) {
-    if (i > 0) *at++ = ',';
-    *at++ = '"';
-    *at++ = plane[i];
-    at = put_field(at, "\":", component(motion.center, plane[i]));
-  }
-  at = put_text(put_text(at, R"(},"plane":")"), plane_names[index(motion.plane)]);
+  at = put_number(put_text(put_text(at, R"(,"center":{)"), keys_[motion.first]), motion.center.x);
+  *at++ = ',';
+  at = put_number(put_text(at, keys_[motion.second]), motion.center.y);
+  at = put_text(put_text(at, R"(},"plane":")"), names_[motion.first]);
+  at = put_text(at, names_[motion.second]);
   return put_field(at, R"(","turns":)", motion.turns);
 }
 

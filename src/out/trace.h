@@ -34,7 +34,8 @@ class TraceWriter {
 
   TextBuffer out_;
   AxisRoles roles_;
-  std::vector<std::string> keys_;  // "X":
+  std::vector<std::string> keys_;
+  std::vector<std::string> names_;  // "X":
   std::vector<double> points_;
   ToolPosition position_;
 };

@@ -7,9 +7,6 @@ namespace kadr {
 namespace {
 
 constexpr int most_pieces = 100'000;
-constexpr std::array<std::array<std::size_t, 2>, 3> plane_letters = {{{0, 1}, {2, 0}, {1, 2}}};  // xy, zx, yz
-
-double component(const Vec3& v, std::size_t letter) { return letter == 0 ? v.x : letter == 1 ? v.y : v.z; }
 
 /// Length of a spiral around an axis, per radian: radius r at `part`, `rise` along, `growth` outwards.
 /// Gauss-Legendre, five points: exact to rounding where the radius hardly grows, which controls ensure.
@@ -27,9 +24,10 @@ double spiral_length(double radius, double growth, double rise, double sweep_rad
 Curve::Curve(const AxisRoles& roles, const Axes& from, const Motion& motion)
     : roles_(roles), from_(from), motion_(motion), arc_(is_arc(motion.kind)) {
   if (!arc_) return;
-  plane_ = plane_letters[static_cast<std::size_t>(motion.plane)];
-  const auto in_plane = [&](const Axes& axes) { return Vec2{roles.value(axes, plane_[0]), roles.value(axes, plane_[1])}; };
-  center_ = {component(motion.center, plane_[0]), component(motion.center, plane_[1])};
+  first_ = motion.first;
+  second_ = motion.second;
+  const auto in_plane = [&](const Axes& axes) { return Vec2{axes[first_], axes[second_]}; };
+  center_ = motion.center;
   arm_ = in_plane(from) - center_;
   sweep_deg_ = 360 * motion.turns * (motion.kind == MotionKind::arc_ccw ? 1 : -1);
   radius_ = kadr::length(arm_);
@@ -37,10 +35,7 @@ Curve::Curve(const AxisRoles& roles, const Axes& from, const Motion& motion)
 }
 
 double Curve::linear_squares(bool outside_plane) const {
-  const auto in_plane = [&](std::size_t axis) {
-    const int place = static_cast<int>(axis);
-    return place == roles_.xyz[plane_[0]] || place == roles_.xyz[plane_[1]];
-  };
+  const auto in_plane = [&](std::size_t axis) { return axis == first_ || axis == second_; };
   double sum = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) {
     if (roles_.is_rotary(i) || (outside_plane && in_plane(i))) continue;
@@ -66,8 +61,8 @@ double Curve::rotary_length() const {
 }
 
 void Curve::set_in_plane(Axes& point, Vec2 in_plane) const {
-  if (const int first = roles_.xyz[plane_[0]]; first >= 0) point[static_cast<std::size_t>(first)] = in_plane.x;
-  if (const int second = roles_.xyz[plane_[1]]; second >= 0) point[static_cast<std::size_t>(second)] = in_plane.y;
+  point[first_] = in_plane.x;
+  point[second_] = in_plane.y;
 }
 
 Axes Curve::at(double part) const {
@@ -98,8 +93,8 @@ Extents Curve::extents() const {
     const SinCos at = sincos_deg(90 * quarter);
     const double radius = radius_ + radius_change_ * part;
     const Vec2 point = center_ + radius * Vec2{at.cos, at.sin};
-    if (const int axis = roles_.xyz[plane_[0]]; axis >= 0 && at.sin == 0) take(static_cast<std::size_t>(axis), point.x);
-    if (const int axis = roles_.xyz[plane_[1]]; axis >= 0 && at.cos == 0) take(static_cast<std::size_t>(axis), point.y);
+    if (at.sin == 0) take(first_, point.x);
+    if (at.cos == 0) take(second_, point.y);
   };
   // Of many turns the outermost are the first and the last, for the radius grows steadily.
   for (double quarter = first; quarter <= std::min(last, first + 3); ++quarter) take_quarter(quarter);

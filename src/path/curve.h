@@ -46,7 +46,7 @@ class Curve {
   const Axes& from_;
   const Motion& motion_;
   bool arc_ = false;
-  std::array<std::size_t, 2> plane_{0, 1};  // letters (0 X, 1 Y, 2 Z) of the plane, first and second
+  std::size_t first_ = 0, second_ = 1;  // axes of the plane
   Vec2 center_;
   Vec2 arm_;              // centre → start
   double sweep_deg_ = 0;  // counter-clockwise positive

@@ -22,7 +22,7 @@ std::string refusal(std::string_view json) {
 TEST(setup, empty_is_power_on) {
   const kadr::Setup setup = read("{}");
   EXPECT_TRUE(setup.axes.empty());
-  EXPECT_EQ(setup.spindle_dir, "stop");
+  EXPECT_EQ(setup.spindle().dir, "stop");
   EXPECT_EQ(setup.feed_override, 100);
 }
 
@@ -37,8 +37,8 @@ TEST(setup, every_served_key) {
   EXPECT_EQ(s.zeros.at(1).at("X"), 100);
   EXPECT_EQ(s.correctors.at(17), 2.5);
   EXPECT_EQ(s.variables.at("#2"), std::nullopt);
-  EXPECT_EQ(s.spindle_rpm, 600);
-  EXPECT_EQ(s.spindle_dir, "cw");
+  EXPECT_EQ(s.spindle().rpm, 600);
+  EXPECT_EQ(s.spindle().dir, "cw");
   EXPECT_EQ(s.feed_override, 50);
   EXPECT_EQ(s.rapid_override, 100);
   EXPECT_EQ(s.probe.at(1)->at("X"), 80);
