@@ -159,11 +159,12 @@ std::string control_page(const ControlDef& def) {
                         body.substr(0, body.size() - std::string("` · `").size()));
   }
   if (!def.variables.empty()) page += "\n## System variables\n\n| numbers | meaning | значение | source |\n|---|---|---|---|\n";
-  for (const VariableRow& row : def.variables)
+  for (const VariableRow& row : def.variables) {
     const VariableRange& range = row.ranges.front();
     page += fmt::format("| #{}{}{} | {} | {} | {} |\n", range.from, range.count > 1 ? fmt::format("–#{}", range.from + range.count - 1) : "",
                         range.repeat > 1 ? fmt::format(", every {} up to {} times", range.stride, range.repeat) : "", escaped(row.text.en),
                         escaped(row.text.ru), escaped(row.manual));
+  }
   return page;
 }
 
