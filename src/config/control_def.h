@@ -34,8 +34,10 @@ struct CodeRow {
   bool modal = false;              // stays in force (its group is a modal one)
   bool own_block = false;          // must stand alone (with the words it takes)
   bool needs_axis = false;         // at least one axis word
-  std::uint32_t takes = 0;         // letters of the words it uses
-  std::uint32_t needs = 0;         // letters that must be there
+  bool takes_all_axes = false;     // "*": every axis address of the channel is in `takes`
+  bool works = true;               // Kadr does it
+  std::uint64_t takes = 0;         // letters of the words it uses
+  std::uint64_t needs = 0;         // letters that must be there
   std::vector<std::int32_t> with;  // tenths of codes of its group that may stand beside it (M7 and M8)
   Text text;
   std::string manual;
@@ -50,6 +52,7 @@ struct AddressRow {
   Function function = Function::count;  // count: the control has no such address
   Phase phase = Phase::none;
   std::uint8_t axis = 0;  // of `axis` and `center`: index in ControlDef::axes
+  std::uint8_t number = 0;  // of a spindle; of an auxiliary function 1 to 3
   WordUnit unit = WordUnit::none;
   double scale = 1;       // the word's value times this is in mm, degrees, s, …
   bool whole = false;     // must be a whole number
@@ -95,7 +98,7 @@ struct CycleRow {
   std::uint32_t call_number = 0;  // 81 of L81; 0: called by its code
   std::vector<CycleStep> steps;   // by steps …
   std::string body;               // … or as a program in the control's own language
-  std::uint32_t needs = 0;        // letters that must be known (given or sticky)
+  std::uint64_t needs = 0;        // letters that must be known (given or sticky)
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
   bool needs_override_off = false;  // L84 of the 2С42: G23
@@ -194,6 +197,7 @@ struct Behaviour {
   bool ends_reading = true;             // nothing after the end is read (GOST)
   bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
   bool correctors = false;              // axis correctors (spec/correctors)
+  bool machine_axes = false;            // the axes and their names are the machine's: the set-up says them (nct 2)
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;
@@ -215,9 +219,11 @@ struct ControlDef {
   Behaviour behaviour;
   std::vector<std::string> axes;  // names in order
   std::uint32_t rotary = 0;       // bit per axis
+  std::array<std::uint8_t, max_axes> axis_numbers{};  // control-wide, from 1 (nct 2.1)
+  std::uint8_t channel = 1;
   std::vector<GroupRow> groups;   // [0] is no group
   std::vector<CodeRow> codes;     // in the file's order
-  std::array<AddressRow, 26> addresses{};
+  std::array<AddressRow, most_addresses> addresses{};
   std::vector<CycleRow> cycles;
   std::vector<VariableRow> variables;
   std::vector<ParameterRow> parameters;
@@ -228,7 +234,8 @@ struct ControlDef {
   std::map<std::int32_t, double> feed_codes;  // coded F and S (spec/gost 3), empty: direct
   std::map<std::int32_t, double> speed_codes;
 
-  static constexpr std::int32_t most_tenths = 100'000;  // G9999.9, M9999.9
+  static constexpr std::int32_t most_tenths = 100'000;      // G9999.9, M9999.9: codes with a row
+  static constexpr std::int32_t most_codes = 1'000'000'000;  // M99999999: codes at all
   std::vector<std::int16_t> g_rows;                     // by tenth → row, -1: unknown
   std::vector<std::int16_t> m_rows;
   std::int32_t m_user_from = -1;  // other M codes that go to the machine (free functions, macros M100…)

@@ -56,8 +56,8 @@ class ControlLoader {
   Done groups();
   int group_named(std::string_view name) const;
   /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
-  static std::uint32_t letters(const std::string& text);
-  static std::uint32_t letter_bit_of(char c) { return 1u << (c - 'A'); }
+  static std::uint64_t letters(const std::string& text);
+  static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }
   Done codes(std::string_view key, char letter);
   Done code(char letter, double number, const toml::table& row);
   /// "other": the numbers that have no row of their own go to the machine.

@@ -50,8 +50,8 @@ int ControlLoader::group_named(std::string_view name) const {
 }
 
 /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
-std::uint32_t ControlLoader::letters(const std::string& text) {
-  std::uint32_t bits = 0;
+std::uint64_t ControlLoader::letters(const std::string& text) {
+  std::uint64_t bits = 0;
   for (const char c : text)
     if (c >= 'A' && c <= 'Z') bits |= letter_bit_of(c);
   return bits;

@@ -22,8 +22,8 @@ bool ends_or_stops(const CodeRow* row) {
 
 Status Machinery::carry_out(const Plan& plan) {
   if (def.grammar.expressions)
-    for (const Span comment : block.comments) {
-      const std::string_view text = block.text_of(comment);
+    for (const Span comment : block->comments) {
+      const std::string_view text = block->text_of(comment);
       if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) {
         Span all;
         emit(Message{flow.shown(text.substr(4), all)});
@@ -64,9 +64,9 @@ Status Machinery::carry_out(const Plan& plan) {
 
 Status Machinery::carry_out(const PlanItem& item) {
   const CodeRow* const row = row_of(item);
-  const Word* const w = item.word == no_word ? nullptr : &block.words[item.word];
+  const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
-  KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block.where}));
+  KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
   return {};
 }
@@ -80,7 +80,7 @@ bool Machinery::is_call(const PlanItem& item) const {
 /// An end that waits must be one that can come: what would fail then fails now, before anything is done.
 ///   depth  calls and repetitions open around the block
 Status Machinery::end_possible(const PlanItem& item, std::size_t depth) const {
-  const Span at = block.words[item.word].where;
+  const Span at = block->words[item.word].where;
   const CallFrame* const around = depth == 0 ? nullptr : &flow.frames()[depth - 1];
   const bool in_repetition = around != nullptr && around->kind == CallFrame::Kind::repetition;
   switch (row_of(item)->function) {
@@ -112,7 +112,7 @@ Status Machinery::radius_comp_possible() const {
   const double radius = radius_in_force();
   if (radius == 0) return {};
   const Word* const d = word('D');
-  return fail(alarm(AlarmId::compensation_not_available, d != nullptr ? d->where : block.where, radius));
+  return fail(alarm(AlarmId::compensation_not_available, d != nullptr ? d->where : block->where, radius));
 }
 
 /// M0, M2 and their like in the block of a cycle: the holes come first (order of execution: motion, stop, flow).
@@ -171,7 +171,7 @@ void Machinery::run_modes(std::initializer_list<Function> functions) {
         modal.motion = MotionMode::rapid;
         modal.motion_row = static_cast<std::int16_t>(i);
       } else {
-        (void)handler_of(function)(*this, {&row, nullptr, block.where});
+        (void)handler_of(function)(*this, {&row, nullptr, block->where});
       }
       if (row.group != 0) modal.rows[row.group] = static_cast<std::int16_t>(i);
       break;

@@ -31,8 +31,8 @@ bool runs_reversed(const Transform& t, PlaneAxes axes) {
 
 /// Places an alarm of the geometry at the arc's own words.
 tl::unexpected<Alarm> placed(const Machinery& m, Alarm alarm) {
-  alarm.where = m.block.where;
-  while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block.text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
+  alarm.where = m.block->where;
+  while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block->text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
   return fail(alarm);
 }
 
@@ -45,8 +45,8 @@ class Circular {
     AxisMask named = 0;
     Axes end;
     KADR_TRY(m_.target(end, named));
-    const std::uint32_t used = m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : 0u);
-    if ((m_.block.letters & used) == 0) return {};  // the code alone: only the mode
+    const std::uint64_t used = m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : std::uint64_t{0});
+    if ((m_.block->letters & used) == 0) return {};  // the code alone: only the mode
     if (m_.def.behaviour.correctors && m_.has('L'))
       return fail(alarm(AlarmId::not_together, m_.where('L'), "L", turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
@@ -100,7 +100,7 @@ class Circular {
     const char letter = m_.letters.center_letter[axes_.normal];
     if (!has_center(axes_.normal)) {
       if (rise <= tol::same_point) return {};
-      return fail(alarm(AlarmId::word_missing, m_.block.where, letter, "G2, G3"));
+      return fail(alarm(AlarmId::word_missing, m_.block->where, letter, "G2, G3"));
     }
     const double lead = std::fabs(m_.length_value(letter));
     if (rise <= tol::same_point) return fail(alarm(AlarmId::word_unused, m_.where(letter), letter));
@@ -124,7 +124,7 @@ class Circular {
     job.greatest_scale = std::max(std::fabs(m_.transform.scale[axes_.first]), std::fabs(m_.transform.scale[axes_.second]));
     job.named = named | 1u << axes_.first | 1u << axes_.second;
     const double reach = (length(arc.center) + length(in_plane(end, axes_) - arc.center)) * job.greatest_scale;
-    if (!(reach <= farthest)) return fail(alarm(AlarmId::position_out_of_range, m_.block.where, m_.axis_names[axes_.first], reach));
+    if (!(reach <= farthest)) return fail(alarm(AlarmId::position_out_of_range, m_.block->where, m_.axis_names[axes_.first], reach));
     m_.ellipse_run.start(job);
     return {};
   }

@@ -1,11 +1,22 @@
 #include "control/control.h"
 
+#include "config/machine_axes.h"
 #include "control/machinery.h"
+#include "control/nct/nct.h"
+#include "control/shared_memory.h"
 
 namespace kadr {
 
-Control::Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits)
-    : machinery_(std::make_unique<Machinery>(def, setup, std::move(program), limits)) {
+Control::Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits, std::shared_ptr<SharedMemory> shared) {
+  std::unique_ptr<ControlDef> own;
+  std::string error;
+  if (def.behaviour.machine_axes) {
+    own = std::make_unique<ControlDef>(def);
+    error = fit_to_machine(*own, setup);
+  }
+  machinery_ = std::make_unique<Machinery>(def, std::move(own), setup, std::move(program), limits,
+                                           shared ? shared->commons : std::make_shared<nct::Commons>());
+  if (!error.empty()) machinery_->start_error = error;
   machinery_->on_warning = &on_warning;
 }
 Control::~Control() = default;
@@ -18,7 +29,7 @@ bool Control::is_stopped() const { return machinery_->is_stopped(); }
 void Control::go_on() { machinery_->go_on(); }
 const AlarmReport& Control::report() const { return machinery_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
-  const Block& last = machinery_->block;
+  const Block& last = *machinery_->block;
   if (origin.line != last.position.line || machinery_->flow.in_body()) return machinery_->report_of(alarm, origin, {});
   Alarm placed = alarm;  // the block is still in hand
   placed.where = last.where;

@@ -18,6 +18,11 @@
 
 namespace kadr {
 
+namespace nct {
+class Nct;
+struct Commons;
+}
+
 inline constexpr double farthest = 1e7;         // mm, degrees: a coordinate beyond ten kilometres is a mistake
 inline constexpr std::size_t batch_size = 256;  // actions handed on at a time
 
@@ -29,7 +34,10 @@ struct PocketCycle {
 
 class Machinery {
  public:
-  Machinery(const ControlDef& control, const Setup& setup, Program program, RunLimits limits);
+  /// `own`: the control's definition made fit for this machine, or nullptr (then `control` is used as it is).
+  Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, RunLimits limits,
+            std::shared_ptr<nct::Commons> commons);
+  ~Machinery();
 
   Control::State run(ActionBatch& batch);
   void answer(const ProbeAnswer& answer);
@@ -42,8 +50,8 @@ class Machinery {
 
   // ---- words of the block being carried out
 
-  const Word* word(char letter) const { return block.find(letter); }
-  bool has(char letter) const { return block.has(letter); }
+  const Word* word(char letter) const { return block->find(letter); }
+  bool has(char letter) const { return block->has(letter); }
   /// Value of a word with the scale of its address; 0 if it is not there.
   double value(char letter) const;
   /// The same as a length: mm.
@@ -55,7 +63,7 @@ class Machinery {
   Span where(char letter) const;
   /// The block holds a code of one of these functions.
   bool has_code(std::initializer_list<Function> functions) const;
-  bool has_axis_words() const { return (block.letters & letters.axes) != 0; }
+  bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
 
   // ---- motion
 
@@ -88,6 +96,7 @@ class Machinery {
   void refresh_frames();
   /// The same, and the tool's coordinates in the new frame (the machine stands).
   void change_frames();
+  FrameChange frame_change() const;
   double radius_in_force() const;
   /// An offset is about to be written: an alarm later in the block brings it back.
   void keep_offset(std::uint32_t number) { kept_offset_ = {number, tables.offsets[number]}; }
@@ -96,9 +105,12 @@ class Machinery {
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
   void apply_mirror();
   void warn(const Alarm& alarm);
+  /// The addresses of the block, anew: words were taken away (address 0) or given back.
+  void note_addresses();
 
   // ---- what the functions work on
 
+  const std::unique_ptr<ControlDef> own_def;
   const ControlDef& def;
   const LetterSets letters;
   Modal modal;
@@ -112,6 +124,7 @@ class Machinery {
   CycleRun cycle_run;
   EllipseRun ellipse_run;
   PocketCycle pocket;
+  std::unique_ptr<nct::Nct> nct;          // where the control is an NCT
   std::vector<double> corrector_applied;  // by corrector and axis: what it added last (spec/correctors 1)
   Axes set_position{};                    // G92 / G52 shift (Mach3), mm
   bool set_position_by_g52 = false;
@@ -129,7 +142,8 @@ class Machinery {
   std::string call_text;  // block that called the cycle body being carried out, and its L word
   Span call_where;
 
-  Block block;
+  Block first_block;           // before the first one is read
+  Block* block = &first_block;  // being carried out
   Origin origin;
   ActionBatch* batch = nullptr;
   std::vector<std::string> axis_names;
@@ -168,6 +182,8 @@ class Machinery {
   Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
   Status after_cycle();
   Status evaluate_words();
+  Status evaluate_word(Word& w);
+  Status find_axis(Word& w);
   Status assign();
   Status check_ranges() const;
   bool changes_only_position() const;

@@ -38,7 +38,8 @@ class Planner {
     plan_.taken = 0;
     for (std::uint32_t i = 0; i < block_.word_count; ++i) {
       const Word& word = block_.words[i];
-      const std::uint32_t bit = letter_bit(word.address);
+      if (word.address == 0) continue;
+      const std::uint64_t bit = letter_bit(word.address);
       if ((letters_.codes & bit) != 0) KADR_TRY(code(word, static_cast<std::uint8_t>(i)));
       else if ((letters_.acting & bit) != 0) acting(word, static_cast<std::uint8_t>(i));
     }
@@ -64,7 +65,7 @@ class Planner {
     plan_.taken |= row.takes;
     ++code_count_;
     if (row.needs_axis && (block_.letters & letters_.axes) == 0) return fail(alarm(AlarmId::no_axis_word, word.where, row.code));
-    if (const std::uint32_t missing = row.needs & ~block_.letters; missing != 0)
+    if (const std::uint64_t missing = row.needs & ~block_.letters; missing != 0)
       return fail(alarm(AlarmId::word_missing, word.where, static_cast<char>('A' + std::countr_zero(missing)), row.code));
     add(row.phase, index, static_cast<std::int16_t>(row_index), 0);
     return {};
@@ -91,7 +92,7 @@ class Planner {
 
   /// Two codes that both want the axis words of the block; a motion code beside G28 and its like only sets the mode.
   Status axes_taken(const CodeRow& row, const Word& word) {
-    const bool is_mode = row.modal && row.phase == Phase::motion;
+    const bool is_mode = row.modal && (row.phase == Phase::motion || row.phase == Phase::positioning);
     if (is_mode) {
       motion_coded_ = true;
       motion_word_ = &word;
@@ -112,12 +113,15 @@ class Planner {
 
   /// Axis words alone: the motion code in force acts again.
   Status motion_in_force(std::int16_t motion_row) {
-    std::uint32_t starts = letters_.axes | letters_.centers;
+    std::uint64_t starts = letters_.axes | letters_.centers;
     if (def_.behaviour.correctors) starts |= letter_bit('L');
-    const std::uint32_t loose = block_.letters & starts & ~plan_.taken;
-    if (loose == 0 || motion_coded_ || axes_taker_ != nullptr) return {};
+    const std::uint64_t loose = block_.letters & starts & ~plan_.taken;
+    if (loose == 0 || motion_coded_ || axes_taker_ != nullptr) {
+      ignored_in_cycle(motion_row);
+      return {};
+    }
     if (motion_row == any_motion) {
-      plan_.taken = ~0u;
+      plan_.taken = ~std::uint64_t{0};
       return {};
     }
     if (motion_row < 0) {
@@ -125,20 +129,31 @@ class Planner {
       return fail(alarm(AlarmId::no_motion_mode, word.where, word.address));
     }
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
+    if (row.function == Function::drilling && (loose & letters_.axes) == 0) {  // nct 18: without an axis nothing is drilled or kept
+      plan_.taken |= row.takes;
+      return {};
+    }
     if ((loose & row.takes) == 0) return {};  // words_used names it
     plan_.taken |= row.takes;
     add(row.phase, no_word, motion_row, 0);
     return {};
   }
 
-  const Word* first_of(std::uint32_t letters) const {
+  /// nct 18.2: Q, E, P, … without an axis do nothing while a cycle is in force.
+  void ignored_in_cycle(std::int16_t motion_row) {
+    if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
+    const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
+    if (row.function == Function::drilling) plan_.taken |= row.takes;
+  }
+
+  const Word* first_of(std::uint64_t letters) const {
     for (std::uint32_t i = 0; i < block_.word_count; ++i)
-      if ((letters & letter_bit(block_.words[i].address)) != 0) return &block_.words[i];
+      if (block_.words[i].address != 0 && (letters & letter_bit(block_.words[i].address)) != 0) return &block_.words[i];
     return &block_.words[0];
   }
 
   Status words_used() const {
-    const std::uint32_t loose = block_.letters & ~letters_.codes & ~letters_.acting & ~plan_.taken;
+    const std::uint64_t loose = block_.letters & ~letters_.codes & ~letters_.acting & ~plan_.taken;
     if (loose != 0) {
       const Word& word = *first_of(loose);
       return fail(alarm(AlarmId::word_unused, word.where, word.address));
@@ -184,9 +199,9 @@ class Planner {
 
 LetterSets::LetterSets(const ControlDef& def) {
   axis_of.fill(-1);
-  for (std::size_t i = 0; i < 26; ++i) {
+  for (std::size_t i = 0; i < most_addresses; ++i) {
     const AddressRow& row = def.addresses[i];
-    const std::uint32_t bit = 1u << i;
+    const std::uint64_t bit = std::uint64_t{1} << i;
     switch (row.function) {
       case Function::count:
       case Function::block_number:
@@ -199,6 +214,12 @@ LetterSets::LetterSets(const ControlDef& def) {
         axis_of[i] = static_cast<std::int8_t>(row.axis);
         axis_letter[row.axis] = row.letter;
         break;
+      case Function::increment_axis:
+        axes |= bit;
+        axis_of[i] = static_cast<std::int8_t>(row.axis);
+        break;
+      case Function::machine_axis:
+      case Function::argument_only: break;
       case Function::center:
         centers |= bit;
         axis_of[i] = static_cast<std::int8_t>(row.axis);

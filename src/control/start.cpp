@@ -122,8 +122,8 @@ void Machinery::start_modal(const Setup& setup) {
     plain.block_length = 0;
     for (WordFormat& w : plain.words)
       if (w.code) w.at_most = 0;
-    block.clear();
-    if (lex_block(text, 0, true, plain, block)) (void)execute();
+    block->clear();
+    if (lex_block(text, 0, true, plain, *block)) (void)execute();
   };
   run_words(words);
   for (const std::string& word : setup.modal)
@@ -148,7 +148,7 @@ void Machinery::start_modal(const Setup& setup) {
   }
   position.programmed = transform.to_programmed(position.work);
   flow.started = false;
-  block.clear();
+  block->clear();
   batch = nullptr;
 }
 

@@ -5,6 +5,7 @@
 
 #include "lang/encoding.h"
 #include "lang/expression.h"
+#include "lang/statement_reader.h"
 #include "lang/word_reader.h"
 
 namespace kadr {
@@ -12,6 +13,7 @@ namespace {
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 /// One character above 127 of valid UTF-8.
@@ -31,14 +33,14 @@ Wide wide_at(std::string_view text, std::size_t at) {
 class Lexer {
  public:
   Lexer(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block)
-      : cursor_{text, from}, begin_(from), is_utf8_(is_utf8), grammar_(grammar), block_(block), words_(cursor_, grammar, block) {}
+      : cursor_{text, from}, begin_(from), is_utf8_(is_utf8), grammar_(grammar), block_(block), words_(cursor_, grammar, block), statements_(cursor_, grammar, block) {}
 
   Result<Lexed> run() {
     block_.text = cursor_.text;
     cursor_.skip_blanks();
     const Status status = items();  // a Status is as large as an Alarm: never assigned, only returned
     block_.where = span(begin_, cursor_.at);
-    if (result_.needs_utf8) return result_;
+    if (result_.needs_utf8 || result_.open_comment) return result_;
     if (!status) return fail(status.error());
     KADR_TRY(whole_block());
     if (result_.needs_utf8) return result_;
@@ -106,6 +108,8 @@ class Lexer {
       case ';': return grammar_.semicolon_comments ? line_comment(1) : unexpected();
       case '/': return slash();
       case '#': return grammar_.expressions ? assignment() : unexpected();
+      case ',': return grammar_.comma_words ? comma_word() : unexpected();
+      case '<': return grammar_.file_names ? file_name() : unexpected();
       case ':': return main_block();
       case '\x1a': return end_of_dos_file();
       default: break;
@@ -118,23 +122,115 @@ class Lexer {
   Status word(char letter, std::size_t bytes) {
     const std::size_t begin = cursor_.at;
     if (letter == 'L' && words_.marks_end("LF", begin)) return end_mark(2);
+    if (grammar_.macro) {
+      const char next = begin + bytes < cursor_.text.size() ? cursor_.text[begin + bytes] : '\0';
+      if (is_upper(next) || is_lower(next)) {
+        if (const Keyword keyword = statements_.keyword_here(); keyword != Keyword::none) return statements_.read(keyword);
+        if ((letter == 'A') && (next == 'X' || next == 'x')) return axis_by_number(begin);
+      }
+      if ((grammar_.named >> (letter - 'A') & 1u) != 0)
+        if (const AddressName* const name = name_here(); name != nullptr) return word_of(name->address, name->text.size(), begin);
+    }
+    return word_of(letter, bytes, begin);
+  }
+
+  /// A word whose address is `letter`, written in `bytes` bytes.
+  Status word_of(char letter, std::size_t bytes, std::size_t begin) {
     cursor_.at += bytes;
     cursor_.skip_blanks();
     const WordFormat& format = grammar_.word(letter);
     if (letter == grammar_.section_address && words_.no_value_follows()) return section(begin);
     if (!format.known) return fail(alarm(AlarmId::address_unknown, span(begin, cursor_.at), letter));
-    if (letter == 'N') return words_.block_number(begin, format);
-    if (letter == grammar_.label_address) return words_.label(begin, format);
+    if (letter == 'N' && !(grammar_.macro && (block_.has_number || block_.word_count != 0))) return words_.block_number(begin, format);
+    if (letter == grammar_.label_address && !(grammar_.macro && block_.word_count != 0)) return words_.label(begin, format);
+    if (grammar_.macro && cursor_.peek() == '=') {
+      ++cursor_.at;
+      cursor_.skip_blanks();
+    }
     if (letter == grammar_.parameter_address) return words_.formal_parameter(begin);
     KADR_TRY(words_.room_for(letter, format, begin));
     Word& w = block_.words[block_.word_count];
-    w.address = letter;
+    w.address = w.written = letter;
     w.expression = {};
     w.code = -1;
+    w.incremental = w.bare = false;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
     KADR_TRY(words_.value(w, format, begin));
     w.where = span(begin, cursor_.at);
     ++block_.word_count;
+    return {};
+  }
+
+  // ---- names of several characters, ,C ,R ,A, AX[…], <file>
+
+  /// The longest name that stands here; one that ends with a digit needs '=' behind it (nct 2.2).
+  const AddressName* name_here() const {
+    const AddressName* best = nullptr;
+    for (const AddressName& row : grammar_.names) {
+      if (cursor_.text.size() - cursor_.at < row.text.size() || (best != nullptr && best->text.size() >= row.text.size())) continue;
+      std::size_t i = 0;
+      while (i < row.text.size() && upper(cursor_.text[cursor_.at + i]) == row.text[i]) ++i;
+      if (i < row.text.size()) continue;
+      Cursor behind{cursor_.text, cursor_.at + i};
+      behind.skip_blanks();
+      if (is_digit(row.text.back()) && behind.peek() != '=') continue;
+      best = &row;
+    }
+    return best;
+  }
+
+  Status comma_word() {
+    const std::size_t begin = cursor_.at++;
+    cursor_.skip_blanks();
+    const char letter = upper(cursor_.peek());
+    const char address = comma_address(letter);
+    if (address == 0) return fail(alarm(AlarmId::unexpected_character, span(begin, begin + 1), ','));
+    return word_of(address, 1, begin);
+  }
+
+  /// AX[n]=v: the axis by its number (nct 23.2.12); the address is known when the block is carried out.
+  Status axis_by_number(std::size_t begin) {
+    cursor_.at += 2;
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '[') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
+    const auto axis = compile_macro_value(cursor_, grammar_, block_, false);
+    if (!axis) return fail(axis.error());
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '=') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
+    ++cursor_.at;
+    cursor_.skip_blanks();
+    if (block_.word_count == limits::block_words)
+      return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_words}));
+    Word& w = block_.words[block_.word_count];
+    w.address = w.written = indirect_axis;
+    w.code = -1;
+    w.incremental = w.bare = false;
+    w.expression = {};
+    WordFormat format = grammar_.word('X');
+    KADR_TRY(words_.value(w, format, begin));
+    w.axis = *axis;
+    if (!w.expression) {  // always by expression: the block must be looked at when it is carried out
+      w.expression.begin = static_cast<std::uint16_t>(block_.code.size());
+      block_.code.push_back({Op::number, w.value, span(begin, cursor_.at)});
+      w.expression.end = static_cast<std::uint16_t>(block_.code.size());
+    }
+    block_.evaluates = true;
+    w.where = span(begin, cursor_.at);
+    ++block_.word_count;
+    return {};
+  }
+
+  Status file_name() {
+    const std::size_t begin = cursor_.at;
+    const std::size_t close = cursor_.text.find('>', begin);
+    if (close == std::string_view::npos || block_.file_name.end != 0) return unexpected();
+    for (std::size_t i = begin; i < close && !is_utf8_; ++i)
+      if (is_high(cursor_.text[i])) {
+        result_.needs_utf8 = done_ = true;
+        return {};
+      }
+    block_.file_name = span(begin + 1, close);
+    cursor_.at = close + 1;
     return {};
   }
 
@@ -158,6 +254,7 @@ class Lexer {
 
   Status assignment() {
     const std::size_t begin = cursor_.at++;
+    if (grammar_.macro) return statements_.assignment(begin);
     auto target = compile_value(cursor_, grammar_, block_);
     if (!target) return fail(target.error());
     cursor_.skip_blanks();
@@ -178,6 +275,7 @@ class Lexer {
     const std::size_t close = cursor_.text.find(')', begin);
     if (close == std::string_view::npos) {
       cursor_.at = cursor_.text.size();
+      if (grammar_.comments_span_lines) result_.open_comment = done_ = true;
       return fail(alarm(AlarmId::comment_not_closed, span(begin, begin + 1)));
     }
     if (!grammar_.comment_forbidden.empty()) {
@@ -215,9 +313,10 @@ class Lexer {
       return fail(alarm(AlarmId::skip_position, span(begin, begin + 1)));
     KADR_TRY(words_.room_for('A', grammar_.word('A'), begin));
     Word& w = block_.words[block_.word_count];
-    w.address = 'A';
+    w.address = w.written = 'A';
     w.expression = {};
     w.code = -1;
+    w.incremental = w.bare = false;
     WordFormat format = grammar_.word('A');
     format.parameter = true;
     KADR_TRY(words_.value(w, format, begin));
@@ -320,6 +419,7 @@ class Lexer {
   const Grammar& grammar_;
   Block& block_;
   WordReader words_;
+  StatementReader statements_;
   Lexed result_;
   bool done_ = false;
 };

@@ -14,7 +14,7 @@ bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 }  // namespace
 
 Status WordReader::room_for(char letter, const WordFormat& format, std::size_t begin) {
-  const std::uint32_t bit = letter_bit(letter);
+  const std::uint64_t bit = letter_bit(letter);
   if (block_.word_count == limits::block_words)
     return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_words}));
   if ((block_.letters & bit) == 0) [[likely]] {
@@ -37,31 +37,51 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
     sign = cursor_.text[cursor_.at++];
     cursor_.skip_blanks();
   }
+  if (format.increment && sign == 0 && (cursor_.peek() == 'I' || cursor_.peek() == 'i')) return increment(w, format, begin);
   const char c = cursor_.peek();
   if (is_digit(c) || c == '.') [[likely]] {
-    if (sign != 0 && !format.sign) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
+    if (sign != 0 && !format.sign && !(sign == '+' && grammar_.macro)) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
   }
   if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);
   if (c != '\0' && c == grammar_.parameter_address)
     return fail(alarm(AlarmId::parameter_not_allowed, span(begin, cursor_.at + 1), w.address));
+  if (format.bare && sign == 0 && c != '#' && c != '[') {
+    w.bare = true;
+    w.value = 0;
+    w.digits = 0;
+    w.has_point = false;
+    return {};
+  }
   if (!grammar_.expressions || no_value_follows()) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
-  auto expression = compile_value(cursor_, grammar_, block_);
+  if (grammar_.macro && c != '#' && c != '[') return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
+  auto expression = grammar_.macro ? compile_macro_value(cursor_, grammar_, block_, false) : compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
   if (sign == '-') {
-    block_.code.push_back({Op::negate, 0, span(sign_at, cursor_.at)});
+    block_.code.push_back({grammar_.macro ? Op::keep_negate : Op::negate, 0, span(sign_at, cursor_.at)});
     ++expression->end;
   }
+  block_.evaluates = true;
   w.expression = *expression;
   w.digits = 0;
   w.has_point = false;
   return {};
 }
 
+/// XI-40: the operator I, then the number (nct 5.1).
+Status WordReader::increment(Word& w, const WordFormat& format, std::size_t begin) {
+  ++cursor_.at;
+  cursor_.skip_blanks();
+  w.incremental = true;
+  WordFormat plain = format;
+  plain.increment = plain.bare = false;
+  return value(w, plain, begin);
+}
+
 Status WordReader::number(Word& w, const WordFormat& format, char sign, std::size_t begin) {
   Number read;
   if (!read_number(cursor_, read)) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
-  if (grammar_.expressions && cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at]))
+  if (grammar_.expressions && !grammar_.macro && cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at]))
     KADR_TRY(digits_apart(read, w, begin));
   w.digits = static_cast<std::uint8_t>(std::min(read.whole_digits + read.fraction_digits, 255));
   w.has_point = read.has_point;
@@ -190,6 +210,8 @@ Expression WordReader::constant(double number, Span where) {
 
 Status WordReader::block_number(std::size_t begin, const WordFormat& format) {
   Number read;
+  if (grammar_.macro && (cursor_.peek() == '#' || cursor_.peek() == '['))
+    return fail(alarm(AlarmId::number_by_variable, span(begin, cursor_.at + 1), 'N'));
   if (!is_digit(cursor_.peek()) || !read_number(cursor_, read)) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), 'N'));
   if (block_.has_number) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), 'N'));
   if (block_.word_count != 0) return fail(alarm(AlarmId::block_number_position, span(begin, cursor_.at)));

@@ -38,6 +38,7 @@ class WordReader {
   bool marks_end(std::string_view mark, std::size_t at) const;
 
  private:
+  Status increment(Word& w, const WordFormat& format, std::size_t begin);
   Status number(Word& w, const WordFormat& format, char sign, std::size_t begin);
   Status digits_apart(Number& read, const Word& w, std::size_t begin);
   Status check_digits(const Word& w, const Number& read, const WordFormat& format, std::size_t begin) const;

@@ -1,0 +1,125 @@
+#include "control/nct/blocks.h"
+
+#include <bit>
+
+#include "control/functions.h"
+#include "control/nct/calls.h"
+#include "control/nct/data_lines.h"
+#include "control/nct/interrupt.h"
+
+namespace kadr::nct {
+namespace {
+
+constexpr std::size_t most_m_codes = 8;  // 13.1
+
+/// Words that an earlier run of the same block took away are there again.
+void give_back(Machinery& m) {
+  if (!m.block->altered) return;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i)
+    if (Word& w = m.block->words[i]; !w.expression) w.address = w.written;
+  m.block->altered = false;
+  m.note_addresses();
+}
+
+/// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
+Status take_bare_words(Machinery& m) {
+  Nct& nct = *m.nct;
+  nct.plane_axes = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    nct.plane_axes |= 1u << static_cast<unsigned>(m.letters.axis_of[static_cast<std::size_t>(w.address - 'A')]);
+    if (!w.bare) continue;
+    if (!m.has_code({Function::select_plane})) return fail(alarm(AlarmId::number_missing, w.where, w.written));
+    w.address = 0;
+    m.block->altered = true;
+  }
+  if (m.block->altered) m.note_addresses();
+  return {};
+}
+
+/// One word an address, however it is spelled; at most eight M codes, one of each exclusive group (13.1).
+Status check_words(const Machinery& m) {
+  std::uint64_t seen = 0;
+  std::size_t m_codes = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    if (w.address == 'M') ++m_codes;
+    if (w.address == 'N') return fail(alarm(AlarmId::block_number_position, w.where));
+    if ((m.letters.codes & letter_bit(w.address)) != 0) continue;
+    if ((seen & letter_bit(w.address)) != 0) return fail(alarm(AlarmId::address_twice, w.where, w.address));
+    seen |= letter_bit(w.address);
+  }
+  if (m_codes < 2) return {};
+  if (m_codes > most_m_codes) return fail(alarm(AlarmId::too_many_m_codes, m.block->where, double(m_codes), double{most_m_codes}));
+  return check_m_codes(m);
+}
+
+bool has_words(const Machinery& m) { return m.block->word_count != 0; }
+
+/// G66.1: the block's words are arguments (23.3.3).
+Result<bool> call_with_block(Machinery& m) {
+  Nct& nct = *m.nct;
+  if (nct.active_modal_calls == 0 || !nct.modal_calls[nct.active_modal_calls - 1u].each_block) return false;
+  if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
+  const auto arguments = arguments_of(m, 0);
+  if (!arguments) return fail(arguments.error());
+  KADR_TRY(call_modal(m, *arguments));
+  return true;
+}
+
+/// What #4101 … give (23.1.14).
+void note_words(Machinery& m) {
+  ModalWords& words = m.nct->state.words;
+  if (m.block->has_number) words.n = m.block->number;
+  const auto take = [&](char letter, double& to) {
+    if (const Word* const w = m.word(letter); w != nullptr) to = w->value;
+  };
+  take('D', words.d);
+  take('E', words.e);
+  take('F', words.f);
+  take('H', words.h);
+  take('M', words.m);
+  take('S', words.s);
+  take('T', words.t);
+}
+
+}  // namespace
+
+Result<bool> before_plan(Machinery& m) {
+  Nct& nct = *m.nct;
+  nct.moved = nct.stops_reading = false;
+  nct.pending_program = 0;
+  give_back(m);
+  if (nct.data_mode != DataMode::none) {
+    KADR_TRY(data_line(m));
+    return true;
+  }
+  auto done = call_with_block(m);
+  if (!done || *done) return done;
+  done = call_by_code(m);
+  if (!done || *done) return done;
+  const bool macro = m.has_code({Function::macro_call, Function::macro_modal});
+  if (!macro) {
+    KADR_TRY(take_bare_words(m));
+    KADR_TRY(check_words(m));
+  }
+  note_words(m);
+  return false;
+}
+
+Status after_block(Machinery& m) {
+  Nct& nct = *m.nct;
+  KADR_TRY(call_pending(m));
+  if (nct.moved && nct.active_modal_calls != 0) {
+    const ModalCall& modal = nct.modal_calls[nct.active_modal_calls - 1u];
+    if (!modal.each_block) {
+      const Locals arguments = modal.arguments;
+      KADR_TRY(call_modal(m, arguments));
+    }
+  }
+  return {};
+}
+
+}  // namespace kadr::nct

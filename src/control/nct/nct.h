@@ -1,0 +1,105 @@
+#pragma once
+// What only the NCT control remembers (spec/nct): macro levels, parameters, tools, spindles, modal calls. One object a channel.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "control/action.h"
+#include "control/nct/macro_variables.h"
+#include "control/nct/programs.h"
+#include "control/nct/settings.h"
+#include "config/setup.h"
+
+namespace kadr {
+class Machinery;
+struct Call;
+struct CallFrame;
+}  // namespace kadr
+
+namespace kadr::nct {
+
+/// A modal macro call in force (23.3.2, 23.3.3).
+struct ModalCall {
+  std::uint16_t reader = 0;
+  Position start;
+  std::uint32_t times = 1;
+  std::uint32_t name = 0;
+  bool each_block = false;  // G66.1
+  char called_by = 'G';
+  std::int32_t called_code = -1;
+  Locals arguments;
+};
+
+struct SpindleState {
+  bool known = false;  // the set-up has it
+  int channel = 1;
+  double rpm = 0;
+  SpindleDir dir = SpindleDir::stop;
+  bool loop_closed = false;
+  bool referenced = false;  // oriented since the loop was closed
+  double angle = 0;         // degrees, while the loop is closed
+  int range = 0;            // selected by M11 … M18; 0: none
+  int master = 0;           // it is synchronised to; 0: none
+};
+
+/// Words of the last block and the like, for #4101 … (23.1.14).
+struct ModalWords {
+  std::array<double, 3> aux{};
+  double d = 0, e = 0, f = 0, h = 0, m = 0, n = 0, o = 0, s = 0, t = 0;
+  double extended_zero = 0;
+};
+
+/// What a run remembers beside Modal; an alarm takes it back.
+struct Volatile {
+  std::array<SpindleState, most_spindles + 1> spindles;
+  int current_spindle = 1;  // referred to last (11.2)
+  int main_spindle = 1;
+  double surface_speed = 0;  // m/min
+  int css_axis = 0;          // control-wide number
+  double css_most = 0;       // G92 S, rev/min; 0: none
+  ModalWords words;
+};
+
+enum class DataMode : std::uint8_t { none, parameters, tools };
+
+class Nct {
+ public:
+  Nct(Machinery& machinery, const Setup& setup, std::shared_ptr<Commons> commons);
+  ~Nct();
+
+  /// Parameters have changed: what follows from them is worked out anew.
+  void refresh_settings(const Machinery& m);
+  /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
+  void end_interrupt(Machinery& m, bool restore);
+
+  MacroVariables variables;
+  Settings settings;
+  Volatile state;
+  Programs programs;
+  std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // by depth of the call
+  std::vector<ModalCall> modal_calls;
+  std::uint8_t active_modal_calls = 0;  // how many of them act on the blocks being carried out
+  DataMode data_mode = DataMode::none;
+  bool interrupt_enabled = false;
+  // of the block being carried out
+  bool moved = false;           // it held a movement command
+  bool stops_reading = false;   // it empties the buffer
+  char pending_letter = 0;      // T, S, A, B, C or an ASCII letter that calls a subprogram behind the block
+  int pending_program = 0;
+  std::int32_t pending_code = -1;
+  Span pending_where;
+  AxisMask plane_axes = 0;      // axes whose letter stands in the block, with or without a number
+  // of the machine and its operator
+  std::array<double, 32> plc_in{}, plc_out{};
+  std::array<double, 4> plc_in_word{}, plc_out_word{};
+  double control_1 = 0, control_2 = 0;  // #3003, #3004
+  double answer = 0;                    // #3107
+  double parts_done = 0, parts_required = 0;
+  double cutting_ms = 0, clock_offset_ms = 0;
+  Axes probe_position{};
+  std::string clock;
+};
+
+}  // namespace kadr::nct
