@@ -42,6 +42,8 @@ STEPS = enum_names(DEF_H, "CycleStep")
 VARIABLE_KINDS = enum_names(DEF_H, "VariableKind")
 UNITS = enum_names(DEF_H, "WordUnit")
 BEHAVIOUR = {name: kind for kind, name in struct_fields(DEF_H, "Behaviour")}
+PARAMETER_ENUMS = {"scope": enum_names(DEF_H, "ParameterScope"), "type": enum_names(DEF_H, "ParameterType"),
+                   "when": enum_names(DEF_H, "ParameterClass")}
 ENUMS = {"ArcCenters": enum_names(DEF_H, "ArcCenters"), "LengthOffset": enum_names(DEF_H, "LengthOffset")}
 END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
 MOST_AXES = 16
@@ -50,13 +52,14 @@ MOST_AXES = 16
 GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address"}
 GRAMMAR_KEYS |= {"formal_parameter", "parameters_in", "label", "section", "most_codes"}
 TOP_KEYS = {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
-            "variables", "alarms", "defaults", "feed_codes", "speed_codes"}
+            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many"}
 CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "from", "to"}
 GROUP_KEYS = {"modal", "initial", "en", "ru"}
 CYCLE_KEYS = TEXT_KEYS | {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off"}
 VARIABLE_KEYS = TEXT_KEYS | {"from", "count", "stride", "repeat", "is"}
+PARAMETER_KEYS = TEXT_KEYS | {"scope", "type", "when", "least", "most", "initial", "bits", "used"}
 ALARM_KEYS = {"severity", "args", "en", "ru", "hint_en", "hint_ru"}
 
 ADDRESS_FUNCTIONS = {"block_number", "axis", "center", "word_of_code", "feed_word", "speed_word", "tool_word", "offset_word",
@@ -138,6 +141,8 @@ class Control:
         check(self.t.get("id") == self.name.removesuffix(".toml"), self.at("id is not the name of the file"))
         check_text(self.t.get("name", {}), self.at("name"), manual=False, proper_name=True)
         check(self.t.get("spec"), self.at("spec is missing"))
+        if "parameters" in self.t:
+            check(is_parameters(CONTROLS / f"{self.t['parameters']}.toml"), self.at("parameters: no table", self.t["parameters"]))
         check(1 <= len(self.axes) <= MOST_AXES, self.at("axes: 1 to", MOST_AXES))
         check(len(set(self.axes)) == len(self.axes), self.at("axes: one stands twice"))
         for axis in self.t.get("axes", {}).get("rotary", []):
@@ -280,6 +285,27 @@ class Control:
             taken.update(dict.fromkeys(numbers, first))
 
 
+def is_parameters(path):
+    """A table of parameters of a control, which is none itself."""
+    return path.name.endswith("-parameters.toml") and path.is_file()
+
+
+def check_parameters(name, table):
+    numbers = [key for key in table if key.isdigit()]
+    check(list(table)[:len(numbers)] == sorted(numbers), f"{name}: rows by number, then those without one")
+    for key, row in table.items():
+        where = f"{name}: {key}"
+        check(re.fullmatch(r"\d{4}|[A-Z]+", key), f"{where}: four digits, or capital letters")
+        check_keys(row, PARAMETER_KEYS, where)
+        check_text(row, where)
+        for column, words in PARAMETER_ENUMS.items():
+            check(row.get(column, "run_time" if column == "when" else None) in words, f"{where}: {column}")
+        check(row.get("least", -1e300) <= row.get("most", 1e300), f"{where}: least is above most")
+        check(row.get("type") == "bits" or "bits" not in row, f"{where}: bits")
+        names = [n for n in row.get("bits", "").split() if n not in "-|"]
+        check(len(names) == len(set(names)), f"{where}: a bit twice")
+
+
 def check_alarms(table):
     check(list(table) == ALARMS, "alarms.toml: not the ids of alarm_ids.h in their order: "
           + " ".join(sorted(set(table) ^ set(ALARMS))))
@@ -354,11 +380,13 @@ def main():
         check(len(found) > 5, f"headers: no {name} found")
     for path in sorted(CONTROLS.glob("*.toml")):
         before = len(failures)
-        table = load(path) if path.name == "alarms.toml" else merged(path)
+        table = load(path) if path.name == "alarms.toml" or is_parameters(path) else merged(path)
         if table is None:
             continue
         if path.name == "alarms.toml":
             check_alarms(table)
+        elif is_parameters(path):
+            check_parameters(path.name, table)
         else:
             Control(path, table).check()
         print(f"{path.name}: {'ok' if len(failures) == before else 'FAILED'}")

@@ -67,6 +67,8 @@ class ControlLoader {
   std::int32_t row_named(const std::string& code) const;
   Done initial_codes();
   Done variables();
+  /// "parameters": the name of another file of controls/.
+  Done parameters();
   Done alarms();
   void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
   const toml::table& file_;

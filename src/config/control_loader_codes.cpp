@@ -1,10 +1,11 @@
-// Sections of a control file that hold its codes: groups, G, M, cycles, variables, alarms.
+// Sections of a control file that hold its codes: groups, G, M, cycles, variables, parameters, alarms.
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "config/control_loader.h"
+#include "config/parameter_table.h"
 #include "lang/format.h"
 
 namespace kadr {
@@ -223,6 +224,15 @@ Done ControlLoader::variables() {
     v.manual = (*row)["manual"].value_or(std::string());
     def_.variables.push_back(std::move(v));
   }
+  return {};
+}
+
+Done ControlLoader::parameters() {
+  const toml::node* const name = file_.get("parameters");
+  if (name == nullptr) return {};
+  auto rows = load_parameters(name->value_or(std::string()));
+  if (!rows) return Failed(place(name_, *name) + rows.error());
+  def_.parameters = std::move(*rows);
   return {};
 }
 

@@ -22,8 +22,9 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   if (def_.id.empty()) return Failed(name_ + ": id is missing");
   if (const toml::table* const text = file_["name"].as_table()) def_.name = text_of(*text);
   def_.spec = file_["spec"].value_or(std::string());
-  KADR_LOAD(known_keys(file_, {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g",
-                               "m", "cycle", "variables", "alarms", "defaults", "feed_codes", "speed_codes"}));
+  KADR_LOAD(known_keys(
+      file_, {"id",     "name", "spec", "extends", "format",    "grammar",    "behaviour", "axes",     "order",      "address",
+              "groups", "g",    "m",    "cycle",   "variables", "parameters", "alarms",    "defaults", "feed_codes", "speed_codes"}));
   KADR_LOAD(grammar());
   KADR_LOAD(behaviour());
   KADR_LOAD(axes());
@@ -37,6 +38,7 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   KADR_LOAD(codes("m", 'M'));
   KADR_LOAD(initial_codes());
   KADR_LOAD(variables());
+  KADR_LOAD(parameters());
   KADR_LOAD(alarms());
   code_table("feed_codes", def_.feed_codes);
   code_table("speed_codes", def_.speed_codes);
