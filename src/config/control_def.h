@@ -39,7 +39,9 @@ struct CodeRow {
   std::vector<std::int32_t> with;  // tenths of codes of its group that may stand beside it (M7 and M8)
   Text text;
   std::string manual;
-  std::uint16_t cycle = 0;  // index in ControlDef::cycles + 1
+  std::uint16_t cycle = 0;      // index in ControlDef::cycles + 1
+  bool takes_all_axes = false;  // `*` in takes: every axis of the channel
+  bool works = true;            // Kadr does it
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -128,6 +130,9 @@ enum class VariableKind : std::uint8_t {
       count
 };
 
+/// From here on no program can write the number: bits of a variable, variables that have only a symbol.
+inline constexpr std::uint32_t first_unwritten_variable = 1'000'000;
+
 /// Numbers of a system variable: `count` from `from`, again every `stride`, `repeat` times.
 struct VariableRange {
   std::uint32_t from = 0;
@@ -141,7 +146,7 @@ struct VariableRow {
   std::vector<VariableRange> ranges;  // the short numbers, the long ones; the symbol means the last
   std::string symbol;                 // "ABSIO" of #_ABSIO[n]; of a family (#_WZP7[n]) "WZP"
   std::uint32_t first_index = 1;      // n of the first number
-  int arg = 0;                        // which: modal family 0 buffered, 1 executing, 2 interrupted; G54 is 1 of `zero`, …
+  int arg = 0;                        // which of its kind: the head of [[variables]] in controls/nct.toml says what it means
   int bit = -1;                       // one bit of another variable (`of`)
   std::uint32_t of = 0;
   bool read = true, write = true;
@@ -194,6 +199,7 @@ struct Behaviour {
   bool ends_reading = true;             // nothing after the end is read (GOST)
   bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
   bool correctors = false;              // axis correctors (spec/correctors)
+  bool machine_axes = false;            // nct: the names of the axes come from the setup
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;

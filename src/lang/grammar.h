@@ -50,6 +50,11 @@ struct Grammar {
   bool zero_between_slashes = false;    // G92 /2/: the number is a word of address A (2С42, last section)
   std::uint32_t block_length = 0;       // most characters in a block, 0 = free
   std::uint32_t variables = 0;          // highest #n
+  bool macro = false;                   // statements of macros: IF, WHILE, DO, GOTO, DPRNT, symbols #_NAME[n] (nct 23)
+  bool operator_i = false;              // XI-40: that word alone is incremental (nct 5.1)
+  bool comments_span_lines = false;     // ( ) may hold ends of lines (nct 14.3)
+  bool comma_words = false;             // ,C ,R ,A (nct 17)
+  bool file_names = false;              // < > hold the name of a file (nct 14.4.2)
 
   const WordFormat& word(char letter) const { return words[static_cast<std::size_t>(letter - 'A')]; }
   WordFormat& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }
