@@ -34,14 +34,14 @@ struct CodeRow {
   bool modal = false;              // stays in force (its group is a modal one)
   bool own_block = false;          // must stand alone (with the words it takes)
   bool needs_axis = false;         // at least one axis word
-  bool takes_all_axes = false;     // "*": every axis address of the channel is in `takes`
-  bool works = true;               // Kadr does it
   std::uint64_t takes = 0;         // letters of the words it uses
   std::uint64_t needs = 0;         // letters that must be there
   std::vector<std::int32_t> with;  // tenths of codes of its group that may stand beside it (M7 and M8)
   Text text;
   std::string manual;
-  std::uint16_t cycle = 0;  // index in ControlDef::cycles + 1
+  std::uint16_t cycle = 0;      // index in ControlDef::cycles + 1
+  bool takes_all_axes = false;  // `*` in takes: every axis of the channel
+  bool works = true;            // Kadr does it
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -131,6 +131,9 @@ enum class VariableKind : std::uint8_t {
       count
 };
 
+/// From here on no program can write the number: bits of a variable, variables that have only a symbol.
+inline constexpr std::uint32_t first_unwritten_variable = 1'000'000;
+
 /// Numbers of a system variable: `count` from `from`, again every `stride`, `repeat` times.
 struct VariableRange {
   std::uint32_t from = 0;
@@ -144,7 +147,7 @@ struct VariableRow {
   std::vector<VariableRange> ranges;  // the short numbers, the long ones; the symbol means the last
   std::string symbol;                 // "ABSIO" of #_ABSIO[n]; of a family (#_WZP7[n]) "WZP"
   std::uint32_t first_index = 1;      // n of the first number
-  int arg = 0;                        // which: modal family 0 buffered, 1 executing, 2 interrupted; G54 is 1 of `zero`, …
+  int arg = 0;                        // which of its kind: the head of [[variables]] in controls/nct.toml says what it means
   int bit = -1;                       // one bit of another variable (`of`)
   std::uint32_t of = 0;
   bool read = true, write = true;

@@ -20,7 +20,7 @@ using Done = tl::expected<void, std::string>;
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
   } while (false)
 
-inline constexpr std::uint32_t most_variables = 1'000'000;
+inline constexpr std::uint32_t most_variables = first_unwritten_variable;
 
 class ControlLoader {
  public:
@@ -69,6 +69,8 @@ class ControlLoader {
   Done variables();
   /// "parameters": the name of another file of controls/.
   Done parameters();
+  Done variable(const toml::table& row);
+  tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
   Done alarms();
   void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
   const toml::table& file_;

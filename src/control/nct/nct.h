@@ -90,6 +90,10 @@ class Nct {
   int pending_program = 0;
   std::int32_t pending_code = -1;
   Span pending_where;
+  bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
+  AxisMask rolled = 0;           // rotary axes of the block that roll over, and their way
+  Axes travel{};
+  double surface_angle = 0;      // of the rotary axis in G12.1, unwound
   AxisMask plane_axes = 0;      // axes whose letter stands in the block, with or without a number
   // of the machine and its operator
   std::array<double, 32> plc_in{}, plc_out{};
