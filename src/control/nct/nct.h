@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "control/action.h"
+#include "config/setup.h"
 #include "control/nct/macro_variables.h"
+#include "control/nct/output_file.h"
+#include "control/nct/parameters.h"
 #include "control/nct/programs.h"
 #include "control/nct/settings.h"
-#include "config/setup.h"
+#include "control/nct/tools.h"
+#include "control/state.h"
 
 namespace kadr {
 class Machinery;
@@ -64,46 +68,101 @@ struct Volatile {
 
 enum class DataMode : std::uint8_t { none, parameters, tools };
 
+/// Modal state kept for the end of an interrupt macro (23.4).
+struct Interrupted {
+  bool active = false;
+  Modal modal;
+  ModalWords words;
+};
+
 class Nct {
  public:
   Nct(Machinery& machinery, const Setup& setup, std::shared_ptr<Commons> commons);
   ~Nct();
 
+  // ---- parameters and what follows from them
   /// Parameters have changed: what follows from them is worked out anew.
   void refresh_settings(const Machinery& m);
+  Status parameter_line(Machinery& m);
+
+  // ---- start and end
+  /// Power-on state, then what the set-up says.
+  void start(Machinery& m, const Setup& setup);
+  /// M2, M30, or the file's end: the end-of-program reset (3.4) follows an M code.
+  void end_program(Machinery& m);
+  /// Whole state for the last line of a trace, in the form of a set-up.
+  RunState run_state(const Machinery& m) const;
+
+  // ---- tools
+  Result<std::uint32_t> offset_of_tool(char letter) const;
+  Status open_tool_data(Machinery& m, std::uint32_t l, double p, Span where);
+  Status tool_line(Machinery& m);
+  void close_data() { data_mode = DataMode::none; }
+
+  // ---- spindles
+  SpindleState& spindle(int number) { return state.spindles[static_cast<std::size_t>(number)]; }
+  const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
+  /// Speed of the main spindle now, rev/min; 0 if it stands.
+  double spindle_rpm(const Machinery& m) const;
+  double css_rpm(const Machinery& m) const;
+
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
   void end_interrupt(Machinery& m, bool restore);
 
   MacroVariables variables;
+  ParameterStore parameters;
   Settings settings;
   Volatile state;
+  ToolManagement tools;
+  DataInput data_input;
+  OutputFile output;
   Programs programs;
+  std::map<int, std::vector<std::pair<double, double>>> ranges;    // of spindles, rev/min
+  std::map<int, std::string> spindle_names;
   std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // by depth of the call
   std::vector<ModalCall> modal_calls;
   std::uint8_t active_modal_calls = 0;  // how many of them act on the blocks being carried out
   DataMode data_mode = DataMode::none;
-  bool interrupt_enabled = false;
+  Interrupted interrupted;
+  std::optional<ProgramPlace> interrupt_program;  // M96
+  std::map<std::string, double> signals;          // of the machine's logic
   // of the block being carried out
   bool moved = false;           // it held a movement command
   bool stops_reading = false;   // it empties the buffer
+  bool in_thread = false;       // the motion before was a thread too
+  double thread_lead = 0;       // mm
   char pending_letter = 0;      // T, S, A, B, C or an ASCII letter that calls a subprogram behind the block
   int pending_program = 0;
   std::int32_t pending_code = -1;
   Span pending_where;
+  int spindle_by_p = 0;          // S1500 P2: number of the spindle; 0: none
   bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
   AxisMask rolled = 0;           // rotary axes of the block that roll over, and their way
   Axes travel{};
   double surface_angle = 0;      // of the rotary axis in G12.1, unwound
-  AxisMask plane_axes = 0;      // axes whose letter stands in the block, with or without a number
+  AxisMask plane_axes = 0;       // axes whose letter stands in the block, with or without a number
   // of the machine and its operator
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};
-  double control_1 = 0, control_2 = 0;  // #3003, #3004
-  double answer = 0;                    // #3107
+  std::uint32_t control_1 = 0, control_2 = 0;  // #3003, #3004
+  double answer = 0;                           // #3107
   double parts_done = 0, parts_required = 0;
   double cutting_ms = 0, clock_offset_ms = 0;
-  Axes probe_position{};
-  std::string clock;
+  double now_ms = 0;                           // virtual time since power-on
+  double tool_magazine = 10;                   // #8400
+  Axes probe_position{};                       // work coordinates
+  std::string clock;                           // "2014-05-18T15:32:41"
+  // for the state file
+  bool tables_changed = false;
+  std::vector<std::uint32_t> changed_offsets;
+
+ private:
+  std::uint64_t parameters_seen_ = 0;
 };
+
+/// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
+Result<double> dwell_seconds(Machinery& m, double p, Span where);
+/// G10 L… (set_tables.cpp).
+Status set_tables(Machinery& m, const Call& call);
 
 }  // namespace kadr::nct
