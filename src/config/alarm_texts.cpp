@@ -103,6 +103,8 @@ std::string AlarmTexts::hint(const Alarm& alarm, Lang lang) const { return fille
 
 const std::string& AlarmTexts::pattern(AlarmId id, Lang lang) const { return in(row(id).text, lang); }
 
+const std::string& AlarmTexts::hint_pattern(AlarmId id, Lang lang) const { return in(row(id).hint, lang); }
+
 std::string number_text(double value, int decimals) {
   if (!std::isfinite(value)) return fmt::format("{}", value);
   if (std::abs(value) >= 1e15) return fmt::format("{:g}", value);

@@ -27,6 +27,9 @@ class AlarmTexts {
   /// The text as it stands in the file, {0} and all.
   const std::string& pattern(AlarmId id, Lang lang) const;
 
+  /// The hint as it stands in the file.
+  const std::string& hint_pattern(AlarmId id, Lang lang) const;
+
   /// The control's own number; empty: it has none.
   const std::string& number(AlarmId id) const { return row(id).number; }
 
