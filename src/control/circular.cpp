@@ -7,6 +7,8 @@
 #include "control/arc.h"
 #include "control/functions.h"
 #include "control/machinery.h"
+#include "control/nct/arcs.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -161,6 +163,7 @@ Status circular(Machinery& m, const Call& call, Turn turn, MotionMode mode) {
   }
   m.cycle_memory.row = -1;
   if (m.block_axes_taken) return {};
+  if (m.nct) return nct::arc(m, call, turn);
   return Circular(m, turn).run(call.where);
 }
 

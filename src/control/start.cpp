@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "control/machinery.h"
+#include "control/nct/nct.h"
 #include "lang/lexer.h"
 
 namespace kadr {
@@ -22,7 +23,9 @@ int zero_number(const std::string& name) {
     const bool digits = name.size() > from && name.size() < from + 5 && name.find_first_not_of("0123456789", from) == std::string::npos;
     return digits ? std::atoi(name.c_str() + from) : -1;
   };
+  constexpr std::string_view nct_extended = "G54.1 P";
   if (name == "common") return 0;
+  if (name.starts_with(nct_extended)) return 6 + number(nct_extended.size());
   if (name.starts_with(extended)) return number(extended.size());
   const int code = name.starts_with("G") ? number(1) : -1;
   return code >= 54 && code <= 59 ? code - 53 : -1;
@@ -53,6 +56,7 @@ void Machinery::check_setup(const Setup& setup) {
     in_table("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
   const std::size_t fixtures = variables.first(VariableKind::fixture) != 0 ? def.behaviour.fixtures + 1 : tables.zeros.size();
   for (const auto& [name, zero] : setup.work_offsets) {
+    if (nct) break;
     if (const int number = zero_number(name); number < 0 || static_cast<std::size_t>(number) >= fixtures) note("work_offsets: " + name);
     axes_known("work_offsets", zero);
   }
@@ -61,6 +65,10 @@ void Machinery::check_setup(const Setup& setup) {
 void Machinery::read_setup(const Setup& setup) {
   axis_names = def.axes;
   axis_count = axis_names.size();
+  if (nct) {
+    tables.zeros.resize(nct::all_systems);
+    tables.rotations.resize(nct::all_systems);
+  }
   tables.offsets.resize(def.behaviour.offsets + 1);
   tables.correctors.resize(def.behaviour.offsets + 1);
   corrector_applied.resize((def.behaviour.offsets + 1) * 3);
@@ -84,6 +92,13 @@ void Machinery::read_setup(const Setup& setup) {
   for (const auto& [name, offset] : setup.work_offsets) {
     const int number = zero_number(name);
     const Axes values = axes_of(offset, axis_names);
+    if (nct && number > 0 && static_cast<std::size_t>(number) < tables.rotations.size()) {
+      const auto angle = [&offset = offset](const char* plane) {
+        const auto found = offset.find(plane);
+        return found == offset.end() ? 0.0 : found->second;
+      };
+      tables.rotations[static_cast<std::size_t>(number)] = {angle("G17"), angle("G18"), angle("G19")};
+    }
     if (number == 0) tables.common = values;
     else if (fixtures != 0 && static_cast<std::uint32_t>(number - 1) < def.behaviour.fixtures)
       write(variables.first(VariableKind::fixture, static_cast<std::uint32_t>(number - 1)), values);
@@ -92,6 +107,7 @@ void Machinery::read_setup(const Setup& setup) {
   write(variables.first(VariableKind::home), tables.reference[1]);
   write(variables.first(VariableKind::home_second), tables.reference[2]);
   for (const auto& [name, value] : setup.variables) {
+    if (nct) break;  // Nct::take_setup writes them
     if (!value || name.size() < 2) continue;
     if (name[0] == 'R' && name[1] >= '0' && name[1] <= '9') variables.set_parameter(name[1] - '0', *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())
@@ -125,11 +141,15 @@ void Machinery::start_modal(const Setup& setup) {
     block->clear();
     if (lex_block(text, 0, true, plain, *block)) (void)execute();
   };
-  run_words(words);
+  if (nct) nct->start(*this, setup);
+  else run_words(words);
   for (const std::string& word : setup.modal)
     if (start_error.empty() && !starts(word)) start_error = "modal: " + word;
   std::string given;
-  for (const std::string& word : setup.modal) given += word + " ";
+  for (const std::string& word : setup.modal) {
+    if (nct) run_words(word);
+    else given += word + " ";
+  }
   run_words(given);
   if (setup.feed) {
     modal.feed = *setup.feed;
@@ -139,6 +159,7 @@ void Machinery::start_modal(const Setup& setup) {
   modal.spindle = setup.spindle().dir == "cw" ? SpindleDir::cw : setup.spindle().dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
   modal.tool = modal.tool_selected = static_cast<std::uint32_t>(std::max(setup.tool, 0));
   apply_mirror();
+  if (nct) nct->take_setup(*this, setup);
   refresh_frames();
   const Axes start = axes_of(setup.start, axis_names);
   for (std::size_t a = 0; a < max_axes; ++a) {

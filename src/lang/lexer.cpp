@@ -6,6 +6,7 @@
 #include "lang/encoding.h"
 #include "lang/expression.h"
 #include "lang/statement_reader.h"
+#include "lang/wide.h"
 #include "lang/word_reader.h"
 
 namespace kadr {
@@ -15,19 +16,6 @@ bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
-
-/// One character above 127 of valid UTF-8.
-struct Wide {
-  char32_t code = 0;
-  std::size_t bytes = 1;
-};
-Wide wide_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u; };
-  const unsigned lead = byte(0);
-  if ((lead & 0xE0) == 0xC0) return {static_cast<char32_t>((lead & 0x1F) << 6 | (byte(1) & 0x3F)), 2};
-  if ((lead & 0xF0) == 0xE0) return {static_cast<char32_t>((lead & 0x0F) << 12 | (byte(1) & 0x3F) << 6 | (byte(2) & 0x3F)), 3};
-  return {static_cast<char32_t>((lead & 0x07) << 18 | (byte(1) & 0x3F) << 12 | (byte(2) & 0x3F) << 6 | (byte(3) & 0x3F)), 4};
-}
 
 /// Reads one block; a method a kind of thing that may stand in it.
 class Lexer {
@@ -129,7 +117,7 @@ class Lexer {
         if ((letter == 'A') && (next == 'X' || next == 'x')) return axis_by_number(begin);
       }
       if ((grammar_.named >> (letter - 'A') & 1u) != 0)
-        if (const AddressName* const name = name_here(); name != nullptr) return word_of(name->address, name->text.size(), begin);
+        if (const AddressName* const name = words_.name_here(); name != nullptr) return word_of(name->address, name->text.size(), begin);
     }
     return word_of(letter, bytes, begin);
   }
@@ -162,22 +150,6 @@ class Lexer {
   }
 
   // ---- names of several characters, ,C ,R ,A, AX[…], <file>
-
-  /// The longest name that stands here; one that ends with a digit needs '=' behind it (nct 2.2).
-  const AddressName* name_here() const {
-    const AddressName* best = nullptr;
-    for (const AddressName& row : grammar_.names) {
-      if (cursor_.text.size() - cursor_.at < row.text.size() || (best != nullptr && best->text.size() >= row.text.size())) continue;
-      std::size_t i = 0;
-      while (i < row.text.size() && upper(cursor_.text[cursor_.at + i]) == row.text[i]) ++i;
-      if (i < row.text.size()) continue;
-      Cursor behind{cursor_.text, cursor_.at + i};
-      behind.skip_blanks();
-      if (is_digit(row.text.back()) && behind.peek() != '=') continue;
-      best = &row;
-    }
-    return best;
-  }
 
   Status comma_word() {
     const std::size_t begin = cursor_.at++;

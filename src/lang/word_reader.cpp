@@ -9,6 +9,7 @@ namespace {
 
 constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 }  // namespace
@@ -238,6 +239,21 @@ Status WordReader::label(std::size_t begin, const WordFormat& format) {
   block_.marker = Marker::label;
   block_.label = static_cast<std::uint32_t>(read.value);
   return {};
+}
+
+const AddressName* WordReader::name_here() const {
+  const AddressName* best = nullptr;
+  for (const AddressName& row : grammar_.names) {
+    if (cursor_.text.size() - cursor_.at < row.text.size() || (best != nullptr && best->text.size() >= row.text.size())) continue;
+    std::size_t i = 0;
+    while (i < row.text.size() && upper(cursor_.text[cursor_.at + i]) == row.text[i]) ++i;
+    if (i < row.text.size()) continue;
+    Cursor behind{cursor_.text, cursor_.at + i};
+    behind.skip_blanks();
+    if (is_digit(row.text.back()) && behind.peek() != '=') continue;
+    best = &row;
+  }
+  return best;
 }
 
 bool WordReader::marks_end(std::string_view mark, std::size_t at) const {

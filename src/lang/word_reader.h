@@ -31,6 +31,9 @@ class WordReader {
   /// The number behind O.
   Status label(std::size_t begin, const WordFormat& format);
 
+  /// The longest name that stands here; one that ends with a digit needs '=' behind it (nct 2.2). nullptr: none.
+  const AddressName* name_here() const;
+
   /// Nothing that could be a value stands at the cursor.
   bool no_value_follows() const;
 

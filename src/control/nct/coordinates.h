@@ -11,8 +11,6 @@ class Machinery;
 
 namespace kadr::nct {
 
-inline constexpr std::size_t basic_systems = 6, extended_systems = 99;
-
 /// End point by the block's axis words: G90/G91, operator I, U V W, diameter, polar data, roll-over (5.1–5.6).
 Status target(const Machinery& m, Axes& to, AxisMask& named);
 /// Origin, length, shifts and basic rotation worked out anew (10, position chain).

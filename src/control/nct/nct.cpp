@@ -6,6 +6,7 @@
 #include "config/machine_axes.h"
 #include "control/functions.h"
 #include "control/nct/coordinates.h"
+#include "control/nct/system_variables.h"
 
 namespace kadr::nct {
 namespace {
@@ -94,6 +95,15 @@ void reset_shifts(Machinery& m) {
   m.transform = Transform();
 }
 
+/// "_ALM" without its underscore; -1: unknown.
+double number_of_symbol(const Machinery& m, const std::string& name) {
+  const std::string plain = name.substr(0, name.find('['));
+  const double index = name.find('[') == std::string::npos ? 1 : std::strtod(name.c_str() + name.find('[') + 1, nullptr);
+  for (const VariableName& row : m.def.grammar.symbols)
+    if (row.text == plain) return row.indexed ? row.number + index - row.first_index : row.number;
+  return -1;
+}
+
 }  // namespace
 
 Nct::Nct(Machinery& m, const Setup& setup, std::shared_ptr<Commons> commons)
@@ -114,8 +124,6 @@ void Nct::refresh_settings(const Machinery& m) {
 
 void Nct::start(Machinery& m, const Setup& setup) {
   refresh_settings(m);
-  m.tables.zeros.resize(1 + basic_systems + extended_systems);
-  m.tables.rotations.resize(m.tables.zeros.size());
   for (const auto& [number, spindle_setup] : setup.spindles) {
     if (number < 1 || number > static_cast<int>(most_spindles)) continue;
     SpindleState& s = spindle(number);
@@ -134,6 +142,22 @@ void Nct::start(Machinery& m, const Setup& setup) {
   clock = setup.clock;
   reset_shifts(m);
   reset_codes(m, false);
+}
+
+void Nct::take_setup(Machinery& m, const Setup& setup) {
+  for (const auto& [name, value] : setup.variables) {
+    if (name.size() < 2 || name[0] != '#') continue;
+    const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
+    const Status written = write_variable(m, number, value ? *value : vacant, {});
+    if (!written && m.start_error.empty()) m.start_error = "variables: " + name;
+  }
+  for (const auto& [name, on] : setup.diameter)
+    for (std::size_t a = 0; a < m.axis_count; ++a)
+      if (m.axis_names[a] == name) m.modal.diameter = on ? m.modal.diameter | 1u << a : m.modal.diameter & ~(1u << a);
+  for (std::size_t first = 0; first < m.axis_count; ++first)
+    for (std::size_t second = 0; second < m.axis_count; ++second)
+      if (!setup.plane.empty() && m.axis_names[first] + m.axis_names[second] == setup.plane) m.modal.axes.first = first, m.modal.axes.second = second;
+  m.transform.refresh();
 }
 
 void Nct::end_program(Machinery& m) {

@@ -66,6 +66,9 @@ struct Volatile {
   ModalWords words;
 };
 
+inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
+inline constexpr std::size_t all_systems = 1 + basic_systems + extended_systems;
+
 enum class DataMode : std::uint8_t { none, parameters, tools };
 
 /// Modal state kept for the end of an interrupt macro (23.4).
@@ -88,6 +91,8 @@ class Nct {
   // ---- start and end
   /// Power-on state, then what the set-up says.
   void start(Machinery& m, const Setup& setup);
+  /// Variables, plane, diameter of the set-up, after its modal codes.
+  void take_setup(Machinery& m, const Setup& setup);
   /// M2, M30, or the file's end: the end-of-program reset (3.4) follows an M code.
   void end_program(Machinery& m);
   /// Whole state for the last line of a trace, in the form of a set-up.
@@ -162,6 +167,10 @@ class Nct {
 
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
 Result<double> dwell_seconds(Machinery& m, double p, Span where);
+/// M codes for the machine: indexing, closing the loop, optional spindle codes, all others (11, 13.1).
+Status machine_code(Machinery& m, const Call& call);
+/// The block has a word for a spindle.
+bool has_spindle_word(const Machinery& m);
 /// G10 L… (set_tables.cpp).
 Status set_tables(Machinery& m, const Call& call);
 
