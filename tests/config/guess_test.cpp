@@ -32,7 +32,8 @@ TEST(guess, of_the_golden_programs) {
   int programs = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(KADR_ROOT "/tests/golden")) {
     if (entry.path().extension() != ".json" || entry.path().filename() == "schema.json") continue;
-    if (entry.path().stem() == "correctors-01-single") continue;  // `Z+100. L17` alone reads like GOST too: its control must be named
+    if (entry.path().parent_path().filename() == "nct") continue;  // not guessed yet: it is named with --control
+    if (entry.path().stem() == "correctors-01-single") continue;   // `Z+100. L17` alone reads like GOST too: its control must be named
     const auto golden = nlohmann::json::parse(text_of(entry.path()));
     if (!golden.contains("program")) continue;  // in its variants only
     ++programs;
