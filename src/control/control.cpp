@@ -18,6 +18,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, Run
                                            shared ? shared->commons : std::make_shared<nct::Commons>());
   if (!error.empty()) machinery_->start_error = error;
   machinery_->on_warning = &on_warning;
+  machinery_->on_block = &on_block;
 }
 Control::~Control() = default;
 
@@ -37,6 +38,30 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
 }
 
 void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { machinery_->check_uncalled(on_fault); }
+void Control::set_signal(const std::string& name, double value) {
+  if (machinery_->nct) machinery_->nct->signals[name] = value;
+}
+void Control::set_skip(int number, bool on) {
+  if (number >= 1 && number < 10) machinery_->skip_switches[static_cast<std::size_t>(number)] = on;
+}
+void Control::set_answer(double answer) {
+  if (machinery_->nct) machinery_->nct->answer = answer;
+}
+void Control::synchronise(int slave, int master) {
+  if (machinery_->nct && slave >= 1 && slave <= static_cast<int>(nct::most_spindles)) machinery_->nct->spindle(slave).master = master;
+}
+void Control::power_cycle() {
+  if (machinery_->nct) machinery_->nct->variables.power_off();
+}
+void Control::set_time(double now_ms, double cutting_ms) {
+  if (!machinery_->nct) return;
+  machinery_->nct->now_ms = now_ms;
+  machinery_->nct->cutting_ms = cutting_ms;
+}
+std::optional<RunState> Control::run_state() const {
+  if (!machinery_->nct) return std::nullopt;
+  return machinery_->nct->run_state(*machinery_);
+}
 Ending Control::ending() const { return machinery_->ending(); }
 std::uint64_t Control::blocks() const { return machinery_->flow.blocks(); }
 std::uint64_t Control::bytes_read() const { return machinery_->flow.bytes_read(); }

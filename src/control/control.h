@@ -56,6 +56,21 @@ class Control {
   /// An alarm of a later room, with the place of the action that caused it.
   AlarmReport report_for(const Alarm& alarm, const Origin& origin) const;
 
+  /// Called before and after each block of an NCT program, for what the machine's logic does then (Control::set_signal, …).
+  std::function<void(const Origin&, bool at_end)> on_block;
+  /// The machine's logic and its operator (nct): a signal, a skip switch, the answer to a message box (#3107).
+  void set_signal(const std::string& name, double value);
+  void set_skip(int number, bool on);
+  void set_answer(double answer);
+  /// Spindle `slave` follows `master`; 0: no more.
+  void synchronise(int slave, int master);
+  /// What a power cycle leaves (nct 23.1.4).
+  void power_cycle();
+  /// Virtual time since power-on and time at feed, for clocks the program reads.
+  void set_time(double now_ms, double cutting_ms);
+  /// Tables and switches after the run, in the form of a set-up; nothing where the control has none to show.
+  std::optional<RunState> run_state() const;
+
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;
 

@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "control/nct/blocks.h"
+#include "control/nct/interrupt.h"
 #include "control/nct/nct.h"
 
 namespace kadr {
@@ -52,6 +53,11 @@ Control::State Machinery::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) origin = origin_of_block();
+    if (nct && on_block != nullptr && *on_block) {
+      if (got) take_nct_block();
+      else fail_with(got.error());
+      continue;
+    }
     if (!got && block->marker == Marker::program_start) flow.started = true;  // damaged, but there
     for (const Alarm& w : block->warnings) warn(w);
     const Status status = got ? execute() : Status(fail(got.error()));
@@ -59,6 +65,21 @@ Control::State Machinery::run(ActionBatch& to) {
     if (needs_probe) return Control::State::needs_probe;
   }
   return stopped_ ? Control::State::stopped : Control::State::running;
+}
+
+/// A block with what the machine's logic does before and behind it, interrupt macro included (nct 23.4).
+void Machinery::take_nct_block() {
+  const Origin at = origin;
+  (*on_block)(at, false);
+  const auto instead = nct::call_interrupt(*this, nct::BlockMoment::start);
+  Status status = instead ? Status() : Status(fail(instead.error()));
+  if (status && !*instead) status = execute();
+  if (status) {
+    const auto called = nct::call_interrupt(*this, nct::BlockMoment::end);
+    if (!called) status = fail(called.error());
+  }
+  if (!status) fail_with(status.error());
+  (*on_block)(at, true);
 }
 
 /// The file's end ends the program too; not in the middle of a call or a repetition.

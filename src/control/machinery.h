@@ -149,6 +149,7 @@ class Machinery {
   std::vector<std::string> axis_names;
   std::size_t axis_count = 3;
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
+  std::function<void(const Origin&, bool)>* on_block = nullptr;
   AlarmReport report;
 
  private:
@@ -170,6 +171,7 @@ class Machinery {
   void start_modal(const Setup& setup);
   bool starts(const std::string& text) const;
   Status execute();
+  void take_nct_block();
   Status attempt();
   Status words();
   Status carry_out(const Plan& plan);

@@ -114,7 +114,7 @@ class Lexer {
       const char next = begin + bytes < cursor_.text.size() ? cursor_.text[begin + bytes] : '\0';
       if (is_upper(next) || is_lower(next)) {
         if (const Keyword keyword = statements_.keyword_here(); keyword != Keyword::none) return statements_.read(keyword);
-        if ((letter == 'A') && (next == 'X' || next == 'x')) return axis_by_number(begin);
+        if ((letter == 'A') && (next == 'X' || next == 'x')) return words_.axis_by_number(begin);
       }
       if ((grammar_.named >> (letter - 'A') & 1u) != 0)
         if (const AddressName* const name = words_.name_here(); name != nullptr) return word_of(name->address, name->text.size(), begin);
@@ -158,38 +158,6 @@ class Lexer {
     const char address = comma_address(letter);
     if (address == 0) return fail(alarm(AlarmId::unexpected_character, span(begin, begin + 1), ','));
     return word_of(address, 1, begin);
-  }
-
-  /// AX[n]=v: the axis by its number (nct 23.2.12); the address is known when the block is carried out.
-  Status axis_by_number(std::size_t begin) {
-    cursor_.at += 2;
-    cursor_.skip_blanks();
-    if (cursor_.peek() != '[') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
-    const auto axis = compile_macro_value(cursor_, grammar_, block_, false);
-    if (!axis) return fail(axis.error());
-    cursor_.skip_blanks();
-    if (cursor_.peek() != '=') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
-    ++cursor_.at;
-    cursor_.skip_blanks();
-    if (block_.word_count == limits::block_words)
-      return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_words}));
-    Word& w = block_.words[block_.word_count];
-    w.address = w.written = indirect_axis;
-    w.code = -1;
-    w.incremental = w.bare = false;
-    w.expression = {};
-    WordFormat format = grammar_.word('X');
-    KADR_TRY(words_.value(w, format, begin));
-    w.axis = *axis;
-    if (!w.expression) {  // always by expression: the block must be looked at when it is carried out
-      w.expression.begin = static_cast<std::uint16_t>(block_.code.size());
-      block_.code.push_back({Op::number, w.value, span(begin, cursor_.at)});
-      w.expression.end = static_cast<std::uint16_t>(block_.code.size());
-    }
-    block_.evaluates = true;
-    w.where = span(begin, cursor_.at);
-    ++block_.word_count;
-    return {};
   }
 
   Status file_name() {

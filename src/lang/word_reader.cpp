@@ -241,6 +241,37 @@ Status WordReader::label(std::size_t begin, const WordFormat& format) {
   return {};
 }
 
+Status WordReader::axis_by_number(std::size_t begin) {
+  cursor_.at += 2;
+  cursor_.skip_blanks();
+  if (cursor_.peek() != '[') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
+  const auto axis = compile_macro_value(cursor_, grammar_, block_, false);
+  if (!axis) return fail(axis.error());
+  cursor_.skip_blanks();
+  if (cursor_.peek() != '=') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
+  ++cursor_.at;
+  cursor_.skip_blanks();
+  if (block_.word_count == limits::block_words)
+    return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_words}));
+  Word& w = block_.words[block_.word_count];
+  w.address = w.written = indirect_axis;
+  w.code = -1;
+  w.incremental = w.bare = false;
+  w.expression = {};
+  WordFormat format = grammar_.word('X');
+  KADR_TRY(value(w, format, begin));
+  w.axis = *axis;
+  if (!w.expression) {  // always by expression: the block must be looked at when it is carried out
+    w.expression.begin = static_cast<std::uint16_t>(block_.code.size());
+    block_.code.push_back({Op::number, w.value, span(begin, cursor_.at)});
+    w.expression.end = static_cast<std::uint16_t>(block_.code.size());
+  }
+  block_.evaluates = true;
+  w.where = span(begin, cursor_.at);
+  ++block_.word_count;
+  return {};
+}
+
 const AddressName* WordReader::name_here() const {
   const AddressName* best = nullptr;
   for (const AddressName& row : grammar_.names) {

@@ -31,6 +31,9 @@ class WordReader {
   /// The number behind O.
   Status label(std::size_t begin, const WordFormat& format);
 
+  /// AX[n]=v: the axis by its number (nct 23.2.12); the address is known when the block is carried out.
+  Status axis_by_number(std::size_t begin);
+
   /// The longest name that stands here; one that ends with a digit needs '=' behind it (nct 2.2). nullptr: none.
   const AddressName* name_here() const;
 

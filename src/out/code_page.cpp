@@ -12,7 +12,7 @@ namespace {
 
 const std::string& pick(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
-std::string letters_of(std::uint32_t bits, std::string text = {}) {
+std::string letters_of(std::uint64_t bits, std::string text = {}) {
   for (int i = 0; i < 26; ++i)
     if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", static_cast<char>('A' + i));
   return text;

@@ -130,6 +130,7 @@ class Nct {
   DataMode data_mode = DataMode::none;
   Interrupted interrupted;
   std::optional<ProgramPlace> interrupt_program;  // M96
+  bool signal_was_on = false;                     // CP_MINT when it was looked at last
   std::map<std::string, double> signals;          // of the machine's logic
   // of the block being carried out
   bool moved = false;           // it held a movement command

@@ -16,7 +16,5 @@ Status drilling_off(Machinery&, const Call& call) { return fail(alarm(AlarmId::n
 Status turning_cycle(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 Status turning_simple(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 Status not_available(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status interrupt_on(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status interrupt_off(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 
 }  // namespace kadr::functions
