@@ -48,8 +48,8 @@ TEST(setup, every_served_key) {
 
 TEST(setup, offsets_are_geometry_and_wear) {
   const kadr::Setup s = read(R"({"offsets": {"1": {"length": 100, "length_wear": -0.5, "radius": 5, "radius_wear": 0.25}}})");
-  EXPECT_EQ(s.offsets.at(1).length, 99.5);
-  EXPECT_EQ(s.offsets.at(1).radius, 5.25);
+  EXPECT_EQ(s.offsets.at(1).whole_length(), 99.5);
+  EXPECT_EQ(s.offsets.at(1).whole_radius(), 5.25);
 }
 
 TEST(setup, probe_workpiece) {

@@ -137,11 +137,11 @@ RC_GTEST_PROP(curve, ends_are_exact, ()) {
 
 RC_GTEST_PROP(curve, turned_by_a_quarter_it_turns, ()) {
   const auto a = random_arc();
-  RC_PRE(a.motion.plane == Plane::xy);
+  RC_PRE(a.motion.first == 0);
   const auto turned = [](const Axes& p) { return Axes{-p[1], p[0], p[2]}; };
   Motion m = a.motion;
   m.to = turned(m.to);
-  m.center = {-a.motion.center.y, a.motion.center.x, a.motion.center.z};
+  m.center = {-a.motion.center.y, a.motion.center.x};
   const Axes from = turned(a.from);
   const Curve one(xyz, a.from, a.motion), other(xyz, from, m);
   RC_ASSERT(std::abs(one.length() - other.length()) < 1e-9 * (1 + one.length()));
@@ -151,7 +151,7 @@ RC_GTEST_PROP(curve, turned_by_a_quarter_it_turns, ()) {
 
 RC_GTEST_PROP(curve, mirrored_it_is_the_opposite_arc, ()) {
   const auto a = random_arc();
-  RC_PRE(a.motion.plane == Plane::xy);
+  RC_PRE(a.motion.first == 0);
   Motion m = a.motion;
   m.kind = a.motion.kind == arc_cw ? arc_ccw : arc_cw;
   m.to[0] = -m.to[0];
