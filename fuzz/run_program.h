@@ -123,7 +123,7 @@ class Run {
     if (auto* const motion = std::get_if<Motion>(&action.what)) {
       if (motion->kind == MotionKind::probe) {
         const ProbeAnswer answer = machine_.probe(*motion);
-        end_at(*motion, answer);
+        end_at(*motion, answer, machine_.position().rotation.get());
         control_.answer(answer);
       }
       check_motion(*motion);
@@ -135,9 +135,9 @@ class Run {
     check_other(action);
     if (const Status taken = machine_.take(action); !taken) show(control_.report_for(taken.error(), action.origin));
     stand_.take(action);
-    statistics_.take(action);
+    const MotionTime time = statistics_.take(action);
     plot_.take(action);
-    trace_.write(action);
+    trace_.write(action, time);
   }
 
   void check_motion(const Motion& motion) const {

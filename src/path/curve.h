@@ -23,6 +23,7 @@ struct Extents {
 class Curve {
  public:
   Curve(const AxisRoles& roles, const Axes& from, const Motion& motion);
+  Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 
   bool arc() const { return arc_; }
   PathSurface surface() const { return surface_; }
