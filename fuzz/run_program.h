@@ -56,7 +56,7 @@ inline Setup some_setup(unsigned switches) {
   s.reference_points = {{1, {{"X", 500}, {"Y", 400}, {"Z", 300}}}, {2, {{"Z", 200}}}};
   s.probe_hole = ProbeHole{1, 0, 0, 40, 0, 10};
   s.watch = {"#100", "#2000", "#7", "R4"};
-  s.spindle_rpm = 500;
+  s.spindles[1].rpm = 500;
   s.points = {0.25, 0.5};
   if ((switches & mirror_x) != 0) s.mirror.emplace_back("X");
   if ((switches & mirror_y) != 0) s.mirror.emplace_back("Y");
@@ -123,7 +123,7 @@ class Run {
     if (auto* const motion = std::get_if<Motion>(&action.what)) {
       if (motion->kind == MotionKind::probe) {
         const ProbeAnswer answer = machine_.probe(*motion);
-        end_at(*motion, answer);
+        end_at(*motion, answer, machine_.position().rotation.get());
         control_.answer(answer);
       }
       check_motion(*motion);
@@ -135,14 +135,14 @@ class Run {
     check_other(action);
     if (const Status taken = machine_.take(action); !taken) show(control_.report_for(taken.error(), action.origin));
     stand_.take(action);
-    statistics_.take(action);
+    const MotionTime time = statistics_.take(action);
     plot_.take(action);
-    trace_.write(action);
+    trace_.write(action, time);
   }
 
   void check_motion(const Motion& motion) const {
     require(is_finite(motion.to) && is_finite(motion.machine), "a motion ends somewhere");
-    require(std::isfinite(motion.center.x) && std::isfinite(motion.center.y) && std::isfinite(motion.center.z), "an arc has a centre");
+    require(std::isfinite(motion.center.x) && std::isfinite(motion.center.y), "an arc has a centre");
     require(std::isfinite(motion.feed) && motion.feed >= 0, "the feed is a number");
     require(std::isfinite(motion.turns) && std::isfinite(motion.tolerance) && motion.tolerance >= 0, "turns and tolerance are numbers");
     const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;

@@ -94,7 +94,7 @@ Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
     for (Action& action : batch) {
       if (auto* const motion = std::get_if<Motion>(&action.what); motion != nullptr && motion->kind == MotionKind::probe) {
         const ProbeAnswer answer = machine.probe(*motion);  // machine: what the probe meets
-        end_at(*motion, answer);
+        end_at(*motion, answer, machine.position().rotation.get());
         control.answer(answer);
       }
       if (const Status taken = machine.take(action); !taken) {  // machine: limits

@@ -79,8 +79,8 @@ int run(const Options& options) {
   const auto stopped =
       carry_out(control, *job,
                 {[&](const Action& action) {
-                   statistics.take(action);
-                   if (trace) trace->write(action);
+                   const MotionTime time = statistics.take(action);
+                   if (trace) trace->write(action, time);
                    if (plot) plot->take(action);
                  },
                  say, [&](const AlarmReport& report) { return say(report), false; }, [&](const Control& c) { progress.show(c); }});
@@ -91,8 +91,10 @@ int run(const Options& options) {
       ending.position = stopped.machine_stood->work;
       ending.machine_position = stopped.machine_stood->machine;
     }
-    if (stopped.report) trace->finish(ending, *stopped.report, *job->texts, lang);
-    else trace->finish(ending);
+    TraceWriter::LastLine more;
+    if (!job->setup.channels.empty()) more.channel = job->setup.channel;
+    if (stopped.report) trace->finish(ending, *stopped.report, *job->texts, lang, more);
+    else trace->finish(ending, more);
     written = trace->ok();
     if (!written) complain(fmt::format("{}: {}", options.trace, std::strerror(errno)));
   }

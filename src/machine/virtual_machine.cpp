@@ -28,16 +28,14 @@ Status VirtualMachine::check(const Motion& motion) const {
     if ((to > most_[i] && to > from) || (to < least_[i] && to < from)) [[unlikely]]
       return beyond(i, to);
   }
-  return is_arc(motion.kind) ? check_arc(motion) : Status{};
+  const bool curved = is_arc(motion.kind) || (motion.detail && motion.detail->surface == PathSurface::polar);
+  return curved ? check_curve(motion) : Status{};
 }
 
-/// machine − work is the same along the motion, or taken up evenly by it: the greater of both ends bounds it.
-Status VirtualMachine::check_arc(const Motion& motion) const {
-  const Extents box = Curve(roles_, position_.work, motion).extents();
+Status VirtualMachine::check_curve(const Motion& motion) const {
+  const Extents box = machine_extents(roles_, position_, motion);
   for (std::size_t i = 0; i < roles_.count; ++i) {
-    const double from = position_.machine[i];
-    const auto [low, high] = std::minmax({from - position_.work[i], motion.machine[i] - motion.to[i]});
-    const double least = box.least[i] + low, most = box.most[i] + high;
+    const double from = position_.machine[i], least = box.least[i], most = box.most[i];
     if (most > most_[i] && most > from + tol::same_point) return beyond(i, most);
     if (least < least_[i] && least < from - tol::same_point) return beyond(i, least);
   }
@@ -63,8 +61,9 @@ Status VirtualMachine::take(const Action& action) {
 
 ProbeAnswer VirtualMachine::probe(const Motion& motion) const { return probe_.meet(position_.work, motion.to); }
 
-void end_at(Motion& motion, const ProbeAnswer& answer) {
-  for (std::size_t i = 0; i < max_axes; ++i) motion.machine[i] += answer.at[i] - motion.to[i];
+void end_at(Motion& motion, const ProbeAnswer& answer, const FrameRotation* rotation) {
+  const Axes before = turned(rotation, motion.to), now = turned(rotation, answer.at);
+  for (std::size_t i = 0; i < max_axes; ++i) motion.machine[i] += now[i] - before[i];
   motion.to = answer.at;
 }
 

@@ -5,7 +5,7 @@
 #include "config/machine_profile.h"
 #include "config/setup.h"
 #include "machine/probe.h"
-#include "path/curve.h"
+#include "path/machine_extents.h"
 
 namespace kadr {
 
@@ -16,7 +16,7 @@ class VirtualMachine {
                  const ToolPosition& start);
 
   /// Carries out an action.
-  ///   alarms  limit_exceeded (axis, position, limit), the extremes of arcs included; then nothing has moved
+  ///   alarms  limit_exceeded (axis, position, limit), the extremes of curved paths included; then nothing has moved
   ///   law     an axis that already stands outside may go inwards
   Status take(const Action& action);
 
@@ -33,7 +33,7 @@ class VirtualMachine {
 
  private:
   Status check(const Motion& motion) const;
-  Status check_arc(const Motion& motion) const;
+  Status check_curve(const Motion& motion) const;
   tl::unexpected<Alarm> beyond(std::size_t axis, double machine) const;
 
   std::vector<std::string> names_;
@@ -44,7 +44,7 @@ class VirtualMachine {
   ToolPosition position_;
 };
 
-/// The probe motion as it really went: ends where the signal came.
-void end_at(Motion& motion, const ProbeAnswer& answer);
+/// The probe motion as it really went: ends where the signal came. `rotation`: of the frame it goes in.
+void end_at(Motion& motion, const ProbeAnswer& answer, const FrameRotation* rotation = nullptr);
 
 }  // namespace kadr

@@ -25,7 +25,8 @@ class Statistics {
   /// State of the setup's spindle and tool before the first action.
   void start_with(double spindle_rpm, std::uint32_t tool);
 
-  void take(const Action& action);
+  ///   returns  of a motion: its length and time; else zeros
+  MotionTime take(const Action& action);
   void count(Severity severity) { ++(severity == Severity::alarm ? alarms_ : warnings_); }
 
   /// The summary, lines ending in '\n'.
@@ -47,7 +48,7 @@ class Statistics {
   const std::vector<ToolUse>& tools() const { return tools_; }
 
  private:
-  void take_motion(const Motion& motion);
+  MotionTime take_motion(const Motion& motion);
   void use(std::uint32_t tool);
 
   AxisRoles roles_;

@@ -75,5 +75,43 @@ TEST(virtual_machine, probe_switch_stops_the_motion) {
   EXPECT_EQ(m.probe(straight(probe, {79, 0, 0})).at, (Axes{79, 0, 0}));
 }
 
+TEST(virtual_machine, an_arc_in_a_turned_frame_counts_in_machine_axes) {  // nct 10.2.3
+  FrameRotation quarter;                                                  // about Y: X becomes -Z, Z becomes X
+  quarter.rows = {Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{-1, 0, 0}};
+  VirtualMachine m = machine({}, {{0, 0, 95}, {95, 0, 0}, std::make_shared<FrameRotation>(quarter)});
+  Motion up = arc(arc_ccw, {0, 0, 95}, {0, 0, 89}, 1, Plane::zx);
+  up.machine = {95, 0, 0};
+  EXPECT_TRUE(m.take(action(up)));
+  up.center.x = 101;  // of Z: up to 107
+  const Status refused = m.take(action(up));
+  ASSERT_FALSE(refused);
+  EXPECT_NEAR(refused.error().args[1].number(), 107, 1e-9);
+}
+
+TEST(virtual_machine, polar_interpolation_may_pass_a_limit_between_its_ends) {
+  const std::vector<std::string> axes = {"X", "C"};
+  kadr::Setup setup;
+  setup.machine["X"].limits = {{5, 100}};
+  VirtualMachine m(axes, 2, MachineProfile{}, setup, {{50, 0}, {50, 0}});
+  MotionDetail detail;
+  detail.surface = PathSurface::polar;
+  detail.flat_from = {50, 1};
+  detail.flat_to = {-50, 1};
+  Motion past = straight(feed, {50, 177.7, 0}, 100);
+  past.detail = std::make_shared<MotionDetail>(detail);
+  const Status refused = m.take(action(past));
+  ASSERT_FALSE(refused);
+  EXPECT_NEAR(refused.error().args[1].number(), 1, 1e-9);
+}
+
+TEST(virtual_machine, probe_motion_ends_in_a_turned_frame) {
+  FrameRotation quarter;  // about Z: X towards Y
+  quarter.rows = {Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}};
+  Motion motion = straight(probe, {100, 0, 0}, 60);
+  motion.machine = {5, 107, 3};
+  end_at(motion, {true, {80, 0, 0}}, &quarter);
+  EXPECT_EQ(motion.machine, (Axes{5, 87, 3}));
+}
+
 }  // namespace
 }  // namespace kadr

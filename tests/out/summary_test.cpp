@@ -72,5 +72,34 @@ TEST(summary, work_position_follows_the_frame) {
   EXPECT_DOUBLE_EQ(s.cutting_mm(), 100);
 }
 
+TEST(summary, threads_cut) {
+  const std::vector<std::string> names = {"X", "Y", "Z"};
+  Statistics s(names, 0, rates_of(MachineProfile{}, kadr::Setup{}, names), {});
+  s.start_with(100, 1);
+  MotionDetail detail;
+  detail.lead = 2;
+  Motion m = straight(thread, {0, 0, -20});
+  m.detail = std::make_shared<MotionDetail>(detail);
+  EXPECT_DOUBLE_EQ(s.take(action(m)).seconds, 6);
+  EXPECT_EQ(s.feeds(), 1U);
+  EXPECT_DOUBLE_EQ(s.cutting_mm(), 20);
+  EXPECT_EQ(s.cutting_box().least.z, -20);
+  EXPECT_DOUBLE_EQ(s.tools()[0].cutting_s, 6);
+}
+
+TEST(summary, polar_interpolation_by_its_real_axes) {  // golden 04-50
+  const std::vector<std::string> names = {"X", "C"};
+  Statistics s(names, 2, rates_of(MachineProfile{}, kadr::Setup{}, names), {{50, 0}, {50, 0}});
+  MotionDetail detail;
+  detail.surface = PathSurface::polar;
+  detail.flat_from = {50, 1};
+  detail.flat_to = {-50, 1};
+  Motion m = straight(feed, {50, 178, 0}, 1000);
+  m.detail = std::make_shared<MotionDetail>(detail);
+  s.take(action(m));
+  EXPECT_DOUBLE_EQ(s.cutting_mm(), 100);
+  EXPECT_NEAR(s.cutting_box().least.x, 1, 1e-9);
+}
+
 }  // namespace
 }  // namespace kadr
