@@ -8,6 +8,7 @@
 
 #include "cli/pipeline.h"
 #include "cli/progress.h"
+#include "config/state_json.h"
 #include "out/alarm_print.h"
 #include "out/plot.h"
 #include "out/summary.h"
@@ -92,6 +93,9 @@ int run(const Options& options) {
       ending.machine_position = stopped.machine_stood->machine;
     }
     TraceWriter::LastLine more;
+    const std::optional<RunState> state = control.run_state();
+    const std::string state_text = state ? state_json(*state) : std::string();
+    more.state = state_text;
     if (!job->setup.channels.empty()) more.channel = job->setup.channel;
     if (stopped.report) trace->finish(ending, *stopped.report, *job->texts, lang, more);
     else trace->finish(ending, more);

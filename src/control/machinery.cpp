@@ -139,7 +139,8 @@ Status Machinery::execute() {
     if (skipping_section_ || flow.ended()) return {};
   }
   if (block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
-  if (block->empty() && block->comments.empty()) return {};
+  const bool data = nct && nct->data_mode != nct::DataMode::none && block->has_number;
+  if (block->empty() && block->comments.empty() && !data) return {};
   if (block->statement.kind != StatementKind::none) return nct::run_statement(*this);
   return attempt();
 }

@@ -45,7 +45,7 @@ class Machinery {
   void refused();
   bool is_stopped() const { return stopped_; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
-  Ending ending() const;
+  Ending ending();
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
 
   // ---- words of the block being carried out

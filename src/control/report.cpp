@@ -66,15 +66,17 @@ void Machinery::check_uncalled(const std::function<void(const AlarmReport&)>& on
   });
 }
 
-Ending Machinery::ending() const {
+Ending Machinery::ending() {
   Ending e;
   e.position = position.work;
   e.machine_position = position.machine;
-  for (std::uint32_t n = 1; n <= variables.highest() && def.grammar.variables != 0; ++n)
+  if (nct) nct::add_variables(*this, e, watch_);
+  for (std::uint32_t n = 1; !nct && n <= variables.highest() && def.grammar.variables != 0; ++n)
     if (variables.is_set(n)) e.variables.emplace_back("#" + std::to_string(n), *variables.variable(n, {}));
   for (int i = 0; i < 10; ++i)
     if (variables.parameter_set(i)) e.variables.emplace_back("R" + std::to_string(i), variables.raw_parameter(i));
   for (const std::string& name : watch_) {
+    if (nct) break;
     const auto same = [&](const auto& v) { return v.first == name; };
     if (std::any_of(e.variables.begin(), e.variables.end(), same)) continue;
     const auto read =

@@ -19,7 +19,8 @@ std::uint32_t number_of(double number, std::uint32_t highest) {
 
 }  // namespace
 
-Variables::Variables(const ControlDef& def) : def_(def), values_(def.grammar.variables + 1), set_(def.grammar.variables + 1) {}
+Variables::Variables(const ControlDef& def)
+    : def_(def), values_(def.grammar.macro ? 1 : def.grammar.variables + 1), set_(values_.size()) {}  // nct: nct/macro_variables
 
 Result<double> Variables::variable(double number, Span where) const {
   const std::uint32_t n = number_of(number, highest());

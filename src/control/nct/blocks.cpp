@@ -56,6 +56,31 @@ Status check_words(const Machinery& m) {
   return check_m_codes(m);
 }
 
+/// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
+Status take_spindle_words(Machinery& m) {
+  const Word* first = nullptr;
+  bool codes = false;
+  Word* p = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    codes = codes || w.address == 'G' || w.address == 'M';
+    if (w.address == 'P') p = &w;
+    if (m.def.address(w.address).function != Function::spindle_word) continue;
+    if (first != nullptr) return fail(alarm(AlarmId::one_spindle, w.where, m.block->text_of(first->where), m.block->text_of(w.where)));
+    first = &w;
+  }
+  m.nct->spindle_by_p = 0;
+  if (first == nullptr || p == nullptr || codes) return {};
+  const auto number = m.whole('P', 1, most_spindles);
+  if (!number) return fail(number.error());
+  m.nct->spindle_by_p = static_cast<int>(*number);
+  p->address = 0;
+  m.block->altered = true;
+  m.note_addresses();
+  return {};
+}
+
 bool has_words(const Machinery& m) { return m.block->word_count != 0; }
 
 /// G66.1: the block's words are arguments (23.3.3).
@@ -104,6 +129,7 @@ Result<bool> before_plan(Machinery& m) {
   if (!macro) {
     KADR_TRY(take_bare_words(m));
     KADR_TRY(check_words(m));
+    KADR_TRY(take_spindle_words(m));
   }
   note_words(m);
   return false;

@@ -95,6 +95,8 @@ void reset_shifts(Machinery& m) {
   m.transform = Transform();
 }
 
+}  // namespace
+
 /// "_ALM" without its underscore; -1: unknown.
 double number_of_symbol(const Machinery& m, const std::string& name) {
   const std::string plain = name.substr(0, name.find('['));
@@ -103,8 +105,6 @@ double number_of_symbol(const Machinery& m, const std::string& name) {
     if (row.text == plain) return row.indexed ? row.number + index - row.first_index : row.number;
   return -1;
 }
-
-}  // namespace
 
 Nct::Nct(Machinery& m, const Setup& setup, std::shared_ptr<Commons> commons)
     : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),

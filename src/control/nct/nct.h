@@ -172,6 +172,8 @@ Result<double> dwell_seconds(Machinery& m, double p, Span where);
 Status machine_code(Machinery& m, const Call& call);
 /// The block has a word for a spindle.
 bool has_spindle_word(const Machinery& m);
+/// Variables that hold something, and those that are asked for ("#5061", "#_ALM").
+void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch);
 /// G10 L… (set_tables.cpp).
 Status set_tables(Machinery& m, const Call& call);
 

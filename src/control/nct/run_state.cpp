@@ -1,8 +1,11 @@
 // The state after a run in the form of a set-up (tests/golden/README.md, `state`).
 
+#include <algorithm>
+
 #include "control/machinery.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
+#include "control/nct/system_variables.h"
 
 namespace kadr::nct {
 namespace {
@@ -49,6 +52,23 @@ const char* name_of(SpindleDir dir) {
 }
 
 }  // namespace
+
+void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch) {
+  const auto add = [&](int n) {
+    double value = 0;
+    if (m.nct->variables.known(n, value) && !is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);
+  };
+  for (int n = 1; n <= static_cast<int>(most_locals); ++n) add(n);
+  for (int n = first_common; n <= last_common; ++n) add(n);
+  for (const std::string& name : watch) {
+    const auto same = [&](const auto& v) { return v.first == name; };
+    if (std::any_of(ending.variables.begin(), ending.variables.end(), same) || name.size() < 2) continue;
+    const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
+    const auto read = read_variable(m, number, {});
+    if (read && !is_vacant(*read)) ending.variables.emplace_back(name, *read);
+    else ending.watched_unset.emplace_back(name, true);
+  }
+}
 
 RunState Nct::run_state(const Machinery& m) const {
   RunState s;

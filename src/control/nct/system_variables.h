@@ -1,6 +1,8 @@
 #pragma once
 // System variables of the NCT control by number (spec/nct/23 23.1.5–23.1.22) and PRM (24.2).
 
+#include <string>
+
 #include "base/result.h"
 #include "base/span.h"
 
@@ -18,6 +20,8 @@ Result<double> read_variable(Machinery& m, double number, Span where);
 Status write_variable(Machinery& m, double number, double value, Span where);
 /// #_NAME[index] → number. alarms value_out_of_range
 Result<double> number_of_element(const Machinery& m, double symbol, double index, Span where);
+/// Number of "ALM" or "ABSIO[3]"; -1: unknown.
+double number_of_symbol(const Machinery& m, const std::string& name);
 /// PRM[number, bit]/[index]; vacant: left out.
 Result<double> read_parameter(Machinery& m, double number, double bit, double index, Span where);
 
