@@ -57,7 +57,9 @@ int run(const Options& options) {
   TraceFile trace_file(options.trace);
   if (trace_file.failed()) return wrong_usage;
   const Lang lang = language(options);
-  Control control(*job->def, job->setup, std::move(*program), options.limits);
+  RunLimits limits = options.limits;
+  limits.writes_files = true;
+  Control control(*job->def, job->setup, std::move(*program), limits);
   if (!control.setup_error().empty()) {
     complain(fmt::format("{}: the control {} has no {}", options.setup, job->def->id, control.setup_error()));
     return wrong_usage;

@@ -16,6 +16,7 @@ class Fitter {
 
   std::string run() {
     for (const char letter : axis_letters) free_letter(letter);
+    if (def_.grammar.operator_i) def_.grammar.word('R').increment = true;  // RI0.1: data of G10, levels of cycles (5.1)
     axes();
     auxiliary();
     increments();

@@ -208,6 +208,7 @@ struct AlarmReport {
     bool has_block;
   };
   std::vector<Call> calls;  // outermost first
+  std::string own_text{};   // words of the program itself (#3000 of nct), longer than an argument of the alarm may be
 };
 
 /// What a probe motion met: handed back to `control` before the next block (design.md 1, the only backward arrow).

@@ -17,6 +17,8 @@ namespace kadr {
 struct RunLimits {
   std::uint64_t repeated_blocks = 20'000'000;  // blocks carried out again after a jump back
   std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
+  bool writes_files = false;                   // FOPEN, POPEN of nct; false: as far as can be known without writing
+  std::string files = ".";                     // folder of the program memory, outside of which nothing is written
 };
 
 struct Program {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "config/embedded.h"
+
 namespace kadr {
 namespace {
 
@@ -78,6 +80,19 @@ std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
   const auto reader = static_cast<std::uint16_t>(files_.size() - 1);
   opened_.emplace(path, reader);
   return reader;
+}
+
+std::optional<std::uint16_t> Flow::open_built_in(const std::string& name) {
+  const std::string file = "controls/macros/" + name + "." + def_.id;
+  if (const auto known = opened_.find(file); known != opened_.end()) return known->second;
+  for (const EmbeddedFile& row : embedded_files()) {
+    if (row.name != file) continue;
+    files_.push_back(std::make_unique<ProgramFile>(name + " (" + def_.id + ")", text_source(std::string(row.text)), def_.grammar, Encoding::utf8));
+    const auto reader = static_cast<std::uint16_t>(files_.size() - 1);
+    opened_.emplace(file, reader);
+    return reader;
+  }
+  return std::nullopt;
 }
 
 Status Flow::call_at(std::uint16_t reader, Position start, CallFrame frame, Span where) {

@@ -18,7 +18,7 @@ Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own,
       variables(def),
       flow(def, std::move(program), limits) {
   modal.rows.fill(-1);
-  if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, std::move(commons));
+  if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, limits, std::move(commons));
   read_setup(setup);
   start_modal(setup);
 }

@@ -22,12 +22,16 @@ void Machinery::warn(const Alarm& alarm) {
 }
 
 AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
-  AlarmReport r{alarm, flow.file(), {}, at, {}};
+  AlarmReport r{alarm, flow.file(), {}, at, {}, {}};
   const bool in_body = flow.in_body() && !line_text.empty();
   if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
   if (r.alarm.where.begin <= r.line_text.size())
     r.origin.column = characters(std::string_view(r.line_text).substr(0, r.alarm.where.begin)) + 1;
+  if (alarm.id == AlarmId::program_alarm && !block->comments.empty()) {
+    Span all;
+    r.own_text = flow.shown(block->text_of(block->comments.front()), all);
+  }
   for (const CallFrame& frame : flow.frames())
     r.calls.push_back({Flow::name_of(def, frame), frame.caller.line, frame.caller.block, frame.caller.has_block});
   return r;

@@ -258,14 +258,14 @@ Status WordReader::axis_by_number(std::size_t begin) {
   w.code = -1;
   w.incremental = w.bare = false;
   w.expression = {};
-  WordFormat format = grammar_.word('X');
-  KADR_TRY(value(w, format, begin));
   w.axis = *axis;
-  if (!w.expression) {  // always by expression: the block must be looked at when it is carried out
-    w.expression.begin = static_cast<std::uint16_t>(block_.code.size());
-    block_.code.push_back({Op::number, w.value, span(begin, cursor_.at)});
-    w.expression.end = static_cast<std::uint16_t>(block_.code.size());
+  if (cursor_.peek() == 'I' || cursor_.peek() == 'i') {
+    w.incremental = true;
+    ++cursor_.at;
   }
+  const auto expression = compile_macro_value(cursor_, grammar_, block_, true);  // INFERRED: a whole expression may follow
+  if (!expression) return fail(expression.error());
+  w.expression = *expression;
   block_.evaluates = true;
   w.where = span(begin, cursor_.at);
   ++block_.word_count;

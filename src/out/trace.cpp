@@ -4,6 +4,7 @@
 #include <array>
 
 #include "motion/polar_feed.h"
+#include "out/alarm_print.h"
 #include "out/trace_fields.h"
 
 namespace kadr {
@@ -219,8 +220,8 @@ void TraceWriter::finish(const Ending& ending, const AlarmReport& report, const 
   const Alarm& alarm = report.alarm;
   out_.done(put_head(out_.room(head_room), "alarm", report.origin));
   write_channel(more);
-  out_.append(R"(,"id":)" + json_string(name_of(alarm.id)) + R"(,"number":)" + number_or_text(texts.number(alarm.id)));
-  out_.append(R"(,"text":)" + json_string(texts.sentence(alarm, lang)) + R"(,"args":[)");
+  out_.append(R"(,"id":)" + json_string(name_of(alarm.id)) + R"(,"number":)" + number_or_text(texts.number(alarm)));
+  out_.append(R"(,"text":)" + json_string(sentence_of(report, texts, lang)) + R"(,"args":[)");
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {
     const AlarmArg& arg = alarm.args[i];
     if (i > 0) out_.append(",");

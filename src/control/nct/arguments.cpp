@@ -41,9 +41,12 @@ class Assigner {
 }  // namespace
 
 Result<Locals> arguments_of(const Machinery& m, std::uint32_t caller) {
-  (void)caller;  // the code itself is an argument too: #10 = 65
   Assigner assigner;
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) KADR_TRY(assigner.take(m.block->words[i]));
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (i == caller && w.written != 'G') continue;  // a code G is an argument too: #10 = 65; a calling M is not
+    KADR_TRY(assigner.take(w));
+  }
   return assigner.locals();
 }
 

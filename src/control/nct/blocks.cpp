@@ -110,11 +110,30 @@ void note_words(Machinery& m) {
   take('T', words.t);
 }
 
+/// The blocks of programs 8000–8999 and 9000–9999 count as one with their call, unless the parameter lists them (23.3.9).
+bool hidden(const Machinery& m) {
+  const std::uint32_t number = number_of_file(m.flow.file());
+  const Settings& s = m.nct->settings;
+  return (number >= 8000 && number < 9000 && !s.lists_8000) || (number >= 9000 && number < 10000 && !s.lists_9000);
+}
+
+/// Single block: a stop behind NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
+void stop_single_block(Machinery& m, bool was_hidden) {
+  constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
+  const Nct& nct = *m.nct;
+  if (!nct.single_block || (nct.control_1 & 1u) != 0 || (nct.control_2 & m_ov) != 0 || m.cycle_run.active()) return;
+  const bool returned = m.has_code({Function::return_program});
+  const bool macro = returned || m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
+  if (hidden(m) || (macro && !(returned && was_hidden)) || m.has_code({Function::program_end})) return;
+  m.emit(Stop{false, StopReason::single_block});
+}
+
 }  // namespace
 
 Result<bool> before_plan(Machinery& m) {
   Nct& nct = *m.nct;
   nct.moved = nct.stops_reading = false;
+  if (nct.single_block) nct.was_hidden = hidden(m);
   nct.pending_program = 0;
   give_back(m);
   if (nct.data_mode != DataMode::none) {
@@ -137,6 +156,7 @@ Result<bool> before_plan(Machinery& m) {
 
 Status after_block(Machinery& m) {
   Nct& nct = *m.nct;
+  if (nct.single_block) stop_single_block(m, nct.was_hidden);
   KADR_TRY(call_pending(m));
   if (nct.moved && nct.active_modal_calls != 0) {
     const ModalCall& modal = nct.modal_calls[nct.active_modal_calls - 1u];

@@ -50,7 +50,7 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
   request.macro = true;
   request.called_by = w.written;
   request.called_code = w.code;
-  const auto arguments = arguments_of(m, 0);
+  const auto arguments = arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()));
   if (!arguments) return fail(arguments.error());
   if (!run.modal) return call(m, request, *arguments, w.where);
   Nct& nct = *m.nct;  // a negative parameter: G66 or G66.1 (23.3.4)

@@ -106,11 +106,11 @@ double number_of_symbol(const Machinery& m, const std::string& name) {
   return -1;
 }
 
-Nct::Nct(Machinery& m, const Setup& setup, std::shared_ptr<Commons> commons)
+Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
     : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
       parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
       tools(setup),
-      output({}) {
+      output({limits.files, std::uint64_t{1} << 30, limits.writes_files ? OutputWriting::files : OutputWriting::nothing}) {
   if (!parameters.error().empty()) m.start_error = parameters.error();
 }
 
@@ -139,6 +139,7 @@ void Nct::start(Machinery& m, const Setup& setup) {
   state.surface_speed = settings.surface_speed;
   state.css_axis = settings.css_axis;
   signals = setup.signals;
+  single_block = setup.single_block;
   clock = setup.clock;
   reset_shifts(m);
   reset_codes(m, false);

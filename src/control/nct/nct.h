@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/action.h"
+#include "control/control.h"
 #include "config/setup.h"
 #include "control/nct/macro_variables.h"
 #include "control/nct/output_file.h"
@@ -80,7 +81,7 @@ struct Interrupted {
 
 class Nct {
  public:
-  Nct(Machinery& machinery, const Setup& setup, std::shared_ptr<Commons> commons);
+  Nct(Machinery& machinery, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
   ~Nct();
 
   // ---- parameters and what follows from them
@@ -133,6 +134,8 @@ class Nct {
   bool signal_was_on = false;                     // CP_MINT when it was looked at last
   std::map<std::string, double> signals;          // of the machine's logic
   // of the block being carried out
+  bool single_block = false;    // the operator's switch
+  bool was_hidden = false;      // the block stands in a program that is not listed (23.3.9)
   bool moved = false;           // it held a movement command
   bool stops_reading = false;   // it empties the buffer
   bool in_thread = false;       // the motion before was a thread too

@@ -76,6 +76,8 @@ Result<ProgramPlace> Programs::by_number(Machinery& m, std::uint32_t number, Spa
     else return fail(alarm(AlarmId::file_missing, where, std::string_view(file->filename().string())));
   } else if (const auto label = m.flow.label_of(number)) {
     place.start = *label;
+  } else if (const auto built_in = m.flow.open_built_in(program_name(number))) {  // the control's own: G65 P9999 (23.6)
+    place.reader = *built_in;
   } else {
     const std::string name = program_name(number) + extension;
     return fail(alarm(AlarmId::program_missing, where, std::string_view(name)));
