@@ -140,6 +140,13 @@ void Machinery::take_back(std::size_t actions) {
   ellipse_run.stop();
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
+  if (small_moment_taken_) {
+    modal.feed = small_moment_.feed;
+    modal.feed_known = small_moment_.feed_known;
+    modal.motion = small_moment_.motion;
+    modal.motion_row = small_moment_.motion_row;
+    modal.rows = small_moment_.rows;
+  }
   if (!moment_taken_) return;
   variables.undo_block();
   (void)variables.take_frames_changed();

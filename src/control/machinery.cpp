@@ -148,11 +148,11 @@ Status Machinery::execute() {
 /// The block's words carried out, or nothing of them.
 Status Machinery::attempt() {
   const std::size_t actions = batch->size();
-  moment_taken_ = false;
+  moment_taken_ = small_moment_taken_ = false;
   block_exact = block_machine_coordinates = false;
   waiting_count_ = 0;
   flow_before_.reset();
-  if (!block->code.empty()) {
+  if (!block->code.empty() && !nct) {  // nct assigns in blocks of their own
     take_moment();
     variables.begin_block();
   }
@@ -169,7 +169,8 @@ Status Machinery::words() {
     if (*done) return {};
   }
   KADR_TRY(plan_block(def, letters, *block, modal.motion_row, plan_));
-  if (each_block || !changes_only_position()) take_moment();
+  if (!each_block && changes_little()) take_small_moment();
+  else if (each_block || !changes_only_position()) take_moment();
   KADR_TRY(carry_out(plan_));
   if (moment_taken_) KADR_TRY(check_place());
   return nct ? nct::after_block(*this) : Status();
@@ -179,6 +180,12 @@ Status Machinery::words() {
 bool Machinery::changes_only_position() const {
   if (!plan_.moves_only || modal.polar || nct || modal.motion == MotionMode::cycle || !transform.identity) return false;
   return !def.behaviour.correctors || !has('L');
+}
+
+/// G0 to G3 with F, or a call: what an alarm takes back is little (nct).
+bool Machinery::changes_little() const {
+  if (!nct || modal.polar_data || modal.motion == MotionMode::cycle || !transform.identity) return false;
+  return plan_.moves_and_feeds || plan_.calls_only;
 }
 
 /// Shifts and factors must not carry the tool beyond what a number of the control can hold.

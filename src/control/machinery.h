@@ -189,10 +189,15 @@ class Machinery {
   Status assign();
   Status check_ranges() const;
   bool changes_only_position() const;
+  bool changes_little() const;
   Status check_place() const;
   Status structure();
   Status end_of_file();
   void take_moment();
+  void take_small_moment() {
+    small_moment_taken_ = true;
+    small_moment_ = {modal.feed, modal.feed_known, modal.motion, modal.motion_row, modal.rows};
+  }
   void take_back(std::size_t actions);
   Origin origin_of_block() const;
   void fail_with(const Alarm& alarm);
@@ -202,7 +207,17 @@ class Machinery {
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;
   std::optional<Flow::Place> flow_before_;  // kept where a block has more than one item that jumps
+  /// The same of a block that only moves and feeds, or only calls.
+  struct SmallMoment {
+    double feed;
+    bool feed_known;
+    MotionMode motion;
+    std::int16_t motion_row;
+    std::array<std::int16_t, most_groups> rows;
+  };
   Moment moment_;
+  SmallMoment small_moment_;
+  bool small_moment_taken_ = false;
   bool moment_taken_ = false;
   std::vector<double> assigned_;
   std::vector<double> kept_corrections_;                // corrector_applied before the block

@@ -49,6 +49,7 @@ class Planner {
     KADR_TRY(motion_in_force(motion_row));
     if (code_count_ != 0 || (block_.letters & ~letters_.acting & ~plan_.taken) != 0) KADR_TRY(words_used());
     plan_.axes_taken = axes_taker_ != nullptr;
+    note_kind();
     plan_.moves_only = code_count_ == 0 && (block_.letters & letters_.acting) == 0 && block_.assignments.empty();
     return {};
   }
@@ -139,6 +140,18 @@ class Planner {
     return {};
   }
 
+  /// Blocks that change little are taken back cheaply (Machinery::take_moment).
+  void note_kind() {
+    plan_.moves_and_feeds = plan_.calls_only = true;
+    for (std::uint32_t i = 0; i < plan_.count; ++i) {
+      const PlanItem& item = plan_.items[i];
+      const Function f = item.row >= 0 ? def_.codes[static_cast<std::size_t>(item.row)].function : def_.address(item.address).function;
+      const bool moves = f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw;
+      plan_.moves_and_feeds = plan_.moves_and_feeds && (moves || f == Function::feed_word);
+      plan_.calls_only = plan_.calls_only && (f == Function::macro_call || f == Function::call_program || f == Function::return_program);
+    }
+  }
+
   /// nct 18.2: Q, E, P, … without an axis do nothing while a cycle is in force.
   void ignored_in_cycle(std::int16_t motion_row) {
     if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
@@ -226,6 +239,7 @@ LetterSets::LetterSets(const ControlDef& def) {
         center_letter[row.axis] = row.letter;
         break;
       case Function::corrector_word: break;
+      case Function::spindle_word: spindles |= bit; [[fallthrough]];
       default: acting |= bit;
     }
   }

@@ -9,9 +9,10 @@ ProgramFile::ProgramFile(std::string path, std::shared_ptr<ByteSource> source, c
 
 Result<BlockReader::Got> ProgramFile::next(Block*& block) {
   if (keeps_) {
-    if (const auto found = kept_.find(place_.offset); found != kept_.end()) {
-      place_ = found->second->next;
-      block = &found->second->block;
+    if (KeptBlock* const kept = kept_at(place_); kept != nullptr) [[likely]] {
+      last_ = kept;
+      place_ = kept->next;
+      block = &kept->block;
       return BlockReader::Got::block;
     }
   }
@@ -21,7 +22,17 @@ Result<BlockReader::Got> ProgramFile::next(Block*& block) {
   auto got = reader_.next(in_hand_);
   place_ = reader_.position();
   if (keeps_ && got && *got == BlockReader::Got::block && kept_.size() < most_kept) block = keep(at);
+  else last_ = nullptr;
   return got;
+}
+
+KeptBlock* ProgramFile::kept_at(Position place) {
+  const bool follows = last_ != nullptr && last_->next == place;
+  if (follows && last_->following != nullptr) return last_->following;
+  const auto found = kept_.find(place.offset);
+  if (found == kept_.end()) return nullptr;
+  if (follows) last_->following = found->second.get();
+  return found->second.get();
 }
 
 /// Views of the text go along: the line's own buffer is used again.
@@ -32,6 +43,7 @@ Block* ProgramFile::keep(Position at) {
   entry->block.text = entry->text;
   entry->next = place_;
   Block* const block = &entry->block;
+  last_ = entry.get();
   kept_.emplace(at.offset, std::move(entry));
   return block;
 }

@@ -17,6 +17,7 @@ struct KeptBlock {
   Block block;
   std::string text;
   Position next;
+  KeptBlock* following = nullptr;  // the kept block at `next`
 };
 
 /// DO … END of a file, paired as they stand in the text.
@@ -59,6 +60,7 @@ class ProgramFile {
   std::optional<Position> scan(std::uint32_t number, Position from, std::uint64_t to);
   void find_loops();
   Block* keep(Position at);
+  KeptBlock* kept_at(Position place);
 
   std::string path_;
   std::shared_ptr<ByteSource> source_;
@@ -68,6 +70,7 @@ class ProgramFile {
   Block in_hand_;
   Position place_;
   bool keeps_ = false;
+  KeptBlock* last_ = nullptr;  // handed out last
   std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;  // by offset: one block a line
   std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {from, number} → place
   std::vector<Loop> loops_;

@@ -139,6 +139,16 @@ Result<double> evaluate(const Block& block, Expression expression, Variables&& v
         --top;
         stack[top - 1] = compare(step.op, stack[top - 1], stack[top]) ? 1 : 0;
         break;
+      case Op::add:
+      case Op::subtract:
+      case Op::multiply: {
+        --top;
+        const double b = is_vacant(stack[top]) ? 0 : stack[top], a = is_vacant(stack[top - 1]) ? 0 : stack[top - 1];
+        const double value = step.op == Op::add ? a + b : step.op == Op::subtract ? a - b : a * b;
+        if (!std::isfinite(value)) return fail(alarm(AlarmId::not_a_number, step.where));
+        stack[top - 1] = value;
+        break;
+      }
       default: {
         const bool pair = takes_two(step.op);
         double b = pair ? stack[top - 1] : 0;

@@ -58,6 +58,8 @@ Status check_words(const Machinery& m) {
 
 /// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
 Status take_spindle_words(Machinery& m) {
+  m.nct->spindle_by_p = 0;
+  if ((m.block->letters & m.letters.spindles) == 0) return {};
   const Word* first = nullptr;
   bool codes = false;
   Word* p = nullptr;
@@ -70,7 +72,6 @@ Status take_spindle_words(Machinery& m) {
     if (first != nullptr) return fail(alarm(AlarmId::one_spindle, w.where, m.block->text_of(first->where), m.block->text_of(w.where)));
     first = &w;
   }
-  m.nct->spindle_by_p = 0;
   if (first == nullptr || p == nullptr || codes) return {};
   const auto number = m.whole('P', 1, most_spindles);
   if (!number) return fail(number.error());
@@ -144,7 +145,7 @@ Result<bool> before_plan(Machinery& m) {
   if (!done || *done) return done;
   done = call_by_code(m);
   if (!done || *done) return done;
-  const bool macro = m.has_code({Function::macro_call, Function::macro_modal});
+  const bool macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
   if (!macro) {
     KADR_TRY(take_bare_words(m));
     KADR_TRY(check_words(m));

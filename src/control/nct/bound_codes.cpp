@@ -94,8 +94,7 @@ bool letter_calls(Machinery& m, Word& w) {
 
 Result<bool> call_by_code(Machinery& m) {
   const Settings& s = m.nct->settings;
-  const bool letters = s.ascii[0] != 0 || s.ascii[1] != 0 || s.ascii[2] != 0 || s.ascii[3] != 0 || s.letters_call != std::array<bool, 5>{};
-  if (s.g_macros.empty() && s.m_macros.empty() && s.m_programs.empty() && !letters) return false;
+  if (!s.binds_codes) return false;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || w.bare) continue;
@@ -108,7 +107,7 @@ Result<bool> call_by_code(Machinery& m) {
       }
       if (w.written == 'M')
         if (const int sub = program_of(s.m_programs, w.value); sub >= 0 && may_call(m, 'M', w.code)) pend(m, w, sub);
-    } else if (letters) {
+    } else {
       (void)letter_calls(m, w);
     }
   }

@@ -79,9 +79,12 @@ void read_macros(Settings& s, const ParameterSource& p) {
   single_codes(s.m_macros, p, 1733, 10, 9020);
   code_block(s.m_macros, p, 1743, 1);
   for (std::size_t i = 0; i < 5; ++i) s.letters_call[i] = p.bit("1746", std::to_string(i).c_str(), 0);
+  s.binds_codes = !s.g_macros.empty() || !s.m_macros.empty() || !s.m_programs.empty();
+  for (const bool calls : s.letters_call) s.binds_codes = s.binds_codes || calls;
   for (std::size_t i = 0; i < 4; ++i) {
     s.ascii[i] = p.letter(std::to_string(1747 + i).c_str(), 0);
     s.ascii_programs[i] = whole(p.value(std::to_string(1751 + i).c_str(), 0));
+    s.binds_codes = s.binds_codes || s.ascii[i] != 0;
   }
   s.modal_each_block = p.bit("1755", "0", 0);
   s.calls_inside_calls = p.bit("1755", "1", 0);

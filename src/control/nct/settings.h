@@ -67,6 +67,7 @@ struct Settings {
   int protect_low = 0, protect_high = 0;      // N1702, N1703
   int shared_100 = 0, shared_500 = 0;         // N1700, N1701
   std::vector<CodeRun> g_macros, m_macros, m_programs;
+  bool binds_codes = false;                   // any of these
   std::array<bool, 5> letters_call{};         // N1746: A, B, C, S, T
   std::array<char, 4> ascii{};                // N1747 …
   std::array<int, 4> ascii_programs{};        // N1751 …
