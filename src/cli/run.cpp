@@ -8,6 +8,7 @@
 
 #include "cli/pipeline.h"
 #include "cli/progress.h"
+#include "cli/state.h"
 #include "config/state_json.h"
 #include "out/alarm_print.h"
 #include "out/plot.h"
@@ -52,6 +53,8 @@ int run(const Options& options) {
   if (!plot_name_is_known(options.plot)) return wrong_usage;
   auto job = make_job(options, file);
   if (!job) return wrong_usage;
+  std::optional<StateFile> state_file;
+  if (!options.state.empty() && !(state_file = open_state(options.state, *job))) return wrong_usage;
   auto program = open_program(*job);
   if (!program) return wrong_usage;
   TraceFile trace_file(options.trace);
@@ -64,6 +67,12 @@ int run(const Options& options) {
     complain(fmt::format("{}: the control {} has no {}", options.setup, job->def->id, control.setup_error()));
     return wrong_usage;
   }
+  std::string state_fault;
+  if (state_file)
+    control.on_changes = [&](const StateChanges& changes) {
+      const auto saved = state_file->save(changes);
+      if (!saved && state_fault.empty()) complain(state_fault = saved.error());
+    };
   const Ending start = control.ending();
   const ToolPosition stand{start.position, start.machine_position};
   Statistics statistics(control.axes(), control.rotary(), rates_of(job->profile, job->setup, control.axes()), stand);
@@ -110,7 +119,7 @@ int run(const Options& options) {
     written = written && drawn.has_value();
   }
   if (!options.quiet) fmt::print("{}", statistics.text(control.blocks(), lang));
-  if (!written) return wrong_usage;
+  if (!written || !state_fault.empty()) return wrong_usage;
   return stopped.report ? alarms : ok;
 }
 

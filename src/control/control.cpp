@@ -19,6 +19,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, Run
   if (!error.empty()) machinery_->start_error = error;
   machinery_->on_warning = &on_warning;
   machinery_->on_block = &on_block;
+  machinery_->on_changes = &on_changes;
 }
 Control::~Control() = default;
 

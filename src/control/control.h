@@ -8,6 +8,7 @@
 
 #include "config/control_def.h"
 #include "config/setup.h"
+#include "config/state_file.h"
 #include "control/action.h"
 #include "lang/block_reader.h"
 
@@ -72,6 +73,9 @@ class Control {
   void set_time(double now_ms, double cutting_ms);
   /// Tables and switches after the run, in the form of a set-up; nothing where the control has none to show.
   std::optional<RunState> run_state() const;
+
+  /// Called behind each block that changed something that survives power-off (nct); the block is carried out.
+  std::function<void(const StateChanges&)> on_changes;
 
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;

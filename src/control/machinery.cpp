@@ -62,9 +62,17 @@ Control::State Machinery::run(ActionBatch& to) {
     for (const Alarm& w : block->warnings) warn(w);
     const Status status = got ? execute() : Status(fail(got.error()));
     if (!status) fail_with(status.error());
+    else report_changes();
     if (needs_probe) return Control::State::needs_probe;
   }
   return stopped_ ? Control::State::stopped : Control::State::running;
+}
+
+/// What the block changed of the things that survive power-off.
+void Machinery::report_changes() {
+  if (!nct || on_changes == nullptr || !*on_changes) return;
+  const StateChanges changes = nct->changes.take(*this);
+  if (!changes.rows.empty()) (*on_changes)(changes);
 }
 
 /// A block with what the machine's logic does before and behind it, interrupt macro included (nct 23.4).
@@ -79,6 +87,7 @@ void Machinery::take_nct_block() {
     if (!called) status = fail(called.error());
   }
   if (!status) fail_with(status.error());
+  else report_changes();
   (*on_block)(at, true);
 }
 

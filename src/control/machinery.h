@@ -150,6 +150,7 @@ class Machinery {
   std::size_t axis_count = 3;
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   std::function<void(const Origin&, bool)>* on_block = nullptr;
+  std::function<void(const StateChanges&)>* on_changes = nullptr;
   AlarmReport report;
 
  private:
@@ -172,6 +173,7 @@ class Machinery {
   bool starts(const std::string& text) const;
   Status execute();
   void take_nct_block();
+  void report_changes();
   Status attempt();
   Status words();
   Status carry_out(const Plan& plan);

@@ -24,7 +24,8 @@ std::uint8_t sequence(Function function) {
 /// Beside these a motion code only sets the mode: `G0 G91 G28 Z0` is what shops write.
 bool leaves_mode(Function function) {
   return function == Function::home_through || function == Function::home_axes || function == Function::approach_reference ||
-         function == Function::machine_point;
+         function == Function::machine_point || function == Function::reference_return || function == Function::machine_move ||
+         function == Function::local_system;
 }
 
 /// Collects the calls of one block.

@@ -8,6 +8,7 @@
 
 #include "control/action.h"
 #include "control/control.h"
+#include "control/nct/changes.h"
 #include "config/setup.h"
 #include "control/nct/macro_variables.h"
 #include "control/nct/output_file.h"
@@ -162,6 +163,7 @@ class Nct {
   Axes probe_position{};                       // work coordinates
   std::string clock;                           // "2014-05-18T15:32:41"
   // for the state file
+  Changes changes;
   bool tables_changed = false;
   std::vector<std::uint32_t> changed_offsets;
 
