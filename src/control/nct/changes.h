@@ -15,15 +15,15 @@ namespace kadr::nct {
 /// Remembers what was saved last, so that a block's changes are the difference.
 class Changes {
  public:
-  /// Everything as it is now counts as saved.
-  void start(Machinery& m);
-  /// What has changed since the last call; empty where nothing may have.
+  /// What has changed since the last call; empty where nothing may have. The first call gives everything: a set-up may have
+  /// put its tables over what the file holds.
   StateChanges take(Machinery& m);
 
  private:
   std::map<std::pair<StateTable, std::string>, StateValue> tables_;  // saved rows of all tables but the variables
   double parts_done_ = 0, parts_required_ = 0, cutting_ms_ = 0;
   std::uint64_t parameters_ = 0;
+  bool all_ = true;  // the first time
 };
 
 }  // namespace kadr::nct

@@ -159,7 +159,6 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
     for (std::size_t second = 0; second < m.axis_count; ++second)
       if (!setup.plane.empty() && m.axis_names[first] + m.axis_names[second] == setup.plane) m.modal.axes.first = first, m.modal.axes.second = second;
   m.transform.refresh();
-  changes.start(m);
 }
 
 void Nct::end_program(Machinery& m) {
