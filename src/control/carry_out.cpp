@@ -1,6 +1,7 @@
 // A planned block carried out in the order of execution, and taken back where it fails: nothing of a faulty block is done.
 
 #include "control/machinery.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -129,6 +130,7 @@ void Machinery::take_moment() {
   variables.begin_block();
   moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
   kept_offset_.first = 0;
+  if (nct) nct->begin_block();
   if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
 }
 
@@ -151,6 +153,7 @@ void Machinery::take_back(std::size_t actions) {
   variables.undo_block();
   (void)variables.take_frames_changed();
   modal = moment_.modal;
+  if (nct) nct->undo_block();
   variables.inch = modal.inch;
   transform = moment_.transform;
   position = moment_.position;

@@ -69,7 +69,7 @@ class Flow {
   std::optional<Position> label_of(std::uint32_t number);
   /// The file at that path of the program memory, opened once; nothing if it cannot be read.
   std::optional<std::uint16_t> open_program(const std::string& path);
-  /// A program that the control brings along (controls/macros), if there is one of that name.
+  /// A program that the control brings along (macros/), if there is one of that name.
   std::optional<std::uint16_t> open_built_in(const std::string& name);
   /// The file being read.
   ProgramFile& program_file() { return *files_[reader_]; }

@@ -46,6 +46,7 @@ class Machinery {
   bool is_stopped() const { return stopped_; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   Ending ending();
+  Alarm with_names(Alarm alarm) const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
 
   // ---- words of the block being carried out

@@ -25,7 +25,7 @@ std::uint8_t sequence(Function function) {
 bool leaves_mode(Function function) {
   return function == Function::home_through || function == Function::home_axes || function == Function::approach_reference ||
          function == Function::machine_point || function == Function::reference_return || function == Function::machine_move ||
-         function == Function::local_system;
+         function == Function::local_system || function == Function::mirror_on || function == Function::mirror_off;
 }
 
 /// Collects the calls of one block.
@@ -60,6 +60,7 @@ class Planner {
     const std::int32_t row_index = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
     if (row_index < 0) return fail(alarm(AlarmId::code_unknown, word.where, block_.text_of(word.where)));
     const CodeRow& row = def_.codes[static_cast<std::size_t>(row_index)];
+    if (!row.works) return fail(alarm(AlarmId::not_available, word.where, row.code));
     if (row.group != 0) KADR_TRY(one_of_group(row, row_index, word));
     const FunctionTraits& traits = traits_of(row.function);
     if (traits.takes_axes) KADR_TRY(axes_taken(row, word));

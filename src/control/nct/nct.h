@@ -116,6 +116,20 @@ class Nct {
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
   void end_interrupt(Machinery& m, bool restore);
 
+  /// What a block may change beside Modal, and an alarm takes back.
+  void begin_block() {
+    kept_state_ = state;
+    kept_modal_calls_ = modal_calls.size();
+    tools.begin_block();
+    parameters.begin_block();
+  }
+  void undo_block() {
+    state = kept_state_;
+    if (modal_calls.size() > kept_modal_calls_) modal_calls.resize(kept_modal_calls_);
+    tools.undo_block();
+    parameters.undo_block();
+  }
+
   MacroVariables variables;
   ParameterStore parameters;
   Settings settings;
@@ -169,6 +183,8 @@ class Nct {
 
  private:
   std::uint64_t parameters_seen_ = 0;
+  Volatile kept_state_;
+  std::size_t kept_modal_calls_ = 0;
 };
 
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning

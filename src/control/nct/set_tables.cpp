@@ -15,7 +15,7 @@ constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
 /// v of G10 L2, L20: written, or in G91 and with the operator I added.
 Status set_zero(Machinery& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
-  Axes& zero = common ? m.tables.common : m.tables.zeros[index];
+  Axes zero = common ? m.tables.common : m.tables.zeros[index];  // all or nothing
   for (const char letter : rotation_letters)
     if (common && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -28,6 +28,7 @@ Status set_zero(Machinery& m, const Call& call, std::uint32_t index, bool common
     zero[row.axis] = add ? zero[row.axis] + v : v;
     if (!(std::fabs(zero[row.axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, zero[row.axis]));
   }
+  (common ? m.tables.common : m.tables.zeros[index]) = zero;
   if (!common) {
     Vec3& angles = m.tables.rotations[index];
     double* const parts[] = {&angles.x, &angles.y, &angles.z};
