@@ -120,7 +120,7 @@ Status Machinery::radius_comp_possible() const {
 Status Machinery::after_cycle() {
   const std::size_t count = waiting_count_;
   waiting_count_ = 0;
-  for (std::size_t i = 0; i < count; ++i) KADR_TRY(carry_out(plan_.items[waiting_[i]]));
+  for (std::size_t i = 0; i < count; ++i) KADR_TRY(carry_out(plan_now_->items[waiting_[i]]));
   return {};
 }
 

@@ -177,24 +177,40 @@ Status Machinery::words() {
     if (!done) return fail(done.error());
     if (*done) return {};
   }
-  KADR_TRY(plan_block(def, letters, *block, modal.motion_row, plan_));
+  KADR_TRY(plan());
   if (!each_block && changes_little()) take_small_moment();
   else if (each_block || !changes_only_position()) take_moment();
-  KADR_TRY(carry_out(plan_));
+  KADR_TRY(carry_out(*plan_now_));
   if (moment_taken_) KADR_TRY(check_place());
   return nct ? nct::after_block(*this) : Status();
 }
 
+/// The block's plan; of one that a loop carries out again, the plan of the last pass where nothing it depends on has changed.
+Status Machinery::plan() {
+  plan_now_ = &plan_;
+  if (!block->kept || block->codes_vary) return plan_block(def, letters, *block, modal.motion_row, plan_);
+  if (plans_.empty()) plans_.resize(kept_plans);
+  KeptPlan& kept = plans_[reinterpret_cast<std::uintptr_t>(block) / sizeof(Block) % kept_plans];  // NOLINT: a place, not a pointer
+  plan_now_ = &kept.plan;
+  if (kept.block == block && kept.letters == block->letters && kept.motion_row == modal.motion_row) return {};
+  kept.block = nullptr;
+  KADR_TRY(plan_block(def, letters, *block, modal.motion_row, kept.plan));
+  kept.block = block;
+  kept.letters = block->letters;
+  kept.motion_row = modal.motion_row;
+  return {};
+}
+
 /// A motion that either fails before anything has changed, or is carried out.
 bool Machinery::changes_only_position() const {
-  if (!plan_.moves_only || modal.polar || nct || modal.motion == MotionMode::cycle || !transform.identity) return false;
+  if (!plan_now_->moves_only || modal.polar || nct || modal.motion == MotionMode::cycle || !transform.identity) return false;
   return !def.behaviour.correctors || !has('L');
 }
 
 /// G0 to G3 with F, or a call: what an alarm takes back is little (nct).
 bool Machinery::changes_little() const {
   if (!nct || modal.polar_data || modal.motion == MotionMode::cycle || !transform.identity) return false;
-  return plan_.moves_and_feeds || plan_.calls_only;
+  return plan_now_->moves_and_feeds || plan_now_->calls_only;
 }
 
 /// Shifts and factors must not carry the tool beyond what a number of the control can hold.

@@ -191,6 +191,7 @@ class Machinery {
   Status find_axis(Word& w);
   Status assign();
   Status check_ranges() const;
+  Status plan();
   bool changes_only_position() const;
   bool changes_little() const;
   Status check_place() const;
@@ -207,6 +208,16 @@ class Machinery {
   void keep_from_faulty_block();
 
   Plan plan_;
+  /// Plans of blocks that loops carry out again, found by the block's place in memory.
+  struct KeptPlan {
+    const Block* block = nullptr;
+    std::uint64_t letters = 0;
+    std::int16_t motion_row = -1;
+    Plan plan;
+  };
+  static constexpr std::size_t kept_plans = 64;
+  std::vector<KeptPlan> plans_;
+  Plan* plan_now_ = &plan_;
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;
   std::optional<Flow::Place> flow_before_;  // kept where a block has more than one item that jumps

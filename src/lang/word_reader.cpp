@@ -63,6 +63,7 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
     ++expression->end;
   }
   block_.evaluates = true;
+  block_.codes_vary = block_.codes_vary || format.code;
   w.expression = *expression;
   w.digits = 0;
   w.has_point = false;

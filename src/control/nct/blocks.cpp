@@ -147,11 +147,17 @@ Result<bool> before_plan(Machinery& m) {
   if (!done || *done) return done;
   done = call_by_code(m);
   if (!done || *done) return done;
+  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary) {  // known to be right from the pass before
+    note_words(m);
+    return false;
+  }
   const bool macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
   if (!macro) {
     KADR_TRY(take_bare_words(m));
     KADR_TRY(check_words(m));
     KADR_TRY(take_spindle_words(m));
+    const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
+    m.block->checked = plain ? m.block->letters : 0;
   }
   note_words(m);
   return false;
