@@ -69,6 +69,8 @@ void note_motion(Machinery& m, Motion& motion) {
   Nct& nct = *m.nct;
   nct.moved = true;
   motion.along = FeedAlong::all_axes;  // 4.2: millimetres and degrees alike
+  motion.in_position = m.block_exact || m.modal.exact || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
+  if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;
   if (nct.rolled == 0) return;
   MotionDetail& detail = detail_of(m, motion);
   detail.rolled = nct.rolled;
