@@ -41,7 +41,7 @@ Zones::Zones(const std::vector<std::string>& names, const AxisRoles& roles, cons
 }
 
 Zones::Zone2 Zones::zone_of(const ZoneChange& zone) const {
-  Zone2 made{zone.on, zone.outside_forbidden, zone.outside_forbidden, {zone.axes, zone.least, zone.most}};
+  Zone2 made{zone.on, zone.outside_forbidden, zone.outside_forbidden && zone.axes != 0, {zone.axes, zone.least, zone.most}};
   for (std::size_t i = 0; i < roles_.count; ++i)
     if (made.box.has(i) && zone.least[i] != zone.most[i]) made.nothing_allowed = false;
   return made;

@@ -117,7 +117,8 @@ Result<std::size_t> length_axis(const Machinery& m) {
       return fail(alarm(AlarmId::probe_torque_axis, w.where, std::string_view(m.axis_names[row.axis])));
     only = &w;
   }
-  return std::size_t{m.def.address(only->address).axis};  // the row of G37 needs an axis word
+  if (only == nullptr) return fail(alarm(AlarmId::no_axis_word, m.block->where, "G37"));
+  return std::size_t{m.def.address(only->address).axis};
 }
 
 /// The end point by the axis word, absolute also in G91 (21.3).
