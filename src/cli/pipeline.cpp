@@ -85,30 +85,21 @@ Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
   control.on_warning = outlets.warning;
   const Ending start = control.ending();
   VirtualMachine machine(control.axes(), control.rotary(), job.profile, job.setup, {start.position, start.machine_position});
+  if (job.def->behaviour.machine_axes) machine.obey_parameters(job.setup);
   if (machine.has_limits()) control.hand_over_each_block();
+  const auto answer = [&](const ProbeAnswer& touched) { control.answer(touched); };
   ActionBatch batch;
   for (;;) {
     const Control::State state = control.run(batch);  // lang, control: blocks → actions
-    const ToolPosition before = machine.position();
-    std::optional<AlarmReport> refusal;
-    for (Action& action : batch) {
-      if (auto* const motion = std::get_if<Motion>(&action.what); motion != nullptr && motion->kind == MotionKind::probe) {
-        const ProbeAnswer answer = machine.probe(*motion);  // machine: what the probe meets
-        end_at(*motion, answer, machine.position().rotation.get());
-        control.answer(answer);
-      }
-      if (const Status taken = machine.take(action); !taken) {  // machine: limits
-        refusal = control.report_for(taken.error(), action.origin);
-        break;
-      }
+    const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
+    const VirtualMachine::Outcome taken = machine.take(batch, follows, answer);  // path, machine: limits, zones, probes
+    for (std::size_t i = 0; i < taken.done; ++i) outlets.action(batch[i]);       // out: trace, summary, plot
+    if (taken.alarm) {
+      const AlarmReport report = control.report_for(*taken.alarm, taken.origin);
+      if (taken.refused) control.refused();
+      if (!outlets.alarm(report)) return {report, machine.position()};
+      if (taken.refused) continue;
     }
-    if (refusal) {  // nothing of the block is done
-      machine.go_back(before);
-      control.refused();
-      if (!outlets.alarm(*refusal)) return {refusal, before};
-      continue;
-    }
-    for (const Action& action : batch) outlets.action(action);  // out: trace, summary, plot
     if (state == Control::State::stopped || control.is_stopped()) {
       const AlarmReport report = control.report();
       if (!outlets.alarm(report)) return {report, std::nullopt};

@@ -56,6 +56,7 @@ Control::State Machinery::run(ActionBatch& to) {
     if (nct && on_block != nullptr && *on_block) {
       if (got) take_nct_block();
       else fail_with(got.error());
+      if (needs_probe) return Control::State::needs_probe;
       continue;
     }
     if (!got && block->marker == Marker::program_start) flow.started = true;  // damaged, but there

@@ -97,12 +97,29 @@ void TraceWriter::write_motion(const Motion& motion, const Origin& origin, const
   }
   if (motion.kind != MotionKind::rapid) at = put_text(at, motion.exact ? R"(,"exact":true)" : R"(,"exact":false)");
   out_.done(at);
+  if (behind_probe_) write_way(motion);
+  behind_probe_ = motion.kind == MotionKind::probe;
   if (motion.detail) [[unlikely]]
     write_detail(motion);
   if (time.exact || is_arc(motion.kind) || motion.detail) write_time(motion, time);
   if (!points_.empty()) write_points(motion, time);
   out_.append("}\n");
   position_.take(motion);
+}
+
+/// The way of the axes named: where the motion begins the program does not say (nct 21.1).
+void TraceWriter::write_way(const Motion& motion) {
+  if (motion.detail && motion.detail->rolled != 0) return;  // write_detail does
+  char* at = put_text(out_.room(line_room_), R"(,"travel":)");
+  char separator = '{';
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    if ((motion.named >> i & 1U) == 0) continue;
+    *at++ = std::exchange(separator, ',');
+    at = put_number(put_text(at, keys_[i]), motion.to[i] - position_.work[i]);
+  }
+  if (separator == '{') *at++ = '{';
+  *at++ = '}';
+  out_.done(at);
 }
 
 void TraceWriter::write_detail(const Motion& motion) {

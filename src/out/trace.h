@@ -37,6 +37,7 @@ class TraceWriter {
   char* put_axes(char* at, std::string_view key, const Axes& axes) const;
   char* put_arc(char* at, const Motion& motion) const;
   void write_motion(const Motion& motion, const Origin& origin, const MotionTime& time);
+  void write_way(const Motion& motion);
   void write_detail(const Motion& motion);
   void write_time(const Motion& motion, const MotionTime& time);
   void write_points(const Motion& motion, const MotionTime& time);
@@ -50,6 +51,7 @@ class TraceWriter {
   std::vector<std::string> names_;  // "X":
   std::size_t line_room_ = 0;       // characters that a head and two positions take at most
   std::vector<double> points_;
+  bool behind_probe_ = false;  // the motion before was a probe's
   ToolPosition position_;
 };
 

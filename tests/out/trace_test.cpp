@@ -145,6 +145,25 @@ TEST(trace, what_few_motions_have) {
       << line;
 }
 
+// nct 21.1, golden 21-2: where a probe stopped the program does not say.
+TEST(trace, way_of_the_motion_behind_a_probe) {
+  const auto named = [](Motion m, AxisMask axes) {
+    m.named = axes;
+    return action(m);
+  };
+  const std::string lines = traced([&](TraceWriter& w) {
+    w.write(named(straight(probe, {130, 0, 0}, 100), 1));
+    w.write(named(straight(feed, {300, 100, 0}, 100), 3));
+    w.write(named(straight(feed, {0, 0, 0}, 100), 3));
+    w.write(named(straight(probe, {1, 0, 0}, 100), 1));
+    w.write(named(straight(feed, {1, 0, 0}, 100), 0));
+  });
+  const std::size_t first = lines.find("travel"), second = lines.find("travel", first + 1);
+  EXPECT_NE(lines.find(R"("travel":{"X":170,"Y":100})"), std::string::npos) << lines;
+  EXPECT_NE(lines.find(R"("travel":{})"), std::string::npos) << lines;
+  EXPECT_EQ(lines.find("travel", second + 1), std::string::npos) << lines;
+}
+
 TEST(trace, length_of_arcs_and_times_where_they_are_exact) {
   const auto line = [](const Motion& m, const MotionTime& time) { return traced([&](TraceWriter& w) { w.write(action(m), time); }); };
   const Motion half = arc(arc_ccw, {-10, 0, 0}, {}, 0.5);

@@ -11,6 +11,7 @@
 #include "control/nct/changes.h"
 #include "config/setup.h"
 #include "control/nct/macro_variables.h"
+#include "control/nct/measuring.h"
 #include "control/nct/output_file.h"
 #include "control/nct/parameters.h"
 #include "control/nct/programs.h"
@@ -174,7 +175,8 @@ class Nct {
   double cutting_ms = 0, clock_offset_ms = 0;
   double now_ms = 0;                           // virtual time since power-on
   double tool_magazine = 10;                   // #8400
-  Axes probe_position{};                       // work coordinates
+  Axes probe_position{}, probe_length{};       // work coordinates; tool length then
+  Measurement measurement;                     // of the probe motion under way
   std::string clock;                           // "2014-05-18T15:32:41"
   // for the state file
   Changes changes;
