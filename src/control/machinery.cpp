@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "control/nct/blocks.h"
+#include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
 #include "control/nct/nct.h"
 
@@ -33,9 +34,8 @@ Control::State Machinery::run(ActionBatch& to) {
     emit(frame_change());
   }
   while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
-    if (cycle_run.active() || ellipse_run.active()) {
-      const Status status = cycle_run.active() ? cycle_run.next(*this) : ellipse_run.next(*this);
-      if (!status) fail_with(status.error());
+    if (cycling()) {
+      if (const Status status = next_of_cycle(); !status) fail_with(status.error());
       continue;
     }
     if (waiting_count_ != 0) {
@@ -43,6 +43,11 @@ Control::State Machinery::run(ActionBatch& to) {
       continue;
     }
     if (flow.ended()) return Control::State::ended;
+    if (nct && !nct->finishing.empty()) {
+      const auto left = nct::end_contour(*this);
+      if (!left) fail_with(left.error());
+      if (!left || *left) continue;
+    }
     const auto got = flow.next(block);
     if (got && *got == BlockReader::Got::end) {
       if (const Status closed = end_of_file(); !closed) {
@@ -134,9 +139,23 @@ void Machinery::keep_from_faulty_block() {
   }
 }
 
-void Machinery::fail_with(const Alarm& failed) {
+Status Machinery::next_of_cycle() {
+  if (cycle_run.active()) return cycle_run.next(*this);
+  if (ellipse_run.active()) return ellipse_run.next(*this);
+  const auto more = running->next(*this);
+  if (!more) return fail(more.error());
+  if (!*more) running.reset();
+  return {};
+}
+
+void Machinery::stop_cycles() {
   cycle_run.stop();
   ellipse_run.stop();
+  running.reset();
+}
+
+void Machinery::fail_with(const Alarm& failed) {
+  stop_cycles();
   waiting_count_ = 0;
   report = report_of(failed, origin, block->text);
   stopped_ = true;
@@ -188,17 +207,18 @@ Status Machinery::words() {
 
 /// The block's plan; of one that a loop carries out again, the plan of the last pass where nothing it depends on has changed.
 Status Machinery::plan() {
+  const std::int16_t motion_row = nct ? nct::motion_row(*this) : modal.motion_row;
   plan_now_ = &plan_;
-  if (!block->kept || block->codes_vary) return plan_block(def, letters, *block, modal.motion_row, plan_);
+  if (!block->kept || block->codes_vary) return plan_block(def, letters, *block, motion_row, plan_);
   if (plans_.empty()) plans_.resize(kept_plans);
   KeptPlan& kept = plans_[reinterpret_cast<std::uintptr_t>(block) / sizeof(Block) % kept_plans];  // NOLINT: a place, not a pointer
   plan_now_ = &kept.plan;
-  if (kept.block == block && kept.letters == block->letters && kept.motion_row == modal.motion_row) return {};
+  if (kept.block == block && kept.letters == block->letters && kept.motion_row == motion_row) return {};
   kept.block = nullptr;
-  KADR_TRY(plan_block(def, letters, *block, modal.motion_row, kept.plan));
+  KADR_TRY(plan_block(def, letters, *block, motion_row, kept.plan));
   kept.block = block;
   kept.letters = block->letters;
-  kept.motion_row = modal.motion_row;
+  kept.motion_row = motion_row;
   return {};
 }
 
@@ -210,7 +230,7 @@ bool Machinery::changes_only_position() const {
 
 /// G0 to G3 with F, or a call: what an alarm takes back is little (nct).
 bool Machinery::changes_little() const {
-  if (!nct || modal.polar_data || modal.motion == MotionMode::cycle || !transform.identity) return false;
+  if (!nct || modal.polar_data || nct::drilling_on(*this) || !transform.identity) return false;
   return plan_now_->moves_and_feeds || plan_now_->calls_only;
 }
 

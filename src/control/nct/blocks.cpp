@@ -5,6 +5,7 @@
 #include "control/functions.h"
 #include "control/nct/calls.h"
 #include "control/nct/data_lines.h"
+#include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
 
 namespace kadr::nct {
@@ -156,6 +157,7 @@ Result<bool> before_plan(Machinery& m) {
     KADR_TRY(take_bare_words(m));
     KADR_TRY(check_words(m));
     KADR_TRY(take_spindle_words(m));
+    KADR_TRY(check_increment_of_r(m));
     const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
     m.block->checked = plain ? m.block->letters : 0;
   }
@@ -165,6 +167,7 @@ Result<bool> before_plan(Machinery& m) {
 
 Status after_block(Machinery& m) {
   Nct& nct = *m.nct;
+  KADR_TRY(check_drilling(m));
   if (nct.single_block) stop_single_block(m, nct.was_hidden);
   KADR_TRY(call_pending(m));
   if (nct.moved && nct.active_modal_calls != 0) {

@@ -10,6 +10,7 @@
 #include "control/control.h"
 #include "control/nct/changes.h"
 #include "config/setup.h"
+#include "control/nct/drilling.h"
 #include "control/nct/macro_variables.h"
 #include "control/nct/measuring.h"
 #include "control/nct/output_file.h"
@@ -17,6 +18,7 @@
 #include "control/nct/programs.h"
 #include "control/nct/settings.h"
 #include "control/nct/tools.h"
+#include "control/nct/turning.h"
 #include "control/state.h"
 
 namespace kadr {
@@ -67,6 +69,8 @@ struct Volatile {
   int css_axis = 0;          // control-wide number
   double css_most = 0;       // G92 S, rev/min; 0: none
   ModalWords words;
+  DrillingMemory drilling;
+  TurningMemory turning;
 };
 
 inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
@@ -114,18 +118,24 @@ class Nct {
   double spindle_rpm(const Machinery& m) const;
   double css_rpm(const Machinery& m) const;
 
+  /// State before the block: kept, and brought back after an alarm.
+  void keep(const Machinery& m);
+  void take_back() { state = kept_; }
+  /// Tool lengths by axis before the block.
+  const Axes& lengths_before() const { return lengths_before_; }
+  /// Single-block operation is on and #3003 does not suppress it (23.1.10).
+  bool stops_each_block() const { return single_block && (control_1 & 1u) == 0; }
+
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
   void end_interrupt(Machinery& m, bool restore);
 
   /// What a block may change beside Modal, and an alarm takes back.
   void begin_block() {
-    kept_state_ = state;
     kept_modal_calls_ = modal_calls.size();
     tools.begin_block();
     parameters.begin_block();
   }
   void undo_block() {
-    state = kept_state_;
     if (modal_calls.size() > kept_modal_calls_) modal_calls.resize(kept_modal_calls_);
     tools.undo_block();
     parameters.undo_block();
@@ -144,13 +154,14 @@ class Nct {
   std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // by depth of the call
   std::vector<ModalCall> modal_calls;
   std::uint8_t active_modal_calls = 0;  // how many of them act on the blocks being carried out
+  std::vector<Finishing> finishing;     // contours that G70.7 is in
   DataMode data_mode = DataMode::none;
   Interrupted interrupted;
   std::optional<ProgramPlace> interrupt_program;  // M96
   bool signal_was_on = false;                     // CP_MINT when it was looked at last
   std::map<std::string, double> signals;          // of the machine's logic
+  bool single_block = false;                      // the operator's switch
   // of the block being carried out
-  bool single_block = false;    // the operator's switch
   bool was_hidden = false;      // the block stands in a program that is not listed (23.3.9)
   bool moved = false;           // it held a movement command
   bool stops_reading = false;   // it empties the buffer
@@ -185,8 +196,9 @@ class Nct {
 
  private:
   std::uint64_t parameters_seen_ = 0;
-  Volatile kept_state_;
   std::size_t kept_modal_calls_ = 0;
+  Volatile kept_;
+  Axes lengths_before_{};
 };
 
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning

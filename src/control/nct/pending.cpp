@@ -7,10 +7,6 @@ namespace kadr::functions {
 Status machine_axis(Machinery&, const Call&) { return {}; }
 Status increment_axis(Machinery&, const Call&) { return {}; }
 Status argument_only(Machinery&, const Call&) { return {}; }
-Status drilling(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status drilling_off(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status turning_cycle(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status turning_simple(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 Status not_available(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 
 }  // namespace kadr::functions
