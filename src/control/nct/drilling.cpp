@@ -1,7 +1,6 @@
 #include "control/nct/drilling.h"
 
 #include <cmath>
-#include <optional>
 
 #include "base/tolerance.h"
 #include "control/functions.h"
@@ -121,8 +120,9 @@ class Drilling {
 
   Status possible() const {
     if (m_.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call_.where, code_text()));
-    if (code_ == 760 && !spindle().orients) return fail(alarm(AlarmId::spindle_not_orientable, call_.where));
-    if (is_tap() && !spindle().indexes) return fail(alarm(AlarmId::spindle_not_indexable, call_.where));
+    if (code_ == 760 && !spindle().orients) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
+    if (is_tap() && !spindle().indexes)
+      return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(m_.nct->state.current_spindle)));
     if (m_.has(comma_angle)) return fail(alarm(AlarmId::not_available, m_.where(comma_angle), ",A"));
     for (const char letter : {'I', 'J', 'K'})
       if (m_.has(letter) && !belongs(letter)) return fail(alarm(AlarmId::illegal_address, m_.where(letter), letter));
@@ -221,7 +221,7 @@ class Drilling {
       job.shift = {values[first], values[(first + 1) % 3]};
     }
     if ((code_ == 730 || code_ == 830) && !(job.peck > 0))
-      return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where));
+      return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));
     if (job.peck > 0 && std::fabs(job.level - job.bottom) / job.peck > most_pecks)
       return fail(alarm(AlarmId::value_out_of_range, m_.has('Q') ? m_.where('Q') : call_.where, 'Q', job.peck));
     return {};

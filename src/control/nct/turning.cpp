@@ -1,5 +1,6 @@
 #include "control/nct/turning.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/tolerance.h"

@@ -1,5 +1,6 @@
 #include "control/nct/turning_contour.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "control/functions.h"
