@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "control/nct/blocks.h"
+#include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
 #include "control/nct/nct.h"
 
@@ -33,9 +34,8 @@ Control::State Machinery::run(ActionBatch& to) {
     emit(frame_change());
   }
   while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
-    if (cycle_run.active() || ellipse_run.active()) {
-      const Status status = cycle_run.active() ? cycle_run.next(*this) : ellipse_run.next(*this);
-      if (!status) fail_with(status.error());
+    if (cycling()) {
+      if (const Status status = next_of_cycle(); !status) fail_with(status.error());
       continue;
     }
     if (waiting_count_ != 0) {
@@ -43,6 +43,11 @@ Control::State Machinery::run(ActionBatch& to) {
       continue;
     }
     if (flow.ended()) return Control::State::ended;
+    if (nct && !nct->finishing.empty()) {
+      const auto left = nct::end_contour(*this);
+      if (!left) fail_with(left.error());
+      if (!left || *left) continue;
+    }
     const auto got = flow.next(block);
     if (got && *got == BlockReader::Got::end) {
       if (const Status closed = end_of_file(); !closed) {
@@ -124,9 +129,23 @@ void Machinery::keep_from_faulty_block() {
   }
 }
 
-void Machinery::fail_with(const Alarm& failed) {
+Status Machinery::next_of_cycle() {
+  if (cycle_run.active()) return cycle_run.next(*this);
+  if (ellipse_run.active()) return ellipse_run.next(*this);
+  const auto more = running->next(*this);
+  if (!more) return fail(more.error());
+  if (!*more) running.reset();
+  return {};
+}
+
+void Machinery::stop_cycles() {
   cycle_run.stop();
   ellipse_run.stop();
+  running.reset();
+}
+
+void Machinery::fail_with(const Alarm& failed) {
+  stop_cycles();
   waiting_count_ = 0;
   report = report_of(failed, origin, block->text);
   stopped_ = true;
@@ -168,7 +187,7 @@ Status Machinery::words() {
     if (!done) return fail(done.error());
     if (*done) return {};
   }
-  KADR_TRY(plan_block(def, letters, *block, modal.motion_row, plan_));
+  KADR_TRY(plan_block(def, letters, *block, nct ? nct::motion_row(*this) : modal.motion_row, plan_));
   if (each_block || !changes_only_position()) take_moment();
   KADR_TRY(carry_out(plan_));
   if (moment_taken_) KADR_TRY(check_place());

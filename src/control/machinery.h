@@ -23,8 +23,20 @@ class Nct;
 struct Commons;
 }
 
+class Machinery;
+
 inline constexpr double farthest = 1e7;         // mm, degrees: a coordinate beyond ten kilometres is a mistake
 inline constexpr std::size_t batch_size = 256;  // actions handed on at a time
+
+/// What goes on behind its block, some actions at a time, so that a cycle of any length runs in constant memory.
+class Running {
+ public:
+  virtual ~Running() = default;
+  /// Hands the next actions on, at most a few; false: it is over.
+  virtual Result<bool> next(Machinery& m) = 0;
+  /// The other functions of its block act before it goes on (drilling, nct 18.0); else those behind the motion wait for its end.
+  virtual bool functions_first() const { return false; }
+};
 
 /// Parameters of G87 of the generic Soviet control (spec/correctors 3), kept for G79.
 struct PocketCycle {
@@ -50,6 +62,8 @@ class Machinery {
 
   // ---- words of the block being carried out
 
+  /// Values of the words written as expressions, ranges of all.
+  Status evaluate_words();
   const Word* word(char letter) const { return block->find(letter); }
   bool has(char letter) const { return block->has(letter); }
   /// Value of a word with the scale of its address; 0 if it is not there.
@@ -63,6 +77,8 @@ class Machinery {
   Span where(char letter) const;
   /// The block holds a code of one of these functions.
   bool has_code(std::initializer_list<Function> functions) const;
+  /// A cycle of the block is being carried out.
+  bool cycling() const { return cycle_run.active() || ellipse_run.active() || running != nullptr; }
   bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
 
   // ---- motion
@@ -123,6 +139,7 @@ class Machinery {
   CycleMemory cycle_memory;
   CycleRun cycle_run;
   EllipseRun ellipse_run;
+  std::unique_ptr<Running> running;       // a cycle of the NCT
   PocketCycle pocket;
   std::unique_ptr<nct::Nct> nct;          // where the control is an NCT
   std::vector<double> corrector_applied;  // by corrector and axis: what it added last (spec/correctors 1)
@@ -178,12 +195,14 @@ class Machinery {
   Status carry_out(const PlanItem& item);
   Status radius_comp_possible() const;
   bool is_call(const PlanItem& item) const;
+  bool waits_for(const Running& cycle, const PlanItem& item) const;
   void keep_for_return(const PlanItem& item);
   Status end_possible(const PlanItem& item, std::size_t depth) const;
   const CodeRow* row_of(const PlanItem& item) const { return item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr; }
   Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
   Status after_cycle();
-  Status evaluate_words();
+  Status next_of_cycle();
+  void stop_cycles();
   Status evaluate_word(Word& w);
   Status find_axis(Word& w);
   Status assign();

@@ -12,6 +12,7 @@ constexpr std::uint8_t sequence_length = 4;
 std::uint8_t sequence(Function function) {
   switch (function) {
     case Function::no_motion:
+    case Function::drilling_off:
     case Function::repeat_word: return 0;
     case Function::call_word:
     case Function::call_subprogram: return 1;

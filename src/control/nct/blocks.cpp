@@ -5,6 +5,7 @@
 #include "control/functions.h"
 #include "control/nct/calls.h"
 #include "control/nct/data_lines.h"
+#include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
 
 namespace kadr::nct {
@@ -130,6 +131,7 @@ Result<bool> before_plan(Machinery& m) {
     KADR_TRY(take_bare_words(m));
     KADR_TRY(check_words(m));
     KADR_TRY(take_spindle_words(m));
+    KADR_TRY(check_increment_of_r(m));
   }
   note_words(m);
   return false;
@@ -137,6 +139,7 @@ Result<bool> before_plan(Machinery& m) {
 
 Status after_block(Machinery& m) {
   Nct& nct = *m.nct;
+  KADR_TRY(check_drilling(m));
   KADR_TRY(call_pending(m));
   if (nct.moved && nct.active_modal_calls != 0) {
     const ModalCall& modal = nct.modal_calls[nct.active_modal_calls - 1u];

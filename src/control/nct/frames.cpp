@@ -68,6 +68,7 @@ MotionDetail& detail_of(Machinery& m, Motion& motion) {
 void note_motion(Machinery& m, Motion& motion) {
   Nct& nct = *m.nct;
   nct.moved = true;
+  nct.in_thread = nct.in_thread && motion.kind == MotionKind::thread;
   motion.along = FeedAlong::all_axes;  // 4.2: millimetres and degrees alike
   if (nct.rolled == 0) return;
   MotionDetail& detail = detail_of(m, motion);

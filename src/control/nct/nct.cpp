@@ -116,6 +116,11 @@ Nct::Nct(Machinery& m, const Setup& setup, std::shared_ptr<Commons> commons)
 
 Nct::~Nct() = default;
 
+void Nct::keep(const Machinery& m) {
+  kept_ = state;
+  lengths_before_ = m.modal.lengths;
+}
+
 void Nct::refresh_settings(const Machinery& m) {
   if (parameters_seen_ == parameters.version() + 1) return;
   parameters_seen_ = parameters.version() + 1;
@@ -140,6 +145,7 @@ void Nct::start(Machinery& m, const Setup& setup) {
   state.css_axis = settings.css_axis;
   signals = setup.signals;
   clock = setup.clock;
+  single_block = setup.single_block;
   reset_shifts(m);
   reset_codes(m, false);
 }
@@ -170,6 +176,8 @@ void Nct::end_program(Machinery& m) {
   control_1 = control_2 = 0;
   interrupt_program.reset();
   interrupted.active = false;
+  finishing.clear();
+  state.turning.code = 0;
   reset_shifts(m);
   reset_codes(m, true);
   m.change_frames();

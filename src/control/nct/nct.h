@@ -8,12 +8,14 @@
 
 #include "control/action.h"
 #include "config/setup.h"
+#include "control/nct/drilling.h"
 #include "control/nct/macro_variables.h"
 #include "control/nct/output_file.h"
 #include "control/nct/parameters.h"
 #include "control/nct/programs.h"
 #include "control/nct/settings.h"
 #include "control/nct/tools.h"
+#include "control/nct/turning.h"
 #include "control/state.h"
 
 namespace kadr {
@@ -64,6 +66,8 @@ struct Volatile {
   int css_axis = 0;          // control-wide number
   double css_most = 0;       // G92 S, rev/min; 0: none
   ModalWords words;
+  DrillingMemory drilling;
+  TurningMemory turning;
 };
 
 inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
@@ -111,6 +115,14 @@ class Nct {
   double spindle_rpm(const Machinery& m) const;
   double css_rpm(const Machinery& m) const;
 
+  /// State before the block: kept, and brought back after an alarm.
+  void keep(const Machinery& m);
+  void take_back() { state = kept_; }
+  /// Tool lengths by axis before the block.
+  const Axes& lengths_before() const { return lengths_before_; }
+  /// Single-block operation is on and #3003 does not suppress it (23.1.10).
+  bool stops_each_block() const { return single_block && (control_1 & 1u) == 0; }
+
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
   void end_interrupt(Machinery& m, bool restore);
 
@@ -127,6 +139,7 @@ class Nct {
   std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // by depth of the call
   std::vector<ModalCall> modal_calls;
   std::uint8_t active_modal_calls = 0;  // how many of them act on the blocks being carried out
+  std::vector<Finishing> finishing;     // contours that G70.7 is in
   DataMode data_mode = DataMode::none;
   Interrupted interrupted;
   std::optional<ProgramPlace> interrupt_program;  // M96
@@ -148,6 +161,7 @@ class Nct {
   double surface_angle = 0;      // of the rotary axis in G12.1, unwound
   AxisMask plane_axes = 0;       // axes whose letter stands in the block, with or without a number
   // of the machine and its operator
+  bool single_block = false;
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};
   std::uint32_t control_1 = 0, control_2 = 0;  // #3003, #3004
@@ -164,6 +178,8 @@ class Nct {
 
  private:
   std::uint64_t parameters_seen_ = 0;
+  Volatile kept_;
+  Axes lengths_before_{};
 };
 
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning

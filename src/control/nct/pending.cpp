@@ -11,10 +11,6 @@ Status work_area_on(Machinery&, const Call& call) { return fail(alarm(AlarmId::n
 Status work_area_off(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 Status measure(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 Status measure_length(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status drilling(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status drilling_off(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status turning_cycle(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status turning_simple(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 Status not_available(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 
 }  // namespace kadr::functions
