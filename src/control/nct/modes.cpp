@@ -119,7 +119,7 @@ Result<double> dwell_seconds(Machinery& m, double p, Span where) {
   if (!(p >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'P', p));
   if (m.modal.feed_mode != FeedMode::per_revolution || m.nct->settings.dwell_seconds) return p;
   const double rpm = m.nct->spindle_rpm(m);
-  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where));  // 8: the dwell would never end
+  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, where.end > where.begin ? m.block->text_of(where) : "P"));  // 8: the dwell would never end
   return p * 60 / rpm;
 }
 
