@@ -169,9 +169,21 @@ Status Machinery::execute() {
   }
   if (block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
   const bool data = nct && nct->data_mode != nct::DataMode::none && block->has_number;
+  if (def.grammar.macro && !data) KADR_TRY(check_numbers());
   if (block->empty() && block->comments.empty() && !data) return {};
   if (block->statement.kind != StatementKind::none) return nct::run_statement(*this);
   return attempt();
+}
+
+/// N and O have ranges too (nct 1.1); O names a program at the start of a file.
+Status Machinery::check_numbers() const {
+  const auto check = [&](char letter, std::uint32_t value, Span where) -> Status {
+    const AddressRow& row = def.address(letter);
+    if (value >= row.least && value <= row.most) return {};
+    return fail(alarm(AlarmId::value_out_of_range, where, letter, double(value)));
+  };
+  if (block->has_number) KADR_TRY(check('N', block->number, block->number_where));
+  return block->marker == Marker::label ? check('O', block->label, block->where) : Status();
 }
 
 /// The block's words carried out, or nothing of them.

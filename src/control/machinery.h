@@ -193,6 +193,7 @@ class Machinery {
   void take_nct_block();
   void report_changes();
   Status attempt();
+  Status check_numbers() const;
   Status words();
   Status carry_out(const Plan& plan);
   Status carry_out(const PlanItem& item);

@@ -39,6 +39,18 @@ Status take_bare_words(Machinery& m) {
   return {};
 }
 
+/// G is no argument of G65, G66, G66.1: #10 holds their own number (23.3).
+Status one_g(const Machinery& m) {
+  bool found = false;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address != 'G') continue;
+    if (found) return fail(alarm(AlarmId::illegal_address, w.where, 'G'));
+    found = true;
+  }
+  return {};
+}
+
 /// One word an address, however it is spelled; at most eight M codes, one of each exclusive group (13.1).
 Status check_words(const Machinery& m) {
   std::uint64_t seen = 0;
@@ -92,7 +104,7 @@ Result<bool> call_with_block(Machinery& m) {
   Nct& nct = *m.nct;
   if (nct.active_modal_calls == 0 || !nct.modal_calls[nct.active_modal_calls - 1u].each_block) return false;
   if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
-  const auto arguments = arguments_of(m, 0);
+  const auto arguments = arguments_of(m, limits::block_words);  // every word is one: no code calls here
   if (!arguments) return fail(arguments.error());
   KADR_TRY(call_modal(m, *arguments));
   return true;
@@ -153,7 +165,9 @@ Result<bool> before_plan(Machinery& m) {
     return false;
   }
   const bool macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
-  if (!macro) {
+  if (macro) {
+    KADR_TRY(one_g(m));
+  } else {
     KADR_TRY(take_bare_words(m));
     KADR_TRY(check_words(m));
     KADR_TRY(take_spindle_words(m));

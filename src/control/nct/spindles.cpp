@@ -1,5 +1,6 @@
 // Spindles by name and number, constant surface speed, positioning, ranges (spec/nct/11).
 
+#include <algorithm>
 #include <cmath>
 
 #include "control/functions.h"
@@ -43,7 +44,7 @@ std::string name_of_spindle(const Machinery& m, int number) {
 Status own_spindle(const Machinery& m, int number, Span where) {
   const SpindleState& s = m.nct->spindle(number);
   if (!s.known || s.channel == m.def.channel) return {};
-  return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(m.def.channel)));
+  return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(s.channel)));
 }
 
 /// Turns the spindle by `degrees` in the position loop.
@@ -157,6 +158,9 @@ Status css_on(Machinery& m, const Call&) {
   if (m.has('P')) {
     const auto axis = m.whole('P', 1, 32);
     if (!axis) return fail(axis.error());
+    const auto& numbers = m.def.axis_numbers;
+    if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) == numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
+      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED, as AX[n] (23.2.12)
     m.nct->state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;
