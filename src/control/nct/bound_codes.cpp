@@ -94,7 +94,7 @@ bool letter_calls(Machinery& m, Word& w) {
 
 Result<bool> call_by_code(Machinery& m) {
   const Settings& s = m.nct->settings;
-  if (!s.binds_codes) return false;
+  if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there they are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || w.bare) continue;
