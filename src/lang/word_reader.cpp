@@ -40,8 +40,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   }
   if (format.increment && sign == 0 && (cursor_.peek() == 'I' || cursor_.peek() == 'i')) return increment(w, format, begin);
   const char c = cursor_.peek();
-  if (is_digit(c) || c == '.') [[likely]] {
-    if (sign != 0 && !format.sign && !(sign == '+' && grammar_.macro)) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
+  if (is_digit(c) || c == '.') [[likely]] {  // of a macro's argument any sign is good (nct 23.3); otherwise the range tells
+    if (sign != 0 && !format.sign && (!grammar_.macro || (sign == '-' && format.code))) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
   }
   if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);
