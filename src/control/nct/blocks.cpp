@@ -150,6 +150,7 @@ Result<bool> before_plan(Machinery& m) {
   nct.pending_program = 0;
   give_back(m);
   if (nct.data_mode != DataMode::none) {
+    nct.keep_all(m);
     KADR_TRY(check_values(m));
     KADR_TRY(data_line(m));
     return true;
