@@ -139,8 +139,7 @@ void Machinery::take_moment() {
   variables.begin_block();
   moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
   kept_offset_.first = 0;
-  if (nct) nct->begin_block();
-  if (nct) nct->keep(*this);
+  if (nct) nct->keep_all(*this);
   if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
 }
 
@@ -151,6 +150,7 @@ void Machinery::take_back(std::size_t actions) {
   stop_cycles();
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
+  if (nct) nct->take_back(*this);
   if (small_moment_taken_) {
     modal.feed = small_moment_.feed;
     modal.feed_known = small_moment_.feed_known;
@@ -161,9 +161,7 @@ void Machinery::take_back(std::size_t actions) {
   if (!moment_taken_) return;
   variables.undo_block();
   (void)variables.take_frames_changed();
-  if (nct) nct->take_back();
   modal = moment_.modal;
-  if (nct) nct->undo_block();
   variables.inch = modal.inch;
   transform = moment_.transform;
   position = moment_.position;

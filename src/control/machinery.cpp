@@ -193,6 +193,7 @@ Status Machinery::attempt() {
   block_exact = block_machine_coordinates = false;
   waiting_count_ = 0;
   flow_before_.reset();
+  if (nct) nct->begin_block();
   if (!block->code.empty() && !nct) {  // nct assigns in blocks of their own
     take_moment();
     variables.begin_block();
@@ -208,6 +209,7 @@ Status Machinery::words() {
     const auto done = nct::before_plan(*this);
     if (!done) return fail(done.error());
     if (*done) return {};
+    if (nct->active_modal_calls != 0 || nct->pending_program != 0) flow_before_ = flow.place();  // a call behind the block may fail
   }
   KADR_TRY(plan());
   if (!each_block && changes_little()) take_small_moment();
@@ -242,7 +244,7 @@ bool Machinery::changes_only_position() const {
 
 /// G0 to G3 with F, or a call: what an alarm takes back is little (nct).
 bool Machinery::changes_little() const {
-  if (!nct || modal.polar_data || nct::drilling_on(*this) || !transform.identity) return false;
+  if (!nct || modal.polar_data || nct::drilling_on(*this) || !transform.identity || flow_before_) return false;
   return plan_now_->moves_and_feeds || plan_now_->calls_only;
 }
 

@@ -80,6 +80,9 @@ class Machinery {
   bool has_code(std::initializer_list<Function> functions) const;
   /// A cycle of the block is being carried out.
   bool cycling() const { return cycle_run.active() || ellipse_run.active() || running != nullptr; }
+  /// Every value within the limits of its address.
+  ///   alarms  value_out_of_range, word_not_integer
+  Status check_ranges() const;
   bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
 
   // ---- motion
@@ -210,7 +213,6 @@ class Machinery {
   Status evaluate_word(Word& w);
   Status find_axis(Word& w);
   Status assign();
-  Status check_ranges() const;
   Status plan();
   bool changes_only_position() const;
   bool changes_little() const;

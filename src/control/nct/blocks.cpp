@@ -1,6 +1,7 @@
 #include "control/nct/blocks.h"
 
 #include <bit>
+#include <cmath>
 
 #include "control/functions.h"
 #include "control/nct/calls.h"
@@ -20,6 +21,14 @@ void give_back(Machinery& m) {
     if (Word& w = m.block->words[i]; !w.expression) w.address = w.written;
   m.block->altered = false;
   m.note_addresses();
+}
+
+/// Values of an NC block: those of expressions are rounded to the last digit of their address (23.1.1). What a macro gets as
+/// an argument is left alone: it may be any number (23.3).
+Status check_values(Machinery& m) {
+  for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
+    if (Word& w = m.block->words[i]; w.expression && w.address != 0 && m.def.address(w.address).whole) w.value = std::round(w.value);
+  return m.check_ranges();
 }
 
 /// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
@@ -153,6 +162,8 @@ Result<bool> before_plan(Machinery& m) {
   nct.pending_program = 0;
   give_back(m);
   if (nct.data_mode != DataMode::none) {
+    nct.keep_all(m);
+    KADR_TRY(check_values(m));
     KADR_TRY(data_line(m));
     return true;
   }
@@ -168,6 +179,7 @@ Result<bool> before_plan(Machinery& m) {
   if (macro) {
     KADR_TRY(one_g(m));
   } else {
+    KADR_TRY(check_values(m));
     KADR_TRY(take_bare_words(m));
     KADR_TRY(check_words(m));
     KADR_TRY(take_spindle_words(m));

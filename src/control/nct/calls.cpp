@@ -88,17 +88,22 @@ Status return_from(Machinery& m, const Call& code) {
     if (p != nullptr) return go_to_block(m, p->value, p->where);
     return m.flow.restart(code.where);
   }
+  std::uint32_t passes = top->left;
   if (m.has('L')) {  // INFERRED: k passes more than the first (14.4.3)
     const auto k = m.whole('L', 0, most_repeats);
     if (!k) return fail(k.error());
     const std::uint32_t total = *k + 1;
-    top->left = total > top->done ? total - top->done + 1 : 1;
+    passes = total > top->done ? total - top->done + 1 : 1;
   }
-  if (p != nullptr) top->return_to = static_cast<std::int32_t>(p->value);
+  const auto return_to = p != nullptr ? static_cast<std::int32_t>(p->value) : top->return_to;
+  if (passes == 1 && return_to >= 0 && !m.flow.caller_has(static_cast<std::uint32_t>(return_to)))
+    return fail(alarm(AlarmId::block_not_found, code.where, double(return_to)));
+  top->left = passes;
+  top->return_to = return_to;
+  const bool opened_level = top->kind == CallFrame::Kind::macro;
   const std::size_t depth = m.flow.depth();
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
-  const bool opened_level = top->kind == CallFrame::Kind::macro;
   if (!*left) {  // once more
     if (opened_level) nct.variables.locals() = nct.repeated_arguments.back().second;
     return {};

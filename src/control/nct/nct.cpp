@@ -116,11 +116,6 @@ Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_
 
 Nct::~Nct() = default;
 
-void Nct::keep(const Machinery& m) {
-  kept_ = state;
-  lengths_before_ = m.modal.lengths;
-}
-
 void Nct::refresh_settings(const Machinery& m) {
   if (parameters_seen_ == parameters.version() + 1) return;
   parameters_seen_ = parameters.version() + 1;

@@ -78,6 +78,25 @@ inline constexpr std::size_t all_systems = 1 + basic_systems + extended_systems;
 
 enum class DataMode : std::uint8_t { none, parameters, tools };
 
+/// What a word block may change here, as it was before: an alarm takes it back.
+struct Before {
+  // of every block
+  ModalWords words;
+  bool in_thread = false;
+  double thread_lead = 0, surface_angle = 0;
+  std::vector<std::pair<int, double>> commons;  // #191 … #199, set by bound letters
+  // of a block that does more than move, or call
+  bool all = false;
+  Volatile state;
+  std::vector<ModalCall> modal_calls;
+  std::uint8_t active_modal_calls = 0;
+  std::size_t levels = 1, repeated_arguments = 0;
+  DataMode data_mode = DataMode::none;
+  std::optional<ProgramPlace> interrupt_program;
+  double parts_done = 0;
+  std::vector<std::pair<double*, double>> cells;  // of the tables of zeros
+};
+
 /// Modal state kept for the end of an interrupt macro (23.4).
 struct Interrupted {
   bool active = false;
@@ -105,6 +124,16 @@ class Nct {
   /// Whole state for the last line of a trace, in the form of a set-up.
   RunState run_state(const Machinery& m) const;
 
+  // ---- what an alarm takes back
+  /// A word block begins.
+  void begin_block();
+  /// It may change more than where the tool is.
+  void keep_all(const Machinery& m);
+  /// A number of a table is about to be written.
+  void keep_cell(double& cell) { before_.cells.emplace_back(&cell, cell); }
+  void keep_common(int n) { before_.commons.emplace_back(n, variables.common(n)); }
+  void take_back(const Machinery& m);
+
   // ---- tools
   Result<std::uint32_t> offset_of_tool(char letter) const;
   Status open_tool_data(Machinery& m, std::uint32_t l, double p, Span where);
@@ -118,9 +147,6 @@ class Nct {
   double spindle_rpm(const Machinery& m) const;
   double css_rpm(const Machinery& m) const;
 
-  /// State before the block: kept, and brought back after an alarm.
-  void keep(const Machinery& m);
-  void take_back() { state = kept_; }
   /// Tool lengths by axis before the block.
   const Axes& lengths_before() const { return lengths_before_; }
   /// Single-block operation is on and #3003 does not suppress it (23.1.10).
@@ -128,18 +154,6 @@ class Nct {
 
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
   void end_interrupt(Machinery& m, bool restore);
-
-  /// What a block may change beside Modal, and an alarm takes back.
-  void begin_block() {
-    kept_modal_calls_ = modal_calls.size();
-    tools.begin_block();
-    parameters.begin_block();
-  }
-  void undo_block() {
-    if (modal_calls.size() > kept_modal_calls_) modal_calls.resize(kept_modal_calls_);
-    tools.undo_block();
-    parameters.undo_block();
-  }
 
   MacroVariables variables;
   ParameterStore parameters;
@@ -196,9 +210,8 @@ class Nct {
 
  private:
   std::uint64_t parameters_seen_ = 0;
-  std::size_t kept_modal_calls_ = 0;
-  Volatile kept_;
   Axes lengths_before_{};
+  Before before_;
 };
 
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
