@@ -73,11 +73,11 @@ void InOrder::release(const std::vector<double>& clocks, const Sink& sink) {
   for (;;) {
     std::size_t first = queues_.size();
     for (std::size_t i = 0; i < queues_.size(); ++i)
-      if (!queues_[i].empty() && (first == queues_.size() || queues_[i].front().at < queues_[first].front().at)) first = i;
+      if (!queues_[i].empty() && (first == queues_.size() || queues_[i].front().before(queues_[first].front()))) first = i;
     if (first == queues_.size()) return;
     const Entry& entry = queues_[first].front();
     for (std::size_t i = 0; i < clocks.size(); ++i)
-      if (queues_[i].empty() && (clocks[i] < entry.at || (clocks[i] == entry.at && i < first))) return;
+      if (queues_[i].empty() && clocks[i] < entry.at) return;
     sink(first, entry.action, entry.time);
     queues_[first].pop_front();
   }

@@ -41,7 +41,9 @@ class InOrder {
  public:
   explicit InOrder(std::size_t channels) : queues_(channels) {}
   /// In the order of time, channel by channel.
-  void put(std::size_t channel, double at, const Action& action, const MotionTime& time) { queues_[channel].push_back({at, action, time}); }
+  void put(std::size_t channel, double at, const Action& action, const MotionTime& time) {
+    queues_[channel].push_back({at, ++count_, action, time});
+  }
 
   using Sink = std::function<void(std::size_t channel, const Action&, const MotionTime&)>;
   /// Hands on what nothing can come before any more. `clocks`: from which time on each channel may still put something.
@@ -50,10 +52,13 @@ class InOrder {
  private:
   struct Entry {
     double at;
+    std::uint64_t number;  // of equal times the first one put
     Action action;
     MotionTime time;
+    bool before(const Entry& other) const { return at < other.at || (at == other.at && number < other.number); }
   };
   std::vector<std::deque<Entry>> queues_;
+  std::uint64_t count_ = 0;
 };
 
 class Channels {

@@ -118,6 +118,8 @@ Carrier::Step Carrier::stop(const AlarmReport& report) {
 }
 
 Carrier::Step Carrier::step() {
+  constexpr double ms = 1000;
+  if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
   const Control::State state = control_.run(batch_);  // lang, control: blocks → actions
   const ToolPosition before = machine_.position();
   if (const auto refusal = take_batch()) {
@@ -128,7 +130,7 @@ Carrier::Step Carrier::step() {
     return stop(*refusal);
   }
   for (const Action& action : batch_) outlets_.action(action);  // out: trace, summary, plot
-  if (control_.reads_clock() || estimate_) count_time(before);
+  if (estimate_) count_time(before);
   if (!logic_.plc.idle())
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (state == Control::State::stopped || control_.is_stopped()) {
@@ -146,32 +148,35 @@ Carrier::Step Carrier::step() {
   return state == Control::State::waiting ? Step::waiting : Step::running;
 }
 
-VirtualTime Carrier::spent() const {
+VirtualTime Carrier::spent() {
   if (outlets_.time) return outlets_.time();
-  return estimate_ ? virtual_time(estimate_->split()) : VirtualTime();
-}
-
-double Carrier::now() {
-  if (!outlets_.time && !estimate_) {
+  if (!estimate_) {
     estimate_.emplace(machine_.roles(), rates_);
     estimate_->spindle(setup_.spindle().rpm);
   }
-  return spent().now + waited_;
+  return virtual_time(estimate_->split());
 }
 
-/// motion: what the batch takes; and the control's clock goes on.
+double Carrier::now() { return goes_on_at_ + (spent().now - spent_then_); }
+
+void Carrier::wait_until(double at) {
+  const double from = now();
+  if (!(at > from)) return;
+  waited_ += at - from;
+  goes_on_at_ = at;
+  spent_then_ = spent().now;
+}
+
+/// motion: what the batch takes, where nobody else counts.
 void Carrier::count_time(const ToolPosition& from) {
-  (void)now();
   ToolPosition at = from;
   for (const Action& action : batch_) {
-    if (!estimate_) break;
     if (const auto* const motion = std::get_if<Motion>(&action.what))
       (void)estimate_->motion(*motion, Curve(machine_.roles(), at.work, *motion));
-    else estimate_->other(action);
+    else
+      estimate_->other(action);
     at.take(action);
   }
-  constexpr double ms = 1000;
-  control_.set_time(now() * ms, spent().cutting * ms);
 }
 
 Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {

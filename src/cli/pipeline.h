@@ -80,13 +80,13 @@ class Carrier {
   /// Virtual time in s, waiting included. Counts from the first call on, unless the outlets have the time.
   double now();
   /// It has waited for other channels.
-  void wait_until(double at) { waited_ += std::max(0.0, at - now()); }
+  void wait_until(double at);
   double waited() const { return waited_; }
 
  private:
   std::optional<AlarmReport> take_batch();
   void count_time(const ToolPosition& from);
-  VirtualTime spent() const;
+  VirtualTime spent();
   Step stop(const AlarmReport& report);
 
   Control& control_;
@@ -96,7 +96,9 @@ class Carrier {
   VirtualMachine machine_;
   Rates rates_;
   std::optional<TimeEstimate> estimate_;  // where the outlets have no time
-  double waited_ = 0;                     // s
+  double waited_ = 0;                     // s, in all
+  double goes_on_at_ = 0;                 // time at which it waited last …
+  double spent_then_ = 0;                 // … and what it had spent until then: no sum that rounding could put out of order
   ActionBatch batch_;
   Stopped stopped_;
 };

@@ -53,7 +53,8 @@ Control::State Machinery::run(ActionBatch& to) {
       continue;
     }
     if (flow.ended()) return Control::State::ended;
-    const auto got = std::exchange(again_, false) ? BlockReader::Got::block : flow.next(block);
+    auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
+    again_ = false;
     if (got && *got == BlockReader::Got::end) {
       if (const Status closed = end_of_file(); !closed) {
         fail_with(closed.error());
@@ -63,10 +64,9 @@ Control::State Machinery::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) origin = origin_of_block();
-    if (nct && !reads_clock && !block->code.empty() && may_read_clock()) {
-      reads_clock = each_block = true;
-      again_ = !to.empty() && got.has_value();
-      if (again_) continue;
+    if (got && nct && !reads_clock && !block->code.empty() && may_read_clock()) {
+      reads_clock = each_block = again_ = true;
+      return Control::State::running;
     }
     if (!got && block->marker == Marker::program_start) flow.started = true;  // damaged, but there
     for (const Alarm& w : block->warnings) warn(w);
@@ -104,7 +104,9 @@ void Machinery::watch_block() {
     resumed_ = block->position;
     return;
   }
+  const std::uint8_t skip = is_skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
   const Status status = instead ? execute() : Status(fail(instead.error()));
+  if (!is_skipped) block->skip = skip;
   if (!status) fail_with(status.error());
   block_open = !stopped_ && !is_skipped;
 }
@@ -124,10 +126,13 @@ void Machinery::end_block() {
 bool Machinery::may_read_clock() const {
   const StatementKind kind = block->statement.kind;
   if (kind == StatementKind::message || kind >= StatementKind::open_port) return true;
-  return std::any_of(block->code.begin(), block->code.end(), [&](const Instruction& i) {
-    const bool constant = (i.op == Op::number || i.op == Op::variable_at) && i.number > nct::last_common;
-    return i.op == Op::variable || (constant && std::find(clocks_.begin(), clocks_.end(), i.number) != clocks_.end());
-  });
+  for (const Instruction& i : block->code) {
+    if (i.op == Op::variable) return true;
+    if (!(i.number > nct::last_common)) continue;
+    const bool constant = i.op == Op::number || i.op == Op::variable_at;
+    if (constant && std::find(clocks_.begin(), clocks_.end(), i.number) != clocks_.end()) return true;
+  }
+  return false;
 }
 
 /// Power off and on (nct 23.5): the program is over.
