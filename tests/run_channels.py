@@ -163,6 +163,9 @@ def check_faults(kadr, _rng):
         Path(folder, 'main.nct').write_text('M501 P12\nG1 X1 F100\nM502 P12\n', encoding='utf-8')
         if (done := call(kadr, folder, 'check', 'main.nct')).returncode != 0:
             raise Failure(f'a program alone: {done.stderr}')
+        Path(folder, 'main.nct').write_text('G94\nG4 P1\n#3001=0\nWHILE[#3001 LT 2000]DO1\nG4 P0.5\nEND1\n', encoding='utf-8')
+        if (done := call(kadr, folder, 'check', 'main.nct')).returncode != 0:
+            raise Failure(f'a loop that looks at the clock: {done.stderr}')
 
 
 def check_setups(kadr, _rng):
