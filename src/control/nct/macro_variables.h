@@ -54,7 +54,8 @@ class MacroVariables {
     if (levels_.size() > 1) levels_.pop_back();
   }
   /// Only the main program's level is left.
-  void close_levels() { levels_.resize(1); }
+  /// End of program: the locals of the main program are gone too (23.1.3).
+  void close_levels() { levels_.assign(1, no_locals()); }
   std::size_t depth() const { return levels_.size(); }
 
   /// The commons that outlive power-off and were written since the last call.
