@@ -62,6 +62,8 @@ class Machinery {
   Result<std::uint32_t> whole(char letter, double least, double most) const;
   Span where(char letter) const;
   /// The block holds a code of one of these functions.
+  /// Values of variables rounded to their address, all in its range; not the arguments of macros (nct 23.1.1, 23.3).
+  Status settle_words();
   bool has_code(std::initializer_list<Function> functions) const;
   bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
 

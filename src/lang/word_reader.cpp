@@ -43,7 +43,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   if (grammar_.operator_i && sign == 0 && (c == 'I' || c == 'i') && cursor_.at == begin + 1)
     return fail(alarm(AlarmId::increment_not_allowed, span(begin, cursor_.at + 1), w.address));
   if (is_digit(c) || c == '.') [[likely]] {
-    if (sign != 0 && !format.sign && !(sign == '+' && grammar_.macro)) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
+    const bool argument = grammar_.macro && !format.code;  // a sign may stand in one (nct 23.3); elsewhere the range refuses it
+    if (sign != 0 && !format.sign && !argument && !(sign == '+' && grammar_.macro)) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
   }
   if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);

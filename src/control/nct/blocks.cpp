@@ -150,21 +150,23 @@ Result<bool> before_plan(Machinery& m) {
   nct.pending_program = 0;
   give_back(m);
   if (nct.data_mode != DataMode::none) {
+    KADR_TRY(m.settle_words());
     KADR_TRY(data_line(m));
     return true;
   }
   auto done = call_with_block(m);
   if (!done || *done) return done;
+  if (m.has('G') && m.has_code({Function::macro_call, Function::macro_modal})) {
+    KADR_TRY(one_g(m));
+    if (m.block->has_number) nct.state.words.n = m.block->number;
+    return false;
+  }
   done = call_by_code(m);
   if (!done || *done) return done;
-  const bool macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
-  if (macro) {
-    KADR_TRY(one_g(m));
-  } else {
-    KADR_TRY(take_bare_words(m));
-    KADR_TRY(check_words(m));
-    KADR_TRY(take_spindle_words(m));
-  }
+  KADR_TRY(m.settle_words());
+  KADR_TRY(take_bare_words(m));
+  KADR_TRY(check_words(m));
+  KADR_TRY(take_spindle_words(m));
   note_words(m);
   return false;
 }

@@ -15,8 +15,12 @@ constexpr std::uint32_t most_repeats = 99'999'999;
 
 /// L of a call; missing: 1.
 Result<std::uint32_t> repeats_of(const Machinery& m) {
-  if (!m.has('L')) return 1u;
-  return m.whole('L', 1, most_repeats);
+  const Word* const l = m.word('L');
+  if (l == nullptr) return 1u;
+  const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1
+  if (times != std::floor(times)) return fail(alarm(AlarmId::word_not_integer, l->where, 'L', times));
+  if (!(times >= 1 && times <= most_repeats)) return fail(alarm(AlarmId::value_out_of_range, l->where, 'L', times));
+  return static_cast<std::uint32_t>(times);
 }
 
 /// The program that P or <name> of the block names.
