@@ -3,8 +3,8 @@
 
 The program counts in #500, writes its double to #501 in the next block, three offsets in one block (G10), and changes tools, each
 change one use of a tool with life. So of the state found:
-    #501 is 2·#500 or 2·(#500 − 1)               two blocks
-    the three coordinates of G54 are the same     one block
+    #501 is even and at most 2·#500               two blocks; a run that begins again counts on
+    the three coordinates of G54 are the same     one block, behind the two
     no tool is lost or doubled                    a change writes two places in one block
 and a run that goes on from there takes it up.
 """
@@ -47,12 +47,12 @@ def state_of(kadr, folder):
 def check(last):
     """Holds the state against what a completed block leaves; returns #500."""
     count, double = last["variables"].get("#500", 0), last["variables"].get("#501", 0)
-    if double not in (2 * count, 2 * (count - 1)):
+    if double % 2 != 0 or double > 2 * count:
         raise AssertionError(f"#500 = {count}, #501 = {double}")
     if count == 0 and "tool_table" not in last["state"]:
         return 0  # killed before the first block was through
     zero = last["state"].get("work_offsets", {}).get("G54", {"X": 0, "Y": 0, "Z": 0})
-    if len(set(zero.values())) != 1 or zero["X"] not in (count, count - 1):
+    if len(set(zero.values())) != 1 or zero["X"] > double / 2:
         raise AssertionError(f"G54 {zero} behind #500 = {count}")
     tools, places = last["state"]["tool_table"], last["state"]["place_table"]
     lying = [row for row in places.values() if row != 0]

@@ -62,6 +62,9 @@
   X(probe_window) X(contour_block_missing) X(contour_order) X(contour_shape)                 \
   /* zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */                         \
   X(zone1_positive) X(zone1_negative) X(zone2_positive) X(zone2_negative) X(zone2_inside)    \
-  X(zone3_inside) X(zone2_entry) X(zone3_entry) X(position_error) X(channels_wait)           \
+  X(zone3_inside) X(zone2_entry) X(zone3_entry)                                              \
+  X(zone1_reached_positive) X(zone1_reached_negative) X(zone2_reached_positive)              \
+  X(zone2_reached_negative) X(zone2_reached_inside) X(zone3_reached_inside)                  \
+  X(position_error) X(channels_wait)                                                         \
   X(channel_list)
 // clang-format on

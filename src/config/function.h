@@ -76,7 +76,7 @@ namespace kadr {
   X(polar_data_on, transform, false) X(polar_data_off, transform, false) X(select_plane, plane, false)   \
   X(work_area_on, data, true)       X(work_area_off, data, false)    X(reference_return, data, true)     \
   X(measure, motion, true)          X(measure_length, motion, true)  X(radius_side, compensation, false) \
-  X(length_comp, length, false)     X(mirror_on, transform, true)    X(mirror_off, transform, false)     \
+  X(length_comp, length, false)     X(mirror_on, transform, true)    X(mirror_off, transform, true)      \
   X(transform_off, transform, false) X(local_system, data, true)     X(machine_move, data, true)         \
   X(work_system, zero, false)       X(work_system_extended, zero, false) X(new_system, data, true)       \
   X(feed_control, path_mode, false) X(css_on, speed_mode, false)     X(css_off, speed_mode, false)       \

@@ -76,6 +76,7 @@ class Fitter {
       def_.axis_numbers[a] = static_cast<std::uint8_t>(number);
       axis(a, def_.axes[a]);
     }
+    def_.grammar.word('R').increment = def_.grammar.operator_i;  // R of the drilling cycles (5.1)
   }
 
   void axis(std::size_t a, const std::string& name) {

@@ -57,7 +57,7 @@ struct MotionDetail {
   std::optional<double> start_angle;  // of the spindle at its start, degrees
   std::optional<double> turn;         // degrees the spindle turns with it, signed
   std::optional<double> torque;       // limit of a probe motion, %
-  int input = 1;                      // of a probe motion; 98: torque
+  int input = 0;                      // of a probe motion: 1 to 8; 98: torque; 0: any
 };
 
 /// A motion along a line, an arc, a spiral or a helix, of the tool point.
@@ -69,6 +69,7 @@ struct Motion {
   FeedAlong along = FeedAlong::path;
   bool exact = false;        // exact stop at its end
   bool own_override = false;  // feed override counts as 100 % (tapping, threads)
+  bool in_position = false;   // at its end the axes must come into position (nct 4.1.1, 6.3)
   AxisMask named = 0;    // axes whose position it gives anew
   Axes to;               // work coordinates at its end
   Axes machine;          // machine coordinates at its end
@@ -76,6 +77,7 @@ struct Motion {
   double turns = 0;      // swept angle / 360, positive; the radius changes linearly with the angle
   double feed = 0;       // as commanded, in `unit`
   double tolerance = 0;  // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+  double join = 0;       // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
   std::shared_ptr<const MotionDetail> detail;  // mostly nullptr
 };
 
@@ -147,7 +149,8 @@ struct Sync {
 struct ZoneChange {
   bool on = false;
   bool outside_forbidden = false;
-  Vec3 least, most;  // machine coordinates of the main axes
+  AxisMask axes = 0;      // with limits; the others are free
+  Axes least{}, most{};  // of these, machine coordinates; infinite: no limit
 };
 /// The frame of what follows: machine = work + origin + length. Not a command to the machine: the tool stands, `work` are
 /// its coordinates from now on (a length that is taken out by the next motion only, 2С42, leaves them as they were).
@@ -215,6 +218,7 @@ struct AlarmReport {
 struct ProbeAnswer {
   bool touched = false;
   Axes at{};  // work coordinates where the motion ended
+  double part = 1;  // of the way that was made
 };
 
 /// State after a run: the last line of a trace.

@@ -1,6 +1,8 @@
 // A planned block carried out in the order of execution, and taken back where it fails: nothing of a faulty block is done.
 
 #include "control/machinery.h"
+#include "control/nct/drilling.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -43,15 +45,15 @@ Status Machinery::carry_out(const Plan& plan) {
     if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
     if (row_of(item) != nullptr && ended_subprogram && ends(row_of(item))) break;  // `M17 M2`: M2 ends the section, not the program
     const bool called = calls_before < flow.depth();
-    const bool drilling = cycle_run.active() || ellipse_run.active();
+    const bool waits = running != nullptr ? waits_for(*running, item) : cycling() && ends_or_stops(row_of(item));
     if (called && ends(row_of(item))) {
       KADR_TRY(end_possible(item, calls_before));
       keep_for_return(item);
       ended_subprogram = row_of(item)->function == Function::subprogram_end;
-    } else if (drilling && ends_or_stops(row_of(item))) {
-      KADR_TRY(end_possible(item, flow.depth()));
+    } else if (waits) {
+      if (ends(row_of(item))) KADR_TRY(end_possible(item, flow.depth()));
       waiting_[waiting_count_++] = static_cast<std::uint8_t>(i);
-      ended_subprogram = row_of(item)->function == Function::subprogram_end;
+      ended_subprogram = row_of(item) != nullptr && row_of(item)->function == Function::subprogram_end;
     } else {
       const bool calls = phase == Phase::flow && is_call(item);
       if (calls) calls_before = flow.depth();
@@ -68,7 +70,15 @@ Status Machinery::carry_out(const PlanItem& item) {
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
+  if (nct && row != nullptr) nct::note_code(*this, *row);
   return {};
+}
+
+/// In a drilling cycle's block M0 acts behind operation 1, the end of the program behind the last hole; in a turning cycle's
+/// all that follows a motion waits.
+bool Machinery::waits_for(const Running& cycle, const PlanItem& item) const {
+  if (cycle.functions_first()) return ends(row_of(item));
+  return def.order[static_cast<std::size_t>(phase_of(item))] > def.order[static_cast<std::size_t>(Phase::motion)];
 }
 
 bool Machinery::is_call(const PlanItem& item) const {
@@ -119,7 +129,7 @@ Status Machinery::radius_comp_possible() const {
 Status Machinery::after_cycle() {
   const std::size_t count = waiting_count_;
   waiting_count_ = 0;
-  for (std::size_t i = 0; i < count; ++i) KADR_TRY(carry_out(plan_.items[waiting_[i]]));
+  for (std::size_t i = 0; i < count; ++i) KADR_TRY(carry_out(plan_now_->items[waiting_[i]]));
   return {};
 }
 
@@ -129,6 +139,7 @@ void Machinery::take_moment() {
   variables.begin_block();
   moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
   kept_offset_.first = 0;
+  if (nct) nct->keep_all(*this);
   if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
 }
 
@@ -136,10 +147,10 @@ void Machinery::take_moment() {
 void Machinery::take_back(std::size_t actions) {
   batch->cut(actions);
   needs_probe = false;
-  cycle_run.stop();
-  ellipse_run.stop();
+  stop_cycles();
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
+  if (nct) nct->take_back(*this);
   if (small_moment_taken_) {
     modal.feed = small_moment_.feed;
     modal.feed_known = small_moment_.feed_known;

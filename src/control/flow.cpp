@@ -83,7 +83,7 @@ std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
 }
 
 std::optional<std::uint16_t> Flow::open_built_in(const std::string& name) {
-  const std::string file = "controls/macros/" + name + "." + def_.id;
+  const std::string file = "macros/" + name + "." + def_.id;
   if (const auto known = opened_.find(file); known != opened_.end()) return known->second;
   for (const EmbeddedFile& row : embedded_files()) {
     if (row.name != file) continue;

@@ -69,7 +69,7 @@ class Flow {
   std::optional<Position> label_of(std::uint32_t number);
   /// The file at that path of the program memory, opened once; nothing if it cannot be read.
   std::optional<std::uint16_t> open_program(const std::string& path);
-  /// A program that the control brings along (controls/macros), if there is one of that name.
+  /// A program that the control brings along (macros/), if there is one of that name.
   std::optional<std::uint16_t> open_built_in(const std::string& name);
   /// The file being read.
   ProgramFile& program_file() { return *files_[reader_]; }
@@ -78,6 +78,11 @@ class Flow {
   void jump(Position position);
   /// The innermost call that is no repetition, or nullptr.
   CallFrame* innermost() { return frames_.empty() ? nullptr : &frames_.back(); }
+  /// The file that the innermost call came from has a block of that number (nct M99 P).
+  bool caller_has(std::uint32_t number) {
+    const CallFrame& top = frames_.back();
+    return files_[top.back_reader] && files_[top.back_reader]->find_number(number, top.back).has_value();
+  }
   /// End of a subprogram: once more, or back to the caller; the frame left, if it was left.
   ///   alarms  return_without_call, repeat_end_missing
   Result<std::optional<CallFrame>> end_subprogram(Span where);

@@ -5,6 +5,7 @@
 #include "base/tolerance.h"
 #include "control/correctors/correctors.h"
 #include "control/functions.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -198,6 +199,10 @@ Status probe(Machinery& m, const Call& call) {
 
 /// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
 void Machinery::answer(const ProbeAnswer& answer) {
+  if (nct) {
+    if (const Status taken = nct::take_answer(*this, answer); !taken) fail_with(taken.error());
+    return;
+  }
   needs_probe = false;
   const std::uint32_t first = variables.first(VariableKind::probe_point);
   for (std::size_t a = 0; a < axis_count; ++a) {

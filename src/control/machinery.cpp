@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/tolerance.h"
 #include "control/nct/blocks.h"
+#include "control/nct/calls.h"
+#include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
 #include "control/nct/nct.h"
 
@@ -19,6 +22,10 @@ Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own,
       flow(def, std::move(program), limits) {
   modal.rows.fill(-1);
   if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, limits, std::move(commons));
+  waiting.known = nct::channels_of(setup);
+  for (const VariableRow& row : def.variables)
+    if (row.kind == VariableKind::clock || row.kind == VariableKind::cutting_clock || row.kind == VariableKind::time)
+      for (const VariableRange& range : row.ranges) clocks_.push_back(range.from);
   read_setup(setup);
   start_modal(setup);
 }
@@ -33,17 +40,27 @@ Control::State Machinery::run(ActionBatch& to) {
     emit(frame_change());
   }
   while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
-    if (cycle_run.active() || ellipse_run.active()) {
-      const Status status = cycle_run.active() ? cycle_run.next(*this) : ellipse_run.next(*this);
-      if (!status) fail_with(status.error());
+    if (waiting.meeting) return Control::State::waiting;
+    if (cycling()) {
+      if (const Status status = next_of_cycle(); !status) fail_with(status.error());
       continue;
     }
     if (waiting_count_ != 0) {
       if (const Status status = after_cycle(); !status) fail_with(status.error());
       continue;
     }
+    if (block_open) {
+      end_block();
+      continue;
+    }
     if (flow.ended()) return Control::State::ended;
-    const auto got = flow.next(block);
+    if (nct && !nct->finishing.empty()) {
+      const auto left = nct::end_contour(*this);
+      if (!left) fail_with(left.error());
+      if (!left || *left) continue;
+    }
+    auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
+    again_ = false;
     if (got && *got == BlockReader::Got::end) {
       if (const Status closed = end_of_file(); !closed) {
         fail_with(closed.error());
@@ -53,16 +70,14 @@ Control::State Machinery::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) origin = origin_of_block();
-    if (nct && on_block != nullptr && *on_block) {
-      if (got) take_nct_block();
-      else fail_with(got.error());
-      continue;
+    if (got && nct && !reads_clock && !block->code.empty() && may_read_clock()) {
+      reads_clock = each_block = again_ = true;
+      return Control::State::running;
     }
     if (!got && block->marker == Marker::program_start) flow.started = true;  // damaged, but there
     for (const Alarm& w : block->warnings) warn(w);
-    const Status status = got ? execute() : Status(fail(got.error()));
-    if (!status) fail_with(status.error());
-    else report_changes();
+    if (got) take_block();
+    else fail_with(got.error());
     if (needs_probe) return Control::State::needs_probe;
   }
   return stopped_ ? Control::State::stopped : Control::State::running;
@@ -75,20 +90,84 @@ void Machinery::report_changes() {
   if (!changes.rows.empty()) (*on_changes)(changes);
 }
 
-/// A block with what the machine's logic does before and behind it, interrupt macro included (nct 23.4).
-void Machinery::take_nct_block() {
-  const Origin at = origin;
-  (*on_block)(at, false);
-  const auto instead = nct::call_interrupt(*this, nct::BlockMoment::start);
-  Status status = instead ? Status() : Status(fail(instead.error()));
-  if (status && !*instead) status = execute();
-  if (status) {
-    const auto called = nct::call_interrupt(*this, nct::BlockMoment::end);
-    if (!called) status = fail(called.error());
+void Machinery::take_block() {
+  if (is_watched()) [[unlikely]]
+    return watch_block();
+  if (const Status status = execute(); !status) fail_with(status.error());
+  else report_changes();
+  block_open = !stopped_ && nct && nct->interrupt_program;  // M96 has come
+}
+
+/// The machine's logic looks at each block, or an interrupt macro may come.
+bool Machinery::is_watched() const { return (on_block != nullptr && *on_block) || (nct && nct->interrupt_program); }
+
+/// A block with what the machine's logic does before it; behind it: end_block, when its actions have been handed over (nct 23.4).
+/// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
+void Machinery::watch_block() {
+  const bool is_skipped = block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)];
+  in_interrupt_ = nct && nct->interrupted.active;
+  const bool put_off = resumed_ && !in_interrupt_ && *resumed_ == block->position;
+  if (put_off || !in_interrupt_) resumed_.reset();
+  Result<bool> instead = false;
+  if (!put_off && !is_skipped) {
+    if (on_block != nullptr && *on_block) (*on_block)(origin, false);
+    if (flow.ended()) return;  // the power went off
+    if (nct) instead = nct::call_interrupt(*this, nct::BlockMoment::start);
   }
+  if (instead && *instead) {
+    resumed_ = block->position;
+    return;
+  }
+  const std::uint8_t skip = is_skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
+  const Status status = instead ? execute() : Status(fail(instead.error()));
+  if (!is_skipped) block->skip = skip;
   if (!status) fail_with(status.error());
   else report_changes();
-  (*on_block)(at, true);
+  block_open = !stopped_ && !is_skipped;
+}
+
+/// The end of a watched block: the interrupt macro, then the machine's logic.
+void Machinery::end_block() {
+  block_open = false;
+  if (nct && !in_interrupt_) {
+    const auto called = nct::call_interrupt(*this, nct::BlockMoment::end);
+    if (!called) fail_with(called.error());
+  }
+  if (!stopped_ && on_block != nullptr && *on_block) (*on_block)(origin, true);
+}
+
+/// A clock variable stands in the block, or one by a computed number, or a text with variables (nct 23.1.9). Its value must be
+/// that of the moment: all actions before it are handed over first, and from then on each block's.
+bool Machinery::may_read_clock() const {
+  const StatementKind kind = block->statement.kind;
+  if (kind == StatementKind::message || kind >= StatementKind::open_port) return true;
+  for (const Instruction& i : block->code) {
+    if (i.op == Op::variable) return true;
+    if (!(i.number > nct::last_common)) continue;
+    const bool constant = i.op == Op::number || i.op == Op::variable_at;
+    if (constant && std::find(clocks_.begin(), clocks_.end(), i.number) != clocks_.end()) return true;
+  }
+  return false;
+}
+
+/// Power off and on (nct 23.5): the program is over.
+void Machinery::power_cycle() {
+  if (!nct) return;
+  ActionBatch unseen;
+  ActionBatch* const kept = std::exchange(batch, &unseen);
+  const bool keeps_codes = std::exchange(nct->settings.keeps_codes, false);  // codes begin anew, whatever CLR says
+  nct->end_program(*this);
+  nct->settings.keeps_codes = keeps_codes;
+  batch = kept;
+  nct->variables.power_off();
+  nct->clock_offset_ms = nct->now_ms;
+  nct->tool_magazine = 10;
+  nct->answer = 0;
+  stop_cycles();
+  waiting_count_ = 0;
+  waiting.meeting.reset();
+  block_open = false;
+  flow.end();
 }
 
 /// The file's end ends the program too; not in the middle of a call or a repetition.
@@ -108,6 +187,7 @@ void Machinery::go_on() {
   keep_from_faulty_block();
   if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
   const bool at_end_of_file = report.alarm.where.end == 0;
+  if (nct) return nct::leave_call(*this);
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
@@ -128,15 +208,31 @@ void Machinery::keep_from_faulty_block() {
     const std::int32_t row = w.address == 'M' && w.code >= 0 ? def.row_of('M', w.code) : -1;
     if (row < 0) continue;
     const Function f = def.codes[static_cast<std::size_t>(row)].function;
+    if (f == Function::return_program && nct) nct::leave_call(*this);
     if (f == Function::subprogram_end) (void)flow.end_subprogram(w.where);
     if (f == Function::repetition_end) (void)flow.end_repetition(w.where);
   }
 }
 
-void Machinery::fail_with(const Alarm& failed) {
+Status Machinery::next_of_cycle() {
+  if (cycle_run.active()) return cycle_run.next(*this);
+  if (ellipse_run.active()) return ellipse_run.next(*this);
+  const auto more = running->next(*this);
+  if (!more) return fail(more.error());
+  if (!*more) running.reset();
+  return {};
+}
+
+void Machinery::stop_cycles() {
   cycle_run.stop();
   ellipse_run.stop();
+  running.reset();
+}
+
+void Machinery::fail_with(const Alarm& failed) {
+  stop_cycles();
   waiting_count_ = 0;
+  block_open = false;
   report = report_of(failed, origin, block->text);
   stopped_ = true;
 }
@@ -173,6 +269,7 @@ Status Machinery::attempt() {
   block_exact = block_machine_coordinates = false;
   waiting_count_ = 0;
   flow_before_.reset();
+  if (nct) nct->begin_block();
   if (!block->code.empty() && !nct) {  // nct assigns in blocks of their own
     take_moment();
     variables.begin_block();
@@ -188,25 +285,43 @@ Status Machinery::words() {
     const auto done = nct::before_plan(*this);
     if (!done) return fail(done.error());
     if (*done) return {};
+    if (nct->active_modal_calls != 0 || nct->pending_program != 0) flow_before_ = flow.place();  // a call behind the block may fail
   }
-  KADR_TRY(plan_block(def, letters, *block, modal.motion_row, plan_));
+  KADR_TRY(plan());
   if (!each_block && changes_little()) take_small_moment();
   else if (each_block || !changes_only_position()) take_moment();
-  KADR_TRY(carry_out(plan_));
+  KADR_TRY(carry_out(*plan_now_));
   if (moment_taken_) KADR_TRY(check_place());
   return nct ? nct::after_block(*this) : Status();
 }
 
+/// The block's plan; of one that a loop carries out again, the plan of the last pass where nothing it depends on has changed.
+Status Machinery::plan() {
+  const std::int16_t motion_row = nct ? nct::motion_row(*this) : modal.motion_row;
+  plan_now_ = &plan_;
+  if (!block->kept || block->codes_vary) return plan_block(def, letters, *block, motion_row, plan_);
+  if (plans_.empty()) plans_.resize(kept_plans);
+  KeptPlan& kept = plans_[reinterpret_cast<std::uintptr_t>(block) / sizeof(Block) % kept_plans];  // NOLINT: a place, not a pointer
+  plan_now_ = &kept.plan;
+  if (kept.block == block && kept.letters == block->letters && kept.motion_row == motion_row) return {};
+  kept.block = nullptr;
+  KADR_TRY(plan_block(def, letters, *block, motion_row, kept.plan));
+  kept.block = block;
+  kept.letters = block->letters;
+  kept.motion_row = motion_row;
+  return {};
+}
+
 /// A motion that either fails before anything has changed, or is carried out.
 bool Machinery::changes_only_position() const {
-  if (!plan_.moves_only || modal.polar || nct || modal.motion == MotionMode::cycle || !transform.identity) return false;
+  if (!plan_now_->moves_only || modal.polar || nct || modal.motion == MotionMode::cycle || !transform.identity) return false;
   return !def.behaviour.correctors || !has('L');
 }
 
 /// G0 to G3 with F, or a call: what an alarm takes back is little (nct).
 bool Machinery::changes_little() const {
-  if (!nct || modal.polar_data || modal.motion == MotionMode::cycle || !transform.identity) return false;
-  return plan_.moves_and_feeds || plan_.calls_only;
+  if (!nct || modal.polar_data || nct::drilling_on(*this) || !transform.identity || flow_before_) return false;
+  return plan_now_->moves_and_feeds || plan_now_->calls_only;
 }
 
 /// Shifts and factors must not carry the tool beyond what a number of the control can hold.

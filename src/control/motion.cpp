@@ -41,13 +41,14 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.first = static_cast<std::uint8_t>(modal.axes.first);
   motion.second = static_cast<std::uint8_t>(modal.axes.second);
   motion.along = FeedAlong::path;
-  motion.own_override = false;
+  motion.own_override = motion.in_position = false;
   motion.detail.reset();
   motion.named = named;
   motion.to = position.work;
   motion.machine = position.machine;
   motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
   motion.tolerance = modal.blend_tolerance;
+  motion.join = 0;
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = 0;
   motion.turns = 0;

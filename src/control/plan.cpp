@@ -13,6 +13,7 @@ constexpr std::uint8_t sequence_length = 4;
 std::uint8_t sequence(Function function) {
   switch (function) {
     case Function::no_motion:
+    case Function::drilling_off:
     case Function::repeat_word: return 0;
     case Function::call_word:
     case Function::call_subprogram: return 1;
@@ -26,7 +27,7 @@ std::uint8_t sequence(Function function) {
 bool leaves_mode(Function function) {
   return function == Function::home_through || function == Function::home_axes || function == Function::approach_reference ||
          function == Function::machine_point || function == Function::reference_return || function == Function::machine_move ||
-         function == Function::local_system;
+         function == Function::local_system || function == Function::mirror_on || function == Function::mirror_off;
 }
 
 /// Collects the calls of one block.
@@ -81,6 +82,7 @@ class Planner {
     if (row_index < 0 && def_.grammar.macro && word.expression) return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));
     if (row_index < 0) return fail(alarm(AlarmId::code_unknown, word.where, block_.text_of(word.where)));
     const CodeRow& row = def_.codes[static_cast<std::size_t>(row_index)];
+    if (!row.works) return fail(alarm(AlarmId::not_available, word.where, row.code));
     if (row.group != 0) KADR_TRY(one_of_group(row, row_index, word));
     const FunctionTraits& traits = traits_of(row.function);
     if (traits.takes_axes) KADR_TRY(axes_taken(row, word));

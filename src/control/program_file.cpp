@@ -63,6 +63,7 @@ Block* ProgramFile::keep(Position at) {
   entry->block = in_hand_;
   entry->text = in_hand_.text;
   entry->block.text = entry->text;
+  entry->block.kept = true;
   entry->next = place_;
   Block* const block = &entry->block;
   last_ = entry.get();

@@ -34,8 +34,21 @@ void Machinery::warn(const Alarm& alarm) {
   if (*on_warning) (*on_warning)(report_of(alarm, origin, block->text));
 }
 
+/// Addresses of several characters by their names (`,C`, `XDE`).
+Alarm Machinery::with_names(Alarm alarm) const {
+  for (std::size_t i = 0; i < alarm.arg_count; ++i) {
+    if (alarm.args[i].is_number() || alarm.args[i].text().size() != 1 || alarm.args[i].text()[0] <= 'Z') continue;
+    const char address = alarm.args[i].text()[0];
+    for (const char letter : {'C', 'R', 'A', 'L'})
+      if (comma_address(letter) == address) alarm.args[i] = AlarmArg(std::string_view(std::string{',', letter}));
+    for (const AddressName& name : def.grammar.names)
+      if (name.address == address) alarm.args[i] = AlarmArg(std::string_view(name.text));
+  }
+  return alarm;
+}
+
 AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
-  AlarmReport r{alarm, flow.file(), {}, at, {}, {}};
+  AlarmReport r{def.grammar.macro ? with_names(alarm) : alarm, flow.file(), {}, at, {}, {}};
   const bool in_body = flow.in_body() && !line_text.empty();
   if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);

@@ -45,6 +45,15 @@ void Machinery::check_setup(const Setup& setup) {
   const auto in_table = [&](const char* key, int number, std::size_t size) {
     if (number < 0 || static_cast<std::size_t>(number) >= size) note(std::string(key) + ": number " + std::to_string(number));
   };
+  if (!nct) {
+    if (!setup.parameters.empty()) note("parameters");
+    if (!setup.tool_table.empty() || !setup.place_table.empty()) note("tool_table");
+    if (!setup.channels.empty() || setup.channel != 1) note("channels");
+    if (!setup.events.empty() || !setup.signals.empty()) note("events");
+    if (!setup.plane.empty() || !setup.diameter.empty()) note("plane, diameter");
+    if (setup.single_block) note("single_block");
+    if (setup.spindles.size() > 1 || (!setup.spindles.empty() && setup.spindles.begin()->first != 1)) note("spindle");
+  }
   for (const std::string& axis : setup.axes)
     if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note("axes: axis " + axis);
   axes_known("start", setup.start);

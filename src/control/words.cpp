@@ -22,10 +22,10 @@ Status Machinery::evaluate_word(Word& w) {
     return {};
   }
   if (w.written == indirect_axis) KADR_TRY(find_axis(w));
-  if (w.address == 'M' && def.grammar.macro) w.value = std::round(w.value);  // nct 23.1.1: to the last digit of the address
   if (!def.grammar.word(w.address).code) return {};
-  const double nearest = std::round(w.value * 10);
-  const bool is_code = std::fabs(w.value * 10 - nearest) < tol::whole_number && nearest >= 0 && nearest < ControlDef::most_codes;
+  const double written = def.grammar.macro && def.address(w.address).whole ? std::round(w.value) : w.value;  // nct 23.1.1
+  const double nearest = std::round(written * 10);
+  const bool is_code = std::fabs(written * 10 - nearest) < tol::whole_number && nearest >= 0 && nearest < ControlDef::most_codes;
   w.code = is_code ? static_cast<std::int32_t>(nearest) : -1;
   return {};
 }
@@ -48,7 +48,7 @@ Status Machinery::evaluate_words() {
   for (std::uint32_t i = 0; i < block->word_count; ++i)
     if (Word& w = block->words[i]; w.expression) KADR_TRY(evaluate_word(w));
   if (def.grammar.macro && block->evaluates) note_addresses();
-  if (nct) return {};  // arguments of macros may have a sign and a point (nct 23.3): settle_words()
+  if (nct) return {};  // nct::before_plan checks the ranges: an argument of a macro may be any number
   KADR_TRY(check_ranges());
   return def.behaviour.delayed_assignment ? assign() : Status();
 }
@@ -81,13 +81,6 @@ Status Machinery::assign() {
   }
   if (variables.take_frames_changed()) change_frames();
   return {};
-}
-
-/// Values of variables are rounded to the last digit of their address (nct 23.1.1), then all must be in its range.
-Status Machinery::settle_words() {
-  for (std::uint32_t i = 0; block->evaluates && i < block->word_count; ++i)
-    if (Word& w = block->words[i]; w.expression && w.address != 0 && def.address(w.address).whole) w.value = std::round(w.value);
-  return check_ranges();
 }
 
 Status Machinery::check_ranges() const {

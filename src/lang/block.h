@@ -165,6 +165,9 @@ struct Block {
   Statement statement;
   Span file_name;  // between < and >
   bool evaluates = false;  // some word's value is an expression
+  bool codes_vary = false;  // a code's number is an expression
+  bool kept = false;        // stays in memory at its place: a loop carries it out again
+  std::uint64_t checked = 0;  // addresses it had when its words were looked at and found right
   bool altered = false;    // words were taken away when it was carried out: their address is 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
@@ -178,7 +181,8 @@ struct Block {
   /// Ready for the next block; keeps the memory of the lists.
   void clear() {
     marker = Marker::none;
-    has_number = main_block = evaluates = altered = false;
+    has_number = main_block = evaluates = altered = codes_vary = kept = false;
+    checked = 0;
     file_name = {};
     if (statement.kind != StatementKind::none) statement = {};
     number_digits = skip = 0;

@@ -111,7 +111,11 @@ Status BlockReader::lex_line(Block& block) {
     block.clear();
     lexed = lex_block(text_, rest_, true, grammar_, block);
   }
-  while (lexed && lexed->open_comment) {
+  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {  // several of them in one block
+    if (joined == limits::long_comments) {
+      rest_ = text_.size();
+      return fail(alarm(AlarmId::too_many_words, {0, 1}, double{limits::long_comments}));
+    }
     KADR_TRY(join_comment(block, lexed->comment_at));
     lexed = lex_block(text_, rest_, is_text_, grammar_, block);
     if (lexed && lexed->needs_utf8) {

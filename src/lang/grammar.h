@@ -105,6 +105,7 @@ inline constexpr std::uint32_t expression_depth = 64;    // nested brackets
 inline constexpr std::uint32_t expression_steps = 1024;  // instructions of all expressions of a block
 inline constexpr std::uint32_t block_assignments = 32;   // #n=… in one block
 inline constexpr std::uint32_t comment_bytes = 4096;     // kept of a comment over several lines
+inline constexpr std::uint32_t long_comments = 64;       // over several lines, in one block
 inline constexpr std::uint32_t conditions = 4;           // IF[…] IF[…] …
 }  // namespace limits
 

@@ -86,6 +86,8 @@ class Lexer {
 
   Status item() {
     const char c = cursor_.text[cursor_.at];
+    if (block_.statement.kind != StatementKind::none && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // behind its comment
+      return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_upper(c)) return word(c, 1);
     if (is_blank(c)) {
       ++cursor_.at;

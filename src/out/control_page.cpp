@@ -72,6 +72,24 @@ void variable_rows(const ControlDef& def, std::string& page) {
   }
 }
 
+void parameter_rows(const ControlDef& def, std::string& page) {
+  if (def.parameters.empty()) return;
+  constexpr const char* scopes[] = {"control", "channel", "axis", "spindle"};
+  constexpr const char* types[] = {"bits", "whole", "real", "text"};
+  page += "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all but those "
+          "that need a restart.\n\n";
+  page += head("| number | of | kind | bits | initial | written by G10 | works | meaning | значение | source |");
+  for (const ParameterRow& row : def.parameters) {
+    std::string bits;
+    for (std::size_t i = 0; i < row.bits.size(); ++i)
+      if (!row.bits[i].empty()) bits += fmt::format("{}{}{}", bits.empty() ? "" : " ", i < 8 ? fmt::format("#{} ", i) : "", row.bits[i]);
+    const bool writable = row.when == ParameterClass::run_time;
+    page += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.number >= 0 ? "N" : "", row.name,
+                        scopes[static_cast<std::size_t>(row.scope)], types[static_cast<std::size_t>(row.type)], bits, number_text(row.initial),
+                        writable ? "yes" : "no", row.used ? "yes" : "not yet", cells(row.text), escaped(row.manual));
+  }
+}
+
 /// The alarms the control has numbers or words of its own for, by number, those without one last.
 void alarm_rows(const ControlDef& def, const AlarmTexts& texts, std::string& page) {
   if (def.alarms.empty()) return;
@@ -101,6 +119,7 @@ std::string control_page(const ControlDef& def, const AlarmTexts& texts) {
   code_rows(def, 'M', page);
   cycle_rows(def, page);
   variable_rows(def, page);
+  parameter_rows(def, page);
   alarm_rows(def, texts, page);
   return page;
 }

@@ -60,6 +60,7 @@ char* TraceWriter::put_head(char* at, std::string_view kind, const Origin& origi
     at = put_block(put_text(at, R"(,"block":")"), origin);
     *at++ = '"';
   }
+  if (channel_ > 0) at = put_field(at, R"(,"channel":)", channel_);
   at = put_field(at, R"(,"line":)", origin.line);
   if (origin.column > 0) at = put_field(at, R"(,"col":)", origin.column);
   return at;
@@ -97,12 +98,29 @@ void TraceWriter::write_motion(const Motion& motion, const Origin& origin, const
   }
   if (motion.kind != MotionKind::rapid) at = put_text(at, motion.exact ? R"(,"exact":true)" : R"(,"exact":false)");
   out_.done(at);
+  if (behind_probe_) write_way(motion);
+  behind_probe_ = motion.kind == MotionKind::probe;
   if (motion.detail) [[unlikely]]
     write_detail(motion);
   if (time.exact || is_arc(motion.kind) || motion.detail) write_time(motion, time);
   if (!points_.empty()) write_points(motion, time);
   out_.append("}\n");
   position_.take(motion);
+}
+
+/// The way of the axes named: where the motion begins the program does not say (nct 21.1).
+void TraceWriter::write_way(const Motion& motion) {
+  if (motion.detail && motion.detail->rolled != 0) return;  // write_detail does
+  char* at = put_text(out_.room(line_room_), R"(,"travel":)");
+  char separator = '{';
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    if ((motion.named >> i & 1U) == 0) continue;
+    *at++ = std::exchange(separator, ',');
+    at = put_number(put_text(at, keys_[i]), motion.to[i] - position_.work[i]);
+  }
+  if (separator == '{') *at++ = '{';
+  *at++ = '}';
+  out_.done(at);
 }
 
 void TraceWriter::write_detail(const Motion& motion) {
@@ -178,10 +196,6 @@ void TraceWriter::write(const Action& action, const MotionTime& time) {
   write_other(action);
 }
 
-void TraceWriter::write_channel(const LastLine& more) {
-  if (more.channel) out_.append(R"(,"channel":)" + std::to_string(*more.channel));
-}
-
 void TraceWriter::write_state(const Ending& ending, const LastLine& more) {
   out_.done(
       put_axes(put_axes(out_.room(line_room_), R"(,"position":)", ending.position), R"(,"machine_position":)", ending.machine_position));
@@ -212,14 +226,14 @@ void TraceWriter::write_state(const Ending& ending, const LastLine& more) {
 
 void TraceWriter::finish(const Ending& ending, const LastLine& more) {
   out_.append(R"({"do":"end")");
-  write_channel(more);
+  if (channel_ > 0) out_.append(R"(,"channel":)" + std::to_string(channel_));
   write_state(ending, more);
 }
 
 void TraceWriter::finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more) {
   const Alarm& alarm = report.alarm;
   out_.done(put_head(out_.room(head_room), "alarm", report.origin));
-  write_channel(more);
+  if (more.alarm_channel > 0) out_.append(R"(,"alarm_channel":)" + std::to_string(more.alarm_channel));
   out_.append(R"(,"id":)" + json_string(name_of(alarm.id)) + R"(,"number":)" + number_or_text(texts.number(alarm)));
   out_.append(R"(,"text":)" + json_string(sentence_of(report, texts, lang)) + R"(,"args":[)");
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {

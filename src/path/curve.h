@@ -57,6 +57,9 @@ class Curve {
   /// The same point as the program's words mean it on a surface: polar: mm in the programmed plane; else at(part).
   Axes programmed(double part) const;
 
+  /// Point of a path that is not straight, in its plane; of a surface mm in the programmed or unrolled plane.
+  Vec2 flat(double part) const { return flat_.at(part); }
+
   /// The part at which polar interpolation is nearest to the rotation centre; 0 off it.
   double nearest() const;
 

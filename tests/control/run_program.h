@@ -8,6 +8,7 @@
 #include <string>
 
 #include "config/control_file.h"
+#include "config/state_json.h"
 #include "control/control.h"
 
 namespace kadr::test {
@@ -26,6 +27,7 @@ struct Run {
   std::vector<std::size_t> actions_at_alarm;
   std::vector<AlarmReport> warnings;
   Ending ending;
+  std::string state;  // tables and switches as JSON, of a control that has any to show
 
   std::vector<Motion> motions() const {
     std::vector<Motion> all;
@@ -56,6 +58,7 @@ inline Run run(const std::string& id, const std::string& program, const Setup& s
     machine.go_on();
   }
   result.ending = machine.ending();
+  if (const auto tables = machine.run_state()) result.state = state_json(*tables);
   return result;
 }
 

@@ -1,10 +1,12 @@
 #include "control/nct/blocks.h"
 
 #include <bit>
+#include <cmath>
 
 #include "control/functions.h"
 #include "control/nct/calls.h"
 #include "control/nct/data_lines.h"
+#include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
 
 namespace kadr::nct {
@@ -58,6 +60,8 @@ Status check_words(const Machinery& m) {
     const Word& w = m.block->words[i];
     if (w.address == 0) continue;
     if (w.address == 'M') ++m_codes;
+    if (w.address > 'Z' && w.address < first_name && w.address != indirect_axis)  // ,C ,R ,A ,L: spec/nct/17, 25
+      return fail(alarm(AlarmId::not_available, w.where, m.block->text_of(w.where)));
     if (w.address == 'N') return fail(alarm(AlarmId::block_number_position, w.where));
     if ((m.letters.codes & letter_bit(w.address)) != 0) continue;
     if ((seen & letter_bit(w.address)) != 0) return fail(alarm(AlarmId::address_twice, w.where, w.address));
@@ -134,7 +138,7 @@ bool hidden(const Machinery& m) {
 void stop_single_block(Machinery& m, bool was_hidden) {
   constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
   const Nct& nct = *m.nct;
-  if (!nct.single_block || (nct.control_1 & 1u) != 0 || (nct.control_2 & m_ov) != 0 || m.cycle_run.active()) return;
+  if (!nct.single_block || (nct.control_1 & 1u) != 0 || (nct.control_2 & m_ov) != 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
   const bool macro = returned || m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
   if (hidden(m) || (macro && !(returned && was_hidden)) || m.has_code({Function::program_end})) return;
@@ -143,6 +147,12 @@ void stop_single_block(Machinery& m, bool was_hidden) {
 
 }  // namespace
 
+Status check_values(Machinery& m) {
+  for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
+    if (Word& w = m.block->words[i]; w.expression && w.address != 0 && m.def.address(w.address).whole) w.value = std::round(w.value);
+  return m.check_ranges();
+}
+
 Result<bool> before_plan(Machinery& m) {
   Nct& nct = *m.nct;
   nct.moved = nct.stops_reading = false;
@@ -150,29 +160,38 @@ Result<bool> before_plan(Machinery& m) {
   nct.pending_program = 0;
   give_back(m);
   if (nct.data_mode != DataMode::none) {
-    KADR_TRY(m.settle_words());
+    nct.keep_all(m);
+    KADR_TRY(check_values(m));
     KADR_TRY(data_line(m));
     return true;
   }
   auto done = call_with_block(m);
   if (!done || *done) return done;
+  done = call_by_code(m);
+  if (!done || *done) return done;
+  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary) {  // known to be right from the pass before
+    note_words(m);
+    return false;
+  }
   if (m.has('G') && m.has_code({Function::macro_call, Function::macro_modal})) {
     KADR_TRY(one_g(m));
     if (m.block->has_number) nct.state.words.n = m.block->number;
     return false;
   }
-  done = call_by_code(m);
-  if (!done || *done) return done;
-  KADR_TRY(m.settle_words());
+  KADR_TRY(check_values(m));
   KADR_TRY(take_bare_words(m));
   KADR_TRY(check_words(m));
   KADR_TRY(take_spindle_words(m));
+  KADR_TRY(check_increment_of_r(m));
+  const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
+  m.block->checked = plain ? m.block->letters : 0;
   note_words(m);
   return false;
 }
 
 Status after_block(Machinery& m) {
   Nct& nct = *m.nct;
+  KADR_TRY(check_drilling(m));
   if (nct.single_block) stop_single_block(m, nct.was_hidden);
   KADR_TRY(call_pending(m));
   if (nct.moved && nct.active_modal_calls != 0) {

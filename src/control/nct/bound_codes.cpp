@@ -4,6 +4,7 @@
 
 #include "base/tolerance.h"
 #include "control/machinery.h"
+#include "control/nct/blocks.h"
 #include "control/nct/calls.h"
 
 namespace kadr::nct {
@@ -49,7 +50,8 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
   const auto arguments = arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()));
   if (!arguments) return fail(arguments.error());
   if (!run.modal) return call(m, request, *arguments, w.where);
-  Nct& nct = *m.nct;  // a negative parameter: G66 or G66.1 (23.3.4)
+  Nct& nct = *m.nct;
+  nct.keep_all(m);  // a negative parameter: G66 or G66.1 (23.3.4)
   nct.modal_calls.resize(nct.active_modal_calls);
   nct.modal_calls.push_back({request.place.reader, request.place.start, 1, request.name, nct.settings.modal_each_block, w.written, w.code, *arguments});
   ++nct.active_modal_calls;
@@ -73,12 +75,14 @@ bool letter_calls(Machinery& m, Word& w) {
   const std::size_t nth = letters_in_order.find(w.written);
   if (nth != std::string_view::npos && s.letters_call[nth]) {
     if (!may_call(m, w.written, -1)) return false;
+    m.nct->keep_common(letter_variables + static_cast<int>(nth));
     m.nct->variables.set_common(letter_variables + static_cast<int>(nth), w.value);
     pend(m, w, letter_programs + static_cast<int>(nth));
     return true;
   }
   for (std::size_t i = 0; i < s.ascii.size(); ++i) {
     if (s.ascii[i] != w.written || s.ascii_programs[i] == 0 || !may_call(m, w.written, -1)) continue;
+    m.nct->keep_common(ascii_variables + static_cast<int>(i));
     m.nct->variables.set_common(ascii_variables + static_cast<int>(i), w.value);
     pend(m, w, s.ascii_programs[i]);
     return true;
@@ -90,7 +94,7 @@ bool letter_calls(Machinery& m, Word& w) {
 
 Result<bool> call_by_code(Machinery& m) {
   const Settings& s = m.nct->settings;
-  if (!s.binds_codes) return false;
+  if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there they are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || w.bare || (w.written != 'G' && w.written != 'M')) continue;
@@ -100,7 +104,7 @@ Result<bool> call_by_code(Machinery& m) {
     KADR_TRY(macro_by_code(m, w, program, *run));
     return true;
   }
-  KADR_TRY(m.settle_words());
+  KADR_TRY(check_values(m));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || w.bare || w.written == 'G') continue;

@@ -48,7 +48,24 @@ Result<std::uint32_t> index_of(const Machinery& m, const Word* word) {
   return static_cast<std::uint32_t>(word - m.block->words.data());
 }
 
+/// What belonged to a call that is over.
+void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
+  if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level)) nct.variables.close_level();
+  if (!nct.repeated_arguments.empty() && nct.repeated_arguments.back().first == depth) nct.repeated_arguments.pop_back();
+  nct.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
+}
+
 }  // namespace
+
+void leave_call(Machinery& m) {
+  const CallFrame* const top = m.flow.innermost();
+  if (top == nullptr) return;
+  const CallFrame frame = *top;
+  const std::size_t depth = m.flow.depth();
+  m.flow.abandon(std::nullopt);
+  close_call(*m.nct, frame, depth);
+  if (frame.kind == CallFrame::Kind::interrupt) m.nct->end_interrupt(m, true);
+}
 
 Status call(Machinery& m, const CallRequest& request, const Locals& arguments, Span where) {
   Nct& nct = *m.nct;
@@ -92,25 +109,28 @@ Status return_from(Machinery& m, const Call& code) {
     if (p != nullptr) return go_to_block(m, p->value, p->where);
     return m.flow.restart(code.where);
   }
+  std::uint32_t passes = top->left;
   if (m.has('L')) {  // INFERRED: k passes more than the first (14.4.3)
     const auto k = m.whole('L', 0, most_repeats);
     if (!k) return fail(k.error());
     const std::uint32_t total = *k + 1;
-    top->left = total > top->done ? total - top->done + 1 : 1;
+    passes = total > top->done ? total - top->done + 1 : 1;
   }
-  if (p != nullptr) top->return_to = static_cast<std::int32_t>(p->value);
+  const auto return_to = p != nullptr ? static_cast<std::int32_t>(p->value) : top->return_to;
+  if (passes == 1 && return_to >= 0 && !m.flow.caller_has(static_cast<std::uint32_t>(return_to)))
+    return fail(alarm(AlarmId::block_not_found, p != nullptr ? p->where : code.where, double(return_to)));
+  top->left = passes;
+  top->return_to = return_to;
+  const bool opened_level = top->kind == CallFrame::Kind::macro;
   const std::size_t depth = m.flow.depth();
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
-  const bool opened_level = top->kind == CallFrame::Kind::macro;
   if (!*left) {  // once more
     if (opened_level) nct.variables.locals() = nct.repeated_arguments.back().second;
     return {};
   }
   const CallFrame& frame = **left;
-  if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level)) nct.variables.close_level();
-  if (!nct.repeated_arguments.empty() && nct.repeated_arguments.back().first == depth) nct.repeated_arguments.pop_back();
-  nct.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
+  close_call(nct, frame, depth);
   if (frame.kind == CallFrame::Kind::interrupt) nct.end_interrupt(m, frame.return_to < 0);
   if (frame.return_to >= 0) return go_to_block(m, frame.return_to, p != nullptr ? p->where : code.where);
   return {};

@@ -70,6 +70,8 @@ void note_motion(Machinery& m, Motion& motion) {
   nct.moved = true;
   if (motion.kind != MotionKind::thread) nct.in_thread = false;
   motion.along = FeedAlong::all_axes;  // 4.2: millimetres and degrees alike
+  motion.in_position = m.block_exact || m.modal.exact || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
+  if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;
   if (nct.rolled == 0) return;
   MotionDetail& detail = detail_of(m, motion);
   detail.rolled = nct.rolled;

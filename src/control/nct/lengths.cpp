@@ -20,6 +20,7 @@ Result<std::uint32_t> offset_number(const Machinery& m, char letter) {
 AxisMask length_axes(const Machinery& m) {
   const int mode = m.nct->settings.length_axes;
   const auto bit = [](int axis) { return axis >= 0 ? 1u << static_cast<unsigned>(axis) : 0u; };
+  if (const int axis = nct::drills_along(m); axis >= 0) return bit(axis);
   if (mode == 1) return bit(nct::main_axis(m, 3));
   if (mode == 2) return bit(static_cast<int>(m.modal.axes.normal));
   AxisMask axes = 0;

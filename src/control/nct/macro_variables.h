@@ -53,8 +53,7 @@ class MacroVariables {
   void close_level() {
     if (levels_.size() > 1) levels_.pop_back();
   }
-  /// Only the main program's level is left.
-  /// End of program: the locals of the main program are gone too (23.1.3).
+  /// The end of the program: only the main program's level is left, and it is empty (23.1.3).
   void close_levels() { levels_.assign(1, no_locals()); }
   std::size_t depth() const { return levels_.size(); }
 

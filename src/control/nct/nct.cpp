@@ -171,6 +171,8 @@ void Nct::end_program(Machinery& m) {
   control_1 = control_2 = 0;
   interrupt_program.reset();
   interrupted.active = false;
+  finishing.clear();
+  state.turning.code = 0;
   reset_shifts(m);
   reset_codes(m, true);
   m.change_frames();

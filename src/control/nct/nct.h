@@ -10,12 +10,15 @@
 #include "control/control.h"
 #include "control/nct/changes.h"
 #include "config/setup.h"
+#include "control/nct/drilling.h"
 #include "control/nct/macro_variables.h"
+#include "control/nct/measuring.h"
 #include "control/nct/output_file.h"
 #include "control/nct/parameters.h"
 #include "control/nct/programs.h"
 #include "control/nct/settings.h"
 #include "control/nct/tools.h"
+#include "control/nct/turning.h"
 #include "control/state.h"
 
 namespace kadr {
@@ -66,12 +69,33 @@ struct Volatile {
   int css_axis = 0;          // control-wide number
   double css_most = 0;       // G92 S, rev/min; 0: none
   ModalWords words;
+  DrillingMemory drilling;
+  TurningMemory turning;
 };
 
 inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
 inline constexpr std::size_t all_systems = 1 + basic_systems + extended_systems;
 
 enum class DataMode : std::uint8_t { none, parameters, tools };
+
+/// What a word block may change here, as it was before: an alarm takes it back.
+struct Before {
+  // of every block
+  ModalWords words;
+  bool in_thread = false;
+  double thread_lead = 0, surface_angle = 0;
+  std::vector<std::pair<int, double>> commons;  // #191 … #199, set by bound letters
+  // of a block that does more than move, or call
+  bool all = false;
+  Volatile state;
+  std::vector<ModalCall> modal_calls;
+  std::uint8_t active_modal_calls = 0;
+  std::size_t levels = 1, repeated_arguments = 0;
+  DataMode data_mode = DataMode::none;
+  std::optional<ProgramPlace> interrupt_program;
+  double parts_done = 0;
+  std::vector<std::pair<double*, double>> cells;  // of the tables of zeros
+};
 
 /// Modal state kept for the end of an interrupt macro (23.4).
 struct Interrupted {
@@ -100,6 +124,16 @@ class Nct {
   /// Whole state for the last line of a trace, in the form of a set-up.
   RunState run_state(const Machinery& m) const;
 
+  // ---- what an alarm takes back
+  /// A word block begins.
+  void begin_block();
+  /// It may change more than where the tool is.
+  void keep_all(const Machinery& m);
+  /// A number of a table is about to be written.
+  void keep_cell(double& cell) { before_.cells.emplace_back(&cell, cell); }
+  void keep_common(int n) { before_.commons.emplace_back(n, variables.common(n)); }
+  void take_back(const Machinery& m);
+
   // ---- tools
   Result<std::uint32_t> offset_of_tool(char letter) const;
   Status open_tool_data(Machinery& m, std::uint32_t l, double p, Span where);
@@ -112,6 +146,11 @@ class Nct {
   /// Speed of the main spindle now, rev/min; 0 if it stands.
   double spindle_rpm(const Machinery& m) const;
   double css_rpm(const Machinery& m) const;
+
+  /// Tool lengths by axis before the block.
+  const Axes& lengths_before() const { return lengths_before_; }
+  /// Single-block operation is on and #3003 does not suppress it (23.1.10).
+  bool stops_each_block() const { return single_block && (control_1 & 1u) == 0; }
 
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
   void end_interrupt(Machinery& m, bool restore);
@@ -129,13 +168,14 @@ class Nct {
   std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // by depth of the call
   std::vector<ModalCall> modal_calls;
   std::uint8_t active_modal_calls = 0;  // how many of them act on the blocks being carried out
+  std::vector<Finishing> finishing;     // contours that G70.7 is in
   DataMode data_mode = DataMode::none;
   Interrupted interrupted;
   std::optional<ProgramPlace> interrupt_program;  // M96
   bool signal_was_on = false;                     // CP_MINT when it was looked at last
   std::map<std::string, double> signals;          // of the machine's logic
+  bool single_block = false;                      // the operator's switch
   // of the block being carried out
-  bool single_block = false;    // the operator's switch
   bool was_hidden = false;      // the block stands in a program that is not listed (23.3.9)
   bool moved = false;           // it held a movement command
   bool stops_reading = false;   // it empties the buffer
@@ -160,7 +200,8 @@ class Nct {
   double cutting_ms = 0, clock_offset_ms = 0;
   double now_ms = 0;                           // virtual time since power-on
   double tool_magazine = 10;                   // #8400
-  Axes probe_position{};                       // work coordinates
+  Axes probe_position{}, probe_length{};       // work coordinates; tool length then
+  Measurement measurement;                     // of the probe motion under way
   std::string clock;                           // "2014-05-18T15:32:41"
   // for the state file
   Changes changes;
@@ -169,6 +210,8 @@ class Nct {
 
  private:
   std::uint64_t parameters_seen_ = 0;
+  Axes lengths_before_{};
+  Before before_;
 };
 
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning

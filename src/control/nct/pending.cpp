@@ -7,14 +7,6 @@ namespace kadr::functions {
 Status machine_axis(Machinery&, const Call&) { return {}; }
 Status increment_axis(Machinery&, const Call&) { return {}; }
 Status argument_only(Machinery&, const Call&) { return {}; }
-Status work_area_on(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status work_area_off(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status measure(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status measure_length(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status drilling(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status drilling_off(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status turning_cycle(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
-Status turning_simple(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 Status not_available(Machinery&, const Call& call) { return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string())); }
 
 }  // namespace kadr::functions

@@ -15,7 +15,7 @@ constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
 /// v of G10 L2, L20: written, or in G91 and with the operator I added.
 Status set_zero(Machinery& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
-  Axes& zero = common ? m.tables.common : m.tables.zeros[index];
+  Axes zero = common ? m.tables.common : m.tables.zeros[index];  // all or nothing
   for (const char letter : rotation_letters)
     if (common && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -25,14 +25,16 @@ Status set_zero(Machinery& m, const Call& call, std::uint32_t index, bool common
     double v = w.value * (row.unit == WordUnit::length ? m.unit_scale() : 1.0);
     if ((m.modal.diameter >> row.axis & 1u) != 0) v /= 2;
     const bool add = adds || w.incremental || row.function == Function::increment_axis;
+    m.nct->keep_cell(zero[row.axis]);
     zero[row.axis] = add ? zero[row.axis] + v : v;
     if (!(std::fabs(zero[row.axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, zero[row.axis]));
   }
+  (common ? m.tables.common : m.tables.zeros[index]) = zero;
   if (!common) {
     Vec3& angles = m.tables.rotations[index];
     double* const parts[] = {&angles.x, &angles.y, &angles.z};
     for (std::size_t i = 0; i < 3; ++i)
-      if (m.has(rotation_letters[i])) *parts[i] = m.value(rotation_letters[i]) + (adds ? *parts[i] : 0.0);
+      if (m.has(rotation_letters[i])) m.nct->keep_cell(*parts[i]), *parts[i] = m.value(rotation_letters[i]) + (adds ? *parts[i] : 0.0);
   }
   (void)call;
   m.nct->tables_changed = true;

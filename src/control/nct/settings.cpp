@@ -30,8 +30,6 @@ void read_axes(Settings& s, const ParameterSource& p, const std::vector<std::str
     axis.period = period > 0 ? period : 360;
     axis.polar_offset = p.value("0217", n);
     axis.feed_most = p.value("0305", n);
-    axis.measure_feed = p.value("0311", n);
-    axis.length_feed = p.value("0312", n);
   }
 }
 
@@ -159,6 +157,8 @@ void read_cycles(Settings& s, const ParameterSource& p) {
   s.length_parameter_feed = p.bit("3003", "0", 0);
   s.length_wear = p.bit("3003", "1", 0);
   s.length_adds = p.bit("3003", "2", 0);
+  s.measure_feed = p.value("0311", 0);
+  s.length_feed = p.value("0312", 0);
   s.length_rapid = p.value("3004", 0);
   s.length_alarm = p.value("3005", 0);
   s.accuracy = p.value("3103", 0);

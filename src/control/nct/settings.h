@@ -25,8 +25,6 @@ struct AxisSettings {
   double period = 360;           // N0108 RollAmount
   double polar_offset = 0;       // N0217
   double feed_most = 0;          // N0305 Max Feed; 0: no limit
-  double measure_feed = 0;       // N0311 G31 Feed
-  double length_feed = 0;        // N0312 G37 Feed
 };
 
 struct SpindleSettings {
@@ -105,6 +103,7 @@ struct Settings {
   bool length_parameter_feed = false;         // N3003 #0 TLF
   bool length_wear = false;                   // N3003 #1 TMW
   bool length_adds = false;                   // N3003 #2 TCA
+  double measure_feed = 0, length_feed = 0;   // N0311, N0312, mm/min
   double length_rapid = 0, length_alarm = 0;  // N3004, N3005
   bool torque_known = true;                   // INFERRED: the virtual machine always knows the torque
   double accuracy = 0;                        // N3103

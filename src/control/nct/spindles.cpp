@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "control/functions.h"
+#include "control/nct/interrupt.h"
 #include "control/nct/nct.h"
+#include "control/nct/waiting.h"
 
 namespace kadr::nct {
 namespace {
@@ -181,8 +183,13 @@ Status css_off(Machinery& m, const Call&) {
 
 namespace kadr::nct {
 
-/// M codes for the machine: indexing (11.7.3), closing the loop (11.7.2), optional spindle codes (11.2), all others.
+/// M codes for the machine: indexing (11.7.3), closing the loop (11.7.2), optional spindle codes (11.2), all others. Waiting
+/// codes stay in the control (14.5).
 Status machine_code(Machinery& m, const Call& call) {
+  auto own_code = waiting_code(m, call);
+  if (own_code && !*own_code) own_code = interrupt_code(m, call);
+  if (!own_code) return fail(own_code.error());
+  if (*own_code) return {};
   Nct& nct = *m.nct;
   const int code = call.word->code / 10;
   const int number = nct.state.current_spindle;

@@ -33,7 +33,6 @@ Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, wher
 /// WHILE[…] DOm, DOm: on with the body, or behind the END (23.2.11).
 Status loop(Machinery& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
-  if (holds && s.condition_count == 0) return {};
   const Loop* const found = file.loop_from(m.block->position);
   if (found == nullptr) return {};  // more loops than are looked at
   if (found->fault != AlarmId::count) return faulty(*found, s.where);

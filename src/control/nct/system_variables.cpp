@@ -61,7 +61,7 @@ double axis_value(const Machinery& m, VariableKind kind, int axis) {
     case VariableKind::end_position: return shown(m, axis, m.position.programmed[a]);
     case VariableKind::machine_position: return shown(m, axis, m.position.machine[a]);
     case VariableKind::work_position: return shown(m, axis, m.position.work[a] + (with_length ? length : 0));
-    case VariableKind::probe_position: return shown(m, axis, m.nct->probe_position[a] + (with_length ? length : 0));
+    case VariableKind::probe_position: return shown(m, axis, m.nct->probe_position[a] + (with_length ? m.nct->probe_length[a] : 0));
     case VariableKind::length_in_force: return shown(m, axis, length);
     default: return 0;  // lag, distance to go, handwheel shift: the virtual machine has none
   }
