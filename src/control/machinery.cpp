@@ -6,6 +6,7 @@
 
 #include "base/tolerance.h"
 #include "control/nct/blocks.h"
+#include "control/nct/calls.h"
 #include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
 #include "control/nct/nct.h"
@@ -186,6 +187,7 @@ void Machinery::go_on() {
   keep_from_faulty_block();
   if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
   const bool at_end_of_file = report.alarm.where.end == 0;
+  if (nct) return nct::leave_call(*this);
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
@@ -206,6 +208,7 @@ void Machinery::keep_from_faulty_block() {
     const std::int32_t row = w.address == 'M' && w.code >= 0 ? def.row_of('M', w.code) : -1;
     if (row < 0) continue;
     const Function f = def.codes[static_cast<std::size_t>(row)].function;
+    if (f == Function::return_program && nct) nct::leave_call(*this);
     if (f == Function::subprogram_end) (void)flow.end_subprogram(w.where);
     if (f == Function::repetition_end) (void)flow.end_repetition(w.where);
   }

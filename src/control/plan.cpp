@@ -39,6 +39,7 @@ class Planner {
   Status run(std::int16_t motion_row) {
     plan_.count = 0;
     plan_.taken = 0;
+    if (def_.grammar.macro && macro_call()) return {};
     for (std::uint32_t i = 0; i < block_.word_count; ++i) {
       const Word& word = block_.words[i];
       if (word.address == 0) continue;
@@ -58,6 +59,24 @@ class Planner {
   }
 
  private:
+  /// Beside G65, G66, G66.1 all words are arguments, M too: nothing else is carried out (nct 23.3).
+  bool macro_call() {
+    if ((block_.letters & letter_bit('G')) == 0) return false;
+    for (std::uint32_t i = 0; i < block_.word_count; ++i) {
+      const Word& word = block_.words[i];
+      const std::int32_t index = word.address == 'G' && word.code >= 0 ? def_.row_of('G', word.code) : -1;
+      if (index < 0) continue;
+      const CodeRow& row = def_.codes[static_cast<std::size_t>(index)];
+      if (row.function != Function::macro_call && row.function != Function::macro_modal) continue;
+      add(row.phase, static_cast<std::uint8_t>(i), static_cast<std::int16_t>(index), 0);
+      plan_.taken = ~std::uint64_t{0};
+      plan_.axes_taken = plan_.moves_only = false;
+      note_kind();
+      return true;
+    }
+    return false;
+  }
+
   Status code(const Word& word, std::uint8_t index) {
     const std::int32_t row_index = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
     if (row_index < 0 && def_.grammar.macro && word.expression) return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));

@@ -139,7 +139,7 @@ class Arc {
     m_.set_feed(motion);
     motion.center = m_.modal.surface == PathSurface::cylinder ? in_axes(center) : center;
     motion.turns = arc.turns;
-    motion.along = m_.nct->settings.feed_along_helix ? FeedAlong::path : FeedAlong::arc;
+    motion.along = m_.nct->settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
     if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);
   }
 

@@ -23,14 +23,6 @@ void give_back(Machinery& m) {
   m.note_addresses();
 }
 
-/// Values of an NC block: those of expressions are rounded to the last digit of their address (23.1.1). What a macro gets as
-/// an argument is left alone: it may be any number (23.3).
-Status check_values(Machinery& m) {
-  for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
-    if (Word& w = m.block->words[i]; w.expression && w.address != 0 && m.def.address(w.address).whole) w.value = std::round(w.value);
-  return m.check_ranges();
-}
-
 /// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
 Status take_bare_words(Machinery& m) {
   Nct& nct = *m.nct;
@@ -155,6 +147,12 @@ void stop_single_block(Machinery& m, bool was_hidden) {
 
 }  // namespace
 
+Status check_values(Machinery& m) {
+  for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
+    if (Word& w = m.block->words[i]; w.expression && w.address != 0 && m.def.address(w.address).whole) w.value = std::round(w.value);
+  return m.check_ranges();
+}
+
 Result<bool> before_plan(Machinery& m) {
   Nct& nct = *m.nct;
   nct.moved = nct.stops_reading = false;
@@ -175,18 +173,18 @@ Result<bool> before_plan(Machinery& m) {
     note_words(m);
     return false;
   }
-  const bool macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
-  if (macro) {
+  if (m.has('G') && m.has_code({Function::macro_call, Function::macro_modal})) {
     KADR_TRY(one_g(m));
-  } else {
-    KADR_TRY(check_values(m));
-    KADR_TRY(take_bare_words(m));
-    KADR_TRY(check_words(m));
-    KADR_TRY(take_spindle_words(m));
-    KADR_TRY(check_increment_of_r(m));
-    const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
-    m.block->checked = plain ? m.block->letters : 0;
+    if (m.block->has_number) nct.state.words.n = m.block->number;
+    return false;
   }
+  KADR_TRY(check_values(m));
+  KADR_TRY(take_bare_words(m));
+  KADR_TRY(check_words(m));
+  KADR_TRY(take_spindle_words(m));
+  KADR_TRY(check_increment_of_r(m));
+  const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
+  m.block->checked = plain ? m.block->letters : 0;
   note_words(m);
   return false;
 }

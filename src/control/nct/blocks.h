@@ -12,6 +12,9 @@ namespace kadr::nct {
 
 /// A macro statement (the block's words are evaluated where it needs them).
 Status run_statement(Machinery& m);
+/// Values of an NC block: those of expressions are rounded to the last digit of their address (23.1.1), all are in their ranges. What a
+/// macro gets as an argument is left alone: it may be any number (23.3).
+Status check_values(Machinery& m);
 /// Looks at the evaluated words before they are planned.
 ///   returns  true: the block is done (a data line, or a macro was called with it)
 Result<bool> before_plan(Machinery& m);

@@ -4,6 +4,7 @@
 
 #include "base/tolerance.h"
 #include "control/machinery.h"
+#include "control/nct/blocks.h"
 #include "control/nct/calls.h"
 
 namespace kadr::nct {
@@ -25,20 +26,16 @@ int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** r
   return -1;
 }
 
-/// The innermost call that a code or an address made; nullptr: none is open.
-const CallFrame* bound_call(const Machinery& m) {
-  const auto& frames = m.flow.frames();
-  for (auto frame = frames.rbegin(); frame != frames.rend(); ++frame)
-    if (frame->called_by != 0) return &*frame;
-  return nullptr;
-}
-
-/// May a word of that address and code call here? Its own like inside its call does not; others if the parameter says so.
+/// May a word of that address and code call here? Nowhere inside its own call (13.1, 23.3.4 … 23.3.7); inside another, if N1755 #1 ENC
+/// says so. ENC is not about one G code inside another (23.3.4).
 bool may_call(const Machinery& m, char address, std::int32_t code) {
-  const CallFrame* const inside = bound_call(m);
-  if (inside == nullptr) return true;
-  if (inside->called_by == address && (inside->called_code == code || code < 0)) return false;
-  return m.nct->settings.calls_inside_calls || inside->called_by == address;
+  bool others = false;
+  for (const CallFrame& frame : m.flow.frames()) {
+    if (frame.called_by == 0) continue;
+    if (frame.called_by == address && (frame.called_code == code || code < 0)) return false;
+    others = others || frame.called_by != 'G' || address != 'G';
+  }
+  return !others || m.nct->settings.calls_inside_calls;
 }
 
 Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& run) {
@@ -100,19 +97,19 @@ Result<bool> call_by_code(Machinery& m) {
   if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there they are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
-    if (w.address == 0 || w.bare) continue;
-    if (w.written == 'G' || w.written == 'M') {
-      const CodeRun* run = nullptr;
-      const int program = program_of(w.written == 'G' ? s.g_macros : s.m_macros, w.value, &run);
-      if (program >= 0 && may_call(m, w.written, w.code)) {
-        KADR_TRY(macro_by_code(m, w, program, *run));
-        return true;
-      }
-      if (w.written == 'M')
-        if (const int sub = program_of(s.m_programs, w.value); sub >= 0 && may_call(m, 'M', w.code)) pend(m, w, sub);
-    } else {
-      (void)letter_calls(m, w);
-    }
+    if (w.address == 0 || w.bare || (w.written != 'G' && w.written != 'M')) continue;
+    const CodeRun* run = nullptr;
+    const int program = program_of(w.written == 'G' ? s.g_macros : s.m_macros, w.value, &run);
+    if (program < 0 || !may_call(m, w.written, w.code)) continue;
+    KADR_TRY(macro_by_code(m, w, program, *run));
+    return true;
+  }
+  KADR_TRY(check_values(m));
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0 || w.bare || w.written == 'G') continue;
+    if (w.written != 'M') (void)letter_calls(m, w);
+    else if (const int sub = program_of(s.m_programs, w.value); sub >= 0 && may_call(m, 'M', w.code)) pend(m, w, sub);
   }
   if (m.nct->pending_program != 0) m.note_addresses();
   return false;

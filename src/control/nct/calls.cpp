@@ -15,8 +15,12 @@ constexpr std::uint32_t most_repeats = 99'999'999;
 
 /// L of a call; missing: 1.
 Result<std::uint32_t> repeats_of(const Machinery& m) {
-  if (!m.has('L')) return 1u;
-  return m.whole('L', 1, most_repeats);
+  const Word* const l = m.word('L');
+  if (l == nullptr) return 1u;
+  const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1
+  if (times != std::floor(times)) return fail(alarm(AlarmId::word_not_integer, l->where, 'L', times));
+  if (!(times >= 1 && times <= most_repeats)) return fail(alarm(AlarmId::value_out_of_range, l->where, 'L', times));
+  return static_cast<std::uint32_t>(times);
 }
 
 /// The program that P or <name> of the block names.
@@ -44,7 +48,24 @@ Result<std::uint32_t> index_of(const Machinery& m, const Word* word) {
   return static_cast<std::uint32_t>(word - m.block->words.data());
 }
 
+/// What belonged to a call that is over.
+void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
+  if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level)) nct.variables.close_level();
+  if (!nct.repeated_arguments.empty() && nct.repeated_arguments.back().first == depth) nct.repeated_arguments.pop_back();
+  nct.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
+}
+
 }  // namespace
+
+void leave_call(Machinery& m) {
+  const CallFrame* const top = m.flow.innermost();
+  if (top == nullptr) return;
+  const CallFrame frame = *top;
+  const std::size_t depth = m.flow.depth();
+  m.flow.abandon(std::nullopt);
+  close_call(*m.nct, frame, depth);
+  if (frame.kind == CallFrame::Kind::interrupt) m.nct->end_interrupt(m, true);
+}
 
 Status call(Machinery& m, const CallRequest& request, const Locals& arguments, Span where) {
   Nct& nct = *m.nct;
@@ -97,7 +118,7 @@ Status return_from(Machinery& m, const Call& code) {
   }
   const auto return_to = p != nullptr ? static_cast<std::int32_t>(p->value) : top->return_to;
   if (passes == 1 && return_to >= 0 && !m.flow.caller_has(static_cast<std::uint32_t>(return_to)))
-    return fail(alarm(AlarmId::block_not_found, code.where, double(return_to)));
+    return fail(alarm(AlarmId::block_not_found, p != nullptr ? p->where : code.where, double(return_to)));
   top->left = passes;
   top->return_to = return_to;
   const bool opened_level = top->kind == CallFrame::Kind::macro;
@@ -109,9 +130,7 @@ Status return_from(Machinery& m, const Call& code) {
     return {};
   }
   const CallFrame& frame = **left;
-  if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level)) nct.variables.close_level();
-  if (!nct.repeated_arguments.empty() && nct.repeated_arguments.back().first == depth) nct.repeated_arguments.pop_back();
-  nct.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
+  close_call(nct, frame, depth);
   if (frame.kind == CallFrame::Kind::interrupt) nct.end_interrupt(m, frame.return_to < 0);
   if (frame.return_to >= 0) return go_to_block(m, frame.return_to, p != nullptr ? p->where : code.where);
   return {};

@@ -28,6 +28,8 @@ Status call_modal(Machinery& m, const Locals& arguments);
 Result<Locals> arguments_of(const Machinery& m, std::uint32_t skip);
 /// End of a subprogram or macro, M99 (14.4.3, 14.4.4, 23.4).
 Status return_from(Machinery& m, const Call& code);
+/// On behind the innermost call although its M99 is missing or faulty: one fault is one alarm.
+void leave_call(Machinery& m);
 /// A G, M, T, S, A, B, C word or a letter of N1747… that calls a program instead of being carried out.
 ///   returns  true: the block's words were arguments of the call
 Result<bool> call_by_code(Machinery& m);

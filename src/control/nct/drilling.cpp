@@ -298,7 +298,7 @@ Status check_drilling(const Machinery& m) {
 
 Status check_increment_of_r(const Machinery& m) {
   const Word* const r = m.word('R');
-  if (r == nullptr || !r->incremental || drilling_on(m) || m.has_code({Function::drilling})) return {};
+  if (r == nullptr || !r->incremental || drilling_on(m) || m.has_code({Function::drilling, Function::set_tables})) return {};  // G10 R: 5.1
   return fail(alarm(AlarmId::increment_not_allowed, r->where, r->written));
 }
 

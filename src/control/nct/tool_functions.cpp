@@ -10,6 +10,13 @@ ToolPlace place_of(const nct::ToolCall& call) {
   return {static_cast<std::uint32_t>(call.data), static_cast<std::uint32_t>(call.magazine), static_cast<std::uint32_t>(call.pocket)};
 }
 
+/// What was prepared comes into the spindle.
+void change(Machinery& m, nct::CountUse count) {
+  const nct::ToolCall now = m.nct->tools.change(nct::ToolManagement::main_spindle, count);
+  m.modal.tool = now.tool;
+  m.emit(ToolChange{now.tool, place_of(now)});
+}
+
 }  // namespace
 
 namespace functions {
@@ -32,16 +39,13 @@ Status tool_call(Machinery& m, const Call& call) {
   }
   m.modal.tool_selected = *number;
   m.emit(ToolSelect{*number, 0, place_of(*called)});
+  if (nct.settings.life_counts_on_t) change(m, nct::CountUse::yes);  // 12.2, case A: a turret, or a change by hand
   return {};
 }
 
 /// M6: what was prepared comes into the spindle (12.2).
 Status exchange_tool(Machinery& m, const Call&) {
-  nct::Nct& nct = *m.nct;
-  const nct::ToolCall now = nct.tools.change(nct::ToolManagement::main_spindle,
-                                             nct.settings.life_counts_on_t ? nct::CountUse::no : nct::CountUse::yes);
-  m.modal.tool = now.tool;
-  m.emit(ToolChange{now.tool, place_of(now)});
+  change(m, m.nct->settings.life_counts_on_t ? nct::CountUse::no : nct::CountUse::yes);
   return {};
 }
 
