@@ -75,7 +75,7 @@ std::vector<std::string> built_in_controls() {
   std::vector<std::string> ids;
   for (const EmbeddedFile& file : embedded_files()) {
     std::string_view name = file.name;
-    if (!name.starts_with("controls/")) continue;
+    if (!name.starts_with("controls/") || !name.ends_with(".toml")) continue;  // macros stand beside them
     name.remove_prefix(9);
     name.remove_suffix(5);
     if (is_control(name)) ids.emplace_back(name);

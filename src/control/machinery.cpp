@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/tolerance.h"
 #include "control/nct/blocks.h"
@@ -20,6 +21,10 @@ Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own,
       flow(def, std::move(program), limits) {
   modal.rows.fill(-1);
   if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, limits, std::move(commons));
+  waiting.known = nct::channels_of(setup);
+  for (const VariableRow& row : def.variables)
+    if (row.kind == VariableKind::clock || row.kind == VariableKind::cutting_clock || row.kind == VariableKind::time)
+      for (const VariableRange& range : row.ranges) clocks_.push_back(range.from);
   read_setup(setup);
   start_modal(setup);
 }
@@ -34,6 +39,7 @@ Control::State Machinery::run(ActionBatch& to) {
     emit(frame_change());
   }
   while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
+    if (waiting.meeting) return Control::State::waiting;
     if (cycling()) {
       if (const Status status = next_of_cycle(); !status) fail_with(status.error());
       continue;
@@ -42,13 +48,18 @@ Control::State Machinery::run(ActionBatch& to) {
       if (const Status status = after_cycle(); !status) fail_with(status.error());
       continue;
     }
+    if (block_open) {
+      end_block();
+      continue;
+    }
     if (flow.ended()) return Control::State::ended;
     if (nct && !nct->finishing.empty()) {
       const auto left = nct::end_contour(*this);
       if (!left) fail_with(left.error());
       if (!left || *left) continue;
     }
-    const auto got = flow.next(block);
+    auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
+    again_ = false;
     if (got && *got == BlockReader::Got::end) {
       if (const Status closed = end_of_file(); !closed) {
         fail_with(closed.error());
@@ -58,17 +69,14 @@ Control::State Machinery::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) origin = origin_of_block();
-    if (nct && on_block != nullptr && *on_block) {
-      if (got) take_nct_block();
-      else fail_with(got.error());
-      if (needs_probe) return Control::State::needs_probe;
-      continue;
+    if (got && nct && !reads_clock && !block->code.empty() && may_read_clock()) {
+      reads_clock = each_block = again_ = true;
+      return Control::State::running;
     }
     if (!got && block->marker == Marker::program_start) flow.started = true;  // damaged, but there
     for (const Alarm& w : block->warnings) warn(w);
-    const Status status = got ? execute() : Status(fail(got.error()));
-    if (!status) fail_with(status.error());
-    else report_changes();
+    if (got) take_block();
+    else fail_with(got.error());
     if (needs_probe) return Control::State::needs_probe;
   }
   return stopped_ ? Control::State::stopped : Control::State::running;
@@ -81,20 +89,84 @@ void Machinery::report_changes() {
   if (!changes.rows.empty()) (*on_changes)(changes);
 }
 
-/// A block with what the machine's logic does before and behind it, interrupt macro included (nct 23.4).
-void Machinery::take_nct_block() {
-  const Origin at = origin;
-  (*on_block)(at, false);
-  const auto instead = nct::call_interrupt(*this, nct::BlockMoment::start);
-  Status status = instead ? Status() : Status(fail(instead.error()));
-  if (status && !*instead) status = execute();
-  if (status) {
-    const auto called = nct::call_interrupt(*this, nct::BlockMoment::end);
-    if (!called) status = fail(called.error());
+void Machinery::take_block() {
+  if (is_watched()) [[unlikely]]
+    return watch_block();
+  if (const Status status = execute(); !status) fail_with(status.error());
+  else report_changes();
+  block_open = !stopped_ && nct && nct->interrupt_program;  // M96 has come
+}
+
+/// The machine's logic looks at each block, or an interrupt macro may come.
+bool Machinery::is_watched() const { return (on_block != nullptr && *on_block) || (nct && nct->interrupt_program); }
+
+/// A block with what the machine's logic does before it; behind it: end_block, when its actions have been handed over (nct 23.4).
+/// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
+void Machinery::watch_block() {
+  const bool is_skipped = block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)];
+  in_interrupt_ = nct && nct->interrupted.active;
+  const bool put_off = resumed_ && !in_interrupt_ && *resumed_ == block->position;
+  if (put_off || !in_interrupt_) resumed_.reset();
+  Result<bool> instead = false;
+  if (!put_off && !is_skipped) {
+    if (on_block != nullptr && *on_block) (*on_block)(origin, false);
+    if (flow.ended()) return;  // the power went off
+    if (nct) instead = nct::call_interrupt(*this, nct::BlockMoment::start);
   }
+  if (instead && *instead) {
+    resumed_ = block->position;
+    return;
+  }
+  const std::uint8_t skip = is_skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
+  const Status status = instead ? execute() : Status(fail(instead.error()));
+  if (!is_skipped) block->skip = skip;
   if (!status) fail_with(status.error());
   else report_changes();
-  (*on_block)(at, true);
+  block_open = !stopped_ && !is_skipped;
+}
+
+/// The end of a watched block: the interrupt macro, then the machine's logic.
+void Machinery::end_block() {
+  block_open = false;
+  if (nct && !in_interrupt_) {
+    const auto called = nct::call_interrupt(*this, nct::BlockMoment::end);
+    if (!called) fail_with(called.error());
+  }
+  if (!stopped_ && on_block != nullptr && *on_block) (*on_block)(origin, true);
+}
+
+/// A clock variable stands in the block, or one by a computed number, or a text with variables (nct 23.1.9). Its value must be
+/// that of the moment: all actions before it are handed over first, and from then on each block's.
+bool Machinery::may_read_clock() const {
+  const StatementKind kind = block->statement.kind;
+  if (kind == StatementKind::message || kind >= StatementKind::open_port) return true;
+  for (const Instruction& i : block->code) {
+    if (i.op == Op::variable) return true;
+    if (!(i.number > nct::last_common)) continue;
+    const bool constant = i.op == Op::number || i.op == Op::variable_at;
+    if (constant && std::find(clocks_.begin(), clocks_.end(), i.number) != clocks_.end()) return true;
+  }
+  return false;
+}
+
+/// Power off and on (nct 23.5): the program is over.
+void Machinery::power_cycle() {
+  if (!nct) return;
+  ActionBatch unseen;
+  ActionBatch* const kept = std::exchange(batch, &unseen);
+  const bool keeps_codes = std::exchange(nct->settings.keeps_codes, false);  // codes begin anew, whatever CLR says
+  nct->end_program(*this);
+  nct->settings.keeps_codes = keeps_codes;
+  batch = kept;
+  nct->variables.power_off();
+  nct->clock_offset_ms = nct->now_ms;
+  nct->tool_magazine = 10;
+  nct->answer = 0;
+  stop_cycles();
+  waiting_count_ = 0;
+  waiting.meeting.reset();
+  block_open = false;
+  flow.end();
 }
 
 /// The file's end ends the program too; not in the middle of a call or a repetition.
@@ -157,6 +229,7 @@ void Machinery::stop_cycles() {
 void Machinery::fail_with(const Alarm& failed) {
   stop_cycles();
   waiting_count_ = 0;
+  block_open = false;
   report = report_of(failed, origin, block->text);
   stopped_ = true;
 }
@@ -169,9 +242,21 @@ Status Machinery::execute() {
   }
   if (block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
   const bool data = nct && nct->data_mode != nct::DataMode::none && block->has_number;
+  if (def.grammar.macro && !data) KADR_TRY(check_numbers());
   if (block->empty() && block->comments.empty() && !data) return {};
   if (block->statement.kind != StatementKind::none) return nct::run_statement(*this);
   return attempt();
+}
+
+/// N and O have ranges too (nct 1.1); O names a program at the start of a file.
+Status Machinery::check_numbers() const {
+  const auto check = [&](char letter, std::uint32_t value, Span where) -> Status {
+    const AddressRow& row = def.address(letter);
+    if (value >= row.least && value <= row.most) return {};
+    return fail(alarm(AlarmId::value_out_of_range, where, letter, double(value)));
+  };
+  if (block->has_number) KADR_TRY(check('N', block->number, block->number_where));
+  return block->marker == Marker::label ? check('O', block->label, block->where) : Status();
 }
 
 /// The block's words carried out, or nothing of them.

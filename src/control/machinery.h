@@ -12,6 +12,7 @@
 #include "control/cycles/cycle_run.h"
 #include "control/ellipse_run.h"
 #include "control/flow.h"
+#include "control/nct/waiting.h"
 #include "control/plan.h"
 #include "control/state.h"
 #include "control/variables.h"
@@ -55,6 +56,7 @@ class Machinery {
   void answer(const ProbeAnswer& answer);
   void go_on();
   void refused();
+  void power_cycle();
   bool is_stopped() const { return stopped_; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   Ending ending();
@@ -155,7 +157,10 @@ class Machinery {
   bool needs_probe = false;
   Span probe_where;
   bool optional_stop_on = false;
-  bool each_block = false;  // hand over after each block
+  bool each_block = false;   // hand over after each block
+  bool reads_clock = false;  // nct: a block that may read a clock has come
+  bool block_open = false;   // a watched block has been carried out, its end is to come
+  nct::WaitingCodes waiting;
   std::array<bool, 10> skip_switches{};
   std::array<bool, max_axes> mirror_switches{};  // panel mode of the 2С42 (6.8)
   std::string start_error;                       // what the set-up names and the control has not
@@ -193,9 +198,14 @@ class Machinery {
   void start_modal(const Setup& setup);
   bool starts(const std::string& text) const;
   Status execute();
-  void take_nct_block();
+  void take_block();
+  void watch_block();
+  bool is_watched() const;
+  void end_block();
   void report_changes();
+  bool may_read_clock() const;
   Status attempt();
+  Status check_numbers() const;
   Status words();
   Status carry_out(const Plan& plan);
   Status carry_out(const PlanItem& item);
@@ -260,6 +270,11 @@ class Machinery {
   bool stopped_ = false;
   bool start_missing_reported_ = false;
   bool skipping_section_ = false;
+  // of a block that the machine's logic watches (nct 23.4)
+  bool in_interrupt_ = false;         // it belongs to an interrupt macro
+  bool again_ = false;                // the block in hand comes once more
+  std::optional<Position> resumed_;  // the block that was to begin when an interrupt macro came
+  std::vector<double> clocks_;       // numbers of the clock variables
   bool first_frames_ = true;
   std::vector<std::string> watch_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <string>
 
 namespace kadr {
 namespace {
@@ -63,13 +64,14 @@ class Planner {
  private:
   Status code(const Word& word, std::uint8_t index) {
     const std::int32_t row_index = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
+    if (row_index < 0 && def_.grammar.macro && word.expression) return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));
     if (row_index < 0) return fail(alarm(AlarmId::code_unknown, word.where, block_.text_of(word.where)));
     const CodeRow& row = def_.codes[static_cast<std::size_t>(row_index)];
     if (!row.works) return fail(alarm(AlarmId::not_available, word.where, row.code));
     if (row.group != 0) KADR_TRY(one_of_group(row, row_index, word));
     const FunctionTraits& traits = traits_of(row.function);
     if (traits.takes_axes) KADR_TRY(axes_taken(row, word));
-    if (row.own_block) own_block_ = &word;
+    if (row.own_block) own_block_ = &word, own_takes_ = row.takes;
     plan_.taken |= row.takes;
     ++code_count_;
     if (row.function == Function::macro_call || row.function == Function::macro_modal) {  // nct 23.3: all other words are arguments
@@ -85,6 +87,14 @@ class Planner {
     return {};
   }
 
+  /// `G#1` as G77.3.
+  static std::string by_value(const Word& word) {
+    std::string text = std::to_string(word.value);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return word.address + text;
+  }
+
   Status one_of_group(const CodeRow& row, std::int32_t row_index, const Word& word) {
     const std::uint64_t bit = std::uint64_t{1} << row.group;
     if ((groups_seen_ & bit) != 0) {
@@ -95,7 +105,8 @@ class Planner {
                            0;
       if (!allowed) {
         const Word& first = block_.words[other.word];
-        return fail(alarm(AlarmId::group_conflict, word.where, block_.text_of(first.where), block_.text_of(word.where)));
+        const AlarmId id = def_.grammar.macro && word.address == 'M' ? AlarmId::m_codes_contradict : AlarmId::group_conflict;
+        return fail(alarm(id, word.where, block_.text_of(first.where), block_.text_of(word.where)));
       }
     }
     (void)row_index;
@@ -182,9 +193,11 @@ class Planner {
     const std::uint64_t loose = block_.letters & ~letters_.codes & ~letters_.acting & ~plan_.taken;
     if (loose != 0) {
       const Word& word = *first_of(loose);
-      return fail(alarm(AlarmId::word_unused, word.where, word.address));
+      const bool no_axis = def_.address(word.address).function == Function::argument_only;  // nct 5.1: W without an axis Z
+      return fail(alarm(no_axis ? AlarmId::illegal_address : AlarmId::word_unused, word.where, word.address));
     }
-    if (own_block_ != nullptr && (code_count_ > 1 || (block_.letters & letters_.axes & ~plan_.taken) != 0))
+    const std::uint64_t own_words = own_block_ != nullptr ? letters_.codes | own_takes_ : 0;
+    if (own_block_ != nullptr && (code_count_ > 1 || (block_.letters & ~own_words) != 0))
       return fail(alarm(AlarmId::own_block, own_block_->where, block_.text_of(own_block_->where)));
     return {};
   }
@@ -220,6 +233,7 @@ class Planner {
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;
   const Word* own_block_ = nullptr;
+  std::uint64_t own_takes_ = 0;
 };
 
 }  // namespace

@@ -1,8 +1,30 @@
 #include "control/program_file.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace kadr {
+namespace {
+
+/// A line that cannot be read may still begin or end a loop: the other half is then no second fault.
+std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
+  std::string capitals(text.substr(0, text.find('(')));
+  for (char& c : capitals)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  const auto number_behind = [&](std::string_view word) -> std::uint8_t {
+    for (std::size_t at = capitals.find(word); at != std::string::npos; at = capitals.find(word, at + 1)) {
+      const std::size_t digit = capitals.find_first_not_of(' ', at + word.size());
+      if (digit != std::string::npos && capitals[digit] >= '1' && capitals[digit] <= '3') return static_cast<std::uint8_t>(capitals[digit] - '0');
+    }
+    return 0;
+  };
+  if (const std::uint8_t m = number_behind("DO"); m != 0) return {StatementKind::loop, m};
+  if (const std::uint8_t m = number_behind("END"); m != 0) return {StatementKind::loop_end, m};
+  return {capitals.find("WHILE") == std::string::npos ? StatementKind::none : StatementKind::loop, 0};
+}
+
+}  // namespace
 
 ProgramFile::ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
     : path_(std::move(path)), source_(std::move(source)), grammar_(grammar), reader_(source_, grammar, encoding) {}
@@ -107,10 +129,11 @@ void ProgramFile::find_loops() {
   for (;;) {
     const auto got = reader.next(*block);
     if (got && *got == BlockReader::Got::end) break;
-    const StatementKind kind = block->statement.kind;
-    if (!got || (kind != StatementKind::loop && kind != StatementKind::loop_end) || loops_.size() >= most_loops) continue;
-    const std::uint8_t m = block->statement.loop;
-    const auto same = [&](std::size_t i) { return loops_[i].number == m; };
+    StatementKind kind = block->statement.kind;
+    std::uint8_t m = block->statement.loop;
+    if (!got) std::tie(kind, m) = damaged_loop(block->text);
+    if ((kind != StatementKind::loop && kind != StatementKind::loop_end) || loops_.size() >= most_loops) continue;
+    const auto same = [&](std::size_t i) { return loops_[i].number == m || loops_[i].number == 0; };
     const auto nearest = std::find_if(open.rbegin(), open.rend(), same);
     if (kind == StatementKind::loop) {
       if (nearest != open.rend()) loops_[*nearest].fault = AlarmId::do_without_end;  // DO1 DO1
@@ -118,6 +141,7 @@ void ProgramFile::find_loops() {
       loop.number = m;
       loop.begin = block->position;
       loop.body = reader.position();
+      loop.damaged = !got;
       loops_by_begin_.emplace(loop.begin.offset, loops_.size());
       open.push_back(loops_.size());
       loops_.push_back(loop);
@@ -129,6 +153,7 @@ void ProgramFile::find_loops() {
     Loop& loop = loops_[*nearest];
     loop.end = block->position;
     loop.behind = reader.position();
+    loop.damaged = loop.damaged || !got;
     if (overlaps) loop.fault = AlarmId::loops_overlap;
     loops_by_end_.emplace(loop.end.offset, *nearest);
     open.erase(std::next(nearest).base());

@@ -27,7 +27,8 @@ struct Loop {
   Position end;        // the block with END
   Position behind;     // behind that
   AlarmId fault = AlarmId::count;
-  std::uint8_t number = 0;
+  std::uint8_t number = 0;  // 0: WHILE whose DO is missing
+  bool damaged = false;     // one of the two blocks cannot be read: END does nothing
 };
 
 class ProgramFile {

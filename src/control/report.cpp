@@ -15,6 +15,19 @@ std::uint32_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
+/// Behind a comment over several lines the place is in the last of them (nct 14.3).
+void to_own_line(AlarmReport& r) {
+  const std::string_view before = std::string_view(r.line_text).substr(0, r.alarm.where.begin);
+  const std::size_t end = r.line_text.find('\n', r.alarm.where.begin);
+  if (end != std::string::npos) r.line_text.resize(end);
+  const std::size_t last = before.rfind('\n');
+  if (last == std::string_view::npos) return;
+  const auto cut = static_cast<std::uint32_t>(last + 1);
+  r.origin.line += static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n'));
+  r.line_text.erase(0, cut);
+  r.alarm.where = {r.alarm.where.begin - cut, std::max(r.alarm.where.end, cut) - cut};
+}
+
 }  // namespace
 
 void Machinery::warn(const Alarm& alarm) {
@@ -39,6 +52,7 @@ AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::stri
   const bool in_body = flow.in_body() && !line_text.empty();
   if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
+  if (r.alarm.where.begin <= r.line_text.size() && r.line_text.find('\n') != std::string::npos) to_own_line(r);
   if (r.alarm.where.begin <= r.line_text.size())
     r.origin.column = characters(std::string_view(r.line_text).substr(0, r.alarm.where.begin)) + 1;
   if (alarm.id == AlarmId::program_alarm && !block->comments.empty()) {

@@ -116,7 +116,7 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return fail(alarm(AlarmId::too_many_words, {0, 1}, double{limits::long_comments}));
     }
-    KADR_TRY(join_comment(block));
+    KADR_TRY(join_comment(block, lexed->comment_at));
     lexed = lex_block(text_, rest_, is_text_, grammar_, block);
     if (lexed && lexed->needs_utf8) {
       const Status decoded = decode_line();
@@ -142,8 +142,7 @@ Status BlockReader::lex_line(Block& block) {
 }
 
 /// Appends the lines of a comment that goes on, up to the one with its end; of a long one only the beginning is kept.
-Status BlockReader::join_comment(Block& block) {
-  const std::size_t open = text_.rfind('(');
+Status BlockReader::join_comment(Block& block, std::size_t open) {
   const bool was_text = is_text_;
   joined_ = line_.bytes;
   const std::uint64_t offset = line_.offset;
@@ -151,7 +150,9 @@ Status BlockReader::join_comment(Block& block) {
   for (bool closed = false; !closed;) {
     if (!lines_.next(next)) {
       const Span where{static_cast<std::uint32_t>(open), static_cast<std::uint32_t>(open + 1)};
-      line_.bytes = text_ = block.text = joined_;
+      line_.bytes = text_ = joined_;
+      if (was_text) KADR_TRY(decode_line());
+      block.text = text_;
       rest_ = text_.size();
       return fail(alarm(AlarmId::comment_not_closed, where));
     }
@@ -160,8 +161,9 @@ Status BlockReader::join_comment(Block& block) {
     if (joined_.size() + next.bytes.size() <= limits::comment_bytes) {
       joined_ += '\n';
       joined_ += next.bytes;
-    } else if (closed) {
-      joined_ += next.bytes.substr(end);
+    } else {
+      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // places behind the comment count them
+      if (closed) joined_ += next.bytes.substr(end);
     }
   }
   line_.bytes = joined_;

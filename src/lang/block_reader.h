@@ -35,7 +35,7 @@ class BlockReader {
   Status begin_line(Block& block, std::uint32_t nth);
   Status lex_line(Block& block);
   Status decode_line();
-  Status join_comment(Block& block);
+  Status join_comment(Block& block, std::size_t open);
 
   LineReader lines_;
   const Grammar& grammar_;

@@ -102,6 +102,8 @@ class Lexer {
       case '<': return grammar_.file_names ? file_name() : unexpected();
       case ':': return main_block();
       case '\x1a': return end_of_dos_file();
+      case ']':
+      case '=': return grammar_.macro ? out_of_place(c) : unexpected();
       default: break;
     }
     if (is_high(c) || c == '\x0e') return wide();
@@ -130,6 +132,7 @@ class Lexer {
     cursor_.skip_blanks();
     const WordFormat& format = grammar_.word(letter);
     if (letter == grammar_.section_address && words_.no_value_follows()) return section(begin);
+    if (!format.known && letter > 'Z') return fail(alarm(AlarmId::not_available, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
     if (!format.known) return fail(alarm(AlarmId::address_unknown, span(begin, cursor_.at), letter));
     if (letter == 'N' && !(grammar_.macro && (block_.has_number || block_.word_count != 0))) return words_.block_number(begin, format);
     if (letter == grammar_.label_address && !(grammar_.macro && block_.word_count != 0)) return words_.label(begin, format);
@@ -165,7 +168,8 @@ class Lexer {
   Status file_name() {
     const std::size_t begin = cursor_.at;
     const std::size_t close = cursor_.text.find('>', begin);
-    if (close == std::string_view::npos || block_.file_name.end != 0) return unexpected();
+    if (block_.file_name.end != 0) return unexpected();
+    if (close == std::string_view::npos) return fail(alarm(AlarmId::file_name, span(begin, cursor_.text.size()), cursor_.text.substr(begin)));
     for (std::size_t i = begin; i < close && !is_utf8_; ++i)
       if (is_high(cursor_.text[i])) {
         result_.needs_utf8 = done_ = true;
@@ -217,7 +221,7 @@ class Lexer {
     const std::size_t close = cursor_.text.find(')', begin);
     if (close == std::string_view::npos) {
       cursor_.at = cursor_.text.size();
-      if (grammar_.comments_span_lines) result_.open_comment = done_ = true;
+      if (grammar_.comments_span_lines) result_.open_comment = done_ = true, result_.comment_at = begin;
       return fail(alarm(AlarmId::comment_not_closed, span(begin, begin + 1)));
     }
     if (!grammar_.comment_forbidden.empty()) {
@@ -323,6 +327,15 @@ class Lexer {
     if (c < 0x20) return fail(alarm(AlarmId::control_character, where, double(c)));
     if (c == '.') return fail(alarm(AlarmId::number_damaged, where));  // a second point
     return fail(alarm(AlarmId::unexpected_character, where, cursor_.text[cursor_.at]));
+  }
+
+  /// One `]` too many (nct 23.2.6); `=` behind a name that the channel does not have (2.2): Z2=5.
+  Status out_of_place(char c) {
+    const Span where = span(cursor_.at, cursor_.at + 1);
+    if (c == ']') return fail(alarm(AlarmId::expression_syntax, where, c));
+    const Word* const last = block_.word_count == 0 ? nullptr : &block_.words[block_.word_count - 1];
+    if (last == nullptr || last->where.end != cursor_.at) return unexpected();
+    return fail(alarm(AlarmId::illegal_address, last->where, block_.text_of(last->where)));
   }
 
   /// What can be said only of the block as a whole.

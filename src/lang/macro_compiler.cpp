@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lang/encoding.h"
 #include "lang/expression.h"
 
 namespace kadr {
@@ -126,7 +127,21 @@ class MacroCompiler {
     return {};
   }
 
+  /// Has the bracket at `begin` no partner in the rest of the block (23.2.6)?
+  bool is_open(std::size_t begin) const {
+    int depth = 0;
+    for (std::size_t i = begin; i < cursor_.text.size() && cursor_.text[i] != '('; ++i) {
+      depth += cursor_.text[i] == '[' ? 1 : cursor_.text[i] == ']' ? -1 : 0;
+      if (depth == 0) return false;
+    }
+    return true;
+  }
+
   tl::unexpected<Alarm> wrong(std::size_t at) const {
+    if (at < cursor_.text.size() && (static_cast<unsigned char>(cursor_.text[at]) & 0x80) != 0) {
+      const std::size_t bytes = std::max<std::size_t>(1, first_character(cursor_.text.substr(at)).size);
+      return fail(alarm(AlarmId::unexpected_character, span(at, at + bytes), cursor_.text.substr(at, bytes)));
+    }
     return fail(alarm(AlarmId::expression_syntax, span(at, at + 1),
                       at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…")));
   }
@@ -149,7 +164,7 @@ class MacroCompiler {
 
   Status close(std::size_t begin) {
     cursor_.skip_blanks();
-    if (cursor_.at >= cursor_.text.size()) return fail(alarm(AlarmId::bracket_not_closed, span(begin, begin + 1)));
+    if (cursor_.peek() != ']' && is_open(begin)) return fail(alarm(AlarmId::bracket_not_closed, span(begin, begin + 1)));
     if (cursor_.peek() != ']') return wrong(cursor_.at);
     ++cursor_.at;
     return {};
@@ -168,7 +183,8 @@ class MacroCompiler {
     if (starts_with("PRM")) return control_value(begin);
     std::size_t end = begin;
     while (end < cursor_.text.size() && is_letter(cursor_.text[end])) ++end;
-    return fail(alarm(AlarmId::expression_syntax, span(begin, end), cursor_.text.substr(begin, end - begin)));
+    const AlarmId id = end - begin > 1 ? AlarmId::function_unknown : AlarmId::expression_syntax;
+    return fail(alarm(id, span(begin, end), cursor_.text.substr(begin, end - begin)));
   }
 
   /// AXNUM[X]: the control-wide number of an axis (23.2.12).
@@ -242,7 +258,7 @@ class MacroCompiler {
     }
     if (cursor_.peek() != '[') return wrong(cursor_.at);
     KADR_TRY(bracket());
-    return step(Op::element, static_cast<double>(found - grammar_.symbols.begin()), begin, 0);
+    return step(Op::element, static_cast<double>(found - grammar_.symbols.begin()), begin - 1, 0);
   }
 
   template <std::size_t n>
@@ -302,7 +318,7 @@ Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Blo
     KADR_TRY(compiler.relation());
     cursor.skip_blanks();
     const Span at{static_cast<std::uint32_t>(open), static_cast<std::uint32_t>(open + 1)};
-    if (cursor.at >= cursor.text.size()) return fail(alarm(AlarmId::bracket_not_closed, at));
+    if (cursor.peek() != ']' && compiler.is_open(open)) return fail(alarm(AlarmId::bracket_not_closed, at));
     if (cursor.peek() != ']') return compiler.wrong(cursor.at);
     ++cursor.at;
     return {};

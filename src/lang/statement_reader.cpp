@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lang/encoding.h"
 #include "lang/word_reader.h"
 
 namespace kadr {
@@ -46,7 +47,7 @@ Status StatementReader::read(Keyword keyword) {
     if (row.keyword == keyword) cursor_.at += row.text.size();
   block_.statement.where.begin = static_cast<std::uint32_t>(begin);
   switch (keyword) {
-    case Keyword::if_: return branch(begin);
+    case Keyword::if_: return branch();
     case Keyword::while_: return loop_while(begin);
     case Keyword::do_: return loop_do(begin);
     case Keyword::end_: return loop_end(begin);
@@ -54,13 +55,13 @@ Status StatementReader::read(Keyword keyword) {
     case Keyword::print_binary:
     case Keyword::print_decimal: return print(keyword, begin);
     case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: right-hand side only
-    case Keyword::then_: return syntax(begin);
+    case Keyword::then_: return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), "THEN"));
     default: return device(keyword, begin);
   }
 }
 
 /// IF[…] GOTOn, IF[…] THEN statement, IF[…] statement (23.2.9, 23.2.10).
-Status StatementReader::branch(std::size_t begin) {
+Status StatementReader::branch() {
   block_.statement.with_if = true;
   KADR_TRY(condition());
   cursor_.skip_blanks();
@@ -71,7 +72,7 @@ Status StatementReader::branch(std::size_t begin) {
     return assignment(at);
   }
   const Keyword next = keyword_here();
-  if (next == Keyword::none || next == Keyword::then_) return syntax(cursor_.at < cursor_.text.size() ? cursor_.at : begin);
+  if (next == Keyword::none || next == Keyword::then_) return syntax(cursor_.at);
   return read(next);
 }
 
@@ -112,7 +113,8 @@ Status StatementReader::loop_end(std::size_t begin) {
 Status StatementReader::loop_number(std::size_t begin) {
   cursor_.skip_blanks();
   Number read;
-  if (!is_digit(cursor_.peek()) || !read_number(cursor_, read) || read.has_point) return syntax(begin);
+  if (!is_digit(cursor_.peek())) return syntax(cursor_.at);
+  if (!read_number(cursor_, read) || read.has_point) return syntax(begin);
   if (!(read.value >= 1 && read.value <= 3)) return fail(alarm(AlarmId::do_number, span(begin, cursor_.at), read.value));
   block_.statement.loop = static_cast<std::uint8_t>(read.value);
   return {};
@@ -136,7 +138,7 @@ Status StatementReader::assignment(std::size_t begin) {
   if (!target) return fail(target.error());
   s.target = *target;
   cursor_.skip_blanks();
-  if (cursor_.peek() != '=') return syntax(cursor_.at < cursor_.text.size() ? cursor_.at : begin);
+  if (cursor_.peek() != '=') return syntax(cursor_.at);
   ++cursor_.at;
   cursor_.skip_blanks();
   const bool constant = s.target.end - s.target.begin == 1;
@@ -169,7 +171,7 @@ Status StatementReader::file_of_program() {
   const std::size_t begin = cursor_.at;
   if (cursor_.peek() == '<') {
     const std::size_t close = cursor_.text.find('>', begin);
-    if (close == std::string_view::npos) return syntax(begin);
+    if (close == std::string_view::npos) return fail(alarm(AlarmId::file_name, span(begin, cursor_.text.size()), cursor_.text.substr(begin)));
     block_.file_name = span(begin + 1, close);
     cursor_.at = close + 1;
     return {};
@@ -186,7 +188,7 @@ Status StatementReader::file_of_program() {
 /// DPRNT[…]: the text is kept; control/nct reads it.
 Status StatementReader::print(Keyword keyword, std::size_t begin) {
   cursor_.skip_blanks();
-  if (cursor_.peek() != '[') return syntax(cursor_.at < cursor_.text.size() ? cursor_.at : begin);
+  if (cursor_.peek() != '[') return syntax(cursor_.at);
   const std::size_t open = cursor_.at;
   int depth = 0;
   do {
@@ -210,8 +212,13 @@ Status StatementReader::ended(std::size_t begin) {
 }
 
 tl::unexpected<Alarm> StatementReader::syntax(std::size_t at) const {
-  const std::string_view shown = at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…");
-  return fail(alarm(AlarmId::expression_syntax, span(at, at + 1), shown));
+  std::size_t bytes = 1;
+  if (at < cursor_.text.size() && (static_cast<unsigned char>(cursor_.text[at]) & 0x80) != 0) {
+    bytes = std::max<std::size_t>(1, first_character(cursor_.text.substr(at)).size);
+    return fail(alarm(AlarmId::unexpected_character, span(at, at + bytes), cursor_.text.substr(at, bytes)));
+  }
+  const std::string_view shown = at < cursor_.text.size() ? cursor_.text.substr(at, bytes) : std::string_view("…");
+  return fail(alarm(AlarmId::expression_syntax, span(at, at + bytes), shown));
 }
 
 Span StatementReader::span(std::size_t begin, std::size_t end) const {

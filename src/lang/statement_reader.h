@@ -26,7 +26,7 @@ class StatementReader {
   Status assignment(std::size_t begin);
 
  private:
-  Status branch(std::size_t begin);
+  Status branch();
   Status condition();
   Status loop_while(std::size_t begin);
   Status loop_do(std::size_t begin);

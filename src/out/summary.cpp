@@ -153,6 +153,20 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   return text + line(w.alarms, fmt::format("{}, {} {}", alarms_, w.warnings, warnings_));
 }
 
+std::string channel_heading(int channel, Lang lang) { return fmt::format("{} {}\n", lang == Lang::ru ? "канал" : "channel", channel); }
+
+std::string channels_text(const std::vector<ChannelTime>& times, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  double longest = 0;
+  std::string all;
+  for (const ChannelTime& t : times) {
+    longest = std::max(longest, t.busy + t.waited);
+    all += fmt::format("{}{} {} {}", all.empty() ? "" : ", ", ru ? "канал" : "channel", t.channel, duration_text(t.busy + t.waited));
+    if (t.waited > 0) all += fmt::format(" ({} {})", ru ? "ожидание" : "waiting", duration_text(t.waited));
+  }
+  return line(ru ? "время обработки" : "machining time", fmt::format("{}: {}", duration_text(longest), all));
+}
+
 std::string duration_text(double seconds) {
   const auto tenths = static_cast<std::uint64_t>(std::round(std::clamp(seconds, 0.0, 1e15) * 10));
   const std::uint64_t whole = tenths / 10;

@@ -62,6 +62,16 @@ class Statistics {
   std::size_t in_spindle_ = 0;  // index in tools_; its size: none known
 };
 
+/// Of several channels: how long one was at work and how long it waited for others, s (nct 14.5).
+struct ChannelTime {
+  int channel = 1;
+  double busy = 0, waited = 0;
+};
+/// "channel 2", a line above its summary.
+std::string channel_heading(int channel, Lang lang);
+/// The time of all: the longest is the machining time.
+std::string channels_text(const std::vector<ChannelTime>& times, Lang lang);
+
 /// 3725.4 s → "1:02:05", 65.3 s → "1:05.3".
 std::string duration_text(double seconds);
 

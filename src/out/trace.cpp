@@ -60,6 +60,7 @@ char* TraceWriter::put_head(char* at, std::string_view kind, const Origin& origi
     at = put_block(put_text(at, R"(,"block":")"), origin);
     *at++ = '"';
   }
+  if (channel_ > 0) at = put_field(at, R"(,"channel":)", channel_);
   at = put_field(at, R"(,"line":)", origin.line);
   if (origin.column > 0) at = put_field(at, R"(,"col":)", origin.column);
   return at;
@@ -195,10 +196,6 @@ void TraceWriter::write(const Action& action, const MotionTime& time) {
   write_other(action);
 }
 
-void TraceWriter::write_channel(const LastLine& more) {
-  if (more.channel) out_.append(R"(,"channel":)" + std::to_string(*more.channel));
-}
-
 void TraceWriter::write_state(const Ending& ending, const LastLine& more) {
   out_.done(
       put_axes(put_axes(out_.room(line_room_), R"(,"position":)", ending.position), R"(,"machine_position":)", ending.machine_position));
@@ -229,14 +226,14 @@ void TraceWriter::write_state(const Ending& ending, const LastLine& more) {
 
 void TraceWriter::finish(const Ending& ending, const LastLine& more) {
   out_.append(R"({"do":"end")");
-  write_channel(more);
+  if (channel_ > 0) out_.append(R"(,"channel":)" + std::to_string(channel_));
   write_state(ending, more);
 }
 
 void TraceWriter::finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more) {
   const Alarm& alarm = report.alarm;
   out_.done(put_head(out_.room(head_room), "alarm", report.origin));
-  write_channel(more);
+  if (more.alarm_channel > 0) out_.append(R"(,"alarm_channel":)" + std::to_string(more.alarm_channel));
   out_.append(R"(,"id":)" + json_string(name_of(alarm.id)) + R"(,"number":)" + number_or_text(texts.number(alarm)));
   out_.append(R"(,"text":)" + json_string(sentence_of(report, texts, lang)) + R"(,"args":[)");
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {

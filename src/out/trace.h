@@ -10,21 +10,26 @@
 
 namespace kadr {
 
+/// What only some last lines have.
+struct LastLine {
+  std::string_view state{};  // JSON text; empty: none
+  int alarm_channel = 0;     // in which the alarm arose, if not in this one
+};
+
 class TraceWriter {
  public:
   /// `points`: parts of a motion at which the trace gives intermediate points. The file stays open, it is the caller's.
   TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start,
               std::vector<double> points = {});
 
+  /// Where there are several channels: each line names this one. They share the file: flush() before another one writes.
+  void set_channel(int channel) { channel_ = channel; }
+  void flush() { out_.flush(); }
+
   /// One line; FrameChange and ZoneChange give none. `time`: of a motion, by the TimeEstimate; without it the line has no
   /// length, seconds and highest feed.
   void write(const Action& action, const MotionTime& time = {});
 
-  /// What only some last lines have.
-  struct LastLine {
-    std::optional<int> channel;  // where there are several
-    std::string_view state;      // JSON text; empty: none
-  };
   /// The last line: the state after the run, and the alarm if one stopped it.
   void finish(const Ending& ending, const LastLine& more = {});
   void finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more = {});
@@ -42,11 +47,11 @@ class TraceWriter {
   void write_time(const Motion& motion, const MotionTime& time);
   void write_points(const Motion& motion, const MotionTime& time);
   void write_other(const Action& action);
-  void write_channel(const LastLine& more);
   void write_state(const Ending& ending, const LastLine& more);
 
   TextBuffer out_;
   AxisRoles roles_;
+  int channel_ = 0;  // 0: the only one
   std::vector<std::string> keys_;
   std::vector<std::string> names_;  // "X":
   std::size_t line_room_ = 0;       // characters that a head and two positions take at most

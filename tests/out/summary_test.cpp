@@ -64,6 +64,13 @@ TEST(summary, durations) {
   EXPECT_EQ(duration_text(3725.4), "1:02:05");
 }
 
+TEST(summary, channels) {
+  EXPECT_EQ(channel_heading(2, Lang::en), "channel 2\n");
+  EXPECT_EQ(channels_text({{1, 50, 0}, {2, 20.5, 40}}, Lang::en),
+            "machining time  1:00.5: channel 1 0:50.0, channel 2 1:00.5 (waiting 0:40.0)\n");
+  EXPECT_EQ(channels_text({{1, 1, 2}}, Lang::ru), "время обработки 0:03.0: канал 1 0:03.0 (ожидание 0:02.0)\n");
+}
+
 TEST(summary, work_position_follows_the_frame) {
   const std::vector<std::string> names = {"X", "Y", "Z"};
   Statistics s(names, 0, rates_of(MachineProfile{}, kadr::Setup{}, names), {});

@@ -233,7 +233,11 @@ TEST(trace, last_line) {
   EXPECT_EQ(traced([&](TraceWriter& w) { w.finish(ending); }), R"({"do":"end")" + state);
 
   const std::string more = state.substr(0, state.size() - 2) + R"(,"state":{"H":1}})" + "\n";
-  EXPECT_EQ(traced([&](TraceWriter& w) { w.finish(ending, {2, R"({"H":1})"}); }), R"({"do":"end","channel":2)" + more);
+  EXPECT_EQ(traced([&](TraceWriter& w) {
+              w.set_channel(2);
+              w.finish(ending, {R"({"H":1})", 0});
+            }),
+            R"({"do":"end","channel":2)" + more);
 
   ControlDef def;
   def.alarms[AlarmId::radius_mismatch] = {"2012", {"Radii {0} and {1}", "Радиусы {0} и {1}"}, {}};
@@ -245,6 +249,28 @@ TEST(trace, last_line) {
       traced([&](TraceWriter& w) { w.finish(ending, report, texts, Lang::ru); }),
       R"({"do":"alarm","block":"N2","line":2,"col":4,"id":"radius_mismatch","number":2012,"text":"Радиусы 3.05 и x\"y","args":[3.05,"x\"y"])" +
           state);
+}
+
+TEST(trace, channels) {
+  Action dwell{{}, Dwell{2}};
+  dwell.origin.line = 4;
+  EXPECT_EQ(traced([&](TraceWriter& w) {
+              w.set_channel(3);
+              w.write(dwell);
+              w.write({dwell.origin, Sync{501, {3, 1}, 2.5}});
+            }),
+            R"({"do":"dwell","channel":3,"line":4,"seconds":2})"
+            "\n"
+            R"({"do":"sync","channel":3,"line":4,"code":"M501","channels":[3,1],"at":2.5})"
+            "\n");
+  AlarmReport report;
+  report.alarm = alarm(AlarmId::channels_wait, {}, 1.0, "M501");
+  const AlarmTexts texts = AlarmTexts::load(nullptr).value();
+  const std::string last = traced([&](TraceWriter& w) {
+    w.set_channel(1);
+    w.finish({}, report, texts, Lang::en, {"", 2});
+  });
+  EXPECT_NE(last.find(R"("channel":1,"line":0,"alarm_channel":2,"id":"channels_wait")"), std::string::npos) << last;
 }
 
 std::string number(double value) {

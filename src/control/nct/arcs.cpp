@@ -71,7 +71,10 @@ class Arc {
 
   /// I, J, K from the start, or with CCA=1 from the zero of the work system; always radii, never polar.
   Result<PlaneArc> by_center() {
-    if (m_.modal.surface == PathSurface::cylinder) return fail(alarm(AlarmId::surface_state, m_.where(letters_.first), "I J K"));
+    if (m_.modal.surface == PathSurface::cylinder) {
+      const char letter = m_.has(letters_.first) ? letters_.first : letters_.second;
+      return fail(alarm(AlarmId::surface_state, m_.where(letter), letter));
+    }
     const bool absolute = m_.nct->settings.centers_absolute;
     const Vec2 words{m_.length_value(letters_.first), m_.length_value(letters_.second)};
     const Vec2 center = absolute ? words : from_ + words;

@@ -48,6 +48,18 @@ Status take_bare_words(Machinery& m) {
   return {};
 }
 
+/// G is no argument of G65, G66, G66.1: #10 holds their own number (23.3).
+Status one_g(const Machinery& m) {
+  bool found = false;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address != 'G') continue;
+    if (found) return fail(alarm(AlarmId::illegal_address, w.where, 'G'));
+    found = true;
+  }
+  return {};
+}
+
 /// One word an address, however it is spelled; at most eight M codes, one of each exclusive group (13.1).
 Status check_words(const Machinery& m) {
   std::uint64_t seen = 0;
@@ -101,7 +113,7 @@ Result<bool> call_with_block(Machinery& m) {
   Nct& nct = *m.nct;
   if (nct.active_modal_calls == 0 || !nct.modal_calls[nct.active_modal_calls - 1u].each_block) return false;
   if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
-  const auto arguments = arguments_of(m, 0);
+  const auto arguments = arguments_of(m, limits::block_words);  // every word is one: no code calls here
   if (!arguments) return fail(arguments.error());
   KADR_TRY(call_modal(m, *arguments));
   return true;
@@ -134,7 +146,7 @@ bool hidden(const Machinery& m) {
 void stop_single_block(Machinery& m, bool was_hidden) {
   constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
   const Nct& nct = *m.nct;
-  if (!nct.single_block || (nct.control_1 & 1u) != 0 || (nct.control_2 & m_ov) != 0 || m.cycle_run.active()) return;
+  if (!nct.single_block || (nct.control_1 & 1u) != 0 || (nct.control_2 & m_ov) != 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
   const bool macro = returned || m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
   if (hidden(m) || (macro && !(returned && was_hidden)) || m.has_code({Function::program_end})) return;
@@ -164,7 +176,9 @@ Result<bool> before_plan(Machinery& m) {
     return false;
   }
   const bool macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
-  if (!macro) {
+  if (macro) {
+    KADR_TRY(one_g(m));
+  } else {
     KADR_TRY(check_values(m));
     KADR_TRY(take_bare_words(m));
     KADR_TRY(check_words(m));

@@ -23,7 +23,7 @@ Result<std::uint32_t> repeats_of(const Machinery& m) {
 Result<CallRequest> named_program(Machinery& m, const Call& code, bool name_allowed) {
   CallRequest request;
   if (m.block->file_name.end != 0) {
-    if (!name_allowed) return fail(alarm(AlarmId::program_name_missing, m.block->file_name, code.row->code));
+    if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));  // 23.3: a file name with G65 only
     const auto place = m.nct->programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());
     request.place = *place;
@@ -113,7 +113,7 @@ Status return_from(Machinery& m, const Call& code) {
   if (!nct.repeated_arguments.empty() && nct.repeated_arguments.back().first == depth) nct.repeated_arguments.pop_back();
   nct.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
   if (frame.kind == CallFrame::Kind::interrupt) nct.end_interrupt(m, frame.return_to < 0);
-  if (frame.return_to >= 0) return go_to_block(m, frame.return_to, code.where);
+  if (frame.return_to >= 0) return go_to_block(m, frame.return_to, p != nullptr ? p->where : code.where);
   return {};
 }
 

@@ -9,15 +9,41 @@ namespace {
 
 constexpr const char* interrupt_signal = "CP_MINT";
 
-bool asked(Nct& nct) {
+bool signal_on(const Nct& nct) {
   const auto found = nct.signals.find(interrupt_signal);
-  const bool on = found != nct.signals.end() && found->second != 0;
+  return found != nct.signals.end() && found->second != 0;
+}
+
+bool asked(Nct& nct) {
+  const bool on = signal_on(nct);
   const bool rose = on && !nct.signal_was_on;
   nct.signal_was_on = on;
   return nct.settings.interrupt_edge ? rose : on;
 }
 
+/// The code is the machine's: N1758 #0 USD=0, or #4 MCD says that other codes do it.
+bool is_free(const Nct& nct, int code, int own) { return !nct.settings.interrupts || (nct.settings.interrupt_own_codes && code != own); }
+
+/// A running interrupt macro is aborted (13.1). INFERRED: as by M99, the calls it made included.
+Status abort_interrupt(Machinery& m, const Call& call) {
+  Nct& nct = *m.nct;
+  while (nct.interrupted.active && m.flow.depth() != 0) {
+    m.flow.innermost()->left = 1;
+    KADR_TRY(return_from(m, call));
+  }
+  return {};
+}
+
 }  // namespace
+
+Result<bool> interrupt_code(Machinery& m, const Call& call) {
+  const Settings& s = m.nct->settings;
+  if (!s.interrupts || !s.interrupt_own_codes) return false;
+  const int code = call.word->code / 10;
+  if (code != s.interrupt_on && code != s.interrupt_off) return false;
+  KADR_TRY(code == s.interrupt_on ? functions::interrupt_on(m, call) : functions::interrupt_off(m, call));
+  return true;
+}
 
 Result<bool> call_interrupt(Machinery& m, BlockMoment moment) {
   Nct& nct = *m.nct;
@@ -53,7 +79,8 @@ namespace kadr::functions {
 /// M96 P, M96 <file>: from now on the signal calls that program.
 Status interrupt_on(Machinery& m, const Call& call) {
   nct::Nct& nct = *m.nct;
-  if (!nct.settings.interrupts) return nct::machine_code(m, call);  // N1758 #0 USD=0: the code is the machine's
+  if (nct::is_free(nct, call.word->code / 10, nct.settings.interrupt_on)) return nct::machine_code(m, call);
+  nct.signal_was_on = nct::signal_on(nct);  // INFERRED: an edge before it does not count
   if (m.block->file_name.end != 0) {
     const auto place = nct.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());
@@ -70,9 +97,9 @@ Status interrupt_on(Machinery& m, const Call& call) {
 }
 
 Status interrupt_off(Machinery& m, const Call& call) {
-  if (!m.nct->settings.interrupts) return nct::machine_code(m, call);
+  if (nct::is_free(*m.nct, call.word->code / 10, m.nct->settings.interrupt_off)) return nct::machine_code(m, call);
   m.nct->interrupt_program.reset();
-  return {};
+  return nct::abort_interrupt(m, call);
 }
 
 }  // namespace kadr::functions

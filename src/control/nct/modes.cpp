@@ -119,7 +119,8 @@ Result<double> dwell_seconds(Machinery& m, double p, Span where) {
   if (!(p >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'P', p));
   if (m.modal.feed_mode != FeedMode::per_revolution || m.nct->settings.dwell_seconds) return p;
   const double rpm = m.nct->spindle_rpm(m);
-  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, "G4"));  // 8: the dwell would never end
+  const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
+  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: the dwell would never end
   return p * 60 / rpm;
 }
 

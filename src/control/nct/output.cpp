@@ -83,7 +83,9 @@ Status open_file_of(Machinery& m, const Statement& s, double mode) {
   if (m.block->file_name.end != 0) {
     Span place = m.block->file_name;
     const std::string name = m.flow.shown(m.block->text_of(m.block->file_name), place);
-    return placed(output.open_named(mode, name, program_path(m)), m.block->file_name);
+    const Status opened = output.open_named(mode, name, program_path(m));
+    const bool of_name = !opened && opened.error().id != AlarmId::file_mode && opened.error().id != AlarmId::file_already_open;
+    return placed(opened, of_name ? m.block->file_name : s.where);
   }
   const auto number = value_of(m, s.program);
   if (!number) return fail(number.error());

@@ -192,7 +192,7 @@ Result<double> ParameterStore::read(double number, std::optional<double> bit, st
   const auto out_of_range = [&](char letter, double value) { return fail(alarm(AlarmId::value_out_of_range, where, letter, value)); };
   const auto whole = whole_within(number, 0, most_number);
   const ParameterId id = whole ? find(*whole) : ParameterId::none;
-  if (id == ParameterId::none) return out_of_range('N', number);  // 24.2, inferred
+  if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, where, number));  // 24.2, inferred
   const ParameterRow& of = row(id);
   const bool of_bits = of.type == ParameterType::bits;
   if (of_bits && !bit) return fail(alarm(AlarmId::parameter_argument, where, 2.0));
@@ -241,10 +241,10 @@ Status ParameterStore::write(const Write& w) {
   if (!w.n) return fail(missing(w, 'N'));
   const auto number = whole_within(w.n->value, 0, most_number);
   const ParameterId id = number ? find(*number) : ParameterId::none;
-  if (id == ParameterId::none) return fail(beyond('N', *w.n));
+  if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, w.n->where, w.n->value));
   const ParameterRow& of = row(id);
   if (of.when != ParameterClass::run_time)
-    return fail(alarm(AlarmId::parameter_not_writable, w.n->where, std::string_view(spelled(of.name))));
+    return fail(alarm(AlarmId::parameter_not_writable, w.n->where, std::string_view(of.name)));
   const auto index = nct::index_of(w, of.scope, context_.channel);
   if (!index) return fail(index.error());
   const auto bit = nct::bit_of(w, of.type);

@@ -87,7 +87,7 @@ Result<ProgramPlace> Programs::by_number(Machinery& m, std::uint32_t number, Spa
 }
 
 Result<ProgramPlace> Programs::by_name(Machinery& m, std::string_view name, Span where) {
-  if (name.empty() || characters(name) > most_name) return fail(alarm(AlarmId::file_name, where, name));
+  if (name.empty() || characters(name) > most_name || name.find('/') != std::string_view::npos) return fail(alarm(AlarmId::file_name, where, name));
   const fs::path folder = fs::path(m.flow.file()).parent_path();
   const fs::path relative = path_of(name);
   const fs::path whole = (folder / relative).lexically_normal();

@@ -102,6 +102,7 @@ Status set_tables(Machinery& m, const Call& call) {
 
 Status data_line(Machinery& m) {
   if (m.has_code({Function::set_tables_end})) {
+    if (m.block->word_count > 1) return fail(alarm(AlarmId::own_block, m.block->words[0].where, "G11"));
     m.nct->close_data();
     return {};
   }

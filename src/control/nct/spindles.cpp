@@ -1,9 +1,12 @@
 // Spindles by name and number, constant surface speed, positioning, ranges (spec/nct/11).
 
+#include <algorithm>
 #include <cmath>
 
 #include "control/functions.h"
+#include "control/nct/interrupt.h"
 #include "control/nct/nct.h"
+#include "control/nct/waiting.h"
 
 namespace kadr::nct {
 namespace {
@@ -43,7 +46,7 @@ std::string name_of_spindle(const Machinery& m, int number) {
 Status own_spindle(const Machinery& m, int number, Span where) {
   const SpindleState& s = m.nct->spindle(number);
   if (!s.known || s.channel == m.def.channel) return {};
-  return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(m.def.channel)));
+  return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(s.channel)));
 }
 
 /// Turns the spindle by `degrees` in the position loop.
@@ -157,6 +160,9 @@ Status css_on(Machinery& m, const Call&) {
   if (m.has('P')) {
     const auto axis = m.whole('P', 1, 32);
     if (!axis) return fail(axis.error());
+    const auto& numbers = m.def.axis_numbers;
+    if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) == numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
+      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED, as AX[n] (23.2.12)
     m.nct->state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;
@@ -177,8 +183,13 @@ Status css_off(Machinery& m, const Call&) {
 
 namespace kadr::nct {
 
-/// M codes for the machine: indexing (11.7.3), closing the loop (11.7.2), optional spindle codes (11.2), all others.
+/// M codes for the machine: indexing (11.7.3), closing the loop (11.7.2), optional spindle codes (11.2), all others. Waiting
+/// codes stay in the control (14.5).
 Status machine_code(Machinery& m, const Call& call) {
+  auto own_code = waiting_code(m, call);
+  if (own_code && !*own_code) own_code = interrupt_code(m, call);
+  if (!own_code) return fail(own_code.error());
+  if (*own_code) return {};
   Nct& nct = *m.nct;
   const int code = call.word->code / 10;
   const int number = nct.state.current_spindle;

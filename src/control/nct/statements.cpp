@@ -44,6 +44,7 @@ Status loop(Machinery& m, const Statement& s, bool holds) {
 Status loop_end(Machinery& m, const Statement& s) {
   const Loop* const found = m.flow.program_file().loop_to(m.block->position);
   if (found == nullptr) return fail(alarm(AlarmId::end_without_do, s.where, double(s.loop)));
+  if (found->damaged) return {};
   if (found->fault != AlarmId::count) return faulty(*found, s.where);
   m.flow.jump(found->begin);
   return {};

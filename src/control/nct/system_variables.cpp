@@ -197,7 +197,7 @@ Status write_plain(Machinery& m, const Found& f, double value, Span where) {
     case VariableKind::single_block_lock: return write_control(n.control_1, *f.row, value, 255, where);
     case VariableKind::override_lock: return write_control(n.control_2, *f.row, value, 7, where);
     case VariableKind::tool_magazine:
-      KADR_TRY(ToolManagement::check_magazine(value));
+      if (!ToolManagement::check_magazine(value)) return fail(alarm(AlarmId::magazine_number, where, value));
       n.tool_magazine = value;
       return {};
     default: return fail(alarm(AlarmId::not_available, where, "#" + std::to_string(f.row->ranges.front().from)));
