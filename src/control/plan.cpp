@@ -44,8 +44,12 @@ class Planner {
       const Word& word = block_.words[i];
       if (word.address == 0) continue;
       const std::uint64_t bit = letter_bit(word.address);
-      if ((letters_.codes & bit) != 0) KADR_TRY(code(word, static_cast<std::uint8_t>(i)));
-      else if ((letters_.acting & bit) != 0) acting(word, static_cast<std::uint8_t>(i));
+      if ((letters_.codes & bit) != 0) {
+        KADR_TRY(code(word, static_cast<std::uint8_t>(i)));
+        if (calls_macro_) break;
+      } else if ((letters_.acting & bit) != 0) {
+        acting(word, static_cast<std::uint8_t>(i));
+      }
     }
     if (axes_taker_ != nullptr && motion_word_ != nullptr && !leaves_mode(axes_taker_function_))
       return fail(
@@ -89,6 +93,12 @@ class Planner {
     if (row.own_block) own_block_ = &word, own_takes_ = row.takes;
     plan_.taken |= row.takes;
     ++code_count_;
+    if (row.function == Function::macro_call || row.function == Function::macro_modal) {  // nct 23.3: all other words are arguments
+      calls_macro_ = true;
+      plan_.taken = ~std::uint64_t{0};
+      plan_.count = 0;
+      axes_taker_ = motion_word_ = nullptr;
+    }
     if (row.needs_axis && (block_.letters & letters_.axes) == 0) return fail(alarm(AlarmId::no_axis_word, word.where, row.code));
     if (const std::uint64_t missing = row.needs & ~block_.letters; missing != 0)
       return fail(alarm(AlarmId::word_missing, word.where, static_cast<char>('A' + std::countr_zero(missing)), row.code));
@@ -237,6 +247,7 @@ class Planner {
   std::array<std::uint8_t, most_groups> first_of_group_{};  // index of its item; means something only where groups_seen_ has the bit
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
+  bool calls_macro_ = false;
   const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;

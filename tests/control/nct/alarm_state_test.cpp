@@ -35,19 +35,18 @@ const std::string shows =
     "#110=#4001\n#111=#4003\n#112=#4109\n#113=#4119\n#114=#4120\n#115=#4113\n#116=#5041\n#117=#5021\n#118=#8402\n#119=#10001\n#120=#5221\n"
     "#121=#4111\n#122=#4107\n#123=#4114\n#124=#1100\n#125=#3901\n#126=#4130\n#127=#199\n#128=#4115\n#129=PRM[1339]\n"
     "X7 Y3\nG91 X1 Y1 Z1 C10\nG90 G1 X1 F50\nG43 H1 Z3\nH2 Z4\nG49 Z5\nG55 X2\nG54 X3\nG54.1 P3 X4\nG54 G0 X0 Y0\nM3\nM5\nT72 M6\nT71\nM6\n"
-    "G2 X8 Y1 R20\nG67\nG50.1\nG15\nG13.1\nG0 X2 C5\n";
+    "G67\nG50.1\nG15\nG13.1\nG0 X2 C5\nG2 X8 Y1 R20\n";
 
 TEST(alarm_on_nct, leaves_everything_as_it_was) {
-  const std::string head = "F100\n#1=3\n#100=4\n";
-  const std::string programs = "M30\nO300\n#101=#101+1\nX#24 Y#25\nM99\nO301\nY1\nM99\nO302\nM99 P77\n";
+  const std::string head = "GOTO10\nO300\n#101=#101+1\nX#24 Y#25\nM99\nO301\nY1\nM99\nN10 F100\n#1=3\n#100=4\n";
   const Scene scenes[] = {
-      {"nct", head + "G1 X1 Y1\n", shows + programs},
-      {"nct", head + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows + programs},
-      {"nct", head + "G51.1 X5\nG1 X2\n", "X6\nY20\n" + shows + programs},
-      {"nct", head + "G92 X5\nG52 Y3\nG1 X2\n", "G92 X6\nX7\nG52 X0 Y0\n" + shows + programs},
-      {"nct", head + "G66 P301\nG1 X2\n", "X6\n" + shows + programs},
-      {"nct", head + "T71 M6\nS500 M3\nT72\nG0 X2\n", "M5\n" + shows + programs},
-      {"nct", head + "G91 G0 X1\nG95 S300 M4\n", "G90 G94\n" + shows + programs},
+      {"nct", head + "G1 X1 Y1\n", shows},
+      {"nct", head + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows},
+      {"nct", head + "G51.1 X5\nG1 X2\n", "X6\nY20\n" + shows},
+      {"nct", head + "G92 X5\nG52 Y3\nG1 X2\n", "G92 X6\nX7\nG52 X0 Y0\n" + shows},
+      {"nct", head + "G66 P301\nG1 X2\n", "X6\n" + shows},
+      {"nct", head + "T71 M6\nS500 M3\nT72\nG0 X2\n", "M5\n" + shows},
+      {"nct", head + "G91 G0 X1\nG95 S300 M4\n", "G90 G94\n" + shows},
   };
   const char* faults[] = {
       "#1=7/0",
@@ -58,9 +57,8 @@ TEST(alarm_on_nct, leaves_everything_as_it_was) {
       "#5221=99999999",
       "#1100=2",
       "#3000=1(STOP)",
-      "G1 X9 F77 Q7",
       "G1 X99999999 F77",
-      "X3 Y99999999",
+      "G1 X3 Z99999999",
       "G0 X[1/0]",
       "G2 X9 Y1 I50 J3",
       "G91 G2 X9 Y1 I50 J3",
@@ -77,13 +75,13 @@ TEST(alarm_on_nct, leaves_everything_as_it_was) {
       "G55 X99999999",
       "G54.1 P3 X99999999",
       "G54.1 P100",
-      "G18 X99999999",
+      "G18 Z99999999",
       "G61 X99999999",
       "G16 X99999999",
       "G92 X5 Q7",
       "G52 X5 Q7",
-      "G10 L2 P1 X9 Q7",
-      "G10 L10 P1 R9 Q7",
+      "G10 L2 P1 X9 R7 M98 P999",
+      "G10 L10 P1 R9 M98",
       "G10 L2 P1 X99999999",
       "G51.1 X5 Q7",
       "G28 X5 Q7",
@@ -111,7 +109,7 @@ TEST(alarm_on_nct, leaves_everything_as_it_was) {
       "M2 M30 Q7",
       "G17 G18",
       "AX[9]=5",
-      "AX[1]=5 Q7",
+      "AX[1]=99999999",
       "M30 Q7",
       "G33 X5",
       "(COMMENT) X5 Y",
