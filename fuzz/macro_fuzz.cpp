@@ -115,7 +115,8 @@ bool same(const Read& a, const Read& b) {
   if (a.alarm) return true;
   const auto pairs = [](const auto& x, const auto& y) { return same(x.first, y.first) && x.second == y.second; };
   const auto words = [](const auto& x, const auto& y) { return x.first == y.first && same(x.second, y.second); };
-  return a.kind == b.kind && a.instructions == b.instructions && std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), pairs) &&
+  return a.kind == b.kind && a.instructions == b.instructions &&
+         std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), pairs) &&
          std::equal(a.words.begin(), a.words.end(), b.words.begin(), b.words.end(), words);
 }
 

@@ -82,7 +82,8 @@ void add_parameters(kadr::Setup& s, unsigned switches) {
   s.parameters[key("N1703")] = 540.0;
   s.parameters[key("N0107.C#0")] = 1.0;
   s.parameters[key("N1333")] = std::string("B");
-  for (const char* const bit : {"N1755#0", "N1755#1", "N1758#1", "N1758#3", "N1337#1"}) s.parameters[key(bit)] = (switches & calls_inside) != 0 ? 1.0 : 0.0;
+  for (const char* const bit : {"N1755#0", "N1755#1", "N1758#1", "N1758#3", "N1337#1"})
+    s.parameters[key(bit)] = (switches & calls_inside) != 0 ? 1.0 : 0.0;
   for (const char* const bit : {"N1746#3", "N1746#4", "N1757#0"}) s.parameters[key(bit)] = (switches & letters_bound) != 0 ? 1.0 : 0.0;
 }
 
@@ -93,7 +94,8 @@ kadr::Setup nct_setup(unsigned switches) {
   s.offsets[1] = {50, 5};
   s.offsets[2] = {-12.5, 0};
   s.offsets[9] = {33.3, 0};
-  s.work_offsets = {{"G54", {{"X", 100}, {"Y", 50}}}, {"G55", {{"Z", -25}, {"G17", 30}}}, {"common", {{"X", 1}}}, {"G54.1 P2", {{"C", 90}}}};
+  s.work_offsets = {
+      {"G54", {{"X", 100}, {"Y", 50}}}, {"G55", {{"Z", -25}, {"G17", 30}}}, {"common", {{"X", 1}}}, {"G54.1 P2", {{"C", 90}}}};
   s.variables = {{"#100", 3.5}, {"#500", -2}, {"#1", std::nullopt}};
   s.reference_points = {{1, {{"X", 500}, {"Y", 400}, {"Z", 300}}}, {2, {{"Z", 200}}}};
   s.probe[1] = kadr::AxisValues{{"X", 60}, {"Z", -5}};

@@ -45,14 +45,18 @@ struct Shop {
   RunLimits limits = few_passes;
   Setup (*setup)(unsigned switches) = some_setup;
   bool plain_frames = true;  // machine = work + origin + length always
-  std::function<void(Control&, const Origin&, bool at_end)> logic{};  // of the machine, around each block (nct), with the switch `machine_logic`
+  std::function<void(Control&, const Origin&, bool at_end)>
+      logic{};  // of the machine, around each block (nct), with the switch `machine_logic`
 
   static Shop open(const char* control) {
     auto def = load_control(control);
     require(def.has_value(), "the control's file is good");
     auto texts = AlarmTexts::load(&*def);
     require(texts.has_value(), "the alarm texts are good");
-    return {.def = std::move(*def), .texts = std::move(*texts), .profile = std::move(*load_machine("generic")), .nowhere = std::fopen("/dev/null", "wb")};
+    return {.def = std::move(*def),
+            .texts = std::move(*texts),
+            .profile = std::move(*load_machine("generic")),
+            .nowhere = std::fopen("/dev/null", "wb")};
   }
 };
 
@@ -149,7 +153,8 @@ class Run {
     const Ending after = control_.ending();
     require(before_block_.variables == after.variables, "a faulty block changes no variable");
     require(before_block_.modal == after.modal, "a faulty block changes no mode");
-    require(near(before_block_.position, after.position) && near(before_block_.machine_position, after.machine_position), "a faulty block moves nothing");
+    require(near(before_block_.position, after.position) && near(before_block_.machine_position, after.machine_position),
+            "a faulty block moves nothing");
   }
 
   void take(Action& action) {

@@ -86,7 +86,9 @@ inline TreeValue of_function(const std::string& name, double x) {
   if (name == "SQRT") return x < 0 ? TreeValue(AlarmId::root_of_negative) : TreeValue(std::sqrt(x));
   if (name == "SIN") return sincos_deg(x).sin;
   if (name == "COS") return sincos_deg(x).cos;
-  if (name == "TAN") return std::fabs(std::fmod(x, 180)) == 90 ? TreeValue(AlarmId::tangent_of_right_angle) : TreeValue(sincos_deg(x).sin / sincos_deg(x).cos);
+  if (name == "TAN")
+    return std::fabs(std::fmod(x, 180)) == 90 ? TreeValue(AlarmId::tangent_of_right_angle)
+                                              : TreeValue(sincos_deg(x).sin / sincos_deg(x).cos);
   if (name == "ASIN" || name == "ACOS") {
     if (std::fabs(x) > 1) return AlarmId::argument_above_one;
     return (name == "ASIN" ? std::asin(x) : std::acos(x)) / rad_per_deg;

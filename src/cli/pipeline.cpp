@@ -110,7 +110,8 @@ Carrier::Step Carrier::step() {
   const Control::State state = control_.run(batch_);  // lang, control: blocks → actions
   const ToolPosition before = machine_.position();
   const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
-  const auto taken = machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });  // limits, zones, probes
+  const auto taken =
+      machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });  // limits, zones, probes
   batch_.cut(taken.done);
   for (const Action& action : batch_) outlets_.action(action);  // out: trace, summary, plot
   if (estimate_) count_time(before);
@@ -165,8 +166,7 @@ void Carrier::count_time(const ToolPosition& from) {
   for (const Action& action : batch_) {
     if (const auto* const motion = std::get_if<Motion>(&action.what))
       (void)estimate_->motion(*motion, Curve(machine_.roles(), at.work, *motion));
-    else
-      estimate_->other(action);
+    else estimate_->other(action);
     at.take(action);
   }
 }

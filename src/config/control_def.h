@@ -51,7 +51,7 @@ struct AddressRow {
   char letter = 0;
   Function function = Function::count;  // count: the control has no such address
   Phase phase = Phase::none;
-  std::uint8_t axis = 0;  // of `axis` and `center`: index in ControlDef::axes
+  std::uint8_t axis = 0;    // of `axis` and `center`: index in ControlDef::axes
   std::uint8_t number = 0;  // of a spindle; of an auxiliary function 1 to 3
   WordUnit unit = WordUnit::none;
   double scale = 1;       // the word's value times this is in mm, degrees, s, …
@@ -220,12 +220,12 @@ struct ControlDef {
   std::string descriptor;            // the format string
   Grammar grammar;
   Behaviour behaviour;
-  std::vector<std::string> axes;  // names in order
-  std::uint32_t rotary = 0;       // bit per axis
+  std::vector<std::string> axes;                      // names in order
+  std::uint32_t rotary = 0;                           // bit per axis
   std::array<std::uint8_t, max_axes> axis_numbers{};  // control-wide, from 1 (nct 2.1)
   std::uint8_t channel = 1;
-  std::vector<GroupRow> groups;   // [0] is no group
-  std::vector<CodeRow> codes;     // in the file's order
+  std::vector<GroupRow> groups;  // [0] is no group
+  std::vector<CodeRow> codes;    // in the file's order
   std::array<AddressRow, most_addresses> addresses{};
   std::vector<CycleRow> cycles;
   std::vector<VariableRow> variables;
@@ -237,9 +237,9 @@ struct ControlDef {
   std::map<std::int32_t, double> feed_codes;  // coded F and S (spec/gost 3), empty: direct
   std::map<std::int32_t, double> speed_codes;
 
-  static constexpr std::int32_t most_tenths = 100'000;      // G9999.9, M9999.9: codes with a row
+  static constexpr std::int32_t most_tenths = 100'000;       // G9999.9, M9999.9: codes with a row
   static constexpr std::int32_t most_codes = 1'000'000'000;  // M99999999: codes at all
-  std::vector<std::int16_t> g_rows;                     // by tenth → row, -1: unknown
+  std::vector<std::int16_t> g_rows;                          // by tenth → row, -1: unknown
   std::vector<std::int16_t> m_rows;
   std::int32_t m_user_from = -1;  // other M codes that go to the machine (free functions, macros M100…)
   std::int32_t m_user_to = -1;

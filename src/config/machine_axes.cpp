@@ -163,7 +163,8 @@ class Fitter {
   void rows_that_take_axes() {
     std::uint64_t mask = 0;
     for (std::size_t i = 0; i < most_addresses; ++i)
-      if (def_.addresses[i].function == Function::axis || def_.addresses[i].function == Function::increment_axis) mask |= std::uint64_t{1} << i;
+      if (def_.addresses[i].function == Function::axis || def_.addresses[i].function == Function::increment_axis)
+        mask |= std::uint64_t{1} << i;
     for (CodeRow& row : def_.codes)
       if (row.takes_all_axes) row.takes |= mask | letter_bit(indirect_axis);
   }

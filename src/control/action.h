@@ -45,13 +45,13 @@ struct MotionDetail {
   AxisMask rolled = 0;  // rotary axes that roll over: `travel` is their signed way, degrees (nct 5.6)
   Axes travel{};
   PathSurface surface = PathSurface::plane;
-  Vec2 flat_from;      // polar: the programmed plane, mm; cylinder: the unrolled surface, mm
-  Vec2 flat_to;        // (the arc's centre and turns stand in it too)
-  double radius = 0;   // of the cylinder, mm
-  double side = 1;     // polar: sign of the linear axis at G12.1
-  double offset = 0;   // polar: perpendicular offset of the rotation centre, mm
+  Vec2 flat_from;          // polar: the programmed plane, mm; cylinder: the unrolled surface, mm
+  Vec2 flat_to;            // (the arc's centre and turns stand in it too)
+  double radius = 0;       // of the cylinder, mm
+  double side = 1;         // polar: sign of the linear axis at G12.1
+  double offset = 0;       // polar: perpendicular offset of the rotation centre, mm
   double rotary_most = 0;  // polar: degrees/min, 0: no limit
-  Axes programmed{};   // end point as the program's words mean it
+  Axes programmed{};       // end point as the program's words mean it
   bool has_programmed = false;
   std::optional<double> lead;         // of a thread, mm
   std::optional<double> start_angle;  // of the spindle at its start, degrees
@@ -67,17 +67,17 @@ struct Motion {
   std::uint8_t second = 1;  //
   FeedUnit unit = FeedUnit::mm_per_min;
   FeedAlong along = FeedAlong::path;
-  bool exact = false;        // exact stop at its end
-  bool own_override = false;  // feed override counts as 100 % (tapping, threads)
-  bool in_position = false;   // at its end the axes must come into position (nct 4.1.1, 6.3)
-  AxisMask named = 0;    // axes whose position it gives anew
-  Axes to;               // work coordinates at its end
-  Axes machine;          // machine coordinates at its end
-  Vec2 center;           // of an arc: of its first and second axis, work coordinates
-  double turns = 0;      // swept angle / 360, positive; the radius changes linearly with the angle
-  double feed = 0;       // as commanded, in `unit`
-  double tolerance = 0;  // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
-  double join = 0;       // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
+  bool exact = false;                          // exact stop at its end
+  bool own_override = false;                   // feed override counts as 100 % (tapping, threads)
+  bool in_position = false;                    // at its end the axes must come into position (nct 4.1.1, 6.3)
+  AxisMask named = 0;                          // axes whose position it gives anew
+  Axes to;                                     // work coordinates at its end
+  Axes machine;                                // machine coordinates at its end
+  Vec2 center;                                 // of an arc: of its first and second axis, work coordinates
+  double turns = 0;                            // swept angle / 360, positive; the radius changes linearly with the angle
+  double feed = 0;                             // as commanded, in `unit`
+  double tolerance = 0;                        // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+  double join = 0;                             // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
   std::shared_ptr<const MotionDetail> detail;  // mostly nullptr
 };
 
@@ -149,7 +149,7 @@ struct Sync {
 struct ZoneChange {
   bool on = false;
   bool outside_forbidden = false;
-  AxisMask axes = 0;      // with limits; the others are free
+  AxisMask axes = 0;     // with limits; the others are free
   Axes least{}, most{};  // of these, machine coordinates; infinite: no limit
 };
 /// The frame of what follows: machine = work + origin + length. Not a command to the machine: the tool stands, `work` are
@@ -157,7 +157,7 @@ struct ZoneChange {
 /// With a basic rotation (nct 10.2.3): machine = origin + length + turn · (shift + work) on the three `main` axes.
 struct FrameRotation {
   std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  // of the matrix
-  std::array<std::int8_t, 3> main{0, 1, 2};                             // axes X, Y, Z by index, -1: none
+  std::array<std::int8_t, 3> main{0, 1, 2};                               // axes X, Y, Z by index, -1: none
   friend bool operator==(const FrameRotation&, const FrameRotation&) = default;
 };
 struct FrameChange {
@@ -217,7 +217,7 @@ struct AlarmReport {
 /// What a probe motion met: handed back to `control` before the next block (design.md 1, the only backward arrow).
 struct ProbeAnswer {
   bool touched = false;
-  Axes at{};  // work coordinates where the motion ended
+  Axes at{};        // work coordinates where the motion ended
   double part = 1;  // of the way that was made
 };
 

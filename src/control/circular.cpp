@@ -47,7 +47,8 @@ class Circular {
     AxisMask named = 0;
     Axes end;
     KADR_TRY(m_.target(end, named));
-    const std::uint64_t used = m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : std::uint64_t{0});
+    const std::uint64_t used =
+        m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : std::uint64_t{0});
     if ((m_.block->letters & used) == 0) return {};  // the code alone: only the mode
     if (m_.def.behaviour.correctors && m_.has('L'))
       return fail(alarm(AlarmId::not_together, m_.where('L'), "L", turn_ == Turn::cw ? "G2" : "G3"));

@@ -87,7 +87,8 @@ std::optional<std::uint16_t> Flow::open_built_in(const std::string& name) {
   if (const auto known = opened_.find(file); known != opened_.end()) return known->second;
   for (const EmbeddedFile& row : embedded_files()) {
     if (row.name != file) continue;
-    files_.push_back(std::make_unique<ProgramFile>(name + " (" + def_.id + ")", text_source(std::string(row.text)), def_.grammar, Encoding::utf8));
+    files_.push_back(
+        std::make_unique<ProgramFile>(name + " (" + def_.id + ")", text_source(std::string(row.text)), def_.grammar, Encoding::utf8));
     const auto reader = static_cast<std::uint16_t>(files_.size() - 1);
     opened_.emplace(file, reader);
     return reader;

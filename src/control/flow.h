@@ -19,8 +19,8 @@ namespace kadr {
 struct CallFrame {
   enum class Kind : std::uint8_t { subprogram, cycle_body, repetition, macro, interrupt };
   Kind kind = Kind::subprogram;
-  Position start;           // first block of its body
-  Position back;            // where the caller goes on
+  Position start;            // first block of its body
+  Position back;             // where the caller goes on
   std::uint16_t reader = 0;  // of the body: 0 the program, 1 the cycle bodies, then other files
   std::uint16_t back_reader = 0;
   std::uint32_t name = 0;  // subprogram number

@@ -15,11 +15,7 @@ namespace kadr {
 
 Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, RunLimits limits,
                      std::shared_ptr<nct::Commons> commons)
-    : own_def(std::move(own)),
-      def(own_def ? *own_def : control),
-      letters(def),
-      variables(def),
-      flow(def, std::move(program), limits) {
+    : own_def(std::move(own)), def(own_def ? *own_def : control), letters(def), variables(def), flow(def, std::move(program), limits) {
   modal.rows.fill(-1);
   if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, limits, std::move(commons));
   waiting.known = nct::channels_of(setup);
@@ -237,7 +233,6 @@ void Machinery::fail_with(const Alarm& failed) {
   stopped_ = true;
 }
 
-
 Status Machinery::execute() {
   if (block->marker != Marker::none || skipping_section_ || !flow.started) {
     KADR_TRY(structure());
@@ -361,6 +356,5 @@ Status Machinery::structure() {
   if (!def.grammar.program_start_required) return {};
   return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
 }
-
 
 }  // namespace kadr

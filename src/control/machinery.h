@@ -22,7 +22,7 @@ namespace kadr {
 namespace nct {
 class Nct;
 struct Commons;
-}
+}  // namespace nct
 
 class Machinery;
 
@@ -145,7 +145,7 @@ class Machinery {
   CycleMemory cycle_memory;
   CycleRun cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<Running> running;       // a cycle of the NCT
+  std::unique_ptr<Running> running;  // a cycle of the NCT
   PocketCycle pocket;
   std::unique_ptr<nct::Nct> nct;          // where the control is an NCT
   std::vector<double> corrector_applied;  // by corrector and axis: what it added last (spec/correctors 1)
@@ -168,7 +168,7 @@ class Machinery {
   std::string call_text;  // block that called the cycle body being carried out, and its L word
   Span call_where;
 
-  Block first_block;           // before the first one is read
+  Block first_block;            // before the first one is read
   Block* block = &first_block;  // being carried out
   Origin origin;
   ActionBatch* batch = nullptr;
@@ -271,8 +271,8 @@ class Machinery {
   bool start_missing_reported_ = false;
   bool skipping_section_ = false;
   // of a block that the machine's logic watches (nct 23.4)
-  bool in_interrupt_ = false;         // it belongs to an interrupt macro
-  bool again_ = false;                // the block in hand comes once more
+  bool in_interrupt_ = false;        // it belongs to an interrupt macro
+  bool again_ = false;               // the block in hand comes once more
   std::optional<Position> resumed_;  // the block that was to begin when an interrupt macro came
   std::vector<double> clocks_;       // numbers of the clock variables
   bool first_frames_ = true;

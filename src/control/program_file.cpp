@@ -15,7 +15,8 @@ std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
   const auto number_behind = [&](std::string_view word) -> std::uint8_t {
     for (std::size_t at = capitals.find(word); at != std::string::npos; at = capitals.find(word, at + 1)) {
       const std::size_t digit = capitals.find_first_not_of(' ', at + word.size());
-      if (digit != std::string::npos && capitals[digit] >= '1' && capitals[digit] <= '3') return static_cast<std::uint8_t>(capitals[digit] - '0');
+      if (digit != std::string::npos && capitals[digit] >= '1' && capitals[digit] <= '3')
+        return static_cast<std::uint8_t>(capitals[digit] - '0');
     }
     return 0;
   };

@@ -22,10 +22,10 @@ struct KeptBlock {
 
 /// DO … END of a file, paired as they stand in the text.
 struct Loop {
-  Position begin;      // the block with DO
-  Position body;       // behind it
-  Position end;        // the block with END
-  Position behind;     // behind that
+  Position begin;   // the block with DO
+  Position body;    // behind it
+  Position end;     // the block with END
+  Position behind;  // behind that
   AlarmId fault = AlarmId::count;
   std::uint8_t number = 0;  // 0: WHILE whose DO is missing
   bool damaged = false;     // one of the two blocks cannot be read: END does nothing
@@ -71,8 +71,8 @@ class ProgramFile {
   Block in_hand_;
   Position place_;
   bool keeps_ = false;
-  KeptBlock* last_ = nullptr;  // handed out last
-  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;  // by offset: one block a line
+  KeptBlock* last_ = nullptr;                                            // handed out last
+  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by offset: one block a line
   std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {from, number} → place
   std::vector<Loop> loops_;
   std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;

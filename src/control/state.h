@@ -70,18 +70,18 @@ struct Modal {
   double polar_radius = 0;
   double polar_angle = 0;
   // nct
-  bool polar_data = false;           // G16
-  bool polar_radius_given = false;   // since G16, and as an absolute one
+  bool polar_data = false;          // G16
+  bool polar_radius_given = false;  // since G16, and as an absolute one
   bool polar_radius_absolute = true;
   bool polar_angle_given = false;
-  std::uint8_t smoothing = 0;        // Q of G5.1: 2, 3
+  std::uint8_t smoothing = 0;                // Q of G5.1: 2, 3
   PathSurface surface = PathSurface::plane;  // G12.1, G7.1
-  double surface_radius = 0;         // of the cylinder, mm
-  double surface_side = 1;           // sign of the linear axis at G12.1
-  AxisMask diameter = 0;             // axes in diameter programming
-  Axes new_system{};                 // shift of G92
-  Axes local{};                      // shift of G52
-  Axes lengths{};                    // by G43, G44 on each axis, with their sign
+  double surface_radius = 0;                 // of the cylinder, mm
+  double surface_side = 1;                   // sign of the linear axis at G12.1
+  AxisMask diameter = 0;                     // axes in diameter programming
+  Axes new_system{};                         // shift of G92
+  Axes local{};                              // shift of G52
+  Axes lengths{};                            // by G43, G44 on each axis, with their sign
 };
 
 /// Programmed → work coordinates: scale, mirror, rotation about a point, what axis correctors have added.
@@ -122,11 +122,11 @@ struct Frames {
 
 /// Tables of the control that a program reads (and, with G10, writes).
 struct Tables {
-  std::vector<ToolOffset> offsets;  // by number; [0] is none
+  std::vector<ToolOffset> offsets;                  // by number; [0] is none
   std::vector<Axes> zeros = std::vector<Axes>(10);  // work zeros 1… ; [0] is none
-  std::vector<Vec3> rotations;      // basic rotations of the zeros: angles in G17, G18, G19 (nct 10.2.3)
-  Axes common{};                    // common work offset
-  Axes zero_shift{};                // temporary shift on top (G92 of the 2С42 and GOST)
+  std::vector<Vec3> rotations;                      // basic rotations of the zeros: angles in G17, G18, G19 (nct 10.2.3)
+  Axes common{};                                    // common work offset
+  Axes zero_shift{};                                // temporary shift on top (G92 of the 2С42 and GOST)
   std::vector<double> correctors;
   std::array<Axes, 5> reference{};  // reference points 1…4, machine
 };

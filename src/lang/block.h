@@ -28,7 +28,7 @@ enum class Op : std::uint8_t {
   logic_and,
   logic_or,
   logic_xor,
-  equal,      // comparisons: a vacant value is greater than every number and equal to itself (nct 23.1.6)
+  equal,  // comparisons: a vacant value is greater than every number and equal to itself (nct 23.1.6)
   not_equal,
   greater,
   greater_equal,
@@ -121,8 +121,8 @@ struct Statement {
   std::uint8_t condition_count = 0;  // of IF or WHILE: all must be true
   bool with_if = false;
   std::array<Expression, limits::conditions> conditions{};
-  Expression target;  // assign: number of the variable
-  Expression value;   // assign, go_to: N…; ports and files: n
+  Expression target;   // assign: number of the variable
+  Expression value;    // assign, go_to: N…; ports and files: n
   Expression program;  // FOPENn P…
   Span where;
   Span text;  // between the brackets of DPRNT, BPRNT
@@ -163,12 +163,12 @@ struct Block {
   std::vector<Span> comments;   // the text between the brackets
   std::vector<Alarm> warnings;  // look-alike letters
   Statement statement;
-  Span file_name;  // between < and >
-  bool evaluates = false;  // some word's value is an expression
-  bool codes_vary = false;  // a code's number is an expression
-  bool kept = false;        // stays in memory at its place: a loop carries it out again
+  Span file_name;             // between < and >
+  bool evaluates = false;     // some word's value is an expression
+  bool codes_vary = false;    // a code's number is an expression
+  bool kept = false;          // stays in memory at its place: a loop carries it out again
   std::uint64_t checked = 0;  // addresses it had when its words were looked at and found right
-  bool altered = false;    // words were taken away when it was carried out: their address is 0
+  bool altered = false;       // words were taken away when it was carried out: their address is 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
   /// The first word of that address, or nullptr.

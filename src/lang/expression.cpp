@@ -5,7 +5,6 @@
 
 #include "base/vec.h"
 #include "lang/encoding.h"
-
 #include "lang/macro_arithmetic.h"
 
 namespace kadr {

@@ -11,12 +11,12 @@ namespace kadr {
 
 /// Addresses are characters: A to Z, behind them words with a comma (`,C`) and names of several characters (`XDE`, `S2`).
 inline constexpr std::size_t most_addresses = 63;
-inline constexpr char comma_chamfer = '[';   // ,C
+inline constexpr char comma_chamfer = '[';    // ,C
 inline constexpr char comma_rounding = '\\';  // ,R
-inline constexpr char comma_angle = ']';     // ,A
-inline constexpr char comma_vector = '^';    // ,L
-inline constexpr char indirect_axis = '_';  // AX[n]=, until the block is carried out
-inline constexpr char first_name = '`';      // the names of Grammar::names in their order, up to '\x7f'
+inline constexpr char comma_angle = ']';      // ,A
+inline constexpr char comma_vector = '^';     // ,L
+inline constexpr char indirect_axis = '_';    // AX[n]=, until the block is carried out
+inline constexpr char first_name = '`';       // the names of Grammar::names in their order, up to '\x7f'
 
 /// The code of `,C` and its like, or 0.
 constexpr char comma_address(char letter) {
@@ -32,10 +32,10 @@ struct AddressName {
 /// A system variable's name: `#_ABSIO[n]` (nct 23.1.1).
 struct VariableName {
   std::string text;
-  std::uint32_t number = 0;      // of its first index
+  std::uint32_t number = 0;  // of its first index
   std::uint32_t count = 1;
   std::uint32_t first_index = 1;
-  bool indexed = false;          // [n] must follow
+  bool indexed = false;  // [n] must follow
 };
 
 /// How the digits of one address are written (ISO 6983 / GOST 20999-83 format descriptor, spec/gost 3).
@@ -83,14 +83,14 @@ struct Grammar {
   std::uint32_t block_length = 0;       // most characters in a block, 0 = free
   std::uint32_t variables = 0;          // highest #n
   // Custom macros and names of several characters (nct).
-  bool macro = false;                // statements: IF, WHILE, GOTO, … (nct 23)
-  bool operator_i = false;           // XI-40: an increment in that word (nct 5.1)
-  bool comments_span_lines = false;  // (…) may hold ends of line (nct 14.3)
-  bool comma_words = false;          // ,C ,R ,A (nct 17)
-  bool file_names = false;           // M98 <name> (nct 14.4.2)
-  std::vector<AddressName> names;    // in the order of their addresses
-  std::uint32_t named = 0;           // bit per first letter of a name
-  std::vector<VariableName> symbols;  // sorted by text
+  bool macro = false;                                       // statements: IF, WHILE, GOTO, … (nct 23)
+  bool operator_i = false;                                  // XI-40: an increment in that word (nct 5.1)
+  bool comments_span_lines = false;                         // (…) may hold ends of line (nct 14.3)
+  bool comma_words = false;                                 // ,C ,R ,A (nct 17)
+  bool file_names = false;                                  // M98 <name> (nct 14.4.2)
+  std::vector<AddressName> names;                           // in the order of their addresses
+  std::uint32_t named = 0;                                  // bit per first letter of a name
+  std::vector<VariableName> symbols;                        // sorted by text
   std::array<std::uint8_t, most_addresses> axis_numbers{};  // control-wide number of each axis address, 0: no axis
 
   const WordFormat& word(char letter) const { return words[static_cast<std::size_t>(letter - 'A')]; }

@@ -21,7 +21,13 @@ bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 class Lexer {
  public:
   Lexer(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block)
-      : cursor_{text, from}, begin_(from), is_utf8_(is_utf8), grammar_(grammar), block_(block), words_(cursor_, grammar, block), statements_(cursor_, grammar, block) {}
+      : cursor_{text, from},
+        begin_(from),
+        is_utf8_(is_utf8),
+        grammar_(grammar),
+        block_(block),
+        words_(cursor_, grammar, block),
+        statements_(cursor_, grammar, block) {}
 
   Result<Lexed> run() {
     block_.text = cursor_.text;
@@ -132,7 +138,8 @@ class Lexer {
     cursor_.skip_blanks();
     const WordFormat& format = grammar_.word(letter);
     if (letter == grammar_.section_address && words_.no_value_follows()) return section(begin);
-    if (!format.known && letter > 'Z') return fail(alarm(AlarmId::not_available, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
+    if (!format.known && letter > 'Z')
+      return fail(alarm(AlarmId::not_available, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
     if (!format.known) return fail(alarm(AlarmId::address_unknown, span(begin, cursor_.at), letter));
     if (letter == 'N' && !(grammar_.macro && (block_.has_number || block_.word_count != 0))) return words_.block_number(begin, format);
     if (letter == grammar_.label_address && !(grammar_.macro && block_.word_count != 0)) return words_.label(begin, format);
@@ -169,7 +176,8 @@ class Lexer {
     const std::size_t begin = cursor_.at;
     const std::size_t close = cursor_.text.find('>', begin);
     if (block_.file_name.end != 0) return unexpected();
-    if (close == std::string_view::npos) return fail(alarm(AlarmId::file_name, span(begin, cursor_.text.size()), cursor_.text.substr(begin)));
+    if (close == std::string_view::npos)
+      return fail(alarm(AlarmId::file_name, span(begin, cursor_.text.size()), cursor_.text.substr(begin)));
     for (std::size_t i = begin; i < close && !is_utf8_; ++i)
       if (is_high(cursor_.text[i])) {
         result_.needs_utf8 = done_ = true;

@@ -17,15 +17,16 @@ struct Name {
   Op op;
   int binding = 0;
 };
-constexpr Name functions[] = {  // longer names first: ASIN before no other, SQRT before SIN
-    {"SQRT", Op::square_root}, {"ASIN", Op::arc_sine}, {"ACOS", Op::arc_cosine}, {"ATAN", Op::arc_tangent}, {"SIN", Op::sine},
-    {"COS", Op::cosine},       {"TAN", Op::tangent},   {"EXP", Op::exp},         {"LN", Op::logarithm},     {"ABS", Op::abs},
+constexpr Name functions[] = {
+    // longer names first: ASIN before no other, SQRT before SIN
+    {"SQRT", Op::square_root}, {"ASIN", Op::arc_sine},      {"ACOS", Op::arc_cosine}, {"ATAN", Op::arc_tangent}, {"SIN", Op::sine},
+    {"COS", Op::cosine},       {"TAN", Op::tangent},        {"EXP", Op::exp},         {"LN", Op::logarithm},     {"ABS", Op::abs},
     {"FIX", Op::truncate},     {"FUP", Op::away_from_zero}, {"NOT", Op::bit_not},
 };
 /// 23.2.6; INFERRED: AND binds like *, OR and XOR like + (Fanuc).
 constexpr Name operators[] = {
-    {"*", Op::multiply, 2}, {"/", Op::divide, 2}, {"MOD", Op::remainder, 2}, {"AND", Op::bit_and, 2},
-    {"+", Op::add, 1},      {"-", Op::subtract, 1}, {"OR", Op::bit_or, 1},   {"XOR", Op::bit_xor, 1},
+    {"*", Op::multiply, 2}, {"/", Op::divide, 2},   {"MOD", Op::remainder, 2}, {"AND", Op::bit_and, 2},
+    {"+", Op::add, 1},      {"-", Op::subtract, 1}, {"OR", Op::bit_or, 1},     {"XOR", Op::bit_xor, 1},
 };
 constexpr Name relations[] = {
     {"EQ", Op::equal}, {"NE", Op::not_equal}, {"GT", Op::greater}, {"LT", Op::less}, {"GE", Op::greater_equal}, {"LE", Op::less_equal},
@@ -142,8 +143,8 @@ class MacroCompiler {
       const std::size_t bytes = std::max<std::size_t>(1, first_character(cursor_.text.substr(at)).size);
       return fail(alarm(AlarmId::unexpected_character, span(at, at + bytes), cursor_.text.substr(at, bytes)));
     }
-    return fail(alarm(AlarmId::expression_syntax, span(at, at + 1),
-                      at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…")));
+    return fail(
+        alarm(AlarmId::expression_syntax, span(at, at + 1), at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…")));
   }
 
  private:
@@ -196,10 +197,13 @@ class MacroCompiler {
     cursor_.skip_blanks();
     std::string name;
     const std::size_t from = cursor_.at;
-    while (cursor_.peek() != '\0' && cursor_.peek() != ']' && cursor_.peek() != ' ' && name.size() < 8) name += upper(cursor_.text[cursor_.at++]);
+    while (cursor_.peek() != '\0' && cursor_.peek() != ']' && cursor_.peek() != ' ' && name.size() < 8)
+      name += upper(cursor_.text[cursor_.at++]);
     const Span where = span(from, cursor_.at);
     KADR_TRY(close(open));
-    const std::uint8_t axis = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z' ? grammar_.axis_numbers[static_cast<std::size_t>(name[0] - 'A')] : number_of_name(name);
+    const std::uint8_t axis = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z'
+                                  ? grammar_.axis_numbers[static_cast<std::size_t>(name[0] - 'A')]
+                                  : number_of_name(name);
     if (axis == 0) return fail(alarm(AlarmId::illegal_address, where, std::string_view(name)));
     return step(Op::number, axis, begin, 1);
   }

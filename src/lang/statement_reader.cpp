@@ -14,10 +14,10 @@ struct KeywordRow {
   Keyword keyword;
 };
 constexpr KeywordRow keywords[] = {
-    {"IF", Keyword::if_},           {"WHILE", Keyword::while_},        {"DO", Keyword::do_},
-    {"END", Keyword::end_},         {"GOTO", Keyword::goto_},          {"THEN", Keyword::then_},
-    {"POPEN", Keyword::open_port},  {"PCLOS", Keyword::close_port},    {"FOPEN", Keyword::open_file},
-    {"FCLOS", Keyword::close_file}, {"BPRNT", Keyword::print_binary},  {"DPRNT", Keyword::print_decimal},
+    {"IF", Keyword::if_},           {"WHILE", Keyword::while_},       {"DO", Keyword::do_},
+    {"END", Keyword::end_},         {"GOTO", Keyword::goto_},         {"THEN", Keyword::then_},
+    {"POPEN", Keyword::open_port},  {"PCLOS", Keyword::close_port},   {"FOPEN", Keyword::open_file},
+    {"FCLOS", Keyword::close_file}, {"BPRNT", Keyword::print_binary}, {"DPRNT", Keyword::print_decimal},
     {"PRM", Keyword::prm},
 };
 
@@ -78,7 +78,8 @@ Status StatementReader::branch() {
 
 Status StatementReader::condition() {
   Statement& s = block_.statement;
-  if (s.condition_count == limits::conditions) return fail(alarm(AlarmId::nesting_too_deep, span(cursor_.at, cursor_.at + 1), double{limits::conditions}));
+  if (s.condition_count == limits::conditions)
+    return fail(alarm(AlarmId::nesting_too_deep, span(cursor_.at, cursor_.at + 1), double{limits::conditions}));
   const auto compiled = compile_condition(cursor_, grammar_, block_);
   if (!compiled) return fail(compiled.error());
   s.conditions[s.condition_count++] = *compiled;
@@ -171,7 +172,8 @@ Status StatementReader::file_of_program() {
   const std::size_t begin = cursor_.at;
   if (cursor_.peek() == '<') {
     const std::size_t close = cursor_.text.find('>', begin);
-    if (close == std::string_view::npos) return fail(alarm(AlarmId::file_name, span(begin, cursor_.text.size()), cursor_.text.substr(begin)));
+    if (close == std::string_view::npos)
+      return fail(alarm(AlarmId::file_name, span(begin, cursor_.text.size()), cursor_.text.substr(begin)));
     block_.file_name = span(begin + 1, close);
     cursor_.at = close + 1;
     return {};

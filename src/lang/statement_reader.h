@@ -10,7 +10,20 @@ namespace kadr {
 
 /// Words that begin a statement or stand in place of an address.
 enum class Keyword : std::uint8_t {
-  none, if_, while_, do_, end_, goto_, then_, open_port, close_port, open_file, close_file, print_binary, print_decimal, prm
+  none,
+  if_,
+  while_,
+  do_,
+  end_,
+  goto_,
+  then_,
+  open_port,
+  close_port,
+  open_file,
+  close_file,
+  print_binary,
+  print_decimal,
+  prm
 };
 
 class StatementReader {

@@ -43,7 +43,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   if (grammar_.operator_i && sign == 0 && (c == 'I' || c == 'i') && cursor_.at == begin + 1)
     return fail(alarm(AlarmId::increment_not_allowed, span(begin, cursor_.at + 1), w.address));
   if (is_digit(c) || c == '.') [[likely]] {  // of a macro's argument any sign is good (nct 23.3); otherwise the range tells
-    if (sign != 0 && !format.sign && (!grammar_.macro || (sign == '-' && format.code))) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
+    if (sign != 0 && !format.sign && (!grammar_.macro || (sign == '-' && format.code)))
+      return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
   }
   if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);

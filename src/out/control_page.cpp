@@ -76,17 +76,19 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   if (def.parameters.empty()) return;
   constexpr const char* scopes[] = {"control", "channel", "axis", "spindle"};
   constexpr const char* types[] = {"bits", "whole", "real", "text"};
-  page += "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all but those "
-          "that need a restart.\n\n";
+  page +=
+      "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all but those "
+      "that need a restart.\n\n";
   page += head("| number | of | kind | bits | initial | written by G10 | works | meaning | значение | source |");
   for (const ParameterRow& row : def.parameters) {
     std::string bits;
     for (std::size_t i = 0; i < row.bits.size(); ++i)
       if (!row.bits[i].empty()) bits += fmt::format("{}{}{}", bits.empty() ? "" : " ", i < 8 ? fmt::format("#{} ", i) : "", row.bits[i]);
     const bool writable = row.when == ParameterClass::run_time;
-    page += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.number >= 0 ? "N" : "", row.name,
-                        scopes[static_cast<std::size_t>(row.scope)], types[static_cast<std::size_t>(row.type)], bits, number_text(row.initial),
-                        writable ? "yes" : "no", row.used ? "yes" : "not yet", cells(row.text), escaped(row.manual));
+    page +=
+        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.number >= 0 ? "N" : "", row.name,
+                    scopes[static_cast<std::size_t>(row.scope)], types[static_cast<std::size_t>(row.type)], bits, number_text(row.initial),
+                    writable ? "yes" : "no", row.used ? "yes" : "not yet", cells(row.text), escaped(row.manual));
   }
 }
 

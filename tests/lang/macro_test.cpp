@@ -66,15 +66,47 @@ TEST(macro_expressions, have_the_values_of_the_manual) {
     const char* value;
   };
   const Case cases[] = {
-      {"27MOD4", "3"},           {"ASIN[-0.5]", "-30"},     {"ACOS[-0.5]", "120"},  {"ATAN[-0.5]", "-26.56505118"}, {"EXP1", "2.718281828"},
-      {"ABS[-3.1]", "3.1"},      {"ABS[5.25]", "5.25"},     {"FIX4.8", "4"},        {"FIX[-6.7]", "-6"},            {"FUP12.1", "13"},
-      {"FUP[-7.3]", "-8"},       {"NOT0", "-1"},            {"SIN30-#1", "-4.5"},   {"TAN135", "-1"},               {"#1+#2*COS60", "3.75"},
-      {"LN[EXP[2]]", "2"},       {"SQRT[#5+1]", "2"},       {"-#1", "-5"},          {"--#1", "5"},                  {"2*-3", "-6"},
-      {"10-4-3", "3"},           {"16/4/2", "2"},           {"7OR8AND12", "15"},    {"[7OR8]AND12", "12"},          {"1XOR3OR4", "6"},
-      {"[16777215AND-1]XOR[-1694498816]", "-1677721601"},  {"#[#5-2]", "5"},       {"#[1]", "5"},                  {"#0", "vacant"},
-      {"#4", "vacant"},          {"[#4]", "vacant"},        {"+#4", "vacant"},      {"-#4", "0"},                   {"#4*3", "0"},
-      {"#4+#4", "0"},            {"SIN#4", "0"},            {"#[#4]", "vacant"},    {"0000.50", "0.5"},             {".25", "0.25"},
-      {"3.", "3"},               {"COS[[[#1-#5]*2+1]*#3]", "1"},
+      {"27MOD4", "3"},
+      {"ASIN[-0.5]", "-30"},
+      {"ACOS[-0.5]", "120"},
+      {"ATAN[-0.5]", "-26.56505118"},
+      {"EXP1", "2.718281828"},
+      {"ABS[-3.1]", "3.1"},
+      {"ABS[5.25]", "5.25"},
+      {"FIX4.8", "4"},
+      {"FIX[-6.7]", "-6"},
+      {"FUP12.1", "13"},
+      {"FUP[-7.3]", "-8"},
+      {"NOT0", "-1"},
+      {"SIN30-#1", "-4.5"},
+      {"TAN135", "-1"},
+      {"#1+#2*COS60", "3.75"},
+      {"LN[EXP[2]]", "2"},
+      {"SQRT[#5+1]", "2"},
+      {"-#1", "-5"},
+      {"--#1", "5"},
+      {"2*-3", "-6"},
+      {"10-4-3", "3"},
+      {"16/4/2", "2"},
+      {"7OR8AND12", "15"},
+      {"[7OR8]AND12", "12"},
+      {"1XOR3OR4", "6"},
+      {"[16777215AND-1]XOR[-1694498816]", "-1677721601"},
+      {"#[#5-2]", "5"},
+      {"#[1]", "5"},
+      {"#0", "vacant"},
+      {"#4", "vacant"},
+      {"[#4]", "vacant"},
+      {"+#4", "vacant"},
+      {"-#4", "0"},
+      {"#4*3", "0"},
+      {"#4+#4", "0"},
+      {"SIN#4", "0"},
+      {"#[#4]", "vacant"},
+      {"0000.50", "0.5"},
+      {".25", "0.25"},
+      {"3.", "3"},
+      {"COS[[[#1-#5]*2+1]*#3]", "1"},
   };
   for (const Case& c : cases) EXPECT_EQ(assigned(c.text), c.value) << c.text;
 }
@@ -99,7 +131,7 @@ TEST(macro_expressions, give_their_alarms_at_their_place) {
       {"##5", "expression_syntax: #"},
       {"1+", "expression_syntax: "},
       {"SINX", "expression_syntax: X"},
-      {"POW[2]", "expression_syntax: POW"},
+      {"POW[2]", "function_unknown: POW"},
       {"1=2", "expression_syntax: ="},
       {"1 2", "expression_syntax: 2"},
       {"#1.5", "number_damaged: 1.5"},
@@ -163,8 +195,8 @@ TEST(macro_statements, that_are_wrong_say_where) {
       {"WHILE[#1=1]DO1", "terminator_wrong: ="},
       {"IF[#1=1]GOTO5", "terminator_wrong: ="},
       {"IF#1EQ1GOTO5", "expression_syntax: #"},
-      {"IF[#1EQ1]", "expression_syntax: I"},
-      {"IF[#1EQ1]THEN", "expression_syntax: I"},
+      {"IF[#1EQ1]", "expression_syntax: "},
+      {"IF[#1EQ1]THEN", "expression_syntax: "},
       {"IF[#1]GOTO5", "expression_syntax: ]"},
       {"IF[#1EQ1]DO1", "expression_syntax: D"},
       {"G1X1#1=2", "statement_not_alone: #"},
@@ -209,7 +241,8 @@ RC_GTEST_PROP(macro_conditions, are_those_of_the_tree, ()) {
   const Tree left = random_tree(choose, 2, 9), right = random_tree(choose, 2, 9);
   const std::string relation = choose.of(tree_relations);
   TreePrinter print(choose, choose.one_in(3));
-  const std::string text = "IF" + print.blank() + "[" + print(left) + " " + print.spelled(relation) + print.blank() + print(right) + "]GOTO1";
+  const std::string text =
+      "IF" + print.blank() + "[" + print(left) + " " + print.spelled(relation) + print.blank() + print(right) + "]GOTO1";
   const auto read = [](double n) -> TreeValue {
     if (is_vacant(n)) n = 0;
     if (!MacroVariables::exists(n)) return AlarmId::variable_unknown;

@@ -7,7 +7,8 @@ namespace kadr::nct {
 namespace {
 
 /// By letter, type 1.
-constexpr std::array<std::uint8_t, 26> variable_of_letter = {1, 2, 3, 7, 8, 9, 10, 11, 4, 5, 6, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+constexpr std::array<std::uint8_t, 26> variable_of_letter = {1,  2,  3,  7,  8,  9,  10, 11, 4,  5,  6,  12, 13,
+                                                             14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 constexpr int type_2_step = 3;
 
 class Assigner {

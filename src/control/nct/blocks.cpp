@@ -140,7 +140,8 @@ void stop_single_block(Machinery& m, bool was_hidden) {
   const Nct& nct = *m.nct;
   if (!nct.single_block || (nct.control_1 & 1u) != 0 || (nct.control_2 & m_ov) != 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
-  const bool macro = returned || m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
+  const bool macro =
+      returned || m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
   if (hidden(m) || (macro && !(returned && was_hidden)) || m.has_code({Function::program_end})) return;
   m.emit(Stop{false, StopReason::single_block});
 }

@@ -53,7 +53,8 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
   Nct& nct = *m.nct;
   nct.keep_all(m);  // a negative parameter: G66 or G66.1 (23.3.4)
   nct.modal_calls.resize(nct.active_modal_calls);
-  nct.modal_calls.push_back({request.place.reader, request.place.start, 1, request.name, nct.settings.modal_each_block, w.written, w.code, *arguments});
+  nct.modal_calls.push_back(
+      {request.place.reader, request.place.start, 1, request.name, nct.settings.modal_each_block, w.written, w.code, *arguments});
   ++nct.active_modal_calls;
   return nct.settings.modal_each_block ? call_modal(m, *arguments) : Status();
 }

@@ -44,9 +44,7 @@ Result<CallRequest> named_program(Machinery& m, const Call& code, bool name_allo
   return request;
 }
 
-Result<std::uint32_t> index_of(const Machinery& m, const Word* word) {
-  return static_cast<std::uint32_t>(word - m.block->words.data());
-}
+Result<std::uint32_t> index_of(const Machinery& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
 
 /// What belonged to a call that is over.
 void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
@@ -103,7 +101,8 @@ Status call_modal(Machinery& m, const Locals& arguments) {
 Status return_from(Machinery& m, const Call& code) {
   Nct& nct = *m.nct;
   const Word* const p = m.word('P');
-  if (p != nullptr && !(p->value >= 0 && p->value <= most_repeats)) return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
+  if (p != nullptr && !(p->value >= 0 && p->value <= most_repeats))
+    return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
   CallFrame* const top = m.flow.innermost();
   if (top == nullptr) {  // in the main program: a jump (14.4.4)
     if (p != nullptr) return go_to_block(m, p->value, p->where);

@@ -11,10 +11,10 @@ namespace kadr::nct {
 /// A call that is about to be made.
 struct CallRequest {
   ProgramPlace place;
-  std::uint32_t name = 0;        // program number, for people
+  std::uint32_t name = 0;  // program number, for people
   std::uint32_t times = 1;
-  bool macro = false;            // opens a level of locals
-  char called_by = 0;            // address that is bound to it, 0: M98, G65 …
+  bool macro = false;  // opens a level of locals
+  char called_by = 0;  // address that is bound to it, 0: M98, G65 …
   std::int32_t called_code = -1;
 };
 

@@ -13,7 +13,8 @@ struct Clock {
 Clock read(const std::string& text) {
   Clock c;
   Clock read;
-  if (std::sscanf(text.c_str(), "%d-%d-%dT%d:%d:%d", &read.year, &read.month, &read.day, &read.hour, &read.minute, &read.second) == 6) c = read;  // NOLINT
+  if (std::sscanf(text.c_str(), "%d-%d-%dT%d:%d:%d", &read.year, &read.month, &read.day, &read.hour, &read.minute, &read.second) == 6)
+    c = read;  // NOLINT
   return c;
 }
 

@@ -90,7 +90,8 @@ Status interrupt_on(Machinery& m, const Call& call) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 0, 99'999'999);
   if (!number) return fail(number.error());
-  const auto place = nct.settings.interrupt_in_system ? nct.programs.system(m, *number, m.where('P')) : nct.programs.by_number(m, *number, m.where('P'));
+  const auto place =
+      nct.settings.interrupt_in_system ? nct.programs.system(m, *number, m.where('P')) : nct.programs.by_number(m, *number, m.where('P'));
   if (!place) return fail(place.error());
   nct.interrupt_program = *place;
   return {};

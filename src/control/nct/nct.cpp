@@ -72,7 +72,9 @@ void reset_codes(Machinery& m, bool keep) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
     const GroupRow& group = m.def.groups[g];
     const int number = group_number(group);
-    if (group.power_on < 0 || (keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() && s.kept_groups[static_cast<std::size_t>(number)])) continue;
+    if (group.power_on < 0 || (keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
+                               s.kept_groups[static_cast<std::size_t>(number)]))
+      continue;
     const std::int32_t tenth = initial_code(s, number, m.def.codes[static_cast<std::size_t>(group.power_on)].tenth);
     const std::int32_t index = m.def.row_of('G', tenth);
     if (index < 0) continue;
@@ -157,7 +159,8 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
       if (m.axis_names[a] == name) m.modal.diameter = on ? m.modal.diameter | 1u << a : m.modal.diameter & ~(1u << a);
   for (std::size_t first = 0; first < m.axis_count; ++first)
     for (std::size_t second = 0; second < m.axis_count; ++second)
-      if (!setup.plane.empty() && m.axis_names[first] + m.axis_names[second] == setup.plane) m.modal.axes.first = first, m.modal.axes.second = second;
+      if (!setup.plane.empty() && m.axis_names[first] + m.axis_names[second] == setup.plane)
+        m.modal.axes.first = first, m.modal.axes.second = second;
   m.transform.refresh();
 }
 

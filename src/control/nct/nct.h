@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "config/setup.h"
 #include "control/action.h"
 #include "control/control.h"
 #include "control/nct/changes.h"
-#include "config/setup.h"
 #include "control/nct/drilling.h"
 #include "control/nct/macro_variables.h"
 #include "control/nct/measuring.h"
@@ -163,7 +163,7 @@ class Nct {
   DataInput data_input;
   OutputFile output;
   Programs programs;
-  std::map<int, std::vector<std::pair<double, double>>> ranges;    // of spindles, rev/min
+  std::map<int, std::vector<std::pair<double, double>>> ranges;  // of spindles, rev/min
   std::map<int, std::string> spindle_names;
   std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // by depth of the call
   std::vector<ModalCall> modal_calls;
@@ -176,12 +176,12 @@ class Nct {
   std::map<std::string, double> signals;          // of the machine's logic
   bool single_block = false;                      // the operator's switch
   // of the block being carried out
-  bool was_hidden = false;      // the block stands in a program that is not listed (23.3.9)
-  bool moved = false;           // it held a movement command
-  bool stops_reading = false;   // it empties the buffer
-  bool in_thread = false;       // the motion before was a thread too
-  double thread_lead = 0;       // mm
-  char pending_letter = 0;      // T, S, A, B, C or an ASCII letter that calls a subprogram behind the block
+  bool was_hidden = false;     // the block stands in a program that is not listed (23.3.9)
+  bool moved = false;          // it held a movement command
+  bool stops_reading = false;  // it empties the buffer
+  bool in_thread = false;      // the motion before was a thread too
+  double thread_lead = 0;      // mm
+  char pending_letter = 0;     // T, S, A, B, C or an ASCII letter that calls a subprogram behind the block
   int pending_program = 0;
   std::int32_t pending_code = -1;
   Span pending_where;
@@ -189,8 +189,8 @@ class Nct {
   bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
   AxisMask rolled = 0;           // rotary axes of the block that roll over, and their way
   Axes travel{};
-  double surface_angle = 0;      // of the rotary axis in G12.1, unwound
-  AxisMask plane_axes = 0;       // axes whose letter stands in the block, with or without a number
+  double surface_angle = 0;  // of the rotary axis in G12.1, unwound
+  AxisMask plane_axes = 0;   // axes whose letter stands in the block, with or without a number
   // of the machine and its operator
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};
@@ -198,11 +198,11 @@ class Nct {
   double answer = 0;                           // #3107
   double parts_done = 0, parts_required = 0;
   double cutting_ms = 0, clock_offset_ms = 0;
-  double now_ms = 0;                           // virtual time since power-on
-  double tool_magazine = 10;                   // #8400
-  Axes probe_position{}, probe_length{};       // work coordinates; tool length then
-  Measurement measurement;                     // of the probe motion under way
-  std::string clock;                           // "2014-05-18T15:32:41"
+  double now_ms = 0;                      // virtual time since power-on
+  double tool_magazine = 10;              // #8400
+  Axes probe_position{}, probe_length{};  // work coordinates; tool length then
+  Measurement measurement;                // of the probe motion under way
+  std::string clock;                      // "2014-05-18T15:32:41"
   // for the state file
   Changes changes;
   bool tables_changed = false;

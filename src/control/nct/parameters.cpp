@@ -243,8 +243,7 @@ Status ParameterStore::write(const Write& w) {
   const ParameterId id = number ? find(*number) : ParameterId::none;
   if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, w.n->where, w.n->value));
   const ParameterRow& of = row(id);
-  if (of.when != ParameterClass::run_time)
-    return fail(alarm(AlarmId::parameter_not_writable, w.n->where, std::string_view(of.name)));
+  if (of.when != ParameterClass::run_time) return fail(alarm(AlarmId::parameter_not_writable, w.n->where, std::string_view(of.name)));
   const auto index = nct::index_of(w, of.scope, context_.channel);
   if (!index) return fail(index.error());
   const auto bit = nct::bit_of(w, of.type);

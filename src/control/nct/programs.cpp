@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_name = 60;   // characters between < and > (14.4.2)
-constexpr int most_parents = 16;        // folders above the program that are looked at for SystemMacros
+constexpr std::size_t most_name = 60;  // characters between < and > (14.4.2)
+constexpr int most_parents = 16;       // folders above the program that are looked at for SystemMacros
 constexpr std::uint32_t most_short = 9999;
 
 bool alike(std::string a, std::string b) {
@@ -27,7 +27,8 @@ bool alike(std::string a, std::string b) {
 std::optional<fs::path> in_folder(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (fs::is_regular_file(folder / name, error)) return folder / name;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, fs::directory_options::skip_permission_denied, error))
+  for (const auto& entry :
+       fs::directory_iterator(folder.empty() ? fs::path(".") : folder, fs::directory_options::skip_permission_denied, error))
     if (entry.is_regular_file(error) && alike(entry.path().filename().string(), name)) return folder / entry.path().filename();
   return std::nullopt;
 }
@@ -40,7 +41,8 @@ std::optional<fs::path> numbered(const fs::path& folder, std::uint32_t number, c
 }
 
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 /// "\subs\x.prg", " ..\x.prg" → a path from the folder.
@@ -87,7 +89,8 @@ Result<ProgramPlace> Programs::by_number(Machinery& m, std::uint32_t number, Spa
 }
 
 Result<ProgramPlace> Programs::by_name(Machinery& m, std::string_view name, Span where) {
-  if (name.empty() || characters(name) > most_name || name.find('/') != std::string_view::npos) return fail(alarm(AlarmId::file_name, where, name));
+  if (name.empty() || characters(name) > most_name || name.find('/') != std::string_view::npos)
+    return fail(alarm(AlarmId::file_name, where, name));
   const fs::path folder = fs::path(m.flow.file()).parent_path();
   const fs::path relative = path_of(name);
   const fs::path whole = (folder / relative).lexically_normal();

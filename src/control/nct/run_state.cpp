@@ -40,7 +40,8 @@ void add_zeros(const Machinery& m, Setup& tables) {
   };
   add("common", m.tables.common, {});
   for (std::size_t i = 1; i < m.tables.zeros.size(); ++i)
-    add(i <= basic_systems ? "G" + std::to_string(53 + i) : "G54.1 P" + std::to_string(i - basic_systems), m.tables.zeros[i], m.tables.rotations[i]);
+    add(i <= basic_systems ? "G" + std::to_string(53 + i) : "G54.1 P" + std::to_string(i - basic_systems), m.tables.zeros[i],
+        m.tables.rotations[i]);
 }
 
 const char* name_of(SpindleDir dir) {

@@ -19,7 +19,8 @@ std::pair<double, double> limits_of(const Nct& nct, int number) {
   const auto found = nct.ranges.find(number);
   if (found == nct.ranges.end() || found->second.empty()) return {0, 1e300};
   const int selected = nct.spindle(number).range;
-  if (selected > 0 && static_cast<std::size_t>(selected) <= found->second.size()) return found->second[static_cast<std::size_t>(selected) - 1];
+  if (selected > 0 && static_cast<std::size_t>(selected) <= found->second.size())
+    return found->second[static_cast<std::size_t>(selected) - 1];
   std::pair<double, double> all = found->second.front();
   for (const auto& [least, most] : found->second) all = {std::min(all.first, least), std::max(all.second, most)};
   return all;
@@ -99,7 +100,10 @@ Status spindle_word(Machinery& m, const Call& call) {
     m.emit(Speed{nct.state.surface_speed, true, static_cast<std::uint8_t>(nct.state.main_spindle), 0});
     return {};
   }
-  const int number = named != 0 ? named : nct.spindle_by_p != 0 ? nct.spindle_by_p : nct.settings.default_spindle > 0 ? nct.settings.default_spindle : 1;
+  const int number = named != 0                         ? named
+                     : nct.spindle_by_p != 0            ? nct.spindle_by_p
+                     : nct.settings.default_spindle > 0 ? nct.settings.default_spindle
+                                                        : 1;
   KADR_TRY(nct::own_spindle(m, number, call.where));
   const auto [least, most] = nct::limits_of(nct, number);
   const double rpm = value == 0 ? 0 : std::clamp(value, least, most);
@@ -127,8 +131,11 @@ Status spindle_code(Machinery& m, const Call& call) {
   s.loop_closed = s.referenced = s.dir == SpindleDir::orient && nct.settings.spindles[static_cast<std::size_t>(number)].indexes;
   if (s.dir == SpindleDir::orient) s.angle = 0;
   const bool turns = s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw;
-  m.emit(Spindle{s.dir, turns ? (m.modal.surface_speed && number == nct.state.main_spindle ? nct.css_rpm(m) : s.rpm) : 0,
-                 static_cast<std::uint8_t>(number), {}, {}});
+  m.emit(Spindle{s.dir,
+                 turns ? (m.modal.surface_speed && number == nct.state.main_spindle ? nct.css_rpm(m) : s.rpm) : 0,
+                 static_cast<std::uint8_t>(number),
+                 {},
+                 {}});
   return {};
 }
 
@@ -161,7 +168,8 @@ Status css_on(Machinery& m, const Call&) {
     const auto axis = m.whole('P', 1, 32);
     if (!axis) return fail(axis.error());
     const auto& numbers = m.def.axis_numbers;
-    if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) == numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
+    if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) ==
+        numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
       return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED, as AX[n] (23.2.12)
     m.nct->state.css_axis = static_cast<int>(*axis);
   }

@@ -112,8 +112,10 @@ Status polar_surface_on(Machinery& m, const Call& call) {
   const bool fits = (m.def.rotary >> plane.first & 1u) == 0 && (m.def.rotary >> plane.second & 1u) != 0;
   if (!fits) return fail(alarm(AlarmId::plane_illegal, call.where));
   const double linear = m.position.work[plane.first], rotary = m.position.work[plane.second];
-  if (std::fabs(linear) <= tol::same_point) return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.first]), linear));
-  if (std::fabs(rotary) > tol::same_angle) return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.second]), rotary));
+  if (std::fabs(linear) <= tol::same_point)
+    return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.first]), linear));
+  if (std::fabs(rotary) > tol::same_angle)
+    return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.second]), rotary));
   m.modal.surface = PathSurface::polar;
   m.modal.surface_side = linear > 0 ? 1 : -1;
   m.nct->surface_angle = rotary;
@@ -139,7 +141,8 @@ Status cylinder_mode(Machinery& m, const Call& call) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
-    if ((m.def.rotary >> m.def.address(w.address).axis & 1u) == 0 || word != nullptr) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
+    if ((m.def.rotary >> m.def.address(w.address).axis & 1u) == 0 || word != nullptr)
+      return fail(alarm(AlarmId::illegal_address, w.where, w.written));
     word = &w;
   }
   if (word == nullptr) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));

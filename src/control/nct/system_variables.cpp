@@ -98,7 +98,9 @@ double* rotation_field(Machinery& m, const Found& f) {
   return f.index == 1 ? &angles.x : f.index == 2 ? &angles.y : &angles.z;
 }
 
-bool is_zero(VariableKind kind) { return kind == VariableKind::zero || kind == VariableKind::zero_common || kind == VariableKind::zero_extended; }
+bool is_zero(VariableKind kind) {
+  return kind == VariableKind::zero || kind == VariableKind::zero_common || kind == VariableKind::zero_extended;
+}
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
 double* zero_field(Machinery& m, const Found& f, int axis) {

@@ -178,7 +178,8 @@ Status diameter_switch(Machinery& m, const Call& call) {
     const bool linear = (m.def.rotary >> a & 1u) == 0;
     if (!linear || is_increment(m, w)) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
     if (w.value != 0 && w.value != 1) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
-    if (!m.nct->settings.axes[a].switches_by_code) return fail(alarm(AlarmId::not_available, call.where, "G10.9"));  // MGD=0: the machine switches
+    if (!m.nct->settings.axes[a].switches_by_code)
+      return fail(alarm(AlarmId::not_available, call.where, "G10.9"));  // MGD=0: the machine switches
     if (w.value == 1) m.modal.diameter |= 1u << a;
     else m.modal.diameter &= ~(1u << a);
     return {};

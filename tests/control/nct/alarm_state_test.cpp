@@ -128,7 +128,8 @@ TEST(alarm_on_nct, of_a_bound_code_leaves_everything_as_it_was) {
   setup.parameters[key("N1733")] = 500.0;
   setup.parameters[key("N1746#4")] = 1.0;
   const Scene scene{"nct", "F100\nG1 X1\n", "#110=#199\n#111=#4120\n#112=#4113\n#113=#4001\n#114=#4109\nX2\nG91 X1\nY2\n"};
-  for (const char* fault : {"G2000 X5", "G2001 X5", "M500 X5", "G0 X5 F7 M600", "T5", "G0 X5 T5 F7", "T5 X99999999", "T5 X5 Q7", "G91 X5 T5"})
+  for (const char* fault :
+       {"G2000 X5", "G2001 X5", "M500 X5", "G0 X5 F7 M600", "T5", "G0 X5 T5 F7", "T5 X99999999", "T5 X5 Q7", "G91 X5 T5"})
     EXPECT_EQ(differences(scene, fault, setup), "") << fault;
 }
 
@@ -136,7 +137,8 @@ TEST(alarm_on_nct, behind_a_motion_takes_the_motion_back) {
   const std::string calls = "G66 P301\nG1 X2 F100\n";  // O301 moves and is called again inside: its like does not act there
   const auto good = run("nct", calls + "M30\nO301\nY1\nM99\n", machine());
   EXPECT_EQ(good.first_alarm(), "");
-  const auto deep = run("nct", "F100\nM98 P310\nM30\nO310\n#1=#1+1\nIF[#1EQ16]GOTO5\nM98 P310\nN5 G66 P301\nN6 G1 X2\nM99\nO301\nY1\nM99\n", machine());
+  const auto deep =
+      run("nct", "F100\nM98 P310\nM30\nO310\n#1=#1+1\nIF[#1EQ16]GOTO5\nM98 P310\nN5 G66 P301\nN6 G1 X2\nM99\nO301\nY1\nM99\n", machine());
   EXPECT_EQ(deep.first_alarm(), "call_too_deep");
   EXPECT_TRUE(deep.motions().empty());
   EXPECT_EQ(deep.ending.position[0], -100);

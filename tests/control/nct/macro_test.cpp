@@ -21,10 +21,10 @@ using Steps = std::vector<Step>;
 
 struct Step {
   enum class Kind { assign, move, unless, loop, leave } kind = Kind::assign;
-  int target = 1;         // assign: #target; loop: passes
-  Tree value;             // assign, move: of #target, of X
-  Tree left, right;       // unless, leave: IF[left relation right]GOTO behind the body, or out of the loop
-  std::string relation;   // … assign: "" or IF[…]THEN
+  int target = 1;        // assign: #target; loop: passes
+  Tree value;            // assign, move: of #target, of X
+  Tree left, right;      // unless, leave: IF[left relation right]GOTO behind the body, or out of the loop
+  std::string relation;  // … assign: "" or IF[…]THEN
   Steps body;
 };
 
@@ -80,7 +80,8 @@ Steps random_steps(Choices& choose, int depth, bool in_loop) {
 /// Prints steps as a program. Loops stand in each other at most three deep: `depth` is their number.
 class ProgramPrinter {
  public:
-  ProgramPrinter(Choices& choose, bool plain, bool unrolled = false, std::string scale = "") : print_(choose, plain), unrolled_(unrolled), scale_(std::move(scale)) {}
+  ProgramPrinter(Choices& choose, bool plain, bool unrolled = false, std::string scale = "")
+      : print_(choose, plain), unrolled_(unrolled), scale_(std::move(scale)) {}
 
   std::string operator()(const Steps& steps) {
     text_.clear();
@@ -98,10 +99,12 @@ class ProgramPrinter {
   void one(const Step& step, int loops, int way_out) {
     switch (step.kind) {
       case Step::Kind::assign:
-        text_ += (step.relation.empty() ? "" : "IF" + condition(step) + "THEN") + "#" + std::to_string(step.target) + "=" + print_(step.value) + "\n";
+        text_ += (step.relation.empty() ? "" : "IF" + condition(step) + "THEN") + "#" + std::to_string(step.target) + "=" +
+                 print_(step.value) + "\n";
         return;
       case Step::Kind::move:
-        text_ += "G1 X" + (scale_.empty() ? "[" + print_(step.value) + "]" : "[[" + print_(step.value) + "]" + scale_ + "]") + " F[100" + scale_ + "]\n";
+        text_ += "G1 X" + (scale_.empty() ? "[" + print_(step.value) + "]" : "[[" + print_(step.value) + "]" + scale_ + "]") + " F[100" +
+                 scale_ + "]\n";
         return;
       case Step::Kind::leave: text_ += "IF" + condition(step) + "GOTO" + std::to_string(way_out) + "\n"; return;
       case Step::Kind::unless: {
@@ -236,7 +239,8 @@ RC_GTEST_PROP(macro_programs, do_what_the_twin_does, ()) {
   if (r.first_alarm() != expected) RC_FAIL(text + "gave '" + r.first_alarm() + "', not '" + expected + "'");
   for (int n = 1; n <= variables; ++n)
     if (!same_value(variable_of(r.ending, n), twin.values[static_cast<std::size_t>(n)]))
-      RC_FAIL(text + "#" + std::to_string(n) + ": " + value_text(variable_of(r.ending, n)) + ", not " + value_text(twin.values[static_cast<std::size_t>(n)]));
+      RC_FAIL(text + "#" + std::to_string(n) + ": " + value_text(variable_of(r.ending, n)) + ", not " +
+              value_text(twin.values[static_cast<std::size_t>(n)]));
   if (ends_of(r) != twin.ends) RC_FAIL(text + "goes elsewhere");
 }
 
@@ -295,10 +299,11 @@ struct ArgumentRow {
   const char* type_2;
 };
 constexpr ArgumentRow argument_table[] = {
-    {1, "A", "A"},   {12, "L", "K3"}, {23, "W", "J7"}, {2, "B", "B"},   {13, "M", "I4"}, {24, "X", "K7"}, {3, "C", "C"},   {14, "N", "J4"}, {25, "Y", "I8"},
-    {4, "I", "I1"},  {15, "O", "K4"}, {26, "Z", "J8"}, {5, "J", "J1"},  {16, "P", "I5"}, {27, "-", "K8"}, {6, "K", "K1"},  {17, "Q", "J5"}, {28, "-", "I9"},
-    {7, "D", "I2"},  {18, "R", "K5"}, {29, "-", "J9"}, {8, "E", "J2"},  {19, "S", "I6"}, {30, "-", "K9"}, {9, "F", "K2"},  {20, "T", "J6"}, {31, "-", "I10"},
-    {10, "G", "I3"}, {21, "U", "K6"}, {32, "-", "J10"}, {11, "H", "J3"}, {22, "V", "I7"}, {33, "-", "K10"},
+    {1, "A", "A"},   {12, "L", "K3"},  {23, "W", "J7"}, {2, "B", "B"},   {13, "M", "I4"},  {24, "X", "K7"},  {3, "C", "C"},
+    {14, "N", "J4"}, {25, "Y", "I8"},  {4, "I", "I1"},  {15, "O", "K4"}, {26, "Z", "J8"},  {5, "J", "J1"},   {16, "P", "I5"},
+    {27, "-", "K8"}, {6, "K", "K1"},   {17, "Q", "J5"}, {28, "-", "I9"}, {7, "D", "I2"},   {18, "R", "K5"},  {29, "-", "J9"},
+    {8, "E", "J2"},  {19, "S", "I6"},  {30, "-", "K9"}, {9, "F", "K2"},  {20, "T", "J6"},  {31, "-", "I10"}, {10, "G", "I3"},
+    {21, "U", "K6"}, {32, "-", "J10"}, {11, "H", "J3"}, {22, "V", "I7"}, {33, "-", "K10"},
 };
 
 struct Argument {
@@ -332,7 +337,8 @@ std::string shows_locals() {
 }
 
 RC_GTEST_PROP(macro_arguments, go_where_the_table_says, ()) {
-  static constexpr char letters[] = {'I', 'J', 'K', 'A', 'B', 'C', 'D', 'E', 'F', 'H', 'M', 'Q', 'R', 'S', 'T', 'U', 'V', 'W', 'X', 'Y', 'Z', 'I', 'J', 'K', 'N', 'O', 'I'};
+  static constexpr char letters[] = {'I', 'J', 'K', 'A', 'B', 'C', 'D', 'E', 'F', 'H', 'M', 'Q', 'R', 'S',
+                                     'T', 'U', 'V', 'W', 'X', 'Y', 'Z', 'I', 'J', 'K', 'N', 'O', 'I'};
   Choices choose = choices(60);
   std::vector<Argument> arguments = {{'G', 65}};
   std::string text = "N1 G65";
@@ -349,7 +355,8 @@ RC_GTEST_PROP(macro_arguments, go_where_the_table_says, ()) {
   for (int n = 1; expected && n <= 33; ++n) {
     const auto found = expected->find(n);
     const double value = found == expected->end() ? no_value() : found->second;
-    if (!same_value(variable_of(r.ending, 100 + n), value)) RC_FAIL(text + " gave #" + std::to_string(n) + " " + value_text(variable_of(r.ending, 100 + n)));
+    if (!same_value(variable_of(r.ending, 100 + n), value))
+      RC_FAIL(text + " gave #" + std::to_string(n) + " " + value_text(variable_of(r.ending, 100 + n)));
   }
 }
 
@@ -400,15 +407,18 @@ RC_GTEST_PROP(macro_calls, do_what_the_body_does_inline, ()) {
   const std::string shown = "#101=#1\n#102=#2\n#103=#3\n#104=#4\n#105=#5\n";
   const auto called = run("nct", call + "\nM30\nO300\n#10=#0\n#16=#0\n" + body + shown + "M99\n");
   const auto written = run("nct", set + body + shown + "M30\n");
-  if (called.first_alarm() != written.first_alarm()) RC_FAIL(call + "\n" + body + "gave '" + called.first_alarm() + "', inline '" + written.first_alarm() + "'");
+  if (called.first_alarm() != written.first_alarm())
+    RC_FAIL(call + "\n" + body + "gave '" + called.first_alarm() + "', inline '" + written.first_alarm() + "'");
   if (exactly(called.actions) != exactly(written.actions)) RC_FAIL(call + "\n" + body + "does something else inline");
   for (int n = 101; called.alarms.empty() && n <= 105; ++n)
     if (!same_value(variable_of(called.ending, n), variable_of(written.ending, n))) RC_FAIL(call + "\n" + body + "has other values inline");
 }
 
 TEST(macro_calls, keep_the_locals_of_their_caller) {
-  const auto r = run("nct", "#1=5\n#2=6\nG65 P300 A7\n#103=#1\n#104=#2\nM98 P301\n#105=#1\nM30\nO300\n#101=#1\n#102=#2\n#1=8\n#2=9\nG65 P302\n#106=#1\nM99\n"
-                          "O301\n#1=#1+10\nM99\nO302\n#1=77\nM99\n");
+  const auto r =
+      run("nct",
+          "#1=5\n#2=6\nG65 P300 A7\n#103=#1\n#104=#2\nM98 P301\n#105=#1\nM30\nO300\n#101=#1\n#102=#2\n#1=8\n#2=9\nG65 P302\n#106=#1\nM99\n"
+          "O301\n#1=#1+10\nM99\nO302\n#1=77\nM99\n");
   EXPECT_EQ(r.first_alarm(), "");
   EXPECT_EQ(variable_of(r.ending, 101), 7);
   EXPECT_TRUE(is_empty(variable_of(r.ending, 102)));
@@ -426,7 +436,8 @@ TEST(macro_calls, repeated_begin_with_the_same_arguments) {
 
 TEST(macro_calls, nest_sixteen_deep) {
   const auto deepest = [](int depth) {
-    return run("nct", "G65 P300 A1\nM30\nO300\n#100=#1\nIF[#1LT" + std::to_string(depth) + "]THEN#101=1\nIF[#1GE" + std::to_string(depth) + "]GOTO9\nG65 P300 A[#1+1]\nN9M99\n");
+    return run("nct", "G65 P300 A1\nM30\nO300\n#100=#1\nIF[#1LT" + std::to_string(depth) + "]THEN#101=1\nIF[#1GE" + std::to_string(depth) +
+                          "]GOTO9\nG65 P300 A[#1+1]\nN9M99\n");
   };
   EXPECT_EQ(deepest(16).first_alarm(), "");
   EXPECT_EQ(variable_of(deepest(16).ending, 100), 16);
@@ -442,7 +453,8 @@ RC_GTEST_PROP(macro_programs, in_other_letters_and_with_blanks_are_the_same, ())
   const std::string text = ProgramPrinter(choose, false)(steps);
   const auto other = run("nct", text);
   if (plain.first_alarm() != other.first_alarm()) RC_FAIL(text + "gave '" + other.first_alarm() + "', not '" + plain.first_alarm() + "'");
-  if (exactly(plain.actions) != exactly(other.actions) || exactly(plain.ending) != exactly(other.ending)) RC_FAIL(text + "does something else");
+  if (exactly(plain.actions) != exactly(other.actions) || exactly(plain.ending) != exactly(other.ending))
+    RC_FAIL(text + "does something else");
 }
 
 /// Words of NC blocks and whole statements; between two of them blanks and comments may stand.
@@ -501,7 +513,8 @@ RC_GTEST_PROP(macro_programs, with_comments_and_small_letters_are_the_same, ()) 
   const std::string text = spelled(choose, words_of_program, true, true);
   const auto other = run("nct", text, setup);
   if (plain.first_alarm() != other.first_alarm()) RC_FAIL(text + "gave '" + other.first_alarm() + "', not '" + plain.first_alarm() + "'");
-  if (exactly(plain.actions) != exactly(other.actions) || exactly(plain.ending) != exactly(other.ending)) RC_FAIL(text + "does something else");
+  if (exactly(plain.actions) != exactly(other.actions) || exactly(plain.ending) != exactly(other.ending))
+    RC_FAIL(text + "does something else");
 }
 
 RC_GTEST_PROP(macro_programs, in_inches_move_the_same, ()) {
@@ -514,13 +527,16 @@ RC_GTEST_PROP(macro_programs, in_inches_move_the_same, ()) {
   const auto one = a.motions(), other = b.motions();
   RC_ASSERT(one.size() == other.size());
   for (std::size_t i = 0; i < one.size(); ++i)
-    if (std::fabs(one[i].to[0] - other[i].to[0]) > same_way || std::fabs(one[i].feed - other[i].feed) > same_way) RC_FAIL(inches + "moves elsewhere");
+    if (std::fabs(one[i].to[0] - other[i].to[0]) > same_way || std::fabs(one[i].feed - other[i].feed) > same_way)
+      RC_FAIL(inches + "moves elsewhere");
 }
 
 TEST(macro_variables, of_lengths_are_read_in_the_unit_in_force) {
   kadr::Setup setup;
   setup.offsets[1].length = 50.8;
-  const auto r = run("nct", "G21 G0 X25.4\n#101=#5041\n#102=#10001\nG20\n#103=#5041\n#104=#10001\n#10001=1\n#5221=2\nG21\n#105=#10001\n#106=#5221\n", setup);
+  const auto r =
+      run("nct", "G21 G0 X25.4\n#101=#5041\n#102=#10001\nG20\n#103=#5041\n#104=#10001\n#10001=1\n#5221=2\nG21\n#105=#10001\n#106=#5221\n",
+          setup);
   EXPECT_EQ(r.first_alarm(), "");
   EXPECT_EQ(variable_of(r.ending, 101), 25.4);
   EXPECT_EQ(variable_of(r.ending, 102), 50.8);
