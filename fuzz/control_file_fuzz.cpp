@@ -15,7 +15,8 @@ constexpr kadr::RunLimits few_passes{200, 2};
 constexpr int most_batches = 50;
 
 void try_out(const kadr::ControlDef& def) {
-  (void)kadr::control_page(def);
+  static const kadr::AlarmTexts texts = kadr::AlarmTexts::load(nullptr).value();
+  (void)kadr::control_page(def, texts);
   kadr::Control control(def, {}, {"fuzz.nc", kadr::text_source(program), std::nullopt}, few_passes);
   kadr::ActionBatch batch;
   for (int i = 0; i < most_batches; ++i) {

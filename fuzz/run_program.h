@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "config/control_file.h"
+#include "config/state_json.h"
 #include "control/control.h"
 #include "machine/virtual_machine.h"
 #include "out/alarm_print.h"
@@ -22,12 +25,15 @@ inline constexpr std::size_t most_actions = 20'000;  // of one run
 inline constexpr std::size_t most_alarms = 200;
 inline constexpr std::size_t most_shown = 40;     // alarms that are put into words
 inline constexpr std::size_t most_compared = 15;  // alarms before which the state is kept, to be compared
-inline constexpr RunLimits few_passes{2000, 5};
+inline constexpr std::size_t most_watched = 200;  // blocks around which the state is kept
+inline const RunLimits few_passes{2000, 5};
 inline constexpr double farthest_end = 1e8;  // mm: what no motion may reach
 inline constexpr double same_place = 1e-5;   // mm: rounding of coordinates of ten kilometres
 
 /// Switches in the first byte; '@' is none of them.
-enum : unsigned { mirror_x = 1, mirror_y = 2, skip_blocks = 4, narrow_limits = 8, as_cp1251 = 16 };
+enum : unsigned { mirror_x = 1, mirror_y = 2, skip_blocks = 4, narrow_limits = 8, as_cp1251 = 16, machine_logic = 32 };
+
+inline Setup some_setup(unsigned switches);
 
 /// What all runs of a control share.
 struct Shop {
@@ -35,13 +41,22 @@ struct Shop {
   AlarmTexts texts;
   MachineProfile profile;
   std::FILE* nowhere;
+  std::string file = "fuzz.nc";
+  RunLimits limits = few_passes;
+  Setup (*setup)(unsigned switches) = some_setup;
+  bool plain_frames = true;  // machine = work + origin + length always
+  std::function<void(Control&, const Origin&, bool at_end)>
+      logic{};  // of the machine, around each block (nct), with the switch `machine_logic`
 
   static Shop open(const char* control) {
     auto def = load_control(control);
     require(def.has_value(), "the control's file is good");
     auto texts = AlarmTexts::load(&*def);
     require(texts.has_value(), "the alarm texts are good");
-    return {std::move(*def), std::move(*texts), std::move(*load_machine("generic")), std::fopen("/dev/null", "wb")};
+    return {.def = std::move(*def),
+            .texts = std::move(*texts),
+            .profile = std::move(*load_machine("generic")),
+            .nowhere = std::fopen("/dev/null", "wb")};
   }
 };
 
@@ -56,7 +71,7 @@ inline Setup some_setup(unsigned switches) {
   s.reference_points = {{1, {{"X", 500}, {"Y", 400}, {"Z", 300}}}, {2, {{"Z", 200}}}};
   s.probe_hole = ProbeHole{1, 0, 0, 40, 0, 10};
   s.watch = {"#100", "#2000", "#7", "R4"};
-  s.spindle_rpm = 500;
+  s.spindles[1].rpm = 500;
   s.points = {0.25, 0.5};
   if ((switches & mirror_x) != 0) s.mirror.emplace_back("X");
   if ((switches & mirror_y) != 0) s.mirror.emplace_back("Y");
@@ -82,10 +97,10 @@ class Run {
  public:
   Run(const Shop& shop, std::string text, unsigned switches)
       : shop_(shop),
-        setup_(some_setup(switches)),
+        setup_(shop.setup(switches)),
         control_(shop.def, setup_,
-                 {"fuzz.nc", text_source(std::move(text)), (switches & as_cp1251) != 0 ? std::optional(Encoding::cp1251) : std::nullopt},
-                 few_passes),
+                 {shop.file, text_source(std::move(text)), (switches & as_cp1251) != 0 ? std::optional(Encoding::cp1251) : std::nullopt},
+                 shop.limits),
         stand_{control_.ending().position, control_.ending().machine_position},
         machine_(control_.axes(), control_.rotary(), shop.profile, setup_, stand_),
         statistics_(control_.axes(), control_.rotary(), rates_of(shop.profile, setup_, control_.axes()), stand_),
@@ -93,6 +108,11 @@ class Run {
         trace_(shop.nowhere, control_.axes(), control_.rotary(), stand_, setup_.points) {
     require(is_finite(stand_.work) && is_finite(stand_.machine), "the run begins somewhere");
     control_.on_warning = [this](const AlarmReport& report) { show(report); };
+    if (shop.logic && (switches & machine_logic) != 0)
+      control_.on_block = [this](const Origin& origin, bool at_end) {
+        watch_block(at_end);
+        shop_.logic(control_, origin, at_end);
+      };
   }
 
   void carry_out() {
@@ -115,15 +135,34 @@ class Run {
     if (alarms_ == 0) trace_.finish(end);
     else trace_.finish(end, last_, shop_.texts, Lang::ru);
     require(is_utf8(statistics_.text(control_.blocks(), Lang::ru)), "the summary is UTF-8");
+    if (const auto state = control_.run_state(); state) {
+      const std::string text = state_json(*state);
+      require(nlohmann::json::accept(text), "the state is JSON");
+      require(parse_setup(text).has_value(), "the state is a set-up");
+    }
   }
 
  private:
+  /// Nothing of a faulty block is done, seen from the block itself.
+  void watch_block(bool at_end) {
+    if (!at_end) {
+      if (++watched_ <= most_watched) before_block_ = control_.ending();
+      return;
+    }
+    if (!control_.is_stopped() || watched_ > most_watched || control_.report().alarm.id == AlarmId::call_too_deep) return;
+    const Ending after = control_.ending();
+    require(before_block_.variables == after.variables, "a faulty block changes no variable");
+    require(before_block_.modal == after.modal, "a faulty block changes no mode");
+    require(near(before_block_.position, after.position) && near(before_block_.machine_position, after.machine_position),
+            "a faulty block moves nothing");
+  }
+
   void take(Action& action) {
     ++actions_;
     if (auto* const motion = std::get_if<Motion>(&action.what)) {
       if (motion->kind == MotionKind::probe) {
         const ProbeAnswer answer = machine_.probe(*motion);
-        end_at(*motion, answer);
+        end_at(*motion, answer, machine_.position().rotation.get());
         control_.answer(answer);
       }
       check_motion(*motion);
@@ -135,14 +174,14 @@ class Run {
     check_other(action);
     if (const Status taken = machine_.take(action); !taken) show(control_.report_for(taken.error(), action.origin));
     stand_.take(action);
-    statistics_.take(action);
+    const MotionTime time = statistics_.take(action);
     plot_.take(action);
-    trace_.write(action);
+    trace_.write(action, time);
   }
 
   void check_motion(const Motion& motion) const {
     require(is_finite(motion.to) && is_finite(motion.machine), "a motion ends somewhere");
-    require(std::isfinite(motion.center.x) && std::isfinite(motion.center.y) && std::isfinite(motion.center.z), "an arc has a centre");
+    require(std::isfinite(motion.center.x) && std::isfinite(motion.center.y), "an arc has a centre");
     require(std::isfinite(motion.feed) && motion.feed >= 0, "the feed is a number");
     require(std::isfinite(motion.turns) && std::isfinite(motion.tolerance) && motion.tolerance >= 0, "turns and tolerance are numbers");
     const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
@@ -152,7 +191,7 @@ class Run {
       // An axis that does not move keeps a length that its next motion takes out (2С42).
       const double apart = motion.machine[a] - motion.to[a];
       const bool in_frame = near(apart, frame_.origin[a] + frame_.length[a]);
-      require(in_frame || near(apart, stand_.machine[a] - stand_.work[a]), "machine = work + origin + length");
+      require(!shop_.plain_frames || in_frame || near(apart, stand_.machine[a] - stand_.work[a]), "machine = work + origin + length");
     }
   }
 
@@ -199,6 +238,8 @@ class Run {
   TraceWriter trace_;
   FrameChange frame_{};
   AlarmReport last_;
+  Ending before_block_;
+  std::size_t watched_ = 0;
   std::size_t actions_ = 0;
   std::size_t alarms_ = 0;
   std::size_t shown_ = 0;

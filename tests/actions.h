@@ -1,7 +1,7 @@
 #pragma once
 // Actions for the tests of the rooms after `control`: motions in one work system.
 
-#include "control/action.h"
+#include "control/state.h"
 
 namespace kadr::test {
 
@@ -14,11 +14,15 @@ inline Motion straight(MotionKind kind, Vec3 to, double feed = 0) {
   return m;
 }
 
+/// `center`: all three coordinates; that off the plane is not used.
 inline Motion arc(MotionKind kind, Vec3 to, Vec3 center, double turns, Plane plane = Plane::xy) {
   Motion m = straight(kind, to, 100);
-  m.center = center;
+  const PlaneAxes axes = axes_of(plane);
+  const std::array<double, 3> all{center.x, center.y, center.z};
+  m.center = {all[axes.first], all[axes.second]};
   m.turns = turns;
-  m.plane = plane;
+  m.first = static_cast<std::uint8_t>(axes.first);
+  m.second = static_cast<std::uint8_t>(axes.second);
   return m;
 }
 

@@ -39,9 +39,11 @@ PHASES = macro_rows(FUNCTION_H, "KADR_PHASES")
 FUNCTIONS = dict(re.split(r",\s*", row)[:2] for row in macro_rows(FUNCTION_H, "KADR_FUNCTIONS"))  # name: its phase
 ALARMS = macro_rows(header("base/alarm_ids.h"), "KADR_ALARMS")
 STEPS = enum_names(DEF_H, "CycleStep")
-VARIABLE_KINDS = enum_names(DEF_H, "VariableKind")
+VARIABLE_KINDS = macro_rows(DEF_H, "KADR_VARIABLE_KINDS")
 UNITS = enum_names(DEF_H, "WordUnit")
 BEHAVIOUR = {name: kind for kind, name in struct_fields(DEF_H, "Behaviour")}
+PARAMETER_ENUMS = {"scope": enum_names(DEF_H, "ParameterScope"), "type": enum_names(DEF_H, "ParameterType"),
+                   "when": enum_names(DEF_H, "ParameterClass")}
 ENUMS = {"ArcCenters": enum_names(DEF_H, "ArcCenters"), "LengthOffset": enum_names(DEF_H, "LengthOffset")}
 END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
 MOST_AXES = 16
@@ -50,17 +52,25 @@ MOST_AXES = 16
 GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address"}
 GRAMMAR_KEYS |= {"formal_parameter", "parameters_in", "label", "section", "most_codes"}
 TOP_KEYS = {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
-            "variables", "alarms", "defaults", "feed_codes", "speed_codes"}
+            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many"}
-CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "from", "to"}
+CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "from",
+                         "to"}
 GROUP_KEYS = {"modal", "initial", "en", "ru"}
 CYCLE_KEYS = TEXT_KEYS | {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off"}
-VARIABLE_KEYS = TEXT_KEYS | {"from", "count", "stride", "repeat", "is"}
+VARIABLE_KEYS = TEXT_KEYS | {"from", "count", "stride", "repeat", "is", "ranges", "symbol", "first", "arg", "bit", "of", "access", "works"}
+FIRST_UNWRITTEN = 1_000_000  # first_unwritten_variable of control_def.h
+OWN_ALARM_KEYS = {"number", "en", "ru", "hint_en", "hint_ru"}
+PARAMETER_KEYS = TEXT_KEYS | {"scope", "type", "when", "least", "most", "initial", "bits", "used"}
 ALARM_KEYS = {"severity", "args", "en", "ru", "hint_en", "hint_ru"}
 
 ADDRESS_FUNCTIONS = {"block_number", "axis", "center", "word_of_code", "feed_word", "speed_word", "tool_word", "offset_word",
-                     "formal_parameter", "code", "label", "dwell_word", "repeat_word", "call_word", "corrector_word"}
+                     "formal_parameter", "code", "label", "dwell_word", "repeat_word", "call_word", "corrector_word", "machine_axis",
+                     "increment_axis", "argument_only", "auxiliary_word", "spindle_word", "spindle_axis_word", "tool_call",
+                     "length_number", "radius_number"}
+OTHER_WORDS = "*cra"  # in `takes`: every axis of the channel, the words ,C ,R ,A
+TEXT_OF_THE_PROGRAM = {"program_alarm"}  # their text is written by the program
 
 passed = 0
 failures = []
@@ -130,14 +140,27 @@ class Control:
         self.check_groups()
         self.check_cycles()
         self.check_variables()
-        for key in self.t.get("alarms", {}):
-            check(key in ALARMS, self.at("alarms", key, "is no alarm"))
+        self.check_own_alarms()
+
+    def check_own_alarms(self):
+        texts = load(CONTROLS / "alarms.toml") or {}
+        for key, row in self.t.get("alarms", {}).items():
+            where = self.at("alarms", key)
+            check(key in ALARMS, f"{where}: is no alarm")
+            check_keys(row, OWN_ALARM_KEYS, where)
+            check(bool(row.get("en")) == bool(row.get("ru")), f"{where}: in one language only")
+            check(bool(row.get("hint_en")) == bool(row.get("hint_ru")), f"{where}: hint in one language only")
+            args = texts.get(key, {}).get("args", 0)
+            for text in (row.get(k, "") for k in OWN_ALARM_KEYS - {"number"}):
+                check(all(int(n) < args for n in re.findall(r"\{(\d+)\}", text)), f"{where}: more arguments than alarms.toml gives")
 
     def check_head(self):
         check_keys(self.t, TOP_KEYS, self.at())
         check(self.t.get("id") == self.name.removesuffix(".toml"), self.at("id is not the name of the file"))
         check_text(self.t.get("name", {}), self.at("name"), manual=False, proper_name=True)
         check(self.t.get("spec"), self.at("spec is missing"))
+        if "parameters" in self.t:
+            check(is_parameters(CONTROLS / f"{self.t['parameters']}.toml"), self.at("parameters: no table", self.t["parameters"]))
         check(1 <= len(self.axes) <= MOST_AXES, self.at("axes: 1 to", MOST_AXES))
         check(len(set(self.axes)) == len(self.axes), self.at("axes: one stands twice"))
         for axis in self.t.get("axes", {}).get("rotary", []):
@@ -203,7 +226,8 @@ class Control:
             check(letter in self.addresses, self.at("format:", letter, "has no address row"))
         for axis in self.axes:
             row = self.addresses.get(axis, {})
-            check(row.get("does") == "axis" and row.get("axis") == axis, self.at("axis", axis, "has no address of its name"))
+            named = row.get("does") == "axis" and row.get("axis") == axis
+            check(named or row.get("does") == "machine_axis", self.at("axis", axis, "has no address of its name"))
 
     def check_codes(self, section, letter):
         for key, row in self.t.get(section, {}).items():
@@ -217,11 +241,11 @@ class Control:
             takes = row.get("takes", "")
             check(len(set(takes)) == len(takes), f"{where}: takes a letter twice")
             for word in takes:
-                check(word in self.addresses or (word == "A" and self.t.get("grammar", {}).get("zero_between_slashes")),
+                check(word in self.addresses or word in OTHER_WORDS or (word == "A" and self.t.get("grammar", {}).get("zero_between_slashes")),
                       f"{where}: takes {word}, which is no address")
             check(set(row.get("needs", "")) <= set(takes), f"{where}: needs what it does not take")
             if key == "other":
-                check(letter == "M" and row.get("from", 0) <= row.get("to", 99999), f"{where}: from, to")
+                check(letter == "M" and row.get("from", 0) <= row.get("to", 99999999), f"{where}: from, to")
                 continue
             check("from" not in row and "to" not in row, f"{where}: from, to are for `other`")
             if not check(re.fullmatch(r"\d+(\.\d)?", key), f"{where}: no number of a code"):
@@ -267,17 +291,50 @@ class Control:
     def check_variables(self):
         taken = {}
         most = self.t.get("grammar", {}).get("variables", 0)
+        symbols = {}
         for row in self.t.get("variables", []):
-            where = self.at("variables from", row.get("from"))
+            where = self.at("variable", row.get("symbol", row.get("from", row.get("ranges"))))
             check_keys(row, VARIABLE_KEYS, where)
             check_text(row, where)
             check(row.get("is") in VARIABLE_KINDS, f"{where}: '{row.get('is')}' is no kind")
-            first, count, stride = row.get("from", 0), row.get("count", 1), row.get("stride", 0)
-            check(row.get("repeat", 1) == 1 or stride >= count, f"{where}: stride less than count")
-            numbers = [first + i * stride + j for i in range(row.get("repeat", 1)) for j in range(count)]
-            check(not any(n in taken for n in numbers), f"{where}: a number twice")
-            check(1 <= numbers[0] and numbers[-1] <= most, f"{where}: beyond #{most}")
-            taken.update(dict.fromkeys(numbers, first))
+            check(row.get("access", "RW") in ("R", "W", "RW"), f"{where}: access")
+            check(("bit" in row) == ("of" in row), f"{where}: bit and of")
+            ranges = row.get("ranges", [[row.get("from", 0), row.get("count", 1), row.get("stride", 0), row.get("repeat", 1)]])
+            numbers = []
+            for first, count, stride, repeat in (r if len(r) == 4 else r + [0, 1] for r in ranges):
+                check(repeat == 1 or stride >= count, f"{where}: stride less than count")
+                numbers += [first + i * stride + j for i in range(repeat) for j in range(count)]
+            kind = (row.get("is"), row.get("arg", 0))
+            check(all(taken.get(n, kind) == kind for n in numbers), f"{where}: a number twice")
+            check(row.get("symbol") or not any(n in taken for n in numbers), f"{where}: a number twice")
+            check((numbers[0] >= 1 or row.get("is") == "empty") and all(n <= most or n > FIRST_UNWRITTEN for n in numbers), f"{where}: beyond #{most}")
+            taken.update(dict.fromkeys(numbers, kind))
+            if "symbol" in row:
+                check(row["symbol"] not in symbols, f"{where}: symbol twice")
+                symbols[row["symbol"]] = ranges
+        for row in self.t.get("variables", []):
+            check("of" not in row or row["of"] in taken, self.at("variable", row.get("symbol"), "is a bit of no variable"))
+
+
+def is_parameters(path):
+    """A table of parameters of a control, which is none itself."""
+    return path.name.endswith("-parameters.toml") and path.is_file()
+
+
+def check_parameters(name, table):
+    numbers = [key for key in table if key.isdigit()]
+    check(list(table)[:len(numbers)] == sorted(numbers), f"{name}: rows by number, then those without one")
+    for key, row in table.items():
+        where = f"{name}: {key}"
+        check(re.fullmatch(r"\d{4}|[A-Z]+", key), f"{where}: four digits, or capital letters")
+        check_keys(row, PARAMETER_KEYS, where)
+        check_text(row, where)
+        for column, words in PARAMETER_ENUMS.items():
+            check(row.get(column, "run_time" if column == "when" else None) in words, f"{where}: {column}")
+        check(row.get("least", -1e300) <= row.get("most", 1e300), f"{where}: least is above most")
+        check(row.get("type") == "bits" or "bits" not in row, f"{where}: bits")
+        names = [n for n in row.get("bits", "").split() if n not in "-|"]
+        check(len(names) == len(set(names)), f"{where}: a bit twice")
 
 
 def check_alarms(table):
@@ -286,14 +343,14 @@ def check_alarms(table):
     for name, row in table.items():
         where = f"alarms.toml: {name}"
         check_keys(row, ALARM_KEYS, where)
-        check_text(row, where, manual=False)
+        check_text(row | ({"ru": "текст программы"} if name in TEXT_OF_THE_PROGRAM else {}), where, manual=False)
         check_text({"en": row.get("hint_en", ""), "ru": row.get("hint_ru", "")}, f"{where} hint", manual=False)
         check(row.get("severity", "alarm") in ("alarm", "warning"), f"{where}: severity")
         args = row.get("args", -1)
         check(0 <= args <= 3, f"{where}: args 0 to 3")
         for key in ("en", "ru"):
             used = sorted({int(n) for n in re.findall(r"\{(\d+)\}", row.get(key, ""))})
-            check(used == list(range(args)), f"{where}: {key} uses {used}, args = {args}")
+            check(used == list(range(args)) or name in TEXT_OF_THE_PROGRAM, f"{where}: {key} uses {used}, args = {args}")
         for key in ("hint_en", "hint_ru"):
             check("{" not in row.get(key, ""), f"{where}: {key} has arguments")
     check_alarm_calls(table)
@@ -354,11 +411,13 @@ def main():
         check(len(found) > 5, f"headers: no {name} found")
     for path in sorted(CONTROLS.glob("*.toml")):
         before = len(failures)
-        table = load(path) if path.name == "alarms.toml" else merged(path)
+        table = load(path) if path.name == "alarms.toml" or is_parameters(path) else merged(path)
         if table is None:
             continue
         if path.name == "alarms.toml":
             check_alarms(table)
+        elif is_parameters(path):
+            check_parameters(path.name, table)
         else:
             Control(path, table).check()
         print(f"{path.name}: {'ok' if len(failures) == before else 'FAILED'}")

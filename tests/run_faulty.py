@@ -9,6 +9,7 @@ Beside each program NAME.nc (NAME.tape: rows of a punched tape) stands NAME.expe
     3:10 address_twice               a fault: line, column in characters from 1, id; in the order of `kadr check`
     3:4 warning look_alike_letter    a warning
     text: Address X twice            English text of the first fault
+    number: 2002                     the control's own number of the first fault; nct: also that it has none, if the line is missing
     args: --setup NAME.json          further arguments
     exit: 1                          default: 1 with a fault, 0 without
     # …                              a remark
@@ -29,7 +30,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent / 'faulty'
-CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors')
+CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct')
 PROGRAMS = ('.nc', '.tape')
 TIME_LIMIT_S = 20
 FAULT = re.compile(r'(\d+):(\d+) (warning )?([a-z_]+)')
@@ -43,7 +44,7 @@ class Expected:
     """What NAME.expect says."""
 
     def __init__(self, path):
-        self.findings, self.text, self.args, self.exit = [], None, [], None
+        self.findings, self.text, self.number, self.args, self.exit = [], None, None, [], None
         for number, line in enumerate(path.read_text(encoding='utf-8').splitlines(), 1):
             line = line.strip()
             if not line or line.startswith('#'):
@@ -53,17 +54,19 @@ class Expected:
                 continue
             key, colon, value = line.partition(':')
             value = value.strip()
-            if not colon or not value or key not in ('text', 'args', 'exit'):
+            if not colon or not value or key not in ('text', 'number', 'args', 'exit'):
                 raise Failure(f'{path.name}:{number}: not understood: {line}')
             if key == 'text':
                 self.text = value
+            elif key == 'number':
+                self.number = value
             elif key == 'args':
                 self.args = shlex.split(value)
             else:
                 self.exit = int(value)
         self.faults = sum(f[2] == 'alarm' for f in self.findings)
-        if self.text and not self.findings:
-            raise Failure(f'{path.name}: text, but no finding')
+        if (self.text or self.number) and not self.findings:
+            raise Failure(f'{path.name}: text or number, but no finding')
         if not self.findings and self.exit is None:
             raise Failure(f'{path.name}: expects nothing; say exit: 0 if that is meant')
         if self.exit is None:
@@ -83,7 +86,7 @@ def shown(findings):
     return '; '.join(f'{line}:{column} {"warning " if severity == "warning" else ""}{name}' for line, column, severity, name in findings) or 'nothing'
 
 
-def check_json(expected, status, out, err):
+def check_json(expected, program_control, status, out, err):
     if status != expected.exit:
         raise Failure(f'exit status expected {expected.exit}, got {status} {err.strip()[:160]}')
     try:
@@ -97,6 +100,9 @@ def check_json(expected, status, out, err):
         first = next((f for f in findings if f['severity'] == 'alarm'), findings[0])
         if first['text'] != expected.text:
             raise Failure(f'text expected {expected.text!r}, got {first["text"]!r}')
+    if findings and (expected.number or program_control == 'nct'):
+        if findings[0]['number'] != expected.number:
+            raise Failure(f'number expected {expected.number}, got {findings[0]["number"]}')
     for f in findings:
         if not f['hint'] or not f['text'] or re.search(r'\{\d?\}', f['text']):
             raise Failure(f'{f["line"]}:{f["column"]} {f["id"]}: text or hint is not complete: {f["text"]!r} {f["hint"]!r}')
@@ -144,7 +150,7 @@ def judge(kadr, program, control):
         return f'{expectation.name} is missing'
     try:
         expected = Expected(expectation)
-        findings = check_json(expected, *run(kadr, program, control, expected.args, 'json'))
+        findings = check_json(expected, control, *run(kadr, program, control, expected.args, 'json'))
         check_text(program, expected, findings, *run(kadr, program, control, expected.args, 'text'))
     except Failure as failure:
         return str(failure)

@@ -36,5 +36,35 @@
   X(stepover_out_of_range) X(cycle_override)                                                 \
   /* probe and machine */                                                                    \
   X(probe_too_close) X(probe_no_contact) X(probe_feed_mode) X(limit_exceeded)                \
-  X(interrupted)
+  X(interrupted)                                                                             \
+  /* custom macros (nct 23) */                                                               \
+  X(not_available) X(illegal_address) X(equals_missing) X(increment_not_allowed)             \
+  X(terminator_wrong) X(while_without_do) X(do_number) X(end_without_do) X(do_without_end)   \
+  X(loops_overlap) X(statement_not_alone) X(block_not_found) X(number_by_variable)           \
+  X(root_of_negative) X(tangent_of_right_angle) X(argument_above_one)                        \
+  X(argument_not_positive) X(value_limit) X(bits_out_of_range) X(variable_read_only)         \
+  X(variable_write_only) X(axis_number_wrong) X(program_alarm) X(message_number)             \
+  X(modal_macro_missing) X(program_name_missing)                                             \
+  /* files of the program memory (nct 14.4, 23.2.13) */                                      \
+  X(program_missing) X(file_missing) X(program_file_exists) X(file_exists) X(file_name)      \
+  X(file_outside) X(file_not_open) X(file_already_open) X(file_write) X(file_mode)           \
+  X(print_format)                                                                            \
+  /* parameters (nct 24) */                                                                  \
+  X(parameter_unknown) X(parameter_not_writable) X(parameter_argument) X(data_block)         \
+  /* spindles, tools, M codes (nct 11 to 13) */                                              \
+  X(m_codes_contradict) X(one_spindle) X(spindle_of_other_channel) X(spindle_not_indexable)  \
+  X(spindle_not_orientable) X(spindle_loop_open) X(spindle_not_referenced) X(tool_not_found) \
+  X(magazine_number) X(too_many_m_codes)                                                     \
+  /* geometry, cycles, probes (nct 4, 10, 18, 19, 21) */                                     \
+  X(thread_definition) X(thread_axes) X(incremental_in_machine) X(plane_illegal)             \
+  X(surface_state) X(surface_start) X(smoothing_length) X(cycle_data_missing)                \
+  X(probe_state) X(probe_torque) X(probe_torque_axis) X(probe_torque_unknown)                \
+  X(probe_window) X(contour_block_missing) X(contour_order) X(contour_shape)                 \
+  /* zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */                         \
+  X(zone1_positive) X(zone1_negative) X(zone2_positive) X(zone2_negative) X(zone2_inside)    \
+  X(zone3_inside) X(zone2_entry) X(zone3_entry)                                              \
+  X(zone1_reached_positive) X(zone1_reached_negative) X(zone2_reached_positive)              \
+  X(zone2_reached_negative) X(zone2_reached_inside) X(zone3_reached_inside)                  \
+  X(position_error) X(channels_wait)                                                         \
+  X(channel_list)
 // clang-format on

@@ -1,4 +1,4 @@
-// kadr check: every fault of every program, and how many.
+// kadr check: every fault of every program, its channels included, and how many.
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "cli/pipeline.h"
+#include "cli/channels.h"
 #include "cli/progress.h"
 #include "out/alarm_print.h"
 
@@ -76,8 +76,18 @@ class Collector {
 
 enum class Checked { clean, faulty, unreadable };
 
-Checked check_file(const Options& options, const std::string& file, std::vector<Finding>& findings, std::size_t& faults,
-                   std::size_t& warnings) {
+struct Count {
+  std::size_t faults = 0, warnings = 0;
+};
+
+/// What is found goes to the collector of its channel.
+Outlets outlets_of(Collector& collector, Progress& progress) {
+  const auto take = [&collector](const AlarmReport& report) { return collector.take(report); };
+  return {[](const Action&) {}, [take](const AlarmReport& report) { (void)take(report); }, take,
+          [&progress](const Control& control) { progress.show(control); }};
+}
+
+Checked check_file(const Options& options, const std::string& file, Count& count, std::vector<Finding>& findings) {
   auto job = make_job(options, file);
   if (!job) return Checked::unreadable;
   auto program = open_program(*job);
@@ -85,24 +95,35 @@ Checked check_file(const Options& options, const std::string& file, std::vector<
   RunLimits limits = options.limits;
   const bool one_pass = limits.restarts == RunLimits{}.restarts;
   if (one_pass) limits.restarts = 0;
-  Control control(*job->def, job->setup, std::move(*program), limits);
-  if (!control.setup_error().empty()) {
-    complain(fmt::format("{}: the control {} has no {}", options.setup, job->def->id, control.setup_error()));
-    return Checked::unreadable;
-  }
-  Collector collector(*job, options, findings);
-  collector.one_pass = one_pass;
+  auto channels = make_channels(*job, std::move(*program), limits);
+  if (!channels) return Checked::unreadable;
   Progress progress(options.quiet);
-  const auto take = [&](const AlarmReport& report) { return collector.take(report); };
-  (void)carry_out(control, *job,
-                  {[](const Action&) {}, [&](const AlarmReport& r) { (void)take(r); }, take, [&](const Control& c) { progress.show(c); }});
-  if (!interrupted()) control.check_uncalled([&](const AlarmReport& r) { (void)take(r); });
-  faults += collector.faults;
-  warnings += collector.warnings;
-  return collector.faults == 0 ? Checked::clean : Checked::faulty;
+  std::deque<Collector> collectors;
+  ChannelOutlets outlets;
+  outlets.stop_together = false;
+  for (std::size_t i = 0; i < channels->size(); ++i) {
+    collectors.emplace_back(*job, options, findings);
+    collectors.back().one_pass = one_pass;
+    outlets.own.push_back(outlets_of(collectors.back(), progress));
+  }
+  if (channels->size() == 1) {
+    channels->front().control->set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
+    (void)carry_out(*channels->front().control, *job, outlets.own.front());
+  } else {
+    (void)Channels(*channels, *job, outlets).run();
+  }
+  bool clean = true;
+  for (std::size_t i = 0; i < channels->size(); ++i) {
+    if (!interrupted()) (*channels)[i].control->check_uncalled([&](const AlarmReport& r) { (void)collectors[i].take(r); });
+    count.faults += collectors[i].faults;
+    count.warnings += collectors[i].warnings;
+    clean = clean && collectors[i].faults == 0;
+  }
+  return clean ? Checked::clean : Checked::faulty;
 }
 
-void print_count(const Options& options, std::size_t files, std::size_t faults, std::size_t warnings) {
+void print_count(const Options& options, std::size_t files, Count count) {
+  const auto [faults, warnings] = count;
   if (options.format != "text") return;
   if (language(options) == Lang::ru) fmt::print("Проверено программ: {}. Ошибок: {}, предупреждений: {}.\n", files, faults, warnings);
   else
@@ -120,12 +141,11 @@ int check(const Options& options) {
   }
   catch_interrupts();
   std::vector<Finding> findings;
-  std::size_t faults = 0;
-  std::size_t warnings = 0;
+  Count count;
   std::size_t checked = 0;
   int status = ok;
   for (const std::string& file : files) {
-    const Checked result = check_file(options, file, findings, faults, warnings);
+    const Checked result = check_file(options, file, count, findings);
     checked += result != Checked::unreadable;
     status = std::max<int>(status, result == Checked::clean ? ok : result == Checked::faulty ? alarms : wrong_usage);
     if (interrupted()) break;
@@ -133,7 +153,7 @@ int check(const Options& options) {
   }
   if (options.format == "json") fmt::print("{}", findings_json(findings));
   if (options.format == "sarif") fmt::print("{}", findings_sarif(findings, KADR_VERSION));
-  print_count(options, checked, faults, warnings);
+  print_count(options, checked, count);
   return status;
 }
 

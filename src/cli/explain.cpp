@@ -23,12 +23,12 @@ int explain(const ExplainOptions& options) {
   const auto texts = AlarmTexts::load(&*def);
   if (!texts) return complain(texts.error()), wrong_usage;
   const Lang lang = language_named(options.lang);
-  if (options.markdown) return fmt::print("{}", control_page(*def)), ok;
+  if (options.markdown) return fmt::print("{}", control_page(*def, *texts)), ok;
   if (options.code.empty()) return fmt::print("{}", explain_control(*def, lang)), ok;
   const auto text = explain_code(*def, *texts, options.code, lang);
   if (!text) {
-    complain(lang == Lang::ru ? fmt::format("{}: нет кода, адреса, цикла или ошибки '{}'", options.control, options.code)
-                              : fmt::format("{}: no code, address, cycle or alarm '{}'", options.control, options.code));
+    complain(lang == Lang::ru ? fmt::format("{}: нет кода, адреса, цикла, переменной или ошибки '{}'", options.control, options.code)
+                              : fmt::format("{}: no code, address, cycle, variable or alarm '{}'", options.control, options.code));
     return wrong_usage;
   }
   fmt::print("{}", *text);

@@ -8,7 +8,6 @@
 
 #include "config/control_file.h"
 #include "config/guess.h"
-#include "machine/virtual_machine.h"
 
 namespace kadr::cli {
 namespace {
@@ -47,6 +46,7 @@ bool interrupted() { return interrupt_seen != 0; }
 std::optional<Job> make_job(const Options& options, const std::string& file) {
   Job job;
   job.file = file;
+  job.setup_file = options.setup;
   const auto id = control_of(options, file);
   if (!id) return std::nullopt;
   auto def = load_control(*id);
@@ -63,6 +63,7 @@ std::optional<Job> make_job(const Options& options, const std::string& file) {
     if (!setup) return complain(setup.error()), std::nullopt;
     job.setup = std::move(*setup);
   }
+  if (const std::string error = Plc(job.setup.events).error(); !error.empty()) return complain(options.setup + ": " + error), std::nullopt;
   job.setup.skip.insert(job.setup.skip.end(), options.skip.begin(), options.skip.end());
   job.setup.optional_stop = job.setup.optional_stop || options.optional_stop;
   if (!options.encoding.empty()) {
@@ -81,46 +82,104 @@ std::optional<Program> open_program(const Job& job) {
   return program;
 }
 
-Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
+VirtualTime virtual_time(const TimeSplit& split) { return {split.total(), split.cutting}; }
+
+Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic)
+    : control_(control),
+      setup_(setup),
+      outlets_(outlets),
+      logic_(logic),
+      machine_(control.axes(), control.rotary(), profile, setup, {control.ending().position, control.ending().machine_position}),
+      rates_(rates_of(profile, setup, control.axes())) {
   control.on_warning = outlets.warning;
-  const Ending start = control.ending();
-  VirtualMachine machine(control.axes(), control.rotary(), job.profile, job.setup, {start.position, start.machine_position});
-  if (machine.has_limits()) control.hand_over_each_block();
-  ActionBatch batch;
+  if (control.has_machine_parameters()) machine_.obey_parameters(setup);
+  control.on_signal = [this](const std::string& name, bool on) { machine_.set_signal(name, on); };
+  if (machine_.has_limits() || !logic.plc.idle()) control.hand_over_each_block();
+  if (logic.plc.idle()) return;
+  control.on_block = [this](const Origin& origin, bool at_end) { apply(logic_.plc.block(origin, at_end), control_, logic_.channels); };
+}
+
+Carrier::Step Carrier::stop(const AlarmReport& report) {
+  stopped_.report = report;
+  return Step::stopped;
+}
+
+Carrier::Step Carrier::step() {
+  constexpr double ms = 1000;
+  if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
+  const Control::State state = control_.run(batch_);  // lang, control: blocks → actions
+  const ToolPosition before = machine_.position();
+  const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
+  const auto taken =
+      machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });  // limits, zones, probes
+  batch_.cut(taken.done);
+  for (const Action& action : batch_) outlets_.action(action);  // out: trace, summary, plot
+  if (estimate_) count_time(before);
+  if (!logic_.plc.idle())
+    for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
+  if (taken.alarm) {
+    const AlarmReport report = control_.report_for(*taken.alarm, taken.origin);
+    if (taken.refused) control_.refused();
+    if (!outlets_.alarm(report)) {
+      stopped_.machine_stood = machine_.position();
+      return stop(report);
+    }
+    if (taken.refused) return Step::running;
+  }
+  if (state == Control::State::stopped || control_.is_stopped()) {
+    const AlarmReport report = control_.report();
+    if (!outlets_.alarm(report)) return stop(report);
+    control_.go_on();
+  }
+  if (state == Control::State::ended) return Step::ended;
+  if (interrupted()) {
+    const AlarmReport report = control_.report_for(alarm(AlarmId::interrupted, {}), batch_.empty() ? Origin() : batch_.back().origin);
+    (void)outlets_.alarm(report);
+    return stop(report);
+  }
+  if (outlets_.batch) outlets_.batch(control_);
+  return state == Control::State::waiting ? Step::waiting : Step::running;
+}
+
+VirtualTime Carrier::spent() {
+  if (outlets_.time) return outlets_.time();
+  if (!estimate_) {
+    estimate_.emplace(machine_.roles(), rates_);
+    estimate_->spindle(setup_.spindle().rpm);
+  }
+  return virtual_time(estimate_->split());
+}
+
+double Carrier::now() { return goes_on_at_ + (spent().now - spent_then_); }
+
+void Carrier::wait_until(double at) {
+  const double from = now();
+  if (!(at > from)) return;
+  waited_ += at - from;
+  goes_on_at_ = at;
+  spent_then_ = spent().now;
+}
+
+/// motion: what the batch takes, where nobody else counts.
+void Carrier::count_time(const ToolPosition& from) {
+  ToolPosition at = from;
+  for (const Action& action : batch_) {
+    if (const auto* const motion = std::get_if<Motion>(&action.what))
+      (void)estimate_->motion(*motion, Curve(machine_.roles(), at.work, *motion));
+    else estimate_->other(action);
+    at.take(action);
+  }
+}
+
+Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
+  Logic logic{Plc(job.setup.events), {&control}};
+  Carrier carrier(control, job.profile, job.setup, outlets, logic);
   for (;;) {
-    const Control::State state = control.run(batch);  // lang, control: blocks → actions
-    const ToolPosition before = machine.position();
-    std::optional<AlarmReport> refusal;
-    for (Action& action : batch) {
-      if (auto* const motion = std::get_if<Motion>(&action.what); motion != nullptr && motion->kind == MotionKind::probe) {
-        const ProbeAnswer answer = machine.probe(*motion);  // machine: what the probe meets
-        end_at(*motion, answer);
-        control.answer(answer);
-      }
-      if (const Status taken = machine.take(action); !taken) {  // machine: limits
-        refusal = control.report_for(taken.error(), action.origin);
-        break;
-      }
-    }
-    if (refusal) {  // nothing of the block is done
-      machine.go_back(before);
-      control.refused();
-      if (!outlets.alarm(*refusal)) return {refusal, before};
-      continue;
-    }
-    for (const Action& action : batch) outlets.action(action);  // out: trace, summary, plot
-    if (state == Control::State::stopped || control.is_stopped()) {
-      const AlarmReport report = control.report();
-      if (!outlets.alarm(report)) return {report, std::nullopt};
-      control.go_on();
-    }
-    if (state == Control::State::ended) return {};
-    if (interrupted()) {
-      const AlarmReport report = control.report_for(alarm(AlarmId::interrupted, {}), batch.empty() ? Origin() : batch.back().origin);
-      (void)outlets.alarm(report);
-      return {report, std::nullopt};
-    }
-    if (outlets.batch) outlets.batch(control);
+    const Carrier::Step step = carrier.step();
+    if (step == Carrier::Step::stopped) return carrier.stopped();
+    if (step != Carrier::Step::ended) continue;
+    apply(logic.plc.program_end(), control, logic.channels);
+    return {};
   }
 }
 

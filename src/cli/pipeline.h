@@ -1,5 +1,6 @@
 #pragma once
-// The rooms in a row: program → control → machine → trace, summary, plot. The one place where they are put together.
+// The rooms in a row: program → control → machine → trace, summary, plot. The one place where they are put together; for the
+// channels of one machine side by side: cli/channels.
 
 #include <functional>
 #include <memory>
@@ -7,13 +8,16 @@
 
 #include "cli/options.h"
 #include "config/machine_profile.h"
-#include "path/axis_roles.h"
+#include "machine/plc.h"
+#include "machine/virtual_machine.h"
+#include "motion/estimate.h"
 
 namespace kadr::cli {
 
 /// A program with everything that is needed to run it.
 struct Job {
   std::string file;
+  std::string setup_file;
   std::unique_ptr<ControlDef> def;
   MachineProfile profile;
   Setup setup;
@@ -28,22 +32,77 @@ std::optional<Job> make_job(const Options& options, const std::string& file);
 /// Opens the program; complains if it cannot be read.
 std::optional<Program> open_program(const Job& job);
 
+/// Virtual time since the start, s.
+struct VirtualTime {
+  double now = 0;
+  double cutting = 0;  // of it at feed
+};
+VirtualTime virtual_time(const TimeSplit& split);
+
 /// What looks at the actions of a run.
 struct Outlets {
   std::function<void(const Action&)> action;  // after the machine has taken it
   std::function<void(const AlarmReport&)> warning;
   /// An alarm; true: go on with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  std::function<void(const Control&)> batch;  // between batches: progress
+  std::function<void(const Control&)> batch{};  // between batches: progress
+  std::function<VirtualTime()> time{};          // of the actions so far; missing: counted here, if somebody asks
 };
 
 /// How a run came to its end.
 struct Stopped {
-  std::optional<AlarmReport> report;          // the alarm that stopped it, if one did
-  std::optional<ToolPosition> machine_stood;  // where, if the machine refused a motion: the control was ahead of it
+  std::optional<AlarmReport> report{};          // the alarm that stopped it, if one did
+  std::optional<ToolPosition> machine_stood{};  // where, if the machine refused a motion: the control was ahead of it
+  int channel = 0;                              // in which the alarm arose, if not in this one (several channels)
 };
 
-/// Carries the program out.
+/// The machine's logic, and the channels it acts on.
+struct Logic {
+  Plc plc;
+  std::vector<Control*> channels;
+};
+
+/// One channel on its way: its control, its part of the machine, its clock. What it is made of must outlive it.
+class Carrier {
+ public:
+  Carrier(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic);
+  Carrier(const Carrier&) = delete;  // the control calls it back
+  Carrier& operator=(const Carrier&) = delete;
+  ~Carrier() { control_.on_block = nullptr, control_.on_signal = nullptr; }
+
+  enum class Step : std::uint8_t { running, waiting, stopped, ended };
+  /// Carries out what the control hands over at once.
+  ///   waiting  for other channels: Control::meeting()
+  ///   stopped  by an alarm: stopped() tells
+  Step step();
+  const Stopped& stopped() const { return stopped_; }
+
+  /// Virtual time in s, waiting included. Counts from the first call on, unless the outlets have the time.
+  double now();
+  /// It has waited for other channels.
+  void wait_until(double at);
+  double waited() const { return waited_; }
+
+ private:
+  void count_time(const ToolPosition& from);
+  VirtualTime spent();
+  Step stop(const AlarmReport& report);
+
+  Control& control_;
+  const Setup& setup_;
+  const Outlets& outlets_;
+  Logic& logic_;
+  VirtualMachine machine_;
+  Rates rates_;
+  std::optional<TimeEstimate> estimate_;  // where the outlets have no time
+  double waited_ = 0;                     // s, in all
+  double goes_on_at_ = 0;                 // time at which it waited last …
+  double spent_then_ = 0;                 // … and what it had spent until then: no sum that rounding could put out of order
+  ActionBatch batch_;
+  Stopped stopped_;
+};
+
+/// Carries the program of the only channel out.
 Stopped carry_out(Control& control, const Job& job, const Outlets& outlets);
 
 /// Ctrl-C and SIGTERM ask for the end of the run; what has been done is kept.

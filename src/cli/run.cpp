@@ -1,13 +1,16 @@
-// kadr run: carry a program out; trace, summary, plot.
+// kadr run: carry a program out, or the programs of several channels; trace, summary, plot.
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 
-#include "cli/pipeline.h"
+#include "cli/channels.h"
 #include "cli/progress.h"
+#include "cli/state.h"
+#include "config/state_json.h"
 #include "out/alarm_print.h"
 #include "out/plot.h"
 #include "out/summary.h"
@@ -44,6 +47,156 @@ bool plot_name_is_known(const std::string& name) {
   return false;
 }
 
+/// What looks at one channel.
+struct View {
+  View(const Channel& channel, const Job& job, const ToolPosition& stand)
+      : statistics(channel.control->axes(), channel.control->rotary(), rates_of(job.profile, channel.setup, channel.control->axes()),
+                   stand) {
+    statistics.start_with(channel.setup.spindle().rpm, static_cast<std::uint32_t>(std::max(channel.setup.tool, 0)));
+  }
+  Statistics statistics;
+  std::optional<TraceWriter> trace;
+  std::optional<Plot> plot;  // of the program's own channel
+  double waited = 0;         // s
+};
+
+class RunCommand {
+ public:
+  RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, std::FILE* trace)
+      : options_(options), job_(job), lang_(language(options)), channels_(channels), progress_(options.quiet) {
+    for (const Channel& channel : channels) {
+      const Ending start = channel.control->ending();
+      const ToolPosition stand{start.position, start.machine_position};
+      View& view = *views_.emplace_back(std::make_unique<View>(channel, job, stand));
+      const auto& axes = channel.control->axes();
+      const AxisMask rotary = channel.control->rotary();
+      if (trace != nullptr) view.trace.emplace(trace, axes, rotary, stand, channel.setup.points);
+      if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
+      if (!options.plot.empty() && channel.number == job.setup.channel) view.plot.emplace(axes, rotary, stand);
+    }
+  }
+
+  Exit run() {
+    const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
+    bool written = write_last_lines(stopped);
+    if (!options_.plot.empty()) written = draw() && written;
+    if (!options_.quiet) print_summary();
+    if (!written) return wrong_usage;
+    return std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); }) ? alarms : ok;
+  }
+
+ private:
+  /// The outlets of one channel, without its actions.
+  Outlets outlets_of(View& view) {
+    const auto say = [this, &view](const AlarmReport& report) {
+      view.statistics.count(report.alarm.severity);
+      fmt::print(stderr, "{}", alarm_text(report, *job_.texts, lang_));
+    };
+    return {{},
+            say,
+            [say](const AlarmReport& report) { return say(report), false; },
+            [this](const Control& c) { progress_.show(c); },
+            [&view] { return virtual_time(view.statistics.time()); }};
+  }
+
+  Stopped run_alone() {
+    View& view = *views_.front();
+    Outlets outlets = outlets_of(view);
+    outlets.action = [&view](const Action& action) {
+      const MotionTime time = view.statistics.take(action);
+      if (view.trace) view.trace->write(action, time);
+      if (view.plot) view.plot->take(action);
+    };
+    return carry_out(*channels_.front().control, job_, outlets);
+  }
+
+  std::vector<Stopped> run_together() {
+    std::size_t writes = 0;
+    ChannelOutlets outlets;
+    outlets.in_order = [&](std::size_t i, const Action& action, const MotionTime& time) {
+      if (!views_[i]->trace) return;
+      if (i != writes) views_[writes]->trace->flush();
+      views_[writes = i]->trace->write(action, time);
+    };
+    std::unique_ptr<Channels> together;
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      View& view = *views_[i];
+      outlets.own.push_back(outlets_of(view));
+      outlets.own.back().action = [&view, &together, i](const Action& action) {
+        const double at = together->now(i);
+        together->show(i, at, action, view.statistics.take(action));
+        if (view.plot) view.plot->take(action);
+      };
+    }
+    together = std::make_unique<Channels>(channels_, job_, outlets);
+    const std::vector<Stopped> stopped = together->run();
+    for (std::size_t i = 0; i < channels_.size(); ++i) views_[i]->waited = together->waited(i);
+    if (views_[writes]->trace) views_[writes]->trace->flush();
+    return stopped;
+  }
+
+  bool write_last_lines(const std::vector<Stopped>& stopped) {
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      if (!views_[i]->trace) continue;
+      TraceWriter& trace = *views_[i]->trace;
+      Ending ending = channels_[i].control->ending();
+      if (stopped[i].machine_stood) {
+        ending.position = stopped[i].machine_stood->work;
+        ending.machine_position = stopped[i].machine_stood->machine;
+      }
+      const std::optional<RunState> state = channels_[i].control->run_state();
+      const std::string state_text = state ? state_json(*state) : std::string();
+      const LastLine more{state_text, stopped[i].channel};
+      if (stopped[i].report) trace.finish(ending, *stopped[i].report, *job_.texts, lang_, more);
+      else trace.finish(ending, more);
+      if (trace.ok()) continue;
+      complain(fmt::format("{}: {}", options_.trace, std::strerror(errno)));
+      return false;
+    }
+    return true;
+  }
+
+  bool draw() {
+    for (const auto& view : views_) {
+      if (!view->plot) continue;
+      const auto drawn = view->plot->write(options_.plot, {job_.file, lang_ == Lang::ru ? job_.def->name.ru : job_.def->name.en, lang_});
+      if (!drawn) complain(drawn.error());
+      return drawn.has_value();
+    }
+    return true;
+  }
+
+  void print_summary() const {
+    if (channels_.size() == 1) return fmt::print("{}", views_.front()->statistics.text(channels_.front().control->blocks(), lang_));
+    std::vector<ChannelTime> times;
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const View& view = *views_[i];
+      times.push_back({channels_[i].number, view.statistics.time().total(), view.waited});
+      fmt::print("{}{}\n", channel_heading(channels_[i].number, lang_), view.statistics.text(channels_[i].control->blocks(), lang_));
+    }
+    fmt::print("{}", channels_text(times, lang_));
+  }
+
+  const Options& options_;
+  const Job& job_;
+  const Lang lang_;
+  std::vector<Channel>& channels_;
+  Progress progress_;
+  std::vector<std::unique_ptr<View>> views_;
+};
+
+Control& own_channel(std::vector<Channel>& channels, const Job& job) {
+  return *std::find_if(channels.begin(), channels.end(), [&](const Channel& c) { return c.number == job.setup.channel; })->control;
+}
+
+/// `fault`: the first one that keeps a change from being saved.
+void save_changes(StateFile& file, Control& control, std::string& fault) {
+  control.on_changes = [&](const StateChanges& changes) {
+    const auto saved = file.save(changes);
+    if (!saved && fault.empty()) complain(fault = saved.error());
+  };
+}
+
 }  // namespace
 
 int run(const Options& options) {
@@ -51,59 +204,21 @@ int run(const Options& options) {
   if (!plot_name_is_known(options.plot)) return wrong_usage;
   auto job = make_job(options, file);
   if (!job) return wrong_usage;
+  std::optional<StateFile> state_file;
+  if (!options.state.empty() && !(state_file = open_state(options.state, *job))) return wrong_usage;
   auto program = open_program(*job);
   if (!program) return wrong_usage;
   TraceFile trace_file(options.trace);
   if (trace_file.failed()) return wrong_usage;
-  const Lang lang = language(options);
-  Control control(*job->def, job->setup, std::move(*program), options.limits);
-  if (!control.setup_error().empty()) {
-    complain(fmt::format("{}: the control {} has no {}", options.setup, job->def->id, control.setup_error()));
-    return wrong_usage;
-  }
-  const Ending start = control.ending();
-  const ToolPosition stand{start.position, start.machine_position};
-  Statistics statistics(control.axes(), control.rotary(), rates_of(job->profile, job->setup, control.axes()), stand);
-  statistics.start_with(job->setup.spindle_rpm, static_cast<std::uint32_t>(std::max(job->setup.tool, 0)));
-  std::optional<TraceWriter> trace;
-  if (trace_file.get() != nullptr) trace.emplace(trace_file.get(), control.axes(), control.rotary(), stand, job->setup.points);
-  std::optional<Plot> plot;
-  if (!options.plot.empty()) plot.emplace(control.axes(), control.rotary(), stand);
-  Progress progress(options.quiet);
+  RunLimits limits = options.limits;
+  limits.writes_files = true;
+  auto channels = make_channels(*job, std::move(*program), limits);
+  if (!channels) return wrong_usage;
+  std::string state_fault;
+  if (state_file) save_changes(*state_file, own_channel(*channels, *job), state_fault);
   catch_interrupts();
-
-  const auto say = [&](const AlarmReport& report) {
-    statistics.count(report.alarm.severity);
-    fmt::print(stderr, "{}", alarm_text(report, *job->texts, lang));
-  };
-  const auto stopped =
-      carry_out(control, *job,
-                {[&](const Action& action) {
-                   statistics.take(action);
-                   if (trace) trace->write(action);
-                   if (plot) plot->take(action);
-                 },
-                 say, [&](const AlarmReport& report) { return say(report), false; }, [&](const Control& c) { progress.show(c); }});
-  bool written = true;
-  if (trace) {
-    Ending ending = control.ending();
-    if (stopped.machine_stood) {
-      ending.position = stopped.machine_stood->work;
-      ending.machine_position = stopped.machine_stood->machine;
-    }
-    if (stopped.report) trace->finish(ending, *stopped.report, *job->texts, lang);
-    else trace->finish(ending);
-    written = trace->ok();
-    if (!written) complain(fmt::format("{}: {}", options.trace, std::strerror(errno)));
-  }
-  if (plot) {
-    const auto drawn = plot->write(options.plot, {file, lang == Lang::ru ? job->def->name.ru : job->def->name.en, lang});
-    if (!drawn) complain(drawn.error());
-    written = written && drawn.has_value();
-  }
-  if (!options.quiet) fmt::print("{}", statistics.text(control.blocks(), lang));
-  if (!written) return wrong_usage;
-  return stopped.report ? alarms : ok;
+  const Exit exit = RunCommand(options, *job, *channels, trace_file.get()).run();
+  return state_fault.empty() ? exit : wrong_usage;
 }
 
 }  // namespace kadr::cli

@@ -99,9 +99,13 @@ std::string AlarmTexts::sentence(const Alarm& alarm, Lang lang) const {
   return text;
 }
 
+std::string AlarmTexts::number(const Alarm& alarm) const { return filled(row(alarm.id).number, alarm); }
+
 std::string AlarmTexts::hint(const Alarm& alarm, Lang lang) const { return filled(in(row(alarm.id).hint, lang), alarm); }
 
 const std::string& AlarmTexts::pattern(AlarmId id, Lang lang) const { return in(row(id).text, lang); }
+
+const std::string& AlarmTexts::hint_pattern(AlarmId id, Lang lang) const { return in(row(id).hint, lang); }
 
 std::string number_text(double value, int decimals) {
   if (!std::isfinite(value)) return fmt::format("{}", value);

@@ -27,8 +27,13 @@ class AlarmTexts {
   /// The text as it stands in the file, {0} and all.
   const std::string& pattern(AlarmId id, Lang lang) const;
 
+  /// The hint as it stands in the file.
+  const std::string& hint_pattern(AlarmId id, Lang lang) const;
+
   /// The control's own number; empty: it has none.
   const std::string& number(AlarmId id) const { return row(id).number; }
+  /// The same of one alarm: a program's own (#3000) has the number the program gave it.
+  std::string number(const Alarm& alarm) const;
 
  private:
   AlarmTexts() : rows_(static_cast<std::size_t>(AlarmId::count) + 1) {}

@@ -34,12 +34,14 @@ struct CodeRow {
   bool modal = false;              // stays in force (its group is a modal one)
   bool own_block = false;          // must stand alone (with the words it takes)
   bool needs_axis = false;         // at least one axis word
-  std::uint32_t takes = 0;         // letters of the words it uses
-  std::uint32_t needs = 0;         // letters that must be there
+  std::uint64_t takes = 0;         // letters of the words it uses
+  std::uint64_t needs = 0;         // letters that must be there
   std::vector<std::int32_t> with;  // tenths of codes of its group that may stand beside it (M7 and M8)
   Text text;
   std::string manual;
-  std::uint16_t cycle = 0;  // index in ControlDef::cycles + 1
+  std::uint16_t cycle = 0;      // index in ControlDef::cycles + 1
+  bool takes_all_axes = false;  // `*` in takes: every axis of the channel
+  bool works = true;            // Kadr does it
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -49,7 +51,8 @@ struct AddressRow {
   char letter = 0;
   Function function = Function::count;  // count: the control has no such address
   Phase phase = Phase::none;
-  std::uint8_t axis = 0;  // of `axis` and `center`: index in ControlDef::axes
+  std::uint8_t axis = 0;    // of `axis` and `center`: index in ControlDef::axes
+  std::uint8_t number = 0;  // of a spindle; of an auxiliary function 1 to 3
   WordUnit unit = WordUnit::none;
   double scale = 1;       // the word's value times this is in mm, degrees, s, …
   bool whole = false;     // must be a whole number
@@ -95,7 +98,7 @@ struct CycleRow {
   std::uint32_t call_number = 0;  // 81 of L81; 0: called by its code
   std::vector<CycleStep> steps;   // by steps …
   std::string body;               // … or as a program in the control's own language
-  std::uint32_t needs = 0;        // letters that must be known (given or sticky)
+  std::uint64_t needs = 0;        // letters that must be known (given or sticky)
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
   bool needs_override_off = false;  // L84 of the 2С42: G23
@@ -103,16 +106,72 @@ struct CycleRow {
   std::string manual;
 };
 
-enum class VariableKind : std::uint8_t { free, probe_point, home, home_second, set_position, fixture_number, fixture };
+// clang-format off
+#define KADR_VARIABLE_KINDS(X)                                                                              \
+  X(free) X(probe_point) X(home) X(home_second) X(set_position) X(fixture_number) X(fixture)                \
+  /* nct 23.1 */                                                                                            \
+  X(empty) X(constant_pi) X(constant_e) X(plc_in) X(plc_in_word) X(plc_out) X(plc_out_word)                               \
+  X(alarm_text) X(stop_text) X(message_text) X(message_box)                                                 \
+  X(clock) X(cutting_clock) X(date) X(time) X(parts_done) X(parts_required)                                 \
+  X(single_block_lock) X(override_lock) X(search_state) X(mirror_state) X(main_program)                     \
+  X(modal_group) X(modal_word)                                                                              \
+  X(end_position) X(machine_position) X(work_position) X(probe_position) X(length_in_force)                 \
+  X(servo_lag) X(handwheel_shift) X(distance_to_go)                                                         \
+  X(offset_length) X(offset_length_wear) X(offset_radius) X(offset_radius_wear)                             \
+  X(offset_corner) X(offset_corner_wear) X(offset_tip)                                                      \
+  X(offset_x) X(offset_y) X(offset_x_wear) X(offset_y_wear)                                                 \
+  X(zero_common) X(zero) X(rotation) X(zero_extended) X(rotation_extended)                                  \
+  X(zero_dynamic_number) X(zero_dynamic_value) X(zero_dynamic)                                              \
+  X(tool_magazine) X(tool_data) X(pallet_place) X(pallet_data) X(probe_position_5d)
+// clang-format on
+enum class VariableKind : std::uint8_t {
+#define KADR_VARIABLE_ENUM(name) name,
+  KADR_VARIABLE_KINDS(KADR_VARIABLE_ENUM)
+#undef KADR_VARIABLE_ENUM
+      count
+};
 
-/// System variables: `count` numbers from `from`, again every `stride`, `repeat` times.
-struct VariableRow {
-  VariableKind kind = VariableKind::free;
+/// From here on no program can write the number: bits of a variable, variables that have only a symbol.
+inline constexpr std::uint32_t first_unwritten_variable = 1'000'000;
+
+/// Numbers of a system variable: `count` from `from`, again every `stride`, `repeat` times.
+struct VariableRange {
   std::uint32_t from = 0;
   std::uint32_t count = 1;
   std::uint32_t stride = 0;
   std::uint32_t repeat = 1;
+};
+
+struct VariableRow {
+  VariableKind kind = VariableKind::free;
+  std::vector<VariableRange> ranges;  // the short numbers, the long ones; the symbol means the last
+  std::string symbol;                 // "ABSIO" of #_ABSIO[n]; of a family (#_WZP7[n]) "WZP"
+  std::uint32_t first_index = 1;      // n of the first number
+  int arg = 0;                        // which of its kind: the head of [[variables]] in controls/nct.toml says what it means
+  int bit = -1;                       // one bit of another variable (`of`)
+  std::uint32_t of = 0;
+  bool read = true, write = true;
+  bool works = true;  // Kadr does it
   Text text;
+  std::string manual;
+};
+
+enum class ParameterScope : std::uint8_t { global, channel, axis, spindle };
+enum class ParameterType : std::uint8_t { bits, whole, real, text };
+enum class ParameterClass : std::uint8_t { run_time, restart, emergency };
+
+/// A parameter of the control (nct 24).
+struct ParameterRow {
+  std::string name;  // "0107"; "CLRG" where the manual gives no number
+  std::int32_t number = -1;
+  ParameterScope scope = ParameterScope::channel;
+  ParameterType type = ParameterType::real;
+  ParameterClass when = ParameterClass::run_time;
+  double least = -1e300, most = 1e300;
+  double initial = 0;
+  std::vector<std::string> bits;  // names by number; "" unknown; a name without a known number stands behind the eighth
+  bool used = false;              // Kadr obeys it
+  Text text;                      // en: the manual's own name first
   std::string manual;
 };
 
@@ -141,6 +200,7 @@ struct Behaviour {
   bool ends_reading = true;             // nothing after the end is read (GOST)
   bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
   bool correctors = false;              // axis correctors (spec/correctors)
+  bool machine_axes = false;            // the axes and their names are the machine's: the set-up says them (nct 2)
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;
@@ -160,13 +220,16 @@ struct ControlDef {
   std::string descriptor;            // the format string
   Grammar grammar;
   Behaviour behaviour;
-  std::vector<std::string> axes;  // names in order
-  std::uint32_t rotary = 0;       // bit per axis
-  std::vector<GroupRow> groups;   // [0] is no group
-  std::vector<CodeRow> codes;     // in the file's order
-  std::array<AddressRow, 26> addresses{};
+  std::vector<std::string> axes;                      // names in order
+  std::uint32_t rotary = 0;                           // bit per axis
+  std::array<std::uint8_t, max_axes> axis_numbers{};  // control-wide, from 1 (nct 2.1)
+  std::uint8_t channel = 1;
+  std::vector<GroupRow> groups;  // [0] is no group
+  std::vector<CodeRow> codes;    // in the file's order
+  std::array<AddressRow, most_addresses> addresses{};
   std::vector<CycleRow> cycles;
   std::vector<VariableRow> variables;
+  std::vector<ParameterRow> parameters;
   std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};  // rank of each phase
   std::vector<Phase> order_list;
   std::vector<std::int32_t> end_codes;        // rows put in force by the end of the program
@@ -174,8 +237,9 @@ struct ControlDef {
   std::map<std::int32_t, double> feed_codes;  // coded F and S (spec/gost 3), empty: direct
   std::map<std::int32_t, double> speed_codes;
 
-  static constexpr std::int32_t most_tenths = 100'000;  // G9999.9, M9999.9
-  std::vector<std::int16_t> g_rows;                     // by tenth → row, -1: unknown
+  static constexpr std::int32_t most_tenths = 100'000;       // G9999.9, M9999.9: codes with a row
+  static constexpr std::int32_t most_codes = 1'000'000'000;  // M99999999: codes at all
+  std::vector<std::int16_t> g_rows;                          // by tenth → row, -1: unknown
   std::vector<std::int16_t> m_rows;
   std::int32_t m_user_from = -1;  // other M codes that go to the machine (free functions, macros M100…)
   std::int32_t m_user_to = -1;

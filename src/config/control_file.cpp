@@ -2,6 +2,7 @@
 
 #include "config/control_loader.h"
 #include "config/embedded.h"
+#include "config/parameter_table.h"
 
 namespace kadr {
 namespace {
@@ -9,15 +10,11 @@ namespace {
 /// The table of a file with what it extends laid under it; `lineage` collects the ids below.
 tl::expected<toml::table, std::string> merged(std::string_view text, const std::string& file, std::vector<std::string>& lineage) {
   constexpr std::size_t deepest = 8;  // a file that extends itself would never end
-  toml::table table;
-  try {
-    table = toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    return Failed(file + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
-  }
-  const auto base = table["extends"].value<std::string>();
+  auto table = toml_tools::parsed(text, file);
+  if (!table) return table;
+  const auto base = (*table)["extends"].value<std::string>();
   if (!base) return table;
-  if (!table.contains("id")) return Failed(file + ": id is missing: a file that extends another is a control of its own");
+  if (!table->contains("id")) return Failed(file + ": id is missing: a file that extends another is a control of its own");
   if (lineage.size() == deepest) return Failed(file + ": extends itself");
   lineage.push_back(*base);
   std::string name = "controls/" + *base + ".toml";
@@ -31,9 +28,12 @@ tl::expected<toml::table, std::string> merged(std::string_view text, const std::
   }
   auto under = merged(base_text ? *base_text : std::string_view(*own_text), name, lineage);
   if (!under) return under;
-  toml_tools::merge(*under, std::move(table));
+  toml_tools::merge(*under, std::move(*table));
   return under;
 }
+
+/// The texts of alarms and the tables of parameters are no controls of their own.
+bool is_control(std::string_view name) { return name != "alarms" && !is_parameter_table(name); }
 
 }  // namespace
 
@@ -63,7 +63,7 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
   }
   const std::string file = "controls/" + name + ".toml";
   const auto text = toml_tools::embedded_text(file);
-  if (!text || name == "alarms") {
+  if (!text || !is_control(name)) {
     std::string known;
     for (const std::string& id : built_in_controls()) known += (known.empty() ? "" : ", ") + id;
     return Failed("no control '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)");
@@ -75,9 +75,10 @@ std::vector<std::string> built_in_controls() {
   std::vector<std::string> ids;
   for (const EmbeddedFile& file : embedded_files()) {
     std::string_view name = file.name;
-    if (!name.starts_with("controls/") || name == "controls/alarms.toml") continue;
+    if (!name.starts_with("controls/") || !name.ends_with(".toml")) continue;  // macros stand beside them
     name.remove_prefix(9);
-    ids.emplace_back(name.substr(0, name.size() - 5));
+    name.remove_suffix(5);
+    if (is_control(name)) ids.emplace_back(name);
   }
   return ids;
 }

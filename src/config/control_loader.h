@@ -20,7 +20,7 @@ using Done = tl::expected<void, std::string>;
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
   } while (false)
 
-inline constexpr std::uint32_t most_variables = 1'000'000;
+inline constexpr std::uint32_t most_variables = first_unwritten_variable;
 
 class ControlLoader {
  public:
@@ -56,8 +56,8 @@ class ControlLoader {
   Done groups();
   int group_named(std::string_view name) const;
   /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
-  static std::uint32_t letters(const std::string& text);
-  static std::uint32_t letter_bit_of(char c) { return 1u << (c - 'A'); }
+  static std::uint64_t letters(const std::string& text);
+  static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }
   Done codes(std::string_view key, char letter);
   Done code(char letter, double number, const toml::table& row);
   /// "other": the numbers that have no row of their own go to the machine.
@@ -67,6 +67,10 @@ class ControlLoader {
   std::int32_t row_named(const std::string& code) const;
   Done initial_codes();
   Done variables();
+  /// "parameters": the name of another file of controls/.
+  Done parameters();
+  Done variable(const toml::table& row);
+  tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
   Done alarms();
   void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
   const toml::table& file_;

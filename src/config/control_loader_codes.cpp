@@ -1,10 +1,11 @@
-// Sections of a control file that hold its codes: groups, G, M, cycles, variables, alarms.
+// Sections of a control file that hold its codes: groups, G, M, cycles, variables, parameters, alarms.
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "config/control_loader.h"
+#include "config/parameter_table.h"
 #include "lang/format.h"
 
 namespace kadr {
@@ -18,8 +19,6 @@ constexpr std::string_view step_names[] = {
     "feed_bottom", "rapid_bottom", "retract",   "feed_retract", "dwell",     "spindle_stop", "spindle_reverse", "spindle_restore",
     "orient",      "stop",         "peck_full", "peck_break",   "shift_out", "shift_back",   "feed_face",       "passes_by_parameter"};
 static_assert(std::size(step_names) == static_cast<std::size_t>(CycleStep::count));
-
-constexpr std::string_view variable_kinds[] = {"free", "probe_point", "home", "home_second", "set_position", "fixture_number", "fixture"};
 
 }  // namespace
 
@@ -46,8 +45,9 @@ int ControlLoader::group_named(std::string_view name) const {
 }
 
 /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
-std::uint32_t ControlLoader::letters(const std::string& text) {
-  std::uint32_t bits = 0;
+/// Not letters: `*` (takes_all_axes); c, r, a (the words ,C ,R ,A).
+std::uint64_t ControlLoader::letters(const std::string& text) {
+  std::uint64_t bits = 0;
   for (const char c : text)
     if (c >= 'A' && c <= 'Z') bits |= letter_bit_of(c);
   return bits;
@@ -77,8 +77,8 @@ Done ControlLoader::codes(std::string_view key, char letter) {
 }
 
 Done ControlLoader::code(char letter, double number, const toml::table& row) {
-  KADR_LOAD(known_keys(row, {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "en", "ru",
-                             "manual", "from", "to"}));
+  KADR_LOAD(known_keys(row, {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "en",
+                             "ru", "manual", "from", "to"}));
   CodeRow c;
   c.letter = letter;
   c.tenth = static_cast<std::int32_t>(std::lround(number * 10));
@@ -97,9 +97,12 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.arg = static_cast<int>(whole(row, "arg", 0, 1000));
   c.modal = typed(row, "modal", c.group != 0 && def_.groups[c.group].modal, "true or false");
   c.own_block = typed(row, "own_block", false, "true or false");
-  c.takes = letters(row["takes"].value_or(std::string()));
+  const std::string takes = row["takes"].value_or(std::string());
+  c.takes = letters(takes);
+  c.takes_all_axes = takes.find('*') != std::string::npos;
   c.needs = letters(row["needs"].value_or(std::string()));
   c.needs_axis = typed(row, "needs_axis", false, "true or false");
+  c.works = typed(row, "works", true, "true or false");
   if (const toml::array* const with = row["with"].as_array())
     for (const auto& other : *with)
       c.with.push_back(
@@ -125,7 +128,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
 /// "other": the numbers that have no row of their own go to the machine.
 Done ControlLoader::other_codes(const toml::table& row, char letter) {
   if (letter != 'M') return Failed(place(name_, row) + "only M codes may have 'other'");
-  constexpr std::uint32_t most_code = 99'999;
+  constexpr std::uint32_t most_code = 99'999'999;
   const std::uint32_t from = whole(row, "from", 0, most_code);
   const std::uint32_t to = whole(row, "to", most_code, most_code);
   KADR_LOAD(code('M', 0, row));
@@ -202,26 +205,12 @@ Done ControlLoader::initial_codes() {
   return {};
 }
 
-Done ControlLoader::variables() {
-  const toml::array* const rows = file_["variables"].as_array();
-  if (rows == nullptr) return {};
-  for (const auto& node : *rows) {
-    const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + "a variable is a table");
-    VariableRow v;
-    const std::string kind = (*row)["is"].value_or(std::string());
-    const auto* const found = std::find(std::begin(variable_kinds), std::end(variable_kinds), kind);
-    if (found == std::end(variable_kinds)) return Failed(place(name_, node) + "unknown kind '" + kind + "'");
-    v.kind = static_cast<VariableKind>(found - std::begin(variable_kinds));
-    const auto number = [&](const char* key, std::uint32_t otherwise) { return whole(*row, key, otherwise, most_variables); };
-    v.from = number("from", 0);
-    v.count = number("count", 1);
-    v.stride = number("stride", 0);
-    v.repeat = number("repeat", 1);
-    v.text = text_of(*row);
-    v.manual = (*row)["manual"].value_or(std::string());
-    def_.variables.push_back(std::move(v));
-  }
+Done ControlLoader::parameters() {
+  const toml::node* const name = file_.get("parameters");
+  if (name == nullptr) return {};
+  auto rows = load_parameters(name->value_or(std::string()));
+  if (!rows) return Failed(place(name_, *name) + rows.error());
+  def_.parameters = std::move(*rows);
   return {};
 }
 
@@ -232,6 +221,7 @@ Done ControlLoader::alarms() {
     const toml::table* const row = node.as_table();
     const AlarmId id = alarm_named(key.str());
     if (row == nullptr || id == AlarmId::count) return Failed(place(name_, node) + "unknown alarm '" + std::string(key.str()) + "'");
+    KADR_LOAD(known_keys(*row, {"number", "en", "ru", "hint_en", "hint_ru"}));
     AlarmText text;
     if (const auto number = (*row)["number"].value_exact<std::int64_t>()) text.number = std::to_string(*number);
     else text.number = (*row)["number"].value_or(std::string());

@@ -15,6 +15,27 @@ namespace {
 
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
+/// Keys of [grammar] that are true or false.
+constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
+    {"block_number_required", &Grammar::block_number_required},
+    {"program_start_required", &Grammar::program_start_required},
+    {"percent_number", &Grammar::percent_number},
+    {"percent_ignored", &Grammar::percent_ignored},
+    {"semicolon_comments", &Grammar::semicolon_comments},
+    {"slash_comments", &Grammar::slash_comments},
+    {"expressions", &Grammar::expressions},
+    {"lower_case", &Grammar::lower_case},
+    {"main_blocks", &Grammar::main_blocks},
+    {"skip_levels", &Grammar::skip_levels},
+    {"mark_everywhere", &Grammar::mark_everywhere},
+    {"zero_between_slashes", &Grammar::zero_between_slashes},
+    {"macro", &Grammar::macro},
+    {"operator_i", &Grammar::operator_i},
+    {"comments_span_lines", &Grammar::comments_span_lines},
+    {"comma_words", &Grammar::comma_words},
+    {"file_names", &Grammar::file_names},
+};
+
 }  // namespace
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
@@ -22,8 +43,9 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   if (def_.id.empty()) return Failed(name_ + ": id is missing");
   if (const toml::table* const text = file_["name"].as_table()) def_.name = text_of(*text);
   def_.spec = file_["spec"].value_or(std::string());
-  KADR_LOAD(known_keys(file_, {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g",
-                               "m", "cycle", "variables", "alarms", "defaults", "feed_codes", "speed_codes"}));
+  KADR_LOAD(known_keys(
+      file_, {"id",     "name", "spec", "extends", "format",    "grammar",    "behaviour", "axes",     "order",      "address",
+              "groups", "g",    "m",    "cycle",   "variables", "parameters", "alarms",    "defaults", "feed_codes", "speed_codes"}));
   KADR_LOAD(grammar());
   KADR_LOAD(behaviour());
   KADR_LOAD(axes());
@@ -37,6 +59,7 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   KADR_LOAD(codes("m", 'M'));
   KADR_LOAD(initial_codes());
   KADR_LOAD(variables());
+  KADR_LOAD(parameters());
   KADR_LOAD(alarms());
   code_table("feed_codes", def_.feed_codes);
   code_table("speed_codes", def_.speed_codes);
@@ -67,41 +90,14 @@ Done ControlLoader::grammar() {
     if (auto applied = apply_descriptor(def_.descriptor, g); !applied) return Failed(name_ + ": format: " + applied.error());
   const toml::table* const t = section("grammar");
   if (t == nullptr) return {};
-  KADR_LOAD(known_keys(*t, {"block_number_required",
-                            "program_start_required",
-                            "percent_number",
-                            "percent_digits",
-                            "percent_ignored",
-                            "comment_forbidden",
-                            "block_length",
-                            "formal_parameter",
-                            "parameters_in",
-                            "most_codes",
-                            "semicolon_comments",
-                            "slash_comments",
-                            "expressions",
-                            "variables",
-                            "label",
-                            "section",
-                            "lower_case",
-                            "end_of_block",
-                            "main_blocks",
-                            "skip_levels",
-                            "mark_everywhere",
-                            "zero_between_slashes"}));
-  const auto flag = [&](const char* key, bool& to) { to = typed(*t, key, to, "true or false"); };
-  flag("block_number_required", g.block_number_required);
-  flag("program_start_required", g.program_start_required);
-  flag("percent_number", g.percent_number);
-  flag("percent_ignored", g.percent_ignored);
-  flag("semicolon_comments", g.semicolon_comments);
-  flag("slash_comments", g.slash_comments);
-  flag("expressions", g.expressions);
-  flag("lower_case", g.lower_case);
-  flag("main_blocks", g.main_blocks);
-  flag("skip_levels", g.skip_levels);
-  flag("mark_everywhere", g.mark_everywhere);
-  flag("zero_between_slashes", g.zero_between_slashes);
+  std::set<std::string_view> known = {"percent_digits", "comment_forbidden", "block_length", "formal_parameter", "parameters_in",
+                                      "most_codes",     "variables",         "label",        "section",          "end_of_block"};
+  for (const auto& [key, to] : grammar_flags) {
+    known.insert(key);
+    g.*to = typed(*t, key, g.*to, "true or false");
+  }
+  for (const auto& [key, node] : *t)
+    if (!known.contains(key.str())) return Failed(place(name_, node) + "unknown key '" + std::string(key.str()) + "'");
   g.percent_digits = static_cast<std::uint8_t>(whole(*t, "percent_digits", g.percent_digits, 9));
   g.comment_forbidden = (*t)["comment_forbidden"].value_or(g.comment_forbidden);
   g.block_length = whole(*t, "block_length", g.block_length, limits::line_bytes);
@@ -164,6 +160,7 @@ Done ControlLoader::behaviour() {
   flag("ends_reading", b.ends_reading);
   flag("delayed_assignment", b.delayed_assignment);
   flag("correctors", b.correctors);
+  flag("machine_axes", b.machine_axes);
   count("call_depth", b.call_depth, 255);
   count("offsets", b.offsets, 9999);
   count("fixtures", b.fixtures, 1000);

@@ -11,7 +11,7 @@ namespace kadr {
 #define KADR_PHASES(X)                                                                                   \
   X(message) X(parameter) X(unit) X(feed_mode) X(feed) X(speed_mode) X(speed) X(tool) X(tool_change)     \
   X(range) X(spindle) X(coolant) X(override) X(clamp) X(dwell) X(plane) X(offset_number) X(compensation) \
-  X(length) X(zero) X(corner) X(path_mode) X(distance) X(transform) X(retract) X(data) X(motion)         \
+  X(length) X(zero) X(corner) X(path_mode) X(distance) X(transform) X(retract) X(data) X(positioning) X(motion) \
   X(dwell_after) X(spindle_stop) X(coolant_off) X(machine) X(stop) X(flow) X(none)
 
 // name, phase it runs in unless the row says otherwise, whether it takes the axis words of the block
@@ -65,6 +65,28 @@ namespace kadr {
   /* flow */                                                                                             \
   X(program_stop, stop, false)      X(optional_stop, stop, false)    X(program_end, flow, false)         \
   X(tape_end, flow, false)          X(repeat_program, flow, false)   X(call_subprogram, flow, false)     \
+  /* nct: addresses */                                                                                   \
+  X(machine_axis, none, false)      X(increment_axis, none, false)   X(argument_only, none, false)       \
+  X(auxiliary_word, machine, false) X(spindle_word, speed, false)    X(spindle_axis_word, spindle, false) \
+  X(tool_call, tool, false)         X(length_number, length, false)  X(radius_number, offset_number, false) \
+  /* nct: motion and coordinates */                                                                      \
+  X(thread, motion, true)           X(dwell_or_turns, dwell, false)  X(smoothing, path_mode, true)       \
+  X(cylinder_mode, data, true)      X(set_tables, data, true)        X(set_tables_end, data, false)      \
+  X(diameter_switch, data, true)    X(polar_surface_on, data, false) X(polar_surface_off, data, false)   \
+  X(polar_data_on, transform, false) X(polar_data_off, transform, false) X(select_plane, plane, false)   \
+  X(work_area_on, data, true)       X(work_area_off, data, false)    X(reference_return, data, true)     \
+  X(measure, motion, true)          X(measure_length, motion, true)  X(radius_side, compensation, false) \
+  X(length_comp, length, false)     X(mirror_on, transform, true)    X(mirror_off, transform, true)      \
+  X(transform_off, transform, false) X(local_system, data, true)     X(machine_move, data, true)         \
+  X(work_system, zero, false)       X(work_system_extended, zero, false) X(new_system, data, true)       \
+  X(feed_control, path_mode, false) X(css_on, speed_mode, false)     X(css_off, speed_mode, false)       \
+  X(drilling, positioning, true)    X(drilling_off, motion, false)   X(turning_cycle, motion, true)      \
+  X(turning_simple, motion, true)   X(not_available, none, true)                                         \
+  /* nct: macros, programs, M codes */                                                                   \
+  X(macro_call, flow, true)         X(macro_modal, flow, true)       X(macro_modal_off, flow, false)     \
+  X(spindle_code, spindle, false)   X(gear_range, range, false)      X(exchange_tool, tool_change, false) \
+  X(interrupt_on, flow, false)      X(interrupt_off, flow, false)    X(call_program, flow, false)        \
+  X(return_program, flow, false)                                                                         \
   X(subprogram_return, flow, false) X(subprogram_end, flow, false)   X(repetition_end, flow, false)
 // clang-format on
 

@@ -1,25 +1,124 @@
 #pragma once
-// The state before the start (--setup FILE.json); the keys are defined in tests/golden/README.md.
+// The state before the start (--setup FILE.json), and the state after it; the keys are defined in tests/golden/README.md.
+// Ours besides: of offsets `length_x`, `length_x_wear`, `length_y`, `length_y_wear`, `tip_position`; of tool rows `G`, `W`, `user_bits` and
+// `user` (a list); and what a printed state has: `form_table`, `shifts`, of a spindle `loop`, `surface_speed`, `css_axis`, `master`.
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <tuple>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace kadr {
 
 using AxisValues = std::map<std::string, double>;  // axis name → mm or degrees
 
+/// One row of the offset table, mm; what counts is geometry plus wear.
 struct ToolOffset {
-  double length = 0;  // mm, geometry and wear
+  double length = 0;
   double radius = 0;
+  double length_wear = 0;
+  double radius_wear = 0;
+  double corner = 0;  // rounding radius of the corner
+  double corner_wear = 0;
+  double length_x = 0, length_y = 0, length_x_wear = 0, length_y_wear = 0;  // turning offsets (nct 23.1.18, TOL=1)
+  double tip_position = 0;                                                  // code of the tip's orientation
+  double whole_length() const { return length + length_wear; }
+  double whole_radius() const { return radius + radius_wear; }
+  friend bool operator==(const ToolOffset&, const ToolOffset&) = default;
 };
 
 struct AxisLimits {
   std::optional<double> rapid;                      // mm/min
   std::optional<std::pair<double, double>> limits;  // machine mm
+  std::optional<std::pair<double, double>> zone3;   // machine mm, forbidden inside (nct 22.3)
+  bool no_acceleration = false;                     // `"acceleration": null`: motions take no time to speed up
+  std::optional<double> acceleration;               // mm/s²
+  std::optional<double> jerk_time;                  // s, 0: linear
+  double position_error = 0;                        // mm; the axis stays that far from the command
+};
+
+struct SpindleSetup {
+  std::string name;
+  int channel = 1;
+  double rpm = 0;
+  std::string dir = "stop";
+  std::optional<double> angle;                    // degrees
+  std::vector<std::pair<double, double>> ranges;  // rev/min, least and most of each gear
+  // Only where a set-up is the state that an earlier run printed:
+  std::string loop = "open";  // or closed
+  double surface_speed = 0;   // m/min
+  int css_axis = 0;
+  int master = 0;  // 0: none
+};
+
+/// Letters of a tool's info bits, by bit: the letter for 0, the letter for 1 (nct 12.3.1); printed from the highest bit down, "SENCV".
+inline constexpr std::array<std::string_view, 5> tool_info_letters = {"IV", "CT", "NL", "ED", "US"};
+
+/// A row of the tool management table (nct 12.3.1).
+struct ToolRow {
+  double type = 0;         // T
+  std::uint32_t info = 0;  // bits
+  std::uint32_t form = 0, status = 0;
+  double counter = 0, life = 0, warn = 0;
+  double h = 0, d = 0, g = 0, w = 0, s = 0, f = 0;
+  std::uint32_t user_bits = 0;
+  std::array<double, 20> user{};
+  friend bool operator==(const ToolRow&, const ToolRow&) = default;
+};
+
+struct ToolForm {
+  double left = 0, right = 0, up = 0, down = 0, geometry = 0;
+  friend bool operator==(const ToolForm&, const ToolForm&) = default;
+};
+
+using PlaceTable = std::map<std::pair<int, int>, int>;  // {magazine, pocket} → row of the tool table, 0: empty
+
+/// Name of a parameter: "N0107.4#0" → 107, index 4, bit "0".
+struct ParameterKey {
+  std::string name;   // "0107": the four digits behind the N; or "CLRG", which has no N
+  std::string index;  // axis name or number, channel, spindle; empty: none
+  std::string bit;    // number or name; empty: none
+  friend bool operator==(const ParameterKey&, const ParameterKey&) = default;
+  friend bool operator<(const ParameterKey& a, const ParameterKey& b) {
+    return std::tie(a.name, a.index, a.bit) < std::tie(b.name, b.index, b.bit);
+  }
+};
+/// From "N0107.4#0" or "N107.4#0" (the same parameter), "CLRG#C03"; nothing if it is of another form.
+std::optional<ParameterKey> parameter_key(std::string_view text);
+/// "N0107.4#0": the one form in which a parameter is printed.
+std::string text_of(const ParameterKey& key);
+
+using ParameterValue = std::variant<double, std::string>;
+using Parameters = std::map<ParameterKey, ParameterValue>;
+
+/// What the machine's logic does, and when (nct: PLC).
+struct SetupEvent {
+  enum class When : std::uint8_t { block_start, block_end, code, stop, message, program_end };
+  enum class Do : std::uint8_t { set, skip, start, answer, power_cycle, synchronise, release, spindle_to_axis, axis_to_spindle };
+  When when = When::program_end;
+  std::string block;  // "N30"
+  std::string code;   // "M90"
+  int count = 0;      // n-th time; 0: each time
+  Do what = Do::start;
+  std::string signal;
+  double value = 0;
+  int switch_number = 0;
+  bool on = false;
+  std::string answer;  // ok, yes, no, cancel
+  int spindle = 0, master = 0;
+  std::vector<std::string> axes;
+};
+
+struct ChannelSetup {
+  std::string program;  // its text
+  std::vector<std::string> axes;
 };
 
 struct ProbeHole {
@@ -35,15 +134,27 @@ struct Setup {
   std::vector<std::string> modal;  // code words
   std::optional<double> feed;      // mm/min
   std::map<int, ToolOffset> offsets;
-  std::map<std::string, AxisValues> work_offsets;  // "G54", "G59 P7", "common"
+  std::map<std::string, AxisValues>
+      work_offsets;  // "G54", "G59 P7", "common"; a basic rotation other than 0 is "G17", "G18", "G19", degrees
   std::map<int, AxisValues> zeros;
   std::map<int, double> correctors;
-  std::map<std::string, std::optional<double>> variables;  // "#100", "R2"
+  std::map<std::string, std::optional<double>> variables;  // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant
   std::map<std::string, AxisLimits> machine;               // axis or "*"
-  double spindle_rpm = 0;
-  std::string spindle_dir = "stop";
+  std::map<int, SpindleSetup> spindles;
   int tool = 0;
-  std::vector<int> skip;  // switches that are on
+  std::map<int, ToolRow> tool_table;
+  PlaceTable place_table;
+  std::map<int, ToolForm> form_table;
+  Parameters parameters;
+  std::string plane;                     // "XC": axes of the plane in order
+  std::map<std::string, bool> diameter;  // axes in diameter programming
+  bool single_block = false;
+  std::map<std::string, double> signals;  // of the PLC
+  std::vector<SetupEvent> events;
+  std::string clock;  // "2014-05-18T15:32:41", a date there is; empty: a fixed day, so that the same input gives the same output
+  int channel = 1;
+  std::map<int, ChannelSetup> channels;  // the others
+  std::vector<int> skip;                 // switches that are on
   bool optional_stop = false;
   std::vector<std::string> mirror;                 // axes
   std::map<int, AxisValues> reference_points;      // machine
@@ -51,7 +162,27 @@ struct Setup {
   std::optional<ProbeHole> probe_hole;
   std::vector<double> points;
   std::vector<std::string> watch;
+  std::map<std::string, AxisValues> shifts;                                  // "G92", "G52"; only of a state that an earlier run printed
   double feed_override = 100, rapid_override = 100, spindle_override = 100;  // %
+
+  /// Of spindle 1 (controls that know only one).
+  const SpindleSetup& spindle() const;
+};
+
+/// Shifts and switches that a set-up cannot give, but the end of a run shows.
+struct RunState {
+  Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, as a next set-up would give them
+  std::map<std::string, AxisValues> shifts;  // "G92", "G52"
+  struct SpindleState {
+    std::string loop = "open";  // or closed
+    double rpm = 0;
+    std::string dir = "stop";
+    double surface_speed = 0;  // m/min
+    int css_axis = 0;
+    int master = 0;  // 0: none
+    std::optional<double> angle;
+  };
+  std::map<int, SpindleState> spindles;
 };
 
 /// From JSON text.

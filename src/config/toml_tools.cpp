@@ -21,6 +21,14 @@ std::optional<std::string_view> embedded_text(std::string_view name) {
   return std::nullopt;
 }
 
+tl::expected<toml::table, std::string> parsed(std::string_view text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    return tl::unexpected(file + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+  }
+}
+
 void merge(toml::table& under, toml::table&& over) {
   for (auto&& [key, node] : over) {
     toml::table* const old = under[key].as_table();

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -26,70 +27,152 @@ struct Origin {
   std::uint8_t depth = 0;         // calls around it
 };
 
-enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
 enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };
-enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home };
+enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home, thread };
 
-/// A motion along a line, an arc or a helix, of the tool point.
+/// What the commanded feed is measured along.
+enum class FeedAlong : std::uint8_t {
+  path,      // the linear axes; where only rotary axes move, their way (NIST 2.1.2.5)
+  arc,       // of a helix: the arc in its plane, the other axes keep pace (nct 4.3.2, HEF=0)
+  all_axes,  // millimetres and degrees alike (nct 4.2)
+};
+
+/// Where the programmed plane lies when it is not a plane of the axes (nct 4.5, 4.6).
+enum class PathSurface : std::uint8_t { plane, polar, cylinder };
+
+/// What only few motions have.
+struct MotionDetail {
+  AxisMask rolled = 0;  // rotary axes that roll over: `travel` is their signed way, degrees (nct 5.6)
+  Axes travel{};
+  PathSurface surface = PathSurface::plane;
+  Vec2 flat_from;          // polar: the programmed plane, mm; cylinder: the unrolled surface, mm
+  Vec2 flat_to;            // (the arc's centre and turns stand in it too)
+  double radius = 0;       // of the cylinder, mm
+  double side = 1;         // polar: sign of the linear axis at G12.1
+  double offset = 0;       // polar: perpendicular offset of the rotation centre, mm
+  double rotary_most = 0;  // polar: degrees/min, 0: no limit
+  Axes programmed{};       // end point as the program's words mean it
+  bool has_programmed = false;
+  std::optional<double> lead;         // of a thread, mm
+  std::optional<double> start_angle;  // of the spindle at its start, degrees
+  std::optional<double> turn;         // degrees the spindle turns with it, signed
+  std::optional<double> torque;       // limit of a probe motion, %
+  int input = 0;                      // of a probe motion: 1 to 8; 98: torque; 0: any
+};
+
+/// A motion along a line, an arc, a spiral or a helix, of the tool point.
 struct Motion {
   MotionKind kind = MotionKind::rapid;
-  Plane plane = Plane::xy;  // of arcs; directions as seen from the positive end of its normal
+  std::uint8_t first = 0;   // axes of an arc's plane, by index: counter-clockwise turns the first towards the second
+  std::uint8_t second = 1;  //
   FeedUnit unit = FeedUnit::mm_per_min;
-  bool exact = false;    // exact stop at its end
-  AxisMask named = 0;    // axes whose position it gives anew
-  Axes to;               // work coordinates at its end
-  Axes machine;          // machine coordinates at its end
-  Vec3 center;           // of an arc, work coordinates
-  double turns = 0;      // swept angle / 360, positive
-  double feed = 0;       // as commanded, in `unit`
-  double tolerance = 0;  // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+  FeedAlong along = FeedAlong::path;
+  bool exact = false;                          // exact stop at its end
+  bool own_override = false;                   // feed override counts as 100 % (tapping, threads)
+  bool in_position = false;                    // at its end the axes must come into position (nct 4.1.1, 6.3)
+  AxisMask named = 0;                          // axes whose position it gives anew
+  Axes to;                                     // work coordinates at its end
+  Axes machine;                                // machine coordinates at its end
+  Vec2 center;                                 // of an arc: of its first and second axis, work coordinates
+  double turns = 0;                            // swept angle / 360, positive; the radius changes linearly with the angle
+  double feed = 0;                             // as commanded, in `unit`
+  double tolerance = 0;                        // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+  double join = 0;                             // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
+  std::shared_ptr<const MotionDetail> detail;  // mostly nullptr
 };
 
 struct Dwell {
   double seconds;
 };
-enum class SpindleDir : std::uint8_t { stop, cw, ccw, orient };
+enum class SpindleDir : std::uint8_t { stop, cw, ccw, orient, position };
 struct Spindle {
   SpindleDir dir;
-  double rpm;
-};  // rev/min
+  double rpm;  // rev/min
+  std::uint8_t number = 1;
+  std::optional<double> turn{};   // of `position`: degrees, signed
+  std::optional<double> angle{};  // … and where it stands then
+};
 struct Speed {
-  double value;
+  double value;  // a new speed: rev/min, or m/min at the surface (G96)
   bool surface;
-};  // a new speed: rev/min, or m/min at the surface (G96)
+  std::uint8_t number = 1;  // of the spindle
+  std::uint8_t range = 0;   // gear range that follows from it; 0: none
+};
 enum class Coolant : std::uint8_t { off, mist, flood };
 struct CoolantSwitch {
   Coolant what;
 };
+/// Where a tool lies, for controls with a tool table (nct 12.3).
+struct ToolPlace {
+  std::uint32_t data = 0;  // row of the tool table; 0: none
+  std::uint32_t magazine = 0;
+  std::uint32_t pocket = 0;
+};
 struct ToolSelect {
   std::uint32_t tool;
   std::uint32_t corrector;
+  ToolPlace place{};
 };
 struct ToolChange {
   std::uint32_t tool;
+  ToolPlace place{};
 };
+/// M code for the machine.
 struct MachineFunction {
-  std::uint32_t code;         // M code for the machine
+  std::uint32_t code;
   std::optional<double> p{};  // words of a user macro (Mach3 M100 …)
   std::optional<double> q{};
-};  // M code for the machine
+  std::uint8_t spindle = 0;  // it acts on; 0: none
+};
+/// A function on another address (nct 13.2).
+struct AuxiliaryFunction {
+  char address;
+  double value;
+};
+enum class StopReason : std::uint8_t { program, optional, single_block, message };
 struct Stop {
   bool optional;
+  StopReason reason = StopReason::program;
 };
 struct Message {
   std::string text;
+  std::int32_t number = -1;  // -1: none
+  bool asks = false;         // waits for an answer of the operator (#3107)
+};
+/// Channels have waited for each other; one for all of them (nct 14.5).
+struct Sync {
+  std::uint32_t code;
+  std::vector<std::uint8_t> channels;  // in the order of arrival
+  double at = 0;                       // s, time of release
+};
+/// Safety zones change (nct 22.2): G22 gives limits, G23 brings those of the parameters back.
+struct ZoneChange {
+  bool on = false;
+  bool outside_forbidden = false;
+  AxisMask axes = 0;     // with limits; the others are free
+  Axes least{}, most{};  // of these, machine coordinates; infinite: no limit
 };
 /// The frame of what follows: machine = work + origin + length. Not a command to the machine: the tool stands, `work` are
 /// its coordinates from now on (a length that is taken out by the next motion only, 2С42, leaves them as they were).
+/// With a basic rotation (nct 10.2.3): machine = origin + length + turn · (shift + work) on the three `main` axes.
+struct FrameRotation {
+  std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  // of the matrix
+  std::array<std::int8_t, 3> main{0, 1, 2};                               // axes X, Y, Z by index, -1: none
+  friend bool operator==(const FrameRotation&, const FrameRotation&) = default;
+};
 struct FrameChange {
   Axes origin;
   Axes length;
   Axes work;
+  std::shared_ptr<const FrameRotation> rotation{};  // nullptr: none
+  Axes shift{};                                     // turned with it; zero without
 };
 
 struct Action {
   Origin origin;
-  std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, Stop, Message, FrameChange> what;
+  std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
+               FrameChange, Sync, ZoneChange>
+      what;
 };
 
 /// Actions are handed on in batches. Clearing keeps the elements, so that a long run builds none anew.
@@ -128,12 +211,14 @@ struct AlarmReport {
     bool has_block;
   };
   std::vector<Call> calls;  // outermost first
+  std::string own_text{};   // words of the program itself (#3000 of nct), longer than an argument of the alarm may be
 };
 
 /// What a probe motion met: handed back to `control` before the next block (design.md 1, the only backward arrow).
 struct ProbeAnswer {
   bool touched = false;
-  Axes at{};  // work coordinates where the motion ended
+  Axes at{};        // work coordinates where the motion ended
+  double part = 1;  // of the way that was made
 };
 
 /// State after a run: the last line of a trace.

@@ -1,6 +1,8 @@
 // A planned block carried out in the order of execution, and taken back where it fails: nothing of a faulty block is done.
 
 #include "control/machinery.h"
+#include "control/nct/drilling.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -22,8 +24,8 @@ bool ends_or_stops(const CodeRow* row) {
 
 Status Machinery::carry_out(const Plan& plan) {
   if (def.grammar.expressions)
-    for (const Span comment : block.comments) {
-      const std::string_view text = block.text_of(comment);
+    for (const Span comment : block->comments) {
+      const std::string_view text = block->text_of(comment);
       if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) {
         Span all;
         emit(Message{flow.shown(text.substr(4), all)});
@@ -43,15 +45,15 @@ Status Machinery::carry_out(const Plan& plan) {
     if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
     if (row_of(item) != nullptr && ended_subprogram && ends(row_of(item))) break;  // `M17 M2`: M2 ends the section, not the program
     const bool called = calls_before < flow.depth();
-    const bool drilling = cycle_run.active() || ellipse_run.active();
+    const bool waits = running != nullptr ? waits_for(*running, item) : cycling() && ends_or_stops(row_of(item));
     if (called && ends(row_of(item))) {
       KADR_TRY(end_possible(item, calls_before));
       keep_for_return(item);
       ended_subprogram = row_of(item)->function == Function::subprogram_end;
-    } else if (drilling && ends_or_stops(row_of(item))) {
-      KADR_TRY(end_possible(item, flow.depth()));
+    } else if (waits) {
+      if (ends(row_of(item))) KADR_TRY(end_possible(item, flow.depth()));
       waiting_[waiting_count_++] = static_cast<std::uint8_t>(i);
-      ended_subprogram = row_of(item)->function == Function::subprogram_end;
+      ended_subprogram = row_of(item) != nullptr && row_of(item)->function == Function::subprogram_end;
     } else {
       const bool calls = phase == Phase::flow && is_call(item);
       if (calls) calls_before = flow.depth();
@@ -64,11 +66,19 @@ Status Machinery::carry_out(const Plan& plan) {
 
 Status Machinery::carry_out(const PlanItem& item) {
   const CodeRow* const row = row_of(item);
-  const Word* const w = item.word == no_word ? nullptr : &block.words[item.word];
+  const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
-  KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block.where}));
+  KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
+  if (nct && row != nullptr) nct::note_code(*this, *row);
   return {};
+}
+
+/// In a drilling cycle's block M0 acts behind operation 1, the end of the program behind the last hole; in a turning cycle's
+/// all that follows a motion waits.
+bool Machinery::waits_for(const Running& cycle, const PlanItem& item) const {
+  if (cycle.functions_first()) return ends(row_of(item));
+  return def.order[static_cast<std::size_t>(phase_of(item))] > def.order[static_cast<std::size_t>(Phase::motion)];
 }
 
 bool Machinery::is_call(const PlanItem& item) const {
@@ -80,7 +90,7 @@ bool Machinery::is_call(const PlanItem& item) const {
 /// An end that waits must be one that can come: what would fail then fails now, before anything is done.
 ///   depth  calls and repetitions open around the block
 Status Machinery::end_possible(const PlanItem& item, std::size_t depth) const {
-  const Span at = block.words[item.word].where;
+  const Span at = block->words[item.word].where;
   const CallFrame* const around = depth == 0 ? nullptr : &flow.frames()[depth - 1];
   const bool in_repetition = around != nullptr && around->kind == CallFrame::Kind::repetition;
   switch (row_of(item)->function) {
@@ -112,14 +122,14 @@ Status Machinery::radius_comp_possible() const {
   const double radius = radius_in_force();
   if (radius == 0) return {};
   const Word* const d = word('D');
-  return fail(alarm(AlarmId::compensation_not_available, d != nullptr ? d->where : block.where, radius));
+  return fail(alarm(AlarmId::compensation_not_available, d != nullptr ? d->where : block->where, radius));
 }
 
 /// M0, M2 and their like in the block of a cycle: the holes come first (order of execution: motion, stop, flow).
 Status Machinery::after_cycle() {
   const std::size_t count = waiting_count_;
   waiting_count_ = 0;
-  for (std::size_t i = 0; i < count; ++i) KADR_TRY(carry_out(plan_.items[waiting_[i]]));
+  for (std::size_t i = 0; i < count; ++i) KADR_TRY(carry_out(plan_now_->items[waiting_[i]]));
   return {};
 }
 
@@ -129,6 +139,7 @@ void Machinery::take_moment() {
   variables.begin_block();
   moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
   kept_offset_.first = 0;
+  if (nct) nct->keep_all(*this);
   if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
 }
 
@@ -136,10 +147,17 @@ void Machinery::take_moment() {
 void Machinery::take_back(std::size_t actions) {
   batch->cut(actions);
   needs_probe = false;
-  cycle_run.stop();
-  ellipse_run.stop();
+  stop_cycles();
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
+  if (nct) nct->take_back(*this);
+  if (small_moment_taken_) {
+    modal.feed = small_moment_.feed;
+    modal.feed_known = small_moment_.feed_known;
+    modal.motion = small_moment_.motion;
+    modal.motion_row = small_moment_.motion_row;
+    modal.rows = small_moment_.rows;
+  }
   if (!moment_taken_) return;
   variables.undo_block();
   (void)variables.take_frames_changed();
@@ -171,7 +189,7 @@ void Machinery::run_modes(std::initializer_list<Function> functions) {
         modal.motion = MotionMode::rapid;
         modal.motion_row = static_cast<std::int16_t>(i);
       } else {
-        (void)handler_of(function)(*this, {&row, nullptr, block.where});
+        (void)handler_of(function)(*this, {&row, nullptr, block->where});
       }
       if (row.group != 0) modal.rows[row.group] = static_cast<std::int16_t>(i);
       break;

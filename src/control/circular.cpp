@@ -7,20 +7,11 @@
 #include "control/arc.h"
 #include "control/functions.h"
 #include "control/machinery.h"
+#include "control/nct/arcs.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
-
-struct PlaneAxes {
-  std::size_t first, second, normal;
-};
-PlaneAxes axes_of(Plane plane) {
-  switch (plane) {
-    case Plane::zx: return {2, 0, 1};
-    case Plane::yz: return {1, 2, 0};
-    default: return {0, 1, 2};
-  }
-}
 
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
@@ -42,22 +33,23 @@ bool runs_reversed(const Transform& t, PlaneAxes axes) {
 
 /// Places an alarm of the geometry at the arc's own words.
 tl::unexpected<Alarm> placed(const Machinery& m, Alarm alarm) {
-  alarm.where = m.block.where;
-  while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block.text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
+  alarm.where = m.block->where;
+  while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block->text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
   return fail(alarm);
 }
 
 class Circular {
  public:
-  Circular(Machinery& m, Turn turn) : m_(m), turn_(turn), axes_(axes_of(m.modal.plane)) {}
+  Circular(Machinery& m, Turn turn) : m_(m), turn_(turn), axes_(m.modal.axes) {}
 
   Status run(Span where) {
     if (m_.modal.polar) return fail(alarm(AlarmId::polar_motion, where, turn_ == Turn::cw ? "G2" : "G3"));
     AxisMask named = 0;
     Axes end;
     KADR_TRY(m_.target(end, named));
-    const std::uint32_t used = m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : 0u);
-    if ((m_.block.letters & used) == 0) return {};  // the code alone: only the mode
+    const std::uint64_t used =
+        m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : std::uint64_t{0});
+    if ((m_.block->letters & used) == 0) return {};  // the code alone: only the mode
     if (m_.def.behaviour.correctors && m_.has('L'))
       return fail(alarm(AlarmId::not_together, m_.where('L'), "L", turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
@@ -111,7 +103,7 @@ class Circular {
     const char letter = m_.letters.center_letter[axes_.normal];
     if (!has_center(axes_.normal)) {
       if (rise <= tol::same_point) return {};
-      return fail(alarm(AlarmId::word_missing, m_.block.where, letter, "G2, G3"));
+      return fail(alarm(AlarmId::word_missing, m_.block->where, letter, "G2, G3"));
     }
     const double lead = std::fabs(m_.length_value(letter));
     if (rise <= tol::same_point) return fail(alarm(AlarmId::word_unused, m_.where(letter), letter));
@@ -135,7 +127,7 @@ class Circular {
     job.greatest_scale = std::max(std::fabs(m_.transform.scale[axes_.first]), std::fabs(m_.transform.scale[axes_.second]));
     job.named = named | 1u << axes_.first | 1u << axes_.second;
     const double reach = (length(arc.center) + length(in_plane(end, axes_) - arc.center)) * job.greatest_scale;
-    if (!(reach <= farthest)) return fail(alarm(AlarmId::position_out_of_range, m_.block.where, m_.axis_names[axes_.first], reach));
+    if (!(reach <= farthest)) return fail(alarm(AlarmId::position_out_of_range, m_.block->where, m_.axis_names[axes_.first], reach));
     m_.ellipse_run.start(job);
     return {};
   }
@@ -156,7 +148,7 @@ class Circular {
     const bool cw = (turn_ == Turn::cw) != reversed;
     Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);
     m_.set_feed(motion);
-    motion.center = {center[0], center[1], center[2]};
+    motion.center = {center[axes_.first], center[axes_.second]};
     motion.turns = arc.turns;
   }
 
@@ -172,6 +164,7 @@ Status circular(Machinery& m, const Call& call, Turn turn, MotionMode mode) {
   }
   m.cycle_memory.row = -1;
   if (m.block_axes_taken) return {};
+  if (m.nct) return nct::arc(m, call, turn);
   return Circular(m, turn).run(call.where);
 }
 
@@ -196,8 +189,9 @@ Status functions::circular_pocket(Machinery& m, const Call& call) {
   const bool cw = (call.row->arg == 2) != runs_reversed(m.transform, plane);
   Motion& circle = m.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, 3u);
   m.set_feed(circle);
-  circle.plane = Plane::xy;
-  circle.center = {center[0], center[1], center[2]};
+  circle.first = 0;
+  circle.second = 1;
+  circle.center = {center[0], center[1]};
   circle.turns = 1;
   return m.straight(MotionKind::feed, middle, 1u);
 }

@@ -1,24 +1,58 @@
 #include "control/control.h"
 
+#include <utility>
+
+#include "config/machine_axes.h"
 #include "control/machinery.h"
+#include "control/nct/nct.h"
+#include "control/shared_memory.h"
 
 namespace kadr {
 
-Control::Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits)
-    : machinery_(std::make_unique<Machinery>(def, setup, std::move(program), limits)) {
+Control::Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits, std::shared_ptr<SharedMemory> shared)
+    : shared_(std::move(shared)) {
+  std::unique_ptr<ControlDef> own;
+  std::string error;
+  if (def.behaviour.machine_axes) {
+    own = std::make_unique<ControlDef>(def);
+    error = fit_to_machine(*own, setup);
+  }
+  machinery_ = std::make_unique<Machinery>(def, std::move(own), setup, std::move(program), limits,
+                                           shared_ ? shared_->commons : std::make_shared<nct::Commons>());
+  if (shared_) shared_->share_offsets(machinery_->tables.offsets, static_cast<int>(setup_number(setup, "1401")));
+  if (!error.empty()) machinery_->start_error = error;
   machinery_->on_warning = &on_warning;
+  machinery_->on_block = &on_block;
+  machinery_->on_changes = &on_changes;
 }
 Control::~Control() = default;
 
-Control::State Control::run(ActionBatch& batch) { return machinery_->run(batch); }
-void Control::answer(const ProbeAnswer& answer) { machinery_->answer(answer); }
+Control::State Control::run(ActionBatch& batch) {
+  if (!shared_) [[likely]]
+    return machinery_->run(batch);
+  shared_->lend(machinery_->tables.offsets);
+  const State state = machinery_->run(batch);
+  shared_->take_back(machinery_->tables.offsets);
+  return state;
+}
+void Control::answer(const ProbeAnswer& answer) {
+  machinery_->answer(answer);
+  if (shared_) shared_->take_back(machinery_->tables.offsets);
+}
 void Control::hand_over_each_block() { machinery_->each_block = true; }
-void Control::refused() { machinery_->refused(); }
+void Control::refused() {
+  machinery_->refused();
+  machinery_->block_open = false;
+  release();
+}
+void Control::set_waiting(Waiting waiting) { machinery_->waiting.mode = waiting; }
+const std::optional<Control::Meeting>& Control::meeting() const { return machinery_->waiting.meeting; }
+void Control::release() { machinery_->waiting.meeting.reset(); }
 bool Control::is_stopped() const { return machinery_->is_stopped(); }
 void Control::go_on() { machinery_->go_on(); }
 const AlarmReport& Control::report() const { return machinery_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
-  const Block& last = machinery_->block;
+  const Block& last = *machinery_->block;
   if (origin.line != last.position.line || machinery_->flow.in_body()) return machinery_->report_of(alarm, origin, {});
   Alarm placed = alarm;  // the block is still in hand
   placed.where = last.where;
@@ -26,6 +60,42 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
 }
 
 void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { machinery_->check_uncalled(on_fault); }
+void Control::set_signal(const std::string& name, double value) {
+  if (!machinery_->nct) return;
+  machinery_->nct->signals[name] = value;
+  if (on_signal) on_signal(name, value != 0);
+  if (nct::waiting_suspended(*machinery_)) machinery_->waiting.meeting.reset();
+}
+void Control::set_skip(int number, bool on) {
+  if (number >= 1 && number < 10) machinery_->skip_switches[static_cast<std::size_t>(number)] = on;
+}
+void Control::set_answer(double answer) {
+  if (machinery_->nct) machinery_->nct->answer = answer;
+}
+void Control::synchronise(int slave, int master) {
+  if (!machinery_->nct) return;
+  for (int n = 1; n <= static_cast<int>(nct::most_spindles); ++n)
+    if (slave == n || slave == 0) machinery_->nct->spindle(n).master = master;
+}
+void Control::convert_spindle(int number, bool to_axis) {
+  if (!machinery_->nct || number < 1 || number > static_cast<int>(nct::most_spindles)) return;
+  nct::SpindleState& s = machinery_->nct->spindle(number);
+  s.dir = SpindleDir::stop;
+  s.master = 0;
+  s.loop_closed = to_axis;
+  s.referenced = false;
+}
+void Control::power_cycle() { machinery_->power_cycle(); }
+void Control::set_time(double now_ms, double cutting_ms) {
+  if (!machinery_->nct) return;
+  machinery_->nct->now_ms = now_ms;
+  machinery_->nct->cutting_ms += cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms);  // the program may have set it
+}
+bool Control::reads_clock() const { return machinery_->reads_clock; }
+std::optional<RunState> Control::run_state() const {
+  if (!machinery_->nct) return std::nullopt;
+  return machinery_->nct->run_state(*machinery_);
+}
 Ending Control::ending() const { return machinery_->ending(); }
 std::uint64_t Control::blocks() const { return machinery_->flow.blocks(); }
 std::uint64_t Control::bytes_read() const { return machinery_->flow.bytes_read(); }
@@ -33,6 +103,7 @@ std::uint64_t Control::bytes() const { return machinery_->flow.bytes(); }
 Encoding Control::encoding() const { return machinery_->flow.program().encoding(); }
 bool Control::encoding_was_guessed() const { return machinery_->flow.program().encoding_was_guessed(); }
 const std::vector<std::string>& Control::axes() const { return machinery_->axis_names; }
+bool Control::has_machine_parameters() const { return machinery_->nct != nullptr; }
 std::uint32_t Control::rotary() const { return machinery_->def.rotary; }
 const std::string& Control::setup_error() const { return machinery_->start_error; }
 

@@ -8,6 +8,7 @@
 
 #include "config/control_def.h"
 #include "config/setup.h"
+#include "config/state_file.h"
 #include "control/action.h"
 #include "lang/block_reader.h"
 
@@ -17,6 +18,8 @@ namespace kadr {
 struct RunLimits {
   std::uint64_t repeated_blocks = 20'000'000;  // blocks carried out again after a jump back
   std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
+  bool writes_files = false;                   // FOPEN, POPEN of nct; false: as far as can be known without writing
+  std::string files = ".";                     // folder of the program memory, outside of which nothing is written
 };
 
 struct Program {
@@ -25,18 +28,20 @@ struct Program {
   std::optional<Encoding> encoding;
 };
 
-class Machinery;  // control/machinery.h
+class Machinery;     // control/machinery.h
+class SharedMemory;  // control/shared_memory.h
 
 class Control {
  public:
-  /// `def` must outlive the control.
-  Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits);
+  /// `def` must outlive the control. `shared`: what the channels of one machine have in common (nct 1.2), or nullptr.
+  Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits, std::shared_ptr<SharedMemory> shared = nullptr);
   ~Control();
 
-  enum class State : std::uint8_t { running, needs_probe, stopped, ended };
+  enum class State : std::uint8_t { running, needs_probe, waiting, stopped, ended };
 
   /// Carries out blocks until `batch` (cleared first) is full or something must be answered.
   ///   needs_probe  the last action is a probe motion: call answer() with what it met, then go on
+  ///   waiting      at a waiting code (nct 14.5), after meet_channels(): meeting() tells; call release(), then go on
   ///   stopped      by an alarm: report() tells; go_on() takes the next block (checking), nothing of the faulty one has been done
   ///   ended        the program is at its end
   State run(ActionBatch& batch);
@@ -46,6 +51,23 @@ class Control {
   void hand_over_each_block();
   /// The machine has refused an action of the last block: nothing of the block is done, as with an alarm of its own.
   void refused();
+  /// What a waiting code does (nct 14.5).
+  enum class Waiting : std::uint8_t {
+    alarm,  // nobody can come: alarm channels_wait
+    meet,   // State::waiting until release()
+    pass,   // nothing
+  };
+  void set_waiting(Waiting waiting);
+  /// A channel at a waiting code.
+  struct Meeting {
+    std::uint32_t code = 0;      // M…
+    std::uint32_t channels = 0;  // to be synchronised; bit n: channel n
+    Origin origin;
+  };
+  /// What this channel waits for; nothing: it goes on (the signal CP_NOWT takes the waiting away).
+  const std::optional<Meeting>& meeting() const;
+  void release();
+
   /// Stopped by an alarm, of a block or of an answer (no contact).
   bool is_stopped() const;
   void go_on();
@@ -54,6 +76,31 @@ class Control {
   const AlarmReport& report() const;
   /// An alarm of a later room, with the place of the action that caused it.
   AlarmReport report_for(const Alarm& alarm, const Origin& origin) const;
+
+  /// Called before and after each block that is carried out, for what the machine's logic does then (Control::set_signal, …);
+  /// behind a block only when its actions have been handed over, and not if it failed.
+  std::function<void(const Origin&, bool at_end)> on_block;
+  /// Called for each signal that the machine's logic sets.
+  std::function<void(const std::string& name, bool on)> on_signal;
+  /// The machine's logic and its operator (nct): a signal, a skip switch, the answer to a message box (#3107).
+  void set_signal(const std::string& name, double value);
+  void set_skip(int number, bool on);
+  void set_answer(double answer);
+  /// Spindle `slave` follows `master` (nct 11.7.4); 0: no more. `slave` 0: all spindles.
+  void synchronise(int slave, int master);
+  /// The machine has made an axis of the spindle (nct 11.8): it stands, its loop is closed; or a spindle of it again.
+  void convert_spindle(int number, bool to_axis);
+  /// Power off and on: the program is over, and what only the power kept is lost (nct 23.1.4, 23.5).
+  void power_cycle();
+  /// Virtual time since the start of the run and time at feed, for clocks the program reads (nct 23.1.9).
+  void set_time(double now_ms, double cutting_ms);
+  /// The program may read a clock: from here on set_time() counts, and each block is handed over.
+  bool reads_clock() const;
+  /// Tables and switches after the run, in the form of a set-up; nothing where the control has none to show.
+  std::optional<RunState> run_state() const;
+
+  /// Called behind each block that changed something that survives power-off (nct); the block is carried out.
+  std::function<void(const StateChanges&)> on_changes;
 
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;
@@ -70,10 +117,14 @@ class Control {
   const std::vector<std::string>& axes() const;
   /// What the set-up names and this control has not ("modal: G999", "start: axis Q"); empty: all is well.
   const std::string& setup_error() const;
+  /// Its machine is described by parameters (nct 24).
+  bool has_machine_parameters() const;
   std::uint32_t rotary() const;
 
  private:
   std::unique_ptr<Machinery> machinery_;
+  std::shared_ptr<SharedMemory> shared_;
+  double cutting_seen_ms_ = 0;
 };
 
 }  // namespace kadr

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "config/embedded.h"
+
 namespace kadr {
 namespace {
 
@@ -31,21 +33,21 @@ std::string text_of_bodies(const ControlDef& def, std::map<std::string, Position
 }  // namespace
 
 Flow::Flow(const ControlDef& def, Program program, RunLimits limits)
-    : def_(def),
-      file_(std::move(program.file)),
-      limits_(limits),
-      source_(std::move(program.source)),
-      program_(source_, def.grammar, program.encoding),
-      body_grammar_(grammar_of_bodies(def.grammar)) {
+    : def_(def), limits_(limits), body_grammar_(grammar_of_bodies(def.grammar)) {
+  files_.push_back(std::make_unique<ProgramFile>(std::move(program.file), std::move(program.source), def.grammar, program.encoding));
+  files_.push_back(nullptr);
   std::string bodies = text_of_bodies(def, body_starts_);
   if (!bodies.empty()) bodies_ = std::make_unique<BlockReader>(text_source(std::move(bodies)), body_grammar_, Encoding::utf8);
 }
 
-Result<BlockReader::Got> Flow::next(Block& block) {
+Result<BlockReader::Got> Flow::next(Block*& block) {
   if (ended_) return BlockReader::Got::end;
-  if (!frames_.empty() || restarts_ != 0) KADR_TRY(count_repeated(block));
+  if (!frames_.empty() || restarts_ != 0 || jumped_back_) KADR_TRY(count_repeated(*block));
   ++blocks_;
-  return reader_ == 0 ? program_.next(block) : bodies_->next(block);
+  if (reader_ != 1) [[likely]]
+    return files_[reader_]->next(block);
+  block = &body_block_;
+  return bodies_->next(body_block_);
 }
 
 /// `last`: the block before, still in hand.
@@ -55,9 +57,62 @@ Status Flow::count_repeated(const Block& last) {
   return fail(alarm(AlarmId::endless_program, last.where, static_cast<double>(limits_.repeated_blocks), last.text_of(last.number_where)));
 }
 
-void Flow::go_to(std::uint8_t reader, Position position) {
+void Flow::go_to(std::uint16_t reader, Position position) {
   reader_ = reader;
-  (reader == 0 ? program_ : *bodies_).seek(position);
+  if (reader == 1) bodies_->seek(position);
+  else files_[reader]->seek(position);
+}
+
+void Flow::jump(Position position) {
+  ProgramFile& file = *files_[reader_];
+  if (position.offset < file.position().offset) {
+    jumped_back_ = true;
+    file.keep_blocks();
+  }
+  file.seek(position);
+}
+
+std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
+  if (const auto known = opened_.find(path); known != opened_.end()) return known->second;
+  auto source = open_file(path);
+  if (!source) return std::nullopt;
+  files_.push_back(std::make_unique<ProgramFile>(path, std::move(source), def_.grammar, std::nullopt));
+  const auto reader = static_cast<std::uint16_t>(files_.size() - 1);
+  opened_.emplace(path, reader);
+  return reader;
+}
+
+std::optional<std::uint16_t> Flow::open_built_in(const std::string& name) {
+  const std::string file = "macros/" + name + "." + def_.id;
+  if (const auto known = opened_.find(file); known != opened_.end()) return known->second;
+  for (const EmbeddedFile& row : embedded_files()) {
+    if (row.name != file) continue;
+    files_.push_back(
+        std::make_unique<ProgramFile>(name + " (" + def_.id + ")", text_source(std::string(row.text)), def_.grammar, Encoding::utf8));
+    const auto reader = static_cast<std::uint16_t>(files_.size() - 1);
+    opened_.emplace(file, reader);
+    return reader;
+  }
+  return std::nullopt;
+}
+
+Status Flow::call_at(std::uint16_t reader, Position start, CallFrame frame, Span where) {
+  frame.reader = reader;
+  frame.start = start;
+  frame.done = 1;
+  KADR_TRY(push(frame, where));
+  files_[reader]->keep_blocks();
+  go_to(reader, start);
+  return {};
+}
+
+std::optional<Position> Flow::label_of(std::uint32_t number) {
+  if (def_.grammar.label_address == 0) return std::nullopt;
+  if (!indexed_) make_index();
+  const auto label = labels_.find(number);
+  if (label == labels_.end() || label->second.twice) return std::nullopt;
+  label->second.called = true;
+  return label->second.position;
 }
 
 void Flow::back_to(const Place& place) {
@@ -121,6 +176,7 @@ Result<std::optional<CallFrame>> Flow::end_subprogram(Span where) {
   if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
   if (--top.left > 0) {
     top.repeating = true;
+    ++top.done;
     go_to(top.reader, top.start);
     return std::optional<CallFrame>();
   }
@@ -161,7 +217,7 @@ Status Flow::restart(Span where) {
 }
 
 BlockReader& Flow::elsewhere() {
-  if (!elsewhere_) elsewhere_ = std::make_unique<BlockReader>(source_, def_.grammar, program_.encoding());
+  if (!elsewhere_) elsewhere_ = std::make_unique<BlockReader>(files_[0]->source(), def_.grammar, program().encoding());
   return *elsewhere_;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "control/control.h"
+#include "control/program_file.h"
 #include "control/state.h"
 #include "lang/block_reader.h"
 
@@ -16,20 +17,27 @@ namespace kadr {
 
 /// A call or repetition that is open.
 struct CallFrame {
-  enum class Kind : std::uint8_t { subprogram, cycle_body, repetition };
+  enum class Kind : std::uint8_t { subprogram, cycle_body, repetition, macro, interrupt };
   Kind kind = Kind::subprogram;
-  Position start;           // first block of its body
-  Position back;            // where the caller goes on
-  std::uint8_t reader = 0;  // of the body: 0 the program, 1 the cycle bodies
-  std::uint8_t back_reader = 0;
+  Position start;            // first block of its body
+  Position back;             // where the caller goes on
+  std::uint16_t reader = 0;  // of the body: 0 the program, 1 the cycle bodies, then other files
+  std::uint16_t back_reader = 0;
   std::uint32_t name = 0;  // subprogram number
   std::uint32_t left = 0;  // passes still to do, this one included
+  std::uint32_t done = 0;  // passes begun
   bool repeating = false;  // beyond its first pass
   Origin caller;
   std::uint8_t work_zero = 0;  // of the caller (2С42: comes back)
   Axes zero_shift{};
   std::int16_t zero_row = -1;
   std::array<std::int16_t, 3> then{-1, -1, -1};  // rows of the calling block carried out on return: M17, M20, M2
+  // nct
+  std::uint8_t modal_calls = 0;   // modal macro calls that act in the caller (23.3.2)
+  bool opened_level = false;      // an interrupt macro with locals of its own
+  std::int32_t return_to = -1;    // M99 P: block of the caller
+  char called_by = 0;             // address of the word that called: its like does not call again inside (23.3.4–23.3.8)
+  std::int32_t called_code = -1;  // … and its code
 };
 
 class Flow {
@@ -37,14 +45,14 @@ class Flow {
   Flow(const ControlDef& def, Program program, RunLimits limits);
 
   /// The next block to carry out, or the end of the program.
-  Result<BlockReader::Got> next(Block& block);
+  Result<BlockReader::Got> next(Block*& block);
 
   // ---- jumps
   /// Calls open and where reading goes on: what a faulty block may have changed.
   struct Place {
     std::vector<CallFrame> frames;
     Position position;
-    std::uint8_t reader = 0;
+    std::uint16_t reader = 0;
     std::uint32_t restarts = 0;
     bool ended = false;
   };
@@ -54,6 +62,27 @@ class Flow {
   Status call(std::uint32_t subprogram, std::uint32_t times, const Origin& caller, Span where);
   Status call_body(const CycleRow& cycle, std::uint32_t times, const Origin& caller, Span where);
   Status repeat(std::uint32_t times, const Origin& caller, Span where);
+  /// Calls what begins at `start` of the file that `reader` (from open_program) holds. `frame`: kind, left, caller, …
+  ///   alarms  call_too_deep
+  Status call_at(std::uint16_t reader, Position start, CallFrame frame, Span where);
+  /// Where `Onnnn` stands in the main file, if it does, once.
+  std::optional<Position> label_of(std::uint32_t number);
+  /// The file at that path of the program memory, opened once; nothing if it cannot be read.
+  std::optional<std::uint16_t> open_program(const std::string& path);
+  /// A program that the control brings along (macros/), if there is one of that name.
+  std::optional<std::uint16_t> open_built_in(const std::string& name);
+  /// The file being read.
+  ProgramFile& program_file() { return *files_[reader_]; }
+  std::uint16_t reader() const { return reader_; }
+  /// Goes on at a block of the file being read. `back`: it may be a loop.
+  void jump(Position position);
+  /// The innermost call that is no repetition, or nullptr.
+  CallFrame* innermost() { return frames_.empty() ? nullptr : &frames_.back(); }
+  /// The file that the innermost call came from has a block of that number (nct M99 P).
+  bool caller_has(std::uint32_t number) {
+    const CallFrame& top = frames_.back();
+    return files_[top.back_reader] && files_[top.back_reader]->find_number(number, top.back).has_value();
+  }
   /// End of a subprogram: once more, or back to the caller; the frame left, if it was left.
   ///   alarms  return_without_call, repeat_end_missing
   Result<std::optional<CallFrame>> end_subprogram(Span where);
@@ -70,19 +99,21 @@ class Flow {
   /// Leaves the innermost call or repetition whose end was not found; in a repetition to go on at `again`.
   void abandon(std::optional<Position> again);
   std::string shown(std::string_view text, Span& place) const {
-    return visiting_ ? elsewhere_->shown(text, place) : reader_ == 0 ? program_.shown(text, place) : std::string(text);
+    return visiting_ ? elsewhere_->shown(text, place) : reader_ != 1 ? files_[reader_]->shown(text, place) : std::string(text);
   }
   bool in_body() const { return reader_ == 1; }
   std::size_t depth() const { return frames_.size(); }
   const std::vector<CallFrame>& frames() const { return frames_; }
   std::vector<CallFrame>& frames() { return frames_; }
-  const std::string& file() const { return file_; }
+  /// Path of the file being read; of a cycle body: the program's.
+  const std::string& file() const { return files_[reader_ == 1 ? 0 : reader_]->path(); }
+  const std::string& main_file() const { return files_[0]->path(); }
   std::uint64_t blocks() const { return blocks_; }
-  std::uint64_t bytes_read() const { return program_.offset(); }
-  std::uint64_t bytes() const { return program_.size(); }
-  const BlockReader& program() const { return program_; }
+  std::uint64_t bytes_read() const { return program().offset(); }
+  std::uint64_t bytes() const { return program().size(); }
+  const BlockReader& program() const { return files_[0]->reader(); }
   /// Position behind the block just read.
-  Position position() const { return reader_ == 0 ? program_.position() : bodies_->position(); }
+  Position position() const { return reader_ == 1 ? bodies_->position() : files_[reader_]->position(); }
 
   /// Blocks of the subprograms that were never called, in the file's order.
   void each_uncalled(const std::function<void(Result<BlockReader::Got>, const Block&)>& visit);
@@ -102,24 +133,25 @@ class Flow {
   Status count_repeated(const Block& last);
   void make_index();
   BlockReader& elsewhere();
-  void go_to(std::uint8_t reader, Position position);
+  void go_to(std::uint16_t reader, Position position);
 
   const ControlDef& def_;
-  std::string file_;
   RunLimits limits_;
-  std::shared_ptr<ByteSource> source_;
-  BlockReader program_;
+  std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] stands for the cycle bodies
+  std::map<std::string, std::uint16_t> opened_;
   std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places: the block in hand keeps its text
   Grammar body_grammar_;
   std::unique_ptr<BlockReader> bodies_;
+  Block body_block_;
   std::map<std::string, Position> body_starts_;
-  std::uint8_t reader_ = 0;
+  std::uint16_t reader_ = 0;
   std::vector<CallFrame> frames_;
   std::map<std::uint32_t, Label> labels_;
   std::set<std::uint32_t> passed_;
   bool indexed_ = false;
   bool visiting_ = false;  // each_uncalled is at work
   bool ended_ = false;
+  bool jumped_back_ = false;
   std::uint32_t restarts_ = 0;
   std::uint64_t blocks_ = 0;
   std::uint64_t repeated_ = 0;

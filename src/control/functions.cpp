@@ -16,8 +16,9 @@ static_assert(std::size(handlers) == static_cast<std::size_t>(Function::count));
 
 Status set_plane(Machinery& m, Plane plane) {
   if (m.modal.radius_side != 0 && m.modal.plane != plane && m.def.behaviour.arc_radius_word)
-    return fail(alarm(AlarmId::compensation_active, m.block.where, "G17, G18, G19"));
+    return fail(alarm(AlarmId::compensation_active, m.block->where, "G17, G18, G19"));
   m.modal.plane = plane;
+  m.modal.axes = axes_of(plane);
   m.apply_mirror();
   return {};
 }

@@ -5,16 +5,17 @@
 #include "base/tolerance.h"
 #include "control/correctors/correctors.h"
 #include "control/functions.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t x_bit = letter_bit('X');
-constexpr std::uint32_t y_bit = letter_bit('Y');
+constexpr std::uint64_t x_bit = letter_bit('X');
+constexpr std::uint64_t y_bit = letter_bit('Y');
 
 /// Mach3 10.7.6: X is the radius and Y the angle from the pole; a word left out keeps its last value.
 void polar_target(Machinery& m, Axes& to, AxisMask& named) {
-  if ((m.block.letters & (x_bit | y_bit)) == 0) return;
+  if ((m.block->letters & (x_bit | y_bit)) == 0) return;
   Modal& modal = m.modal;
   if (m.has('X')) modal.polar_radius = (modal.absolute ? 0.0 : modal.polar_radius) + m.length_value('X');
   if (m.has('Y')) modal.polar_angle = (modal.absolute ? 0.0 : modal.polar_angle) + m.value('Y');
@@ -62,8 +63,8 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
 }
 
 bool axes_taken_by_code(const Machinery& m) {
-  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
-    const Word& w = m.block.words[i];
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
     const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
     if (row >= 0 && (m.def.codes[static_cast<std::size_t>(row)].takes & m.letters.axes) != 0) return true;
   }
@@ -89,8 +90,8 @@ Status linear(Machinery& m, const Call& call) { return straight(m, call, MotionK
 Status no_motion(Machinery& m, const Call& call) {
   if (m.def.behaviour.arc_radius_word && m.has_axis_words() && !axes_taken_by_code(m)) {
     const Word* first = nullptr;
-    for (std::uint32_t i = 0; i < m.block.word_count && first == nullptr; ++i)
-      if ((m.letters.axes & letter_bit(m.block.words[i].address)) != 0) first = &m.block.words[i];
+    for (std::uint32_t i = 0; i < m.block->word_count && first == nullptr; ++i)
+      if ((m.letters.axes & letter_bit(m.block->words[i].address)) != 0) first = &m.block->words[i];
     return fail(alarm(AlarmId::no_motion_mode, first->where, first->address));
   }
   m.modal.motion = MotionMode::none;
@@ -168,8 +169,8 @@ Status pole_rapid(Machinery& m, const Call& call) {
 
 /// G31 (Mach3 10.7.12).
 Status probe(Machinery& m, const Call& call) {
-  const std::uint32_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
-  if ((m.block.letters & linear) == 0) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  const std::uint64_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
+  if ((m.block->letters & linear) == 0) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (m.modal.feed_mode == FeedMode::inverse_time) return fail(alarm(AlarmId::probe_feed_mode, call.where));
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));
@@ -198,6 +199,10 @@ Status probe(Machinery& m, const Call& call) {
 
 /// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
 void Machinery::answer(const ProbeAnswer& answer) {
+  if (nct) {
+    if (const Status taken = nct::take_answer(*this, answer); !taken) fail_with(taken.error());
+    return;
+  }
   needs_probe = false;
   const std::uint32_t first = variables.first(VariableKind::probe_point);
   for (std::size_t a = 0; a < axis_count; ++a) {

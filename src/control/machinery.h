@@ -12,14 +12,32 @@
 #include "control/cycles/cycle_run.h"
 #include "control/ellipse_run.h"
 #include "control/flow.h"
+#include "control/nct/waiting.h"
 #include "control/plan.h"
 #include "control/state.h"
 #include "control/variables.h"
 
 namespace kadr {
 
+namespace nct {
+class Nct;
+struct Commons;
+}  // namespace nct
+
+class Machinery;
+
 inline constexpr double farthest = 1e7;         // mm, degrees: a coordinate beyond ten kilometres is a mistake
 inline constexpr std::size_t batch_size = 256;  // actions handed on at a time
+
+/// What goes on behind its block, some actions at a time, so that a cycle of any length runs in constant memory.
+class Running {
+ public:
+  virtual ~Running() = default;
+  /// Hands the next actions on, at most a few; false: it is over.
+  virtual Result<bool> next(Machinery& m) = 0;
+  /// The other functions of its block act before it goes on (drilling, nct 18.0); else those behind the motion wait for its end.
+  virtual bool functions_first() const { return false; }
+};
 
 /// Parameters of G87 of the generic Soviet control (spec/correctors 3), kept for G79.
 struct PocketCycle {
@@ -29,21 +47,28 @@ struct PocketCycle {
 
 class Machinery {
  public:
-  Machinery(const ControlDef& control, const Setup& setup, Program program, RunLimits limits);
+  /// `own`: the control's definition made fit for this machine, or nullptr (then `control` is used as it is).
+  Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, RunLimits limits,
+            std::shared_ptr<nct::Commons> commons);
+  ~Machinery();
 
   Control::State run(ActionBatch& batch);
   void answer(const ProbeAnswer& answer);
   void go_on();
   void refused();
+  void power_cycle();
   bool is_stopped() const { return stopped_; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
-  Ending ending() const;
+  Ending ending();
+  Alarm with_names(Alarm alarm) const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
 
   // ---- words of the block being carried out
 
-  const Word* word(char letter) const { return block.find(letter); }
-  bool has(char letter) const { return block.has(letter); }
+  /// Values of the words written as expressions, ranges of all.
+  Status evaluate_words();
+  const Word* word(char letter) const { return block->find(letter); }
+  bool has(char letter) const { return block->has(letter); }
   /// Value of a word with the scale of its address; 0 if it is not there.
   double value(char letter) const;
   /// The same as a length: mm.
@@ -55,7 +80,12 @@ class Machinery {
   Span where(char letter) const;
   /// The block holds a code of one of these functions.
   bool has_code(std::initializer_list<Function> functions) const;
-  bool has_axis_words() const { return (block.letters & letters.axes) != 0; }
+  /// A cycle of the block is being carried out.
+  bool cycling() const { return cycle_run.active() || ellipse_run.active() || running != nullptr; }
+  /// Every value within the limits of its address.
+  ///   alarms  value_out_of_range, word_not_integer
+  Status check_ranges() const;
+  bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
 
   // ---- motion
 
@@ -88,6 +118,7 @@ class Machinery {
   void refresh_frames();
   /// The same, and the tool's coordinates in the new frame (the machine stands).
   void change_frames();
+  FrameChange frame_change() const;
   double radius_in_force() const;
   /// An offset is about to be written: an alarm later in the block brings it back.
   void keep_offset(std::uint32_t number) { kept_offset_ = {number, tables.offsets[number]}; }
@@ -96,9 +127,12 @@ class Machinery {
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
   void apply_mirror();
   void warn(const Alarm& alarm);
+  /// The addresses of the block, anew: words were taken away (address 0) or given back.
+  void note_addresses();
 
   // ---- what the functions work on
 
+  const std::unique_ptr<ControlDef> own_def;
   const ControlDef& def;
   const LetterSets letters;
   Modal modal;
@@ -111,7 +145,9 @@ class Machinery {
   CycleMemory cycle_memory;
   CycleRun cycle_run;
   EllipseRun ellipse_run;
+  std::unique_ptr<Running> running;  // a cycle of the NCT
   PocketCycle pocket;
+  std::unique_ptr<nct::Nct> nct;          // where the control is an NCT
   std::vector<double> corrector_applied;  // by corrector and axis: what it added last (spec/correctors 1)
   Axes set_position{};                    // G92 / G52 shift (Mach3), mm
   bool set_position_by_g52 = false;
@@ -121,7 +157,10 @@ class Machinery {
   bool needs_probe = false;
   Span probe_where;
   bool optional_stop_on = false;
-  bool each_block = false;  // hand over after each block
+  bool each_block = false;   // hand over after each block
+  bool reads_clock = false;  // nct: a block that may read a clock has come
+  bool block_open = false;   // a watched block has been carried out, its end is to come
+  nct::WaitingCodes waiting;
   std::array<bool, 10> skip_switches{};
   std::array<bool, max_axes> mirror_switches{};  // panel mode of the 2С42 (6.8)
   std::string start_error;                       // what the set-up names and the control has not
@@ -129,12 +168,15 @@ class Machinery {
   std::string call_text;  // block that called the cycle body being carried out, and its L word
   Span call_where;
 
-  Block block;
+  Block first_block;            // before the first one is read
+  Block* block = &first_block;  // being carried out
   Origin origin;
   ActionBatch* batch = nullptr;
   std::vector<std::string> axis_names;
   std::size_t axis_count = 3;
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
+  std::function<void(const Origin&, bool)>* on_block = nullptr;
+  std::function<void(const StateChanges&)>* on_changes = nullptr;
   AlarmReport report;
 
  private:
@@ -156,35 +198,71 @@ class Machinery {
   void start_modal(const Setup& setup);
   bool starts(const std::string& text) const;
   Status execute();
+  void take_block();
+  void watch_block();
+  bool is_watched() const;
+  void end_block();
+  void report_changes();
+  bool may_read_clock() const;
   Status attempt();
+  Status check_numbers() const;
   Status words();
   Status carry_out(const Plan& plan);
   Status carry_out(const PlanItem& item);
   Status radius_comp_possible() const;
   bool is_call(const PlanItem& item) const;
+  bool waits_for(const Running& cycle, const PlanItem& item) const;
   void keep_for_return(const PlanItem& item);
   Status end_possible(const PlanItem& item, std::size_t depth) const;
   const CodeRow* row_of(const PlanItem& item) const { return item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr; }
   Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
   Status after_cycle();
-  Status evaluate_words();
+  Status next_of_cycle();
+  void stop_cycles();
+  Status evaluate_word(Word& w);
+  Status find_axis(Word& w);
   Status assign();
-  Status check_ranges() const;
+  Status plan();
   bool changes_only_position() const;
+  bool changes_little() const;
   Status check_place() const;
   Status structure();
   Status end_of_file();
   void take_moment();
+  void take_small_moment() {
+    small_moment_taken_ = true;
+    small_moment_ = {modal.feed, modal.feed_known, modal.motion, modal.motion_row, modal.rows};
+  }
   void take_back(std::size_t actions);
   Origin origin_of_block() const;
   void fail_with(const Alarm& alarm);
   void keep_from_faulty_block();
 
   Plan plan_;
+  /// Plans of blocks that loops carry out again, found by the block's place in memory.
+  struct KeptPlan {
+    const Block* block = nullptr;
+    std::uint64_t letters = 0;
+    std::int16_t motion_row = -1;
+    Plan plan;
+  };
+  static constexpr std::size_t kept_plans = 64;
+  std::vector<KeptPlan> plans_;
+  Plan* plan_now_ = &plan_;
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;
   std::optional<Flow::Place> flow_before_;  // kept where a block has more than one item that jumps
+  /// The same of a block that only moves and feeds, or only calls.
+  struct SmallMoment {
+    double feed;
+    bool feed_known;
+    MotionMode motion;
+    std::int16_t motion_row;
+    std::array<std::int16_t, most_groups> rows;
+  };
   Moment moment_;
+  SmallMoment small_moment_;
+  bool small_moment_taken_ = false;
   bool moment_taken_ = false;
   std::vector<double> assigned_;
   std::vector<double> kept_corrections_;                // corrector_applied before the block
@@ -192,6 +270,11 @@ class Machinery {
   bool stopped_ = false;
   bool start_missing_reported_ = false;
   bool skipping_section_ = false;
+  // of a block that the machine's logic watches (nct 23.4)
+  bool in_interrupt_ = false;        // it belongs to an interrupt macro
+  bool again_ = false;               // the block in hand comes once more
+  std::optional<Position> resumed_;  // the block that was to begin when an interrupt macro came
+  std::vector<double> clocks_;       // numbers of the clock variables
   bool first_frames_ = true;
   std::vector<std::string> watch_;
 };

@@ -4,20 +4,25 @@
 
 #include "base/tolerance.h"
 #include "control/machinery.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 
 double Machinery::axis_target(const Word& w, std::size_t axis) const {
   const bool is_length = def.address(w.address).unit == WordUnit::length;
-  const double v = w.value * def.address(w.address).scale * (is_length && modal.inch ? mm_per_inch : 1.0);
-  return modal.absolute ? v : position.programmed[axis] + v;
+  double v = w.value * def.address(w.address).scale * (is_length && modal.inch ? mm_per_inch : 1.0);
+  if ((modal.diameter >> axis & 1u) != 0) v /= 2;
+  const bool absolute = modal.absolute && !w.incremental && def.address(w.address).function != Function::increment_axis;
+  return absolute ? v : position.programmed[axis] + v;
 }
 
 Status Machinery::target(Axes& to, AxisMask& named) const {
+  if (nct) return nct::target(*this, to, named);
   to = position.programmed;
   named = 0;
-  for (std::uint32_t i = 0; i < block.word_count; ++i) {
-    const Word& w = block.words[i];
+  for (std::uint32_t i = 0; i < block->word_count; ++i) {
+    const Word& w = block->words[i];
     if ((letters.axes & letter_bit(w.address)) == 0) continue;
     const auto axis = static_cast<std::size_t>(static_cast<unsigned char>(letters.axis_of[static_cast<std::size_t>(w.address - 'A')]));
     to[axis] = axis_target(w, axis);
@@ -33,36 +38,49 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   Motion* const reused = std::get_if<Motion>(&action.what);
   Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
   motion.kind = kind;
-  motion.plane = modal.plane;
+  motion.first = static_cast<std::uint8_t>(modal.axes.first);
+  motion.second = static_cast<std::uint8_t>(modal.axes.second);
+  motion.along = FeedAlong::path;
+  motion.own_override = motion.in_position = false;
+  motion.detail.reset();
   motion.named = named;
   motion.to = position.work;
   motion.machine = position.machine;
   motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
   motion.tolerance = modal.blend_tolerance;
+  motion.join = 0;
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = 0;
   motion.turns = 0;
   motion.center = {};
+  if (nct) nct::note_motion(*this, motion);
   return motion;
 }
 
 void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
   if (transform.turns_plane() && (named & 3u) != 0) named |= 3u;  // turned: X and Y move together
-  for (std::size_t a = 0; a < axis_count; ++a) {
-    if ((named >> a & 1u) == 0) continue;
-    position.work[a] = work[a];
-    position.machine[a] = work[a] + frames.origin[a] + frames.length[a];
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if ((named >> a & 1u) != 0) position.work[a] = work[a];
+  if (frames.rotation) {
+    const Axes machine = frames.machine_of(position.work);
+    named = frames.moved_with(named);
+    for (std::size_t a = 0; a < axis_count; ++a)
+      if ((named >> a & 1u) != 0) position.machine[a] = machine[a];
+  } else {
+    for (std::size_t a = 0; a < axis_count; ++a)
+      if ((named >> a & 1u) != 0) position.machine[a] = work[a] + frames.origin[a] + frames.length[a];
   }
   position.programmed = programmed;
 }
 
 Status Machinery::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
+  if (modal.surface != PathSurface::plane) return nct::surface_line(*this, kind, programmed, named);
   if (transform.identity) [[likely]] {
     move_to(programmed, programmed, named);
   } else {
     const Axes work = transform.to_work(programmed);
     for (std::size_t a = 0; a < axis_count; ++a)
-      if (!(std::fabs(work[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, block.where, axis_names[a], work[a]));
+      if (!(std::fabs(work[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], work[a]));
     move_to(programmed, work, named);
   }
   Motion& motion = add_motion(kind, named);
@@ -74,8 +92,9 @@ Status Machinery::to_machine(MotionKind kind, const Axes& machine, AxisMask name
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
     position.machine[a] = machine[a];
-    position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
+    if (!frames.rotation) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
   }
+  if (frames.rotation) position.work = frames.work_of(position.machine);
   position.programmed = transform.to_programmed(position.work);
   Motion& motion = add_motion(kind, named);
   if (feed > 0) motion.feed = feed;
@@ -121,10 +140,13 @@ void Machinery::set_feed(Motion& motion) {
 
 double Machinery::radius_in_force() const {
   if (modal.radius_by_word >= 0) return modal.radius_by_word;
-  return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].radius : 0.0;
+  return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].whole_radius() : 0.0;
 }
 
+FrameChange Machinery::frame_change() const { return {frames.origin, frames.length, position.work, frames.rotation, frames.shift}; }
+
 void Machinery::refresh_frames() {
+  if (nct) return nct::refresh_frames(*this);
   const std::uint32_t fixtures = variables.first(VariableKind::fixture);
   for (std::size_t a = 0; a < axis_count; ++a) {
     double origin_of_axis = tables.common[a] + tables.zero_shift[a] + set_position[a];
@@ -136,20 +158,26 @@ void Machinery::refresh_frames() {
   constexpr std::size_t length_axis = 2;  // Z
   const std::uint32_t number = modal.length_number != 0 ? modal.length_number : modal.offset_number;
   const bool in_table = number < tables.offsets.size();
-  frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].length;
+  frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].whole_length();
 }
 
 void Machinery::change_frames() {
   const Frames before = frames;
   refresh_frames();
   if (before == frames) return;
+  if (before.rotation || frames.rotation) {
+    position.work = frames.work_of(position.machine);
+    emit(frame_change());
+    position.programmed = transform.to_programmed(position.work);
+    return;
+  }
   for (std::size_t a = 0; a < axis_count; ++a) {
     // With `next_motion` a new length is taken out by the next motion of its axis: the tool's coordinate stays as programmed.
     const double length = def.behaviour.length_offset == LengthOffset::at_once ? frames.length[a] - before.length[a] : 0.0;
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;
   }
-  emit(FrameChange{frames.origin, frames.length, position.work});
+  emit(frame_change());
   position.programmed = transform.to_programmed(position.work);
 }
 

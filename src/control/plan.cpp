@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <string>
 
 namespace kadr {
 namespace {
@@ -12,6 +13,7 @@ constexpr std::uint8_t sequence_length = 4;
 std::uint8_t sequence(Function function) {
   switch (function) {
     case Function::no_motion:
+    case Function::drilling_off:
     case Function::repeat_word: return 0;
     case Function::call_word:
     case Function::call_subprogram: return 1;
@@ -24,7 +26,8 @@ std::uint8_t sequence(Function function) {
 /// Beside these a motion code only sets the mode: `G0 G91 G28 Z0` is what shops write.
 bool leaves_mode(Function function) {
   return function == Function::home_through || function == Function::home_axes || function == Function::approach_reference ||
-         function == Function::machine_point;
+         function == Function::machine_point || function == Function::reference_return || function == Function::machine_move ||
+         function == Function::local_system || function == Function::mirror_on || function == Function::mirror_off;
 }
 
 /// Collects the calls of one block.
@@ -36,11 +39,17 @@ class Planner {
   Status run(std::int16_t motion_row) {
     plan_.count = 0;
     plan_.taken = 0;
+    if (def_.grammar.macro && macro_call()) return {};
     for (std::uint32_t i = 0; i < block_.word_count; ++i) {
       const Word& word = block_.words[i];
-      const std::uint32_t bit = letter_bit(word.address);
-      if ((letters_.codes & bit) != 0) KADR_TRY(code(word, static_cast<std::uint8_t>(i)));
-      else if ((letters_.acting & bit) != 0) acting(word, static_cast<std::uint8_t>(i));
+      if (word.address == 0) continue;
+      const std::uint64_t bit = letter_bit(word.address);
+      if ((letters_.codes & bit) != 0) {
+        KADR_TRY(code(word, static_cast<std::uint8_t>(i)));
+        if (calls_macro_) break;
+      } else if ((letters_.acting & bit) != 0) {
+        acting(word, static_cast<std::uint8_t>(i));
+      }
     }
     if (axes_taker_ != nullptr && motion_word_ != nullptr && !leaves_mode(axes_taker_function_))
       return fail(
@@ -48,26 +57,61 @@ class Planner {
     KADR_TRY(motion_in_force(motion_row));
     if (code_count_ != 0 || (block_.letters & ~letters_.acting & ~plan_.taken) != 0) KADR_TRY(words_used());
     plan_.axes_taken = axes_taker_ != nullptr;
+    note_kind();
     plan_.moves_only = code_count_ == 0 && (block_.letters & letters_.acting) == 0 && block_.assignments.empty();
     return {};
   }
 
  private:
+  /// Beside G65, G66, G66.1 all words are arguments, M too: nothing else is carried out (nct 23.3).
+  bool macro_call() {
+    if ((block_.letters & letter_bit('G')) == 0) return false;
+    for (std::uint32_t i = 0; i < block_.word_count; ++i) {
+      const Word& word = block_.words[i];
+      const std::int32_t index = word.address == 'G' && word.code >= 0 ? def_.row_of('G', word.code) : -1;
+      if (index < 0) continue;
+      const CodeRow& row = def_.codes[static_cast<std::size_t>(index)];
+      if (row.function != Function::macro_call && row.function != Function::macro_modal) continue;
+      add(row.phase, static_cast<std::uint8_t>(i), static_cast<std::int16_t>(index), 0);
+      plan_.taken = ~std::uint64_t{0};
+      plan_.axes_taken = plan_.moves_only = false;
+      note_kind();
+      return true;
+    }
+    return false;
+  }
+
   Status code(const Word& word, std::uint8_t index) {
     const std::int32_t row_index = word.code < 0 ? -1 : def_.row_of(word.address, word.code);
+    if (row_index < 0 && def_.grammar.macro && word.expression) return fail(alarm(AlarmId::code_unknown, word.where, by_value(word)));
     if (row_index < 0) return fail(alarm(AlarmId::code_unknown, word.where, block_.text_of(word.where)));
     const CodeRow& row = def_.codes[static_cast<std::size_t>(row_index)];
+    if (!row.works) return fail(alarm(AlarmId::not_available, word.where, row.code));
     if (row.group != 0) KADR_TRY(one_of_group(row, row_index, word));
     const FunctionTraits& traits = traits_of(row.function);
     if (traits.takes_axes) KADR_TRY(axes_taken(row, word));
-    if (row.own_block) own_block_ = &word;
+    if (row.own_block) own_block_ = &word, own_takes_ = row.takes;
     plan_.taken |= row.takes;
     ++code_count_;
+    if (row.function == Function::macro_call || row.function == Function::macro_modal) {  // nct 23.3: all other words are arguments
+      calls_macro_ = true;
+      plan_.taken = ~std::uint64_t{0};
+      plan_.count = 0;
+      axes_taker_ = motion_word_ = nullptr;
+    }
     if (row.needs_axis && (block_.letters & letters_.axes) == 0) return fail(alarm(AlarmId::no_axis_word, word.where, row.code));
-    if (const std::uint32_t missing = row.needs & ~block_.letters; missing != 0)
+    if (const std::uint64_t missing = row.needs & ~block_.letters; missing != 0)
       return fail(alarm(AlarmId::word_missing, word.where, static_cast<char>('A' + std::countr_zero(missing)), row.code));
     add(row.phase, index, static_cast<std::int16_t>(row_index), 0);
     return {};
+  }
+
+  /// `G#1` as G77.3.
+  static std::string by_value(const Word& word) {
+    std::string text = std::to_string(word.value);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return word.address + text;
   }
 
   Status one_of_group(const CodeRow& row, std::int32_t row_index, const Word& word) {
@@ -80,7 +124,8 @@ class Planner {
                            0;
       if (!allowed) {
         const Word& first = block_.words[other.word];
-        return fail(alarm(AlarmId::group_conflict, word.where, block_.text_of(first.where), block_.text_of(word.where)));
+        const AlarmId id = def_.grammar.macro && word.address == 'M' ? AlarmId::m_codes_contradict : AlarmId::group_conflict;
+        return fail(alarm(id, word.where, block_.text_of(first.where), block_.text_of(word.where)));
       }
     }
     (void)row_index;
@@ -91,7 +136,7 @@ class Planner {
 
   /// Two codes that both want the axis words of the block; a motion code beside G28 and its like only sets the mode.
   Status axes_taken(const CodeRow& row, const Word& word) {
-    const bool is_mode = row.modal && row.phase == Phase::motion;
+    const bool is_mode = row.modal && (row.phase == Phase::motion || row.phase == Phase::positioning);
     if (is_mode) {
       motion_coded_ = true;
       motion_word_ = &word;
@@ -112,12 +157,15 @@ class Planner {
 
   /// Axis words alone: the motion code in force acts again.
   Status motion_in_force(std::int16_t motion_row) {
-    std::uint32_t starts = letters_.axes | letters_.centers;
+    std::uint64_t starts = letters_.axes | letters_.centers;
     if (def_.behaviour.correctors) starts |= letter_bit('L');
-    const std::uint32_t loose = block_.letters & starts & ~plan_.taken;
-    if (loose == 0 || motion_coded_ || axes_taker_ != nullptr) return {};
+    const std::uint64_t loose = block_.letters & starts & ~plan_.taken;
+    if (loose == 0 || motion_coded_ || axes_taker_ != nullptr) {
+      ignored_in_cycle(motion_row);
+      return {};
+    }
     if (motion_row == any_motion) {
-      plan_.taken = ~0u;
+      plan_.taken = ~std::uint64_t{0};
       return {};
     }
     if (motion_row < 0) {
@@ -125,25 +173,50 @@ class Planner {
       return fail(alarm(AlarmId::no_motion_mode, word.where, word.address));
     }
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
+    if (row.function == Function::drilling && (loose & letters_.axes) == 0) {  // nct 18: without an axis nothing is drilled or kept
+      plan_.taken |= row.takes;
+      return {};
+    }
     if ((loose & row.takes) == 0) return {};  // words_used names it
     plan_.taken |= row.takes;
     add(row.phase, no_word, motion_row, 0);
     return {};
   }
 
-  const Word* first_of(std::uint32_t letters) const {
+  /// Blocks that change little are taken back cheaply (Machinery::take_moment).
+  void note_kind() {
+    plan_.moves_and_feeds = plan_.calls_only = true;
+    for (std::uint32_t i = 0; i < plan_.count; ++i) {
+      const PlanItem& item = plan_.items[i];
+      const Function f = item.row >= 0 ? def_.codes[static_cast<std::size_t>(item.row)].function : def_.address(item.address).function;
+      const bool moves = f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw;
+      plan_.moves_and_feeds = plan_.moves_and_feeds && (moves || f == Function::feed_word);
+      plan_.calls_only = plan_.calls_only && (f == Function::macro_call || f == Function::call_program || f == Function::return_program);
+    }
+  }
+
+  /// nct 18.2: Q, E, P, … without an axis do nothing while a cycle is in force.
+  void ignored_in_cycle(std::int16_t motion_row) {
+    if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
+    const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
+    if (row.function == Function::drilling) plan_.taken |= row.takes;
+  }
+
+  const Word* first_of(std::uint64_t letters) const {
     for (std::uint32_t i = 0; i < block_.word_count; ++i)
-      if ((letters & letter_bit(block_.words[i].address)) != 0) return &block_.words[i];
+      if (block_.words[i].address != 0 && (letters & letter_bit(block_.words[i].address)) != 0) return &block_.words[i];
     return &block_.words[0];
   }
 
   Status words_used() const {
-    const std::uint32_t loose = block_.letters & ~letters_.codes & ~letters_.acting & ~plan_.taken;
+    const std::uint64_t loose = block_.letters & ~letters_.codes & ~letters_.acting & ~plan_.taken;
     if (loose != 0) {
       const Word& word = *first_of(loose);
-      return fail(alarm(AlarmId::word_unused, word.where, word.address));
+      const bool no_axis = def_.address(word.address).function == Function::argument_only;  // nct 5.1: W without an axis Z
+      return fail(alarm(no_axis ? AlarmId::illegal_address : AlarmId::word_unused, word.where, word.address));
     }
-    if (own_block_ != nullptr && (code_count_ > 1 || (block_.letters & letters_.axes & ~plan_.taken) != 0))
+    const std::uint64_t own_words = own_block_ != nullptr ? letters_.codes | own_takes_ : 0;
+    if (own_block_ != nullptr && (code_count_ > 1 || (block_.letters & ~own_words) != 0))
       return fail(alarm(AlarmId::own_block, own_block_->where, block_.text_of(own_block_->where)));
     return {};
   }
@@ -174,19 +247,21 @@ class Planner {
   std::array<std::uint8_t, most_groups> first_of_group_{};  // index of its item; means something only where groups_seen_ has the bit
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
+  bool calls_macro_ = false;
   const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;
   const Word* own_block_ = nullptr;
+  std::uint64_t own_takes_ = 0;
 };
 
 }  // namespace
 
 LetterSets::LetterSets(const ControlDef& def) {
   axis_of.fill(-1);
-  for (std::size_t i = 0; i < 26; ++i) {
+  for (std::size_t i = 0; i < most_addresses; ++i) {
     const AddressRow& row = def.addresses[i];
-    const std::uint32_t bit = 1u << i;
+    const std::uint64_t bit = std::uint64_t{1} << i;
     switch (row.function) {
       case Function::count:
       case Function::block_number:
@@ -199,12 +274,19 @@ LetterSets::LetterSets(const ControlDef& def) {
         axis_of[i] = static_cast<std::int8_t>(row.axis);
         axis_letter[row.axis] = row.letter;
         break;
+      case Function::increment_axis:
+        axes |= bit;
+        axis_of[i] = static_cast<std::int8_t>(row.axis);
+        break;
+      case Function::machine_axis:
+      case Function::argument_only: break;
       case Function::center:
         centers |= bit;
         axis_of[i] = static_cast<std::int8_t>(row.axis);
         center_letter[row.axis] = row.letter;
         break;
       case Function::corrector_word: break;
+      case Function::spindle_word: spindles |= bit; [[fallthrough]];
       default: acting |= bit;
     }
   }

@@ -25,19 +25,22 @@ inline constexpr std::int16_t any_motion = -2;  // for blocks that are only look
 struct Plan {
   std::array<PlanItem, limits::block_words + 2> items;
   std::uint32_t count = 0;
-  std::uint32_t taken = 0;  // letters some code uses
-  bool axes_taken = false;  // by a code that is no motion in force (G28, G92, …)
-  bool moves_only = false;  // no code, no F, S, T …, no assignment: axis words alone
+  std::uint64_t taken = 0;       // letters some code uses
+  bool axes_taken = false;       // by a code that is no motion in force (G28, G92, …)
+  bool moves_only = false;       // no code, no F, S, T …, no assignment: axis words alone
+  bool moves_and_feeds = false;  // nothing but G0 to G3 and F
+  bool calls_only = false;       // nothing but calls and returns
 };
 
 /// Letters by what they are, made once from the control's table.
 struct LetterSets {
-  std::uint32_t axes = 0;
-  std::uint32_t centers = 0;
-  std::uint32_t acting = 0;  // addresses that act by themselves: F, S, T, …
-  std::uint32_t codes = 0;
-  std::array<std::int8_t, 26> axis_of{};       // axis index of an axis or centre letter, -1
-  std::array<char, max_axes> center_letter{};  // by axis
+  std::uint64_t axes = 0;
+  std::uint64_t centers = 0;
+  std::uint64_t acting = 0;  // addresses that act by themselves: F, S, T, …
+  std::uint64_t codes = 0;
+  std::uint64_t spindles = 0;                         // words for a spindle (nct)
+  std::array<std::int8_t, most_addresses> axis_of{};  // axis index of an axis or centre letter, -1
+  std::array<char, max_axes> center_letter{};         // by axis
   std::array<char, max_axes> axis_letter{};
   explicit LetterSets(const ControlDef& def);
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "control/machinery.h"
+#include "control/nct/nct.h"
 #include "lang/lexer.h"
 
 namespace kadr {
@@ -22,7 +23,9 @@ int zero_number(const std::string& name) {
     const bool digits = name.size() > from && name.size() < from + 5 && name.find_first_not_of("0123456789", from) == std::string::npos;
     return digits ? std::atoi(name.c_str() + from) : -1;
   };
+  constexpr std::string_view nct_extended = "G54.1 P";
   if (name == "common") return 0;
+  if (name.starts_with(nct_extended)) return 6 + number(nct_extended.size());
   if (name.starts_with(extended)) return number(extended.size());
   const int code = name.starts_with("G") ? number(1) : -1;
   return code >= 54 && code <= 59 ? code - 53 : -1;
@@ -42,6 +45,15 @@ void Machinery::check_setup(const Setup& setup) {
   const auto in_table = [&](const char* key, int number, std::size_t size) {
     if (number < 0 || static_cast<std::size_t>(number) >= size) note(std::string(key) + ": number " + std::to_string(number));
   };
+  if (!nct) {
+    if (!setup.parameters.empty()) note("parameters");
+    if (!setup.tool_table.empty() || !setup.place_table.empty()) note("tool_table");
+    if (!setup.channels.empty() || setup.channel != 1) note("channels");
+    if (!setup.events.empty() || !setup.signals.empty()) note("events");
+    if (!setup.plane.empty() || !setup.diameter.empty()) note("plane, diameter");
+    if (setup.single_block) note("single_block");
+    if (setup.spindles.size() > 1 || (!setup.spindles.empty() && setup.spindles.begin()->first != 1)) note("spindle");
+  }
   for (const std::string& axis : setup.axes)
     if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note("axes: axis " + axis);
   axes_known("start", setup.start);
@@ -53,6 +65,7 @@ void Machinery::check_setup(const Setup& setup) {
     in_table("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
   const std::size_t fixtures = variables.first(VariableKind::fixture) != 0 ? def.behaviour.fixtures + 1 : tables.zeros.size();
   for (const auto& [name, zero] : setup.work_offsets) {
+    if (nct) break;
     if (const int number = zero_number(name); number < 0 || static_cast<std::size_t>(number) >= fixtures) note("work_offsets: " + name);
     axes_known("work_offsets", zero);
   }
@@ -61,6 +74,10 @@ void Machinery::check_setup(const Setup& setup) {
 void Machinery::read_setup(const Setup& setup) {
   axis_names = def.axes;
   axis_count = axis_names.size();
+  if (nct) {
+    tables.zeros.resize(nct::all_systems);
+    tables.rotations.resize(nct::all_systems);
+  }
   tables.offsets.resize(def.behaviour.offsets + 1);
   tables.correctors.resize(def.behaviour.offsets + 1);
   corrector_applied.resize((def.behaviour.offsets + 1) * 3);
@@ -84,6 +101,13 @@ void Machinery::read_setup(const Setup& setup) {
   for (const auto& [name, offset] : setup.work_offsets) {
     const int number = zero_number(name);
     const Axes values = axes_of(offset, axis_names);
+    if (nct && number > 0 && static_cast<std::size_t>(number) < tables.rotations.size()) {
+      const auto angle = [&offset = offset](const char* plane) {
+        const auto found = offset.find(plane);
+        return found == offset.end() ? 0.0 : found->second;
+      };
+      tables.rotations[static_cast<std::size_t>(number)] = {angle("G17"), angle("G18"), angle("G19")};
+    }
     if (number == 0) tables.common = values;
     else if (fixtures != 0 && static_cast<std::uint32_t>(number - 1) < def.behaviour.fixtures)
       write(variables.first(VariableKind::fixture, static_cast<std::uint32_t>(number - 1)), values);
@@ -92,6 +116,7 @@ void Machinery::read_setup(const Setup& setup) {
   write(variables.first(VariableKind::home), tables.reference[1]);
   write(variables.first(VariableKind::home_second), tables.reference[2]);
   for (const auto& [name, value] : setup.variables) {
+    if (nct) break;  // Nct::take_setup writes them
     if (!value || name.size() < 2) continue;
     if (name[0] == 'R' && name[1] >= '0' && name[1] <= '9') variables.set_parameter(name[1] - '0', *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())
@@ -122,23 +147,28 @@ void Machinery::start_modal(const Setup& setup) {
     plain.block_length = 0;
     for (WordFormat& w : plain.words)
       if (w.code) w.at_most = 0;
-    block.clear();
-    if (lex_block(text, 0, true, plain, block)) (void)execute();
+    block->clear();
+    if (lex_block(text, 0, true, plain, *block)) (void)execute();
   };
-  run_words(words);
+  if (nct) nct->start(*this, setup);
+  else run_words(words);
   for (const std::string& word : setup.modal)
     if (start_error.empty() && !starts(word)) start_error = "modal: " + word;
   std::string given;
-  for (const std::string& word : setup.modal) given += word + " ";
+  for (const std::string& word : setup.modal) {
+    if (nct) run_words(word);
+    else given += word + " ";
+  }
   run_words(given);
   if (setup.feed) {
     modal.feed = *setup.feed;
     modal.feed_known = true;
   }
-  modal.rpm = setup.spindle_rpm;
-  modal.spindle = setup.spindle_dir == "cw" ? SpindleDir::cw : setup.spindle_dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
+  modal.rpm = setup.spindle().rpm;
+  modal.spindle = setup.spindle().dir == "cw" ? SpindleDir::cw : setup.spindle().dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
   modal.tool = modal.tool_selected = static_cast<std::uint32_t>(std::max(setup.tool, 0));
   apply_mirror();
+  if (nct) nct->take_setup(*this, setup);
   refresh_frames();
   const Axes start = axes_of(setup.start, axis_names);
   for (std::size_t a = 0; a < max_axes; ++a) {
@@ -148,7 +178,7 @@ void Machinery::start_modal(const Setup& setup) {
   }
   position.programmed = transform.to_programmed(position.work);
   flow.started = false;
-  block.clear();
+  block->clear();
   batch = nullptr;
 }
 

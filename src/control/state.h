@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "base/vec.h"
@@ -13,6 +14,20 @@ namespace kadr {
 
 inline constexpr std::size_t most_groups = 48;
 
+enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
+
+/// Axes of the selected plane, by index; counter-clockwise turns the first towards the second.
+struct PlaneAxes {
+  std::size_t first = 0, second = 1, normal = 2;
+};
+inline PlaneAxes axes_of(Plane plane) {
+  switch (plane) {
+    case Plane::zx: return {2, 0, 1};
+    case Plane::yz: return {1, 2, 0};
+    default: return {0, 1, 2};
+  }
+}
+
 enum class MotionMode : std::uint8_t { none, rapid, linear, arc_cw, arc_ccw, cycle };
 enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
@@ -22,6 +37,7 @@ struct Modal {
   std::int16_t motion_row = -1;
   MotionMode motion = MotionMode::none;
   Plane plane = Plane::xy;
+  PlaneAxes axes;  // of the plane
   FeedMode feed_mode = FeedMode::per_minute;
   SpindleDir spindle = SpindleDir::stop;
   std::int8_t radius_side = 0;     // -1 left (G41), +1 right (G42)
@@ -53,6 +69,19 @@ struct Modal {
   Vec2 pole;  // polar mode, programmed coordinates
   double polar_radius = 0;
   double polar_angle = 0;
+  // nct
+  bool polar_data = false;          // G16
+  bool polar_radius_given = false;  // since G16, and as an absolute one
+  bool polar_radius_absolute = true;
+  bool polar_angle_given = false;
+  std::uint8_t smoothing = 0;                // Q of G5.1: 2, 3
+  PathSurface surface = PathSurface::plane;  // G12.1, G7.1
+  double surface_radius = 0;                 // of the cylinder, mm
+  double surface_side = 1;                   // sign of the linear axis at G12.1
+  AxisMask diameter = 0;                     // axes in diameter programming
+  Axes new_system{};                         // shift of G92
+  Axes local{};                              // shift of G52
+  Axes lengths{};                            // by G43, G44 on each axis, with their sign
 };
 
 /// Programmed → work coordinates: scale, mirror, rotation about a point, what axis correctors have added.
@@ -77,19 +106,27 @@ struct ProgramPosition {
   Axes machine{};
 };
 
-/// Where the work system lies.
+/// Where the work system lies: machine = origin + length + work; with a basic rotation (nct 10) as FrameRotation says.
 struct Frames {
   Axes origin{};  // machine coordinates of the work zero, all shifts included
   Axes length{};  // tool length, by axis
+  Axes shift{};   // G52 and G92 where they are turned with the rotation, else in `origin`
+  std::shared_ptr<const FrameRotation> rotation;
   friend bool operator==(const Frames&, const Frames&) = default;
+
+  Axes machine_of(const Axes& work) const;
+  Axes work_of(const Axes& machine) const;
+  /// With a rotation the main axes move together.
+  AxisMask moved_with(AxisMask named) const;
 };
 
 /// Tables of the control that a program reads (and, with G10, writes).
 struct Tables {
-  std::vector<ToolOffset> offsets;  // by number; [0] is none
-  std::array<Axes, 10> zeros{};     // work zeros 1… ; [0] is none
-  Axes common{};                    // common work offset
-  Axes zero_shift{};                // temporary shift on top (G92 of the 2С42 and GOST)
+  std::vector<ToolOffset> offsets;                  // by number; [0] is none
+  std::vector<Axes> zeros = std::vector<Axes>(10);  // work zeros 1… ; [0] is none
+  std::vector<Vec3> rotations;                      // basic rotations of the zeros: angles in G17, G18, G19 (nct 10.2.3)
+  Axes common{};                                    // common work offset
+  Axes zero_shift{};                                // temporary shift on top (G92 of the 2С42 and GOST)
   std::vector<double> correctors;
   std::array<Axes, 5> reference{};  // reference points 1…4, machine
 };

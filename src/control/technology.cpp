@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "control/functions.h"
+#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -127,6 +128,7 @@ Status dwell(Machinery& m, const Call& call) {
 Status dwell_word(Machinery& m, const Call& call) { return dwell_for(m, call.word->address); }
 
 Status machine_function(Machinery& m, const Call& call) {
+  if (m.nct) return nct::machine_code(m, call);
   MachineFunction function{static_cast<std::uint32_t>(call.word->code / 10), {}, {}};
   if ((call.row->takes & letter_bit('P')) != 0 && m.has('P')) function.p = m.value('P');
   if ((call.row->takes & letter_bit('Q')) != 0 && m.has('Q')) function.q = m.value('Q');

@@ -19,7 +19,8 @@ std::uint32_t number_of(double number, std::uint32_t highest) {
 
 }  // namespace
 
-Variables::Variables(const ControlDef& def) : def_(def), values_(def.grammar.variables + 1), set_(def.grammar.variables + 1) {}
+Variables::Variables(const ControlDef& def)
+    : def_(def), values_(def.grammar.macro ? 1 : def.grammar.variables + 1), set_(values_.size()) {}  // nct: nct/macro_variables
 
 Result<double> Variables::variable(double number, Span where) const {
   const std::uint32_t n = number_of(number, highest());
@@ -73,10 +74,11 @@ void Variables::undo_block() {
 
 VariableKind Variables::kind_of(std::uint32_t number) const {
   for (const VariableRow& row : def_.variables) {
-    if (number < row.from) continue;
-    const std::uint32_t beyond = number - row.from;
-    const std::uint32_t nth = row.stride == 0 ? 0 : beyond / row.stride;
-    if (nth < row.repeat && beyond - nth * row.stride < row.count) return row.kind;
+    const VariableRange& range = row.ranges.front();
+    if (number < range.from) continue;
+    const std::uint32_t beyond = number - range.from;
+    const std::uint32_t nth = range.stride == 0 ? 0 : beyond / range.stride;
+    if (nth < range.repeat && beyond - nth * range.stride < range.count) return row.kind;
   }
   return VariableKind::free;
 }
@@ -88,7 +90,7 @@ bool Variables::is_length(std::uint32_t number) const {
 
 std::uint32_t Variables::first(VariableKind kind, std::uint32_t nth) const {
   for (const VariableRow& row : def_.variables)
-    if (row.kind == kind) return row.from + nth * row.stride;
+    if (row.kind == kind) return row.ranges.front().from + nth * row.ranges.front().stride;
   return 0;
 }
 

@@ -111,6 +111,20 @@ Status BlockReader::lex_line(Block& block) {
     block.clear();
     lexed = lex_block(text_, rest_, true, grammar_, block);
   }
+  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {  // several of them in one block
+    if (joined == limits::long_comments) {
+      rest_ = text_.size();
+      return fail(alarm(AlarmId::too_many_words, {0, 1}, double{limits::long_comments}));
+    }
+    KADR_TRY(join_comment(block, lexed->comment_at));
+    lexed = lex_block(text_, rest_, is_text_, grammar_, block);
+    if (lexed && lexed->needs_utf8) {
+      const Status decoded = decode_line();
+      if (!decoded) return decoded;
+      block.clear();
+      lexed = lex_block(text_, rest_, true, grammar_, block);
+    }
+  }
   if (!lexed) {
     // The words behind the fault are lost up to the next end of block.
     const std::size_t mark = is_text_ ? text_.find(mark_in_text, lexed.error().where.end) : std::string_view::npos;
@@ -125,6 +139,40 @@ Status BlockReader::lex_line(Block& block) {
     return fail(alarm(AlarmId::end_of_block_missing, {end > 0 ? end - 1 : 0, end}));
   }
   return {};
+}
+
+/// Appends the lines of a comment that goes on, up to the one with its end; of a long one only the beginning is kept.
+Status BlockReader::join_comment(Block& block, std::size_t open) {
+  const bool was_text = is_text_;
+  joined_ = line_.bytes;
+  const std::uint64_t offset = line_.offset;
+  Line next;
+  for (bool closed = false; !closed;) {
+    if (!lines_.next(next)) {
+      const Span where{static_cast<std::uint32_t>(open), static_cast<std::uint32_t>(open + 1)};
+      line_.bytes = text_ = joined_;
+      if (was_text) KADR_TRY(decode_line());
+      block.text = text_;
+      rest_ = text_.size();
+      return fail(alarm(AlarmId::comment_not_closed, where));
+    }
+    const std::size_t end = next.bytes.find(')');
+    closed = end != std::string_view::npos;
+    if (joined_.size() + next.bytes.size() <= limits::comment_bytes) {
+      joined_ += '\n';
+      joined_ += next.bytes;
+    } else {
+      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // places behind the comment count them
+      if (closed) joined_ += next.bytes.substr(end);
+    }
+  }
+  line_.bytes = joined_;
+  line_.number = next.number;
+  line_.offset = offset;
+  text_ = line_.bytes;
+  is_text_ = false;
+  block.clear();
+  return was_text ? decode_line() : Status();
 }
 
 /// The line as UTF-8, from its first byte.

@@ -35,6 +35,7 @@ class BlockReader {
   Status begin_line(Block& block, std::uint32_t nth);
   Status lex_line(Block& block);
   Status decode_line();
+  Status join_comment(Block& block, std::size_t open);
 
   LineReader lines_;
   const Grammar& grammar_;
@@ -43,6 +44,7 @@ class BlockReader {
   std::uint64_t first_mark_ = ~std::uint64_t{0};  // offset of the first line with a block that ended with ПС or LF
   Line line_;
   std::string decoded_;    // the line in UTF-8, where it is not already
+  std::string joined_;     // the line and those that its comment goes over (nct 14.3)
   std::string_view text_;  // the line's text
   std::size_t rest_ = 0;   // where the next block of the line begins
   bool in_line_ = false;

@@ -5,6 +5,7 @@
 
 #include "base/vec.h"
 #include "lang/encoding.h"
+#include "lang/macro_arithmetic.h"
 
 namespace kadr {
 namespace {
@@ -205,13 +206,8 @@ Result<double> apply_pair(Op op, double a, double b, Span where) {
     case Op::logic_and: return a != 0 && b != 0 ? 1.0 : 0.0;
     case Op::logic_or: return a != 0 || b != 0 ? 1.0 : 0.0;
     case Op::logic_xor: return (a != 0) != (b != 0) ? 1.0 : 0.0;
-    case Op::equal: return a == b ? 1.0 : 0.0;
-    case Op::not_equal: return a != b ? 1.0 : 0.0;
-    case Op::greater: return a > b ? 1.0 : 0.0;
-    case Op::greater_equal: return a >= b ? 1.0 : 0.0;
-    case Op::less: return a < b ? 1.0 : 0.0;
-    case Op::less_equal: return a <= b ? 1.0 : 0.0;
-    default: return angle_deg({b, a});  // ATAN[a]/[b]
+    case Op::atan: return angle_deg({b, a});  // ATAN[a]/[b]
+    default: return apply_macro(op, a, b, where);
   }
 }
 
@@ -253,7 +249,7 @@ bool read_number(Cursor& cursor, Number& number) {
 
 Result<double> apply(Op op, double a, double b, Span where) {
   switch (op) {
-    case Op::negate: return -a;
+    case Op::negate: return a == 0 ? 0.0 : -a;
     case Op::abs: return std::fabs(a);
     case Op::acos: return finite(std::acos(a) / rad_per_deg, where);
     case Op::asin: return finite(std::asin(a) / rad_per_deg, where);

@@ -5,8 +5,38 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace kadr {
+
+/// Addresses are characters: A to Z, behind them words with a comma (`,C`) and names of several characters (`XDE`, `S2`).
+inline constexpr std::size_t most_addresses = 63;
+inline constexpr char comma_chamfer = '[';    // ,C
+inline constexpr char comma_rounding = '\\';  // ,R
+inline constexpr char comma_angle = ']';      // ,A
+inline constexpr char comma_vector = '^';     // ,L
+inline constexpr char indirect_axis = '_';    // AX[n]=, until the block is carried out
+inline constexpr char first_name = '`';       // the names of Grammar::names in their order, up to '\x7f'
+
+/// The code of `,C` and its like, or 0.
+constexpr char comma_address(char letter) {
+  return letter == 'C' ? comma_chamfer : letter == 'R' ? comma_rounding : letter == 'A' ? comma_angle : letter == 'L' ? comma_vector : '\0';
+}
+
+/// A name of several characters (nct 2.2, 11.1.1).
+struct AddressName {
+  std::string text;  // upper case
+  char address = first_name;
+};
+
+/// A system variable's name: `#_ABSIO[n]` (nct 23.1.1).
+struct VariableName {
+  std::string text;
+  std::uint32_t number = 0;  // of its first index
+  std::uint32_t count = 1;
+  std::uint32_t first_index = 1;
+  bool indexed = false;  // [n] must follow
+};
 
 /// How the digits of one address are written (ISO 6983 / GOST 20999-83 format descriptor, spec/gost 3).
 struct WordFormat {
@@ -21,6 +51,8 @@ struct WordFormat {
   bool code = false;                 // G and M: the number names a code (leading zeros mean nothing)
   bool second_number = false;        // a second number may follow: `L2 15` (spec/correctors 1)
   bool parameter = false;            // takes a formal parameter: `X+R1`, `Z-1200+R2` (spec/s2c42 3)
+  bool increment = false;            // the operator I may stand before the number (nct 5.1)
+  bool bare = false;                 // may stand without a number: `G17 X` (nct 10.4)
 };
 
 enum class EndOfBlock : std::uint8_t {
@@ -29,7 +61,7 @@ enum class EndOfBlock : std::uint8_t {
 };
 
 struct Grammar {
-  std::array<WordFormat, 26> words{};  // by letter, A..Z
+  std::array<WordFormat, most_addresses> words{};  // by address
   EndOfBlock end_of_block = EndOfBlock::line;
   bool mark_everywhere = true;         // where one block of the file ends with ПС or LF, all must
   bool block_number_required = false;  // every block begins with N or ':' (2С42 6.2)
@@ -50,6 +82,16 @@ struct Grammar {
   bool zero_between_slashes = false;    // G92 /2/: the number is a word of address A (2С42, last section)
   std::uint32_t block_length = 0;       // most characters in a block, 0 = free
   std::uint32_t variables = 0;          // highest #n
+  // Custom macros and names of several characters (nct).
+  bool macro = false;                                       // statements: IF, WHILE, GOTO, … (nct 23)
+  bool operator_i = false;                                  // XI-40: an increment in that word (nct 5.1)
+  bool comments_span_lines = false;                         // (…) may hold ends of line (nct 14.3)
+  bool comma_words = false;                                 // ,C ,R ,A (nct 17)
+  bool file_names = false;                                  // M98 <name> (nct 14.4.2)
+  std::vector<AddressName> names;                           // in the order of their addresses
+  std::uint32_t named = 0;                                  // bit per first letter of a name
+  std::vector<VariableName> symbols;                        // sorted by text
+  std::array<std::uint8_t, most_addresses> axis_numbers{};  // control-wide number of each axis address, 0: no axis
 
   const WordFormat& word(char letter) const { return words[static_cast<std::size_t>(letter - 'A')]; }
   WordFormat& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }
@@ -62,6 +104,9 @@ inline constexpr std::uint32_t block_words = 64;
 inline constexpr std::uint32_t expression_depth = 64;    // nested brackets
 inline constexpr std::uint32_t expression_steps = 1024;  // instructions of all expressions of a block
 inline constexpr std::uint32_t block_assignments = 32;   // #n=… in one block
+inline constexpr std::uint32_t comment_bytes = 4096;     // kept of a comment over several lines
+inline constexpr std::uint32_t long_comments = 64;       // over several lines, in one block
+inline constexpr std::uint32_t conditions = 4;           // IF[…] IF[…] …
 }  // namespace limits
 
 }  // namespace kadr

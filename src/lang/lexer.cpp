@@ -5,6 +5,8 @@
 
 #include "lang/encoding.h"
 #include "lang/expression.h"
+#include "lang/statement_reader.h"
+#include "lang/wide.h"
 #include "lang/word_reader.h"
 
 namespace kadr {
@@ -12,33 +14,27 @@ namespace {
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
 bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
-
-/// One character above 127 of valid UTF-8.
-struct Wide {
-  char32_t code = 0;
-  std::size_t bytes = 1;
-};
-Wide wide_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u; };
-  const unsigned lead = byte(0);
-  if ((lead & 0xE0) == 0xC0) return {static_cast<char32_t>((lead & 0x1F) << 6 | (byte(1) & 0x3F)), 2};
-  if ((lead & 0xF0) == 0xE0) return {static_cast<char32_t>((lead & 0x0F) << 12 | (byte(1) & 0x3F) << 6 | (byte(2) & 0x3F)), 3};
-  return {static_cast<char32_t>((lead & 0x07) << 18 | (byte(1) & 0x3F) << 12 | (byte(2) & 0x3F) << 6 | (byte(3) & 0x3F)), 4};
-}
 
 /// Reads one block; a method a kind of thing that may stand in it.
 class Lexer {
  public:
   Lexer(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block)
-      : cursor_{text, from}, begin_(from), is_utf8_(is_utf8), grammar_(grammar), block_(block), words_(cursor_, grammar, block) {}
+      : cursor_{text, from},
+        begin_(from),
+        is_utf8_(is_utf8),
+        grammar_(grammar),
+        block_(block),
+        words_(cursor_, grammar, block),
+        statements_(cursor_, grammar, block) {}
 
   Result<Lexed> run() {
     block_.text = cursor_.text;
     cursor_.skip_blanks();
     const Status status = items();  // a Status is as large as an Alarm: never assigned, only returned
     block_.where = span(begin_, cursor_.at);
-    if (result_.needs_utf8) return result_;
+    if (result_.needs_utf8 || result_.open_comment) return result_;
     if (!status) return fail(status.error());
     KADR_TRY(whole_block());
     if (result_.needs_utf8) return result_;
@@ -96,6 +92,8 @@ class Lexer {
 
   Status item() {
     const char c = cursor_.text[cursor_.at];
+    if (block_.statement.kind != StatementKind::none && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // behind its comment
+      return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_upper(c)) return word(c, 1);
     if (is_blank(c)) {
       ++cursor_.at;
@@ -106,8 +104,12 @@ class Lexer {
       case ';': return grammar_.semicolon_comments ? line_comment(1) : unexpected();
       case '/': return slash();
       case '#': return grammar_.expressions ? assignment() : unexpected();
+      case ',': return grammar_.comma_words ? comma_word() : unexpected();
+      case '<': return grammar_.file_names ? file_name() : unexpected();
       case ':': return main_block();
       case '\x1a': return end_of_dos_file();
+      case ']':
+      case '=': return grammar_.macro ? out_of_place(c) : unexpected();
       default: break;
     }
     if (is_high(c) || c == '\x0e') return wide();
@@ -118,23 +120,71 @@ class Lexer {
   Status word(char letter, std::size_t bytes) {
     const std::size_t begin = cursor_.at;
     if (letter == 'L' && words_.marks_end("LF", begin)) return end_mark(2);
+    if (grammar_.macro) {
+      const char next = begin + bytes < cursor_.text.size() ? cursor_.text[begin + bytes] : '\0';
+      if (is_upper(next) || is_lower(next)) {
+        if (const Keyword keyword = statements_.keyword_here(); keyword != Keyword::none) return statements_.read(keyword);
+        if ((letter == 'A') && (next == 'X' || next == 'x')) return words_.axis_by_number(begin);
+      }
+      if ((grammar_.named >> (letter - 'A') & 1u) != 0)
+        if (const AddressName* const name = words_.name_here(); name != nullptr) return word_of(name->address, name->text.size(), begin);
+    }
+    return word_of(letter, bytes, begin);
+  }
+
+  /// A word whose address is `letter`, written in `bytes` bytes.
+  Status word_of(char letter, std::size_t bytes, std::size_t begin) {
     cursor_.at += bytes;
     cursor_.skip_blanks();
     const WordFormat& format = grammar_.word(letter);
     if (letter == grammar_.section_address && words_.no_value_follows()) return section(begin);
+    if (!format.known && letter > 'Z')
+      return fail(alarm(AlarmId::not_available, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
     if (!format.known) return fail(alarm(AlarmId::address_unknown, span(begin, cursor_.at), letter));
-    if (letter == 'N') return words_.block_number(begin, format);
-    if (letter == grammar_.label_address) return words_.label(begin, format);
+    if (letter == 'N' && !(grammar_.macro && (block_.has_number || block_.word_count != 0))) return words_.block_number(begin, format);
+    if (letter == grammar_.label_address && !(grammar_.macro && block_.word_count != 0)) return words_.label(begin, format);
+    if (grammar_.macro && cursor_.peek() == '=') {
+      ++cursor_.at;
+      cursor_.skip_blanks();
+    }
     if (letter == grammar_.parameter_address) return words_.formal_parameter(begin);
     KADR_TRY(words_.room_for(letter, format, begin));
     Word& w = block_.words[block_.word_count];
-    w.address = letter;
+    w.address = w.written = letter;
     w.expression = {};
     w.code = -1;
+    w.incremental = w.bare = false;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
     KADR_TRY(words_.value(w, format, begin));
     w.where = span(begin, cursor_.at);
     ++block_.word_count;
+    return {};
+  }
+
+  // ---- names of several characters, ,C ,R ,A, AX[…], <file>
+
+  Status comma_word() {
+    const std::size_t begin = cursor_.at++;
+    cursor_.skip_blanks();
+    const char letter = upper(cursor_.peek());
+    const char address = comma_address(letter);
+    if (address == 0) return fail(alarm(AlarmId::unexpected_character, span(begin, begin + 1), ','));
+    return word_of(address, 1, begin);
+  }
+
+  Status file_name() {
+    const std::size_t begin = cursor_.at;
+    const std::size_t close = cursor_.text.find('>', begin);
+    if (block_.file_name.end != 0) return unexpected();
+    if (close == std::string_view::npos)
+      return fail(alarm(AlarmId::file_name, span(begin, cursor_.text.size()), cursor_.text.substr(begin)));
+    for (std::size_t i = begin; i < close && !is_utf8_; ++i)
+      if (is_high(cursor_.text[i])) {
+        result_.needs_utf8 = done_ = true;
+        return {};
+      }
+    block_.file_name = span(begin + 1, close);
+    cursor_.at = close + 1;
     return {};
   }
 
@@ -158,6 +208,7 @@ class Lexer {
 
   Status assignment() {
     const std::size_t begin = cursor_.at++;
+    if (grammar_.macro) return statements_.assignment(begin);
     auto target = compile_value(cursor_, grammar_, block_);
     if (!target) return fail(target.error());
     cursor_.skip_blanks();
@@ -178,6 +229,7 @@ class Lexer {
     const std::size_t close = cursor_.text.find(')', begin);
     if (close == std::string_view::npos) {
       cursor_.at = cursor_.text.size();
+      if (grammar_.comments_span_lines) result_.open_comment = done_ = true, result_.comment_at = begin;
       return fail(alarm(AlarmId::comment_not_closed, span(begin, begin + 1)));
     }
     if (!grammar_.comment_forbidden.empty()) {
@@ -215,9 +267,10 @@ class Lexer {
       return fail(alarm(AlarmId::skip_position, span(begin, begin + 1)));
     KADR_TRY(words_.room_for('A', grammar_.word('A'), begin));
     Word& w = block_.words[block_.word_count];
-    w.address = 'A';
+    w.address = w.written = 'A';
     w.expression = {};
     w.code = -1;
+    w.incremental = w.bare = false;
     WordFormat format = grammar_.word('A');
     format.parameter = true;
     KADR_TRY(words_.value(w, format, begin));
@@ -284,6 +337,15 @@ class Lexer {
     return fail(alarm(AlarmId::unexpected_character, where, cursor_.text[cursor_.at]));
   }
 
+  /// One `]` too many (nct 23.2.6); `=` behind a name that the channel does not have (2.2): Z2=5.
+  Status out_of_place(char c) {
+    const Span where = span(cursor_.at, cursor_.at + 1);
+    if (c == ']') return fail(alarm(AlarmId::expression_syntax, where, c));
+    const Word* const last = block_.word_count == 0 ? nullptr : &block_.words[block_.word_count - 1];
+    if (last == nullptr || last->where.end != cursor_.at) return unexpected();
+    return fail(alarm(AlarmId::illegal_address, last->where, block_.text_of(last->where)));
+  }
+
   /// What can be said only of the block as a whole.
   Status whole_block() {
     if (grammar_.block_length != 0 && !block_.empty()) {
@@ -320,6 +382,7 @@ class Lexer {
   const Grammar& grammar_;
   Block& block_;
   WordReader words_;
+  StatementReader statements_;
   Lexed result_;
   bool done_ = false;
 };

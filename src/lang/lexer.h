@@ -10,9 +10,11 @@
 namespace kadr {
 
 struct Lexed {
-  std::size_t next = 0;     // where the text of the next block begins; text.size() at the end of the line
-  bool marked = false;      // ended with a literal ПС or LF
-  bool needs_utf8 = false;  // bytes above 127 outside comments in a text not known to be UTF-8: decode, then again
+  std::size_t next = 0;        // where the text of the next block begins; text.size() at the end of the line
+  bool marked = false;         // ended with a literal ПС or LF
+  bool open_comment = false;   // a comment goes on in the next line: append it, then again
+  std::size_t comment_at = 0;  // where that one begins
+  bool needs_utf8 = false;     // bytes above 127 outside comments in a text not known to be UTF-8: decode, then again
 };
 
 /// Reads the block that begins at `from`.

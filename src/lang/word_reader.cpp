@@ -9,12 +9,13 @@ namespace {
 
 constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 }  // namespace
 
 Status WordReader::room_for(char letter, const WordFormat& format, std::size_t begin) {
-  const std::uint32_t bit = letter_bit(letter);
+  const std::uint64_t bit = letter_bit(letter);
   if (block_.word_count == limits::block_words)
     return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_words}));
   if ((block_.letters & bit) == 0) [[likely]] {
@@ -37,31 +38,55 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
     sign = cursor_.text[cursor_.at++];
     cursor_.skip_blanks();
   }
+  if (format.increment && sign == 0 && (cursor_.peek() == 'I' || cursor_.peek() == 'i')) return increment(w, format, begin);
   const char c = cursor_.peek();
-  if (is_digit(c) || c == '.') [[likely]] {
-    if (sign != 0 && !format.sign) return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
+  if (grammar_.operator_i && sign == 0 && (c == 'I' || c == 'i') && cursor_.at == begin + 1)
+    return fail(alarm(AlarmId::increment_not_allowed, span(begin, cursor_.at + 1), w.address));
+  if (is_digit(c) || c == '.') [[likely]] {  // of a macro's argument any sign is good (nct 23.3); otherwise the range tells
+    if (sign != 0 && !format.sign && (!grammar_.macro || (sign == '-' && format.code)))
+      return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
   }
   if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);
   if (c != '\0' && c == grammar_.parameter_address)
     return fail(alarm(AlarmId::parameter_not_allowed, span(begin, cursor_.at + 1), w.address));
+  if (format.bare && sign == 0 && c != '#' && c != '[') {
+    w.bare = true;
+    w.value = 0;
+    w.digits = 0;
+    w.has_point = false;
+    return {};
+  }
   if (!grammar_.expressions || no_value_follows()) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
-  auto expression = compile_value(cursor_, grammar_, block_);
+  if (grammar_.macro && c != '#' && c != '[') return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
+  auto expression = grammar_.macro ? compile_macro_value(cursor_, grammar_, block_, false) : compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
   if (sign == '-') {
-    block_.code.push_back({Op::negate, 0, span(sign_at, cursor_.at)});
+    block_.code.push_back({grammar_.macro ? Op::keep_negate : Op::negate, 0, span(sign_at, cursor_.at)});
     ++expression->end;
   }
+  block_.evaluates = true;
+  block_.codes_vary = block_.codes_vary || format.code;
   w.expression = *expression;
   w.digits = 0;
   w.has_point = false;
   return {};
 }
 
+/// XI-40: the operator I, then the number (nct 5.1).
+Status WordReader::increment(Word& w, const WordFormat& format, std::size_t begin) {
+  ++cursor_.at;
+  cursor_.skip_blanks();
+  w.incremental = true;
+  WordFormat plain = format;
+  plain.increment = plain.bare = false;
+  return value(w, plain, begin);
+}
+
 Status WordReader::number(Word& w, const WordFormat& format, char sign, std::size_t begin) {
   Number read;
   if (!read_number(cursor_, read)) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
-  if (grammar_.expressions && cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at]))
+  if (grammar_.expressions && !grammar_.macro && cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at]))
     KADR_TRY(digits_apart(read, w, begin));
   w.digits = static_cast<std::uint8_t>(std::min(read.whole_digits + read.fraction_digits, 255));
   w.has_point = read.has_point;
@@ -190,6 +215,8 @@ Expression WordReader::constant(double number, Span where) {
 
 Status WordReader::block_number(std::size_t begin, const WordFormat& format) {
   Number read;
+  if (grammar_.macro && (cursor_.peek() == '#' || cursor_.peek() == '['))
+    return fail(alarm(AlarmId::number_by_variable, span(begin, cursor_.at + 1), 'N'));
   if (!is_digit(cursor_.peek()) || !read_number(cursor_, read)) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), 'N'));
   if (block_.has_number) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), 'N'));
   if (block_.word_count != 0) return fail(alarm(AlarmId::block_number_position, span(begin, cursor_.at)));
@@ -216,6 +243,52 @@ Status WordReader::label(std::size_t begin, const WordFormat& format) {
   block_.marker = Marker::label;
   block_.label = static_cast<std::uint32_t>(read.value);
   return {};
+}
+
+Status WordReader::axis_by_number(std::size_t begin) {
+  cursor_.at += 2;
+  cursor_.skip_blanks();
+  if (cursor_.peek() != '[') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
+  const auto axis = compile_macro_value(cursor_, grammar_, block_, false);
+  if (!axis) return fail(axis.error());
+  cursor_.skip_blanks();
+  if (cursor_.peek() != '=') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
+  ++cursor_.at;
+  cursor_.skip_blanks();
+  if (block_.word_count == limits::block_words)
+    return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_words}));
+  Word& w = block_.words[block_.word_count];
+  w.address = w.written = indirect_axis;
+  w.code = -1;
+  w.incremental = w.bare = false;
+  w.expression = {};
+  w.axis = *axis;
+  if (cursor_.peek() == 'I' || cursor_.peek() == 'i') {
+    w.incremental = true;
+    ++cursor_.at;
+  }
+  const auto expression = compile_macro_value(cursor_, grammar_, block_, true);  // INFERRED: a whole expression may follow
+  if (!expression) return fail(expression.error());
+  w.expression = *expression;
+  block_.evaluates = true;
+  w.where = span(begin, cursor_.at);
+  ++block_.word_count;
+  return {};
+}
+
+const AddressName* WordReader::name_here() const {
+  const AddressName* best = nullptr;
+  for (const AddressName& row : grammar_.names) {
+    if (cursor_.text.size() - cursor_.at < row.text.size() || (best != nullptr && best->text.size() >= row.text.size())) continue;
+    std::size_t i = 0;
+    while (i < row.text.size() && upper(cursor_.text[cursor_.at + i]) == row.text[i]) ++i;
+    if (i < row.text.size()) continue;
+    Cursor behind{cursor_.text, cursor_.at + i};
+    behind.skip_blanks();
+    if (is_digit(row.text.back()) && behind.peek() != '=') continue;
+    best = &row;
+  }
+  return best;
 }
 
 bool WordReader::marks_end(std::string_view mark, std::size_t at) const {

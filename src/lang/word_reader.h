@@ -31,6 +31,12 @@ class WordReader {
   /// The number behind O.
   Status label(std::size_t begin, const WordFormat& format);
 
+  /// AX[n]=v: the axis by its number (nct 23.2.12); the address is known when the block is carried out.
+  Status axis_by_number(std::size_t begin);
+
+  /// The longest name that stands here; one that ends with a digit needs '=' behind it (nct 2.2). nullptr: none.
+  const AddressName* name_here() const;
+
   /// Nothing that could be a value stands at the cursor.
   bool no_value_follows() const;
 
@@ -38,6 +44,7 @@ class WordReader {
   bool marks_end(std::string_view mark, std::size_t at) const;
 
  private:
+  Status increment(Word& w, const WordFormat& format, std::size_t begin);
   Status number(Word& w, const WordFormat& format, char sign, std::size_t begin);
   Status digits_apart(Number& read, const Word& w, std::size_t begin);
   Status check_digits(const Word& w, const Number& read, const WordFormat& format, std::size_t begin) const;

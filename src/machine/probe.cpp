@@ -102,14 +102,15 @@ Probe::Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const
   for (const auto& [input, signal] : setup.probe) {
     if (!signal) continue;
     for (std::size_t i = 0; i < roles.count; ++i)
-      if (const auto found = signal->find(axes[i]); found != signal->end()) switches_.push_back({i, found->second});
+      if (const auto found = signal->find(axes[i]); found != signal->end()) switches_.push_back({input, i, found->second});
   }
 }
 
-ProbeAnswer Probe::meet(const Axes& from, const Axes& to) const {
+ProbeAnswer Probe::meet(const Axes& from, const Axes& to, int input) const {
   double part = 2;
   const Switch* met = nullptr;
   for (const Switch& signal : switches_) {
+    if (input != 0 && signal.input != input) continue;
     const double way = to[signal.axis] - from[signal.axis];
     const double there = (signal.position - from[signal.axis]) / way;
     if (way == 0 || !(there >= 0 && there <= 1) || there >= part) continue;
@@ -122,7 +123,7 @@ ProbeAnswer Probe::meet(const Axes& from, const Axes& to) const {
       met = nullptr;
     }
   if (part > 1) return {false, to};
-  ProbeAnswer answer{true, from};
+  ProbeAnswer answer{true, from, part};
   for (std::size_t i = 0; i < roles_.count; ++i) answer.at[i] += part * (to[i] - from[i]);
   if (met != nullptr) answer.at[met->axis] = met->position;
   return answer;

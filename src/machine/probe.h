@@ -24,10 +24,12 @@ class Probe {
   Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const Setup& setup);
 
   /// Work coordinates. Where nothing is met, the end.
-  ProbeAnswer meet(const Axes& from, const Axes& to) const;
+  ///   input  1 to 8: only its switch counts; 98, by torque: none; 0: all of them. The workpiece always does (INFERRED)
+  ProbeAnswer meet(const Axes& from, const Axes& to, int input = 0) const;
 
  private:
   struct Switch {
+    int input;
     std::size_t axis;
     double position;
   };

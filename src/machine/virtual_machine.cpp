@@ -1,50 +1,65 @@
 #include "machine/virtual_machine.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/tolerance.h"
 #include "motion/estimate.h"
 
 namespace kadr {
+namespace {
+
+/// How far the axis stays from the command: the setup's own entry, else the one for all axes.
+double position_error(const Setup& setup, const std::string& axis) {
+  for (const std::string& name : {axis, std::string("*")})
+    if (const auto found = setup.machine.find(name); found != setup.machine.end()) return found->second.position_error;
+  return 0;
+}
+
+}  // namespace
 
 VirtualMachine::VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                                const ToolPosition& start)
     : names_(axes), roles_(AxisRoles::of(axes, rotary)), probe_(axes, roles_, setup), position_(start) {
-  for (std::size_t i = 0; i < roles_.count; ++i) {
-    const auto [least, most] = limits_of(profile, setup, axes[i]);
-    least_[i] = least - tol::same_point;
-    most_[i] = most + tol::same_point;
-  }
+  for (std::size_t i = 0; i < roles_.count; ++i) std::tie(least_[i], most_[i]) = limits_of(profile, setup, axes[i]);
+}
+
+void VirtualMachine::obey_parameters(const Setup& setup) {
+  zones_.emplace(names_, roles_, Extents{least_, most_}, setup);
+  const MachineParameters parameters = machine_parameters(setup, names_);
+  never_in_position_ = 0;
+  for (std::size_t i = 0; i < roles_.count; ++i)
+    if (std::abs(position_error(setup, names_[i])) > parameters.in_position[i]) never_in_position_ |= AxisMask{1} << i;
 }
 
 tl::unexpected<Alarm> VirtualMachine::beyond(std::size_t axis, double machine) const {
-  const double limit = machine < least_[axis] ? least_[axis] + tol::same_point : most_[axis] - tol::same_point;
-  return fail(alarm(AlarmId::limit_exceeded, {}, std::string_view(names_[axis]), machine, limit));
+  return fail(
+      alarm(AlarmId::limit_exceeded, {}, std::string_view(names_[axis]), machine, machine < least_[axis] ? least_[axis] : most_[axis]));
 }
 
 Status VirtualMachine::check(const Motion& motion) const {
+  if (zones_) return zones_->check(position_, motion);
   for (std::size_t i = 0; i < roles_.count; ++i) {
     const double to = motion.machine[i], from = position_.machine[i];
-    if ((to > most_[i] && to > from) || (to < least_[i] && to < from)) [[unlikely]]
+    if ((to > most_[i] + tol::same_point && to > from) || (to < least_[i] - tol::same_point && to < from)) [[unlikely]]
       return beyond(i, to);
   }
-  return is_arc(motion.kind) ? check_arc(motion) : Status{};
+  const bool curved = is_arc(motion.kind) || (motion.detail && motion.detail->surface == PathSurface::polar);
+  return curved ? check_curve(motion) : Status{};
 }
 
-/// machine − work is the same along the motion, or taken up evenly by it: the greater of both ends bounds it.
-Status VirtualMachine::check_arc(const Motion& motion) const {
-  const Extents box = Curve(roles_, position_.work, motion).extents();
+Status VirtualMachine::check_curve(const Motion& motion) const {
+  const Extents box = machine_extents(roles_, position_, motion);
   for (std::size_t i = 0; i < roles_.count; ++i) {
-    const double from = position_.machine[i];
-    const auto [low, high] = std::minmax({from - position_.work[i], motion.machine[i] - motion.to[i]});
-    const double least = box.least[i] + low, most = box.most[i] + high;
-    if (most > most_[i] && most > from + tol::same_point) return beyond(i, most);
-    if (least < least_[i] && least < from - tol::same_point) return beyond(i, least);
+    const double from = position_.machine[i], least = box.least[i], most = box.most[i];
+    if (most > std::max(most_[i], from) + tol::same_point) return beyond(i, most);
+    if (least < std::min(least_[i], from) - tol::same_point) return beyond(i, least);
   }
   return {};
 }
 
 bool VirtualMachine::has_limits() const {
+  if (never_in_position_ != 0 || (zones_ && zones_->in_force())) return true;
   constexpr double none = 1e299;  // AxisProfile: ±1e300 is no limit
   for (std::size_t a = 0; a < roles_.count; ++a)
     if (least_[a] > -none || most_[a] < none) return true;
@@ -52,20 +67,85 @@ bool VirtualMachine::has_limits() const {
 }
 
 Status VirtualMachine::take(const Action& action) {
+  missing_ = 0;
   if (const auto* motion = std::get_if<Motion>(&action.what)) {
     KADR_TRY(check(*motion));
+    for (std::size_t i = 0; motion->in_position && i < roles_.count; ++i)
+      if (motion->machine[i] != position_.machine[i]) missing_ |= never_in_position_ & AxisMask{1} << i;
     position_.take(*motion);
   } else if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
     position_.take(*frame);
+  } else if (const auto* zone = std::get_if<ZoneChange>(&action.what)) {
+    if (zones_) zones_->change(*zone);
   }
   return {};
 }
 
-ProbeAnswer VirtualMachine::probe(const Motion& motion) const { return probe_.meet(position_.work, motion.to); }
+VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows, const OnTouch& on_touch) {
+  const std::size_t of_before = compression_.take(batch, position_.work, follows == Follows::nothing);  // path: short motions joined
+  ToolPosition before = position_;
+  Outcome outcome;
+  for (Action& action : batch) {
+    if (outcome.done == of_before) before = position_;
+    Status status = carry_out(action, on_touch);
+    outcome.refused = !status;
+    if (status) {
+      ++outcome.done;
+      status = in_position();
+    }
+    if (status) continue;
+    outcome.alarm = status.error();
+    outcome.origin = action.origin;
+    break;
+  }
+  if (!outcome.refused) return outcome;
+  if (outcome.done >= of_before) position_ = before;
+  outcome.done = std::min(outcome.done, of_before);  // the blocks before stay done
+  compression_.drop();
+  return outcome;
+}
 
-void end_at(Motion& motion, const ProbeAnswer& answer) {
-  for (std::size_t i = 0; i < max_axes; ++i) motion.machine[i] += answer.at[i] - motion.to[i];
+Status VirtualMachine::carry_out(Action& action, const OnTouch& on_touch) {
+  auto* const motion = std::get_if<Motion>(&action.what);
+  if (motion == nullptr || motion->kind != MotionKind::probe) return take(action);
+  if (zones_ && zones_->checks_before()) KADR_TRY(check(*motion));
+  const ProbeAnswer answer = probe(*motion);
+  end_at(*motion, answer, position_.rotation.get());
+  KADR_TRY(take(action));
+  on_touch(answer);
+  return {};
+}
+
+Status VirtualMachine::in_position() const {
+  if (missing_ == 0) [[likely]]
+    return {};
+  return fail(alarm(AlarmId::position_error, {}, std::string_view(names_[static_cast<std::size_t>(__builtin_ctz(missing_))])));
+}
+
+void VirtualMachine::set_signal(std::string_view name, bool on) {
+  if (zones_ && name == "CP_LIM2DIS") zones_->suspend(2, on);
+  if (zones_ && name == "CP_LIM3DIS") zones_->suspend(3, on);
+}
+
+ProbeAnswer VirtualMachine::probe(const Motion& motion) const {
+  const int input = motion.detail ? motion.detail->input : 0;
+  Axes to = motion.to;
+  for (std::size_t i = 0; i < roles_.count && motion.detail; ++i)
+    if ((motion.detail->rolled >> i & 1U) != 0) to[i] = position_.work[i] + motion.detail->travel[i];
+  ProbeAnswer answer = probe_.meet(position_.work, to, input);
+  if (!answer.touched) answer.at = motion.to;
+  return answer;
+}
+
+void end_at(Motion& motion, const ProbeAnswer& answer, const FrameRotation* rotation) {
+  const Axes before = turned(rotation, motion.to), now = turned(rotation, answer.at);
+  for (std::size_t i = 0; i < max_axes; ++i) motion.machine[i] += now[i] - before[i];
   motion.to = answer.at;
+  if (!motion.detail || answer.part == 1) return;
+  auto detail = std::make_shared<MotionDetail>(*motion.detail);
+  for (double& way : detail->travel) way *= answer.part;
+  detail->flat_to = detail->flat_from + answer.part * (detail->flat_to - detail->flat_from);
+  motion.detail = std::move(detail);
 }
 
 }  // namespace kadr

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/polar_feed.h"
+
 namespace kadr {
 namespace {
 
@@ -19,10 +21,18 @@ AxisProfile profile_of(const MachineProfile& profile, const std::string& axis) {
   return found == profile.axes.end() ? AxisProfile{} : found->second;
 }
 
+bool exact_times(const Setup& setup, const std::vector<std::string>& axes) {
+  const auto instant = [&](const std::string& axis) {
+    const auto found = setup.machine.find(axis);
+    return found != setup.machine.end() && found->second.no_acceleration;
+  };
+  return instant("*") || (!axes.empty() && std::all_of(axes.begin(), axes.end(), instant));
+}
+
 }  // namespace
 
 Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
-  Rates rates{{}, setup.feed_override / 100, profile.tool_change_s, profile.spindle_start_s};
+  Rates rates{{}, setup.feed_override / 100, profile.tool_change_s, profile.spindle_start_s, exact_times(setup, axes)};
   for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i)
     rates.rapid[i] = setup.rapid_override / 100 * of_setup(setup, axes[i], &AxisLimits::rapid).value_or(profile_of(profile, axes[i]).rapid);
   return rates;
@@ -35,45 +45,75 @@ std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& 
 
 TimeEstimate::TimeEstimate(const AxisRoles& roles, const Rates& rates) : roles_(roles), rates_(rates) {}
 
+TimeEstimate::Turning& TimeEstimate::spindle_of(std::size_t number) {
+  if (number >= spindles_.size()) spindles_.resize(number + 1);
+  return spindles_[number];
+}
+
 /// All axes together: the slowest decides.
-double TimeEstimate::rapid_minutes(const Motion& motion, const Axes& from) const {
+double TimeEstimate::rapid_minutes(const Curve& curve) const {
+  if (curve.surface() == PathSurface::polar) return kadr::rapid_minutes(curve, roles_, rates_.rapid);
   double minutes = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) {
-    const double way = std::abs(motion.to[i] - from[i]);
+    const double way = std::abs(curve.way(i));
     if (way > 0) minutes = std::max(minutes, way / rates_.rapid[i]);
   }
   return minutes;
 }
 
-double TimeEstimate::feed_minutes(const Motion& motion, const Axes& from, double length) const {
-  if (motion.unit == FeedUnit::per_min) return 1 / (motion.feed * rates_.feed_part);
-  if (length == 0) length = Curve(roles_, from, motion).rotary_length();  // rotary axes alone: degrees for mm
-  if (length == 0) return 0;
-  const double per_min = motion.unit == FeedUnit::mm_per_rev ? motion.feed * (turning_ ? rpm_ : 0) : motion.feed;
-  return length / (per_min * rates_.feed_part);
+/// The lead counts along the axis with the longest way (nct 4.4), overrides do not.
+double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
+  double longest = 0;
+  for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.way(i)));
+  return longest == 0 ? 0 : longest / (*motion.detail->lead * turning_rpm());
 }
 
-double TimeEstimate::motion(const Motion& motion, const Axes& from, double length) {
-  const bool rapid = motion.kind == MotionKind::rapid || (motion.kind == MotionKind::home && motion.feed <= 0);
-  const double seconds = 60 * (rapid ? rapid_minutes(motion, from) : feed_minutes(motion, from, length));
-  if (!std::isfinite(seconds)) {
-    ++split_.unknown;
-    return 0;
+double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
+  const double override_part = motion.own_override ? 1 : rates_.feed_part;
+  const bool measured = motion.along == FeedAlong::path && time.length > 0;
+  const double way = measured ? time.length : curve.length(motion.along);
+  if (motion.unit == FeedUnit::per_min) {
+    time.feed = way * motion.feed * override_part;
+    return 1 / (motion.feed * override_part);
   }
-  (rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting) += seconds;
-  return seconds;
+  time.feed = motion.feed * override_part * (motion.unit == FeedUnit::mm_per_rev ? turning_rpm() : 1);
+  if (way == 0) return 0;
+  if (curve.surface() == PathSurface::polar) return minutes(curve, {time.feed, motion.detail->rotary_most, motion.along});
+  return way / time.feed;
+}
+
+MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve) {
+  const bool rapid = motion.kind == MotionKind::rapid || (motion.kind == MotionKind::home && motion.feed <= 0);
+  const bool thread = motion.kind == MotionKind::thread && motion.detail && motion.detail->lead;
+  MotionTime time;
+  time.length = curve.length();
+  const double minutes = rapid ? rapid_minutes(curve) : thread ? thread_minutes(motion, curve) : feed_minutes(motion, curve, time);
+  if (!std::isfinite(minutes)) {
+    ++split_.unknown;
+    return time;
+  }
+  time.seconds = 60 * minutes;
+  (rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting) += time.seconds;
+  if (!rates_.exact_times) return time;
+  time.exact = true;
+  const bool polar = curve.surface() == PathSurface::polar;
+  if (polar && !rapid && motion.unit != FeedUnit::per_min)
+    time.feed_most = highest_feed(curve, {time.feed, motion.detail->rotary_most, motion.along});
+  else if (minutes > 0 && !(polar && rapid)) time.feed_most = curve.length(motion.along) / minutes;
+  return time;
 }
 
 void TimeEstimate::other(const Action& action) {
   if (const auto* dwell = std::get_if<Dwell>(&action.what)) {
     split_.dwell += dwell->seconds;
   } else if (const auto* spindle = std::get_if<Spindle>(&action.what)) {
+    Turning& turning = spindle_of(spindle->number);
     const bool starts = spindle->dir == SpindleDir::cw || spindle->dir == SpindleDir::ccw;
-    if (starts && !(turning_ && rpm_ > 0)) split_.tool_change += rates_.spindle_start_s;
-    turning_ = starts;
-    if (starts) rpm_ = spindle->rpm;
+    if (starts && !(turning.on && turning.rpm > 0)) split_.tool_change += rates_.spindle_start_s;
+    turning.on = starts;
+    if (starts) turning.rpm = spindle->rpm;
   } else if (const auto* speed = std::get_if<Speed>(&action.what)) {
-    rpm_ = speed->surface ? 0 : speed->value;
+    spindle_of(speed->number).rpm = speed->surface ? 0 : speed->value;
   } else if (std::holds_alternative<ToolChange>(action.what)) {
     split_.tool_change += rates_.tool_change_s;
   }

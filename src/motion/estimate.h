@@ -13,9 +13,11 @@ struct Rates {
   double feed_part = 1;  // feed override / 100
   double tool_change_s = 0;
   double spindle_start_s = 0;
+  bool exact_times = false;  // the axes take no time to speed up: the estimate is the truth
 };
 
-/// The setup's `machine` and `override` go before the profile.
+/// The setup's `machine` and `override` go before the profile. Times are exact if the setup says `"acceleration": null` for "*"
+/// or for every axis.
 Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes);
 
 /// Limits of one axis in machine coordinates; the setup goes before the profile.
@@ -31,30 +33,44 @@ struct TimeSplit {
   double total() const { return cutting + rapid + dwell + tool_change; }
 };
 
+/// What the estimate found of one motion.
+struct MotionTime {
+  double length = 0;     // Curve::length(), mm
+  double seconds = 0;    // 0 if it would never end
+  double feed = 0;       // the commanded one after override, mm/min (degrees/min), along what `along` says; 0: rapid, none
+  double feed_most = 0;  // highest speed along that, where `exact` (0 of a rapid in polar interpolation)
+  bool exact = false;    // the seconds are those of the machine
+};
+
 /// Adds up the time of Actions in order.
 class TimeEstimate {
  public:
   TimeEstimate(const AxisRoles& roles, const Rates& rates);
 
-  /// Of a motion; `length` is Curve::length().
-  ///   returns  seconds; 0 if it would never end
-  double motion(const Motion& motion, const Axes& from, double length);
+  /// Of a motion along its curve.
+  MotionTime motion(const Motion& motion, const Curve& curve);
 
-  /// Of any other action.
+  /// Of any other action. A Sync takes no time of its own.
   void other(const Action& action);
 
-  void spindle(double rpm) { rpm_ = rpm; }
+  void spindle(double rpm) { spindle_of(1).rpm = rpm; }
   const TimeSplit& split() const { return split_; }
 
  private:
-  double rapid_minutes(const Motion& motion, const Axes& from) const;
-  double feed_minutes(const Motion& motion, const Axes& from, double length) const;
+  struct Turning {
+    double rpm = 0;  // commanded
+    bool on = true;  // the setup may say that it stands: then rpm is 0
+  };
+  Turning& spindle_of(std::size_t number);
+  double turning_rpm() const { return spindles_[1].on ? spindles_[1].rpm : 0; }
+  double rapid_minutes(const Curve& curve) const;
+  double thread_minutes(const Motion& motion, const Curve& curve) const;
+  double feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const;
 
   AxisRoles roles_;
   Rates rates_;
   TimeSplit split_;
-  double rpm_ = 0;       // commanded
-  bool turning_ = true;  // the setup may say that it stands: then rpm_ is 0
+  std::vector<Turning> spindles_ = std::vector<Turning>(2);  // by number; 0 is none
 };
 
 }  // namespace kadr

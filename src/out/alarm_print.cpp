@@ -64,12 +64,20 @@ std::string block_text(const Origin& origin) {
   return origin.has_block ? fmt::format("{}{:0{}}", origin.main_block ? ':' : 'N', origin.block, origin.block_digits) : "";
 }
 
+std::string sentence_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang) {
+  std::string sentence = texts.sentence(report.alarm, lang);
+  if (report.own_text.empty() || report.alarm.arg_count == 0) return sentence;
+  const AlarmArg& cut = report.alarm.args[report.alarm.arg_count - 1u];
+  const std::size_t at = cut.is_number() || cut.text().empty() ? std::string::npos : sentence.rfind(cut.text());
+  return at == std::string::npos ? sentence : sentence.replace(at, cut.text().size(), report.own_text);
+}
+
 Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang) {
   const Alarm& alarm = report.alarm;
   Finding f{alarm.id,
             alarm.severity,
-            texts.number(alarm.id),
-            texts.sentence(alarm, lang),
+            texts.number(alarm),
+            sentence_of(report, texts, lang),
             texts.hint(alarm, lang),
             texts.pattern(alarm.id, lang),
             report.file,

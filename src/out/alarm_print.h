@@ -13,6 +13,9 @@ namespace kadr {
 ///   law  columns count characters; tabs stay tabs, other control characters are shown as pictures; long lines are clipped
 std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang);
 
+/// The alarm's sentence; a program's own words whole.
+std::string sentence_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang);
+
 /// An alarm resolved to words, for lists over several controls.
 struct Finding {
   AlarmId id;

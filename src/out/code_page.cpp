@@ -5,16 +5,23 @@
 #include <cctype>
 #include <cmath>
 
+#include "out/variable_text.h"
+
 namespace kadr {
 namespace {
 
 const std::string& pick(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
-std::string letters_of(std::uint32_t bits) {
-  std::string text;
+std::string letters_of(std::uint64_t bits, std::string text = {}) {
   for (int i = 0; i < 26; ++i)
     if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", static_cast<char>('A' + i));
   return text;
+}
+
+}  // namespace
+
+std::string words_of(const CodeRow& row, Lang lang) {
+  return letters_of(row.takes, !row.takes_all_axes ? "" : lang == Lang::ru ? "оси" : "axes");
 }
 
 std::string initial_mark(const ControlDef& def, const CodeRow& row) {
@@ -34,6 +41,8 @@ std::string format_of(const ControlDef& def, const AddressRow& row) {
   return text;
 }
 
+namespace {
+
 std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   const bool ru = lang == Lang::ru;
   std::string text = fmt::format("{} {}: {}\n", def.id, row.code, pick(row.text, lang));
@@ -42,10 +51,11 @@ std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts",
                       row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
   if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
-  if (row.takes != 0) text += fmt::format("  {}: {}\n", ru ? "слова" : "words", letters_of(row.takes));
+  if (row.takes != 0 || row.takes_all_axes) text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words_of(row, lang));
   if (row.needs != 0) text += fmt::format("  {}: {}\n", ru ? "обязательны" : "must have", letters_of(row.needs));
   text += fmt::format("  {}: {}{}\n", ru ? "функция Kadr" : "Kadr's function", traits_of(row.function).name,
                       row.arg != 0 ? fmt::format(" {}", row.arg) : "");
+  if (!row.works) text += fmt::format("  {}\n", ru ? "в этой версии Kadr не выполняется" : "not in this version of Kadr");
   text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
   return text;
 }
@@ -77,29 +87,22 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   return text;
 }
 
-std::string alarm_text_of(const AlarmTexts& texts, AlarmId id, Lang lang) {
-  Alarm plain;
-  plain.id = id;
-  std::string text = fmt::format("{}: {}\n", name_of(id), texts.pattern(id, lang));
-  const std::string hint = texts.hint(plain, lang);
+/// The alarm in both languages where the control has words of its own: an operator reads them on its screen.
+std::string alarm_text_of(const ControlDef& def, const AlarmTexts& texts, AlarmId id, Lang lang) {
+  const std::string& number = texts.number(id);
+  std::string text = fmt::format("{}{}: {}\n", number.empty() ? "" : number + " ", name_of(id), texts.pattern(id, lang));
+  if (def.alarms.contains(id)) text += fmt::format("  {}\n", texts.pattern(id, lang == Lang::ru ? Lang::en : Lang::ru));
+  const std::string& hint = texts.hint_pattern(id, lang);
   if (!hint.empty()) text += fmt::format("  {}\n", hint);
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
-  return out;
-}
-
-void code_rows(const ControlDef& def, char letter, std::string& page) {
-  page += fmt::format("\n## {} codes\n\n| code | group | lasts | words | meaning | значение | source |\n|---|---|---|---|---|---|---|\n",
-                      letter);
-  for (const CodeRow& row : def.codes)
-    if (row.letter == letter)
-      page += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", row.code, initial_mark(def, row), def.groups[row.group].name,
-                          row.modal ? "modal" : "block", letters_of(row.takes), escaped(row.text.en), escaped(row.text.ru),
-                          escaped(row.manual));
+/// All alarms that have this number on the control.
+std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTexts& texts, const std::string& number, Lang lang) {
+  std::optional<std::string> text;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(AlarmId::count); ++i)
+    if (const auto id = static_cast<AlarmId>(i); texts.number(id) == number) text = text.value_or("") + alarm_text_of(def, texts, id, lang);
+  return text;
 }
 
 }  // namespace
@@ -107,7 +110,10 @@ void code_rows(const ControlDef& def, char letter, std::string& page) {
 std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
   std::string code;
   for (const char c : what) code += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  if (const AlarmId id = alarm_named(what); id != AlarmId::count) return alarm_text_of(texts, id, lang);
+  if (const AlarmId id = alarm_named(what); id != AlarmId::count) return alarm_text_of(def, texts, id, lang);
+  if (what.empty()) return std::nullopt;
+  if (what.find_first_not_of("0123456789") == std::string::npos) return numbered_alarms(def, texts, what, lang);
+  if (what[0] == '#') return explain_variable(def, what, lang);
   if (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z') {
     const AddressRow& row = def.address(code[0]);
     if (row.function == Function::count) return std::nullopt;
@@ -123,47 +129,21 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   }
   for (const CycleRow& row : def.cycles)
     if (row.name == code) return text.value_or("") + cycle_text(def, row, lang);
-  return text;
+  return text ? text : explain_variable(def, what, lang);
 }
 
 std::string explain_control(const ControlDef& def, Lang lang) {
   std::string text = fmt::format("{}: {}\n", def.id, pick(def.name, lang));
   if (!def.lineage.empty()) text += fmt::format("  extends {}\n", def.lineage.front());
   if (!def.descriptor.empty()) text += fmt::format("  {}\n", def.descriptor);
-  for (const CodeRow& row : def.codes) text += fmt::format("  {:<8}{:<2}{}\n", row.code, initial_mark(def, row), pick(row.text, lang));
+  for (const CodeRow& row : def.codes)
+    text += fmt::format("  {:<8}{:<2}{}{}\n", row.code, initial_mark(def, row), pick(row.text, lang),
+                        row.works          ? ""
+                        : lang == Lang::ru ? " (ещё нет)"
+                                           : " (not yet)");
   for (const CycleRow& row : def.cycles)
     if (!row.body.empty() || row.name[0] == 'L') text += fmt::format("  {:<10}{}\n", row.name, pick(row.text, lang));
   return text;
-}
-
-std::string control_page(const ControlDef& def) {
-  std::string page = fmt::format(
-      "<!-- Made by `kadr explain {0} --markdown`: do not edit, see dev/docs. -->\n# {1}\n\n{2}\n\nControl id: `{0}`. Rules: `{3}`.\n",
-      def.id, def.name.en, def.name.ru, def.spec);
-  if (!def.descriptor.empty()) page += fmt::format("\nFormat: `{}`\n", def.descriptor);
-  page += "\n`*` is in force at power-on.\n\n## Addresses\n\n| address | format | meaning | значение | source |\n|---|---|---|---|---|\n";
-  for (const AddressRow& row : def.addresses)
-    if (row.function != Function::count)
-      page += fmt::format("| {} | {} | {} | {} | {} |\n", row.letter, format_of(def, row), escaped(row.text.en), escaped(row.text.ru),
-                          escaped(row.manual));
-  code_rows(def, 'G', page);
-  code_rows(def, 'M', page);
-  bool bodies = false;
-  for (const CycleRow& row : def.cycles) {
-    if (row.body.empty()) continue;
-    if (!bodies) page += "\n## Cycles\n\n| cycle | meaning | значение | body |\n|---|---|---|---|\n";
-    bodies = true;
-    std::string body;
-    for (const char c : row.body) body += c == '\n' ? std::string("` · `") : std::string(1, c);
-    page += fmt::format("| {} | {} | {} | `{}` |\n", row.name, escaped(row.text.en), escaped(row.text.ru),
-                        body.substr(0, body.size() - std::string("` · `").size()));
-  }
-  if (!def.variables.empty()) page += "\n## System variables\n\n| numbers | meaning | значение | source |\n|---|---|---|---|\n";
-  for (const VariableRow& row : def.variables)
-    page += fmt::format("| #{}{}{} | {} | {} | {} |\n", row.from, row.count > 1 ? fmt::format("–#{}", row.from + row.count - 1) : "",
-                        row.repeat > 1 ? fmt::format(", every {} up to {} times", row.stride, row.repeat) : "", escaped(row.text.en),
-                        escaped(row.text.ru), escaped(row.manual));
-  return page;
 }
 
 }  // namespace kadr

@@ -9,14 +9,20 @@
 
 namespace kadr {
 
-/// What the control's file says of a code (G43, m3), an address (X), a cycle (L81), an alarm (radius_mismatch).
+/// What the control's file says of a code (G43, m3), an address (X), a cycle (L81), an alarm by its id or by the control's own
+/// number (radius_mismatch, 2012), a system variable (#5021, ABSIO).
 ///   returns  nothing, if it has no such row
 std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang);
 
 /// Overview of a control: its codes in one list.
 std::string explain_control(const ControlDef& def, Lang lang);
 
-/// Markdown tables of addresses, codes, cycles, variables.
-std::string control_page(const ControlDef& def);
+/// Markdown tables of addresses, codes, cycles, variables, alarms (control_page.cpp).
+std::string control_page(const ControlDef& def, const AlarmTexts& texts);
+
+/// Cells that both say: "axes I J K"; "*" if in force at power-on; digits of an address as the manual writes them: "+043", "free".
+std::string words_of(const CodeRow& row, Lang lang);
+std::string initial_mark(const ControlDef& def, const CodeRow& row);
+std::string format_of(const ControlDef& def, const AddressRow& row);
 
 }  // namespace kadr

@@ -15,6 +15,7 @@ constexpr int most_arc_pieces = 720;
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
   if (is_arc(motion.kind)) return Stroke::arc;
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return Stroke::rapid;
+  if (motion.detail && motion.detail->surface != PathSurface::plane) return Stroke::feed;
   const bool down = to.z < from.z && length(Vec2{to.x - from.x, to.y - from.y}) < tol::same_point;
   return down ? Stroke::plunge : Stroke::feed;
 }
@@ -56,8 +57,7 @@ void Plot::take_motion(const Motion& motion) {
     if (zeros_.empty()) take_reference();
     mark_zero();
   }
-  if (is_arc(motion.kind)) {
-    const Curve curve(roles_, position_.work, motion);
+  if (const Curve curve(roles_, position_.work, motion); !curve.straight()) {
     const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));
     for (int i = 1; i < pieces; ++i) path_.go(roles_.point(curve.at(double(i) / pieces)) + shift_, stroke);
   }

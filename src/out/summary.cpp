@@ -96,35 +96,36 @@ void Statistics::use(std::uint32_t tool) {
   if (found == tools_.end()) tools_.push_back({tool, 0});
 }
 
-void Statistics::take_motion(const Motion& motion) {
+MotionTime Statistics::take_motion(const Motion& motion) {
   const Curve curve(roles_, position_.work, motion);
-  const double length = curve.length();
   const double before = estimate_.split().cutting;
-  estimate_.motion(motion, position_.work, length);
+  const MotionTime time = estimate_.motion(motion, curve);
   if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
 
-  const bool cuts = motion.kind == MotionKind::feed || curve.arc();
+  const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::thread || curve.arc();
   ++(curve.arc() ? arcs_ : motion.kind == MotionKind::rapid ? rapids_ : cuts ? feeds_ : others_);
-  (cuts || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += length;
+  (cuts || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += time.length;
   const auto take = [&](Vec3 p) {
     box_.take(p);
     if (cuts) cutting_box_.take(p);
   };
   take(roles_.point(position_.work));
   take(roles_.point(motion.to));
-  if (curve.arc()) {
+  if (!curve.straight()) {
     const Extents extents = curve.extents();
     take(roles_.point(extents.least));
     take(roles_.point(extents.most));
   }
   position_.take(motion);
+  return time;
 }
 
-void Statistics::take(const Action& action) {
+MotionTime Statistics::take(const Action& action) {
   if (const auto* motion = std::get_if<Motion>(&action.what)) return take_motion(*motion);
-  if (const auto* frame = std::get_if<FrameChange>(&action.what)) return position_.take(*frame);
+  if (const auto* frame = std::get_if<FrameChange>(&action.what)) position_.take(*frame);
   if (const auto* change = std::get_if<ToolChange>(&action.what)) use(change->tool);
   estimate_.other(action);
+  return {};
 }
 
 std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
@@ -150,6 +151,20 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
     text += line(w.tools, tools);
   }
   return text + line(w.alarms, fmt::format("{}, {} {}", alarms_, w.warnings, warnings_));
+}
+
+std::string channel_heading(int channel, Lang lang) { return fmt::format("{} {}\n", lang == Lang::ru ? "канал" : "channel", channel); }
+
+std::string channels_text(const std::vector<ChannelTime>& times, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  double longest = 0;
+  std::string all;
+  for (const ChannelTime& t : times) {
+    longest = std::max(longest, t.busy + t.waited);
+    all += fmt::format("{}{} {} {}", all.empty() ? "" : ", ", ru ? "канал" : "channel", t.channel, duration_text(t.busy + t.waited));
+    if (t.waited > 0) all += fmt::format(" ({} {})", ru ? "ожидание" : "waiting", duration_text(t.waited));
+  }
+  return line(ru ? "время обработки" : "machining time", fmt::format("{}: {}", duration_text(longest), all));
 }
 
 std::string duration_text(double seconds) {

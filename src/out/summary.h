@@ -25,7 +25,8 @@ class Statistics {
   /// State of the setup's spindle and tool before the first action.
   void start_with(double spindle_rpm, std::uint32_t tool);
 
-  void take(const Action& action);
+  ///   returns  of a motion: its length and time; else zeros
+  MotionTime take(const Action& action);
   void count(Severity severity) { ++(severity == Severity::alarm ? alarms_ : warnings_); }
 
   /// The summary, lines ending in '\n'.
@@ -47,7 +48,7 @@ class Statistics {
   const std::vector<ToolUse>& tools() const { return tools_; }
 
  private:
-  void take_motion(const Motion& motion);
+  MotionTime take_motion(const Motion& motion);
   void use(std::uint32_t tool);
 
   AxisRoles roles_;
@@ -60,6 +61,16 @@ class Statistics {
   std::vector<ToolUse> tools_;  // in order of first use
   std::size_t in_spindle_ = 0;  // index in tools_; its size: none known
 };
+
+/// Of several channels: how long one was at work and how long it waited for others, s (nct 14.5).
+struct ChannelTime {
+  int channel = 1;
+  double busy = 0, waited = 0;
+};
+/// "channel 2", a line above its summary.
+std::string channel_heading(int channel, Lang lang);
+/// The time of all: the longest is the machining time.
+std::string channels_text(const std::vector<ChannelTime>& times, Lang lang);
 
 /// 3725.4 s → "1:02:05", 65.3 s → "1:05.3".
 std::string duration_text(double seconds);

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <array>
 
+#include "motion/polar_feed.h"
+#include "out/alarm_print.h"
+#include "out/trace_fields.h"
+
 namespace kadr {
 namespace {
 
-constexpr std::size_t number_room = 32;
 constexpr std::size_t head_room = 192;
 constexpr std::size_t most_digits = 20;  // of a block number
 
-constexpr std::array<std::string_view, 6> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home"};
+constexpr std::array<std::string_view, 7> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home", "thread"};
 constexpr std::array<std::string_view, 3> unit_names = {"mm/min", "mm/rev", "1/min"};
-constexpr std::array<std::string_view, 4> dir_names = {"stop", "cw", "ccw", "orient"};
-constexpr std::array<std::string_view, 3> coolant_names = {"off", "mist", "flood"};
-constexpr std::array<std::string_view, 3> coolant_codes = {"M9", "M7", "M8"};
-constexpr std::array<std::string_view, 3> plane_names = {"XY", "ZX", "YZ"};
-constexpr std::array<std::string_view, 3> plane_axes = {"XY", "ZX", "YZ"};
 
 template <class E>
 constexpr std::size_t index(E value) {
@@ -36,57 +34,12 @@ char* put_block(char* at, const Origin& origin) {
 
 char* put_field(char* at, std::string_view key, double value) { return put_number(put_text(at, key), value); }
 
-double component(const Vec3& v, char letter) { return letter == 'X' ? v.x : letter == 'Y' ? v.y : v.z; }
-
-std::string number_string(double value) {
-  std::array<char, number_room> text;
-  return {text.data(), put_number(text.data(), value)};
-}
-
-std::string json(std::string_view text) {
-  std::string quoted;
-  append_json(quoted, text);
-  return quoted;
-}
-
 /// A control's number as a JSON number if it is one.
 std::string number_or_text(const std::string& number) {
   if (number.empty()) return "null";
   const bool digits =
       number.size() <= 9 && number[0] != '0' && std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
-  return digits ? number : json(number);
-}
-
-/// `"do":"spindle"` and the fields of what is no motion; empty: no line.
-std::string fields_of(const Action& action) {
-  struct Fields {
-    std::string operator()(const Motion&) const { return {}; }
-    std::string operator()(const Dwell& d) const { return R"(dwell","seconds":)" + number_string(d.seconds); }
-    std::string operator()(const Spindle& s) const {
-      return R"(spindle","spindle":1,"dir":")" + std::string(dir_names[index(s.dir)]) + R"(","rpm":)" + number_string(s.rpm);
-    }
-    std::string operator()(const Speed& s) const {
-      return (s.surface ? R"(speed","spindle":1,"surface_speed":)" : R"(speed","spindle":1,"rpm":)") + number_string(s.value);
-    }
-    std::string operator()(const CoolantSwitch& c) const {
-      return R"(coolant","what":")" + std::string(coolant_names[index(c.what)]) + R"(","code":")" +
-             std::string(coolant_codes[index(c.what)]) + '"';
-    }
-    std::string operator()(const ToolSelect& t) const {
-      return R"(tool","tool":)" + std::to_string(t.tool) + (t.corrector == 0 ? "" : R"(,"corrector":)" + std::to_string(t.corrector));
-    }
-    std::string operator()(const ToolChange& t) const { return R"(toolchange","tool":)" + std::to_string(t.tool); }
-    std::string operator()(const MachineFunction& m) const {
-      std::string text = R"(m","code":"M)" + std::to_string(m.code) + '"';
-      if (m.p) text += R"(,"P":)" + number_string(*m.p);
-      if (m.q) text += R"(,"Q":)" + number_string(*m.q);
-      return text;
-    }
-    std::string operator()(const Stop& s) const { return s.optional ? R"(optional_stop")" : R"(stop")"; }
-    std::string operator()(const Message& m) const { return R"(message","text":)" + json(m.text); }
-    std::string operator()(const FrameChange&) const { return {}; }
-  };
-  return std::visit(Fields{}, action.what);
+  return digits ? number : json_string(number);
 }
 
 }  // namespace
@@ -94,7 +47,10 @@ std::string fields_of(const Action& action) {
 TraceWriter::TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start,
                          std::vector<double> points)
     : out_(file), roles_(AxisRoles::of(axes, rotary)), points_(std::move(points)), position_(start) {
-  for (std::size_t i = 0; i < roles_.count; ++i) keys_.push_back(json(axes[i]) + ":");
+  for (std::size_t i = 0; i < roles_.count; ++i) keys_.push_back(json_string(axes[i]) + ":");
+  names_ = axes;
+  line_room_ = 3 * head_room;
+  for (const std::string& key : keys_) line_room_ += 2 * (key.size() + number_room);
 }
 
 char* TraceWriter::put_head(char* at, std::string_view kind, const Origin& origin) const {
@@ -104,6 +60,7 @@ char* TraceWriter::put_head(char* at, std::string_view kind, const Origin& origi
     at = put_block(put_text(at, R"(,"block":")"), origin);
     *at++ = '"';
   }
+  if (channel_ > 0) at = put_field(at, R"(,"channel":)", channel_);
   at = put_field(at, R"(,"line":)", origin.line);
   if (origin.column > 0) at = put_field(at, R"(,"col":)", origin.column);
   return at;
@@ -121,22 +78,17 @@ char* TraceWriter::put_axes(char* at, std::string_view key, const Axes& axes) co
 }
 
 char* TraceWriter::put_arc(char* at, const Motion& motion) const {
-  const std::string_view plane = plane_axes[index(motion.plane)];
-  at = put_text(at, R"(,"center":{)");
-  for (std::size_t i = 0; i < plane.size(); ++i) {
-    if (i > 0) *at++ = ',';
-    *at++ = '"';
-    *at++ = plane[i];
-    at = put_field(at, "\":", component(motion.center, plane[i]));
-  }
-  at = put_text(put_text(at, R"(},"plane":")"), plane_names[index(motion.plane)]);
+  at = put_number(put_text(put_text(at, R"(,"center":{)"), keys_[motion.first]), motion.center.x);
+  *at++ = ',';
+  at = put_number(put_text(at, keys_[motion.second]), motion.center.y);
+  at = put_text(put_text(at, R"(},"plane":")"), names_[motion.first]);
+  at = put_text(at, names_[motion.second]);
   return put_field(at, R"(","turns":)", motion.turns);
 }
 
-void TraceWriter::write_motion(const Motion& motion, const Origin& origin) {
-  std::size_t most = 3 * head_room;
-  for (const std::string& key : keys_) most += 2 * (key.size() + number_room);
-  char* at = put_head(out_.room(most), motion_names[index(motion.kind)], origin);
+/// The line of a plain motion is written at once; what few motions have follows in pieces of its own.
+void TraceWriter::write_motion(const Motion& motion, const Origin& origin, const MotionTime& time) {
+  char* at = put_head(out_.room(line_room_), motion_names[index(motion.kind)], origin);
   at = put_axes(put_axes(at, R"(,"to":)", motion.to), R"(,"machine":)", motion.machine);
   if (is_arc(motion.kind)) at = put_arc(at, motion);
   if (motion.feed > 0) {
@@ -146,21 +98,83 @@ void TraceWriter::write_motion(const Motion& motion, const Origin& origin) {
   }
   if (motion.kind != MotionKind::rapid) at = put_text(at, motion.exact ? R"(,"exact":true)" : R"(,"exact":false)");
   out_.done(at);
-  if (!points_.empty()) write_points(motion);
+  if (behind_probe_) write_way(motion);
+  behind_probe_ = motion.kind == MotionKind::probe;
+  if (motion.detail) [[unlikely]]
+    write_detail(motion);
+  if (time.exact || is_arc(motion.kind) || motion.detail) write_time(motion, time);
+  if (!points_.empty()) write_points(motion, time);
   out_.append("}\n");
   position_.take(motion);
 }
 
-void TraceWriter::write_points(const Motion& motion) {
+/// The way of the axes named: where the motion begins the program does not say (nct 21.1).
+void TraceWriter::write_way(const Motion& motion) {
+  if (motion.detail && motion.detail->rolled != 0) return;  // write_detail does
+  char* at = put_text(out_.room(line_room_), R"(,"travel":)");
+  char separator = '{';
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    if ((motion.named >> i & 1U) == 0) continue;
+    *at++ = std::exchange(separator, ',');
+    at = put_number(put_text(at, keys_[i]), motion.to[i] - position_.work[i]);
+  }
+  if (separator == '{') *at++ = '{';
+  *at++ = '}';
+  out_.done(at);
+}
+
+void TraceWriter::write_detail(const Motion& motion) {
+  const MotionDetail& detail = *motion.detail;
+  char* at = out_.room(2 * line_room_);
+  if (detail.rolled != 0) {
+    at = put_text(at, R"(,"travel":)");
+    char separator = '{';
+    for (std::size_t i = 0; i < roles_.count; ++i) {
+      if ((detail.rolled >> i & 1U) == 0) continue;
+      *at++ = std::exchange(separator, ',');
+      at = put_number(put_text(at, keys_[i]), detail.travel[i]);
+    }
+    *at++ = '}';
+  }
+  if (detail.has_programmed) {
+    at = put_axes(at, R"(,"programmed":)", detail.programmed);
+  } else if (detail.surface != PathSurface::plane) {
+    at = put_axes(at, R"(,"programmed":)", Curve(roles_, position_.work, motion).programmed(1));
+  }
+  const auto put = [&](std::string_view key, const std::optional<double>& value) {
+    if (value) at = put_field(at, key, *value);
+  };
+  put(R"(,"lead":)", detail.lead);
+  put(R"(,"angle":)", detail.start_angle);
+  put(R"(,"turn":)", detail.turn);
+  put(R"(,"torque":)", detail.torque);
+  out_.done(at);
+}
+
+void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
+  char* at = out_.room(head_room);
+  const bool curved = is_arc(motion.kind) || (motion.detail && motion.detail->surface != PathSurface::plane);
+  if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
+  // Without acceleration these are the machine's. With it they would be wrong: there is no planner yet, so they are not stated.
+  if (time.exact) {
+    at = put_field(at, R"(,"seconds":)", time.seconds);
+    if (time.feed_most > 0) at = put_field(at, R"(,"feed_max":)", time.feed_most);
+  }
+  out_.done(at);
+}
+
+void TraceWriter::write_points(const Motion& motion, const MotionTime& time) {
   const Curve curve(roles_, position_.work, motion);
+  const bool surface = curve.surface() != PathSurface::plane;
   out_.append(R"(,"points":[)");
   for (std::size_t n = 0; n < points_.size(); ++n) {
     const Axes to = curve.at(points_[n]);
     const Axes machine = machine_along(roles_, position_, motion, to, points_[n]);
-    std::size_t most = head_room;
-    for (const std::string& key : keys_) most += 2 * (key.size() + number_room);
-    char* at = put_field(out_.room(most), n == 0 ? R"({"part":)" : R"(,{"part":)", points_[n]);
+    char* at = put_field(out_.room(2 * line_room_), n == 0 ? R"({"part":)" : R"(,{"part":)", points_[n]);
     at = put_axes(put_axes(at, R"(,"to":)", to), R"(,"machine":)", machine);
+    if (surface) at = put_axes(at, R"(,"programmed":)", curve.programmed(points_[n]));
+    if (surface && time.exact && time.feed > 0)
+      at = put_field(at, R"(,"feed":)", feed_at(curve, {time.feed, motion.detail->rotary_most, motion.along}, points_[n]));
     *at++ = '}';
     out_.done(at);
   }
@@ -176,21 +190,20 @@ void TraceWriter::write_other(const Action& action) {
   out_.append("}\n");
 }
 
-void TraceWriter::write(const Action& action) {
-  if (const auto* motion = std::get_if<Motion>(&action.what)) return write_motion(*motion, action.origin);
+void TraceWriter::write(const Action& action, const MotionTime& time) {
+  if (const auto* motion = std::get_if<Motion>(&action.what)) return write_motion(*motion, action.origin, time);
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) return position_.take(*frame);
   write_other(action);
 }
 
-void TraceWriter::write_state(const Ending& ending) {
-  std::size_t most = head_room;
-  for (const std::string& key : keys_) most += 2 * (key.size() + number_room);
-  out_.done(put_axes(put_axes(out_.room(most), R"(,"position":)", ending.position), R"(,"machine_position":)", ending.machine_position));
+void TraceWriter::write_state(const Ending& ending, const LastLine& more) {
+  out_.done(
+      put_axes(put_axes(out_.room(line_room_), R"(,"position":)", ending.position), R"(,"machine_position":)", ending.machine_position));
   out_.append(R"(,"variables":{)");
   bool first = true;
   const auto variable = [&](const std::string& name, const std::string& value) {
     out_.append(first ? "" : ",");
-    out_.append(json(name));
+    out_.append(json_string(name));
     out_.append(":");
     out_.append(value);
     first = false;
@@ -200,29 +213,36 @@ void TraceWriter::write_state(const Ending& ending) {
   out_.append(R"(},"modal":[)");
   for (std::size_t i = 0; i < ending.modal.size(); ++i) {
     if (i > 0) out_.append(",");
-    out_.append(json(ending.modal[i]));
+    out_.append(json_string(ending.modal[i]));
   }
-  out_.append("]}\n");
+  out_.append("]");
+  if (!more.state.empty()) {
+    out_.append(R"(,"state":)");
+    out_.append(more.state);
+  }
+  out_.append("}\n");
   out_.flush();
 }
 
-void TraceWriter::finish(const Ending& ending) {
+void TraceWriter::finish(const Ending& ending, const LastLine& more) {
   out_.append(R"({"do":"end")");
-  write_state(ending);
+  if (channel_ > 0) out_.append(R"(,"channel":)" + std::to_string(channel_));
+  write_state(ending, more);
 }
 
-void TraceWriter::finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang) {
+void TraceWriter::finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more) {
   const Alarm& alarm = report.alarm;
   out_.done(put_head(out_.room(head_room), "alarm", report.origin));
-  out_.append(R"(,"id":)" + json(name_of(alarm.id)) + R"(,"number":)" + number_or_text(texts.number(alarm.id)));
-  out_.append(R"(,"text":)" + json(texts.sentence(alarm, lang)) + R"(,"args":[)");
+  if (more.alarm_channel > 0) out_.append(R"(,"alarm_channel":)" + std::to_string(more.alarm_channel));
+  out_.append(R"(,"id":)" + json_string(name_of(alarm.id)) + R"(,"number":)" + number_or_text(texts.number(alarm)));
+  out_.append(R"(,"text":)" + json_string(sentence_of(report, texts, lang)) + R"(,"args":[)");
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {
     const AlarmArg& arg = alarm.args[i];
     if (i > 0) out_.append(",");
-    out_.append(arg.is_number() ? number_string(arg.number()) : json(arg.text()));
+    out_.append(arg.is_number() ? number_string(arg.number()) : json_string(arg.text()));
   }
   out_.append("]");
-  write_state(ending);
+  write_state(ending, more);
 }
 
 }  // namespace kadr

@@ -1,11 +1,20 @@
 #pragma once
 // TraceWriter: Actions as JSON Lines (design.md 5, tests/golden/README.md).
 
+#include <optional>
+
 #include "config/alarm_texts.h"
+#include "motion/estimate.h"
 #include "out/text_buffer.h"
 #include "path/curve.h"
 
 namespace kadr {
+
+/// What only some last lines have.
+struct LastLine {
+  std::string_view state{};  // JSON text; empty: none
+  int alarm_channel = 0;     // in which the alarm arose, if not in this one
+};
 
 class TraceWriter {
  public:
@@ -13,12 +22,17 @@ class TraceWriter {
   TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start,
               std::vector<double> points = {});
 
-  /// One line; FrameChange gives none.
-  void write(const Action& action);
+  /// Where there are several channels: each line names this one. They share the file: flush() before another one writes.
+  void set_channel(int channel) { channel_ = channel; }
+  void flush() { out_.flush(); }
+
+  /// One line; FrameChange and ZoneChange give none. `time`: of a motion, by the TimeEstimate; without it the line has no
+  /// length, seconds and highest feed.
+  void write(const Action& action, const MotionTime& time = {});
 
   /// The last line: the state after the run, and the alarm if one stopped it.
-  void finish(const Ending& ending);
-  void finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang);
+  void finish(const Ending& ending, const LastLine& more = {});
+  void finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more = {});
 
   /// false: the file could not be written.
   bool ok() const { return out_.ok(); }
@@ -27,15 +41,22 @@ class TraceWriter {
   char* put_head(char* at, std::string_view kind, const Origin& origin) const;
   char* put_axes(char* at, std::string_view key, const Axes& axes) const;
   char* put_arc(char* at, const Motion& motion) const;
-  void write_motion(const Motion& motion, const Origin& origin);
-  void write_points(const Motion& motion);
+  void write_motion(const Motion& motion, const Origin& origin, const MotionTime& time);
+  void write_way(const Motion& motion);
+  void write_detail(const Motion& motion);
+  void write_time(const Motion& motion, const MotionTime& time);
+  void write_points(const Motion& motion, const MotionTime& time);
   void write_other(const Action& action);
-  void write_state(const Ending& ending);
+  void write_state(const Ending& ending, const LastLine& more);
 
   TextBuffer out_;
   AxisRoles roles_;
-  std::vector<std::string> keys_;  // "X":
+  int channel_ = 0;  // 0: the only one
+  std::vector<std::string> keys_;
+  std::vector<std::string> names_;  // "X":
+  std::size_t line_room_ = 0;       // characters that a head and two positions take at most
   std::vector<double> points_;
+  bool behind_probe_ = false;  // the motion before was a probe's
   ToolPosition position_;
 };
 

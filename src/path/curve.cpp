@@ -4,115 +4,148 @@
 #include <cmath>
 
 namespace kadr {
-namespace {
-
-constexpr int most_pieces = 100'000;
-constexpr std::array<std::array<std::size_t, 2>, 3> plane_letters = {{{0, 1}, {2, 0}, {1, 2}}};  // xy, zx, yz
-
-double component(const Vec3& v, std::size_t letter) { return letter == 0 ? v.x : letter == 1 ? v.y : v.z; }
-
-/// Length of a spiral around an axis, per radian: radius r at `part`, `rise` along, `growth` outwards.
-/// Gauss-Legendre, five points: exact to rounding where the radius hardly grows, which controls ensure.
-double spiral_length(double radius, double growth, double rise, double sweep_rad) {
-  constexpr std::array<double, 5> place = {0.5, 0.2307653449471585, 0.7692346550528415, 0.0469100770306680, 0.9530899229693320};
-  constexpr std::array<double, 5> weight = {0.2844444444444444, 0.2393143352496833, 0.2393143352496833, 0.1184634425280945,
-                                            0.1184634425280945};
-  double sum = 0;
-  for (std::size_t i = 0; i < place.size(); ++i) sum += weight[i] * std::hypot((radius + growth * place[i]) * sweep_rad, growth, rise);
-  return sum;
-}
-
-}  // namespace
 
 Curve::Curve(const AxisRoles& roles, const Axes& from, const Motion& motion)
     : roles_(roles), from_(from), motion_(motion), arc_(is_arc(motion.kind)) {
-  if (!arc_) return;
-  plane_ = plane_letters[static_cast<std::size_t>(motion.plane)];
-  const auto in_plane = [&](const Axes& axes) { return Vec2{roles.value(axes, plane_[0]), roles.value(axes, plane_[1])}; };
-  center_ = {component(motion.center, plane_[0]), component(motion.center, plane_[1])};
-  arm_ = in_plane(from) - center_;
-  sweep_deg_ = 360 * motion.turns * (motion.kind == MotionKind::arc_ccw ? 1 : -1);
-  radius_ = kadr::length(arm_);
-  radius_change_ = kadr::length(in_plane(motion.to) - center_) - radius_;
+  if (motion.detail) {
+    surface_ = motion.detail->surface;
+    rolled_ = motion.detail->rolled;
+  }
+  if (straight()) return;
+  first_ = motion.first;
+  second_ = motion.second;
+  const bool flat = surface_ == PathSurface::plane;
+  const Vec2 start = flat ? Vec2{from[first_], from[second_]} : motion.detail->flat_from;
+  const Vec2 end = flat ? Vec2{motion.to[first_], motion.to[second_]} : motion.detail->flat_to;
+  if (!arc_) {
+    flat_ = FlatPath::line(start, end);
+    return;
+  }
+  Vec2 center = motion.center;
+  if (surface_ == PathSurface::cylinder)  // stands in axis units
+    center = start + Vec2{(center.x - from[first_]) / unit(first_), (center.y - from[second_]) / unit(second_)};
+  flat_ = FlatPath::arc(start, end, center, motion.kind == MotionKind::arc_ccw ? motion.turns : -motion.turns);
 }
 
-double Curve::linear_squares(bool outside_plane) const {
-  const auto in_plane = [&](std::size_t axis) {
-    const int place = static_cast<int>(axis);
-    return place == roles_.xyz[plane_[0]] || place == roles_.xyz[plane_[1]];
-  };
+/// Axis units per mm of the unrolled surface: of a cylinder's rotary axis degrees per mm.
+double Curve::unit(std::size_t axis) const {
+  return surface_ == PathSurface::cylinder && roles_.is_rotary(axis) ? 1 / (motion_.detail->radius * rad_per_deg) : 1;
+}
+
+PolarPath Curve::polar() const { return {flat_, motion_.detail->side, motion_.detail->offset, from_[second_]}; }
+
+double Curve::squares(AxisMask axes) const {
   double sum = 0;
-  for (std::size_t i = 0; i < roles_.count; ++i) {
-    if (roles_.is_rotary(i) || (outside_plane && in_plane(i))) continue;
-    const double way = motion_.to[i] - from_[i];
-    sum += way * way;
-  }
+  for (std::size_t i = 0; i < roles_.count; ++i)
+    if ((axes >> i & 1U) != 0) sum += way(i) * way(i);
   return sum;
 }
 
 double Curve::length() const {
-  if (!arc_) return std::sqrt(linear_squares(false));
-  const double rise = std::sqrt(linear_squares(true));
-  const double sweep_rad = std::abs(sweep_deg_) * rad_per_deg;
-  if (radius_change_ == 0) return std::hypot(radius_ * sweep_rad, rise);
-  return spiral_length(radius_, radius_change_, rise, sweep_rad);
+  const double outside = rise(FeedAlong::path);
+  return straight() ? outside : flat_.length(outside);
 }
 
-double Curve::rotary_length() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < roles_.count; ++i)
-    if (roles_.is_rotary(i)) sum += (motion_.to[i] - from_[i]) * (motion_.to[i] - from_[i]);
-  return std::sqrt(sum);
+double Curve::rotary_length() const { return std::sqrt(squares(roles_.rotary & all_axes() & ~plane_axes())); }
+
+/// What the axes outside the plane contribute to a length.
+double Curve::rise(FeedAlong along) const {
+  if (along == FeedAlong::arc && arc_) return 0;
+  return std::sqrt(squares((along == FeedAlong::all_axes ? all_axes() : linear_axes()) & ~plane_axes()));
 }
 
-void Curve::set_in_plane(Axes& point, Vec2 in_plane) const {
-  if (const int first = roles_.xyz[plane_[0]]; first >= 0) point[static_cast<std::size_t>(first)] = in_plane.x;
-  if (const int second = roles_.xyz[plane_[1]]; second >= 0) point[static_cast<std::size_t>(second)] = in_plane.y;
+double Curve::length(FeedAlong along) const {
+  const double way = straight() ? rise(along) : flat_.length(rise(along));
+  return way > 0 ? way : rotary_length();  // rotary axes alone: degrees for mm
+}
+
+double Curve::rate(FeedAlong along, double part) const {
+  if (straight() || flat_.length() == 0) return length(along);
+  return std::hypot(kadr::length(flat_.rate(part)), rise(along));
+}
+
+void Curve::set_in_plane(Axes& point, Vec2 flat) const {
+  if (surface_ != PathSurface::cylinder) {
+    point[first_] = flat.x;
+    point[second_] = flat.y;
+    return;
+  }
+  const Vec2 way = flat - flat_.at(0);
+  point[first_] = from_[first_] + way.x * unit(first_);
+  point[second_] = from_[second_] + way.y * unit(second_);
 }
 
 Axes Curve::at(double part) const {
   if (part <= 0) return from_;
   if (part >= 1) return motion_.to;
   Axes point{};
-  for (std::size_t i = 0; i < roles_.count; ++i) point[i] = from_[i] + part * (motion_.to[i] - from_[i]);
-  if (!arc_) return point;
-  const double growth = radius_ > 0 ? 1 + radius_change_ * part / radius_ : 1;
-  set_in_plane(point, center_ + growth * rotated(arm_, sweep_deg_ * part));
+  for (std::size_t i = 0; i < roles_.count; ++i) point[i] = from_[i] + part * way(i);
+  if (straight()) return point;
+  if (surface_ == PathSurface::polar) {
+    const PolarAxes axes = polar().at(part);
+    point[first_] = axes.linear;
+    point[second_] = axes.rotary;
+  } else {
+    set_in_plane(point, flat_.at(part));
+  }
   return point;
 }
 
+Axes Curve::rates(double part) const {
+  Axes rates{};
+  for (std::size_t i = 0; i < roles_.count; ++i) rates[i] = way(i);
+  if (straight()) return rates;
+  if (surface_ == PathSurface::polar) {
+    const PolarAxes axes = polar().rates(part);
+    rates[first_] = axes.linear;
+    rates[second_] = axes.rotary;
+  } else {
+    const Vec2 flat = flat_.rate(part);
+    rates[first_] = flat.x * unit(first_);
+    rates[second_] = flat.y * unit(second_);
+  }
+  return rates;
+}
+
+Axes Curve::programmed(double part) const {
+  Axes point = at(part);
+  if (surface_ == PathSurface::polar) set_in_plane(point, flat_.at(part));
+  return point;
+}
+
+double Curve::nearest() const { return surface_ == PathSurface::polar ? polar().nearest() : 0; }
+
 Extents Curve::extents() const {
   Extents box{from_, from_};
-  const auto take = [&](std::size_t axis, double value) {
-    box.least[axis] = std::min(box.least[axis], value);
-    box.most[axis] = std::max(box.most[axis], value);
+  const auto take = [&](const Axes& point, AxisMask axes) {
+    for (std::size_t i = 0; i < roles_.count; ++i) {
+      if ((axes >> i & 1U) == 0) continue;
+      box.least[i] = std::min(box.least[i], point[i]);
+      box.most[i] = std::max(box.most[i], point[i]);
+    }
   };
-  for (std::size_t i = 0; i < roles_.count; ++i) take(i, motion_.to[i]);
-  if (!arc_ || sweep_deg_ == 0) return box;
-
-  const double start = angle_deg(arm_);
-  const double low = std::min(start, start + sweep_deg_), high = std::max(start, start + sweep_deg_);
-  const double first = std::ceil(low / 90), last = std::floor(high / 90);
-  const auto take_quarter = [&](double quarter) {
-    const double part = std::clamp((90 * quarter - start) / sweep_deg_, 0.0, 1.0);
-    const SinCos at = sincos_deg(90 * quarter);
-    const double radius = radius_ + radius_change_ * part;
-    const Vec2 point = center_ + radius * Vec2{at.cos, at.sin};
-    if (const int axis = roles_.xyz[plane_[0]]; axis >= 0 && at.sin == 0) take(static_cast<std::size_t>(axis), point.x);
-    if (const int axis = roles_.xyz[plane_[1]]; axis >= 0 && at.cos == 0) take(static_cast<std::size_t>(axis), point.y);
-  };
-  // Of many turns the outermost are the first and the last, for the radius grows steadily.
-  for (double quarter = first; quarter <= std::min(last, first + 3); ++quarter) take_quarter(quarter);
-  for (double quarter = std::max(first + 4, last - 3); quarter <= last; ++quarter) take_quarter(quarter);
+  take(motion_.to, all_axes());
+  if (straight()) return box;
+  Axes least{}, most{};
+  if (surface_ == PathSurface::polar) {
+    PolarAxes low, high;
+    polar().extremes(low, high);
+    least[first_] = low.linear, least[second_] = low.rotary;
+    most[first_] = high.linear, most[second_] = high.rotary;
+  } else {
+    const Box2 flat = flat_.box();
+    set_in_plane(least, flat.least);
+    set_in_plane(most, flat.most);
+  }
+  const AxisMask inside = plane_axes() & ~rolled_;
+  take(least, inside);
+  take(most, inside);
   return box;
 }
 
 int Curve::pieces(double chord) const {
-  if (!arc_) return 1;
-  const double radius = std::max(radius_, radius_ + radius_change_);
-  const double widest_deg = chord >= radius ? 90 : std::min(90.0, 2 * std::acos(1 - chord / radius) / rad_per_deg);
-  const double count = std::ceil(std::abs(sweep_deg_) / std::max(widest_deg, 1e-3));
-  return static_cast<int>(std::clamp(count, 1.0, double{most_pieces}));
+  if (straight()) return 1;
+  return surface_ == PathSurface::polar ? polar().pieces(chord) : flat_.pieces(chord);
 }
 
 }  // namespace kadr

@@ -1,8 +1,11 @@
 #pragma once
-// Curve: the path of one Motion from where the tool stands: a line, an arc, or a helix; rotary axes go linearly along.
-// NIST 2.1.2.3, 2С42 6.6; planes XY, ZX, YZ: the first axis turns to the second counter-clockwise.
+// Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix or a cone; or one of these in the
+// plane of a surface: polar or cylinder interpolation. Axes outside the plane, and rotary ones, go evenly along.
+// NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6.
 
 #include "path/axis_roles.h"
+#include "path/flat_path.h"
+#include "path/polar.h"
 
 namespace kadr {
 
@@ -20,38 +23,73 @@ struct Extents {
 class Curve {
  public:
   Curve(const AxisRoles& roles, const Axes& from, const Motion& motion);
+  Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 
   bool arc() const { return arc_; }
+  PathSurface surface() const { return surface_; }
+  /// A line in the axes: its speed and direction are the same all along.
+  bool straight() const { return !arc_ && surface_ == PathSurface::plane; }
 
-  /// Length of the path of the linear axes in mm.
+  /// Length of the path in mm: of the linear axes; on a surface in its plane. Axes outside the plane count, rotary ones do not.
   double length() const;
 
-  /// The way of the rotary axes in degrees (of several: as if at right angles, NIST 2.1.2.5).
+  /// The way of the rotary axes outside the plane in degrees (of several: as if at right angles, NIST 2.1.2.5).
   double rotary_length() const;
 
-  /// Point at the part 0..1 of a line's length, of an arc's angle.
+  /// Length of what a feed is measured along.
+  double length(FeedAlong along) const;
+
+  /// How fast that grows: d length / d part. The same all along but for spirals.
+  double rate(FeedAlong along, double part) const;
+
+  /// Signed way of an axis between the ends of the motion; whole turns of an axis that rolls over included.
+  double way(std::size_t axis) const { return (rolled_ >> axis & 1U) != 0 ? motion_.detail->travel[axis] : motion_.to[axis] - from_[axis]; }
+
+  /// Point at the part 0..1 of a line's length, of an arc's angle. An axis that rolls over counts on beyond its turn until the end.
   Axes at(double part) const;
 
-  /// Bounding box. Of an arc whose radii at start and end differ, the spiral's points at k·90° stand for its extremes.
+  /// How fast the axes move: d at(part) / d part, mm or degrees.
+  Axes rates(double part) const;
+
+  /// Those of the two axes of polar interpolation.
+  PolarAxes polar_rates(double part) const { return polar().rates(part); }
+
+  /// The same point as the program's words mean it on a surface: polar: mm in the programmed plane; else at(part).
+  Axes programmed(double part) const;
+
+  /// Point of a path that is not straight, in its plane; of a surface mm in the programmed or unrolled plane.
+  Vec2 flat(double part) const { return flat_.at(part); }
+
+  /// The part at which polar interpolation is nearest to the rotation centre; 0 off it.
+  double nearest() const;
+
+  /// Bounding box. Of axes that roll over: only the ends.
   Extents extents() const;
 
-  /// Number of equal pieces whose chords stay within `chord` mm of the arc; 1 for a line.
+  /// Number of equal pieces whose chords stay within `chord` mm of the path; 1 for a line.
   int pieces(double chord) const;
 
+  /// Number of equal pieces with at most one extreme of any axis each: for searches.
+  int samples() const { return straight() ? 1 : flat_.samples(); }
+
  private:
-  double linear_squares(bool outside_plane) const;
-  void set_in_plane(Axes& point, Vec2 in_plane) const;
+  AxisMask plane_axes() const { return straight() ? 0 : AxisMask{1} << first_ | AxisMask{1} << second_; }
+  AxisMask linear_axes() const { return all_axes() & ~roles_.rotary; }
+  AxisMask all_axes() const { return (AxisMask{1} << roles_.count) - 1; }
+  double squares(AxisMask axes) const;
+  double rise(FeedAlong along) const;
+  PolarPath polar() const;
+  double unit(std::size_t axis) const;
+  void set_in_plane(Axes& point, Vec2 flat) const;
 
   const AxisRoles& roles_;
   const Axes& from_;
   const Motion& motion_;
   bool arc_ = false;
-  std::array<std::size_t, 2> plane_{0, 1};  // letters (0 X, 1 Y, 2 Z) of the plane, first and second
-  Vec2 center_;
-  Vec2 arm_;              // centre → start
-  double sweep_deg_ = 0;  // counter-clockwise positive
-  double radius_ = 0;
-  double radius_change_ = 0;  // at the end, against the start
+  PathSurface surface_ = PathSurface::plane;
+  AxisMask rolled_ = 0;
+  std::size_t first_ = 0, second_ = 1;  // axes of the plane
+  FlatPath flat_;                       // the path in the plane, of a surface in its own; not set for a straight line
 };
 
 }  // namespace kadr

@@ -15,6 +15,7 @@ TEST(alarm_texts, every_id_has_a_text_in_both_languages) {
     const auto id = static_cast<AlarmId>(i);
     EXPECT_FALSE(texts.pattern(id, Lang::en).empty()) << name_of(id);
     EXPECT_FALSE(texts.pattern(id, Lang::ru).empty()) << name_of(id);
+    if (id == AlarmId::program_alarm) continue;  // the program's own text
     EXPECT_NE(texts.pattern(id, Lang::ru), texts.pattern(id, Lang::en)) << name_of(id);
   }
 }

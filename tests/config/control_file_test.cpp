@@ -19,9 +19,9 @@ class BuiltIn : public testing::TestWithParam<std::string> {
 };
 INSTANTIATE_TEST_SUITE_P(controls, BuiltIn, testing::ValuesIn(built_in_controls()), [](const auto& test) { return test.param; });
 
-TEST(built_in_controls, are_the_four) {
+TEST(built_in_controls, are_the_five) {
   const auto ids = built_in_controls();
-  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()), (std::set<std::string>{"correctors", "gost", "mach3", "s2c42"}));
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()), (std::set<std::string>{"correctors", "gost", "mach3", "nct", "s2c42"}));
 }
 
 TEST_P(BuiltIn, is_named_by_its_id_in_both_languages) {
@@ -82,6 +82,76 @@ TEST_P(BuiltIn, rows_say_what_they_are_in_both_languages_and_where_it_stands) {
     EXPECT_NE(row.text.ru, "") << row.code;
     EXPECT_NE(row.manual, "") << row.code;
   }
+}
+
+// ---- nct: what only this control's file has
+
+const ControlDef& nct() {
+  static const ControlDef def = load_control("nct").value();
+  return def;
+}
+
+const CodeRow& nct_code(char letter, int tenth) { return nct().codes.at(static_cast<std::size_t>(nct().row_of(letter, tenth))); }
+
+const VariableRow& nct_variable(const std::string& symbol) {
+  for (const VariableRow& row : nct().variables)
+    if (row.symbol == symbol) return row;
+  ADD_FAILURE() << symbol;
+  return nct().variables.front();
+}
+
+TEST(nct, writes_macros) {
+  const Grammar& g = nct().grammar;
+  EXPECT_TRUE(g.macro && g.operator_i && g.comments_span_lines && g.comma_words && g.file_names);
+  EXPECT_FALSE(load_control("mach3").value().grammar.macro);
+  EXPECT_TRUE(nct().behaviour.machine_axes);
+}
+
+TEST(nct, codes_take_every_axis_of_the_channel) {
+  EXPECT_TRUE(nct_code('G', 0).takes_all_axes);
+  EXPECT_EQ(nct_code('G', 0).takes, 0u);  // not the letter of ,A
+  EXPECT_FALSE(nct_code('G', 220).takes_all_axes);
+}
+
+TEST(nct, says_what_does_not_work) {
+  EXPECT_FALSE(nct_code('G', 434).works);
+  EXPECT_TRUE(nct_code('G', 430).works);
+  EXPECT_FALSE(nct_variable("FOFS").works);
+}
+
+TEST(nct, m_codes_have_eight_digits) {
+  EXPECT_EQ(nct_code('M', 999'999'990).function, Function::machine_function);
+  EXPECT_EQ(nct().row_of('M', 1'000'000'000), -1);
+  EXPECT_EQ(nct_code('M', 30).function, Function::spindle_code);
+  EXPECT_EQ(nct_code('M', 30).arg, 3);
+}
+
+TEST(nct, variables_have_numbers_and_symbols) {
+  const VariableRow& position = nct_variable("ABSMT");
+  ASSERT_EQ(position.ranges.size(), 2u);
+  EXPECT_EQ(position.ranges[0].from, 5021u);
+  EXPECT_EQ(position.ranges[1].from, 100'051u);
+  EXPECT_EQ(position.ranges[1].count, 50u);
+  EXPECT_TRUE(position.read);
+  EXPECT_FALSE(position.write);
+  const VariableRow& family = nct_variable("WZP");
+  EXPECT_EQ(family.ranges[1].stride, 50u);
+  EXPECT_EQ(family.ranges[1].repeat, 99u);
+  EXPECT_EQ(nct_variable("UI").first_index, 0u);
+  EXPECT_EQ(nct_variable("INTF").arg, 2000 + 'F');
+  EXPECT_EQ(nct_variable("WZG59").arg, 6);
+  EXPECT_FALSE(nct_variable("ALM").read);
+  const VariableRow& bit = nct_variable("M_EST");
+  EXPECT_EQ(bit.bit, 2);
+  EXPECT_EQ(bit.of, 3004u);
+  EXPECT_GT(bit.ranges[0].from, first_unwritten_variable);
+  EXPECT_EQ(nct_variable("TEST").of, nct_variable("CNTBS").ranges[0].from);
+}
+
+TEST(nct, alarms_have_the_controls_numbers_and_words) {
+  EXPECT_EQ(nct().alarms.at(AlarmId::radius_mismatch).number, "2012");
+  EXPECT_EQ(nct().alarms.at(AlarmId::bracket_not_closed).text.ru, "Правой скобки не найти");
+  EXPECT_EQ(nct().alarms.at(AlarmId::m_codes_contradict).number, "");
 }
 
 // ---- a file of one's own
@@ -152,6 +222,14 @@ TEST(errors, name_file_line_and_thing) {
       {"[alarms]\nsleepy = { en = \"x\" }\n", "own.toml:4: ", "sleepy"},
       {"[cycle.G81]\nsteps = [\"nap\"]\n", "own.toml:4: ", "step"},
       {"[nap]\n", "own.toml:3: ", "nap"},
+      {"[[variables]]\nis = \"nap\"\n", "own.toml:4: ", "nap"},
+      {"[[variables]]\nis = \"home\"\nranges = [[1, 2, 3]]\n", "own.toml:5: ", "[from, count]"},
+      {"[[variables]]\nis = \"home\"\nranges = []\n", "own.toml:5: ", "ranges"},
+      {"[[variables]]\nis = \"home\"\nranges = [[1, 2]]\nfrom = 1\n", "own.toml:6: ", "from"},
+      {"[[variables]]\nis = \"home\"\nsymbol = \"a b\"\n", "own.toml:5: ", "symbol"},
+      {"[[variables]]\nis = \"home\"\naccess = \"X\"\n", "own.toml:5: ", "access"},
+      {"[[variables]]\nis = \"home\"\nnap = 1\n", "own.toml:5: ", "nap"},
+      {"[alarms]\nno_axis_word = { nap = 1 }\n", "own.toml:4: ", "nap"},
       {"[g]\n\"4\" = { does = \"dwell\"\n", "own.toml:", ""},  // no TOML
   };
   for (const Case& c : cases) {

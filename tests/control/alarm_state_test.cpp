@@ -1,39 +1,14 @@
 // control: an alarm leaves everything as it was: modes, variables, offsets, position, calls (design.md 4). A faulty block,
 // passed over, must be as if it had not been written: the blocks behind it, which show all of the state, act the same.
 
-#include <algorithm>
-
 #include "choices.h"
 #include "control/random_path.h"
-#include "control/run_program.h"
+#include "control/scene.h"
 
 namespace kadr {
 namespace {
 
 using namespace test;
-
-/// Some state to be lost, the faulty block, and blocks that show the state.
-struct Scene {
-  const char* control;
-  std::string before, after;
-};
-
-std::string differences(const Scene& scene, const std::string& fault, const kadr::Setup& setup) {
-  const auto plain = run(scene.control, scene.before + scene.after, setup);
-  const auto faulty = run(scene.control, scene.before + fault + "\n" + scene.after, setup, OnAlarm::go_on);
-  const auto cut = run(scene.control, scene.before, setup);
-  const auto stopped = run(scene.control, scene.before + fault + "\n" + scene.after, setup);
-  if (!plain.alarms.empty()) return "the scene itself: " + plain.first_alarm() + " in line " + std::to_string(plain.alarms[0].origin.line);
-  if (faulty.alarms.empty()) return "no alarm";
-  const auto faulty_line = static_cast<std::uint32_t>(std::count(scene.before.begin(), scene.before.end(), '\n') + 1);
-  for (const AlarmReport& r : faulty.alarms)  // once, or once a pass of a repetition
-    if (r.origin.line != faulty_line) return "and then: " + std::string(name_of(r.alarm.id)) + " in line " + std::to_string(r.origin.line);
-  if (exactly(stopped.actions) != exactly(cut.actions)) return "actions of the faulty block";
-  if (exactly(stopped.ending) != exactly(cut.ending)) return "state:\n  " + exactly(stopped.ending) + "\n  " + exactly(cut.ending);
-  if (exactly(faulty.actions) != exactly(plain.actions)) return "actions behind it";
-  if (exactly(faulty.ending) != exactly(plain.ending)) return "state at the end";
-  return "";
-}
 
 kadr::Setup tables() {
   kadr::Setup s;

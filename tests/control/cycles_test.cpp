@@ -4,6 +4,7 @@
 
 #include "choices.h"
 #include "control/run_program.h"
+#include "control/state.h"
 
 namespace kadr {
 namespace {

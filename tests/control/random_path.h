@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "choices.h"
-#include "control/action.h"
+#include "control/state.h"
 
 namespace kadr::test {
 
@@ -20,16 +20,15 @@ struct Piece {
 };
 using Path = std::vector<Piece>;
 
-inline std::size_t first_axis(Plane plane) { return plane == Plane::xy ? 0 : plane == Plane::zx ? 2 : 1; }
-inline std::size_t second_axis(Plane plane) { return plane == Plane::xy ? 1 : plane == Plane::zx ? 0 : 2; }
-inline std::size_t normal_axis(Plane plane) { return plane == Plane::xy ? 2 : plane == Plane::zx ? 1 : 0; }
+inline std::size_t first_axis(Plane plane) { return axes_of(plane).first; }
+inline std::size_t second_axis(Plane plane) { return axes_of(plane).second; }
 
 /// An arc or helix from `from`: centre and sweep at random, clear of half and whole circles where R is to be written.
 inline Piece random_arc(Choices& choose, const Axes& from, Plane plane) {
   Piece p;
   p.plane = plane;
   p.kind = choose.below(2) == 0 ? MotionKind::arc_ccw : MotionKind::arc_cw;
-  const std::size_t a = first_axis(plane), b = second_axis(plane), n = normal_axis(plane);
+  const std::size_t a = first_axis(plane), b = second_axis(plane), n = axes_of(plane).normal;
   const double quarters = 90.0 * choose.between(1, 4);
   const double sweep = choose.below(2) == 0 ? quarters : choose.between(5, 355);
   const Vec2 arm{choose.between(-30'000, 30'000) / 1000.0, choose.between(1'000, 30'000) / 1000.0};

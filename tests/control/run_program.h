@@ -8,6 +8,7 @@
 #include <string>
 
 #include "config/control_file.h"
+#include "config/state_json.h"
 #include "control/control.h"
 
 namespace kadr::test {
@@ -26,6 +27,7 @@ struct Run {
   std::vector<std::size_t> actions_at_alarm;
   std::vector<AlarmReport> warnings;
   Ending ending;
+  std::string state;  // tables and switches as JSON, of a control that has any to show
 
   std::vector<Motion> motions() const {
     std::vector<Motion> all;
@@ -56,6 +58,7 @@ inline Run run(const std::string& id, const std::string& program, const Setup& s
     machine.go_on();
   }
   result.ending = machine.ending();
+  if (const auto tables = machine.run_state()) result.state = state_json(*tables);
   return result;
 }
 
@@ -65,8 +68,8 @@ inline std::string exactly(const Action& action) {
   int size = std::snprintf(text, sizeof text, "%zu:", action.what.index());
   const auto add = [&](double x) { size += std::snprintf(text + size, sizeof text - static_cast<std::size_t>(size), " %a", x); };
   if (const auto* m = std::get_if<Motion>(&action.what)) {
-    for (const double x : {double(m->kind), double(m->plane), double(m->unit), double(m->exact), double(m->named), m->turns, m->feed,
-                           m->tolerance, m->center.x, m->center.y, m->center.z})
+    for (const double x : {double(m->kind), double(m->first), double(m->second), double(m->unit), double(m->exact), double(m->named),
+                           m->turns, m->feed, m->tolerance, m->center.x, m->center.y})
       add(x);
     for (std::size_t a = 0; a < 9; ++a) add(m->to[a]), add(m->machine[a]);
   } else if (const auto* d = std::get_if<Dwell>(&action.what)) {
@@ -104,12 +107,9 @@ inline std::string exactly(const Ending& e) {
 inline double path_length(const Motion& m, const Axes& from) {
   const Vec3 way{m.to[0] - from[0], m.to[1] - from[1], m.to[2] - from[2]};
   if (m.turns == 0) return length(way);
-  const std::size_t normal = m.plane == Plane::xy ? 2 : m.plane == Plane::zx ? 1 : 0;
   const double along[] = {way.x, way.y, way.z};
-  const Vec3 arm{from[0] - m.center.x, from[1] - m.center.y, from[2] - m.center.z};
-  Vec3 flat = arm;
-  (normal == 0 ? flat.x : normal == 1 ? flat.y : flat.z) = 0;
-  return std::hypot(length(flat) * m.turns * 2 * pi, along[normal]);
+  const Vec2 arm = Vec2{from[m.first], from[m.second]} - m.center;
+  return std::hypot(length(arm) * m.turns * 2 * pi, along[3 - m.first - m.second]);
 }
 
 }  // namespace kadr::test

@@ -68,7 +68,10 @@ struct Sample {
 /// Variables of a test: #n is ten times n, R0 … R9 are as given.
 struct SampleVariables {
   std::map<int, double> parameters;
+  bool known(double, double&) const { return false; }
   Result<double> variable(double number, Span) const { return number * 10; }
+  Result<double> element(double, double index, Span) const { return index; }
+  Result<double> control_value(double number, double, double, Span) const { return number; }
   Result<double> parameter(int index, Span where) const {
     const auto found = parameters.find(index);
     if (found == parameters.end()) return fail(alarm(AlarmId::variable_not_set, where, "R" + std::to_string(index)));

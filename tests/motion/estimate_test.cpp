@@ -9,16 +9,25 @@
 namespace kadr {
 namespace {
 
+using test::arc;
 using test::straight;
 using enum MotionKind;
 
 const std::vector<std::string> names = {"X", "Y", "Z", "A"};
 const AxisRoles roles = AxisRoles::of(names, 8);
 
-double seconds(const Motion& m, double rpm = 0, const Setup& setup = {}) {
+MotionTime time_of(const Motion& m, double rpm = 0, const Setup& setup = {}, const Axes& from = {}) {
   TimeEstimate estimate(roles, rates_of(MachineProfile{}, setup, names));
   estimate.spindle(rpm);
-  return estimate.motion(m, Axes{}, Curve(roles, Axes{}, m).length());
+  return estimate.motion(m, Curve(roles, from, m));
+}
+
+double seconds(const Motion& m, double rpm = 0, const Setup& setup = {}) { return time_of(m, rpm, setup).seconds; }
+
+kadr::Setup without_acceleration() {
+  kadr::Setup setup;
+  setup.machine["*"].no_acceleration = true;
+  return setup;
 }
 
 TEST(estimate, feed_in_each_unit) {
@@ -50,7 +59,9 @@ TEST(estimate, rapid_waits_for_the_slowest_axis) {
 
 TEST(estimate, motions_that_never_end_are_counted_apart) {
   TimeEstimate estimate(roles, rates_of(MachineProfile{}, kadr::Setup{}, names));
-  EXPECT_EQ(estimate.motion(straight(feed, {1, 0, 0}, 0), Axes{}, 1), 0);
+  const Motion m = straight(feed, {1, 0, 0}, 0);
+  const Axes from{};
+  EXPECT_EQ(estimate.motion(m, Curve(roles, from, m)).seconds, 0);
   EXPECT_EQ(estimate.split().unknown, 1U);
   EXPECT_EQ(estimate.split().total(), 0);
 }
@@ -66,6 +77,94 @@ TEST(estimate, split) {
   estimate.other({{}, Spindle{SpindleDir::cw, 600}});  // turns already
   EXPECT_DOUBLE_EQ(estimate.split().dwell, 2.5);
   EXPECT_DOUBLE_EQ(estimate.split().tool_change, 12);
+}
+
+// 04-27, 04-28: a quarter helix, the feed along its arc or along the helix.
+TEST(estimate, feed_of_a_helix) {
+  Motion m = arc(arc_ccw, {0, 100, 20}, {}, 0.25);
+  m.feed = 150;
+  const Axes from{100, 0, 0};
+  m.along = FeedAlong::arc;
+  EXPECT_NEAR(time_of(m, 0, {}, from).seconds, 62.831853, 1e-6);
+  m.along = FeedAlong::all_axes;
+  EXPECT_NEAR(time_of(m, 0, {}, from).seconds, 63.339101, 1e-6);
+  EXPECT_NEAR(time_of(m, 0, {}, from).length, 158.347754, 1e-6);
+}
+
+TEST(estimate, feed_of_a_spiral_is_along_its_path) {  // 04-25
+  Motion m = arc(arc_ccw, {-30, 0, 0}, {}, 2.5);
+  m.feed = 1000;
+  EXPECT_NEAR(time_of(m, 0, {}, {90, 0, 0}).seconds, 56.6744, 1e-4);
+}
+
+TEST(estimate, feed_of_all_axes_alike) {  // 04-8: Z100 C45 F120
+  Motion m = straight(feed, {0, 0, 100}, 120);
+  m.to[3] = 45;
+  m.along = FeedAlong::all_axes;
+  EXPECT_NEAR(seconds(m), 54.82928, 1e-5);
+}
+
+// nct 4.4: the lead counts along the axis with the longer way; overrides do not count.
+TEST(estimate, threads) {
+  MotionDetail detail;
+  detail.lead = 2;
+  Motion m = straight(thread, {0, 0, -20}, 0);
+  m.detail = std::make_shared<MotionDetail>(detail);
+  EXPECT_DOUBLE_EQ(seconds(m, 100), 6);
+  kadr::Setup setup = without_acceleration();
+  setup.feed_override = 50;
+  m.to[0] = -10;
+  const MotionTime cone = time_of(m, 100, setup);
+  EXPECT_DOUBLE_EQ(cone.seconds, 6);
+  EXPECT_DOUBLE_EQ(cone.feed_most, 2 * 100 * std::hypot(20, 10) / 20);
+  EXPECT_EQ(time_of(m, 0, setup).seconds, 0);  // the spindle stands: counted apart
+}
+
+TEST(estimate, tapping_has_its_own_override) {
+  kadr::Setup setup = without_acceleration();
+  setup.feed_override = 50;
+  Motion m = straight(feed, {0, 0, -10}, 625);
+  EXPECT_DOUBLE_EQ(time_of(m, 0, setup).feed_most, 312.5);
+  m.own_override = true;
+  EXPECT_DOUBLE_EQ(time_of(m, 0, setup).feed_most, 625);
+  EXPECT_DOUBLE_EQ(time_of(m, 0, setup).seconds, 0.96);
+}
+
+TEST(estimate, times_are_exact_only_without_acceleration) {
+  const auto exact = [](const kadr::Setup& setup) { return rates_of(MachineProfile{}, setup, names).exact_times; };
+  kadr::Setup setup;
+  EXPECT_FALSE(exact(setup));
+  for (const std::string& name : names) {
+    EXPECT_FALSE(exact(setup));
+    setup.machine[name].no_acceleration = true;
+  }
+  EXPECT_TRUE(exact(setup));
+  EXPECT_TRUE(exact(without_acceleration()));
+  EXPECT_FALSE(time_of(straight(feed, {1, 0, 0}, 100)).exact);
+}
+
+TEST(estimate, rapid_speed_along_the_path) {  // 04-3
+  kadr::Setup setup = without_acceleration();
+  setup.machine["X"].rapid = 30000;
+  setup.machine["Y"].rapid = 15000;
+  const MotionTime time = time_of(straight(rapid, {60, 40, 0}), 0, setup);
+  EXPECT_NEAR(time.seconds, 0.16, 1e-9);
+  EXPECT_NEAR(time.feed_most, 27041.6346, 1e-4);
+}
+
+TEST(estimate, each_spindle_for_itself) {
+  MachineProfile profile;
+  profile.spindle_start_s = 2;
+  TimeEstimate estimate(roles, rates_of(profile, kadr::Setup{}, names));
+  estimate.spindle(1000);
+  estimate.other({{}, Spindle{SpindleDir::cw, 300, 2}});
+  estimate.other({{}, Speed{50, false, 2}});
+  estimate.other({{}, Sync{501, {1, 2}, 3}});
+  EXPECT_DOUBLE_EQ(estimate.split().total(), 2);
+  Motion m = straight(feed, {100, 0, 0}, 0.1);
+  m.unit = FeedUnit::mm_per_rev;
+  const Axes from{};
+  EXPECT_DOUBLE_EQ(estimate.motion(m, Curve(roles, from, m)).seconds, 60);  // of spindle 1
 }
 
 }  // namespace

@@ -92,6 +92,22 @@ TEST(plot_view, a_fitted_box_stays_in_its_area) {
   }
 }
 
+TEST(plot, surfaces_are_drawn_by_their_linear_axes) {
+  const std::vector<std::string> axes = {"X", "Z", "C"};
+  Plot plot(axes, 4, {{50, 0, 0}, {50, 0, 0}});
+  MotionDetail detail;
+  detail.surface = PathSurface::polar;
+  detail.flat_from = {50, 1};
+  detail.flat_to = {-50, 1};
+  Motion m = straight(feed, {50, -10, 178}, 1000);
+  m.second = 2;
+  m.detail = std::make_shared<MotionDetail>(detail);
+  plot.take(action(m));
+  EXPECT_NEAR(plot.path().cutting_box().least.x, 1, 0.02);
+  EXPECT_NEAR(plot.path().cutting_box().most.z, 0, 1e-9);
+  EXPECT_EQ(plot.path().points().back().stroke, Stroke::feed);
+}
+
 TEST(plot, writes_svg_and_png) {
   const auto folder = std::filesystem::temp_directory_path();
   for (const char* name : {"kadr_plot_test.svg", "kadr_plot_test.png"}) {

@@ -64,12 +64,48 @@ TEST(summary, durations) {
   EXPECT_EQ(duration_text(3725.4), "1:02:05");
 }
 
+TEST(summary, channels) {
+  EXPECT_EQ(channel_heading(2, Lang::en), "channel 2\n");
+  EXPECT_EQ(channels_text({{1, 50, 0}, {2, 20.5, 40}}, Lang::en),
+            "machining time  1:00.5: channel 1 0:50.0, channel 2 1:00.5 (waiting 0:40.0)\n");
+  EXPECT_EQ(channels_text({{1, 1, 2}}, Lang::ru), "время обработки 0:03.0: канал 1 0:03.0 (ожидание 0:02.0)\n");
+}
+
 TEST(summary, work_position_follows_the_frame) {
   const std::vector<std::string> names = {"X", "Y", "Z"};
   Statistics s(names, 0, rates_of(MachineProfile{}, kadr::Setup{}, names), {});
   s.take({{}, FrameChange{{100, 0, 0}, {}, {-100, 0, 0}}});
   s.take(action(straight(feed, {0, 0, 0}, 100)));
   EXPECT_DOUBLE_EQ(s.cutting_mm(), 100);
+}
+
+TEST(summary, threads_cut) {
+  const std::vector<std::string> names = {"X", "Y", "Z"};
+  Statistics s(names, 0, rates_of(MachineProfile{}, kadr::Setup{}, names), {});
+  s.start_with(100, 1);
+  MotionDetail detail;
+  detail.lead = 2;
+  Motion m = straight(thread, {0, 0, -20});
+  m.detail = std::make_shared<MotionDetail>(detail);
+  EXPECT_DOUBLE_EQ(s.take(action(m)).seconds, 6);
+  EXPECT_EQ(s.feeds(), 1U);
+  EXPECT_DOUBLE_EQ(s.cutting_mm(), 20);
+  EXPECT_EQ(s.cutting_box().least.z, -20);
+  EXPECT_DOUBLE_EQ(s.tools()[0].cutting_s, 6);
+}
+
+TEST(summary, polar_interpolation_by_its_real_axes) {  // golden 04-50
+  const std::vector<std::string> names = {"X", "C"};
+  Statistics s(names, 2, rates_of(MachineProfile{}, kadr::Setup{}, names), {{50, 0}, {50, 0}});
+  MotionDetail detail;
+  detail.surface = PathSurface::polar;
+  detail.flat_from = {50, 1};
+  detail.flat_to = {-50, 1};
+  Motion m = straight(feed, {50, 178, 0}, 1000);
+  m.detail = std::make_shared<MotionDetail>(detail);
+  s.take(action(m));
+  EXPECT_DOUBLE_EQ(s.cutting_mm(), 100);
+  EXPECT_NEAR(s.cutting_box().least.x, 1, 1e-9);
 }
 
 }  // namespace

@@ -96,6 +96,109 @@ TEST(trace, other_actions) {
                                                            R"(,"text":"„Фреза\" \\ \u0001"})"
                                                            "\n");
   EXPECT_EQ(line_of_what(FrameChange{}), "");
+  EXPECT_EQ(line_of_what(ZoneChange{}), "");
+}
+
+TEST(trace, other_actions_with_all_their_fields) {
+  const auto fields = [](const std::string& line) {
+    const std::string head = R"(","block":"N010","line":3,"col":5)";
+    const std::size_t at = line.find(head);
+    return line.substr(0, at) + line.substr(at + head.size());
+  };
+  EXPECT_EQ(fields(line_of_what(Spindle{SpindleDir::position, 0, 2, -90, 270})),
+            R"({"do":"spindle,"spindle":2,"dir":"position","rpm":0,"turn":-90,"angle":270})"
+            "\n");
+  EXPECT_EQ(fields(line_of_what(Speed{1001, false, 3, 2})), "{\"do\":\"speed,\"spindle\":3,\"rpm\":1001,\"range\":2}\n");
+  EXPECT_EQ(fields(line_of_what(Speed{120, true})), "{\"do\":\"speed,\"spindle\":1,\"surface_speed\":120}\n");
+  EXPECT_EQ(fields(line_of_what(ToolSelect{10012, 4, {2, 1, 12}})),
+            R"({"do":"tool,"tool":10012,"corrector":4,"data":2,"magazine":1,"pocket":12})"
+            "\n");
+  EXPECT_EQ(fields(line_of_what(ToolChange{555, {9, 0, 0}})), "{\"do\":\"toolchange,\"tool\":555,\"data\":9}\n");
+  EXPECT_EQ(fields(line_of_what(MachineFunction{24, 1.5, {}, 2})), "{\"do\":\"m,\"code\":\"M24\",\"P\":1.5,\"spindle\":2}\n");
+  EXPECT_EQ(fields(line_of_what(AuxiliaryFunction{'B', 45})), "{\"do\":\"aux,\"address\":\"B\",\"value\":45}\n");
+  EXPECT_EQ(fields(line_of_what(Stop{false, StopReason::single_block})), "{\"do\":\"stop,\"reason\":\"single_block\"}\n");
+  EXPECT_EQ(fields(line_of_what(Stop{true, StopReason::optional})), "{\"do\":\"optional_stop}\n");
+  EXPECT_EQ(fields(line_of_what(Message{"ok", 0})), "{\"do\":\"message,\"number\":0,\"text\":\"ok\"}\n");
+  EXPECT_EQ(fields(line_of_what(Sync{501, {2, 1}, 3})), "{\"do\":\"sync,\"code\":\"M501\",\"channels\":[2,1],\"at\":3}\n");
+}
+
+Motion with(Motion m, const MotionDetail& detail) {
+  m.detail = std::make_shared<MotionDetail>(detail);
+  return m;
+}
+
+TEST(trace, what_few_motions_have) {
+  MotionDetail detail;
+  detail.rolled = 5;
+  detail.travel = {-30, 0, 390};
+  detail.has_programmed = true;
+  detail.programmed = {7, 8, 9};
+  detail.lead = 1.5;
+  detail.start_angle = 180;
+  detail.turn = -2880;
+  detail.torque = 19.5;
+  const std::string line = line_of(action(with(straight(thread, {1, 2, 3}), detail)));
+  EXPECT_NE(
+      line.find(
+          R"("exact":false,"travel":{"X":-30,"Z":390},"programmed":{"X":7,"Y":8,"Z":9},"lead":1.5,"angle":180,"turn":-2880,"torque":19.5})"),
+      std::string::npos)
+      << line;
+}
+
+// nct 21.1, golden 21-2: where a probe stopped the program does not say.
+TEST(trace, way_of_the_motion_behind_a_probe) {
+  const auto named = [](Motion m, AxisMask axes) {
+    m.named = axes;
+    return action(m);
+  };
+  const std::string lines = traced([&](TraceWriter& w) {
+    w.write(named(straight(probe, {130, 0, 0}, 100), 1));
+    w.write(named(straight(feed, {300, 100, 0}, 100), 3));
+    w.write(named(straight(feed, {0, 0, 0}, 100), 3));
+    w.write(named(straight(probe, {1, 0, 0}, 100), 1));
+    w.write(named(straight(feed, {1, 0, 0}, 100), 0));
+  });
+  const std::size_t first = lines.find("travel"), second = lines.find("travel", first + 1);
+  EXPECT_NE(lines.find(R"("travel":{"X":170,"Y":100})"), std::string::npos) << lines;
+  EXPECT_NE(lines.find(R"("travel":{})"), std::string::npos) << lines;
+  EXPECT_EQ(lines.find("travel", second + 1), std::string::npos) << lines;
+}
+
+TEST(trace, length_of_arcs_and_times_where_they_are_exact) {
+  const auto line = [](const Motion& m, const MotionTime& time) { return traced([&](TraceWriter& w) { w.write(action(m), time); }); };
+  const Motion half = arc(arc_ccw, {-10, 0, 0}, {}, 0.5);
+  EXPECT_NE(line(half, {31.4, 18.84, 100, 100, false}).find(R"("exact":false,"length":31.4})"), std::string::npos);
+  EXPECT_NE(line(half, {31.4, 18.84, 100, 100, true}).find(R"("exact":false,"length":31.4,"seconds":18.84,"feed_max":100})"),
+            std::string::npos);
+  const Motion plain = straight(feed, {10, 0, 0}, 100);
+  EXPECT_NE(line(plain, {10, 6, 100, 100, false}).find("\"exact\":false}"), std::string::npos);
+  EXPECT_NE(line(plain, {10, 6, 100, 100, true}).find(R"("exact":false,"seconds":6,"feed_max":100})"), std::string::npos);
+  EXPECT_NE(line(straight(rapid, {}), {0, 0, 0, 0, true}).find(R"("Z":0},"seconds":0})"), std::string::npos);
+}
+
+// 04-50: X linear, Y the rotary axis.
+TEST(trace, points_of_polar_interpolation) {
+  MotionDetail detail;
+  detail.surface = PathSurface::polar;
+  detail.flat_from = {50, 1};
+  detail.flat_to = {-50, 1};
+  detail.rotary_most = 3600;
+  const Motion m = with(straight(feed, {std::sqrt(2501), 178.854237, 0}, 1000), detail);
+  const ToolPosition start{{std::sqrt(2501), 1.145763, 0}, {std::sqrt(2501), 1.145763, 0}};
+  const auto point = [&](bool exact) {
+    const std::string line = traced([&](TraceWriter& w) { w.write(action(m), {100, 6, 1000, 1000, exact}); }, {0.5}, start);
+    const auto json = nlohmann::json::parse(line);
+    EXPECT_EQ(json.at("length"), 100);
+    EXPECT_EQ(json.at("programmed").at("X"), -50);
+    EXPECT_EQ(json.at("programmed").at("Y"), 1);
+    return json.at("points").at(0);
+  };
+  const auto there = point(true);
+  EXPECT_NEAR(there.at("to").at("X"), 1, 1e-6);
+  EXPECT_NEAR(there.at("to").at("Y"), 90, 1e-6);
+  EXPECT_EQ(there.at("programmed").at("X"), 0);
+  EXPECT_NEAR(there.at("feed"), 62.831853, 1e-6);
+  EXPECT_FALSE(point(false).contains("feed"));
 }
 
 TEST(trace, block_numbers_as_written) {
@@ -129,6 +232,13 @@ TEST(trace, last_line) {
       "\n";
   EXPECT_EQ(traced([&](TraceWriter& w) { w.finish(ending); }), R"({"do":"end")" + state);
 
+  const std::string more = state.substr(0, state.size() - 2) + R"(,"state":{"H":1}})" + "\n";
+  EXPECT_EQ(traced([&](TraceWriter& w) {
+              w.set_channel(2);
+              w.finish(ending, {R"({"H":1})", 0});
+            }),
+            R"({"do":"end","channel":2)" + more);
+
   ControlDef def;
   def.alarms[AlarmId::radius_mismatch] = {"2012", {"Radii {0} and {1}", "Радиусы {0} и {1}"}, {}};
   AlarmReport report;
@@ -139,6 +249,28 @@ TEST(trace, last_line) {
       traced([&](TraceWriter& w) { w.finish(ending, report, texts, Lang::ru); }),
       R"({"do":"alarm","block":"N2","line":2,"col":4,"id":"radius_mismatch","number":2012,"text":"Радиусы 3.05 и x\"y","args":[3.05,"x\"y"])" +
           state);
+}
+
+TEST(trace, channels) {
+  Action dwell{{}, Dwell{2}};
+  dwell.origin.line = 4;
+  EXPECT_EQ(traced([&](TraceWriter& w) {
+              w.set_channel(3);
+              w.write(dwell);
+              w.write({dwell.origin, Sync{501, {3, 1}, 2.5}});
+            }),
+            R"({"do":"dwell","channel":3,"line":4,"seconds":2})"
+            "\n"
+            R"({"do":"sync","channel":3,"line":4,"code":"M501","channels":[3,1],"at":2.5})"
+            "\n");
+  AlarmReport report;
+  report.alarm = alarm(AlarmId::channels_wait, {}, 1.0, "M501");
+  const AlarmTexts texts = AlarmTexts::load(nullptr).value();
+  const std::string last = traced([&](TraceWriter& w) {
+    w.set_channel(1);
+    w.finish({}, report, texts, Lang::en, {"", 2});
+  });
+  EXPECT_NE(last.find(R"("channel":1,"line":0,"alarm_channel":2,"id":"channels_wait")"), std::string::npos) << last;
 }
 
 std::string number(double value) {

@@ -76,6 +76,144 @@ TEST(curve, helix) {
   EXPECT_EQ(curve.extents().least, (Axes{-20, -20, -9}));
 }
 
+// 04-29: any axes outside the plane go along with the angle; feeds by what they are measured along.
+TEST(curve, arc_with_two_axes_outside_its_plane) {
+  const AxisRoles roles = AxisRoles::of({"X", "Y", "Z", "V"}, 0);
+  const Axes from{100, 0, 0, 0};
+  Motion m = arc(arc_ccw, {0, -100, 50}, {}, 0.75);
+  m.to[3] = 20;
+  const Curve curve(roles, from, m);
+  const Axes p = curve.at(1.0 / 3);
+  EXPECT_NEAR(p[1], 100, 1e-9);
+  EXPECT_NEAR(p[2], 50 / 3.0, 1e-9);
+  EXPECT_NEAR(p[3], 20 / 3.0, 1e-9);
+  EXPECT_NEAR(curve.length(), std::hypot(150 * pi, 50, 20), 1e-9);
+  EXPECT_NEAR(curve.length(FeedAlong::arc), 150 * pi, 1e-9);
+}
+
+TEST(curve, all_axes_alike_for_the_feed) {  // nct 4.2
+  const AxisRoles roles = AxisRoles::of({"Z", "C"}, 2);
+  Motion m{};
+  m.kind = feed;
+  m.to = {100, 45};
+  const Axes from{};
+  const Curve curve(roles, from, m);
+  EXPECT_DOUBLE_EQ(curve.length(FeedAlong::all_axes), std::hypot(100, 45));
+  EXPECT_DOUBLE_EQ(curve.length(FeedAlong::path), 100);
+  m.to[0] = 0;
+  EXPECT_DOUBLE_EQ(Curve(roles, from, m).length(FeedAlong::path), 45);  // NIST 2.1.2.5
+}
+
+TEST(curve, rolled_axis_goes_its_signed_way) {  // nct 5.6
+  const AxisRoles roles = AxisRoles::of({"X", "C"}, 2);
+  const Axes from{0, 350};
+  MotionDetail detail;
+  detail.rolled = 2;
+  detail.travel[1] = 380;
+  Motion m{};
+  m.to = {10, 10};
+  m.detail = std::make_shared<MotionDetail>(detail);
+  const Curve curve(roles, from, m);
+  EXPECT_DOUBLE_EQ(curve.at(0.5)[1], 540);
+  EXPECT_EQ(curve.at(1)[1], 10);
+  EXPECT_DOUBLE_EQ(curve.rotary_length(), 380);
+  EXPECT_EQ(curve.extents().most[1], 350);
+}
+
+/// On the surface of a cylinder: A (degrees) first, X second.
+struct OnCylinder {
+  Axes from{};
+  Motion motion;
+};
+
+OnCylinder on_cylinder(MotionKind kind, Vec2 from, Vec2 to, double radius) {
+  const double mm = radius * rad_per_deg;
+  MotionDetail detail;
+  detail.surface = PathSurface::cylinder;
+  detail.radius = radius;
+  detail.flat_from = {from.x * mm, from.y};
+  detail.flat_to = {to.x * mm, to.y};
+  OnCylinder c;
+  c.from = {from.y, 0, 0, from.x};
+  c.motion = straight(kind, {to.y, 0, 0}, 500);
+  c.motion.to[3] = to.x;
+  c.motion.first = 3;
+  c.motion.second = 0;
+  c.motion.detail = std::make_shared<MotionDetail>(detail);
+  return c;
+}
+
+const AxisRoles xyza = AxisRoles::of({"X", "Y", "Z", "A"}, 8);
+
+// 04-40: lengths on the surface of radius 28.65.
+TEST(curve, lines_on_a_cylinder) {
+  const OnCylinder turn = on_cylinder(feed, {0, -10}, {30, -10}, 28.65);
+  EXPECT_NEAR(Curve(xyza, turn.from, turn.motion).length(), 15.0011, 1e-4);
+  EXPECT_EQ(Curve(xyza, turn.from, turn.motion).rotary_length(), 0);
+  const OnCylinder slant = on_cylinder(feed, {240, -57.5}, {275, -27.5}, 28.65);
+  const Curve curve(xyza, slant.from, slant.motion);
+  EXPECT_NEAR(curve.length(), 34.7318, 1e-4);
+  EXPECT_NEAR(curve.at(0.5)[3], 257.5, 1e-9);
+  EXPECT_NEAR(curve.at(0.5)[0], -42.5, 1e-9);
+}
+
+TEST(curve, arc_on_a_cylinder) {  // 04-40 N120: the centre stands in axis units
+  OnCylinder c = on_cylinder(arc_ccw, {180, -75}, {240, -57.5}, 28.65);
+  c.motion.center = {179.381138, -40.001378};
+  c.motion.turns = 0.165266667;
+  const Curve curve(xyza, c.from, c.motion);
+  EXPECT_NEAR(curve.length(), 36.344, 1e-4);
+  const double mm = 28.65 * rad_per_deg;
+  for (int i = 0; i <= 10; ++i) {
+    const Axes p = curve.at(i / 10.0);
+    EXPECT_NEAR(std::hypot((p[3] - 179.381138) * mm, p[0] + 40.001378), 35, 1e-4);
+  }
+  EXPECT_EQ(curve.at(1), c.motion.to);
+  EXPECT_EQ(curve.programmed(0.3), curve.at(0.3));
+  EXPECT_EQ(curve.extents().least[0], -75);  // the start: just past the lowest point of the circle
+}
+
+// 04-39 N120: a quarter circle about (30, 30) in the programmed plane; 04-50: past the centre.
+TEST(curve, polar_interpolation) {
+  const AxisRoles roles = AxisRoles::of({"X", "Z", "C"}, 4);
+  MotionDetail detail;
+  detail.surface = PathSurface::polar;
+  detail.flat_from = {50, 30};
+  detail.flat_to = {30, 50};
+  Motion m = straight(arc_ccw, {}, 1000);
+  m.second = 2;
+  m.center = {30, 30};
+  m.turns = 0.25;
+  m.to = {std::sqrt(3400), 5, 59.036243};
+  m.detail = std::make_shared<MotionDetail>(detail);
+  const Axes from{std::sqrt(3400), -3, 30.963757};
+  const Curve curve(roles, from, m);
+  EXPECT_NEAR(curve.length(), std::hypot(10 * pi, 8), 1e-9);
+  EXPECT_NEAR(curve.length(FeedAlong::arc), 10 * pi, 1e-9);
+  const Axes middle = curve.at(0.5), flat = curve.programmed(0.5);
+  EXPECT_NEAR(middle[0], std::sqrt(1800) + 20, 1e-9);
+  EXPECT_NEAR(middle[2], 45, 1e-6);
+  EXPECT_EQ(middle[1], 1);
+  EXPECT_NEAR(flat[0], 30 + 20 / std::sqrt(2), 1e-9);
+  EXPECT_NEAR(flat[2], 30 + 20 / std::sqrt(2), 1e-9);
+  EXPECT_EQ(flat[1], 1);
+  EXPECT_NEAR(curve.extents().most[0], middle[0], 1e-9);
+  EXPECT_EQ(curve.at(1), m.to);
+
+  detail.flat_from = {50, 1};
+  detail.flat_to = {-50, 1};
+  Motion line = straight(feed, {}, 1000);
+  line.second = 2;
+  line.to = {std::sqrt(2501), -3, 178.854237};
+  line.detail = std::make_shared<MotionDetail>(detail);
+  const Axes start{std::sqrt(2501), -3, 1.145763};
+  const Curve past(roles, start, line);
+  EXPECT_NEAR(past.extents().least[0], 1, 1e-12);
+  EXPECT_EQ(past.nearest(), 0.5);
+  EXPECT_NEAR(past.at(0.5)[2], 90, 1e-6);
+  EXPECT_GT(past.pieces(0.02), 10);
+}
+
 /// A random arc of any plane and direction, its radius growing a little.
 struct RandomArc {
   Axes from{};
@@ -137,11 +275,11 @@ RC_GTEST_PROP(curve, ends_are_exact, ()) {
 
 RC_GTEST_PROP(curve, turned_by_a_quarter_it_turns, ()) {
   const auto a = random_arc();
-  RC_PRE(a.motion.plane == Plane::xy);
+  RC_PRE(a.motion.first == 0);
   const auto turned = [](const Axes& p) { return Axes{-p[1], p[0], p[2]}; };
   Motion m = a.motion;
   m.to = turned(m.to);
-  m.center = {-a.motion.center.y, a.motion.center.x, a.motion.center.z};
+  m.center = {-a.motion.center.y, a.motion.center.x};
   const Axes from = turned(a.from);
   const Curve one(xyz, a.from, a.motion), other(xyz, from, m);
   RC_ASSERT(std::abs(one.length() - other.length()) < 1e-9 * (1 + one.length()));
@@ -151,7 +289,7 @@ RC_GTEST_PROP(curve, turned_by_a_quarter_it_turns, ()) {
 
 RC_GTEST_PROP(curve, mirrored_it_is_the_opposite_arc, ()) {
   const auto a = random_arc();
-  RC_PRE(a.motion.plane == Plane::xy);
+  RC_PRE(a.motion.first == 0);
   Motion m = a.motion;
   m.kind = a.motion.kind == arc_cw ? arc_ccw : arc_cw;
   m.to[0] = -m.to[0];

@@ -39,8 +39,8 @@ Result<Named> read(const Machinery& m, const Word& w) {
 
 Result<AxisMask> correctors::apply(Machinery& m) {
   AxisMask moved = 0;
-  for (std::uint32_t i = 0; i < m.block.word_count; ++i) {
-    const Word& w = m.block.words[i];
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
     if (w.address != 'L') continue;
     const auto named = read(m, w);
     if (!named) return fail(named.error());

@@ -87,7 +87,7 @@ class Drilling {
     take('I', 'I', memory_.i, true);
     take('J', 'J', memory_.j, true);
     take('K', 'K', memory_.k, true);
-    std::uint32_t missing = cycle_.needs & ~memory_.known;
+    std::uint64_t missing = cycle_.needs & ~memory_.known;
     if (missing != 0) {
       char letter = static_cast<char>('A' + std::countr_zero(missing));
       if (letter == 'Z') letter = drill;

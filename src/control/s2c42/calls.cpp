@@ -61,7 +61,7 @@ Status call(Machinery& m, const Call& call) {
     if (cycle->needs_override_off && m.modal.override_permission != 0) return fail(alarm(AlarmId::cycle_override, w.where, cycle->name));
     if (!cycle->body.empty()) {
       m.call_where = w.where;
-      m.call_text = m.flow.shown(m.block.text, m.call_where);
+      m.call_text = m.flow.shown(m.block->text, m.call_where);
       return m.flow.call_body(*cycle, times, m.origin, w.where);
     }
     // The body begins with G1 G9 G17 G43 and ends with G0 (table 9).

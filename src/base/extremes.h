@@ -1,0 +1,60 @@
+#pragma once
+// range_of(): least and most value of a function over 0..1, by even samples and a golden section around each extreme.
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace kadr {
+
+struct Range {
+  double least = 0;
+  double most = 0;
+};
+
+/// Where in [low, high] `f`, with one minimum there, is least.
+template <class F>
+double place_of_least(const F& f, double low, double high) {
+  constexpr double golden = 0.61803398874989485;
+  constexpr int most_steps = 80;
+  constexpr double near_enough = 1e-11;  // of the way: far below where the value still changes
+  double a = high - golden * (high - low), b = low + golden * (high - low);
+  double at_a = f(a), at_b = f(b);
+  for (int step = 0; step < most_steps && high - low > near_enough; ++step) {
+    if (at_a < at_b) {
+      high = std::exchange(b, a);
+      at_b = at_a;
+      a = high - golden * (high - low);
+      at_a = f(a);
+    } else {
+      low = std::exchange(a, b);
+      at_a = at_b;
+      b = low + golden * (high - low);
+      at_b = f(b);
+    }
+  }
+  return at_a < at_b ? a : b;
+}
+
+/// Least and most of f over 0..1, both ends included.
+///   samples  so many that at most one extreme lies between two neighbours
+template <class F>
+Range range_of(const F& f, int samples) {
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(samples) + 1);
+  for (int i = 0; i <= samples; ++i) values.push_back(f(double(i) / samples));
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  Range range{*least, *most};
+  if (range.least == range.most) return range;
+  for (int i = 0; i <= samples; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    const double here = values[place], before = values[place - (i > 0 ? 1 : 0)], after = values[place + (i < samples ? 1 : 0)];
+    const double low = std::max(0.0, (i - 1.0) / samples), high = std::min(1.0, (i + 1.0) / samples);
+    if (here <= before && here <= after) range.least = std::min(range.least, f(place_of_least(f, low, high)));
+    if (here >= before && here >= after)
+      range.most = std::max(range.most, f(place_of_least([&](double part) { return -f(part); }, low, high)));
+  }
+  return range;
+}
+
+}  // namespace kadr

@@ -1,0 +1,219 @@
+#include "cli/channels.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "control/shared_memory.h"
+
+namespace kadr::cli {
+namespace {
+
+/// Control of one channel; complains of what its set-up names and the control has not.
+bool open_channel(Channel& channel, const Job& job, Program program, RunLimits limits, const std::shared_ptr<SharedMemory>& shared) {
+  channel.control = std::make_unique<Control>(*job.def, channel.setup, std::move(program), limits, shared);
+  const std::string& error = channel.control->setup_error();
+  if (error.empty()) return true;
+  const std::string where = shared ? fmt::format("channel {}: ", channel.number) : std::string();
+  complain(fmt::format("{}: {}the control {} has no {}", job.setup_file, where, job.def->id, error));
+  return false;
+}
+
+}  // namespace
+
+Setup setup_of_channel(const Setup& main, int number) {
+  Setup s;
+  s.channel = number;
+  s.axes = main.channels.at(number).axes;
+  s.channels = main.channels;
+  s.channels.erase(number);
+  s.channels[main.channel] = {"", main.axes};
+  s.parameters = main.parameters;
+  s.machine = main.machine;
+  s.spindles = main.spindles;
+  s.tool_table = main.tool_table;
+  s.place_table = main.place_table;
+  s.form_table = main.form_table;
+  s.signals = main.signals;
+  s.skip = main.skip;
+  s.optional_stop = main.optional_stop;
+  s.single_block = main.single_block;
+  s.clock = main.clock;
+  s.feed_override = main.feed_override;
+  s.rapid_override = main.rapid_override;
+  s.spindle_override = main.spindle_override;
+  s.points = main.points;
+  s.watch = main.watch;
+  return s;
+}
+
+std::optional<std::vector<Channel>> make_channels(const Job& job, Program program, RunLimits limits) {
+  const Setup& main = job.setup;
+  if (!main.channels.empty() && !job.def->behaviour.machine_axes)
+    return complain(fmt::format("{}: the control {} has no channels", job.setup_file, job.def->id)), std::nullopt;
+  if (main.channels.contains(main.channel))
+    return complain(fmt::format("{}: channel {} is the program's own", job.setup_file, main.channel)), std::nullopt;
+  const auto shared = main.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
+  std::vector<Channel> channels(1);
+  channels[0] = {main.channel, main, nullptr};
+  if (!open_channel(channels[0], job, std::move(program), limits, shared)) return std::nullopt;
+  for (const auto& [number, other] : main.channels) {
+    const auto file = std::filesystem::path(job.file).parent_path() / fmt::format("channel{}.nct", number);
+    channels.push_back({number, setup_of_channel(main, number), nullptr});
+    if (!open_channel(channels.back(), job, {file.string(), text_source(other.program), Encoding::utf8}, limits, shared))
+      return std::nullopt;
+  }
+  std::sort(channels.begin(), channels.end(), [](const Channel& a, const Channel& b) { return a.number < b.number; });
+  return channels;
+}
+
+void InOrder::release(const std::vector<double>& clocks, const Sink& sink) {
+  for (;;) {
+    std::size_t first = queues_.size();
+    for (std::size_t i = 0; i < queues_.size(); ++i)
+      if (!queues_[i].empty() && (first == queues_.size() || queues_[i].front().before(queues_[first].front()))) first = i;
+    if (first == queues_.size()) return;
+    const Entry& entry = queues_[first].front();
+    for (std::size_t i = 0; i < clocks.size(); ++i)
+      if (queues_[i].empty() && clocks[i] < entry.at) return;
+    sink(first, entry.action, entry.time);
+    queues_[first].pop_front();
+  }
+}
+
+Channels::Channels(std::vector<Channel>& channels, const Job& job, ChannelOutlets& outlets)
+    : channels_(channels),
+      outlets_(outlets),
+      logic_{Plc(job.setup.events), {}},
+      states_(channels.size(), State::running),
+      stopped_(channels.size()),
+      order_(channels.size()) {
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    Control& control = *channels[i].control;
+    logic_.channels.push_back(&control);
+    control.hand_over_each_block();
+    control.set_waiting(Control::Waiting::meet);
+    carriers_.push_back(std::make_unique<Carrier>(control, job.profile, channels[i].setup, outlets.own[i], logic_));
+    (void)carriers_.back()->now();  // the clock runs from the start
+  }
+}
+
+std::size_t Channels::index_of(int number) const {
+  return static_cast<std::size_t>(std::find_if(channels_.begin(), channels_.end(), [&](const Channel& c) { return c.number == number; }) -
+                                  channels_.begin());
+}
+
+/// The running channel with the lowest clock.
+std::optional<std::size_t> Channels::next() {
+  std::optional<std::size_t> first;
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i] == State::running && (!first || now(i) < now(*first))) first = i;
+  return first;
+}
+
+std::vector<Stopped> Channels::run() {
+  for (;;) {
+    if (const auto i = next()) {
+      step(*i);
+      show_past();
+    } else if (std::find(states_.begin(), states_.end(), State::waiting) == states_.end() || !end_deadlock()) {
+      break;
+    }
+  }
+  if (std::all_of(states_.begin(), states_.end(), [](State s) { return s == State::ended; }))
+    apply(logic_.plc.program_end(), *logic_.channels.front(), logic_.channels);
+  show_past();
+  return stopped_;
+}
+
+void Channels::step(std::size_t i) {
+  switch (carriers_[i]->step()) {
+    case Carrier::Step::running: break;
+    case Carrier::Step::waiting: begin_waiting(i); break;
+    case Carrier::Step::ended: states_[i] = State::ended; break;
+    case Carrier::Step::stopped:
+      stopped_[i] = carriers_[i]->stopped();
+      states_[i] = State::stopped;
+      if (outlets_.stop_together) stop_all(i);
+      return;
+  }
+  wake(now(i));
+}
+
+void Channels::begin_waiting(std::size_t i) {
+  const auto& meeting = channels_[i].control->meeting();
+  if (!meeting) return;  // the machine's logic has taken the waiting away already
+  states_[i] = State::waiting;
+  rendezvous_.arrive(channels_[i].number, meeting->code, meeting->channels, now(i));
+  while (const auto met = rendezvous_.next()) release(*met, i);
+}
+
+/// They go on together; one line of the trace for all, of the channel that came last.
+void Channels::release(const Rendezvous::Met& met, std::size_t last) {
+  const Origin origin = channels_[last].control->meeting()->origin;
+  for (const std::uint8_t number : met.channels) {
+    const std::size_t i = index_of(number);
+    carriers_[i]->wait_until(met.at);
+    channels_[i].control->release();
+    states_[i] = State::running;
+  }
+  outlets_.own[last].action({origin, Sync{met.code, met.channels, met.at}});
+}
+
+/// CP_NOWT has come while they waited.
+void Channels::wake(double at) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (states_[i] != State::waiting || channels_[i].control->meeting()) continue;
+    rendezvous_.leave(channels_[i].number);
+    carriers_[i]->wait_until(at);
+    states_[i] = State::running;
+  }
+}
+
+/// Nothing can run and nobody can come: an alarm in each channel that waits.
+///   returns  true: they were passed over (checking), the channels go on
+bool Channels::end_deadlock() {
+  bool goes_on = true;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (states_[i] != State::waiting) continue;
+    Control& control = *channels_[i].control;
+    const Control::Meeting meeting = *control.meeting();
+    const std::string code = fmt::format("M{}", meeting.code);
+    stopped_[i].report =
+        control.report_for(alarm(AlarmId::channels_wait, {}, double(channels_[i].number), std::string_view(code)), meeting.origin);
+    goes_on = outlets_.own[i].alarm(*stopped_[i].report) && goes_on;
+  }
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (states_[i] != State::waiting) continue;
+    states_[i] = goes_on ? State::running : State::stopped;
+    if (!goes_on) continue;
+    rendezvous_.leave(channels_[i].number);
+    channels_[i].control->release();
+    stopped_[i] = {};
+  }
+  return goes_on;
+}
+
+void Channels::stop_all(std::size_t by) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (states_[i] != State::running && states_[i] != State::waiting) continue;
+    states_[i] = State::stopped;
+    stopped_[i].report = stopped_[by].report;
+    stopped_[i].channel = channels_[by].number;
+  }
+}
+
+/// What a channel that waits will do comes after what the others do before they release it.
+void Channels::show_past() {
+  std::vector<double> clocks(states_.size(), std::numeric_limits<double>::infinity());
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i] == State::running) lowest = std::min(lowest, clocks[i] = now(i));
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i] == State::waiting) clocks[i] = std::max(now(i), lowest);
+  order_.release(clocks, outlets_.in_order);
+}
+
+}  // namespace kadr::cli

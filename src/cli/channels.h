@@ -1,0 +1,99 @@
+#pragma once
+// The channels of one machine side by side in virtual time (nct 1.2, 14.5).
+//
+//   The channel whose clock is lowest runs its next block; of equal ones the lowest number. At a waiting code it stops until all
+//   channels that P names have come; they go on at the time of the last. What they do is shown in the order of virtual time.
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "cli/pipeline.h"
+#include "machine/rendezvous.h"
+
+namespace kadr::cli {
+
+struct Channel {
+  int number = 1;
+  Setup setup;  // as this channel sees it
+  std::unique_ptr<Control> control;
+};
+
+/// The program's own channel and those of the set-up, in the order of their numbers. The program of channel n is the file
+/// channelN.nct in the folder of the main program: subprograms are looked for there. Complains of what a control has not.
+///   returns  nothing: wrong usage
+std::optional<std::vector<Channel>> make_channels(const Job& job, Program program, RunLimits limits);
+
+/// What a channel beside the program's own starts with: parameters, machine, panel and tool tables are the machine's; offsets, work
+/// zeros, variables and positions its own, all 0 (INFERRED).
+Setup setup_of_channel(const Setup& main, int number);
+
+/// What looks at the channels: their own outlets, by index; and, in the order of time, what these have handed to show().
+struct ChannelOutlets {
+  std::vector<Outlets> own;
+  bool stop_together = true;  // an alarm that is not passed over stops all channels (INFERRED), or only its own (checking)
+  std::function<void(std::size_t channel, const Action&, const MotionTime&)> in_order;
+};
+
+/// Actions of several channels, sorted by the time at which they begin.
+class InOrder {
+ public:
+  explicit InOrder(std::size_t channels) : queues_(channels) {}
+  /// In the order of time, channel by channel.
+  void put(std::size_t channel, double at, const Action& action, const MotionTime& time) {
+    queues_[channel].push_back({at, ++count_, action, time});
+  }
+
+  using Sink = std::function<void(std::size_t channel, const Action&, const MotionTime&)>;
+  /// Hands on what nothing can come before any more. `clocks`: from which time on each channel may still put something.
+  void release(const std::vector<double>& clocks, const Sink& sink);
+
+ private:
+  struct Entry {
+    double at;
+    std::uint64_t number;  // of equal times the first one put
+    Action action;
+    MotionTime time;
+    bool before(const Entry& other) const { return at < other.at || (at == other.at && number < other.number); }
+  };
+  std::vector<std::deque<Entry>> queues_;
+  std::uint64_t count_ = 0;
+};
+
+class Channels {
+ public:
+  Channels(std::vector<Channel>& channels, const Job& job, ChannelOutlets& outlets);
+
+  /// Carries all out.
+  ///   returns  how each came to its end, by index
+  std::vector<Stopped> run();
+
+  double now(std::size_t channel) { return carriers_[channel]->now(); }
+  double waited(std::size_t channel) const { return carriers_[channel]->waited(); }
+  /// An outlet's action begins now: it is shown when its time has come.
+  void show(std::size_t channel, double at, const Action& action, const MotionTime& time) { order_.put(channel, at, action, time); }
+
+ private:
+  enum class State : std::uint8_t { running, waiting, ended, stopped };
+  std::optional<std::size_t> next();
+  void step(std::size_t i);
+  void begin_waiting(std::size_t i);
+  void release(const Rendezvous::Met& met, std::size_t last);
+  void wake(double at);
+  bool end_deadlock();
+  void stop_all(std::size_t by);
+  void show_past();
+  std::size_t index_of(int number) const;
+
+  std::vector<Channel>& channels_;
+  ChannelOutlets& outlets_;
+  Logic logic_;
+  std::vector<std::unique_ptr<Carrier>> carriers_;
+  std::vector<State> states_;
+  std::vector<Stopped> stopped_;
+  Rendezvous rendezvous_;
+  InOrder order_;
+};
+
+}  // namespace kadr::cli

@@ -1,0 +1,37 @@
+#include "cli/state.h"
+
+#include <fmt/core.h>
+
+#include "cli/options.h"
+
+namespace kadr::cli {
+namespace {
+
+/// Rows that the set-up does not have.
+template <class Map>
+void under(Map& to, const Map& stored) {
+  to.insert(stored.begin(), stored.end());
+}
+
+}  // namespace
+
+std::optional<StateFile> open_state(const std::string& path, Job& job) {
+  if (!job.def->behaviour.machine_axes) return complain(fmt::format("--state: the control {} keeps no state", job.def->id)), std::nullopt;
+  auto file = StateFile::open(path, job.def->id);
+  if (!file) return complain(file.error()), std::nullopt;
+  const auto stored = file->load();
+  if (!stored) return complain(stored.error()), std::nullopt;
+  const auto tables = setup_of(*stored);
+  if (!tables) return complain(fmt::format("{}: {}", path, tables.error())), std::nullopt;
+  Setup& setup = job.setup;
+  under(setup.offsets, tables->offsets);
+  under(setup.work_offsets, tables->work_offsets);
+  under(setup.variables, tables->variables);
+  under(setup.parameters, tables->parameters);
+  under(setup.tool_table, tables->tool_table);
+  under(setup.place_table, tables->place_table);
+  under(setup.form_table, tables->form_table);
+  return std::move(*file);
+}
+
+}  // namespace kadr::cli

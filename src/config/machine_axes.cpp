@@ -1,0 +1,210 @@
+#include "config/machine_axes.h"
+
+#include <algorithm>
+
+#include "lang/block.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::string_view axis_letters = "XYZUVWABC";
+
+/// Makes addresses one after the other and finds names that are used twice.
+class Fitter {
+ public:
+  Fitter(ControlDef& def, const Setup& setup) : def_(def), setup_(setup) {}
+
+  std::string run() {
+    for (const char letter : axis_letters) free_letter(letter);
+    if (def_.grammar.operator_i) def_.grammar.word('R').increment = true;  // RI0.1: data of G10, levels of cycles (5.1)
+    axes();
+    auxiliary();
+    increments();
+    spindles();
+    rows_that_take_axes();
+    symbols();
+    return error_;
+  }
+
+ private:
+  void free_letter(char letter) {
+    AddressRow& row = address(letter);
+    row.letter = letter;
+    row.function = Function::argument_only;
+    row.phase = Phase::none;
+    row.unit = WordUnit::none;
+    format(letter);
+  }
+
+  /// Signed, any number of digits, the operator I, may stand bare; several in a block (macro arguments).
+  WordFormat& format(char at) {
+    WordFormat& w = def_.grammar.word(at);
+    w = {};
+    w.known = w.drop_zeros = w.point = w.sign = true;
+    w.at_most = 0;
+    return w;
+  }
+
+  AddressRow& address(char at) { return def_.addresses[static_cast<std::size_t>(at - 'A')]; }
+
+  /// The address of a name: its letter, or a new code.
+  char address_of(const std::string& name) {
+    if (name.size() == 1) return name[0];
+    for (const AddressName& row : def_.grammar.names)
+      if (row.text == name) return row.address;
+    const auto next = static_cast<std::size_t>(first_name - 'A') + def_.grammar.names.size();
+    if (next >= most_addresses) {
+      error_ = "too many names: " + name;
+      return 'X';
+    }
+    const char code = static_cast<char>('A' + static_cast<int>(next));
+    def_.grammar.names.push_back({name, code});
+    def_.grammar.named |= 1u << (name[0] - 'A');
+    return code;
+  }
+
+  void axes() {
+    if (!setup_.axes.empty()) def_.axes = setup_.axes;
+    if (def_.axes.size() > max_axes) error_ = "axes: at most " + std::to_string(max_axes);
+    def_.axes.resize(std::min(def_.axes.size(), max_axes));
+    std::size_t number = 1;
+    for (const auto& [channel, other] : setup_.channels)
+      if (channel < setup_.channel) number += other.axes.empty() ? 3 : other.axes.size();
+    def_.channel = static_cast<std::uint8_t>(setup_.channel);
+    def_.rotary = 0;
+    for (std::size_t a = 0; a < def_.axes.size(); ++a, ++number) {
+      def_.axis_numbers[a] = static_cast<std::uint8_t>(number);
+      axis(a, def_.axes[a]);
+    }
+    def_.grammar.word('R').increment = def_.grammar.operator_i;  // R of the drilling cycles (5.1)
+  }
+
+  void axis(std::size_t a, const std::string& name) {
+    if (name.empty() || axis_letters.find(name[0]) == std::string_view::npos || name.size() > 3) {
+      error_ = "axes: " + name;
+      return;
+    }
+    const char code = address_of(name);
+    AddressRow& row = address(code);
+    if (row.function == Function::axis) error_ = "axes: " + name + " twice";
+    row.letter = code;
+    row.function = Function::axis;
+    row.axis = static_cast<std::uint8_t>(a);
+    const bool letter_turns = name[0] >= 'A' && name[0] <= 'C';
+    const std::string index = std::to_string(def_.axis_numbers[a]);
+    const bool given = setup_gives(setup_, "0106", name, "1") || setup_gives(setup_, "0106", index, "1");
+    const bool turns = given ? setup_number(setup_, "0106", name, "1") != 0 || setup_number(setup_, "0106", index, "1") != 0 : letter_turns;
+    if (turns) def_.rotary |= 1u << a;
+    row.unit = turns ? WordUnit::angle : WordUnit::length;
+    WordFormat& w = format(code);
+    w.increment = w.bare = true;
+    def_.grammar.axis_numbers[static_cast<std::size_t>(code - 'A')] = def_.axis_numbers[a];
+  }
+
+  /// N1333 … N1335: A, B, C, U, V, W as auxiliary functions (13.2).
+  void auxiliary() {
+    constexpr const char* names[] = {"1333", "1334", "1335"};
+    for (std::uint8_t i = 0; i < 3; ++i) {
+      const std::string letter = letter_of(names[i], "");
+      if (letter.size() != 1 || axis_letters.find(letter[0]) == std::string_view::npos) continue;
+      AddressRow& row = address(letter[0]);
+      if (row.function == Function::axis) continue;  // INFERRED: the axis name wins
+      row.function = Function::auxiliary_word;
+      row.phase = Phase::machine;
+      row.number = static_cast<std::uint8_t>(i + 1);
+    }
+  }
+
+  /// U, V, W that are neither: incremental X, Y, Z (5.1).
+  void increments() {
+    for (int i = 0; i < 3; ++i) {
+      AddressRow& row = address(static_cast<char>('U' + i));
+      const AddressRow main = address(static_cast<char>('X' + i));
+      if (row.function != Function::argument_only || main.function != Function::axis) continue;
+      row.function = Function::increment_axis;
+      row.axis = main.axis;
+      row.unit = main.unit;
+      format(row.letter);
+    }
+  }
+
+  void spindles() {
+    for (const auto& [number, spindle] : setup_.spindles) {
+      const std::string index = std::to_string(number);
+      std::string name = spindle.name;
+      if (name.empty()) name = "S" + letter_of("0605", index) + letter_of("0606", index);
+      if (name.size() > 1) spindle_address(name, number, Function::spindle_word, Phase::speed);
+      const std::string axis = letter_of("0817", index) + letter_of("0818", index) + letter_of("0819", index);
+      if (!axis.empty()) spindle_address(axis, number, Function::spindle_axis_word, Phase::spindle);
+    }
+  }
+
+  void spindle_address(const std::string& name, int number, Function function, Phase phase) {
+    const char code = address_of(name);
+    AddressRow& row = address(code);
+    if (row.function == Function::axis) error_ = "spindle: " + name + " is an axis";
+    row.letter = code;
+    row.function = function;
+    row.phase = phase;
+    row.number = static_cast<std::uint8_t>(number);
+    row.unit = WordUnit::none;
+    format(code).increment = function == Function::spindle_axis_word;
+  }
+
+  /// A parameter that holds a character: as text, or its code.
+  std::string letter_of(const std::string& name, const std::string& index) const {
+    const auto found = setup_.parameters.find({name, index, ""});
+    if (found == setup_.parameters.end()) return {};
+    if (const auto* text = std::get_if<std::string>(&found->second)) return *text == "0" ? std::string() : *text;
+    const double code = std::get<double>(found->second);
+    return code >= '0' && code <= 'Z' ? std::string(1, static_cast<char>(code)) : std::string();
+  }
+
+  void rows_that_take_axes() {
+    std::uint64_t mask = 0;
+    for (std::size_t i = 0; i < most_addresses; ++i)
+      if (def_.addresses[i].function == Function::axis || def_.addresses[i].function == Function::increment_axis)
+        mask |= std::uint64_t{1} << i;
+    for (CodeRow& row : def_.codes)
+      if (row.takes_all_axes) row.takes |= mask | letter_bit(indirect_axis);
+  }
+
+  /// Names of system variables, families (#_WZP1 … #_WZP99) one by one.
+  void symbols() {
+    std::vector<VariableName>& all = def_.grammar.symbols;
+    all.clear();
+    for (const VariableRow& row : def_.variables) {
+      if (row.symbol.empty() || row.ranges.empty()) continue;
+      const VariableRange& range = row.ranges.back();
+      for (std::uint32_t p = 0; p < range.repeat; ++p) {
+        const std::string name = row.symbol + (range.repeat > 1 ? std::to_string(p + 1) : "");
+        all.push_back({name, range.from + p * range.stride, range.count, row.first_index, range.count > 1});
+      }
+    }
+    std::sort(all.begin(), all.end(), [](const VariableName& a, const VariableName& b) { return a.text < b.text; });
+  }
+
+  ControlDef& def_;
+  const Setup& setup_;
+  std::string error_;
+};
+
+}  // namespace
+
+std::string fit_to_machine(ControlDef& def, const Setup& setup) {
+  if (!def.behaviour.machine_axes) return {};
+  return Fitter(def, setup).run();
+}
+
+double setup_number(const Setup& setup, const std::string& name, const std::string& index, const std::string& bit) {
+  const auto found = setup.parameters.find({name, index, bit});
+  if (found == setup.parameters.end()) return 0;
+  const auto* number = std::get_if<double>(&found->second);
+  return number != nullptr ? *number : 0;
+}
+
+bool setup_gives(const Setup& setup, const std::string& name, const std::string& index, const std::string& bit) {
+  return setup.parameters.contains({name, index, bit});
+}
+
+}  // namespace kadr

@@ -1,0 +1,84 @@
+#pragma once
+// Values of the set-up file, each read or refused by the name of its key. Only setup*.cpp use it.
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "config/setup.h"
+
+namespace kadr::setup_reader {
+
+using Json = nlohmann::json;
+
+inline constexpr int most_number = 999'999'999;  // as the name of a row
+inline constexpr int most_channels = 8;
+inline constexpr int most_spindles = 16;
+inline constexpr int most_inputs = 8;  // of probes
+
+/// Inside the reader a wrong key or form leaves by this; parse_setup turns it into its error sentence.
+struct Wrong {
+  std::string sentence;
+};
+
+[[noreturn]] void wrong(const std::string& key, const std::string& form);
+
+/// Readers of one value; `key` is its full name, "machine.X.rapid", for the sentence if the value is of the wrong form.
+double number(const Json& value, const std::string& key);
+int whole(const Json& value, const std::string& key);
+int whole_within(const Json& value, const std::string& key, std::pair<int, int> range);
+std::uint32_t bits(const Json& value, const std::string& key);  // 0 to 4294967295
+bool flag(const Json& value, const std::string& key);
+std::string word(const Json& value, const std::string& key);
+const Json& table(const Json& value, const std::string& key);
+AxisValues axis_values(const Json& value, const std::string& key);
+std::pair<double, double> least_and_most(const Json& value, const std::string& key);
+std::optional<double> number_or_vacant(const Json& value, const std::string& key);
+void only_neutral(const Json& value, const std::string& key);  // what says that all is as without it
+
+inline constexpr std::pair<int, int> any_number = {0, most_number};
+
+/// "3" as the name of a row.
+int row_number(const std::string& name, const std::string& key, std::pair<int, int> range = any_number);
+
+template <class T>
+std::vector<T> list(const Json& value, const std::string& key, T (*read)(const Json&, const std::string&)) {
+  if (!value.is_array()) wrong(key, "a list [ … ]");
+  std::vector<T> items;
+  for (const Json& item : value) items.push_back(read(item, key));
+  return items;
+}
+
+template <class T>
+void numbered(const Json& value, const std::string& key, std::map<int, T>& to, T (*read)(const Json&, const std::string&),
+              std::pair<int, int> range = any_number) {
+  for (const auto& [name, row] : table(value, key).items()) to[row_number(name, key, range)] = read(row, key + "." + name);
+}
+
+using Reader = std::function<void(const Json&, const std::string&)>;
+using Readers = std::map<std::string, Reader>;
+
+/// Hands each key of a table to its reader; `inside` is the table's name, empty for the set-up itself.
+void read_table(const Json& value, const std::string& inside, const Readers& readers);
+
+Reader to_number(double& to);
+Reader to_count(double& to);  // a whole number, 0 to 99 999 999
+Reader to_whole(int& to, int least, int most);
+Reader to_flag(bool& to);
+Reader to_word(std::string& to);
+Reader to_one_of(std::string& to, std::initializer_list<std::string_view> words);
+Reader or_null(Reader reader);  // null: as without the key
+
+/// The keys of setup_tables.cpp, setup_machine.cpp and setup_events.cpp.
+Readers readers_of_tables(Setup& setup);
+Readers readers_of_machine(Setup& setup);
+Readers readers_of_events(Setup& setup);
+
+}  // namespace kadr::setup_reader

@@ -1,0 +1,172 @@
+#include "control/nct/arcs.h"
+
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/machinery.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/nct.h"
+
+namespace kadr::nct {
+namespace {
+
+constexpr double any_difference = 1e300;
+constexpr std::uint32_t most_turns = 99'999'999;
+
+/// Letters of the centre by plane (4.3, 4.5): first axis, second axis, the one that does not belong to it.
+struct CenterLetters {
+  char first, second, other;
+};
+CenterLetters center_letters(Plane plane) {
+  switch (plane) {
+    case Plane::zx: return {'K', 'I', 'J'};
+    case Plane::yz: return {'J', 'K', 'I'};
+    default: return {'I', 'J', 'K'};
+  }
+}
+
+class Arc {
+ public:
+  Arc(Machinery& m, const Call& call, Turn turn)
+      : m_(m), call_(call), turn_(turn), plane_(m.modal.axes), letters_(center_letters(m.modal.plane)) {}
+
+  Status run() {
+    const double angle_before = start_angle();
+    KADR_TRY(m_.target(end_, named_));
+    const bool has_data = m_.has('R') || has_center();
+    const AxisMask both = 1u << plane_.first | 1u << plane_.second;
+    const bool in_plane = (named_ & both) != 0;
+    if (named_ == 0 && !has_data) return {};  // the code alone: only the mode
+    if (m_.has(letters_.other)) return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
+    if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
+    from_ = flat_point(m_, m_.position.programmed);
+    to_ = flat_point(m_, end_);
+    if (m_.has('R') && (!in_plane || length(to_ - from_) <= tol::same_point)) return straight_rest(in_plane);
+    KADR_TRY(m_.feed_known(call_.where));
+    auto arc = m_.has('R') ? by_radius(angle_before) : by_center();
+    if (!arc) return fail(arc.error());
+    KADR_TRY(turns(*arc));
+    hand_on(*arc);
+    return {};
+  }
+
+ private:
+  bool has_center() const { return m_.has(letters_.first) || m_.has(letters_.second); }
+
+  /// Polar angle of the start: as programmed last, or where the tool stands, [0, 360).
+  double start_angle() const {
+    if (m_.modal.polar_angle_given) return m_.modal.polar_angle;
+    const double angle = angle_deg({m_.position.programmed[plane_.first], m_.position.programmed[plane_.second]});
+    return angle < 0 ? angle + 360 : angle;
+  }
+
+  /// R without an end point (or with the start as its end): no circle, no alarm (4.3); other axes still move.
+  Status straight_rest(bool in_plane) {
+    (void)in_plane;
+    named_ &= ~(1u << plane_.first | 1u << plane_.second);
+    if (named_ == 0) return {};
+    KADR_TRY(m_.feed_known(call_.where));
+    return m_.straight(MotionKind::feed, end_, named_);
+  }
+
+  /// I, J, K from the start, or with CCA=1 from the zero of the work system; always radii, never polar.
+  Result<PlaneArc> by_center() {
+    if (m_.modal.surface == PathSurface::cylinder) {
+      const char letter = m_.has(letters_.first) ? letters_.first : letters_.second;
+      return fail(alarm(AlarmId::surface_state, m_.where(letter), letter));
+    }
+    const bool absolute = m_.nct->settings.centers_absolute;
+    const Vec2 words{m_.length_value(letters_.first), m_.length_value(letters_.second)};
+    const Vec2 center = absolute ? words : from_ + words;
+    const double difference = m_.has('L') ? any_difference : m_.nct->settings.radius_difference;
+    auto arc = arc_around(from_, to_, center, turn_, difference);
+    if (!arc) return placed(arc.error());
+    return arc;
+  }
+
+  Result<PlaneArc> by_radius(double angle_before) {
+    const double radius = m_.length_value('R');
+    const double most = m_.nct->settings.radius_difference;
+    if (const auto turns = polar_turns(angle_before, radius)) return PlaneArc{{}, *turns};
+    const double half = length(to_ - from_) / 2, r = std::fabs(radius);
+    if (r > 0 && r < half - tol::same_point) {  // the centre on the chord, at R from the start (4.3)
+      if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_mismatch, {}, r, half * 2 - r));
+      return PlaneArc{from_ + (r / (2 * half)) * (to_ - from_), 0.5};
+    }
+    auto arc = arc_by_radius(from_, to_, radius, turn_, tol::same_point);
+    if (!arc) return placed(arc.error());
+    return arc;
+  }
+
+  /// G16 with an angle beyond a whole turn, around the pole (5.4); INFERRED: the sweep is the difference of the angles.
+  std::optional<double> polar_turns(double angle_before, double radius) const {
+    if (!m_.modal.polar_data || m_.modal.surface != PathSurface::plane) return std::nullopt;
+    const double sweep = m_.modal.polar_angle - angle_before;
+    if (!(std::fabs(sweep) > 360) || (sweep > 0) != (turn_ == Turn::ccw)) return std::nullopt;
+    if (std::fabs(length(from_) - std::fabs(radius)) > m_.nct->settings.radius_difference) return std::nullopt;
+    return std::fabs(sweep) / 360;
+  }
+
+  /// L: every started turn counts (4.3.1).
+  Status turns(PlaneArc& arc) {
+    if (!m_.has('L')) return {};
+    const auto count = m_.whole('L', 1, most_turns);
+    if (!count) return fail(count.error());
+    arc.turns += *count - 1;
+    return {};
+  }
+
+  void hand_on(const PlaneArc& arc) {
+    const Axes before = m_.position.programmed;
+    const Transform& t = m_.transform;
+    bool reversed = false;
+    Vec2 center = arc.center;
+    Axes work = surface_work(m_, end_);
+    if (!t.identity) {
+      Axes at = end_;
+      at[plane_.first] = arc.center.x;
+      at[plane_.second] = arc.center.y;
+      at = t.to_work(at);
+      center = {at[plane_.first], at[plane_.second]};
+      work = t.to_work(end_);
+      const auto sign = [&](std::size_t axis) { return t.scale[axis] * t.mirror[axis]; };
+      reversed = sign(plane_.first) * sign(plane_.second) < 0;
+    }
+    named_ |= 1u << plane_.first | 1u << plane_.second;
+    m_.move_to(end_, work, named_);
+    const bool cw = (turn_ == Turn::cw) != reversed;
+    Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named_);
+    m_.set_feed(motion);
+    motion.center = m_.modal.surface == PathSurface::cylinder ? in_axes(center) : center;
+    motion.turns = arc.turns;
+    motion.along = m_.nct->settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
+    if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);
+  }
+
+  /// On the cylinder: from millimetres to the axes' own units.
+  Vec2 in_axes(Vec2 flat) const {
+    const double mm_per_degree = m_.modal.surface_radius * rad_per_deg;
+    const auto is_rotary = [&](std::size_t axis) { return (m_.def.rotary >> axis & 1u) != 0; };
+    return {is_rotary(plane_.first) ? flat.x / mm_per_degree : flat.x, is_rotary(plane_.second) ? flat.y / mm_per_degree : flat.y};
+  }
+
+  tl::unexpected<Alarm> placed(Alarm alarm) const {
+    alarm.where = m_.block->where;
+    return fail(alarm);
+  }
+
+  Machinery& m_;
+  const Call& call_;
+  Turn turn_;
+  PlaneAxes plane_;
+  CenterLetters letters_;
+  Axes end_{};
+  AxisMask named_ = 0;
+  Vec2 from_, to_;
+};
+
+}  // namespace
+
+Status arc(Machinery& m, const Call& call, Turn turn) { return Arc(m, call, turn).run(); }
+
+}  // namespace kadr::nct

@@ -1,0 +1,17 @@
+#pragma once
+// G2, G3 of the NCT control: circles, spirals, helices, cones, in any plane, on surfaces (spec/nct/04 4.3).
+
+#include "control/arc.h"
+
+namespace kadr {
+class Machinery;
+struct Call;
+}  // namespace kadr
+
+namespace kadr::nct {
+
+/// The arc of the block, if it has one.
+///   alarms  center_missing, arc_not_in_plane (2015), radius_mismatch (2012), value_out_of_range (L)
+Status arc(Machinery& m, const Call& call, Turn turn);
+
+}  // namespace kadr::nct

@@ -1,0 +1,208 @@
+#include "control/nct/blocks.h"
+
+#include <bit>
+#include <cmath>
+
+#include "control/functions.h"
+#include "control/nct/calls.h"
+#include "control/nct/data_lines.h"
+#include "control/nct/drilling.h"
+#include "control/nct/interrupt.h"
+
+namespace kadr::nct {
+namespace {
+
+constexpr std::size_t most_m_codes = 8;  // 13.1
+
+/// Words that an earlier run of the same block took away are there again.
+void give_back(Machinery& m) {
+  if (!m.block->altered) return;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i)
+    if (Word& w = m.block->words[i]; !w.expression) w.address = w.written;
+  m.block->altered = false;
+  m.note_addresses();
+}
+
+/// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
+Status take_bare_words(Machinery& m) {
+  Nct& nct = *m.nct;
+  nct.plane_axes = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    nct.plane_axes |= 1u << static_cast<unsigned>(m.letters.axis_of[static_cast<std::size_t>(w.address - 'A')]);
+    if (!w.bare) continue;
+    if (!m.has_code({Function::select_plane})) return fail(alarm(AlarmId::number_missing, w.where, w.written));
+    w.address = 0;
+    m.block->altered = true;
+  }
+  if (m.block->altered) m.note_addresses();
+  return {};
+}
+
+/// G is no argument of G65, G66, G66.1: #10 holds their own number (23.3).
+Status one_g(const Machinery& m) {
+  bool found = false;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address != 'G') continue;
+    if (found) return fail(alarm(AlarmId::illegal_address, w.where, 'G'));
+    found = true;
+  }
+  return {};
+}
+
+/// One word an address, however it is spelled; at most eight M codes, one of each exclusive group (13.1).
+Status check_words(const Machinery& m) {
+  std::uint64_t seen = 0;
+  std::size_t m_codes = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    if (w.address == 'M') ++m_codes;
+    if (w.address > 'Z' && w.address < first_name && w.address != indirect_axis)  // ,C ,R ,A ,L: spec/nct/17, 25
+      return fail(alarm(AlarmId::not_available, w.where, m.block->text_of(w.where)));
+    if (w.address == 'N') return fail(alarm(AlarmId::block_number_position, w.where));
+    if ((m.letters.codes & letter_bit(w.address)) != 0) continue;
+    if ((seen & letter_bit(w.address)) != 0) return fail(alarm(AlarmId::address_twice, w.where, w.address));
+    seen |= letter_bit(w.address);
+  }
+  if (m_codes < 2) return {};
+  if (m_codes > most_m_codes) return fail(alarm(AlarmId::too_many_m_codes, m.block->where, double(m_codes), double{most_m_codes}));
+  return check_m_codes(m);
+}
+
+/// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
+Status take_spindle_words(Machinery& m) {
+  m.nct->spindle_by_p = 0;
+  if ((m.block->letters & m.letters.spindles) == 0) return {};
+  const Word* first = nullptr;
+  bool codes = false;
+  Word* p = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    codes = codes || w.address == 'G' || w.address == 'M';
+    if (w.address == 'P') p = &w;
+    if (m.def.address(w.address).function != Function::spindle_word) continue;
+    if (first != nullptr) return fail(alarm(AlarmId::one_spindle, w.where, m.block->text_of(first->where), m.block->text_of(w.where)));
+    first = &w;
+  }
+  if (first == nullptr || p == nullptr || codes) return {};
+  const auto number = m.whole('P', 1, most_spindles);
+  if (!number) return fail(number.error());
+  m.nct->spindle_by_p = static_cast<int>(*number);
+  p->address = 0;
+  m.block->altered = true;
+  m.note_addresses();
+  return {};
+}
+
+bool has_words(const Machinery& m) { return m.block->word_count != 0; }
+
+/// G66.1: the block's words are arguments (23.3.3).
+Result<bool> call_with_block(Machinery& m) {
+  Nct& nct = *m.nct;
+  if (nct.active_modal_calls == 0 || !nct.modal_calls[nct.active_modal_calls - 1u].each_block) return false;
+  if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
+  const auto arguments = arguments_of(m, limits::block_words);  // every word is one: no code calls here
+  if (!arguments) return fail(arguments.error());
+  KADR_TRY(call_modal(m, *arguments));
+  return true;
+}
+
+/// What #4101 … give (23.1.14).
+void note_words(Machinery& m) {
+  ModalWords& words = m.nct->state.words;
+  if (m.block->has_number) words.n = m.block->number;
+  const auto take = [&](char letter, double& to) {
+    if (const Word* const w = m.word(letter); w != nullptr) to = w->value;
+  };
+  take('D', words.d);
+  take('E', words.e);
+  take('F', words.f);
+  take('H', words.h);
+  take('M', words.m);
+  take('S', words.s);
+  take('T', words.t);
+}
+
+/// The blocks of programs 8000–8999 and 9000–9999 count as one with their call, unless the parameter lists them (23.3.9).
+bool hidden(const Machinery& m) {
+  const std::uint32_t number = number_of_file(m.flow.file());
+  const Settings& s = m.nct->settings;
+  return (number >= 8000 && number < 9000 && !s.lists_8000) || (number >= 9000 && number < 10000 && !s.lists_9000);
+}
+
+/// Single block: a stop behind NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
+void stop_single_block(Machinery& m, bool was_hidden) {
+  constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
+  const Nct& nct = *m.nct;
+  if (!nct.single_block || (nct.control_1 & 1u) != 0 || (nct.control_2 & m_ov) != 0 || m.cycle_run.active() || m.cycling()) return;
+  const bool returned = m.has_code({Function::return_program});
+  const bool macro =
+      returned || m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
+  if (hidden(m) || (macro && !(returned && was_hidden)) || m.has_code({Function::program_end})) return;
+  m.emit(Stop{false, StopReason::single_block});
+}
+
+}  // namespace
+
+Status check_values(Machinery& m) {
+  for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
+    if (Word& w = m.block->words[i]; w.expression && w.address != 0 && m.def.address(w.address).whole) w.value = std::round(w.value);
+  return m.check_ranges();
+}
+
+Result<bool> before_plan(Machinery& m) {
+  Nct& nct = *m.nct;
+  nct.moved = nct.stops_reading = false;
+  if (nct.single_block) nct.was_hidden = hidden(m);
+  nct.pending_program = 0;
+  give_back(m);
+  if (nct.data_mode != DataMode::none) {
+    nct.keep_all(m);
+    KADR_TRY(check_values(m));
+    KADR_TRY(data_line(m));
+    return true;
+  }
+  auto done = call_with_block(m);
+  if (!done || *done) return done;
+  done = call_by_code(m);
+  if (!done || *done) return done;
+  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary) {  // known to be right from the pass before
+    note_words(m);
+    return false;
+  }
+  if (m.has('G') && m.has_code({Function::macro_call, Function::macro_modal})) {
+    KADR_TRY(one_g(m));
+    if (m.block->has_number) nct.state.words.n = m.block->number;
+    return false;
+  }
+  KADR_TRY(check_values(m));
+  KADR_TRY(take_bare_words(m));
+  KADR_TRY(check_words(m));
+  KADR_TRY(take_spindle_words(m));
+  KADR_TRY(check_increment_of_r(m));
+  const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
+  m.block->checked = plain ? m.block->letters : 0;
+  note_words(m);
+  return false;
+}
+
+Status after_block(Machinery& m) {
+  Nct& nct = *m.nct;
+  KADR_TRY(check_drilling(m));
+  if (nct.single_block) stop_single_block(m, nct.was_hidden);
+  KADR_TRY(call_pending(m));
+  if (nct.moved && nct.active_modal_calls != 0) {
+    const ModalCall& modal = nct.modal_calls[nct.active_modal_calls - 1u];
+    if (!modal.each_block) {
+      const Locals arguments = modal.arguments;
+      KADR_TRY(call_modal(m, arguments));
+    }
+  }
+  return {};
+}
+
+}  // namespace kadr::nct

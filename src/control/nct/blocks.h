@@ -1,0 +1,24 @@
+#pragma once
+// Blocks of the NCT control around the common plan: statements, what calls macros instead of being carried out, data lines,
+// what happens behind a block (spec/nct/23 23.3, 23.5; 24.1; 12.4).
+
+#include "base/result.h"
+
+namespace kadr {
+class Machinery;
+}
+
+namespace kadr::nct {
+
+/// A macro statement (the block's words are evaluated where it needs them).
+Status run_statement(Machinery& m);
+/// Values of an NC block: those of expressions are rounded to the last digit of their address (23.1.1), all are in their ranges. What a
+/// macro gets as an argument is left alone: it may be any number (23.3).
+Status check_values(Machinery& m);
+/// Looks at the evaluated words before they are planned.
+///   returns  true: the block is done (a data line, or a macro was called with it)
+Result<bool> before_plan(Machinery& m);
+/// Calls that follow the block's motion: words that stand for subprograms, modal macros; the single-block stop.
+Status after_block(Machinery& m);
+
+}  // namespace kadr::nct

@@ -1,0 +1,133 @@
+// Codes and addresses that parameters bind to programs (spec/nct/23 23.3.4–23.3.8).
+
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/machinery.h"
+#include "control/nct/blocks.h"
+#include "control/nct/calls.h"
+
+namespace kadr::nct {
+namespace {
+
+constexpr int letter_programs = 9030;  // O9030 … O9034: A, B, C, S, T
+constexpr int letter_variables = 195;  // #195 … #199
+constexpr int ascii_variables = 191;   // #191 … #194
+constexpr std::string_view letters_in_order = "ABCST";
+
+/// The program that a code of this value calls, or -1.
+int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** run = nullptr) {
+  for (const CodeRun& r : runs) {
+    const double k = std::round((value - r.start) / r.step);
+    if (k < 0 || k >= r.count || std::fabs(r.start + k * r.step - value) > tol::whole_number) continue;
+    if (run != nullptr) *run = &r;
+    return r.program + static_cast<int>(k);
+  }
+  return -1;
+}
+
+/// May a word of that address and code call here? Nowhere inside its own call (13.1, 23.3.4 … 23.3.7); inside another, if N1755 #1 ENC
+/// says so. ENC is not about one G code inside another (23.3.4).
+bool may_call(const Machinery& m, char address, std::int32_t code) {
+  bool others = false;
+  for (const CallFrame& frame : m.flow.frames()) {
+    if (frame.called_by == 0) continue;
+    if (frame.called_by == address && (frame.called_code == code || code < 0)) return false;
+    others = others || frame.called_by != 'G' || address != 'G';
+  }
+  return !others || m.nct->settings.calls_inside_calls;
+}
+
+Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& run) {
+  CallRequest request;
+  const auto place = m.nct->programs.system(m, static_cast<std::uint32_t>(program), w.where);
+  if (!place) return fail(place.error());
+  request.place = *place;
+  request.name = static_cast<std::uint32_t>(program);
+  request.macro = true;
+  request.called_by = w.written;
+  request.called_code = w.code;
+  const auto arguments = arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()));
+  if (!arguments) return fail(arguments.error());
+  if (!run.modal) return call(m, request, *arguments, w.where);
+  Nct& nct = *m.nct;
+  nct.keep_all(m);  // a negative parameter: G66 or G66.1 (23.3.4)
+  nct.modal_calls.resize(nct.active_modal_calls);
+  nct.modal_calls.push_back(
+      {request.place.reader, request.place.start, 1, request.name, nct.settings.modal_each_block, w.written, w.code, *arguments});
+  ++nct.active_modal_calls;
+  return nct.settings.modal_each_block ? call_modal(m, *arguments) : Status();
+}
+
+/// Takes the word out of the block; the subprogram follows behind the block.
+void pend(Machinery& m, Word& w, int program) {
+  m.nct->pending_program = program;
+  m.nct->pending_letter = w.written;
+  m.nct->pending_code = w.code;
+  m.nct->pending_where = w.where;
+  w.address = 0;
+  m.block->altered = true;
+}
+
+/// A, B, C, S, T and the four ASCII letters: the value goes to a variable, a subprogram follows (23.3.7, 23.3.8).
+bool letter_calls(Machinery& m, Word& w) {
+  const Settings& s = m.nct->settings;
+  if (w.written > 'Z') return false;
+  const std::size_t nth = letters_in_order.find(w.written);
+  if (nth != std::string_view::npos && s.letters_call[nth]) {
+    if (!may_call(m, w.written, -1)) return false;
+    m.nct->keep_common(letter_variables + static_cast<int>(nth));
+    m.nct->variables.set_common(letter_variables + static_cast<int>(nth), w.value);
+    pend(m, w, letter_programs + static_cast<int>(nth));
+    return true;
+  }
+  for (std::size_t i = 0; i < s.ascii.size(); ++i) {
+    if (s.ascii[i] != w.written || s.ascii_programs[i] == 0 || !may_call(m, w.written, -1)) continue;
+    m.nct->keep_common(ascii_variables + static_cast<int>(i));
+    m.nct->variables.set_common(ascii_variables + static_cast<int>(i), w.value);
+    pend(m, w, s.ascii_programs[i]);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<bool> call_by_code(Machinery& m) {
+  const Settings& s = m.nct->settings;
+  if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there they are arguments
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0 || w.bare || (w.written != 'G' && w.written != 'M')) continue;
+    const CodeRun* run = nullptr;
+    const int program = program_of(w.written == 'G' ? s.g_macros : s.m_macros, w.value, &run);
+    if (program < 0 || !may_call(m, w.written, w.code)) continue;
+    KADR_TRY(macro_by_code(m, w, program, *run));
+    return true;
+  }
+  KADR_TRY(check_values(m));
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address == 0 || w.bare || w.written == 'G') continue;
+    if (w.written != 'M') (void)letter_calls(m, w);
+    else if (const int sub = program_of(s.m_programs, w.value); sub >= 0 && may_call(m, 'M', w.code)) pend(m, w, sub);
+  }
+  if (m.nct->pending_program != 0) m.note_addresses();
+  return false;
+}
+
+Status call_pending(Machinery& m) {
+  Nct& nct = *m.nct;
+  if (nct.pending_program == 0) return {};
+  CallRequest request;
+  const auto place = nct.programs.system(m, static_cast<std::uint32_t>(nct.pending_program), nct.pending_where);
+  if (!place) return fail(place.error());
+  request.place = *place;
+  request.name = static_cast<std::uint32_t>(nct.pending_program);
+  request.called_by = nct.pending_letter;
+  request.called_code = nct.pending_code;
+  nct.pending_program = 0;
+  return call(m, request, {}, nct.pending_where);
+}
+
+}  // namespace kadr::nct

@@ -1,0 +1,46 @@
+#pragma once
+// Drilling cycles G73 … G89 (spec/nct/18): what is kept while the mode is on, and what other functions ask about it.
+// The mode is on while group 9 holds a cycle; the code of group 1 stays in force behind it.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/result.h"
+#include "base/vec.h"
+
+namespace kadr {
+class Machinery;
+struct CodeRow;
+}  // namespace kadr
+
+namespace kadr::nct {
+
+/// Cycle variables, modal while the mode is on. Deleted: R and the bottom are increments of 0, all others 0 (18.0).
+struct DrillingMemory {
+  std::size_t axis = 0;                          // that drills
+  double initial = 0;                            // the initial point, programmed, mm
+  double level = 0, bottom = 0;                  // R and the bottom as their words say, mm
+  bool level_added = true, bottom_added = true;  // increments: from the initial point, from R
+  bool level_known = false, bottom_known = false;
+  Vec3 shift;             // I, J, K of G76 and G87, mm
+  double percent = 0;     // I of G85, G89, G84.2, G84.3; 0: not given
+  double peck = 0;        // Q, mm; 0: not given
+  double clearance = -1;  // E, mm; -1: not given
+  double dwell = 0;       // P, seconds or revolutions
+};
+
+/// A cycle of group 9 is in force.
+bool drilling_on(const Machinery& m);
+/// The row of the code that axis words alone call in this block: the cycle in force, or the code of group 1 (18.0).
+std::int16_t motion_row(const Machinery& m);
+/// Axis that drills if the block carries a cycle out, else -1: the one its length offset acts on (15.3, 18.2).
+int drills_along(const Machinery& m);
+/// A code has been carried out: one of group 1 deletes the cycle mode (18.0).
+void note_code(Machinery& m, const CodeRow& row);
+/// What the cycle of this block needs from words that act behind operation 1: S, M3.
+///   alarms  spindle_not_turning
+Status check_drilling(const Machinery& m);
+/// Operator I after R: R is an increment only in a cycle (5.1). alarms increment_not_allowed
+Status check_increment_of_r(const Machinery& m);
+
+}  // namespace kadr::nct

@@ -1,0 +1,310 @@
+#include "control/nct/drilling_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/functions.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/nct.h"
+
+namespace kadr::nct {
+
+enum class DrillStep : std::uint8_t {
+  end,
+  approach,     // 3: rapid to R
+  stop,         // of single-block operation
+  cut,          // 5: feed to the bottom
+  cut_fixed,    // 5: the same, overrides 100 %
+  break_chips,  // 5: pecks, a little back
+  clear_chips,  // 5: pecks, back to R
+  tap_down,     // 5: with the spindle, in one go or in pecks
+  pause,        // 6
+  back,         // 7: feed to R, percent of the feed
+  back_fixed,   // 7: feed to R, overrides 100 %
+  tap_up,       // 7: with the spindle
+  retract,      // 7, 9: rapid to R (G99) or at once to the initial point (G98)
+  clear,        // 9: rapid to the initial point (G98)
+  initial,      // 9: the same, whatever G98, G99
+  shift_out,
+  shift_back,
+  cw,
+  ccw,
+  halt,
+  orient,
+  catch_spindle,
+  manual,  // M0
+};
+
+/// Operations 2 … 10 between the single-block stops behind 1 and 10.
+struct DrillCycle {
+  std::int32_t code;
+  std::array<DrillStep, 14> steps;
+};
+
+namespace {
+
+using enum DrillStep;
+
+constexpr std::int32_t back_boring = 1870;  // G87 of case B (18.1.13)
+constexpr DrillCycle drill_cycles[] = {
+    //  code  operations                                                                                         manual
+    {730, {approach, stop, break_chips, retract}},                                                                        // 18.1.1
+    {740, {approach, stop, cut_fixed, pause, cw, back_fixed, ccw, clear}},                                                // 18.1.2
+    {760, {approach, stop, cut, pause, orient, shift_out, retract, shift_back, cw}},                                      // 18.1.3
+    {810, {approach, stop, cut, retract}},                                                                                // 18.1.5
+    {820, {approach, stop, cut, pause, retract}},                                                                         // 18.1.6
+    {830, {approach, stop, clear_chips, retract}},                                                                        // 18.1.7
+    {840, {approach, stop, cut_fixed, pause, ccw, back_fixed, cw, clear}},                                                // 18.1.8
+    {842, {approach, stop, catch_spindle, tap_down, pause, tap_up, clear}},                                               // 18.1.9, 18.1.10
+    {843, {approach, stop, catch_spindle, tap_down, pause, tap_up, clear}},                                               // 18.1.9, 18.1.10
+    {850, {approach, stop, cut, back, clear}},                                                                            // 18.1.11
+    {860, {approach, stop, cut, halt, retract, cw}},                                                                      // 18.1.12
+    {870, {approach, stop, cut, halt, manual, retract, cw}},                                                              // 18.1.13 A
+    {back_boring, {orient, shift_out, approach, stop, shift_back, cw, cut, orient, shift_out, initial, shift_back, cw}},  // 18.1.13 B
+    {880, {approach, stop, cut, pause, halt, manual, retract, cw}},                                                       // 18.1.14
+    {890, {approach, stop, cut, pause, back, clear}},                                                                     // 18.1.15
+};
+
+const DrillCycle& cycle_of(const DrillingRun::Job& job) {
+  const std::int32_t code = job.back_boring ? back_boring : job.code;
+  return *std::find_if(std::begin(drill_cycles), std::end(drill_cycles), [&](const DrillCycle& c) { return c.code == code; });
+}
+
+/// M3, M4, M5, M19 of the cycle itself.
+Status spindle_function(Machinery& m, std::int32_t code) {
+  const std::int32_t row = m.def.row_of('M', code * 10);
+  if (row < 0) return {};
+  return functions::spindle_code(m, {&m.def.codes[static_cast<std::size_t>(row)], nullptr, m.block->where});
+}
+
+bool is_there(const Machinery& m, const Axes& to, AxisMask named) {
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if ((named >> a & 1u) != 0 && std::fabs(to[a] - m.position.programmed[a]) > tol::level) return false;
+  return true;
+}
+
+}  // namespace
+
+Status hole_position(const Machinery& m, std::size_t drill, Axes& to, AxisMask& named) {
+  Word* hidden = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    if (w.address != 0 && (m.letters.axes & letter_bit(w.address)) != 0 && m.def.address(w.address).axis == drill) hidden = &w;
+  }
+  const char address = hidden != nullptr ? hidden->address : '\0';
+  if (hidden != nullptr) hidden->address = 0;
+  const Status status = m.target(to, named);
+  if (hidden != nullptr) hidden->address = address;
+  return status;
+}
+
+Status over_hole(Machinery& m, std::size_t drill) {
+  Axes to;
+  AxisMask named = 0;
+  KADR_TRY(hole_position(m, drill, to, named));
+  if (is_there(m, to, named) && m.nct->rolled == 0) return {};
+  return m.straight(MotionKind::rapid, to, named);
+}
+
+double tapping_rpm(const Machinery& m) { return m.nct->spindle(m.nct->state.current_spindle).rpm; }
+
+DrillingRun::DrillingRun(const Job& job) : job_(job), cycle_(cycle_of(job)) {}
+
+Status DrillingRun::check(const Machinery& m) const {
+  const bool turns = is_tap() ? tapping_rpm(m) > 0 : m.nct->spindle_rpm(m) > 0;
+  if (turns) return {};
+  const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
+  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !m.nct->settings.dwell_seconds;
+  if (!is_tap() && !(dwells && revolutions)) return {};  // 8: a dwell in revolutions would never end
+  const auto code = static_cast<std::size_t>(m.def.row_of('G', job_.code));
+  return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));
+}
+
+Result<bool> DrillingRun::next(Machinery& m) {
+  if (pass_ == job_.passes) return false;
+  if (at_ == 0) {
+    KADR_TRY(begin_pass(m));
+    ++at_;
+    return true;
+  }
+  const DrillStep now = cycle_.steps[at_ - 1];
+  if (now == end) {
+    single_block(m);
+    at_ = 0;
+    ++pass_;
+    return true;
+  }
+  KADR_TRY(step(m, now));
+  if (part_ == 0) ++at_;
+  return true;
+}
+
+/// Operation 1; of the first pass it stands before the functions of the block.
+Status DrillingRun::begin_pass(Machinery& m) {
+  if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
+  hole_ = m.position.programmed;
+  depth_ = job_.level;
+  part_ = 0;
+  single_block(m);
+  return {};
+}
+
+Status DrillingRun::step(Machinery& m, DrillStep step) {
+  switch (step) {
+    case approach: return rapid(m, job_.level);
+    case stop: single_block(m); return {};
+    case cut:
+    case cut_fixed: return feed(m, job_.bottom, 100);
+    case break_chips: return pecks(m, false);
+    case clear_chips: return pecks(m, true);
+    case tap_down: return tap_in(m);
+    case pause: return dwell(m);
+    case back: return feed(m, job_.level, job_.out_percent);
+    case back_fixed: return feed(m, job_.level, 100);
+    case tap_up: return tap(m, job_.level, job_.out_percent);
+    case retract: return rapid(m, job_.to_initial ? job_.initial : job_.level);
+    case clear: return job_.to_initial ? rapid(m, job_.initial) : Status();
+    case initial: return rapid(m, job_.initial);
+    case shift_out: return shift(m, job_.shift);
+    case shift_back: return shift(m, {});
+    default: return spindle_step(m, step);
+  }
+}
+
+Status DrillingRun::spindle_step(Machinery& m, DrillStep step) {
+  switch (step) {
+    case cw: return spindle_function(m, 3);
+    case ccw: return spindle_function(m, 4);
+    case halt: return spindle_function(m, 5);
+    case orient: return spindle_function(m, 19);
+    case catch_spindle: return close_loop(m);
+    case manual: m.emit(Stop{false}); return {};
+    default: return {};
+  }
+}
+
+/// 18.1.1, 18.1.7: down by Q, at rapid back by E or to R and near the bottom again. The last peck takes the rest.
+Status DrillingRun::pecks(Machinery& m, bool to_level) {
+  switch (part_) {
+    case 1: part_ = 2; return rapid(m, job_.level);
+    case 2: part_ = 3; return rapid(m, back_to(m));
+    default:
+      depth_ = next_depth(m);
+      part_ = depth_ == job_.bottom ? 0 : to_level ? 1 : 2;
+      return feed(m, depth_, 100);
+  }
+}
+
+/// 18.1.9, 18.1.10: INFERRED: every motion is synchronous; N1507 for the way back to R, N1506 for that back by E.
+Status DrillingRun::tap_in(Machinery& m) {
+  if (job_.peck == 0) return tap(m, job_.bottom, 100);
+  switch (part_) {
+    case 1: part_ = 2; return tap(m, job_.level, job_.between_percent);
+    case 2: part_ = 3; return tap(m, back_to(m), job_.pecks_to_level ? 100 : job_.out_percent);
+    default:
+      depth_ = next_depth(m);
+      part_ = depth_ == job_.bottom ? 0 : job_.pecks_to_level ? 1 : 2;
+      return tap(m, depth_, 100);
+  }
+}
+
+/// 18.1.9 operation 4: M19, or only the loop is closed.
+Status DrillingRun::close_loop(Machinery& m) {
+  if (job_.orients_tap) return spindle_function(m, 19);
+  const int number = m.nct->state.current_spindle;
+  const int code = m.nct->settings.spindles[static_cast<std::size_t>(number)].closing_code;
+  if (code == 0) {
+    SpindleState& s = m.nct->spindle(number);
+    s.loop_closed = true;
+    s.referenced = false;
+    s.dir = SpindleDir::stop;
+    return {};
+  }
+  Word word;
+  word.address = 'M';
+  word.code = code * 10;
+  return machine_code(m, {nullptr, &word, m.block->where});
+}
+
+/// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
+Status DrillingRun::dwell(Machinery& m) {
+  if (!(job_.dwell > 0)) return {};
+  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !m.nct->settings.dwell_seconds;
+  if (is_tap() && revolutions) {
+    m.emit(Dwell{job_.dwell * 60 / tapping_rpm(m)});
+    return {};
+  }
+  const auto seconds = dwell_seconds(m, job_.dwell, m.block->where);
+  if (!seconds) return fail(seconds.error());
+  m.emit(Dwell{*seconds});
+  return {};
+}
+
+/// By a way of the machine from the hole: no mirroring, rotation or scaling acts on it (18.0).
+Status DrillingRun::shift(Machinery& m, Vec2 by) {
+  const PlaneAxes& plane = m.modal.axes;
+  Axes to = hole_;
+  to[job_.axis] = m.position.programmed[job_.axis];
+  if (!(by == Vec2{})) {
+    Axes work = m.transform.to_work(to);
+    work[plane.first] += by.x;
+    work[plane.second] += by.y;
+    to = m.transform.to_programmed(work);
+  }
+  const AxisMask named = 1u << plane.first | 1u << plane.second;
+  return is_there(m, to, named) ? Status() : m.straight(MotionKind::rapid, to, named);
+}
+
+Status DrillingRun::rapid(Machinery& m, double level) {
+  Axes to = m.position.programmed;
+  if (std::fabs(to[job_.axis] - level) <= tol::level) return {};
+  to[job_.axis] = level;
+  return m.straight(MotionKind::rapid, to, 1u << job_.axis);
+}
+
+Status DrillingRun::feed(Machinery& m, double level, double percent) {
+  Axes to = m.position.programmed;
+  if (std::fabs(to[job_.axis] - level) <= tol::level) return {};
+  to[job_.axis] = level;
+  KADR_TRY(m.straight(MotionKind::feed, to, 1u << job_.axis));
+  Motion& motion = std::get<Motion>(m.batch->back().what);
+  motion.feed *= percent / 100;
+  motion.own_override = job_.code == 740 || job_.code == 840;  // 18.2
+  return {};
+}
+
+/// 18.1.9: a turn a lead, clockwise into the hole with G84.2. The feed is handed on in mm/min: the spindle turns with the axis.
+Status DrillingRun::tap(Machinery& m, double level, double percent) {
+  const double way = level - m.position.programmed[job_.axis];
+  if (std::fabs(way) <= tol::level) return {};
+  const double rpm = tapping_rpm(m);
+  const double lead = m.modal.feed_mode == FeedMode::per_revolution ? m.modal.feed : m.modal.feed / rpm;
+  KADR_TRY(feed(m, level, percent));
+  Motion& motion = std::get<Motion>(m.batch->back().what);
+  motion.unit = FeedUnit::mm_per_min;
+  motion.feed = lead * rpm * percent / 100;
+  const double hand = job_.code == 842 ? 1 : -1;
+  detail_of(m, motion).turn = hand * down() * way * scale(m) / lead * 360;
+  return {};
+}
+
+void DrillingRun::single_block(Machinery& m) const {
+  if (m.nct->stops_each_block()) m.emit(Stop{false, StopReason::single_block});
+}
+
+/// Machine millimetres to one programmed millimetre of the drilling axis.
+double DrillingRun::scale(const Machinery& m) const { return std::fabs(m.transform.scale[job_.axis]); }
+
+double DrillingRun::next_depth(const Machinery& m) const {
+  const double next = depth_ + down() * job_.peck / scale(m);
+  return down() * (job_.bottom - next) <= tol::level ? job_.bottom : next;
+}
+
+/// E above the depth reached, not beyond R.
+double DrillingRun::back_to(const Machinery& m) const {
+  const double back = depth_ - down() * job_.clearance / scale(m);
+  return down() * (back - job_.level) < 0 ? job_.level : back;
+}
+
+}  // namespace kadr::nct

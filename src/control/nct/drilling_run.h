@@ -1,0 +1,77 @@
+#pragma once
+// A drilling cycle operation by operation (spec/nct/18.0, 18.1), pass by pass: constant memory for any L and any depth.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/result.h"
+#include "control/machinery.h"
+
+namespace kadr::nct {
+
+enum class DrillStep : std::uint8_t;
+struct DrillCycle;
+
+/// Hole position of the block from where the tool stands: its axis words without that of the drilling axis. `to`: programmed.
+///   alarms  those of the coordinates (5)
+Status hole_position(const Machinery& m, std::size_t drill, Axes& to, AxisMask& named);
+/// Operation 1: at rapid over the hole; nothing if the tool is there.
+Status over_hole(Machinery& m, std::size_t drill);
+/// Speed that rigid tapping couples the axis with: S of the spindle referred to last, rev/min.
+double tapping_rpm(const Machinery& m);
+
+/// Operations 2 … 10 of the first pass and all of the others that L asks for. Nothing fails in it that check_drilling has let pass.
+class DrillingRun final : public Running {
+ public:
+  /// What the program and the parameters say about one block. Levels: programmed, mm.
+  struct Job {
+    std::int32_t code = 0;  // ten times the number; of an alias, that of its cycle
+    std::size_t axis = 0;   // that drills
+    std::uint32_t passes = 1;
+    double initial = 0, level = 0, bottom = 0;
+    bool to_initial = true;          // G98
+    double peck = 0, clearance = 0;  // mm as the machine moves: not scaled (18.0)
+    double dwell = 0;                // P
+    Vec2 shift;                      // mm in the plane; neither mirrored, turned nor scaled
+    double out_percent = 100;        // of the feed in operation 7
+    double between_percent = 100;    // … of a tap back to R between its cuts
+    bool back_boring = false;        // G87 with a spindle that can be oriented
+    bool pecks_to_level = false;     // a tap breaks chips like G83 (PTC=1), else like G73
+    bool orients_tap = false;        // TSC=1
+  };
+  explicit DrillingRun(const Job& job);
+
+  /// Speeds that it needs, after the block's S and M codes. alarms spindle_not_turning
+  Status check(const Machinery& m) const;
+  Result<bool> next(Machinery& m) override;
+  bool functions_first() const override { return true; }
+
+ private:
+  Status begin_pass(Machinery& m);
+  Status step(Machinery& m, DrillStep step);
+  Status spindle_step(Machinery& m, DrillStep step);
+  Status pecks(Machinery& m, bool to_level);
+  Status tap_in(Machinery& m);
+  Status close_loop(Machinery& m);
+  Status dwell(Machinery& m);
+  Status shift(Machinery& m, Vec2 by);
+  Status rapid(Machinery& m, double level);
+  Status feed(Machinery& m, double level, double percent);
+  Status tap(Machinery& m, double level, double percent);
+  void single_block(Machinery& m) const;
+  bool is_tap() const { return job_.code == 842 || job_.code == 843; }
+  double down() const { return job_.bottom < job_.level ? -1 : 1; }
+  double scale(const Machinery& m) const;
+  double next_depth(const Machinery& m) const;
+  double back_to(const Machinery& m) const;
+
+  Job job_;
+  const DrillCycle& cycle_;
+  Axes hole_{};
+  std::uint32_t pass_ = 0;
+  std::size_t at_ = 0;      // step to come; 0: operation 1
+  std::uint32_t part_ = 0;  // within pecks
+  double depth_ = 0;        // reached by pecks, programmed
+};
+
+}  // namespace kadr::nct

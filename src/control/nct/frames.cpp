@@ -1,0 +1,82 @@
+// MCS = C + W + M·(S + Lc + p) (spec/nct/10, position chain), lengths, planes.
+
+#include "control/machinery.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/nct.h"
+
+namespace kadr::nct {
+namespace {
+
+/// M_Z(gamma)·M_Y(beta)·M_X(alpha) (10.2.3).
+std::array<Vec3, 3> rotation_rows(Vec3 angles) {
+  const SinCos g = sincos_deg(angles.x), b = sincos_deg(angles.y), a = sincos_deg(angles.z);
+  return {Vec3{g.cos * b.cos, g.cos * b.sin * a.sin - g.sin * a.cos, g.cos * b.sin * a.cos + g.sin * a.sin},
+          Vec3{g.sin * b.cos, g.sin * b.sin * a.sin + g.cos * a.cos, g.sin * b.sin * a.cos - g.cos * a.sin},
+          Vec3{-b.sin, b.cos * a.sin, b.cos * a.cos}};
+}
+
+std::shared_ptr<const FrameRotation> rotation_of(const Machinery& m, const std::shared_ptr<const FrameRotation>& before) {
+  const Vec3 angles = m.tables.rotations[m.modal.work_zero];
+  if (angles == Vec3{}) return nullptr;
+  FrameRotation rotation;
+  rotation.rows = rotation_rows(angles);
+  for (int role = 1; role <= 3; ++role) rotation.main[static_cast<std::size_t>(role - 1)] = static_cast<std::int8_t>(main_axis(m, role));
+  if (before && *before == rotation) return before;
+  return std::make_shared<const FrameRotation>(rotation);
+}
+
+}  // namespace
+
+int main_axis(const Machinery& m, int role) {
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (m.nct->settings.axes[a].role == role) return static_cast<int>(a);
+  return -1;
+}
+
+std::string plane_name(const Machinery& m) { return m.axis_names[m.modal.axes.first] + m.axis_names[m.modal.axes.second]; }
+
+void refresh_frames(Machinery& m) {
+  Frames& f = m.frames;
+  f.rotation = rotation_of(m, f.rotation);
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    f.origin[a] = m.tables.common[a] + m.tables.zeros[m.modal.work_zero][a];
+    f.shift[a] = m.modal.new_system[a] + m.modal.local[a];
+    f.length[a] = m.modal.lengths[a];
+  }
+  if (f.rotation == nullptr) {
+    for (std::size_t a = 0; a < m.axis_count; ++a) f.origin[a] += f.shift[a];
+    f.shift = {};
+    return;
+  }
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    bool is_main = false;
+    for (const std::int8_t main : f.rotation->main) is_main = is_main || main == static_cast<std::int8_t>(a);
+    if (is_main) continue;
+    f.origin[a] += f.shift[a];
+    f.shift[a] = 0;
+  }
+}
+
+MotionDetail& detail_of(Machinery& m, Motion& motion) {
+  (void)m;
+  auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
+  MotionDetail& filled = *detail;
+  motion.detail = std::move(detail);
+  return filled;
+}
+
+void note_motion(Machinery& m, Motion& motion) {
+  Nct& nct = *m.nct;
+  nct.moved = true;
+  if (motion.kind != MotionKind::thread) nct.in_thread = false;
+  motion.along = FeedAlong::all_axes;  // 4.2: millimetres and degrees alike
+  motion.in_position = m.block_exact || m.modal.exact || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
+  if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;
+  if (nct.rolled == 0) return;
+  MotionDetail& detail = detail_of(m, motion);
+  detail.rolled = nct.rolled;
+  detail.travel = nct.travel;
+  nct.rolled = 0;
+}
+
+}  // namespace kadr::nct

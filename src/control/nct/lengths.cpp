@@ -1,0 +1,98 @@
+// Length compensation and offset numbers: G43, G44, G49, H, D; the side of G41, G42 (spec/nct/15 15.3, 12 12.5.1).
+
+#include "control/functions.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/nct.h"
+
+namespace kadr {
+namespace {
+
+/// The number in the word; N2923 means that of the tool in the spindle.
+Result<std::uint32_t> offset_number(const Machinery& m, char letter) {
+  const auto number = m.whole(letter, 0, m.def.behaviour.offsets);
+  if (!number) return number;
+  const int by_tool = m.nct->settings.offset_by_tool;
+  if (by_tool == 0 || *number != static_cast<std::uint32_t>(by_tool)) return number;
+  return m.nct->offset_of_tool(letter);
+}
+
+/// Axes that take the length (15.3): those of the block, Z, or the normal of the plane.
+AxisMask length_axes(const Machinery& m) {
+  const int mode = m.nct->settings.length_axes;
+  const auto bit = [](int axis) { return axis >= 0 ? 1u << static_cast<unsigned>(axis) : 0u; };
+  if (const int axis = nct::drills_along(m); axis >= 0) return bit(axis);
+  if (mode == 1) return bit(nct::main_axis(m, 3));
+  if (mode == 2) return bit(static_cast<int>(m.modal.axes.normal));
+  AxisMask axes = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const std::size_t a = m.def.address(w.address).axis;
+    if (m.nct->settings.axes[a].role != 0) axes |= 1u << a;
+  }
+  return axes;
+}
+
+void register_length(Machinery& m, std::uint32_t number) {
+  const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
+  const AxisMask axes = length_axes(m);
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * length;
+}
+
+}  // namespace
+
+namespace functions {
+
+/// arg 1 G43, 2 G44, 0 G49.
+Status length_comp(Machinery& m, const Call& call) {
+  if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
+  if (call.row->arg == 0) {
+    m.modal.length_sign = 0;
+    m.modal.lengths = {};
+    m.change_frames();
+    return {};
+  }
+  m.modal.length_sign = call.row->arg == 1 ? std::int8_t{1} : std::int8_t{-1};
+  if (m.has('H')) {
+    const auto number = offset_number(m, 'H');
+    if (!number) return fail(number.error());
+    m.modal.length_number = *number;
+    m.nct->state.words.h = *number;
+  } else if (!m.has_axis_words()) {
+    return {};
+  }
+  register_length(m, m.modal.length_number);
+  m.change_frames();
+  return {};
+}
+
+/// H: in the state of G43, G44 the new value acts at once; else only the number is kept.
+Status length_number(Machinery& m, const Call&) {
+  if (m.has_code({Function::length_comp})) return {};
+  const auto number = offset_number(m, 'H');
+  if (!number) return fail(number.error());
+  m.modal.length_number = *number;
+  m.nct->state.words.h = *number;
+  if (m.modal.length_sign == 0) return {};
+  register_length(m, *number);
+  m.change_frames();
+  return {};
+}
+
+Status radius_number(Machinery& m, const Call&) {
+  const auto number = offset_number(m, 'D');
+  if (!number) return fail(number.error());
+  m.modal.offset_number = *number;
+  m.nct->state.words.d = *number;
+  return {};
+}
+
+/// arg 0 G40, 1 G41, 2 G42. A radius other than 0 is for the contours (15.5) to come: the first motion says so.
+Status radius_side(Machinery& m, const Call& call) {
+  m.modal.radius_side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
+  return {};
+}
+
+}  // namespace functions
+}  // namespace kadr

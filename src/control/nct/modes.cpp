@@ -1,0 +1,127 @@
+// Modes and small functions: polar data, smoothing, dwell, feed control, mirroring, threads (spec/nct/04, 05, 06, 08, 16.3).
+
+#include <cmath>
+
+#include "control/functions.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/nct.h"
+
+namespace kadr::functions {
+
+/// G16 (5.4): radius and angle anew.
+Status polar_data_on(Machinery& m, const Call&) {
+  if (!m.modal.polar_data) m.modal.polar_radius_given = m.modal.polar_angle_given = false;
+  m.modal.polar_data = true;
+  return {};
+}
+
+Status polar_data_off(Machinery& m, const Call&) { return m.modal.polar_data = false, Status(); }
+
+/// G5.1 Q (4.7): the mode is kept; smoothing itself belongs to motion. Axis words name the axes, nothing moves.
+Status smoothing(Machinery& m, const Call& call) {
+  if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
+  const auto q = m.whole('Q', 0, 3);
+  if (!q) return fail(q.error());
+  if (*q >= 2 && m.modal.feed_mode != FeedMode::per_minute) return fail(alarm(AlarmId::not_together, call.where, call.row->code, "G95"));
+  m.modal.smoothing = static_cast<std::uint8_t>(*q);
+  return {};
+}
+
+/// G4 P (8): seconds, or in G95 revolutions of the main spindle.
+Status dwell_or_turns(Machinery& m, const Call& call) {
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+  const auto seconds = nct::dwell_seconds(m, m.value('P'), m.where('P'));
+  if (!seconds) return fail(seconds.error());
+  m.emit(Dwell{*seconds});
+  return {};
+}
+
+/// G62, G63, G64: arg is the code; the feed they imply belongs to motion.
+Status feed_control(Machinery& m, const Call&) {
+  m.modal.exact = false;
+  m.modal.blend_tolerance = 0;
+  return {};
+}
+
+/// G51.1 (16.3): the named axes are mirrored about the given coordinates.
+Status mirror_on(Machinery& m, const Call& call) {
+  if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const std::size_t a = m.def.address(w.address).axis;
+    if (w.incremental) return fail(alarm(AlarmId::increment_not_allowed, w.where, w.written));
+    const double center = w.value * (m.def.address(w.address).unit == WordUnit::length ? m.unit_scale() : 1.0);
+    m.transform.mirror[a] = -1;
+    m.transform.added[a] = 2 * center;
+  }
+  m.transform.refresh();
+  m.position.programmed = m.transform.to_programmed(m.position.work);
+  return {};
+}
+
+/// G50.1: off on the named axes; without axis words on all.
+Status mirror_off(Machinery& m, const Call&) {
+  const bool all = !m.has_axis_words();
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const char letter = m.letters.axis_letter[a];
+    if (!all && (letter == 0 || !m.has(letter))) continue;
+    m.transform.mirror[a] = 1;
+    m.transform.added[a] = 0;
+  }
+  m.transform.refresh();
+  m.position.programmed = m.transform.to_programmed(m.position.work);
+  return {};
+}
+
+/// Codes that end what Kadr does not begin yet (G50, G69, G69.1, G80.8): the state they name is in force.
+Status transform_off(Machinery&, const Call&) { return {}; }
+
+/// G33 (4.4): a thread along one or two axes; F the lead, or E threads an inch; Q the start angle.
+Status thread(Machinery& m, const Call& call) {
+  if (call.row->modal) {
+    m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
+    m.modal.motion = MotionMode::linear;
+  }
+  if (m.has('F') && m.has('E')) return fail(alarm(AlarmId::thread_definition, call.where));
+  for (const char letter : {'F', 'E'})
+    if (m.has(letter) && !(m.value(letter) > 0)) return fail(alarm(AlarmId::thread_definition, m.where(letter)));
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(m.target(to, named));
+  if (m.has('E')) m.nct->thread_lead = mm_per_inch / m.value('E');
+  else if (m.has('F')) m.nct->thread_lead = m.value('F') * m.unit_scale();
+  if (named == 0) return {};
+  if (!(m.nct->thread_lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
+  if (const int count = __builtin_popcount(named); count > 2) return fail(alarm(AlarmId::thread_axes, call.where, double(count)));
+  const bool first = !m.nct->in_thread;
+  KADR_TRY(m.straight(MotionKind::thread, to, named));
+  Motion& motion = std::get<Motion>(m.batch->back().what);
+  motion.own_override = true;
+  motion.unit = FeedUnit::mm_per_rev;
+  motion.feed = m.nct->thread_lead;
+  MotionDetail& detail = nct::detail_of(m, motion);
+  detail.lead = m.nct->thread_lead;
+  if (first) detail.start_angle = m.value('Q');
+  m.nct->in_thread = true;
+  return {};
+}
+
+/// G10 L…: by L (10.2.4, 10.2.5, 15.2, 24.1, 12.4).
+Status set_tables(Machinery& m, const Call& call) { return nct::set_tables(m, call); }
+Status set_tables_end(Machinery&, const Call&) { return {}; }
+
+}  // namespace kadr::functions
+
+namespace kadr::nct {
+
+Result<double> dwell_seconds(Machinery& m, double p, Span where) {
+  if (!(p >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'P', p));
+  if (m.modal.feed_mode != FeedMode::per_revolution || m.nct->settings.dwell_seconds) return p;
+  const double rpm = m.nct->spindle_rpm(m);
+  const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
+  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: the dwell would never end
+  return p * 60 / rpm;
+}
+
+}  // namespace kadr::nct

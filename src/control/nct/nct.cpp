@@ -1,0 +1,184 @@
+#include "control/nct/nct.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/machine_axes.h"
+#include "control/functions.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/system_variables.h"
+
+namespace kadr::nct {
+namespace {
+
+/// Names of all axes of the machine by their number: those of the other channels too.
+std::vector<std::string> all_axes(const ControlDef& def, const Setup& setup) {
+  std::vector<std::string> names(32);
+  std::size_t number = 1;
+  const auto add = [&](const std::vector<std::string>& axes) {
+    for (const std::string& name : axes)
+      if (number <= names.size()) names[number++ - 1] = name;
+  };
+  const std::vector<std::string> usual = {"X", "Y", "Z"};
+  bool own_added = false;
+  for (const auto& [channel, other] : setup.channels) {
+    if (channel > setup.channel && !own_added) add(def.axes), own_added = true;
+    add(other.axes.empty() ? usual : other.axes);
+  }
+  if (!own_added) add(def.axes);
+  return names;
+}
+
+ParameterSource source_of(const ParameterStore& store) {
+  return {[&store](const char* name, int index) { return store.value(store.named(name), index); },
+          [&store](const char* name, const char* bit, int index) {
+            const ParameterId id = store.named(name);
+            const bool digit = bit[0] >= '0' && bit[0] <= '9' && bit[1] == '\0';
+            const int number = digit ? bit[0] - '0' : store.bit_named(id, bit);
+            return number >= 0 && store.bit(id, number, index);
+          },
+          [&store](const char* name, int index) {
+            const std::string text = store.text(store.named(name), index);
+            return text.size() == 1 && text[0] >= 'A' && text[0] <= 'Z' ? text[0] : '\0';
+          }};
+}
+
+/// Number of a modal group's name; 0: it is no G group.
+int group_number(const GroupRow& group) {
+  const bool digits = !group.name.empty() && group.name.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? std::stoi(group.name) : 0;
+}
+
+/// Tenths of the code that a group begins with (3.3).
+std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) {
+  switch (group) {
+    case 1: return s.default_1[0] ? 10 : 0;
+    case 2: return s.default_1[1] ? 180 : s.default_1[2] ? 190 : 170;
+    case 3: return s.default_1[7] ? 910 : 900;
+    case 5: return s.default_per_rev ? 950 : 940;
+    case 6: return s.default_1[3] ? 200 : 210;
+    case 8: return s.default_1[5] ? 430 : s.default_1[6] ? 440 : 490;
+    default: return otherwise;
+  }
+}
+
+/// Every modal group's initial code is in force; `keep`: the bits of CLR G Table are obeyed.
+void reset_codes(Machinery& m, bool keep) {
+  const Settings& s = m.nct->settings;
+  m.nct->plane_axes = 0;
+  Block* const block = m.block;
+  Block none;
+  m.block = &none;  // the functions find no words
+  for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
+    const GroupRow& group = m.def.groups[g];
+    const int number = group_number(group);
+    if (group.power_on < 0 || (keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
+                               s.kept_groups[static_cast<std::size_t>(number)]))
+      continue;
+    const std::int32_t tenth = initial_code(s, number, m.def.codes[static_cast<std::size_t>(group.power_on)].tenth);
+    const std::int32_t index = m.def.row_of('G', tenth);
+    if (index < 0) continue;
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    const std::size_t silent = m.batch->size();
+    (void)handler_of(row.function)(m, {&row, nullptr, {}});
+    m.batch->cut(silent);
+    m.modal.rows[g] = static_cast<std::int16_t>(index);
+  }
+  m.block = block;
+}
+
+void reset_shifts(Machinery& m) {
+  m.modal.new_system = m.modal.local = {};
+  m.modal.surface = PathSurface::plane;
+  m.modal.smoothing = 0;
+  m.modal.diameter = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (m.nct->settings.axes[a].diameter) m.modal.diameter |= 1u << a;
+  m.transform = Transform();
+}
+
+}  // namespace
+
+/// "_ALM" without its underscore; -1: unknown.
+double number_of_symbol(const Machinery& m, const std::string& name) {
+  const std::string plain = name.substr(0, name.find('['));
+  const double index = name.find('[') == std::string::npos ? 1 : std::strtod(name.c_str() + name.find('[') + 1, nullptr);
+  for (const VariableName& row : m.def.grammar.symbols)
+    if (row.text == plain) return row.indexed ? row.number + index - row.first_index : row.number;
+  return -1;
+}
+
+Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
+    : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
+      parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
+      tools(setup),
+      output({limits.files, std::uint64_t{1} << 30, limits.writes_files ? OutputWriting::files : OutputWriting::nothing}) {
+  if (!parameters.error().empty()) m.start_error = parameters.error();
+}
+
+Nct::~Nct() = default;
+
+void Nct::refresh_settings(const Machinery& m) {
+  if (parameters_seen_ == parameters.version() + 1) return;
+  parameters_seen_ = parameters.version() + 1;
+  settings = read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
+}
+
+void Nct::start(Machinery& m, const Setup& setup) {
+  refresh_settings(m);
+  for (const auto& [number, spindle_setup] : setup.spindles) {
+    if (number < 1 || number > static_cast<int>(most_spindles)) continue;
+    SpindleState& s = spindle(number);
+    s.known = true;
+    s.channel = spindle_setup.channel;
+    s.rpm = spindle_setup.rpm;
+    s.dir = spindle_setup.dir == "cw" ? SpindleDir::cw : spindle_setup.dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
+    s.angle = spindle_setup.angle.value_or(0);
+    ranges[number] = spindle_setup.ranges;
+    spindle_names[number] = spindle_setup.name;
+  }
+  if (settings.default_spindle > 0) state.current_spindle = state.main_spindle = settings.default_spindle;
+  state.surface_speed = settings.surface_speed;
+  state.css_axis = settings.css_axis;
+  signals = setup.signals;
+  single_block = setup.single_block;
+  clock = setup.clock;
+  reset_shifts(m);
+  reset_codes(m, false);
+}
+
+void Nct::take_setup(Machinery& m, const Setup& setup) {
+  for (const auto& [name, value] : setup.variables) {
+    if (name.size() < 2 || name[0] != '#') continue;
+    const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
+    const Status written = write_variable(m, number, value ? *value : vacant, {});
+    if (!written && m.start_error.empty()) m.start_error = "variables: " + name;
+  }
+  for (const auto& [name, on] : setup.diameter)
+    for (std::size_t a = 0; a < m.axis_count; ++a)
+      if (m.axis_names[a] == name) m.modal.diameter = on ? m.modal.diameter | 1u << a : m.modal.diameter & ~(1u << a);
+  for (std::size_t first = 0; first < m.axis_count; ++first)
+    for (std::size_t second = 0; second < m.axis_count; ++second)
+      if (!setup.plane.empty() && m.axis_names[first] + m.axis_names[second] == setup.plane)
+        m.modal.axes.first = first, m.modal.axes.second = second;
+  m.transform.refresh();
+}
+
+void Nct::end_program(Machinery& m) {
+  output.abort();
+  data_mode = DataMode::none;
+  modal_calls.clear();
+  active_modal_calls = 0;
+  repeated_arguments.clear();
+  variables.close_levels();
+  control_1 = control_2 = 0;
+  interrupt_program.reset();
+  interrupted.active = false;
+  finishing.clear();
+  state.turning.code = 0;
+  reset_shifts(m);
+  reset_codes(m, true);
+  m.change_frames();
+}
+
+}  // namespace kadr::nct

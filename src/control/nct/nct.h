@@ -1,0 +1,228 @@
+#pragma once
+// What only the NCT control remembers (spec/nct): macro levels, parameters, tools, spindles, modal calls. One object a channel.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/setup.h"
+#include "control/action.h"
+#include "control/control.h"
+#include "control/nct/changes.h"
+#include "control/nct/drilling.h"
+#include "control/nct/macro_variables.h"
+#include "control/nct/measuring.h"
+#include "control/nct/output_file.h"
+#include "control/nct/parameters.h"
+#include "control/nct/programs.h"
+#include "control/nct/settings.h"
+#include "control/nct/tools.h"
+#include "control/nct/turning.h"
+#include "control/state.h"
+
+namespace kadr {
+class Machinery;
+struct Call;
+struct CallFrame;
+}  // namespace kadr
+
+namespace kadr::nct {
+
+/// A modal macro call in force (23.3.2, 23.3.3).
+struct ModalCall {
+  std::uint16_t reader = 0;
+  Position start;
+  std::uint32_t times = 1;
+  std::uint32_t name = 0;
+  bool each_block = false;  // G66.1
+  char called_by = 'G';
+  std::int32_t called_code = -1;
+  Locals arguments;
+};
+
+struct SpindleState {
+  bool known = false;  // the set-up has it
+  int channel = 1;
+  double rpm = 0;
+  SpindleDir dir = SpindleDir::stop;
+  bool loop_closed = false;
+  bool referenced = false;  // oriented since the loop was closed
+  double angle = 0;         // degrees, while the loop is closed
+  int range = 0;            // selected by M11 … M18; 0: none
+  int master = 0;           // it is synchronised to; 0: none
+};
+
+/// Words of the last block and the like, for #4101 … (23.1.14).
+struct ModalWords {
+  std::array<double, 3> aux{};
+  double d = 0, e = 0, f = 0, h = 0, m = 0, n = 0, o = 0, s = 0, t = 0;
+  double extended_zero = 0;
+};
+
+/// What a run remembers beside Modal; an alarm takes it back.
+struct Volatile {
+  std::array<SpindleState, most_spindles + 1> spindles;
+  int current_spindle = 1;  // referred to last (11.2)
+  int main_spindle = 1;
+  double surface_speed = 0;  // m/min
+  int css_axis = 0;          // control-wide number
+  double css_most = 0;       // G92 S, rev/min; 0: none
+  ModalWords words;
+  DrillingMemory drilling;
+  TurningMemory turning;
+};
+
+inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
+inline constexpr std::size_t all_systems = 1 + basic_systems + extended_systems;
+
+enum class DataMode : std::uint8_t { none, parameters, tools };
+
+/// What a word block may change here, as it was before: an alarm takes it back.
+struct Before {
+  // of every block
+  ModalWords words;
+  bool in_thread = false;
+  double thread_lead = 0, surface_angle = 0;
+  std::vector<std::pair<int, double>> commons;  // #191 … #199, set by bound letters
+  // of a block that does more than move, or call
+  bool all = false;
+  Volatile state;
+  std::vector<ModalCall> modal_calls;
+  std::uint8_t active_modal_calls = 0;
+  std::size_t levels = 1, repeated_arguments = 0;
+  DataMode data_mode = DataMode::none;
+  std::optional<ProgramPlace> interrupt_program;
+  double parts_done = 0;
+  std::vector<std::pair<double*, double>> cells;  // of the tables of zeros
+};
+
+/// Modal state kept for the end of an interrupt macro (23.4).
+struct Interrupted {
+  bool active = false;
+  Modal modal;
+  ModalWords words;
+};
+
+class Nct {
+ public:
+  Nct(Machinery& machinery, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
+  ~Nct();
+
+  // ---- parameters and what follows from them
+  /// Parameters have changed: what follows from them is worked out anew.
+  void refresh_settings(const Machinery& m);
+  Status parameter_line(Machinery& m);
+
+  // ---- start and end
+  /// Power-on state, then what the set-up says.
+  void start(Machinery& m, const Setup& setup);
+  /// Variables, plane, diameter of the set-up, after its modal codes.
+  void take_setup(Machinery& m, const Setup& setup);
+  /// M2, M30, or the file's end: the end-of-program reset (3.4) follows an M code.
+  void end_program(Machinery& m);
+  /// Whole state for the last line of a trace, in the form of a set-up.
+  RunState run_state(const Machinery& m) const;
+
+  // ---- what an alarm takes back
+  /// A word block begins.
+  void begin_block();
+  /// It may change more than where the tool is.
+  void keep_all(const Machinery& m);
+  /// A number of a table is about to be written.
+  void keep_cell(double& cell) { before_.cells.emplace_back(&cell, cell); }
+  void keep_common(int n) { before_.commons.emplace_back(n, variables.common(n)); }
+  void take_back(const Machinery& m);
+
+  // ---- tools
+  Result<std::uint32_t> offset_of_tool(char letter) const;
+  Status open_tool_data(Machinery& m, std::uint32_t l, double p, Span where);
+  Status tool_line(Machinery& m);
+  void close_data() { data_mode = DataMode::none; }
+
+  // ---- spindles
+  SpindleState& spindle(int number) { return state.spindles[static_cast<std::size_t>(number)]; }
+  const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
+  /// Speed of the main spindle now, rev/min; 0 if it stands.
+  double spindle_rpm(const Machinery& m) const;
+  double css_rpm(const Machinery& m) const;
+
+  /// Tool lengths by axis before the block.
+  const Axes& lengths_before() const { return lengths_before_; }
+  /// Single-block operation is on and #3003 does not suppress it (23.1.10).
+  bool stops_each_block() const { return single_block && (control_1 & 1u) == 0; }
+
+  /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
+  void end_interrupt(Machinery& m, bool restore);
+
+  MacroVariables variables;
+  ParameterStore parameters;
+  Settings settings;
+  Volatile state;
+  ToolManagement tools;
+  DataInput data_input;
+  OutputFile output;
+  Programs programs;
+  std::map<int, std::vector<std::pair<double, double>>> ranges;  // of spindles, rev/min
+  std::map<int, std::string> spindle_names;
+  std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // by depth of the call
+  std::vector<ModalCall> modal_calls;
+  std::uint8_t active_modal_calls = 0;  // how many of them act on the blocks being carried out
+  std::vector<Finishing> finishing;     // contours that G70.7 is in
+  DataMode data_mode = DataMode::none;
+  Interrupted interrupted;
+  std::optional<ProgramPlace> interrupt_program;  // M96
+  bool signal_was_on = false;                     // CP_MINT when it was looked at last
+  std::map<std::string, double> signals;          // of the machine's logic
+  bool single_block = false;                      // the operator's switch
+  // of the block being carried out
+  bool was_hidden = false;     // the block stands in a program that is not listed (23.3.9)
+  bool moved = false;          // it held a movement command
+  bool stops_reading = false;  // it empties the buffer
+  bool in_thread = false;      // the motion before was a thread too
+  double thread_lead = 0;      // mm
+  char pending_letter = 0;     // T, S, A, B, C or an ASCII letter that calls a subprogram behind the block
+  int pending_program = 0;
+  std::int32_t pending_code = -1;
+  Span pending_where;
+  int spindle_by_p = 0;          // S1500 P2: number of the spindle; 0: none
+  bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
+  AxisMask rolled = 0;           // rotary axes of the block that roll over, and their way
+  Axes travel{};
+  double surface_angle = 0;  // of the rotary axis in G12.1, unwound
+  AxisMask plane_axes = 0;   // axes whose letter stands in the block, with or without a number
+  // of the machine and its operator
+  std::array<double, 32> plc_in{}, plc_out{};
+  std::array<double, 4> plc_in_word{}, plc_out_word{};
+  std::uint32_t control_1 = 0, control_2 = 0;  // #3003, #3004
+  double answer = 0;                           // #3107
+  double parts_done = 0, parts_required = 0;
+  double cutting_ms = 0, clock_offset_ms = 0;
+  double now_ms = 0;                      // virtual time since power-on
+  double tool_magazine = 10;              // #8400
+  Axes probe_position{}, probe_length{};  // work coordinates; tool length then
+  Measurement measurement;                // of the probe motion under way
+  std::string clock;                      // "2014-05-18T15:32:41"
+  // for the state file
+  Changes changes;
+  bool tables_changed = false;
+  std::vector<std::uint32_t> changed_offsets;
+
+ private:
+  std::uint64_t parameters_seen_ = 0;
+  Axes lengths_before_{};
+  Before before_;
+};
+
+/// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
+Result<double> dwell_seconds(Machinery& m, double p, Span where);
+/// M codes for the machine: indexing, closing the loop, optional spindle codes, all others (11, 13.1).
+Status machine_code(Machinery& m, const Call& call);
+/// The block has a word for a spindle.
+bool has_spindle_word(const Machinery& m);
+/// Variables that hold something, and those that are asked for ("#5061", "#_ALM").
+void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch);
+/// G10 L… (set_tables.cpp).
+Status set_tables(Machinery& m, const Call& call);
+
+}  // namespace kadr::nct

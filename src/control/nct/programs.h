@@ -1,0 +1,47 @@
+#pragma once
+// Programs by number and by name in the program memory: folders on the disk (spec/nct/14 14.4.1, 14.4.2; 23 23.3).
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "lang/block.h"
+
+namespace kadr {
+class Machinery;
+}
+
+namespace kadr::nct {
+
+/// Where a called program begins.
+struct ProgramPlace {
+  std::uint16_t reader = 0;
+  Position start;
+};
+
+/// Finds programs once and remembers them.
+class Programs {
+ public:
+  /// M98 P, G65 P …: `Onnnn` or `Onnnnnnnn` with the caller's extension in the caller's folder. INFERRED: else the program
+  /// behind `Onnnn` in the main file itself (a tape with several programs).
+  ///   alarms  program_missing (2147)
+  Result<ProgramPlace> by_number(Machinery& m, std::uint32_t number, Span where);
+  /// M98 <path\\name.ext> from the caller's folder. alarms file_missing (2132), file_name
+  Result<ProgramPlace> by_name(Machinery& m, std::string_view name, Span where);
+  /// A system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
+  Result<ProgramPlace> system(Machinery& m, std::uint32_t number, Span where);
+
+ private:
+  std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramPlace> numbers_;  // {reader of the caller, number}
+  std::map<std::uint32_t, ProgramPlace> systems_;
+};
+
+/// "O0012"; numbers above 9999 have eight digits.
+std::string program_name(std::uint32_t number);
+/// Number of a program by its file's name: O and at most eight digits; 0 otherwise (23.1.13).
+std::uint32_t number_of_file(const std::string& path);
+
+}  // namespace kadr::nct

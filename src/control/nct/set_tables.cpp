@@ -1,0 +1,137 @@
+// G10 (spec/nct/10 10.2.4, 10.2.5; 15 15.2; 12 12.4; 24 24.1) and the data lines up to G11.
+
+#include <cmath>
+
+#include "control/machinery.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/data_lines.h"
+#include "control/nct/nct.h"
+
+namespace kadr::nct {
+namespace {
+
+constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
+
+/// v of G10 L2, L20: written, or in G91 and with the operator I added.
+Status set_zero(Machinery& m, const Call& call, std::uint32_t index, bool common) {
+  const bool adds = !m.modal.absolute;
+  Axes zero = common ? m.tables.common : m.tables.zeros[index];  // all or nothing
+  for (const char letter : rotation_letters)
+    if (common && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const AddressRow& row = m.def.address(w.address);
+    double v = w.value * (row.unit == WordUnit::length ? m.unit_scale() : 1.0);
+    if ((m.modal.diameter >> row.axis & 1u) != 0) v /= 2;
+    const bool add = adds || w.incremental || row.function == Function::increment_axis;
+    m.nct->keep_cell(zero[row.axis]);
+    zero[row.axis] = add ? zero[row.axis] + v : v;
+    if (!(std::fabs(zero[row.axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, zero[row.axis]));
+  }
+  (common ? m.tables.common : m.tables.zeros[index]) = zero;
+  if (!common) {
+    Vec3& angles = m.tables.rotations[index];
+    double* const parts[] = {&angles.x, &angles.y, &angles.z};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (m.has(rotation_letters[i])) m.nct->keep_cell(*parts[i]), *parts[i] = m.value(rotation_letters[i]) + (adds ? *parts[i] : 0.0);
+  }
+  (void)call;
+  m.nct->tables_changed = true;
+  m.change_frames();
+  return {};
+}
+
+/// The register of the offset table that L names (15.2).
+double* offset_register(ToolOffset& offset, std::uint32_t l) {
+  switch (l) {
+    case 10: return &offset.length;
+    case 11: return &offset.length_wear;
+    case 12: return &offset.radius;
+    case 13: return &offset.radius_wear;
+    case 110: return &offset.corner;
+    case 111: return &offset.corner_wear;
+    default: return nullptr;
+  }
+}
+
+Status set_offset(Machinery& m, const Call& call, std::uint32_t l) {
+  for (const char letter : {'P', 'R'})
+    if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
+  const auto number = m.whole('P', 1, m.def.behaviour.offsets);
+  if (!number) return fail(number.error());
+  m.keep_offset(*number);
+  double* const to = offset_register(m.tables.offsets[*number], l);
+  const Word& r = *m.word('R');
+  const bool adds = !m.modal.absolute || r.incremental;
+  *to = (adds ? *to : 0.0) + r.value * m.unit_scale();
+  m.nct->changed_offsets.push_back(*number);
+  return {};
+}
+
+/// L52, L75, L76, L77: the lines up to G11 are data.
+Status open_data(Machinery& m, const Call& call, std::uint32_t l) {
+  if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
+  if (l == 52) {
+    m.nct->data_mode = DataMode::parameters;
+    return {};
+  }
+  return m.nct->open_tool_data(m, l, m.has('P') ? m.value('P') : 0, call.where);
+}
+
+}  // namespace
+
+Status set_tables(Machinery& m, const Call& call) {
+  if (!m.has('L')) return fail(alarm(AlarmId::word_missing, call.where, 'L', call.row->code));
+  const auto l = m.whole('L', 1, 999);
+  if (!l) return fail(l.error());
+  if (*l == 52 || (*l >= 75 && *l <= 77)) return open_data(m, call, *l);
+  ToolOffset unused;
+  if (offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
+  if (*l != 2 && *l != 20) {
+    const bool known = *l == 21 || (*l >= 200 && *l <= 203);
+    if (known) return fail(alarm(AlarmId::not_available, m.where('L'), "G10 L21, L200"));
+    return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
+  }
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+  const auto p = *l == 2 ? m.whole('P', 0, basic_systems) : m.whole('P', 1, extended_systems);
+  if (!p) return fail(p.error());
+  const std::uint32_t index = *l == 2 ? *p : static_cast<std::uint32_t>(basic_systems) + *p;
+  return set_zero(m, call, index, *l == 2 && *p == 0);
+}
+
+Status data_line(Machinery& m) {
+  if (m.has_code({Function::set_tables_end})) {
+    if (m.block->word_count > 1) return fail(alarm(AlarmId::own_block, m.block->words[0].where, "G11"));
+    m.nct->close_data();
+    return {};
+  }
+  if (m.nct->data_mode == DataMode::parameters) return m.nct->parameter_line(m);
+  return m.nct->tool_line(m);
+}
+
+/// One code of each exclusive group; one spindle code (13.1, 11.2).
+Status check_m_codes(const Machinery& m) {
+  const Settings& s = m.nct->settings;
+  const auto is_spindle = [&](int code) {
+    if (code == 3 || code == 4 || code == 5 || code == 19) return true;
+    for (const SpindleSettings& spindle : s.spindles)
+      if (spindle.m_high != 0 && code >= spindle.m_low && code <= spindle.m_high) return true;
+    return false;
+  };
+  const auto contradict = [&](int a, int b) {
+    if (is_spindle(a) && is_spindle(b)) return true;
+    for (const auto& [low, high] : s.m_groups)
+      if (high != 0 && a >= low && a <= high && b >= low && b <= high) return true;
+    return false;
+  };
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i)
+    for (std::uint32_t k = i + 1; k < m.block->word_count; ++k) {
+      const Word &a = m.block->words[i], &b = m.block->words[k];
+      if (a.address != 'M' || b.address != 'M' || !contradict(a.code / 10, b.code / 10)) continue;
+      return fail(alarm(AlarmId::m_codes_contradict, b.where, m.block->text_of(a.where), m.block->text_of(b.where)));
+    }
+  return {};
+}
+
+}  // namespace kadr::nct

@@ -1,0 +1,123 @@
+#pragma once
+// What the parameters say, in the form the interpreter works with; read anew after a parameter was written (spec/nct, the
+// chapters' parameter tables).
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace kadr::nct {
+
+inline constexpr std::size_t most_spindles = 16;
+
+struct AxisSettings {
+  bool diameter = false;          // N0106 #0 DIA
+  bool switches_by_code = false;  // N0106 #5 MGD: G10.9 may switch
+  int role = 0;                   // N0103: 1, 2, 3 = X, Y, Z; 5, 6, 7 = parallel to them; 0 = neither
+  bool rolls = false;             // N0107 #0 REN
+  bool shortest = false;          // N0107 #1 ASH
+  bool by_sign = false;           // N0107 #2 ABS
+  bool cuts_turns = false;        // N0107, the unnamed bit of 5.6
+  double period = 360;            // N0108 RollAmount
+  double polar_offset = 0;        // N0217
+  double feed_most = 0;           // N0305 Max Feed; 0: no limit
+};
+
+struct SpindleSettings {
+  bool orients = false;                 // N0607 #1 ORI
+  bool indexes = false;                 // N0607 #2 INX
+  bool index_negative = false;          // N0607 #7 IDS
+  int m_low = 0, m_high = 0;            // N0689, N0690
+  int index_from = 0, index_count = 0;  // N0820, N0821
+  double index_angle = 0;               // N0822
+  int closing_code = 0;                 // N0823
+};
+
+/// A run of codes bound to programs: start + k·step → program + k.
+struct CodeRun {
+  double start = 0;
+  double step = 1;
+  int program = 0;
+  int count = 0;
+  bool modal = false;  // a negative start (23.3.4)
+};
+
+struct Settings {
+  std::array<AxisSettings, max_axes> axes;                  // by index in the channel
+  std::array<SpindleSettings, most_spindles + 1> spindles;  // by number
+  // interpretation
+  double radius_difference = 0.01;     // N1339, mm
+  bool dwell_seconds = false;          // N1337 #1 SEC
+  bool centers_absolute = false;       // N1337 #2 CCA
+  bool feed_along_helix = false;       // N1337 #3 HEF
+  std::array<bool, 8> default_1{};     // N1300 G01 G18 G19 G20 G22/23 G43 G44 G91
+  bool default_per_rev = false;        // N1301 #0
+  bool keeps_codes = false;            // N1301 CLR
+  std::array<bool, 40> kept_groups{};  // CLR G Table: Cnn
+  bool in_position_check = false;      // N1337 PCH
+  int length_axes = 0;                 // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
+  bool turning_offsets = false;        // N1416 #2 TOL
+  // macros
+  int protect_low = 0, protect_high = 0;  // N1702, N1703
+  int shared_100 = 0, shared_500 = 0;     // N1700, N1701
+  std::vector<CodeRun> g_macros, m_macros, m_programs;
+  bool binds_codes = false;                                                                                   // any of these
+  std::array<bool, 5> letters_call{};                                                                         // N1746: A, B, C, S, T
+  std::array<char, 4> ascii{};                                                                                // N1747 …
+  std::array<int, 4> ascii_programs{};                                                                        // N1751 …
+  bool modal_each_block = false;                                                                              // N1755 #0 MEQ
+  bool calls_inside_calls = false;                                                                            // N1755 #1 ENC
+  bool without_length = false;                                                                                // N1755 #6 TLC
+  bool lists_8000 = false, lists_9000 = false;                                                                // N1756
+  bool print_bare = false;                                                                                    // N1757 #0 PNT
+  bool interrupts = false, interrupt_keeps_locals = false, interrupt_at_end = false, interrupt_edge = false;  // N1758 #0–#3
+  bool interrupt_own_codes = false, interrupt_in_system = false;                                              // #4, #5
+  int interrupt_on = 96, interrupt_off = 97;                                                                  // N1759, N1760
+  // M codes, tools, spindles
+  std::array<std::pair<int, int>, 16> m_groups{};  // N1341…, N1357…
+  int waiting_low = 0, waiting_high = 0;           // N2201, N2202
+  int part_code = 0;                               // N2305
+  bool life_counts_on_t = false;                   // N2901 #1 TLC
+  bool change_on_m6 = true;                        // N1338 #0 M06; INFERRED: of no effect outside block search
+  int offset_by_tool = 0;                          // N2923
+  int place_code = 0;                              // N2924
+  int user_columns = 20;                           // N2903
+  int default_spindle = 0;                         // N0604
+  double surface_speed = 0;                        // N0686
+  int css_axis = 0;                                // N0687
+  double css_least = 0;                            // N0688
+  // cycles, measuring (18, 21)
+  double return_g73 = 0, clearance_g83 = 0;                                    // N1500, N1501
+  double extraction = 0;                                                       // N1502, %
+  bool lathe_codes = false;                                                    // N1503 CSM
+  bool tap_orients = false;                                                    // N1503 TSC
+  bool tap_normal = false;                                                     // N1503 #3 PTC
+  bool tap_override = false;                                                   // N1503 #4 EOE
+  bool tap_return_override = false;                                            // N1503 #5 ROE
+  double tap_back = 0, tap_clearance = 0, tap_extraction = 0, tap_return = 0;  // N1504 … N1507
+  bool measure_parameter_feed = false;                                         // N3001 #0 SKF
+  bool length_parameter_feed = false;                                          // N3003 #0 TLF
+  bool length_wear = false;                                                    // N3003 #1 TMW
+  bool length_adds = false;                                                    // N3003 #2 TCA
+  double measure_feed = 0, length_feed = 0;                                    // N0311, N0312, mm/min
+  double length_rapid = 0, length_alarm = 0;                                   // N3004, N3005
+  bool torque_known = true;                                                    // INFERRED: the virtual machine always knows the torque
+  double accuracy = 0;                                                         // N3103
+};
+
+/// Where parameters come from. `index`: axis, spindle or channel number from 1; 0: the own channel, or none.
+struct ParameterSource {
+  std::function<double(const char* name, int index)> value;
+  std::function<bool(const char* name, const char* bit, int index)> bit;
+  std::function<char(const char* name, int index)> letter;  // 0: none
+};
+
+/// `axis_numbers`: control-wide numbers of the channel's axes; `axis_names`: X, Y, Z, … decide the roles that N0103 leaves open.
+Settings read_settings(const ParameterSource& source, const std::vector<std::string>& axis_names,
+                       const std::array<std::uint8_t, max_axes>& axis_numbers);
+
+}  // namespace kadr::nct

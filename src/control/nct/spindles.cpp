@@ -1,0 +1,231 @@
+// Spindles by name and number, constant surface speed, positioning, ranges (spec/nct/11).
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/functions.h"
+#include "control/nct/interrupt.h"
+#include "control/nct/nct.h"
+#include "control/nct/waiting.h"
+
+namespace kadr::nct {
+namespace {
+
+constexpr double mm_per_m = 1000;
+constexpr double mm_per_foot = 304.8;
+
+/// Least and most speed the spindle may have: the selected range, or all of them.
+std::pair<double, double> limits_of(const Nct& nct, int number) {
+  const auto found = nct.ranges.find(number);
+  if (found == nct.ranges.end() || found->second.empty()) return {0, 1e300};
+  const int selected = nct.spindle(number).range;
+  if (selected > 0 && static_cast<std::size_t>(selected) <= found->second.size())
+    return found->second[static_cast<std::size_t>(selected) - 1];
+  std::pair<double, double> all = found->second.front();
+  for (const auto& [least, most] : found->second) all = {std::min(all.first, least), std::max(all.second, most)};
+  return all;
+}
+
+/// The one range that holds the speed; 0: none or several (11.3).
+int range_of(const Nct& nct, int number, double rpm) {
+  const auto found = nct.ranges.find(number);
+  if (found == nct.ranges.end()) return 0;
+  int range = 0;
+  for (std::size_t i = 0; i < found->second.size(); ++i) {
+    if (rpm < found->second[i].first || rpm > found->second[i].second) continue;
+    if (range != 0) return nct.spindle(number).range;
+    range = static_cast<int>(i) + 1;
+  }
+  return range;
+}
+
+std::string name_of_spindle(const Machinery& m, int number) {
+  const auto found = m.nct->spindle_names.find(number);
+  return found != m.nct->spindle_names.end() && !found->second.empty() ? found->second : "S" + std::to_string(number);
+}
+
+Status own_spindle(const Machinery& m, int number, Span where) {
+  const SpindleState& s = m.nct->spindle(number);
+  if (!s.known || s.channel == m.def.channel) return {};
+  return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(s.channel)));
+}
+
+/// Turns the spindle by `degrees` in the position loop.
+void turn(Machinery& m, int number, double degrees, bool absolute) {
+  SpindleState& s = m.nct->spindle(number);
+  s.angle += degrees;
+  s.angle -= 360 * std::floor(s.angle / 360);
+  Spindle action{SpindleDir::position, 0, static_cast<std::uint8_t>(number), degrees, {}};
+  if (absolute || s.referenced) action.angle = s.angle;
+  m.emit(action);
+}
+
+Status loop_closed(const Machinery& m, int number, Span where) {
+  if (m.nct->spindle(number).loop_closed) return {};
+  return fail(alarm(AlarmId::spindle_loop_open, where, std::string_view(name_of_spindle(m, number))));
+}
+
+}  // namespace
+
+double Nct::css_rpm(const Machinery& m) const {
+  double diameter = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (m.def.axis_numbers[a] == state.css_axis) diameter = 2 * std::fabs(m.position.work[a]);
+  const auto [least, most] = limits_of(*this, state.main_spindle);
+  double rpm = diameter > 0 ? mm_per_m * state.surface_speed / (pi * diameter) : 1e300;
+  rpm = std::max({rpm, settings.css_least, least});
+  if (state.css_most > 0) rpm = std::min(rpm, state.css_most);
+  return std::min(rpm, most);
+}
+
+double Nct::spindle_rpm(const Machinery& m) const {
+  const SpindleState& s = spindle(state.main_spindle);
+  if (s.dir != SpindleDir::cw && s.dir != SpindleDir::ccw) return 0;
+  return m.modal.surface_speed ? css_rpm(m) : s.rpm;
+}
+
+}  // namespace kadr::nct
+
+namespace kadr::functions {
+
+/// S, S1=…, SSB…, S… P: a speed for one spindle; with G96 plain S is the surface speed (11.1, 11.5.1).
+Status spindle_word(Machinery& m, const Call& call) {
+  nct::Nct& nct = *m.nct;
+  if (m.has_code({Function::new_system})) return {};  // G92 S limits the speed (11.5.2)
+  const double value = call.word->value;
+  if (!(value >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, call.word->address, value));
+  const int named = m.def.address(call.word->address).number;
+  if (m.modal.surface_speed && named == 0) {
+    nct.state.surface_speed = m.modal.inch ? value * nct::mm_per_foot / nct::mm_per_m : value;
+    m.emit(Speed{nct.state.surface_speed, true, static_cast<std::uint8_t>(nct.state.main_spindle), 0});
+    return {};
+  }
+  const int number = named != 0                         ? named
+                     : nct.spindle_by_p != 0            ? nct.spindle_by_p
+                     : nct.settings.default_spindle > 0 ? nct.settings.default_spindle
+                                                        : 1;
+  KADR_TRY(nct::own_spindle(m, number, call.where));
+  const auto [least, most] = nct::limits_of(nct, number);
+  const double rpm = value == 0 ? 0 : std::clamp(value, least, most);
+  nct::SpindleState& s = nct.spindle(number);
+  s.rpm = rpm;
+  nct.state.current_spindle = number;
+  m.modal.rpm = value;
+  m.emit(Speed{rpm, false, static_cast<std::uint8_t>(number), static_cast<std::uint8_t>(nct::range_of(nct, number, rpm))});
+  return {};
+}
+
+/// M3, M4, M5, M19 for the spindle referred to last (11.2).
+Status spindle_code(Machinery& m, const Call& call) {
+  nct::Nct& nct = *m.nct;
+  const int number = nct.state.current_spindle;
+  nct::SpindleState& s = nct.spindle(number);
+  s.master = 0;
+  switch (call.row->arg) {
+    case 3: s.dir = SpindleDir::cw; break;
+    case 4: s.dir = SpindleDir::ccw; break;
+    case 19: s.dir = SpindleDir::orient; break;
+    default: s.dir = SpindleDir::stop;
+  }
+  if (number == nct.state.main_spindle) m.modal.spindle = s.dir;
+  s.loop_closed = s.referenced = s.dir == SpindleDir::orient && nct.settings.spindles[static_cast<std::size_t>(number)].indexes;
+  if (s.dir == SpindleDir::orient) s.angle = 0;
+  const bool turns = s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw;
+  m.emit(Spindle{s.dir,
+                 turns ? (m.modal.surface_speed && number == nct.state.main_spindle ? nct.css_rpm(m) : s.rpm) : 0,
+                 static_cast<std::uint8_t>(number),
+                 {},
+                 {}});
+  return {};
+}
+
+/// M11 … M18 (11.3).
+Status gear_range(Machinery& m, const Call& call) {
+  const int number = m.nct->state.current_spindle;
+  m.nct->spindle(number).range = call.row->arg;
+  m.emit(MachineFunction{static_cast<std::uint32_t>(call.word->code / 10), {}, {}, static_cast<std::uint8_t>(number)});
+  return {};
+}
+
+/// CS2=30: to an angle by the shorter way, or by an increment (11.7.3).
+Status spindle_axis_word(Machinery& m, const Call& call) {
+  const int number = m.def.address(call.word->address).number;
+  KADR_TRY(nct::own_spindle(m, number, call.where));
+  KADR_TRY(nct::loop_closed(m, number, call.where));
+  nct::SpindleState& s = m.nct->spindle(number);
+  const double value = call.word->value;
+  if (!m.modal.absolute || call.word->incremental) return nct::turn(m, number, value, false), Status();
+  if (!s.referenced) return fail(alarm(AlarmId::spindle_not_referenced, call.where, std::string_view(nct::name_of_spindle(m, number))));
+  double way = value - s.angle;
+  way -= 360 * std::floor(way / 360);
+  nct::turn(m, number, way <= 180 ? way : way - 360, true);
+  return {};
+}
+
+/// G96 P: axis of the diameter (11.5.3).
+Status css_on(Machinery& m, const Call&) {
+  if (m.has('P')) {
+    const auto axis = m.whole('P', 1, 32);
+    if (!axis) return fail(axis.error());
+    const auto& numbers = m.def.axis_numbers;
+    if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) ==
+        numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
+      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED, as AX[n] (23.2.12)
+    m.nct->state.css_axis = static_cast<int>(*axis);
+  }
+  m.modal.surface_speed = true;
+  return {};
+}
+
+/// G97: the last speed of G96 stays (11.5.1).
+Status css_off(Machinery& m, const Call&) {
+  if (m.modal.surface_speed && m.batch != nullptr) {
+    nct::SpindleState& s = m.nct->spindle(m.nct->state.main_spindle);
+    if (s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw) s.rpm = m.nct->css_rpm(m);
+  }
+  m.modal.surface_speed = false;
+  return {};
+}
+
+}  // namespace kadr::functions
+
+namespace kadr::nct {
+
+/// M codes for the machine: indexing (11.7.3), closing the loop (11.7.2), optional spindle codes (11.2), all others. Waiting
+/// codes stay in the control (14.5).
+Status machine_code(Machinery& m, const Call& call) {
+  auto own_code = waiting_code(m, call);
+  if (own_code && !*own_code) own_code = interrupt_code(m, call);
+  if (!own_code) return fail(own_code.error());
+  if (*own_code) return {};
+  Nct& nct = *m.nct;
+  const int code = call.word->code / 10;
+  const int number = nct.state.current_spindle;
+  for (int n = 1; n <= static_cast<int>(most_spindles); ++n) {
+    const SpindleSettings& s = nct.settings.spindles[static_cast<std::size_t>(n)];
+    if (s.index_count > 0 && code >= s.index_from && code < s.index_from + s.index_count) {
+      KADR_TRY(loop_closed(m, n, call.where));
+      const double way = (code - s.index_from + 1) * s.index_angle;
+      return turn(m, n, s.index_negative ? -way : way, false), Status();
+    }
+  }
+  const SpindleSettings& own = nct.settings.spindles[static_cast<std::size_t>(number)];
+  const bool closes = own.closing_code != 0 && own.closing_code == code;
+  const bool of_spindle = closes || (own.m_high != 0 && code >= own.m_low && code <= own.m_high) || has_spindle_word(m);
+  if (closes) {
+    nct.spindle(number).loop_closed = true;
+    nct.spindle(number).referenced = false;
+    nct.spindle(number).dir = SpindleDir::stop;
+  }
+  if (nct.settings.part_code == code && code != 0) nct.parts_done += 1;
+  m.emit(MachineFunction{static_cast<std::uint32_t>(code), {}, {}, static_cast<std::uint8_t>(of_spindle ? number : 0)});
+  return {};
+}
+
+bool has_spindle_word(const Machinery& m) {
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i)
+    if (const Word& w = m.block->words[i]; w.address != 0 && m.def.address(w.address).function == Function::spindle_word) return true;
+  return false;
+}
+
+}  // namespace kadr::nct

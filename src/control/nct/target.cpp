@@ -1,0 +1,112 @@
+// Axis words → programmed end point (spec/nct/05).
+
+#include <cmath>
+
+#include "control/machinery.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/nct.h"
+
+namespace kadr::nct {
+namespace {
+
+/// The word's value in mm or degrees; a diameter as a radius.
+double value_of(const Machinery& m, const Word& w, std::size_t axis) {
+  const bool is_length = m.def.address(w.address).unit == WordUnit::length;
+  double v = w.value * (is_length ? m.unit_scale() : 1.0);
+  if ((m.modal.diameter >> axis & 1u) != 0) v /= 2;
+  return v;
+}
+
+bool is_increment(const Machinery& m, const Word& w) {
+  return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
+}
+
+/// c in [0, period).
+double rolled(double c, double period) {
+  const double r = c - period * std::floor(c / period);
+  return r < period ? r : 0;  // rounding just below a whole turn
+}
+
+/// Signed travel of a rotary axis that rolls over (5.6), from c in [0, R) to the programmed value.
+double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment) {
+  const double period = axis.period;
+  if (increment) return axis.cuts_turns ? programmed - period * std::trunc(programmed / period) : programmed;
+  if (axis.by_sign) {  // INFERRED: with ASH too
+    const double t = rolled(std::fabs(programmed), period);
+    return programmed >= 0 ? rolled(t - c, period) : -rolled(c - t, period);
+  }
+  if (axis.shortest) {
+    const double d = rolled(programmed - c, period);
+    return d <= period / 2 ? d : d - period;
+  }
+  const double way = programmed - c;
+  return way - period * std::trunc(way / period);
+}
+
+/// G16: the first plane axis carries the radius, the second the angle (5.4).
+void polar(const Machinery& m, const Word* radius, const Word* angle, Axes& to, AxisMask& named) {
+  Modal& modal = const_cast<Machinery&>(m).modal;  // what was given last is kept
+  const PlaneAxes& plane = modal.axes;
+  const Vec2 here{m.position.programmed[plane.first], m.position.programmed[plane.second]};
+  if (!modal.polar_angle_given) modal.polar_angle = angle_deg(here);
+  if (!modal.polar_radius_given) {
+    modal.polar_radius = length(here);
+    modal.polar_radius_absolute = true;
+  }
+  if (radius != nullptr) {
+    modal.polar_radius = value_of(m, *radius, plane.first);
+    modal.polar_radius_absolute = !is_increment(m, *radius);
+    modal.polar_radius_given = true;
+  }
+  if (angle != nullptr) {
+    modal.polar_angle = angle->value + (is_increment(m, *angle) ? modal.polar_angle : 0.0);
+    modal.polar_angle_given = true;
+  }
+  const Vec2 pole = modal.polar_radius_absolute ? Vec2{} : here;
+  const SinCos at = sincos_deg(modal.polar_angle);
+  to[plane.first] = pole.x + modal.polar_radius * at.cos;
+  to[plane.second] = pole.y + modal.polar_radius * at.sin;
+  named |= 1u << plane.first | 1u << plane.second;
+}
+
+}  // namespace
+
+Status target(const Machinery& m, Axes& to, AxisMask& named) {
+  to = m.position.programmed;
+  named = 0;
+  Nct& nct = *m.nct;
+  nct.rolled = 0;
+  const PlaneAxes& plane = m.modal.axes;
+  const bool is_polar = m.modal.polar_data && !nct.cartesian_block;
+  const Word* radius = nullptr;
+  const Word* angle = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+    const std::size_t axis = m.def.address(w.address).axis;
+    const bool polar_word = is_polar && (axis == plane.first || axis == plane.second);
+    if ((named >> axis & 1u) != 0 || (polar_word && (axis == plane.first ? radius : angle) != nullptr))
+      return fail(alarm(AlarmId::address_twice, w.where, w.address));
+    if (polar_word) {
+      (axis == plane.first ? radius : angle) = &w;
+      continue;
+    }
+    const double v = value_of(m, w, axis);
+    const AxisSettings& settings = nct.settings.axes[axis];
+    const bool increment = is_increment(m, w);
+    named |= 1u << axis;
+    if (settings.rolls && (m.def.rotary >> axis & 1u) != 0 && m.modal.surface == PathSurface::plane) {
+      const double from = rolled(m.position.programmed[axis], settings.period);
+      nct.travel[axis] = roll_travel(settings, from, v, increment);
+      nct.rolled |= 1u << axis;
+      to[axis] = rolled(from + nct.travel[axis], settings.period);
+    } else {
+      to[axis] = increment ? m.position.programmed[axis] + v : v;
+    }
+    if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));
+  }
+  if (radius != nullptr || angle != nullptr) polar(m, radius, angle, to, named);
+  return {};
+}
+
+}  // namespace kadr::nct

@@ -1,0 +1,92 @@
+#pragma once
+// Turning cycles G70.7 … G79.7 (spec/nct/19). The manual states names and a sample only: section 19.B, INFERRED as a whole,
+// is what is built. Depths, allowances, tapers and R of a diameter axis are radii (5.3).
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/result.h"
+#include "base/vec.h"
+#include "control/action.h"
+
+namespace kadr {
+class Machinery;
+struct Call;
+struct CodeRow;
+}  // namespace kadr
+
+namespace kadr::nct {
+
+/// First lines of the compound cycles, kept until they are given again, and the data of the simple cycle in force. mm.
+struct TurningMemory {
+  double depth = 0, back = 0;  // G71.7, G72.7: of a pass, of the retract at 45°
+  Vec2 relief;                 // G73.7: of the first pass, in the plane
+  std::uint32_t passes = 0;
+  double groove_back = 0;  // G74.7, G75.7
+  // G76.7
+  std::uint32_t finishing = 1;
+  double chamfer = 0;     // leads
+  double tool_angle = 0;  // degrees
+  double least = 0;       // depth of a pass
+  double allowance = 0;   // for the finishing passes
+  // simple cycles
+  std::int32_t code = 0;  // 777, 787, 797; 0: none
+  std::array<double, 2> target{};
+  std::array<bool, 2> known{};
+  double taper = 0;
+  double start_angle = 0;
+};
+
+/// A contour that G70.7 carries out block by block: where it ends, where the tool goes back to.
+struct Finishing {
+  std::size_t depth = 0;     // calls open inside it
+  std::uint64_t behind = 0;  // offset in the file behind its last block
+  Vec2 start;                // in the plane, programmed
+  Origin origin;             // of G70.7
+};
+
+/// Behind the last block of a contour: back to the start, and on behind G70.7.
+///   returns  true: it has been left
+Result<bool> end_contour(Machinery& m);
+
+// ---- for the cycles' own files
+
+/// A point of the plane where the tool stands, programmed.
+Vec2 plane_point(const Machinery& m);
+/// A straight motion in the plane; only of the axes that change.
+Status go(Machinery& m, MotionKind kind, Vec2 to);
+/// A pass is over: the stop of single-block operation (19.B, INFERRED).
+void end_pass(Machinery& m);
+
+/// Second lines of the compound cycles.
+Status finish(Machinery& m, const Call& call);
+Status rough(Machinery& m, const Call& call, Vec2 allowance);
+Status pattern(Machinery& m, const Call& call, Vec2 allowance);
+Status groove(Machinery& m, const Call& call);
+Status compound_thread(Machinery& m, const Call& call);
+
+/// Target of the cycle's axis words in the plane, which are Cartesian. `given`: which of the two stand in the block.
+///   alarms  illegal_address: an axis that is not in the plane
+struct PlaneTarget {
+  Vec2 to;
+  std::array<bool, 2> given{};
+};
+Result<PlaneTarget> plane_target(Machinery& m);
+/// Letter of the plane's first (0) or second (1) axis.
+char letter_of(const Machinery& m, std::size_t which);
+
+/// One pass of a thread: at rapid to the depth of `from`, along it to `to`, out, back to the start.
+struct ThreadPass {
+  Vec2 from, to;
+  Vec2 start;          // the tool comes from there and goes back
+  double lead = 0;     // mm
+  double angle = 0;    // of the spindle at the start, degrees
+  double chamfer = 0;  // mm along the thread's axis, at its end: out at 45°
+};
+Status thread_pass(Machinery& m, const ThreadPass& pass);
+/// F or E: lead in mm; without them the last one. alarms thread_definition, not_together (G96)
+Result<double> lead_of(Machinery& m, const Call& call);
+
+}  // namespace kadr::nct

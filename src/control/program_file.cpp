@@ -1,0 +1,166 @@
+#include "control/program_file.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace kadr {
+namespace {
+
+/// A line that cannot be read may still begin or end a loop: the other half is then no second fault.
+std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
+  std::string capitals(text.substr(0, text.find('(')));
+  for (char& c : capitals)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  const auto number_behind = [&](std::string_view word) -> std::uint8_t {
+    for (std::size_t at = capitals.find(word); at != std::string::npos; at = capitals.find(word, at + 1)) {
+      const std::size_t digit = capitals.find_first_not_of(' ', at + word.size());
+      if (digit != std::string::npos && capitals[digit] >= '1' && capitals[digit] <= '3')
+        return static_cast<std::uint8_t>(capitals[digit] - '0');
+    }
+    return 0;
+  };
+  if (const std::uint8_t m = number_behind("DO"); m != 0) return {StatementKind::loop, m};
+  if (const std::uint8_t m = number_behind("END"); m != 0) return {StatementKind::loop_end, m};
+  return {capitals.find("WHILE") == std::string::npos ? StatementKind::none : StatementKind::loop, 0};
+}
+
+}  // namespace
+
+ProgramFile::ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
+    : path_(std::move(path)), source_(std::move(source)), grammar_(grammar), reader_(source_, grammar, encoding) {}
+
+Result<BlockReader::Got> ProgramFile::next(Block*& block) {
+  if (keeps_) {
+    if (KeptBlock* const kept = kept_at(place_); kept != nullptr) [[likely]] {
+      last_ = kept;
+      place_ = kept->next;
+      block = &kept->block;
+      return BlockReader::Got::block;
+    }
+  }
+  if (reader_.position() != place_) reader_.seek(place_);
+  const Position at = place_;
+  block = &in_hand_;
+  auto got = reader_.next(in_hand_);
+  place_ = reader_.position();
+  if (keeps_ && got && *got == BlockReader::Got::block && kept_.size() < most_kept) block = keep(at);
+  else last_ = nullptr;
+  return got;
+}
+
+KeptBlock* ProgramFile::kept_at(Position place) {
+  const bool follows = last_ != nullptr && last_->next == place;
+  if (follows && last_->following != nullptr) return last_->following;
+  const auto found = kept_.find(place.offset);
+  if (found == kept_.end()) return nullptr;
+  if (follows) last_->following = found->second.get();
+  return found->second.get();
+}
+
+/// Views of the text go along: the line's own buffer is used again.
+Block* ProgramFile::keep(Position at) {
+  auto entry = std::make_unique<KeptBlock>();
+  entry->block = in_hand_;
+  entry->text = in_hand_.text;
+  entry->block.text = entry->text;
+  entry->block.kept = true;
+  entry->next = place_;
+  Block* const block = &entry->block;
+  last_ = entry.get();
+  kept_.emplace(at.offset, std::move(entry));
+  return block;
+}
+
+BlockReader& ProgramFile::scanner() {
+  if (!scanner_) scanner_ = std::make_unique<BlockReader>(source_, grammar_, reader_.encoding());
+  return *scanner_;
+}
+
+std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position from) {
+  const std::pair key{from.offset, number};
+  if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
+  auto found = scan(number, from, ~std::uint64_t{0});
+  if (!found) found = scan(number, {}, from.offset);
+  if (found && numbers_.size() < most_loops) numbers_.emplace(key, *found);
+  return found;
+}
+
+/// N of data lines (G10 … G11) is no block number (nct 14.1).
+std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, std::uint64_t to) {
+  BlockReader& reader = scanner();
+  reader.seek(from);
+  auto block = std::make_unique<Block>();
+  bool in_data = false;
+  for (;;) {
+    const Position at = reader.position();
+    if (at.offset >= to) return std::nullopt;
+    const auto got = reader.next(*block);
+    if (got && *got == BlockReader::Got::end) return std::nullopt;
+    if (!in_data && block->has_number && block->number == number) return block->position;
+    for (std::uint32_t i = 0; i < block->word_count; ++i) {
+      const Word& w = block->words[i];
+      if (w.address != 'G') continue;
+      const Word* const l = block->find('L');
+      if (w.code == 100 && l != nullptr && (l->value == 52 || (l->value >= 75 && l->value <= 77))) in_data = true;
+      if (w.code == 110) in_data = false;
+    }
+  }
+}
+
+const Loop* ProgramFile::loop_from(Position position) {
+  if (!loops_found_) find_loops();
+  const auto found = loops_by_begin_.find(position.offset);
+  return found == loops_by_begin_.end() ? nullptr : &loops_[found->second];
+}
+
+const Loop* ProgramFile::loop_to(Position position) {
+  if (!loops_found_) find_loops();
+  const auto found = loops_by_end_.find(position.offset);
+  return found == loops_by_end_.end() ? nullptr : &loops_[found->second];
+}
+
+/// Pairs DOm and ENDm by their place in the text: a loop may be entered by a jump (nct 23.2.11).
+void ProgramFile::find_loops() {
+  loops_found_ = true;
+  BlockReader& reader = scanner();
+  reader.seek({});
+  auto block = std::make_unique<Block>();
+  std::vector<std::size_t> open;
+  for (;;) {
+    const auto got = reader.next(*block);
+    if (got && *got == BlockReader::Got::end) break;
+    StatementKind kind = block->statement.kind;
+    std::uint8_t m = block->statement.loop;
+    if (!got) std::tie(kind, m) = damaged_loop(block->text);
+    if ((kind != StatementKind::loop && kind != StatementKind::loop_end) || loops_.size() >= most_loops) continue;
+    const auto same = [&](std::size_t i) { return loops_[i].number == m || loops_[i].number == 0; };
+    const auto nearest = std::find_if(open.rbegin(), open.rend(), same);
+    if (kind == StatementKind::loop) {
+      if (nearest != open.rend()) loops_[*nearest].fault = AlarmId::do_without_end;  // DO1 DO1
+      Loop loop;
+      loop.number = m;
+      loop.begin = block->position;
+      loop.body = reader.position();
+      loop.damaged = !got;
+      loops_by_begin_.emplace(loop.begin.offset, loops_.size());
+      open.push_back(loops_.size());
+      loops_.push_back(loop);
+      continue;
+    }
+    if (nearest == open.rend()) continue;  // END without DO: loop_to finds nothing
+    const bool overlaps = nearest != open.rbegin();
+    for (auto i = open.rbegin(); i != nearest; ++i) loops_[*i].fault = AlarmId::loops_overlap;
+    Loop& loop = loops_[*nearest];
+    loop.end = block->position;
+    loop.behind = reader.position();
+    loop.damaged = loop.damaged || !got;
+    if (overlaps) loop.fault = AlarmId::loops_overlap;
+    loops_by_end_.emplace(loop.end.offset, *nearest);
+    open.erase(std::next(nearest).base());
+  }
+  for (const std::size_t i : open)
+    if (loops_[i].fault == AlarmId::count) loops_[i].fault = AlarmId::do_without_end;
+}
+
+}  // namespace kadr

@@ -1,0 +1,82 @@
+#pragma once
+// One file of the program memory: reader, blocks kept for loops, places of numbers and loops (spec/nct/14, 23 23.2.8, 23.2.11).
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "lang/block_reader.h"
+
+namespace kadr {
+
+/// A block kept as it was read, so that a loop compiles it once.
+struct KeptBlock {
+  Block block;
+  std::string text;
+  Position next;
+  KeptBlock* following = nullptr;  // the kept block at `next`
+};
+
+/// DO … END of a file, paired as they stand in the text.
+struct Loop {
+  Position begin;   // the block with DO
+  Position body;    // behind it
+  Position end;     // the block with END
+  Position behind;  // behind that
+  AlarmId fault = AlarmId::count;
+  std::uint8_t number = 0;  // 0: WHILE whose DO is missing
+  bool damaged = false;     // one of the two blocks cannot be read: END does nothing
+};
+
+class ProgramFile {
+ public:
+  ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
+
+  /// The next block; `block` points at it until the next call. Where blocks are kept it may be one read before.
+  Result<BlockReader::Got> next(Block*& block);
+  void seek(Position position) { place_ = position; }
+  Position position() const { return place_; }
+  /// From now on blocks are kept: they will be read again.
+  void keep_blocks() { keeps_ = true; }
+
+  /// First block numbered `number` from `from` to the end, then from the beginning (nct 14.1, INFERRED order).
+  std::optional<Position> find_number(std::uint32_t number, Position from);
+  /// The loop whose DO, or END, stands at `position`.
+  const Loop* loop_from(Position position);
+  const Loop* loop_to(Position position);
+
+  const std::string& path() const { return path_; }
+  const BlockReader& reader() const { return reader_; }
+  const std::shared_ptr<ByteSource>& source() const { return source_; }
+  std::string shown(std::string_view text, Span& place) const { return reader_.shown(text, place); }
+  const Grammar& grammar() const { return grammar_; }
+
+ private:
+  static constexpr std::size_t most_kept = 4096;
+  static constexpr std::size_t most_loops = 100'000;
+  BlockReader& scanner();
+  std::optional<Position> scan(std::uint32_t number, Position from, std::uint64_t to);
+  void find_loops();
+  Block* keep(Position at);
+  KeptBlock* kept_at(Position place);
+
+  std::string path_;
+  std::shared_ptr<ByteSource> source_;
+  const Grammar& grammar_;
+  BlockReader reader_;
+  std::unique_ptr<BlockReader> scanner_;  // reads in other places: the block in hand keeps its text
+  Block in_hand_;
+  Position place_;
+  bool keeps_ = false;
+  KeptBlock* last_ = nullptr;                                            // handed out last
+  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by offset: one block a line
+  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {from, number} → place
+  std::vector<Loop> loops_;
+  std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;
+  bool loops_found_ = false;
+};
+
+}  // namespace kadr

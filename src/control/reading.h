@@ -1,0 +1,25 @@
+#pragma once
+// The instructions' view of a control's variables (lang/expression evaluates with it).
+
+#include "control/machinery.h"
+#include "control/nct/nct.h"
+#include "control/nct/system_variables.h"
+
+namespace kadr {
+
+struct Reading {
+  Machinery& m;
+
+  bool known(double number, double& value) const { return m.nct != nullptr && m.nct->variables.known(number, value); }
+  Result<double> variable(double number, Span where) const {
+    return m.nct != nullptr ? nct::read_variable(m, number, where) : m.variables.variable(number, where);
+  }
+  Result<double> parameter(int index, Span where) const { return m.variables.parameter(index, where); }
+  /// Number of an element of a system variable with a name (nct 23.1.1).
+  Result<double> element(double symbol, double index, Span where) const { return nct::number_of_element(m, symbol, index, where); }
+  Result<double> control_value(double number, double bit, double index, Span where) const {
+    return nct::read_parameter(m, number, bit, index, where);
+  }
+};
+
+}  // namespace kadr

@@ -1,0 +1,134 @@
+// What people are told: places of alarms, the state at the end, faults of subprograms never called.
+
+#include <algorithm>
+#include <memory>
+
+#include "control/machinery.h"
+#include "control/nct/nct.h"
+#include "control/plan.h"
+
+namespace kadr {
+namespace {
+
+std::uint32_t characters(std::string_view text) {
+  return static_cast<std::uint32_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Behind a comment over several lines the place is in the last of them (nct 14.3).
+void to_own_line(AlarmReport& r) {
+  const std::string_view before = std::string_view(r.line_text).substr(0, r.alarm.where.begin);
+  const std::size_t end = r.line_text.find('\n', r.alarm.where.begin);
+  if (end != std::string::npos) r.line_text.resize(end);
+  const std::size_t last = before.rfind('\n');
+  if (last == std::string_view::npos) return;
+  const auto cut = static_cast<std::uint32_t>(last + 1);
+  r.origin.line += static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n'));
+  r.line_text.erase(0, cut);
+  r.alarm.where = {r.alarm.where.begin - cut, std::max(r.alarm.where.end, cut) - cut};
+}
+
+}  // namespace
+
+void Machinery::warn(const Alarm& alarm) {
+  if (*on_warning) (*on_warning)(report_of(alarm, origin, block->text));
+}
+
+/// Addresses of several characters by their names (`,C`, `XDE`).
+Alarm Machinery::with_names(Alarm alarm) const {
+  for (std::size_t i = 0; i < alarm.arg_count; ++i) {
+    if (alarm.args[i].is_number() || alarm.args[i].text().size() != 1 || alarm.args[i].text()[0] <= 'Z') continue;
+    const char address = alarm.args[i].text()[0];
+    for (const char letter : {'C', 'R', 'A', 'L'})
+      if (comma_address(letter) == address) alarm.args[i] = AlarmArg(std::string_view(std::string{',', letter}));
+    for (const AddressName& name : def.grammar.names)
+      if (name.address == address) alarm.args[i] = AlarmArg(std::string_view(name.text));
+  }
+  return alarm;
+}
+
+AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
+  AlarmReport r{def.grammar.macro ? with_names(alarm) : alarm, flow.file(), {}, at, {}, {}};
+  const bool in_body = flow.in_body() && !line_text.empty();
+  if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call
+  r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
+  if (r.alarm.where.begin <= r.line_text.size() && r.line_text.find('\n') != std::string::npos) to_own_line(r);
+  if (r.alarm.where.begin <= r.line_text.size())
+    r.origin.column = characters(std::string_view(r.line_text).substr(0, r.alarm.where.begin)) + 1;
+  if (alarm.id == AlarmId::program_alarm && !block->comments.empty()) {
+    Span all;
+    r.own_text = flow.shown(block->text_of(block->comments.front()), all);
+  }
+  for (const CallFrame& frame : flow.frames())
+    r.calls.push_back({Flow::name_of(def, frame), frame.caller.line, frame.caller.block, frame.caller.has_block});
+  return r;
+}
+
+Origin Machinery::origin_of_block() const {
+  Origin o;
+  o.line = block->position.line;
+  o.column = block->where.begin == 0 ? 1 : characters(block->text.substr(0, block->where.begin)) + 1;
+  o.block = block->number;
+  o.has_block = block->has_number;
+  o.main_block = block->main_block;
+  o.block_digits = block->number_digits;
+  o.depth = static_cast<std::uint8_t>(std::min<std::size_t>(flow.depth(), 255));
+  return o;
+}
+
+// ---- one block
+
+void Machinery::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) {
+  auto plan = std::make_unique<Plan>();
+  flow.each_uncalled([&](Result<BlockReader::Got> got, const Block& read) {
+    Status status = got ? Status() : Status(fail(got.error()));
+    Block& looked_at = const_cast<Block&>(read);  // expressions have no value here: codes by expression are left alone
+    bool known = true;
+    for (std::uint32_t i = 0; i < looked_at.word_count; ++i)
+      known = known &&
+              !(looked_at.words[i].expression && looked_at.words[i].code < 0 && letters.codes >> (looked_at.words[i].address - 'A') & 1u);
+    if (status && known) status = plan_block(def, letters, read, any_motion, *plan);
+    Origin at;
+    at.line = read.position.line;
+    at.block = read.number;
+    at.has_block = read.has_number;
+    at.block_digits = read.number_digits;
+    if (!status) on_fault(report_of(status.error(), at, read.text));
+  });
+}
+
+Ending Machinery::ending() {
+  Ending e;
+  e.position = position.work;
+  e.machine_position = position.machine;
+  if (nct) nct::add_variables(*this, e, watch_);
+  for (std::uint32_t n = 1; !nct && n <= variables.highest() && def.grammar.variables != 0; ++n)
+    if (variables.is_set(n)) e.variables.emplace_back("#" + std::to_string(n), *variables.variable(n, {}));
+  for (int i = 0; i < 10; ++i)
+    if (variables.parameter_set(i)) e.variables.emplace_back("R" + std::to_string(i), variables.raw_parameter(i));
+  for (const std::string& name : watch_) {
+    if (nct) break;
+    const auto same = [&](const auto& v) { return v.first == name; };
+    if (std::any_of(e.variables.begin(), e.variables.end(), same)) continue;
+    const auto read =
+        name.starts_with('#') ? variables.variable(std::strtod(name.c_str() + 1, nullptr), {}) : Result<double>(fail(Alarm()));
+    if (read) e.variables.emplace_back(name, *read);
+    else e.watched_unset.emplace_back(name, true);
+  }
+  for (std::size_t g = 1; g < def.groups.size(); ++g)
+    if (modal.rows[g] >= 0) e.modal.push_back(def.codes[static_cast<std::size_t>(modal.rows[g])].code);
+  const auto add = [&](const char* letter, double v) {
+    std::string text = std::to_string(v);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    e.modal.push_back(letter + text);
+  };
+  if (modal.feed_known) add("F", modal.inch && modal.feed_mode != FeedMode::inverse_time ? modal.feed / mm_per_inch : modal.feed);
+  add("S", modal.rpm);
+  add("T", modal.tool_selected);
+  add("D", modal.offset_number);
+  add("H", modal.length_number);
+  return e;
+}
+
+}  // namespace kadr

@@ -1,0 +1,28 @@
+#pragma once
+// Parameters of the set-up that the machine itself obeys: safety zones and the in-position window (nct 4.1.1, 22), by axis of
+// the channel. INFERRED: what a program writes into them acts after the next start; they can be set in Edit mode only (22.2).
+
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "config/setup.h"
+
+namespace kadr {
+
+struct MachineParameters {
+  AxisMask zone2_axes = 0;         // N1000 #1 RE2
+  AxisMask zone3_axes = 0;         // N1000 #2 RE3
+  Axes zone2_most{};               // N1006, machine coordinates
+  Axes zone2_least{};              // N1007
+  bool outside_forbidden = false;  // N1001 #0 EXT
+  bool zone2_on = false;           // N1001 #1 STE
+  bool checks_before = false;      // N1001 #2 CBM
+  Axes in_position{};              // N0516 Inpos, mm or degrees
+};
+
+/// A value with an index goes before one without, a bit before the whole value (as ParameterStore).
+///   axes  names of the channel's axes
+MachineParameters machine_parameters(const Setup& setup, const std::vector<std::string>& axes);
+
+}  // namespace kadr

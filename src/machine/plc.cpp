@@ -1,0 +1,138 @@
+#include "machine/plc.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+namespace kadr {
+namespace {
+
+using When = SetupEvent::When;
+using Do = SetupEvent::Do;
+
+/// A code that the machine is told of, as the program wrote it: M3, T5, S1200, B90.
+struct Code {
+  char letter = 0;
+  double number = 0;
+};
+
+struct CodeOf {
+  Code operator()(const MachineFunction& m) const { return {'M', double(m.code)}; }
+  Code operator()(const CoolantSwitch& c) const { return {'M', c.what == Coolant::off ? 9.0 : c.what == Coolant::mist ? 7.0 : 8.0}; }
+  Code operator()(const Spindle& s) const {
+    switch (s.dir) {
+      case SpindleDir::cw: return {'M', 3};
+      case SpindleDir::ccw: return {'M', 4};
+      case SpindleDir::stop: return {'M', 5};
+      case SpindleDir::orient: return {'M', 19};
+      default: return {};
+    }
+  }
+  Code operator()(const Stop& s) const {
+    if (s.reason == StopReason::single_block || s.reason == StopReason::message) return {};
+    return {'M', s.optional ? 1.0 : 0.0};
+  }
+  Code operator()(const Speed& s) const { return s.surface ? Code{} : Code{'S', s.value}; }
+  Code operator()(const ToolSelect& t) const { return {'T', double(t.tool)}; }
+  Code operator()(const ToolChange&) const { return {'M', 6}; }
+  Code operator()(const AuxiliaryFunction& a) const { return {a.address, a.value}; }
+  template <class Other>
+  Code operator()(const Other&) const {
+    return {};
+  }
+};
+
+double answer_value(const std::string& answer) {
+  constexpr std::pair<const char*, double> answers[] = {{"cancel", 0}, {"ok", 1}, {"yes", 2}, {"no", 3}};
+  for (const auto& [name, value] : answers)
+    if (answer == name) return value;
+  return 0;
+}
+
+/// Codes that the control carries out by itself: the logic never sees an action for them.
+bool is_seen(const std::string& code) {
+  constexpr std::string_view letters = "MSTABCUVW";
+  if (letters.find(code[0]) == std::string_view::npos) return false;
+  const double number = std::strtod(code.c_str() + 1, nullptr);
+  return code[0] != 'M' || !(number == 2 || number == 30 || number == 98 || number == 99);
+}
+
+std::optional<PlcCommand> command_of(const SetupEvent& event) {
+  switch (event.what) {
+    case Do::set: return SetSignal{event.signal, event.value};
+    case Do::skip: return SetSkip{event.switch_number, event.on};
+    case Do::start: return Start{};
+    case Do::answer: return AnswerBox{answer_value(event.answer)};
+    case Do::power_cycle: return PowerCycle{};
+    case Do::spindle_to_axis: return ConvertSpindle{event.spindle, true};
+    case Do::axis_to_spindle: return ConvertSpindle{event.spindle, false};
+    case Do::synchronise: return event.axes.empty() ? std::optional<PlcCommand>(Synchronise{event.spindle, event.master}) : std::nullopt;
+    case Do::release: return event.axes.empty() ? std::optional<PlcCommand>(Synchronise{event.spindle, 0}) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Plc::Plc(const std::vector<SetupEvent>& events) {
+  for (const SetupEvent& from : events) {
+    const std::string& word = from.code.empty() ? from.block : from.code;
+    const char letter = word.empty() ? '\0' : word[0];
+    if (!from.code.empty() && !is_seen(from.code)) error_ = "events: the machine's logic does not see " + from.code;
+    const double number = word.empty() ? 0 : std::strtod(word.c_str() + 1, nullptr);
+    const auto command = command_of(from);
+    if (!command) error_ = "events: synchronous axes are not in this version";
+    events_.push_back({from.when, letter == ':', letter, number, from.count, 0, command.value_or(Start{})});
+  }
+}
+
+template <class Matches>
+const std::vector<PlcCommand>& Plc::fire(Matches matches) {
+  commands_.clear();
+  for (Event& event : events_) {
+    if (!matches(event)) continue;
+    ++event.seen;
+    if (event.count == 0 || event.seen == event.count) commands_.push_back(event.command);
+  }
+  return commands_;
+}
+
+const std::vector<PlcCommand>& Plc::block(const Origin& origin, bool at_end) {
+  const When when = at_end ? When::block_end : When::block_start;
+  return fire(
+      [&](const Event& e) { return origin.has_block && e.when == when && e.number == origin.block && e.main_block == origin.main_block; });
+}
+
+const std::vector<PlcCommand>& Plc::action(const Action& action) {
+  const Code code = std::visit(CodeOf{}, action.what);
+  const auto* const message = std::get_if<Message>(&action.what);
+  const bool stops = std::holds_alternative<Stop>(action.what);
+  (void)fire([&](const Event& e) {
+    return (e.when == When::code && code.letter != 0 && e.letter == code.letter && e.number == code.number) ||
+           (e.when == When::message && message != nullptr) || (e.when == When::stop && stops);
+  });
+  if (message != nullptr && !message->asks)
+    std::erase_if(commands_, [](const PlcCommand& c) { return std::holds_alternative<AnswerBox>(c); });
+  return commands_;
+}
+
+const std::vector<PlcCommand>& Plc::program_end() {
+  return fire([](const Event& e) { return e.when == When::program_end; });
+}
+
+void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Control* const> channels) {
+  for (const PlcCommand& command : commands) {
+    if (const auto* const answer = std::get_if<AnswerBox>(&command)) from.set_answer(answer->value);
+    for (Control* const control : channels) {
+      if (const auto* const signal = std::get_if<SetSignal>(&command)) control->set_signal(signal->name, signal->value);
+      else if (const auto* const skip = std::get_if<SetSkip>(&command)) control->set_skip(skip->number, skip->on);
+      else if (const auto* const coupled = std::get_if<Synchronise>(&command)) control->synchronise(coupled->slave, coupled->master);
+      else if (const auto* const converted = std::get_if<ConvertSpindle>(&command))
+        control->convert_spindle(converted->number, converted->to_axis);
+      else if (std::holds_alternative<PowerCycle>(command)) control->power_cycle();
+    }
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,83 @@
+#pragma once
+// Zones: where the axes of an NCT machine must not go (nct 22), in machine coordinates after all offsets.
+//
+//   zone 1   end positions                                forbidden outside
+//   zone 2   working area: of the parameters, or of G22   forbidden outside, or inside
+//   zone 3   of the parameters                            forbidden inside
+//
+// With CBM (N1001 #2) the control looks before the motion: at its end point, then at the way through a zone forbidden inside.
+// Without it, and for a curve that bulges over a limit, the motion runs into the zone: the first one on its way is named.
+// Boundaries (INFERRED but for zone 3): a limit itself is allowed; a zone 2 forbidden inside begins behind its faces, so that one
+// without depth forbids nothing (22.2: X = I, P0); zone 3 begins with its faces (22.3). An axis that rolls over has no limits on
+// its way, only at its end.
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "config/setup.h"
+#include "control/action.h"
+#include "machine/machine_parameters.h"
+#include "machine/zone_box.h"
+
+namespace kadr {
+
+class Zones {
+ public:
+  /// `ends`: the end positions.
+  Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup);
+
+  /// G22 or G23.
+  void change(const ZoneChange& zone);
+
+  /// The machine's logic holds a check off: 2 or 3 (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
+  void suspend(int zone, bool on) { (zone == 2 ? suspended2_ : suspended3_) = on; }
+
+  /// Some end position, zone 2 or zone 3 is in force: a motion may be refused.
+  bool in_force() const { return ends_.axes != 0 || zone2_.on || zone3_.axes != 0; }
+  bool checks_before() const { return checks_before_; }
+
+  ///   alarms  with CBM zone1_positive, zone1_negative, zone2_positive, zone2_negative (axis), zone2_inside, zone3_inside,
+  ///           zone2_entry, zone3_entry; else zone1_reached_positive, zone1_reached_negative, zone2_reached_positive,
+  ///           zone2_reached_negative (axis, limit), zone2_reached_inside, zone3_reached_inside
+  ///   law     without CBM an axis beyond a limit may go inwards; with CBM no end point there is allowed
+  Status check(const ToolPosition& from, const Motion& motion) const;
+
+ private:
+  struct Zone2 {
+    bool on = false;
+    bool outside_forbidden = false;
+    bool nothing_allowed = false;  // 22.2: X = I, Y = J, Z = K and P1
+    ZoneBox box;
+  };
+  /// Ids of an alarm by the side.
+  struct Ids {
+    AlarmId positive, negative;
+  };
+  /// What a motion runs into first.
+  struct Reached {
+    double part = 2;
+    Alarm alarm;
+  };
+
+  Zone2 zone_of(const ZoneChange& zone) const;
+  bool outside2() const { return zone2_.on && !suspended2_ && zone2_.outside_forbidden; }
+  bool inside2() const { return zone2_.on && !suspended2_ && !zone2_.outside_forbidden; }
+  bool inside3() const { return zone3_.axes != 0 && !suspended3_; }
+  ZoneBox open2() const;
+  ZoneBox closed3() const;
+  Status end_within(const ZoneBox& box, const Axes& end, Ids ids) const;
+  Status before_start(const MachinePath& path, const Axes& end) const;
+  Status on_the_way(const MachinePath& path) const;
+  void limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids, Reached& first) const;
+
+  std::vector<std::string> names_;
+  AxisRoles roles_;
+  ZoneBox ends_;
+  Zone2 of_parameters_, zone2_;
+  ZoneBox zone3_;
+  bool checks_before_ = false;
+  bool suspended2_ = false, suspended3_ = false;
+};
+
+}  // namespace kadr

@@ -1,0 +1,163 @@
+#include "path/flat_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+constexpr int most_pieces = 100'000;
+constexpr int samples_per_turn = 64;
+constexpr int samples_of_line = 16;
+
+/// ∫ sqrt(R² + a²) dR, of a spiral with R' = dR/dφ and a² = R'² + rise².
+double primitive(double radius, double a) { return (radius * std::hypot(radius, a) + a * a * std::asinh(radius / a)) / 2; }
+
+/// Length of a spiral around an axis: `rise` along it, `growth` outwards.
+double spiral_length(double radius, double growth, double rise, double sweep_rad) {
+  constexpr double hardly = 1e-3;  // growth / radius: below, the difference of primitives loses digits, but Gauss is exact to rounding
+  if (sweep_rad == 0) return std::hypot(growth, rise);
+  if (std::abs(growth) > hardly * std::max(radius, radius + growth)) {
+    const double a = std::hypot(growth, rise) / sweep_rad;
+    return sweep_rad / growth * (primitive(radius + growth, a) - primitive(radius, a));
+  }
+  constexpr std::array<double, 5> place = {0.5, 0.2307653449471585, 0.7692346550528415, 0.0469100770306680, 0.9530899229693320};
+  constexpr std::array<double, 5> weight = {0.2844444444444444, 0.2393143352496833, 0.2393143352496833, 0.1184634425280945,
+                                            0.1184634425280945};
+  double sum = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) sum += weight[i] * std::hypot((radius + growth * place[i]) * sweep_rad, growth, rise);
+  return sum;
+}
+
+/// Angle φ of a spiral, radians from its start, where its reach towards the direction `quarter` (also radians from the start)
+/// is greatest: φ − quarter = atan(R' / R(φ)). The difference of both sides rises by 1 to 2 per radian: Newton's method is quick.
+double turning_point(double quarter, double radius, double growth_per_rad) {
+  constexpr int most_steps = 30;
+  constexpr double near_enough = 1e-13;
+  double phi = quarter;
+  for (int step = 0; step < most_steps; ++step) {
+    const double r = radius + growth_per_rad * phi, squares = r * r + growth_per_rad * growth_per_rad;
+    const double gap = phi - quarter - std::atan2(growth_per_rad, r);
+    const double next = phi - gap / (1 + growth_per_rad * growth_per_rad / squares);
+    if (std::abs(next - phi) < near_enough) break;
+    phi = next;
+  }
+  return phi;
+}
+
+}  // namespace
+
+void Box2::take(Vec2 p) {
+  least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+  most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+}
+
+FlatPath FlatPath::line(Vec2 from, Vec2 to) {
+  FlatPath path;
+  path.from_ = from;
+  path.to_ = to;
+  return path;
+}
+
+FlatPath FlatPath::arc(Vec2 from, Vec2 to, Vec2 center, double turns) {
+  FlatPath path = line(from, to);
+  path.arc_ = true;
+  path.center_ = center;
+  path.arm_ = from - center;
+  path.sweep_deg_ = 360 * turns;
+  path.radius_ = kadr::length(path.arm_);
+  const double end = kadr::length(to - center);
+  path.radius_change_ = end - path.radius_;
+  if (path.radius_ == 0) path.arm_ = end > 0 ? rotated((1 / end) * (to - center), -path.sweep_deg_) : Vec2{1, 0};
+  return path;
+}
+
+Vec2 FlatPath::at(double part) const {
+  if (part <= 0) return from_;
+  if (part >= 1) return to_;
+  if (!arc_) return from_ + part * (to_ - from_);
+  const double growth = radius_ > 0 ? 1 + radius_change_ * part / radius_ : radius_change_ * part;
+  return center_ + growth * rotated(arm_, sweep_deg_ * part);
+}
+
+Vec2 FlatPath::rate(double part) const {
+  if (!arc_) return to_ - from_;
+  const Vec2 out = (radius_ > 0 ? 1 / radius_ : 1) * rotated(arm_, sweep_deg_ * part);
+  return radius_change_ * out + radius(part) * sweep_deg_ * rad_per_deg * Vec2{-out.y, out.x};
+}
+
+double FlatPath::length(double rise) const {
+  if (!arc_) return std::hypot(to_.x - from_.x, to_.y - from_.y, rise);
+  const double sweep_rad = std::abs(sweep_deg_) * rad_per_deg;
+  if (radius_change_ == 0) return std::hypot(radius_ * sweep_rad, rise);
+  return spiral_length(radius_, radius_change_, rise, sweep_rad);
+}
+
+Box2 FlatPath::box() const {
+  Box2 box{from_, from_};
+  box.take(to_);
+  if (!arc_ || sweep_deg_ == 0) return box;
+
+  const double start = angle_deg(arm_), sweep_rad = std::abs(sweep_deg_) * rad_per_deg;
+  const double low = std::min(start, start + sweep_deg_), high = std::max(start, start + sweep_deg_);
+  const auto take_quarter = [&](double quarter) {
+    const double part = (90 * quarter - start) / sweep_deg_;
+    if (radius_change_ == 0) {
+      const SinCos at_quarter = sincos_deg(90 * quarter);
+      const Vec2 way = radius_ * Vec2{at_quarter.cos, at_quarter.sin};
+      box.take({way.x == 0 ? from_.x : center_.x + way.x, way.y == 0 ? from_.y : center_.y + way.y});
+    } else if (const double turned = turning_point(part * sweep_rad, radius_, radius_change_ / sweep_rad);
+               turned > 0 && turned < sweep_rad) {
+      box.take(at(turned / sweep_rad));
+    }
+  };
+  // A growing radius turns back up to 90° after the quarter, a shrinking one before it.
+  const double slack = radius_change_ == 0 ? 0 : 1;
+  const double first = std::ceil(low / 90) - slack, last = std::floor(high / 90) + slack, turn = 3 + 2 * slack;
+  // Of many turns the outermost are the first and the last, for the radius grows steadily.
+  for (double quarter = first; quarter <= std::min(last, first + turn); ++quarter) take_quarter(quarter);
+  for (double quarter = std::max(first + turn + 1, last - turn); quarter <= last; ++quarter) take_quarter(quarter);
+  return box;
+}
+
+/// Direction of the point seen from the origin, degrees, continuous as long as `radius_at` (that of the point) stays on the
+/// same side of the centre's distance from the origin. With e the direction of the arm, c that of the centre:
+///   the origin inside the circle:   angle of e + angle between e and the point, within ±90°
+///   outside:                        angle of c + angle between c and the point, within ±90°
+double FlatPath::absolute_deg(double part, double radius_at) const {
+  const Vec2 out = rotated(arm_, sweep_deg_ * part);
+  const double reach = kadr::length(arm_);
+  const Vec2 point = center_ + radius_at / reach * out;
+  const bool inside = radius_at > kadr::length(center_);
+  const Vec2 reference = inside ? out : center_;
+  return (inside ? angle_deg(arm_) + sweep_deg_ * part : angle_deg(center_)) + angle_deg({dot(reference, point), cross(reference, point)});
+}
+
+double FlatPath::swept(double part) const {
+  if (!arc_) {
+    const Vec2 point = at(part);
+    return angle_deg({dot(from_, point), cross(from_, point)});
+  }
+  const double distance = kadr::length(center_), here = radius(part);
+  if ((radius_ > distance) == (here > distance)) return absolute_deg(part, here) - absolute_deg(0, radius_);
+  // The radius passes the distance of the centre once: there one view hands over to the other.
+  const double over = (distance - radius_) / radius_change_;
+  const double grown = std::nextafter(distance, 2 * distance + 1);
+  const double before = radius_ > distance ? grown : distance, after = here > distance ? grown : distance;
+  return absolute_deg(over, before) - absolute_deg(0, radius_) + absolute_deg(part, here) - absolute_deg(over, after);
+}
+
+int FlatPath::pieces(double chord) const {
+  if (!arc_) return 1;
+  const double widest = std::max(radius_, radius_ + radius_change_);
+  const double widest_deg = chord >= widest ? 90 : std::min(90.0, 2 * std::acos(1 - chord / widest) / rad_per_deg);
+  const double count = std::ceil(std::abs(sweep_deg_) / std::max(widest_deg, 1e-3));
+  return static_cast<int>(std::clamp(count, 1.0, double{most_pieces}));
+}
+
+int FlatPath::samples() const {
+  if (!arc_) return samples_of_line;
+  return static_cast<int>(std::clamp(std::ceil(std::abs(sweep_deg_) / 360) * samples_per_turn, 1.0 * samples_per_turn, 1.0 * most_pieces));
+}
+
+}  // namespace kadr

@@ -1,0 +1,61 @@
+#pragma once
+// FlatPath: a line, a circle's arc or a planar spiral in a plane. NCT 4.3: the radius changes linearly with the angle,
+// R(φ) = R0 + (R1 − R0)·φ/Φ, over any number of turns. A `part` 0..1 is that of a line's length, of an arc's angle.
+
+#include "base/vec.h"
+
+namespace kadr {
+
+struct Box2 {
+  Vec2 least;
+  Vec2 most;
+  void take(Vec2 p);
+};
+
+///   law  at(0) is the start and at(1) the end, bit by bit
+///   law  turned, mirrored, reversed: the same length; cut in two: the lengths add up
+class FlatPath {
+ public:
+  FlatPath() = default;
+  static FlatPath line(Vec2 from, Vec2 to);
+
+  /// `turns`: swept angle / 360, counter-clockwise positive. Where one radius is 0, the other end gives the direction.
+  static FlatPath arc(Vec2 from, Vec2 to, Vec2 center, double turns);
+
+  bool is_arc() const { return arc_; }
+
+  Vec2 at(double part) const;
+
+  /// How fast the point moves: d at(part) / d part, mm.
+  Vec2 rate(double part) const;
+
+  /// Length in mm if it also goes `rise` mm out of the plane, evenly with the part (helix, cone).
+  double length(double rise = 0) const;
+
+  /// The exact bounding box.
+  Box2 box() const;
+
+  /// Angle swept about the plane's origin up to `part`, degrees, signed, whole turns counted.
+  /// Through the origin itself: by half a turn.
+  double swept(double part) const;
+
+  /// Number of equal pieces whose chords stay within `chord` mm; 1 for a line.
+  int pieces(double chord) const;
+
+  /// Number of equal pieces with at most one extreme of any coordinate each: for searches.
+  int samples() const;
+
+ private:
+  double radius(double part) const { return radius_ + radius_change_ * part; }
+  double absolute_deg(double part, double radius_at) const;
+
+  bool arc_ = false;
+  Vec2 from_, to_;
+  Vec2 center_;
+  Vec2 arm_;              // centre → start; its direction alone, if the radius there is 0
+  double sweep_deg_ = 0;  // counter-clockwise positive
+  double radius_ = 0;
+  double radius_change_ = 0;  // at the end, against the start
+};
+
+}  // namespace kadr

@@ -1,0 +1,35 @@
+#include "path/machine_extents.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/extremes.h"
+
+namespace kadr {
+
+Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion) {
+  const Curve curve(roles, from.work, motion);
+  Extents box = curve.extents();
+  const AxisMask rolled = motion.detail ? motion.detail->rolled : 0;
+  for (std::size_t i = 0; i < roles.count; ++i) {
+    if ((rolled >> i & 1U) != 0) {
+      std::tie(box.least[i], box.most[i]) = std::minmax({from.machine[i], motion.machine[i]});
+      continue;
+    }
+    const auto [low, high] = std::minmax({from.machine[i] - from.work[i], motion.machine[i] - motion.to[i]});
+    box.least[i] += low;
+    box.most[i] += high;
+  }
+  if (!from.rotation) return box;
+  for (const std::int8_t main : from.rotation->main) {
+    if (main < 0) continue;
+    const auto axis = static_cast<std::size_t>(main);
+    const Range range =
+        range_of([&](double part) { return machine_along(roles, from, motion, curve.at(part), part)[axis]; }, curve.samples());
+    box.least[axis] = range.least;
+    box.most[axis] = range.most;
+  }
+  return box;
+}
+
+}  // namespace kadr

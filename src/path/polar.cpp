@@ -1,0 +1,70 @@
+#include "path/polar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/extremes.h"
+
+namespace kadr {
+namespace {
+
+constexpr int most_pieces = 100'000;
+
+}  // namespace
+
+/// Below the offset there is no place for the linear axis: it stays at the centre.
+double PolarPath::linear_at(Vec2 point) const {
+  const double distance = length(point);
+  return side_ * std::sqrt(std::max(0.0, (distance - offset_) * (distance + offset_)));
+}
+
+double PolarPath::skew_deg(Vec2 point) const { return offset_ == 0 ? 0 : angle_deg({linear_at(point), offset_}); }
+
+PolarAxes PolarPath::at(double part) const {
+  const Vec2 point = path_.at(part);
+  return {linear_at(point), rotary_start_ + path_.swept(part) - (skew_deg(point) - skew_deg(path_.at(0)))};
+}
+
+/// With r² = u² + w² = linear² + p²: linear' = (u·u' + w·w') / linear, rotary' = (u·w' − w·u' + p·linear') / r².
+PolarAxes PolarPath::rates(double part) const {
+  const Vec2 point = path_.at(part), rate = path_.rate(part);
+  const double linear = linear_at(point), square = dot(point, point);
+  const double linear_rate = linear == 0 ? length(rate) : dot(point, rate) / linear;
+  return {linear_rate, square == 0 ? 0 : (cross(point, rate) + offset_ * linear_rate) / square / rad_per_deg};
+}
+
+double PolarPath::nearest() const {
+  if (!path_.is_arc()) {
+    const Vec2 from = path_.at(0), way = path_.rate(0);
+    const double square = dot(way, way);
+    return square == 0 ? 0 : std::clamp(-dot(from, way) / square, 0.0, 1.0);
+  }
+  const auto distance_at = [&](double part) { return distance(part); };
+  const int samples = path_.samples();
+  int best = 0;
+  double least = distance(0);
+  for (int i = 1; i <= samples; ++i)
+    if (const double here = distance(double(i) / samples); here < least) {
+      least = here;
+      best = i;
+    }
+  const double part = place_of_least(distance_at, std::max(0, best - 1) / double(samples), std::min(samples, best + 1) / double(samples));
+  return distance(part) <= least ? part : double(best) / samples;
+}
+
+void PolarPath::extremes(PolarAxes& least, PolarAxes& most) const {
+  const Range linear = range_of([&](double part) { return at(part).linear; }, path_.samples());
+  const Range rotary = range_of([&](double part) { return at(part).rotary; }, path_.samples());
+  least = {linear.least, rotary.least};
+  most = {linear.most, rotary.most};
+}
+
+/// At distance d from the centre the linear axis bends by at most 1/d: a chord of length h misses by h²/8d, and by h/2 at most.
+int PolarPath::pieces(double chord) const {
+  const double near = std::abs(linear_at(path_.at(nearest())));
+  const double step = std::max(2 * chord, std::sqrt(8 * chord * near));
+  const double count = std::ceil(path_.length() / step);
+  return std::max(path_.pieces(chord), static_cast<int>(std::clamp(count, 1.0, double{most_pieces})));
+}
+
+}  // namespace kadr

@@ -1,0 +1,3 @@
+(no feed before G2)
+G2 X10 R5
+M30

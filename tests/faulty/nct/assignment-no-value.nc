@@ -1,0 +1,3 @@
+(nothing behind =)
+#1=
+M30

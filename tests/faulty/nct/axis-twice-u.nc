@@ -1,0 +1,3 @@
+(X and U: the same axis twice)
+G0 X10 U20
+M30

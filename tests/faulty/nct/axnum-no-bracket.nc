@@ -1,0 +1,3 @@
+(AXNUM X)
+#1=AXNUM X
+M30

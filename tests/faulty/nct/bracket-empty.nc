@@ -1,0 +1,3 @@
+(nothing between the brackets)
+#1=[]
+M30

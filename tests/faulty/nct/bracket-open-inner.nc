@@ -1,0 +1,3 @@
+(one of two is open)
+#1=[[2+3]*4
+M30

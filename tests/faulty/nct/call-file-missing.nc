@@ -1,0 +1,3 @@
+(no such file)
+M98 <no-such.nc>
+M30

@@ -1,0 +1,3 @@
+(no such subprogram)
+M98 P7777
+M30

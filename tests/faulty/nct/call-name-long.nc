@@ -1,0 +1,3 @@
+(more than 60 characters)
+M98 <aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa.nc>
+M30

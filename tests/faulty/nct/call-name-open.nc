@@ -1,0 +1,3 @@
+(> is missing)
+M98 <sub.nc
+M30

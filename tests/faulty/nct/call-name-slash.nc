@@ -1,0 +1,3 @@
+(/ in place of \)
+M98 <subs/one.nc>
+M30

@@ -1,0 +1,3 @@
+(PCLOS31 with nothing open)
+PCLOS31
+M30

@@ -1,0 +1,3 @@
+(FCLOS with nothing open)
+FCLOS
+M30

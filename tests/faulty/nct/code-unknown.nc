@@ -1,0 +1,3 @@
+(a code that the control does not have)
+G123 X10
+M30

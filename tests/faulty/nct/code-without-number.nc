@@ -1,0 +1,3 @@
+(G without a number)
+G X5
+M30

@@ -1,0 +1,6 @@
+(G54 while G7.1 is on)
+G19 Y0 C0
+G7.1 C50
+G54
+G7.1 C0
+M30

@@ -1,0 +1,3 @@
+(G7.1 without the rotary axis)
+G7.1
+M30

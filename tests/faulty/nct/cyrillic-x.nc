@@ -1,0 +1,3 @@
+(Cyrillic letter in place of X)
+G0 Х10
+M30

@@ -1,0 +1,4 @@
+(POPEN31, then PCLOS31: no name)
+POPEN31
+PCLOS31
+M30

@@ -1,0 +1,3 @@
+(G10.9 without an axis)
+G10.9
+M30

@@ -1,0 +1,3 @@
+(G10.9 with another code)
+G10.9 X1 M8
+M30

@@ -1,0 +1,3 @@
+(DO without a number)
+DO
+M30

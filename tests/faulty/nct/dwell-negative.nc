@@ -1,0 +1,3 @@
+(a negative dwell)
+G4 P-1
+M30

@@ -1,0 +1,3 @@
+(a dwell without its time)
+G4
+M30

@@ -1,0 +1,4 @@
+(there is no ELSE)
+IF[1 EQ 2] GOTO10
+ELSE
+N10 M30

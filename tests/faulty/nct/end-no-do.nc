@@ -1,0 +1,4 @@
+(END without DO)
+#1=1
+END1
+M30

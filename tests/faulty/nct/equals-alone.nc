@@ -1,0 +1,3 @@
+(an equals sign alone)
+G0 X5 = Y5
+M30

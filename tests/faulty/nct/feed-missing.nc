@@ -1,0 +1,3 @@
+(no feed before G1)
+G1 X10
+M30

@@ -1,0 +1,3 @@
+(F0 before G1)
+G1 X10 F0
+M30

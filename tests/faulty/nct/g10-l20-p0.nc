@@ -1,0 +1,3 @@
+(G10 L20 begins at P1)
+G10 L20 P0 X0
+M30

@@ -1,0 +1,3 @@
+(G10 L20 goes up to P99)
+G10 L20 P100 X0
+M30

@@ -1,0 +1,3 @@
+(G28 without an axis)
+G28
+M30

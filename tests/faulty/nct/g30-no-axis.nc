@@ -1,0 +1,3 @@
+(G30 without an axis)
+G30 P2
+M30

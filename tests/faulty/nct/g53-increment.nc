@@ -1,0 +1,3 @@
+(operator I with G53)
+G53 XI10
+M30

@@ -1,0 +1,3 @@
+(G92 without an axis)
+G92
+M30

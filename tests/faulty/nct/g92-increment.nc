@@ -1,0 +1,3 @@
+(operator I with G92)
+G92 XI10
+M30

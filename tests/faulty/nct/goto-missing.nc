@@ -1,0 +1,3 @@
+(no such block)
+GOTO500
+M30

@@ -1,0 +1,3 @@
+(GOTO alone)
+GOTO
+M30

@@ -1,0 +1,3 @@
+(GOTO N10 after IF)
+IF[1 EQ 1] GOTO N10
+N10 M30

@@ -1,0 +1,3 @@
+(the condition without brackets)
+IF #1 EQ 5 GOTO10
+N10 M30

@@ -1,0 +1,3 @@
+(THEN and nothing)
+IF[1 EQ 1] THEN
+M30

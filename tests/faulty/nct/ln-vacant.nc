@@ -1,0 +1,3 @@
+(LN of an empty variable)
+#1=LN#2
+M30

@@ -1,0 +1,3 @@
+(M takes eight digits)
+M100000000
+M30

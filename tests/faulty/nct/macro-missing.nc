@@ -1,0 +1,3 @@
+(no such macro)
+G65 P777 A1
+M30

@@ -1,0 +1,3 @@
+(three digits)
+#3106=1000(HELLO)
+M30

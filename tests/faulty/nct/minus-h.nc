@@ -1,0 +1,3 @@
+(sign at H)
+G43 H-1 Z0
+M30

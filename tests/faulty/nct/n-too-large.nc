@@ -1,0 +1,3 @@
+(N takes eight digits)
+N100000000 G0 X1
+M30

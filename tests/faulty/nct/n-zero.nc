@@ -1,0 +1,3 @@
+(N begins at 1)
+N0 G0 X1
+M30

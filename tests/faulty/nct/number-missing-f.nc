@@ -1,0 +1,3 @@
+(F without a number)
+G1 X5 F
+M30

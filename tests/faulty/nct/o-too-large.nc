@@ -1,0 +1,4 @@
+(O takes eight digits)
+O100000000
+G0 X1
+M30

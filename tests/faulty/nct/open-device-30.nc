@@ -1,0 +1,3 @@
+(POPEN31 only)
+POPEN30
+M30

@@ -1,0 +1,3 @@
+(FOPEN1: the file is there)
+FOPEN1 <open-exists-name.expect>
+M30

@@ -1,0 +1,3 @@
+(FOPEN5: no such file)
+FOPEN5 <no-such.txt>
+M30

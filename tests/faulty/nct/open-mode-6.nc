@@ -1,0 +1,3 @@
+(FOPEN1 to FOPEN5)
+FOPEN6 <x.txt>
+M30

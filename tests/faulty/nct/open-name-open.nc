@@ -1,0 +1,3 @@
+(> is missing in FOPEN)
+FOPEN2 <x.txt
+M30

@@ -1,0 +1,3 @@
+(/ in a path)
+FOPEN2 <a/x.txt>
+M30

@@ -1,0 +1,3 @@
+(FOPEN without a file)
+FOPEN2
+M30

@@ -1,0 +1,3 @@
+(a path out of the program memory)
+FOPEN2 <..\..\x.txt>
+M30

@@ -1,0 +1,3 @@
+(an operator without its right side)
+#1=5+
+M30

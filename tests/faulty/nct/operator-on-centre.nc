@@ -1,0 +1,3 @@
+(operator I on J)
+G2 X10 JI5 F100
+M30

@@ -1,0 +1,3 @@
+(** of other controls)
+#1=2**3
+M30

@@ -1,0 +1,5 @@
+(there is no N9999)
+G10 L52
+N9999 R1
+G11
+M30

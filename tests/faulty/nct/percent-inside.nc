@@ -1,0 +1,3 @@
+(% inside a block)
+G0 X10 %
+M30

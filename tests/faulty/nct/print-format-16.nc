@@ -1,0 +1,5 @@
+(DPRNT: 16 digits)
+FOPEN2 <x.txt>
+DPRNT[X#100[88]]
+FCLOS
+M30

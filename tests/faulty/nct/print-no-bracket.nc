@@ -1,0 +1,5 @@
+(DPRNT without [)
+FOPEN2 <x.txt>
+DPRNT X#100[53]
+FCLOS
+M30

@@ -1,0 +1,4 @@
+(DPRNT without POPEN)
+#100=5
+DPRNT[X#100[53]]
+M30

@@ -1,0 +1,3 @@
+(PRM without a number)
+#1=PRM[]
+M30

@@ -1,0 +1,3 @@
+(the bit is missing)
+#1=PRM[107]/[4]
+M30

@@ -1,0 +1,3 @@
+(the number is an empty variable)
+#1=PRM[#2]
+M30

@@ -1,0 +1,4 @@
+(number of the skip switch by a variable)
+#100=2
+/#100 G0 X10
+M30

@@ -1,0 +1,3 @@
+(the skip sign inside a block)
+G0 X10 /2 Y5
+M30

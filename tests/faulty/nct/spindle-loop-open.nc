@@ -1,0 +1,3 @@
+(positioning with the loop open)
+G90 CS30
+M30

@@ -1,0 +1,3 @@
+(axes are numbered from 1)
+#1=#_ABSIO[0]
+M30

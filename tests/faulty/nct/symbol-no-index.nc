@@ -1,0 +1,3 @@
+(#_ABSIO takes an index)
+#1=#_ABSIO + 1
+M30

@@ -1,0 +1,3 @@
+(no such name)
+#1=#_ABCDE[1]
+M30

@@ -1,0 +1,3 @@
+(T takes eight digits)
+T100000000
+M30

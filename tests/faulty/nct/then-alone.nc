@@ -1,0 +1,3 @@
+(THEN without IF)
+THEN#1=5
+M30

@@ -1,0 +1,4 @@
+(no lead at all)
+S100 M3
+G33 Z-10
+M30

@@ -1,0 +1,3 @@
+(all tools of the number are expired)
+T5 M6
+M30

@@ -1,0 +1,3 @@
+(a tool that the table does not have)
+T7 M6
+M30

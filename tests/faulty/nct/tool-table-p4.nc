@@ -1,0 +1,4 @@
+(G10 L75 knows P1 to P3)
+G10 L75 P4
+G11
+M30

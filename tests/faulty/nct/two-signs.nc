@@ -1,0 +1,3 @@
+(two signs)
+G0 X--5
+M30

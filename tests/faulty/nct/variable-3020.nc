@@ -1,0 +1,3 @@
+(a variable of other controls)
+#3020=1
+M30

@@ -1,0 +1,3 @@
+(a negative bit)
+#_UO[3]=-1
+M30

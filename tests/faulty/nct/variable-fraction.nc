@@ -1,0 +1,4 @@
+(a number with a fraction)
+#1=5.5
+#2=#[#1]
+M30

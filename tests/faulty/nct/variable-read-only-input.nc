@@ -1,0 +1,3 @@
+(a bit from the PLC)
+#1000=1
+M30

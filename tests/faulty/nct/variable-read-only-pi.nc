@@ -1,0 +1,3 @@
+(the number pi)
+#3101=3
+M30

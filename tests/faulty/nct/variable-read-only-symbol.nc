@@ -1,0 +1,3 @@
+(by its name)
+#_ABSIO[1]=0
+M30
