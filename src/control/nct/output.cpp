@@ -17,11 +17,14 @@ namespace fs = std::filesystem;
 /// Path of the running program from the folder of the program memory. INFERRED: a program that lies elsewhere counts as if it
 /// stood in that folder.
 std::string program_path(const Machinery& m) {
-  const fs::path main = fs::path(m.flow.main_file()).lexically_normal();
-  const fs::path running = fs::path(m.flow.file()).lexically_normal();
-  const bool inside = main.is_relative() && !main.empty() && *main.begin() != "..";
-  const fs::path path = inside ? running : running.lexically_relative(main.parent_path().empty() ? fs::path(".") : main.parent_path());
-  return path.generic_string();
+  const auto whole = [](const std::string& path) {
+    std::error_code error;  // no working directory: the path as it is
+    return fs::absolute(path, error).lexically_normal();
+  };
+  const fs::path main = whole(m.flow.main_file()), root = whole(m.nct->output.root() + "/").parent_path();
+  const fs::path from_root = main.lexically_relative(root);
+  const bool inside = !from_root.empty() && *from_root.begin() != "..";
+  return whole(m.flow.file()).lexically_relative(inside ? root : main.parent_path()).generic_string();
 }
 
 /// Gives an alarm of the file its place.

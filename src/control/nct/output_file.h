@@ -81,6 +81,7 @@ class OutputFile {
   void abort();
 
   bool is_open() const { return state_ != State::closed; }
+  const std::string& root() const { return options_.root; }
   const std::string& path() const { return path_; }  // of the open file, from the root; empty before the name came
 
  private:
