@@ -186,7 +186,7 @@ TEST(prm, misses_its_arguments) {
 TEST(prm, refuses_what_is_not_there) {
   const ParameterStore p = store();
   for (const double number : {-1., 109., 1339.5, 10000., 1e300, no})
-    EXPECT_EQ(read(p, number).substr(0, 20), "value_out_of_range N") << number;
+    EXPECT_EQ(read(p, number).substr(0, 17), "parameter_unknown") << number;
   EXPECT_EQ(read(p, 107, 8, 4), "value_out_of_range Q 8");
   EXPECT_EQ(read(p, 107, -1, 4), "value_out_of_range Q -1");
   EXPECT_EQ(read(p, 1339, 0), "value_out_of_range Q 0");
@@ -232,8 +232,8 @@ TEST(g10_l52, alarms) {
   const ParameterStore p = store();
   EXPECT_EQ(refused(p, block(107, 4, 0, 1)), "done");
   EXPECT_EQ(refused(p, block(107, 32, 7, 0)), "done");
-  EXPECT_EQ(refused(p, block(109, no, no, 1)), "value_out_of_range N 109");
-  EXPECT_EQ(refused(p, block(-107, 4, 0, 1)), "value_out_of_range N -107");
+  EXPECT_EQ(refused(p, block(109, no, no, 1)), "parameter_unknown 109");
+  EXPECT_EQ(refused(p, block(-107, 4, 0, 1)), "parameter_unknown -107");
   EXPECT_EQ(refused(p, block(107, 33, 0, 1)), "value_out_of_range P 33");
   EXPECT_EQ(refused(p, block(107, 0, 0, 1)), "value_out_of_range P 0");
   EXPECT_EQ(refused(p, block(107, 1.5, 0, 1)), "value_out_of_range P 1");
@@ -250,8 +250,8 @@ TEST(g10_l52, alarms) {
   EXPECT_EQ(refused(p, block(107, no, 0, 1)), "word_missing P G10 L52");
   EXPECT_EQ(refused(p, block(107, 4, no, 1)), "word_missing Q G10 L52");
   EXPECT_EQ(refused(p, block(107, 4, 0, no)), "word_missing R G10 L52");
-  EXPECT_EQ(refused(p, block(100, 1, no, 1)), "parameter_not_writable N0100");
-  EXPECT_EQ(refused(p, block(604, no, no, 1)), "parameter_not_writable N0604");
+  EXPECT_EQ(refused(p, block(100, 1, no, 1)), "parameter_not_writable 0100");
+  EXPECT_EQ(refused(p, block(604, no, no, 1)), "parameter_not_writable 0604");
 }
 
 TEST(g10_l52, alarms_stand_at_their_word) {
