@@ -66,9 +66,12 @@ Control::State Machinery::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) origin = origin_of_block();
-    if (got && nct && !reads_clock && !block->code.empty() && may_read_clock()) {
-      reads_clock = each_block = again_ = true;
-      return Control::State::running;
+    if (got && nct && !reads_clock && !block->no_clock && !block->code.empty()) {
+      if (may_read_clock()) {
+        reads_clock = each_block = again_ = true;
+        return Control::State::running;
+      }
+      block->no_clock = true;
     }
     if (!got && block->marker == Marker::program_start) flow.started = true;  // damaged, but there
     for (const Alarm& w : block->warnings) warn(w);

@@ -167,6 +167,7 @@ struct Block {
   bool evaluates = false;     // some word's value is an expression
   bool codes_vary = false;    // a code's number is an expression
   bool kept = false;          // stays in memory at its place: a loop carries it out again
+  bool no_clock = false;      // it was looked at and reads none
   std::uint64_t checked = 0;  // addresses it had when its words were looked at and found right
   bool altered = false;       // words were taken away when it was carried out: their address is 0
 
@@ -181,7 +182,7 @@ struct Block {
   /// Ready for the next block; keeps the memory of the lists.
   void clear() {
     marker = Marker::none;
-    has_number = main_block = evaluates = altered = codes_vary = kept = false;
+    has_number = main_block = evaluates = altered = codes_vary = kept = no_clock = false;
     checked = 0;
     file_name = {};
     if (statement.kind != StatementKind::none) statement = {};

@@ -13,16 +13,9 @@ namespace {
 constexpr double most_pecks = 1e6;
 constexpr double most_passes = 99'999'999;
 
-/// Row of a code without words, e.g. that of G80; nullptr: the control has none.
-const CodeRow* row_of(const Machinery& m, std::int32_t tenth) {
-  const std::int32_t row = m.def.row_of('G', tenth);
-  return row < 0 ? nullptr : &m.def.codes[static_cast<std::size_t>(row)];
-}
-
 /// The cycle's row in force, or -1.
 std::int16_t cycle_row(const Machinery& m) {
-  const CodeRow* const off = row_of(m, 800);
-  const std::int16_t row = off == nullptr ? std::int16_t{-1} : m.modal.rows[off->group];
+  const std::int16_t row = m.modal.rows[m.nct->drilling_group];
   return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
 }
 
@@ -285,8 +278,7 @@ int drills_along(const Machinery& m) {
 }
 
 void note_code(Machinery& m, const CodeRow& row) {
-  const CodeRow* const rapid = row_of(m, 0);
-  if (rapid == nullptr || row.group != rapid->group) return;
+  if (row.group != m.nct->motion_group) return;
   if (row.function != Function::turning_simple) m.nct->state.turning.code = 0;  // the data of a simple turning cycle (19.1)
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
 }

@@ -114,6 +114,12 @@ Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_
       tools(setup),
       output({limits.files, std::uint64_t{1} << 30, limits.writes_files ? OutputWriting::files : OutputWriting::nothing}) {
   if (!parameters.error().empty()) m.start_error = parameters.error();
+  const auto group_of = [&](std::int32_t tenth) {
+    const std::int32_t row = m.def.row_of('G', tenth);
+    return row < 0 ? std::uint8_t{0} : m.def.codes[static_cast<std::size_t>(row)].group;
+  };
+  drilling_group = group_of(800);
+  motion_group = group_of(0);
 }
 
 Nct::~Nct() = default;

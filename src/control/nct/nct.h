@@ -171,10 +171,11 @@ class Nct {
   std::vector<Finishing> finishing;     // contours that G70.7 is in
   DataMode data_mode = DataMode::none;
   Interrupted interrupted;
-  std::optional<ProgramPlace> interrupt_program;  // M96
-  bool signal_was_on = false;                     // CP_MINT when it was looked at last
-  std::map<std::string, double> signals;          // of the machine's logic
-  bool single_block = false;                      // the operator's switch
+  std::optional<ProgramPlace> interrupt_program;      // M96
+  bool signal_was_on = false;                         // CP_MINT when it was looked at last
+  std::map<std::string, double> signals;              // of the machine's logic
+  bool single_block = false;                          // the operator's switch
+  std::uint8_t drilling_group = 0, motion_group = 0;  // of G80 and G0
   // of the block being carried out
   bool was_hidden = false;     // the block stands in a program that is not listed (23.3.9)
   bool moved = false;          // it held a movement command
