@@ -108,18 +108,19 @@ class Run {
         trace_(shop.nowhere, control_.axes(), control_.rotary(), stand_, setup_.points) {
     require(is_finite(stand_.work) && is_finite(stand_.machine), "the run begins somewhere");
     control_.on_warning = [this](const AlarmReport& report) { show(report); };
-    if (shop.logic && (switches & machine_logic) != 0)
-      control_.on_block = [this](const Origin& origin, bool at_end) {
-        watch_block(at_end);
-        shop_.logic(control_, origin, at_end);
-      };
+    if (!shop.logic || (switches & machine_logic) == 0) return;
+    control_.hand_over_each_block();
+    control_.on_block = [this](const Origin& origin, bool at_end) {
+      watch_block(at_end);
+      shop_.logic(control_, origin, at_end);
+    };
   }
 
   void carry_out() {
     ActionBatch batch;
     for (Control::State state = Control::State::running;
          state != Control::State::ended && actions_ < most_actions && alarms_ < most_alarms;) {
-      const bool compared = alarms_ < most_compared;
+      const bool compared = !shop_.logic && alarms_ < most_compared;  // nct may hand over before a block: watch_block
       const Ending before = compared ? control_.ending() : Ending();
       const std::uint64_t blocks = control_.blocks();
       state = control_.run(batch);
@@ -143,22 +144,15 @@ class Run {
   }
 
  private:
-  /// Nothing of a faulty block is done, seen from the block itself.
+  /// Keeps the state before a block that the machine's logic sees.
   void watch_block(bool at_end) {
-    if (!at_end) {
-      if (++watched_ <= most_watched) before_block_ = control_.ending();
-      return;
-    }
-    if (!control_.is_stopped() || watched_ > most_watched || control_.report().alarm.id == AlarmId::call_too_deep) return;
-    const Ending after = control_.ending();
-    require(before_block_.variables == after.variables, "a faulty block changes no variable");
-    require(before_block_.modal == after.modal, "a faulty block changes no mode");
-    require(near(before_block_.position, after.position) && near(before_block_.machine_position, after.machine_position),
-            "a faulty block moves nothing");
+    block_open_ = !at_end && ++watched_ <= most_watched;
+    if (block_open_) before_block_ = control_.ending();
   }
 
   void take(Action& action) {
     ++actions_;
+    block_open_ = false;  // a cycle that has begun
     if (auto* const motion = std::get_if<Motion>(&action.what)) {
       if (motion->kind == MotionKind::probe) {
         const ProbeAnswer answer = machine_.probe(*motion);
@@ -211,9 +205,24 @@ class Run {
     const Ending after = control_.ending();
     require(near(after.position, stand_.work) && near(after.machine_position, stand_.machine),
             "after an alarm the control stands where the motions led");
+    if (block_open_ && last_.alarm.id != AlarmId::call_too_deep) same_state(before_block_, after);  // an interrupt macro may nest too deep
+    block_open_ = false;
     if (before == nullptr) return;
-    require(before->variables == after.variables, "a faulty block changes no variable");
-    require(before->modal == after.modal, "a faulty block changes no mode");
+    same_state(*before, after);
+  }
+
+  static void same_state(const Ending& before, const Ending& after) {
+    if (before.variables != after.variables || before.modal != after.modal)
+      std::fprintf(stderr, "before: %s\nafter:  %s\n", text_of(before).c_str(), text_of(after).c_str());
+    require(before.variables == after.variables, "a faulty block changes no variable");
+    require(before.modal == after.modal, "a faulty block changes no mode");
+  }
+
+  static std::string text_of(const Ending& e) {
+    std::string text;
+    for (const auto& [name, value] : e.variables) text += name + "=" + std::to_string(value) + " ";
+    for (const std::string& code : e.modal) text += code + " ";
+    return text;
   }
 
   void show(const AlarmReport& report) {
@@ -240,6 +249,7 @@ class Run {
   AlarmReport last_;
   Ending before_block_;
   std::size_t watched_ = 0;
+  bool block_open_ = false;
   std::size_t actions_ = 0;
   std::size_t alarms_ = 0;
   std::size_t shown_ = 0;

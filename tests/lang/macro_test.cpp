@@ -212,6 +212,17 @@ TEST(macro_statements, that_are_wrong_say_where) {
   for (const Case& c : cases) EXPECT_EQ(Sample(c.text, nct()).alarm, c.alarm) << c.text;
 }
 
+TEST(macro_statements, leave_nothing_to_the_block_behind_them) {
+  for (const char* faulty : {"IF[#1EQ1]", "WHILE[#1EQ1]", "IF[#1EQ1]GOTO", "IF", "#1=", "FOPEN1"}) {
+    Block block;
+    EXPECT_FALSE(lex_block(faulty, 0, true, nct(), block)) << faulty;
+    block.clear();
+    ASSERT_TRUE(lex_block("END1", 0, true, nct(), block)) << faulty;
+    EXPECT_EQ(block.statement.condition_count, 0) << faulty;
+    EXPECT_FALSE(block.statement.with_if) << faulty;
+  }
+}
+
 TEST(macro_statements, nest_as_deep_as_the_limit_and_no_deeper) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + "1" + std::string(depth, ']'); };
   EXPECT_EQ(assigned(nested(limits::expression_depth)), "1");
