@@ -1,6 +1,6 @@
 #pragma once
 // Random motions for the tests of the rooms after `control`: lines, arcs, helices, spirals, polar and cylinder interpolation,
-// with and without a turned frame; X, Y, Z, C.
+// with and without a turned frame; X, Y, Z, C, and V, W that may follow X and V.
 
 #include <rapidcheck.h>
 
@@ -19,8 +19,8 @@ inline double any_number(int least, int most) { return *rc::gen::inRange(least *
 
 /// Where a motion has its start: work coordinates near the origin, the machine's shifted, sometimes turned.
 inline Moved any_start() {
-  Moved moved{AxisRoles::of({"X", "Y", "Z", "C"}, 8), {}, {}};
-  moved.from.work = {any_number(-50, 50), any_number(-50, 50), any_number(-50, 50), any_number(0, 360)};
+  Moved moved{AxisRoles::of({"X", "Y", "Z", "C", "V", "W"}, 8), {}, {}};
+  moved.from.work = {any_number(-50, 50), any_number(-50, 50), any_number(-50, 50), any_number(0, 360), any_number(-50, 50)};
   return moved;
 }
 
@@ -38,10 +38,24 @@ inline void lay_frame(Moved& moved, bool may_turn) {
   for (std::size_t i = 0; i < moved.roles.count; ++i) moved.from.machine[i] += shift[i], moved.motion.machine[i] += shift[i];
 }
 
+/// V and W copy the way of X and of V.
+inline void let_follow(Moved& moved) {
+  constexpr std::uint8_t v = 4, w = 5;
+  auto detail = moved.motion.detail ? std::make_shared<MotionDetail>(*moved.motion.detail) : std::make_shared<MotionDetail>();
+  detail->followers = {{v, 0, -1}, {w, v, *rc::gen::element(1.0, -1.0)}};
+  for (const Follower& f : detail->followers) {
+    const double way = f.sign * (moved.motion.machine[f.master] - moved.from.machine[f.master]);
+    moved.motion.machine[f.axis] = moved.from.machine[f.axis] + way;
+    moved.motion.to[f.axis] = moved.from.work[f.axis] + way;
+  }
+  moved.motion.detail = std::move(detail);
+}
+
 inline Moved any_line() {
   Moved moved = any_start();
   moved.motion = straight(MotionKind::feed, {any_number(-50, 50), any_number(-50, 50), any_number(-50, 50)}, 100);
   moved.motion.to[3] = any_number(0, 360);
+  moved.motion.to[4] = moved.from.work[4];
   lay_frame(moved, true);
   return moved;
 }
@@ -79,6 +93,7 @@ inline Moved any_polar() {
   const PolarPath path(flat, 1, 0, moved.from.work[3]);
   moved.from.work[0] = path.at(0).linear;
   Motion& m = moved.motion = straight(MotionKind::feed, {path.at(1).linear, moved.from.work[1], moved.from.work[2]}, 100);
+  m.to[4] = moved.from.work[4];
   m.to[3] = path.at(1).rotary;
   m.second = 3;
   m.detail = std::make_shared<MotionDetail>(detail);
@@ -111,13 +126,19 @@ inline Moved any_cylinder() {
   return moved;
 }
 
-inline Moved any_motion() {
+inline Moved any_own_motion() {
   switch (*rc::gen::inRange(0, 4)) {
     case 0: return any_line();
     case 1: return any_polar();
     case 2: return any_cylinder();
     default: return any_arc();
   }
+}
+
+inline Moved any_motion() {
+  Moved moved = any_own_motion();
+  if (*rc::gen::arbitrary<bool>()) let_follow(moved);
+  return moved;
 }
 
 }  // namespace kadr::test

@@ -66,5 +66,7 @@
   X(zone1_reached_positive) X(zone1_reached_negative) X(zone2_reached_positive)              \
   X(zone2_reached_negative) X(zone2_reached_inside) X(zone3_reached_inside)                  \
   X(position_error) X(channels_wait)                                                         \
-  X(channel_list)
+  X(channel_list)                                                                            \
+  /* coupled axes (nct 20) */                                                                \
+  X(gear_not_on) X(coupling_parameter) X(axis_follows)
 // clang-format on

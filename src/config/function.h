@@ -81,7 +81,8 @@ namespace kadr {
   X(work_system, zero, false)       X(work_system_extended, zero, false) X(new_system, data, true)       \
   X(feed_control, path_mode, false) X(css_on, speed_mode, false)     X(css_off, speed_mode, false)       \
   X(drilling, positioning, true)    X(drilling_off, motion, false)   X(turning_cycle, motion, true)      \
-  X(turning_simple, motion, true)   X(not_available, none, true)                                         \
+  X(turning_simple, motion, true)   X(gear_on, data, false)          X(gear_off, data, false)            \
+  X(not_available, none, true)                                                                           \
   /* nct: macros, programs, M codes */                                                                   \
   X(macro_call, flow, true)         X(macro_modal, flow, true)       X(macro_modal_off, flow, false)     \
   X(spindle_code, spindle, false)   X(gear_range, range, false)      X(exchange_tool, tool_change, false) \

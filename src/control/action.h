@@ -40,6 +40,13 @@ enum class FeedAlong : std::uint8_t {
 /// Where the programmed plane lies when it is not a plane of the axes (nct 4.5, 4.6).
 enum class PathSurface : std::uint8_t { plane, polar, cylinder };
 
+/// An axis that copies another's way (nct 20.2).
+struct Follower {
+  std::uint8_t axis = 0;
+  std::uint8_t master = 0;
+  double sign = 1;  // -1: the other way round
+};
+
 /// What only few motions have.
 struct MotionDetail {
   AxisMask rolled = 0;  // rotary axes that roll over: `travel` is their signed way, degrees (nct 5.6)
@@ -58,6 +65,7 @@ struct MotionDetail {
   std::optional<double> turn;         // degrees the spindle turns with it, signed
   std::optional<double> torque;       // limit of a probe motion, %
   int input = 0;                      // of a probe motion: 1 to 8; 98: torque; 0: any
+  std::vector<Follower> followers;    // each behind its master; their way is no part of the path
 };
 
 /// A motion along a line, an arc, a spiral or a helix, of the tool point.
@@ -152,6 +160,20 @@ struct ZoneChange {
   AxisMask axes = 0;     // with limits; the others are free
   Axes least{}, most{};  // of these, machine coordinates; infinite: no limit
 };
+/// An electronic gearbox begins: the slave axis turns with a spindle, and with the travel of a third axis, over and above what the
+/// motions command (nct 20.1). Uncouple: it stops.
+struct Couple {
+  std::string master, slave;      // spindle, axis
+  double ratio = 1;               // revolutions of the slave for one of the master, signed
+  double rpm = 0;                 // of the slave at the master's present speed, rev/min, signed
+  bool feeds_by_slave = false;    // feed per revolution is that of the slave
+  std::optional<double> phase{};  // of the slave at the zero pulse, degrees
+  double helix = 0;               // degrees for a mm of `along`
+  std::string along{};            // axis; empty: none
+};
+struct Uncouple {
+  std::string slave;
+};
 /// The frame of what follows: machine = work + origin + length. Not a command to the machine: the tool stands, `work` are
 /// its coordinates from now on (a length that is taken out by the next motion only, 2С42, leaves them as they were).
 /// With a basic rotation (nct 10.2.3): machine = origin + length + turn · (shift + work) on the three `main` axes.
@@ -171,7 +193,7 @@ struct FrameChange {
 struct Action {
   Origin origin;
   std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
-               FrameChange, Sync, ZoneChange>
+               FrameChange, Sync, ZoneChange, Couple, Uncouple>
       what;
 };
 

@@ -171,6 +171,7 @@ void Machinery::take_back(std::size_t actions) {
   set_position = moment_.set_position;
   set_position_by_g52 = moment_.set_position_by_g52;
   tables.zero_shift = moment_.zero_shift;
+  if (nct) nct::follow_from_here(*this);
   if (def.behaviour.correctors) corrector_applied = kept_corrections_;
   if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
 }

@@ -77,6 +77,10 @@ void Control::synchronise(int slave, int master) {
   for (int n = 1; n <= static_cast<int>(nct::most_spindles); ++n)
     if (slave == n || slave == 0) machinery_->nct->spindle(n).master = master;
 }
+void Control::couple_axes(const std::vector<std::string>& axes, bool on) {
+  for (const std::string& name : axes)
+    if (machinery_->nct) nct::couple_axis(*machinery_, name, on);
+}
 void Control::convert_spindle(int number, bool to_axis) {
   if (!machinery_->nct || number < 1 || number > static_cast<int>(nct::most_spindles)) return;
   nct::SpindleState& s = machinery_->nct->spindle(number);

@@ -155,7 +155,10 @@ void Machinery::power_cycle() {
   ActionBatch unseen;
   ActionBatch* const kept = std::exchange(batch, &unseen);
   const bool keeps_codes = std::exchange(nct->settings.keeps_codes, false);  // codes begin anew, whatever CLR says
+  nct::disengage(*this);
   nct->end_program(*this);
+  nct->couplings = {};
+  nct::couple_gantries(*this);
   nct->settings.keeps_codes = keeps_codes;
   batch = kept;
   nct->variables.power_off();

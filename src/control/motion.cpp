@@ -89,6 +89,7 @@ Status Machinery::straight(MotionKind kind, const Axes& programmed, AxisMask nam
 }
 
 Status Machinery::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
+  if (nct) KADR_TRY(nct::not_following(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
     position.machine[a] = machine[a];

@@ -177,6 +177,7 @@ void Machinery::start_modal(const Setup& setup) {
     position.work[a] = position.machine[a] - shift;
   }
   position.programmed = transform.to_programmed(position.work);
+  if (nct) nct::couple_gantries(*this);
   flow.started = false;
   block->clear();
   batch = nullptr;

@@ -185,7 +185,8 @@ struct Block {
     has_number = main_block = evaluates = altered = codes_vary = kept = no_clock = false;
     checked = 0;
     file_name = {};
-    if (statement.kind != StatementKind::none || statement.condition_count != 0 || statement.with_if) statement = {};  // a faulty IF has no kind
+    if (statement.kind != StatementKind::none || statement.condition_count != 0 || statement.with_if)
+      statement = {};  // a faulty IF has no kind
     number_digits = skip = 0;
     number = label = word_count = 0;
     letters = 0;

@@ -58,7 +58,9 @@ bool is_seen(const std::string& code) {
   return code[0] != 'M' || !(number == 2 || number == 30 || number == 98 || number == 99);
 }
 
-std::optional<PlcCommand> command_of(const SetupEvent& event) {
+PlcCommand command_of(const SetupEvent& event) {
+  const bool on = event.what == Do::synchronise;
+  if (!event.axes.empty() && (on || event.what == Do::release)) return CoupleAxes{event.axes, on};
   switch (event.what) {
     case Do::set: return SetSignal{event.signal, event.value};
     case Do::skip: return SetSkip{event.switch_number, event.on};
@@ -67,10 +69,10 @@ std::optional<PlcCommand> command_of(const SetupEvent& event) {
     case Do::power_cycle: return PowerCycle{};
     case Do::spindle_to_axis: return ConvertSpindle{event.spindle, true};
     case Do::axis_to_spindle: return ConvertSpindle{event.spindle, false};
-    case Do::synchronise: return event.axes.empty() ? std::optional<PlcCommand>(Synchronise{event.spindle, event.master}) : std::nullopt;
-    case Do::release: return event.axes.empty() ? std::optional<PlcCommand>(Synchronise{event.spindle, 0}) : std::nullopt;
+    case Do::synchronise: return Synchronise{event.spindle, event.master};
+    case Do::release: return Synchronise{event.spindle, 0};
   }
-  return std::nullopt;
+  return Start{};
 }
 
 }  // namespace
@@ -81,9 +83,7 @@ Plc::Plc(const std::vector<SetupEvent>& events) {
     const char letter = word.empty() ? '\0' : word[0];
     if (!from.code.empty() && !is_seen(from.code)) error_ = "events: the machine's logic does not see " + from.code;
     const double number = word.empty() ? 0 : std::strtod(word.c_str() + 1, nullptr);
-    const auto command = command_of(from);
-    if (!command) error_ = "events: synchronous axes are not in this version";
-    events_.push_back({from.when, letter == ':', letter, number, from.count, 0, command.value_or(Start{})});
+    events_.push_back({from.when, letter == ':', letter, number, from.count, 0, command_of(from)});
   }
 }
 
@@ -128,6 +128,7 @@ void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Con
       if (const auto* const signal = std::get_if<SetSignal>(&command)) control->set_signal(signal->name, signal->value);
       else if (const auto* const skip = std::get_if<SetSkip>(&command)) control->set_skip(skip->number, skip->on);
       else if (const auto* const coupled = std::get_if<Synchronise>(&command)) control->synchronise(coupled->slave, coupled->master);
+      else if (const auto* const axes = std::get_if<CoupleAxes>(&command)) control->couple_axes(axes->axes, axes->on);
       else if (const auto* const converted = std::get_if<ConvertSpindle>(&command))
         control->convert_spindle(converted->number, converted->to_axis);
       else if (std::holds_alternative<PowerCycle>(command)) control->power_cycle();

@@ -31,17 +31,21 @@ struct PowerCycle {};
 struct Synchronise {
   int slave, master;
 };
+struct CoupleAxes {
+  std::vector<std::string> axes;
+  bool on;
+};
 struct ConvertSpindle {
   int number;
   bool to_axis;
 };
-using PlcCommand = std::variant<SetSignal, SetSkip, AnswerBox, Start, PowerCycle, Synchronise, ConvertSpindle>;
+using PlcCommand = std::variant<SetSignal, SetSkip, AnswerBox, Start, PowerCycle, Synchronise, CoupleAxes, ConvertSpindle>;
 
 class Plc {
  public:
   explicit Plc(const std::vector<SetupEvent>& events);
 
-  /// What no event can be served: a sentence; empty: all is well.
+  /// Which event cannot be served: a sentence; empty: all can.
   const std::string& error() const { return error_; }
   /// No events: nothing needs to be shown to it.
   bool idle() const { return events_.empty(); }

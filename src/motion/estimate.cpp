@@ -76,7 +76,7 @@ double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, Moti
     time.feed = way * motion.feed * override_part;
     return 1 / (motion.feed * override_part);
   }
-  time.feed = motion.feed * override_part * (motion.unit == FeedUnit::mm_per_rev ? turning_rpm() : 1);
+  time.feed = motion.feed * override_part * (motion.unit == FeedUnit::mm_per_rev ? feed_rpm() : 1);
   if (way == 0) return 0;
   if (curve.surface() == PathSurface::polar) return minutes(curve, {time.feed, motion.detail->rotary_most, motion.along});
   return way / time.feed;
@@ -114,6 +114,10 @@ void TimeEstimate::other(const Action& action) {
     if (starts) turning.rpm = spindle->rpm;
   } else if (const auto* speed = std::get_if<Speed>(&action.what)) {
     spindle_of(speed->number).rpm = speed->surface ? 0 : speed->value;
+  } else if (const auto* couple = std::get_if<Couple>(&action.what)) {
+    feed_ratio_ = couple->feeds_by_slave ? std::abs(couple->ratio) : 1;
+  } else if (std::holds_alternative<Uncouple>(action.what)) {
+    feed_ratio_ = 1;
   } else if (std::holds_alternative<ToolChange>(action.what)) {
     split_.tool_change += rates_.tool_change_s;
   }

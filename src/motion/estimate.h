@@ -63,6 +63,7 @@ class TimeEstimate {
   };
   Turning& spindle_of(std::size_t number);
   double turning_rpm() const { return spindles_[1].on ? spindles_[1].rpm : 0; }
+  double feed_rpm() const { return turning_rpm() * feed_ratio_; }
   double rapid_minutes(const Curve& curve) const;
   double thread_minutes(const Motion& motion, const Curve& curve) const;
   double feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const;
@@ -70,6 +71,7 @@ class TimeEstimate {
   AxisRoles roles_;
   Rates rates_;
   TimeSplit split_;
+  double feed_ratio_ = 1;                                    // feed per revolution: of a gearbox's slave for one of the spindle
   std::vector<Turning> spindles_ = std::vector<Turning>(2);  // by number; 0 is none
 };
 

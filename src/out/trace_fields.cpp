@@ -63,6 +63,11 @@ struct Fields {
   std::string operator()(const Message& m) const {
     return "message\"" + (m.number < 0 ? std::string() : field("number", m.number)) + field("text", m.text);
   }
+  std::string operator()(const Couple& c) const {
+    return "couple\"" + field("master", c.master) + field("slave", c.slave) + field("ratio", c.ratio) + field("rpm", c.rpm) +
+           field("phase", c.phase) + field_if("helix", c.helix) + (c.along.empty() ? std::string() : field("along", c.along));
+  }
+  std::string operator()(const Uncouple& u) const { return "uncouple\"" + field("slave", u.slave); }
   std::string operator()(const Sync& s) const {
     std::string channels;
     for (const std::uint8_t channel : s.channels) channels += (channels.empty() ? "" : ",") + std::to_string(channel);

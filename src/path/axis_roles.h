@@ -72,10 +72,13 @@ inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, cons
   Axes machine = turned(rotation, work);
   for (std::size_t i = 0; i < roles.count; ++i)
     machine[i] += (1 - part) * (from.machine[i] - start[i]) + part * (motion.machine[i] - end[i]);
-  if (motion.detail && motion.detail->rolled != 0)
+  if (!motion.detail) return machine;
+  if (motion.detail->rolled != 0)
     for (std::size_t i = 0; i < roles.count; ++i)
       if ((motion.detail->rolled >> i & 1U) != 0)
         machine[i] = part < 1 ? from.machine[i] + part * motion.detail->travel[i] : motion.machine[i];
+  for (const Follower& f : motion.detail->followers)
+    machine[f.axis] = part < 1 ? from.machine[f.axis] + f.sign * (machine[f.master] - from.machine[f.master]) : motion.machine[f.axis];
   return machine;
 }
 

@@ -10,6 +10,7 @@ Curve::Curve(const AxisRoles& roles, const Axes& from, const Motion& motion)
   if (motion.detail) {
     surface_ = motion.detail->surface;
     rolled_ = motion.detail->rolled;
+    for (const Follower& follower : motion.detail->followers) following_ |= AxisMask{1} << follower.axis;
   }
   if (straight()) return;
   first_ = motion.first;
@@ -46,12 +47,12 @@ double Curve::length() const {
   return straight() ? outside : flat_.length(outside);
 }
 
-double Curve::rotary_length() const { return std::sqrt(squares(roles_.rotary & all_axes() & ~plane_axes())); }
+double Curve::rotary_length() const { return std::sqrt(squares(roles_.rotary & own_axes() & ~plane_axes())); }
 
 /// What the axes outside the plane contribute to a length.
 double Curve::rise(FeedAlong along) const {
   if (along == FeedAlong::arc && arc_) return 0;
-  return std::sqrt(squares((along == FeedAlong::all_axes ? all_axes() : linear_axes()) & ~plane_axes()));
+  return std::sqrt(squares((along == FeedAlong::all_axes ? own_axes() : own_axes() & ~roles_.rotary) & ~plane_axes()));
 }
 
 double Curve::length(FeedAlong along) const {
@@ -75,6 +76,14 @@ void Curve::set_in_plane(Axes& point, Vec2 flat) const {
   point[second_] = from_[second_] + way.y * unit(second_);
 }
 
+/// A follower's way is its master's; what else there is between its ends, in a turned frame, it goes evenly.
+void Curve::set_followers(Axes& point, double part) const {
+  for (const Follower& follower : motion_.detail->followers) {
+    const double rest = way(follower.axis) - follower.sign * way(follower.master);
+    point[follower.axis] = from_[follower.axis] + follower.sign * (point[follower.master] - from_[follower.master]) + part * rest;
+  }
+}
+
 Axes Curve::at(double part) const {
   if (part <= 0) return from_;
   if (part >= 1) return motion_.to;
@@ -88,6 +97,7 @@ Axes Curve::at(double part) const {
   } else {
     set_in_plane(point, flat_.at(part));
   }
+  if (following_ != 0) set_followers(point, part);
   return point;
 }
 
@@ -103,6 +113,10 @@ Axes Curve::rates(double part) const {
     const Vec2 flat = flat_.rate(part);
     rates[first_] = flat.x * unit(first_);
     rates[second_] = flat.y * unit(second_);
+  }
+  for (std::size_t n = 0; following_ != 0 && n < motion_.detail->followers.size(); ++n) {
+    const Follower& follower = motion_.detail->followers[n];
+    rates[follower.axis] = follower.sign * rates[follower.master] + (way(follower.axis) - follower.sign * way(follower.master));
   }
   return rates;
 }
@@ -140,6 +154,13 @@ Extents Curve::extents() const {
   const AxisMask inside = plane_axes() & ~rolled_;
   take(least, inside);
   take(most, inside);
+  for (std::size_t n = 0; following_ != 0 && n < motion_.detail->followers.size(); ++n) {
+    const auto [axis, master, sign] = motion_.detail->followers[n];
+    const double least_way = box.least[master] - from_[master], most_way = box.most[master] - from_[master];
+    const double rest = way(axis) - sign * way(master);
+    box.least[axis] = from_[axis] + std::min(sign * least_way, sign * most_way) + std::min(rest, 0.0);
+    box.most[axis] = from_[axis] + std::max(sign * least_way, sign * most_way) + std::max(rest, 0.0);
+  }
   return box;
 }
 

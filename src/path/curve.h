@@ -1,7 +1,7 @@
 #pragma once
 // Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix or a cone; or one of these in the
-// plane of a surface: polar or cylinder interpolation. Axes outside the plane, and rotary ones, go evenly along.
-// NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6.
+// plane of a surface: polar or cylinder interpolation. Axes outside the plane, and rotary ones, go evenly along; an axis that
+// follows another goes as that does. NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6, 20.2.
 
 #include "path/axis_roles.h"
 #include "path/flat_path.h"
@@ -30,7 +30,8 @@ class Curve {
   /// A line in the axes: its speed and direction are the same all along.
   bool straight() const { return !arc_ && surface_ == PathSurface::plane; }
 
-  /// Length of the path in mm: of the linear axes; on a surface in its plane. Axes outside the plane count, rotary ones do not.
+  /// Length of the path in mm: of the linear axes; on a surface in its plane. Axes outside the plane count, rotary ones and those
+  /// that follow others do not.
   double length() const;
 
   /// The way of the rotary axes outside the plane in degrees (of several: as if at right angles, NIST 2.1.2.5).
@@ -74,13 +75,14 @@ class Curve {
 
  private:
   AxisMask plane_axes() const { return straight() ? 0 : AxisMask{1} << first_ | AxisMask{1} << second_; }
-  AxisMask linear_axes() const { return all_axes() & ~roles_.rotary; }
   AxisMask all_axes() const { return (AxisMask{1} << roles_.count) - 1; }
+  AxisMask own_axes() const { return all_axes() & ~following_; }
   double squares(AxisMask axes) const;
   double rise(FeedAlong along) const;
   PolarPath polar() const;
   double unit(std::size_t axis) const;
   void set_in_plane(Axes& point, Vec2 flat) const;
+  void set_followers(Axes& point, double part) const;
 
   const AxisRoles& roles_;
   const Axes& from_;
@@ -88,6 +90,7 @@ class Curve {
   bool arc_ = false;
   PathSurface surface_ = PathSurface::plane;
   AxisMask rolled_ = 0;
+  AxisMask following_ = 0;              // axes that copy another's way
   std::size_t first_ = 0, second_ = 1;  // axes of the plane
   FlatPath flat_;                       // the path in the plane, of a surface in its own; not set for a straight line
 };

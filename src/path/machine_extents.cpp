@@ -29,6 +29,12 @@ Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const 
     box.least[axis] = range.least;
     box.most[axis] = range.most;
   }
+  for (std::size_t n = 0; motion.detail && n < motion.detail->followers.size(); ++n) {
+    const auto [axis, master, sign] = motion.detail->followers[n];
+    const double one = sign * (box.least[master] - from.machine[master]), other = sign * (box.most[master] - from.machine[master]);
+    box.least[axis] = from.machine[axis] + std::min(one, other);
+    box.most[axis] = from.machine[axis] + std::max(one, other);
+  }
   return box;
 }
 

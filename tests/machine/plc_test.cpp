@@ -21,6 +21,8 @@ std::string name_of(const PlcCommand& command) {
   if (const auto* s = std::get_if<SetSkip>(&command)) return "skip " + std::to_string(s->number) + (s->on ? " on" : " off");
   if (const auto* a = std::get_if<AnswerBox>(&command)) return "answer " + std::to_string(int(a->value));
   if (const auto* s = std::get_if<Synchronise>(&command)) return std::to_string(s->slave) + " follows " + std::to_string(s->master);
+  if (const auto* c = std::get_if<CoupleAxes>(&command))
+    return c->axes.front() + (c->axes.size() > 1 ? c->axes[1] : "") + (c->on ? " on" : " off");
   if (const auto* c = std::get_if<ConvertSpindle>(&command)) return (c->to_axis ? "axis " : "spindle ") + std::to_string(c->number);
   return std::holds_alternative<PowerCycle>(command) ? "power" : "start";
 }
@@ -124,8 +126,15 @@ TEST(plc, what_it_cannot_serve_is_said) {
   for (const char* const code : {"M2", "M30", "M98", "M99", "G4", "N1"})
     EXPECT_EQ(Plc(events(R"({"when": {"code": ")" + std::string(code) + "\"}, " + start)).error(),
               "events: the machine's logic does not see " + std::string(code));
-  EXPECT_NE(Plc(events(R"({"when": {"code": "M41"}, "do": "synchronise", "axes": ["V"]})")).error(), "");
   EXPECT_TRUE(Plc({}).idle());
+}
+
+TEST(plc, axes_are_coupled_and_released) {
+  Plc plc(events(R"({"when": {"code": "M41"}, "do": "synchronise", "axes": ["V", "W"]},
+                    {"when": {"code": "M40"}, "do": "release", "axis": "V"})"));
+  EXPECT_EQ(plc.error(), "");
+  EXPECT_EQ(names_of(plc.action(action(MachineFunction{41}))), "VW on");
+  EXPECT_EQ(names_of(plc.action(action(MachineFunction{40}))), "V off");
 }
 
 // ---- on controls

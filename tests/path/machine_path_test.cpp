@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 #include "random_motion.h"
 
 namespace kadr {
@@ -73,6 +75,23 @@ RC_GTEST_PROP(machine_path, boxes_of_pieces_are_those_of_their_points, ()) {
   for (std::size_t a = 0; a < moved.roles.count; ++a) {  // samples miss an extreme by their distance at most
     const double slack = (box.most[a] - box.least[a]) * 0.02 + 1e-6;
     RC_ASSERT(seen.least[a] <= box.least[a] + slack && seen.most[a] >= box.most[a] - slack);
+  }
+}
+
+RC_GTEST_PROP(machine_path, followers_copy_the_way_of_their_masters_and_nothing_else_changes, ()) {
+  Moved moved = test::any_own_motion();
+  const Motion alone = moved.motion;
+  test::let_follow(moved);
+  const Curve without(moved.roles, moved.from.work, alone), with(moved.roles, moved.from.work, moved.motion);
+  RC_ASSERT(without.length() == with.length());
+  const MachinePath path(moved.roles, moved.from, moved.motion), own(moved.roles, moved.from, alone);
+  for (const double part : {0.0, 0.13, 0.5, 0.77, 1.0}) {
+    const Axes at = path.at(part);
+    for (std::size_t a = 0; a < 4; ++a) RC_ASSERT(at[a] == own.at(part)[a]);
+    for (const Follower& f : moved.motion.detail->followers) {
+      const double way = at[f.axis] - moved.from.machine[f.axis];
+      RC_ASSERT(std::fabs(way - f.sign * (at[f.master] - moved.from.machine[f.master])) < 1e-9);
+    }
   }
 }
 

@@ -37,7 +37,8 @@ void Nct::take_back(const Machinery& m) {
   in_thread = before_.in_thread;
   thread_lead = before_.thread_lead;
   surface_angle = before_.surface_angle;
-  for (auto common = before_.commons.rbegin(); common != before_.commons.rend(); ++common) variables.set_common(common->first, common->second);
+  for (auto common = before_.commons.rbegin(); common != before_.commons.rend(); ++common)
+    variables.set_common(common->first, common->second);
   before_.commons.clear();
   if (!before_.all) return;
   state = before_.state;

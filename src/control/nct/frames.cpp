@@ -72,11 +72,13 @@ void note_motion(Machinery& m, Motion& motion) {
   motion.along = FeedAlong::all_axes;  // 4.2: millimetres and degrees alike
   motion.in_position = m.block_exact || m.modal.exact || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
   if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;
-  if (nct.rolled == 0) return;
-  MotionDetail& detail = detail_of(m, motion);
-  detail.rolled = nct.rolled;
-  detail.travel = nct.travel;
-  nct.rolled = 0;
+  if (nct.rolled != 0) {
+    MotionDetail& detail = detail_of(m, motion);
+    detail.rolled = nct.rolled;
+    detail.travel = nct.travel;
+    nct.rolled = 0;
+  }
+  if (nct.couplings.axes != 0) follow(m, motion);
 }
 
 }  // namespace kadr::nct

@@ -200,6 +200,7 @@ Status take_answer(Machinery& m, const ProbeAnswer& answer) {
   const Axes machine = m.frames.machine_of(m.position.work);
   for (std::size_t a = 0; a < m.axis_count; ++a) m.position.machine[a] = machine[a];
   m.position.programmed = m.transform.to_programmed(m.position.work);
+  follow_from_here(m);
   nct.probe_position = m.position.work;
   nct.probe_length = m.frames.length;
   const Measurement measurement = std::exchange(nct.measurement, {});

@@ -74,7 +74,7 @@ Status mirror_off(Machinery& m, const Call&) {
   return {};
 }
 
-/// Codes that end what Kadr does not begin yet (G50, G69, G69.1, G80.8): the state they name is in force.
+/// Codes that end what Kadr does not begin yet (G50, G69, G69.1): the state they name is in force.
 Status transform_off(Machinery&, const Call&) { return {}; }
 
 /// G33 (4.4): a thread along one or two axes; F the lead, or E threads an inch; Q the start angle.

@@ -72,6 +72,8 @@ void reset_codes(Machinery& m, bool keep) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
     const GroupRow& group = m.def.groups[g];
     const int number = group_number(group);
+    constexpr int gear_group = 34;
+    if (number == gear_group && m.nct->state.gear.on) continue;  // 20.1.4: with RCE=0 a reset leaves it on
     if (group.power_on < 0 || (keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
                                s.kept_groups[static_cast<std::size_t>(number)]))
       continue;
@@ -168,6 +170,7 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
       if (!setup.plane.empty() && m.axis_names[first] + m.axis_names[second] == setup.plane)
         m.modal.axes.first = first, m.modal.axes.second = second;
   m.transform.refresh();
+  if (m.start_error.empty()) m.start_error = coupling_error(m, setup.events);
 }
 
 void Nct::end_program(Machinery& m) {
@@ -183,6 +186,7 @@ void Nct::end_program(Machinery& m) {
   finishing.clear();
   state.turning.code = 0;
   reset_shifts(m);
+  if (parameters.bit(parameters.named("1800"), 0)) disengage(m);  // RCE
   reset_codes(m, true);
   m.change_frames();
 }

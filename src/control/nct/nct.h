@@ -10,6 +10,7 @@
 #include "control/action.h"
 #include "control/control.h"
 #include "control/nct/changes.h"
+#include "control/nct/coupling.h"
 #include "control/nct/drilling.h"
 #include "control/nct/macro_variables.h"
 #include "control/nct/measuring.h"
@@ -53,6 +54,13 @@ struct SpindleState {
   int master = 0;           // it is synchronised to; 0: none
 };
 
+/// The electronic gearbox (20.1).
+struct Gear {
+  bool on = false;
+  double ratio = 0;  // revolutions of the table for one of the spindle
+  double teeth = 0;
+};
+
 /// Words of the last block and the like, for #4101 … (23.1.14).
 struct ModalWords {
   std::array<double, 3> aux{};
@@ -71,6 +79,7 @@ struct Volatile {
   ModalWords words;
   DrillingMemory drilling;
   TurningMemory turning;
+  Gear gear;
 };
 
 inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
@@ -174,6 +183,7 @@ class Nct {
   std::optional<ProgramPlace> interrupt_program;      // M96
   bool signal_was_on = false;                         // CP_MINT when it was looked at last
   std::map<std::string, double> signals;              // of the machine's logic
+  Couplings couplings;                                // axes that follow others
   bool single_block = false;                          // the operator's switch
   std::uint8_t drilling_group = 0, motion_group = 0;  // of G80 and G0
   // of the block being carried out
@@ -219,6 +229,8 @@ class Nct {
 Result<double> dwell_seconds(Machinery& m, double p, Span where);
 /// M codes for the machine: indexing, closing the loop, optional spindle codes, all others (11, 13.1).
 Status machine_code(Machinery& m, const Call& call);
+/// The gearbox, if it is on, stops (20.1).
+void disengage(Machinery& m);
 /// The block has a word for a spindle.
 bool has_spindle_word(const Machinery& m);
 /// Variables that hold something, and those that are asked for ("#5061", "#_ALM").

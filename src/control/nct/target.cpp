@@ -106,7 +106,7 @@ Status target(const Machinery& m, Axes& to, AxisMask& named) {
     if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));
   }
   if (radius != nullptr || angle != nullptr) polar(m, radius, angle, to, named);
-  return {};
+  return not_following(m, named);
 }
 
 }  // namespace kadr::nct

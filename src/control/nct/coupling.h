@@ -1,0 +1,42 @@
+#pragma once
+// Axes that follow others: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6).
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "config/setup.h"
+#include "control/action.h"
+
+namespace kadr {
+class Machinery;
+}
+
+namespace kadr::nct {
+
+/// The axes that follow now; machine = lead + sign · machine of the master.
+struct Couplings {
+  std::vector<Follower> followers;  // each behind its master
+  Axes lead{};                      // by axis
+  AxisMask axes = 0;                // that follow
+};
+
+/// What the set-up's events ask for and cannot be: a sentence; empty: all can.
+std::string coupling_error(const Machinery& m, const std::vector<SetupEvent>& events);
+
+/// Gantry axes (N2102 #4 PSN=1) stand where their masters stand, and follow them from now on.
+void couple_gantries(Machinery& m);
+
+/// The machine's logic lets an axis follow the master that N2101 names, or not any more; an axis of another channel is none of ours.
+void couple_axis(Machinery& m, const std::string& name, bool on);
+
+/// alarms  axis_follows: one of the named axes follows another
+Status not_following(const Machinery& m, AxisMask named);
+
+/// The motion's masters stand at its end: the followers get theirs.
+void follow(Machinery& m, Motion& motion);
+
+/// The tool stands elsewhere (a probe has touched, a block is taken back): followers that roll over count on from there.
+void follow_from_here(Machinery& m);
+
+}  // namespace kadr::nct
