@@ -96,11 +96,12 @@ std::optional<std::uint16_t> Flow::open_built_in(const std::string& name) {
   return std::nullopt;
 }
 
-Status Flow::call_at(std::uint16_t reader, Position start, CallFrame frame, Span where) {
-  frame.reader = reader;
-  frame.start = start;
-  frame.done = 1;
-  KADR_TRY(push(frame, where));
+Status Flow::call_at(std::uint16_t reader, Position start, const CallFrame& frame, Span where) {
+  const auto pushed = push(frame, where);
+  if (!pushed) return fail(pushed.error());
+  (*pushed)->reader = reader;
+  (*pushed)->start = start;
+  (*pushed)->done = 1;
   files_[reader]->keep_blocks();
   go_to(reader, start);
   return {};
@@ -122,12 +123,12 @@ void Flow::back_to(const Place& place) {
   if (reader_ != place.reader || position() != place.position) go_to(place.reader, place.position);
 }
 
-Status Flow::push(CallFrame frame, Span where) {
+Result<CallFrame*> Flow::push(const CallFrame& frame, Span where) {
   if (frames_.size() >= def_.behaviour.call_depth) return fail(alarm(AlarmId::call_too_deep, where, double(def_.behaviour.call_depth)));
-  frame.back = position();
-  frame.back_reader = reader_;
-  frames_.push_back(frame);
-  return {};
+  CallFrame& pushed = frames_.emplace_back(frame);
+  pushed.back = position();
+  pushed.back_reader = reader_;
+  return &pushed;
 }
 
 Status Flow::call(std::uint32_t subprogram, std::uint32_t times, const Origin& caller, Span where) {
@@ -167,10 +168,11 @@ Status Flow::repeat(std::uint32_t times, const Origin& caller, Span where) {
   frame.reader = reader_;
   frame.left = times;
   frame.caller = caller;
-  return push(frame, where);
+  KADR_TRY(push(frame, where));
+  return {};
 }
 
-Result<std::optional<CallFrame>> Flow::end_subprogram(Span where) {
+Result<const CallFrame*> Flow::end_subprogram(Span where) {
   if (frames_.empty()) return fail(alarm(AlarmId::return_without_call, where));
   CallFrame& top = frames_.back();
   if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
@@ -178,12 +180,12 @@ Result<std::optional<CallFrame>> Flow::end_subprogram(Span where) {
     top.repeating = true;
     ++top.done;
     go_to(top.reader, top.start);
-    return std::optional<CallFrame>();
+    return nullptr;
   }
-  const CallFrame left = top;
+  left_ = top;
   frames_.pop_back();
-  go_to(left.back_reader, left.back);
-  return std::optional<CallFrame>(left);
+  go_to(left_.back_reader, left_.back);
+  return &left_;
 }
 
 Status Flow::end_repetition(Span where) {

@@ -64,7 +64,7 @@ class Flow {
   Status repeat(std::uint32_t times, const Origin& caller, Span where);
   /// Calls what begins at `start` of the file that `reader` (from open_program) holds. `frame`: kind, left, caller, …
   ///   alarms  call_too_deep
-  Status call_at(std::uint16_t reader, Position start, CallFrame frame, Span where);
+  Status call_at(std::uint16_t reader, Position start, const CallFrame& frame, Span where);
   /// Where `Onnnn` stands in the main file, if it does, once.
   std::optional<Position> label_of(std::uint32_t number);
   /// The file at that path of the program memory, opened once; nothing if it cannot be read.
@@ -83,9 +83,9 @@ class Flow {
     const CallFrame& top = frames_.back();
     return files_[top.back_reader] && files_[top.back_reader]->find_number(number, top.back).has_value();
   }
-  /// End of a subprogram: once more, or back to the caller; the frame left, if it was left.
+  /// End of a subprogram: once more (nullptr), or back to the caller: the frame left, until the next end.
   ///   alarms  return_without_call, repeat_end_missing
-  Result<std::optional<CallFrame>> end_subprogram(Span where);
+  Result<const CallFrame*> end_subprogram(Span where);
   Status end_repetition(Span where);
   /// From the first block again. alarms endless_program
   Status restart(Span where);
@@ -129,7 +129,7 @@ class Flow {
     bool twice = false;
     bool called = false;
   };
-  Status push(CallFrame frame, Span where);
+  Result<CallFrame*> push(const CallFrame& frame, Span where);
   Status count_repeated(const Block& last);
   void make_index();
   BlockReader& elsewhere();
@@ -146,6 +146,7 @@ class Flow {
   std::map<std::string, Position> body_starts_;
   std::uint16_t reader_ = 0;
   std::vector<CallFrame> frames_;
+  CallFrame left_;  // the last one
   std::map<std::uint32_t, Label> labels_;
   std::set<std::uint32_t> passed_;
   bool indexed_ = false;

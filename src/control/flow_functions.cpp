@@ -35,7 +35,8 @@ Status leave_subprogram(Machinery& m, Span where) {
   if (!left) return fail(left.error());
   if (!*left) return {};
   s2c42::restore_zero(m, **left);
-  for (const std::int16_t row : (*left)->then) {  // the rest of the calling block
+  const auto then = (*left)->then;  // the rest of the calling block; one of it may end a subprogram too
+  for (const std::int16_t row : then) {
     if (row < 0) break;
     const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
     KADR_TRY(handler_of(code.function)(m, {&code, nullptr, where}));

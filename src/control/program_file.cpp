@@ -52,9 +52,15 @@ Result<BlockReader::Got> ProgramFile::next(Block*& block) {
 KeptBlock* ProgramFile::kept_at(Position place) {
   const bool follows = last_ != nullptr && last_->next == place;
   if (follows && last_->following != nullptr) return last_->following;
+  if (last_ != nullptr && last_->jumped != nullptr && last_->jumped_to == place.offset) return last_->jumped;
   const auto found = kept_.find(place.offset);
   if (found == kept_.end()) return nullptr;
-  if (follows) last_->following = found->second.get();
+  if (follows) {
+    last_->following = found->second.get();
+  } else if (last_ != nullptr) {
+    last_->jumped = found->second.get();
+    last_->jumped_to = place.offset;
+  }
   return found->second.get();
 }
 

@@ -18,6 +18,8 @@ struct KeptBlock {
   std::string text;
   Position next;
   KeptBlock* following = nullptr;  // the kept block at `next`
+  KeptBlock* jumped = nullptr;     // the one that a jump went to last
+  std::uint64_t jumped_to = 0;     // its offset
 };
 
 /// DO … END of a file, paired as they stand in the text.

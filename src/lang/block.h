@@ -169,6 +169,7 @@ struct Block {
   bool kept = false;          // stays in memory at its place: a loop carries it out again
   bool no_clock = false;      // it was looked at and reads none
   std::uint64_t checked = 0;  // addresses it had when its words were looked at and found right
+  bool calls_macro = false;   // of a block that was looked at
   bool altered = false;       // words were taken away when it was carried out: their address is 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }

@@ -13,7 +13,7 @@ constexpr int type_2_step = 3;
 
 class Assigner {
  public:
-  Assigner() : locals_(no_locals()) {}
+  explicit Assigner(Locals& to) : locals_(to) { locals_.fill(vacant); }
 
   Status take(const Word& w) {
     const char letter = w.written;
@@ -30,25 +30,23 @@ class Assigner {
     return {};
   }
 
-  const Locals& locals() const { return locals_; }
-
  private:
   static Status illegal(const Word& w) { return fail(alarm(AlarmId::illegal_address, w.where, w.written)); }
 
-  Locals locals_;
+  Locals& locals_;
   std::array<bool, most_locals + 1> occupied_{};
 };
 
 }  // namespace
 
-Result<Locals> arguments_of(const Machinery& m, std::uint32_t caller) {
-  Assigner assigner;
+Status arguments_of(const Machinery& m, std::uint32_t caller, Locals& to) {
+  Assigner assigner(to);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     if (i == caller && w.written != 'G') continue;  // a code G is an argument too: #10 = 65; a calling M is not
     KADR_TRY(assigner.take(w));
   }
-  return assigner.locals();
+  return {};
 }
 
 }  // namespace kadr::nct

@@ -105,9 +105,9 @@ Result<bool> call_with_block(Machinery& m) {
   Nct& nct = *m.nct;
   if (nct.active_modal_calls == 0 || !nct.modal_calls[nct.active_modal_calls - 1u].each_block) return false;
   if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
-  const auto arguments = arguments_of(m, limits::block_words);  // every word is one: no code calls here
-  if (!arguments) return fail(arguments.error());
-  KADR_TRY(call_modal(m, *arguments));
+  Locals arguments;
+  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is one: no code calls here
+  KADR_TRY(call_modal(m, arguments));
   return true;
 }
 
@@ -171,12 +171,15 @@ Result<bool> before_plan(Machinery& m) {
   done = call_by_code(m);
   if (!done || *done) return done;
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary) {  // known to be right from the pass before
-    note_words(m);
+    if (!m.block->calls_macro) note_words(m);
+    else if (m.block->has_number) nct.state.words.n = m.block->number;
     return false;
   }
-  if (m.has('G') && m.has_code({Function::macro_call, Function::macro_modal})) {
+  m.block->calls_macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
+  if (m.block->calls_macro) {
     KADR_TRY(one_g(m));
     if (m.block->has_number) nct.state.words.n = m.block->number;
+    m.block->checked = m.block->letters;
     return false;
   }
   KADR_TRY(check_values(m));

@@ -47,16 +47,16 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
   request.macro = true;
   request.called_by = w.written;
   request.called_code = w.code;
-  const auto arguments = arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()));
-  if (!arguments) return fail(arguments.error());
-  if (!run.modal) return call(m, request, *arguments, w.where);
+  Locals arguments;
+  KADR_TRY(arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()), arguments));
+  if (!run.modal) return call(m, request, arguments, w.where);
   Nct& nct = *m.nct;
   nct.keep_all(m);  // a negative parameter: G66 or G66.1 (23.3.4)
   nct.modal_calls.resize(nct.active_modal_calls);
   nct.modal_calls.push_back(
-      {request.place.reader, request.place.start, 1, request.name, nct.settings.modal_each_block, w.written, w.code, *arguments});
+      {request.place.reader, request.place.start, 1, request.name, nct.settings.modal_each_block, w.written, w.code, arguments});
   ++nct.active_modal_calls;
-  return nct.settings.modal_each_block ? call_modal(m, *arguments) : Status();
+  return nct.settings.modal_each_block ? call_modal(m, arguments) : Status();
 }
 
 /// Takes the word out of the block; the subprogram follows behind the block.

@@ -44,7 +44,7 @@ Result<CallRequest> named_program(Machinery& m, const Call& code, bool name_allo
   return request;
 }
 
-Result<std::uint32_t> index_of(const Machinery& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
+std::uint32_t index_of(const Machinery& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
 
 /// What belonged to a call that is over.
 void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
@@ -149,9 +149,9 @@ Status macro_call(Machinery& m, const Call& call) {
   if (!times) return fail(times.error());
   request->times = *times;
   request->macro = true;
-  const auto arguments = nct::arguments_of(m, *nct::index_of(m, call.word));
-  if (!arguments) return fail(arguments.error());
-  return nct::call(m, *request, *arguments, call.where);
+  nct::Locals arguments;
+  KADR_TRY(nct::arguments_of(m, nct::index_of(m, call.word), arguments));
+  return nct::call(m, *request, arguments, call.where);
 }
 
 /// G66 P L arguments: after each movement; G66.1: with each block, this one too (23.3.2, 23.3.3).
@@ -161,14 +161,14 @@ Status macro_modal(Machinery& m, const Call& call) {
   if (!request) return fail(request.error());
   const auto times = nct::repeats_of(m);
   if (!times) return fail(times.error());
-  const auto arguments = nct::arguments_of(m, *nct::index_of(m, call.word));
-  if (!arguments) return fail(arguments.error());
+  nct::Locals arguments;
+  KADR_TRY(nct::arguments_of(m, nct::index_of(m, call.word), arguments));
   nct::Nct& nct = *m.nct;
   if (nct.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
   nct.modal_calls.resize(nct.active_modal_calls);  // INFERRED: inside a call those that do not act there are gone
-  nct.modal_calls.push_back({request->place.reader, request->place.start, *times, request->name, call.row->arg == 661, 0, -1, *arguments});
+  nct.modal_calls.push_back({request->place.reader, request->place.start, *times, request->name, call.row->arg == 661, 0, -1, arguments});
   ++nct.active_modal_calls;
-  return call.row->arg == 661 ? nct::call_modal(m, *arguments) : Status();
+  return call.row->arg == 661 ? nct::call_modal(m, arguments) : Status();
 }
 
 /// G67: the last modal call is over.
