@@ -21,7 +21,7 @@ from pathlib import Path
 
 TIME_LIMIT_S = 20
 MEMORY_LIMIT_MB = 64
-CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors')
+CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct')
 
 
 class Failure(Exception):
@@ -105,24 +105,37 @@ def check_junk(kadr):
 def check_nested_brackets(kadr):
     deep = 100_000
     path = kadr.file('nested.nc', 'F100\n' + 'G1 X' + '[' * deep + '1' + ']' * deep + '\nG1 X' + '[' * 30_000 + '1' + ']' * 30_000 + '\n')
-    found = kadr.faults(path, 'mach3')
-    expect('nesting_too_deep' in found, f'nesting_too_deep is not named, but {found}')
+    for control in ('mach3', 'nct'):
+        found = kadr.faults(path, control)
+        expect('nesting_too_deep' in found, f'{control}: nesting_too_deep is not named, but {found}')
 
 
 def check_signs_and_functions_in_a_row(kadr):
     path = kadr.file('signs.nc', 'F100\nG1 X' + '[' + '-' * 60_000 + '1]\nG1 X' + 'sin[' * 15_000 + '\nG1 X' + '#' * 60_000 + '1\n')
-    found = kadr.faults(path, 'mach3')
-    expect(len(found) >= 3, f'three faults expected, found {found}')
+    for control in ('mach3', 'nct'):
+        found = kadr.faults(path, control)
+        expect(len(found) >= 3, f'{control}: three faults expected, found {found}')
 
 
 def check_many_labels(kadr):
     path = kadr.file('labels.nc', 'M98 P99999\nM98 P1\nM30\n' + ''.join(f'O{n}\nM99\n' for n in range(1, 100_001)))
-    expect(kadr.faults(path, 'mach3') == [], 'a program of 100,000 subprograms has no fault')
+    for control in ('mach3', 'nct'):
+        expect(kadr.faults(path, control) == [], f'{control}: a program of 100,000 subprograms has no fault')
+
+
+def check_endless(kadr):
+    for n, text in enumerate(('WHILE [1 EQ 1] DO1\nEND1\n', 'N1 GOTO 1\n', 'G65 P1 L99999999\nM30\nO1\nG0 X1\nM99\n')):
+        path = kadr.file(f'endless{n}.nc', text)
+        expect('endless_program' in kadr.faults(path, 'nct'), f'{text!r}: endless_program is not named')
 
 
 def check_recursion(kadr):
     path = kadr.file('recursion.nc', 'M98 P1\nM30\nO1\nM98 P1 L99999999\nM99\n')
-    expect('call_too_deep' in kadr.faults(path, 'mach3'), 'call_too_deep is not named')
+    for control in ('mach3', 'nct'):
+        expect('call_too_deep' in kadr.faults(path, control), f'{control}: call_too_deep is not named')
+    for call in ('G65 P1', 'G66 P1', 'G66.1 P1'):
+        path = kadr.file('macro_recursion.nc', f'{call}\nG0 X1\nM30\nO1\n{call}\nG0 X2\nM99\n')
+        expect('call_too_deep' in kadr.faults(path, 'nct'), f'{call}: call_too_deep is not named')
     path = kadr.file('recursion2.nc', '%\nN1 L01\nN2 M2\nL\nN01001 L01\nN2 M17\nM20\n')
     expect('call_too_deep' in kadr.faults(path, 's2c42'), 'call_too_deep is not named')
 

@@ -51,7 +51,7 @@ class Collector {
 
   bool take(AlarmReport report) {
     // A main program that begins again (M99, M47) is no fault: one pass is looked at.
-    const bool begins_again = report.alarm.id == AlarmId::endless_program && report.alarm.args[1].text().empty();
+    const bool begins_again = report.alarm.id == AlarmId::endless_program && report.alarm.args[1].text() == restart_mark;
     if (begins_again && one_pass) return false;
     if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
     ++(report.alarm.severity == Severity::alarm ? faults : warnings);

@@ -131,7 +131,10 @@ Carrier::Step Carrier::step() {
     if (!outlets_.alarm(report)) return stop(report);
     control_.go_on();
   }
-  if (state == Control::State::ended) return Step::ended;
+  if (state == Control::State::ended) {
+    if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
+    return Step::ended;
+  }
   if (interrupted()) {
     const AlarmReport report = control_.report_for(alarm(AlarmId::interrupted, {}), batch_.empty() ? Origin() : batch_.back().origin);
     (void)outlets_.alarm(report);

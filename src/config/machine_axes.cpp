@@ -105,13 +105,17 @@ class Fitter {
   void auxiliary() {
     constexpr const char* names[] = {"1333", "1334", "1335"};
     for (std::uint8_t i = 0; i < 3; ++i) {
-      const std::string letter = letter_of(names[i], "");
+      std::string letter = letter_of(names[i], std::to_string(setup_.channel));
+      if (letter.empty()) letter = letter_of(names[i], "");
       if (letter.size() != 1 || axis_letters.find(letter[0]) == std::string_view::npos) continue;
       AddressRow& row = address(letter[0]);
       if (row.function == Function::axis) continue;  // INFERRED: the axis name wins
       row.function = Function::auxiliary_word;
       row.phase = Phase::machine;
       row.number = static_cast<std::uint8_t>(i + 1);
+      row.least = 0;  // 13.2: at most eight digits, INFERRED: a whole number
+      row.most = 99'999'999;
+      row.whole = true;
     }
   }
 
@@ -124,14 +128,16 @@ class Fitter {
       row.function = Function::increment_axis;
       row.axis = main.axis;
       row.unit = main.unit;
-      format(row.letter);
+      format(row.letter).increment = true;  // I beside U, V, W is redundant (1.1)
     }
   }
 
   void spindles() {
-    for (const auto& [number, spindle] : setup_.spindles) {
+    constexpr int most = 16;
+    for (int number = 1; number <= most; ++number) {
+      const auto given = setup_.spindles.find(number);
       const std::string index = std::to_string(number);
-      std::string name = spindle.name;
+      std::string name = given != setup_.spindles.end() ? given->second.name : "";
       if (name.empty()) name = "S" + letter_of("0605", index) + letter_of("0606", index);
       if (name.size() > 1) spindle_address(name, number, Function::spindle_word, Phase::speed);
       const std::string axis = letter_of("0817", index) + letter_of("0818", index) + letter_of("0819", index);

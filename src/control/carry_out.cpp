@@ -40,6 +40,7 @@ Status Machinery::carry_out(const Plan& plan) {
     const Phase phase = phase_of(item);
     if (phase == Phase::motion && !motion_began) {
       motion_began = true;
+      if (unserved_ != 0) KADR_TRY(modes_served(item));
       KADR_TRY(radius_comp_possible());
     }
     if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
@@ -68,9 +69,10 @@ Status Machinery::carry_out(const PlanItem& item) {
   const CodeRow* const row = row_of(item);
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
+  const std::int32_t code = w != nullptr ? w->code : -1;  // a jump may put another block in hand
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
-  if (nct && row != nullptr) nct::note_code(*this, *row);
+  if (nct && row != nullptr) nct::note_code(*this, *row, code);
   return {};
 }
 
@@ -115,6 +117,18 @@ void Machinery::keep_for_return(const PlanItem& item) {
       row = item.row;
       return;
     }
+}
+
+/// Measuring looks at the modes itself (nct 21.1); any other motion is not possible in one that Kadr has not.
+Status Machinery::modes_served(const PlanItem& item) const {
+  const CodeRow* const moves = row_of(item);
+  if (moves != nullptr && (moves->function == Function::measure || moves->function == Function::measure_length)) return {};
+  for (std::size_t group = 0; group < most_groups; ++group) {
+    if ((unserved_ >> group & 1u) == 0 || modal.rows[group] < 0) continue;
+    const CodeRow& row = def.codes[static_cast<std::size_t>(modal.rows[group])];
+    if (!row.works) return fail(alarm(AlarmId::not_available, block->where, row.code));
+  }
+  return {};
 }
 
 Status Machinery::radius_comp_possible() const {

@@ -62,7 +62,9 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
 void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { machinery_->check_uncalled(on_fault); }
 void Control::set_signal(const std::string& name, double value) {
   if (!machinery_->nct) return;
-  machinery_->nct->signals[name] = value;
+  double& signal = machinery_->nct->signals[name];
+  if (name == nct::interrupt_signal && signal == 0 && value != 0) machinery_->nct->signal_rose = true;
+  signal = value;
   if (on_signal) on_signal(name, value != 0);
   if (nct::waiting_suspended(*machinery_)) machinery_->waiting.meeting.reset();
 }
@@ -74,8 +76,16 @@ void Control::set_answer(double answer) {
 }
 void Control::synchronise(int slave, int master) {
   if (!machinery_->nct) return;
-  for (int n = 1; n <= static_cast<int>(nct::most_spindles); ++n)
-    if (slave == n || slave == 0) machinery_->nct->spindle(n).master = master;
+  for (int n = 1; n <= static_cast<int>(nct::most_spindles); ++n) {
+    if (slave != n && slave != 0) continue;
+    nct::SpindleState& s = machinery_->nct->spindle(n);
+    s.master = master;
+    if (master < 1 || master > static_cast<int>(nct::most_spindles)) continue;
+    nct::SpindleState& leads = machinery_->nct->spindle(master);  // both loops are closed, the slave has the master's speed (nct 11.7.4)
+    s.rpm = leads.rpm;
+    s.dir = leads.dir;
+    s.loop_closed = leads.loop_closed = true;
+  }
 }
 void Control::couple_axes(const std::vector<std::string>& axes, bool on) {
   for (const std::string& name : axes)
@@ -92,8 +102,13 @@ void Control::convert_spindle(int number, bool to_axis) {
 void Control::power_cycle() { machinery_->power_cycle(); }
 void Control::set_time(double now_ms, double cutting_ms) {
   if (!machinery_->nct) return;
-  machinery_->nct->now_ms = now_ms;
-  machinery_->nct->cutting_ms += cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms);  // the program may have set it
+  nct::Nct& nct = *machinery_->nct;
+  nct.now_ms = now_ms;
+  const double cut = cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms);
+  nct.cutting_ms += cut;  // the program may have set it
+  constexpr double ms_per_s = 1000;
+  if (nct.counts_time) nct.tools.add_time(cut / ms_per_s);
+  nct.counts_time = nct.tools.counts_time();
 }
 bool Control::reads_clock() const { return machinery_->reads_clock; }
 std::optional<RunState> Control::run_state() const {

@@ -54,7 +54,7 @@ Result<BlockReader::Got> Flow::next(Block*& block) {
 Status Flow::count_repeated(const Block& last) {
   if (++repeated_ <= limits_.repeated_blocks) return {};
   ended_ = true;
-  return fail(alarm(AlarmId::endless_program, last.where, static_cast<double>(limits_.repeated_blocks), last.text_of(last.number_where)));
+  return fail(alarm(AlarmId::endless_program, last.where, static_cast<double>(limits_.repeated_blocks)));
 }
 
 void Flow::go_to(std::uint16_t reader, Position position) {
@@ -211,7 +211,7 @@ void Flow::abandon(std::optional<Position> again) {
 Status Flow::restart(Span where) {
   if (++restarts_ > limits_.restarts) {
     ended_ = true;
-    return fail(alarm(AlarmId::endless_program, where, double(limits_.restarts), ""));
+    return fail(alarm(AlarmId::endless_program, where, double(limits_.restarts), restart_mark));
   }
   frames_.clear();
   go_to(0, {});

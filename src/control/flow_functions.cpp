@@ -16,7 +16,7 @@ Status end_program(Machinery& m, Span where) {
   }
   m.flow.end();
   if (m.nct) {
-    if (m.nct->settings.part_code == 0) m.nct->parts_done += 1;  // nct 13.1
+    if (m.nct->settings.part_code == 0) m.nct->parts_done += 1;  // nct 13.1; else nct::note_code
     m.nct->end_program(m);
     return {};
   }

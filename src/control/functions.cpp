@@ -3,6 +3,7 @@
 #include "control/functions.h"
 
 #include <iterator>
+#include <utility>
 
 namespace kadr {
 namespace {
@@ -24,8 +25,14 @@ Status set_plane(Machinery& m, Plane plane) {
 }
 
 Status set_feed_mode(Machinery& m, FeedMode mode) {
-  if (m.modal.feed_mode != mode) m.modal.feed_known = false;  // a feed of the other unit means nothing
-  m.modal.feed_mode = mode;
+  Modal& modal = m.modal;
+  if (modal.feed_mode != mode && m.nct) {  // each unit has its own (nct 6.2.1)
+    std::swap(modal.feed, modal.other_feed);
+    std::swap(modal.feed_known, modal.other_feed_known);
+  } else if (modal.feed_mode != mode) {
+    modal.feed_known = false;  // a feed of the other unit means nothing
+  }
+  modal.feed_mode = mode;
   return {};
 }
 

@@ -286,7 +286,7 @@ Status Machinery::words() {
     const auto done = nct::before_plan(*this);
     if (!done) return fail(done.error());
     if (*done) return {};
-    if (nct->active_modal_calls != 0 || nct->pending_program != 0) flow_before_ = flow.place();  // a call behind the block may fail
+    if (nct->active_modal_calls != 0 || !nct->pending.empty()) flow_before_ = flow.place();  // a call behind the block may fail
   }
   KADR_TRY(plan());
   if (!each_block && changes_little()) take_small_moment();

@@ -61,6 +61,7 @@ class Machinery {
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   Ending ending();
   Alarm with_names(Alarm alarm) const;
+  void decode_arguments(Alarm& alarm) const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
 
   // ---- words of the block being carried out
@@ -197,6 +198,8 @@ class Machinery {
   void check_setup(const Setup& setup);
   void start_modal(const Setup& setup);
   bool starts(const std::string& text) const;
+  bool note_unserved();
+  Status modes_served(const PlanItem& item) const;
   Status execute();
   void take_block();
   void watch_block();
@@ -273,6 +276,8 @@ class Machinery {
   // of a block that the machine's logic watches (nct 23.4)
   bool in_interrupt_ = false;        // it belongs to an interrupt macro
   bool again_ = false;               // the block in hand comes once more
+  std::uint64_t unserved_ = 0;       // groups that a code which does not work was in at the start
+  Axes moved_from_{};                // work coordinates before the last motion, in inches mode
   std::optional<Position> resumed_;  // the block that was to begin when an interrupt macro came
   std::vector<double> clocks_;       // numbers of the clock variables
   bool first_frames_ = true;

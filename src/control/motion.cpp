@@ -58,6 +58,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
 }
 
 void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
+  if (modal.inch) moved_from_ = position.work;
   if (transform.turns_plane() && (named & 3u) != 0) named |= 3u;  // turned: X and Y move together
   for (std::size_t a = 0; a < axis_count; ++a)
     if ((named >> a & 1u) != 0) position.work[a] = work[a];
@@ -125,6 +126,7 @@ void Machinery::set_feed(Motion& motion) {
     case FeedMode::per_minute:
       motion.unit = FeedUnit::mm_per_min;
       motion.feed = feed_limited(modal.feed);
+      if (nct && modal.inch) motion.feed = nct::inch_feed(*this, motion, moved_from_);
       break;
     case FeedMode::per_revolution:
       motion.unit = FeedUnit::mm_per_rev;
@@ -168,6 +170,7 @@ void Machinery::change_frames() {
   if (before == frames) return;
   if (before.rotation || frames.rotation) {
     position.work = frames.work_of(position.machine);
+    if (nct) nct::roll_positions(*this);
     emit(frame_change());
     position.programmed = transform.to_programmed(position.work);
     return;
@@ -178,6 +181,7 @@ void Machinery::change_frames() {
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;
   }
+  if (nct) nct::roll_positions(*this);
   emit(frame_change());
   position.programmed = transform.to_programmed(position.work);
 }

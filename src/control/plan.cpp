@@ -200,6 +200,7 @@ class Planner {
     if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
     if (row.function == Function::drilling) plan_.taken |= row.takes;
+    if (row.function == Function::turning_simple && (block_.letters & letters_.axes) == 0) plan_.taken |= row.takes;  // 19.B
   }
 
   const Word* first_of(std::uint64_t letters) const {

@@ -6,6 +6,7 @@
 #include "control/machinery.h"
 #include "control/nct/nct.h"
 #include "control/plan.h"
+#include "lang/encoding.h"
 
 namespace kadr {
 namespace {
@@ -47,8 +48,19 @@ Alarm Machinery::with_names(Alarm alarm) const {
   return alarm;
 }
 
+/// Pieces of a text that was not decoded (a comment, DPRNT) become UTF-8.
+void Machinery::decode_arguments(Alarm& alarm) const {
+  for (AlarmArg& arg : alarm.args) {
+    std::string text;
+    if (arg.is_number() || append_utf8(arg.text(), Encoding::utf8, text)) continue;
+    Span all;
+    arg = AlarmArg(std::string_view(flow.shown(arg.text(), all)));
+  }
+}
+
 AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
   AlarmReport r{def.grammar.macro ? with_names(alarm) : alarm, flow.file(), {}, at, {}, {}};
+  decode_arguments(r.alarm);
   const bool in_body = flow.in_body() && !line_text.empty();
   if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "control/machinery.h"
+#include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 #include "lang/lexer.h"
 
@@ -131,6 +132,20 @@ void Machinery::read_setup(const Setup& setup) {
   watch_ = setup.watch;
 }
 
+/// A mode of the set-up that is not in this version: in force all the same, and what needs it not to be will say so.
+bool Machinery::note_unserved() {
+  for (std::uint32_t i = 0; nct && i < block->word_count; ++i) {
+    const Word& w = block->words[i];
+    const std::int32_t index = w.code < 0 ? -1 : def.row_of(w.address, w.code);
+    if (index < 0 || def.codes[static_cast<std::size_t>(index)].works || !def.codes[static_cast<std::size_t>(index)].modal) continue;
+    const CodeRow& row = def.codes[static_cast<std::size_t>(index)];
+    modal.rows[row.group] = static_cast<std::int16_t>(index);
+    unserved_ |= std::uint64_t{1} << row.group;
+    return true;
+  }
+  return false;
+}
+
 /// Runs the initial code of each group and the set-up's code words like a block, without moving.
 void Machinery::start_modal(const Setup& setup) {
   static std::function<void(const AlarmReport&)> nobody;
@@ -148,7 +163,8 @@ void Machinery::start_modal(const Setup& setup) {
     for (WordFormat& w : plain.words)
       if (w.code) w.at_most = 0;
     block->clear();
-    if (lex_block(text, 0, true, plain, *block)) (void)execute();
+    if (!lex_block(text, 0, true, plain, *block) || note_unserved()) return;
+    (void)execute();
   };
   if (nct) nct->start(*this, setup);
   else run_words(words);
@@ -176,6 +192,7 @@ void Machinery::start_modal(const Setup& setup) {
     position.machine[a] = setup.start_in_work ? start[a] + shift : start[a];
     position.work[a] = position.machine[a] - shift;
   }
+  if (nct) nct::roll_positions(*this);
   position.programmed = transform.to_programmed(position.work);
   if (nct) nct::couple_gantries(*this);
   flow.started = false;

@@ -52,6 +52,7 @@ Status feed_word(Machinery& m, const Call& call) {
   if (most > 0 && feed > most && m.modal.feed_mode == FeedMode::per_minute) m.warn(warning(AlarmId::feed_limited, call.where, feed, most));
   m.modal.feed = feed;
   m.modal.feed_known = true;
+  if (m.nct) m.nct->thread_lead = 0;
   return {};
 }
 

@@ -106,6 +106,16 @@ class MacroCompiler {
     return constant_number ? step(Op::variable_at, number, begin, 1) : step(Op::variable, 0, begin, 0);
   }
 
+  /// `WHILE #1=5`: an assignment where a condition should stand (23.2.11).
+  Status no_assignment() {
+    const std::size_t begin = cursor_.at++;
+    KADR_TRY(variable(begin));
+    cursor_.skip_blanks();
+    const std::size_t at = cursor_.at;
+    if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(at, at + 1), '='));
+    return wrong(begin);
+  }
+
   Status relation() {
     KADR_TRY(sum(1));
     cursor_.skip_blanks();
@@ -176,7 +186,7 @@ class MacroCompiler {
     if (const Name* const found = named(functions); found != nullptr) {
       cursor_.at += found->text.size();
       KADR_TRY(enter(begin));
-      KADR_TRY(value());  // only the operand that follows (23.2.4)
+      KADR_TRY(factor());  // only the operand that follows (23.2.4), with its signs
       --depth_;
       return step(found->op, 0, begin, 0);
     }
@@ -317,6 +327,7 @@ Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Blo
   return compiled(block, [&]() -> Status {
     cursor.skip_blanks();
     const std::size_t open = cursor.at;
+    if (cursor.peek() == '#') KADR_TRY(compiler.no_assignment());
     if (cursor.peek() != '[') return compiler.wrong(open);
     ++cursor.at;
     KADR_TRY(compiler.relation());

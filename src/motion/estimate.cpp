@@ -34,7 +34,8 @@ bool exact_times(const Setup& setup, const std::vector<std::string>& axes) {
 Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
   Rates rates{{}, setup.feed_override / 100, profile.tool_change_s, profile.spindle_start_s, exact_times(setup, axes)};
   for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i)
-    rates.rapid[i] = setup.rapid_override / 100 * of_setup(setup, axes[i], &AxisLimits::rapid).value_or(profile_of(profile, axes[i]).rapid);
+    rates.rapid[i] = std::min(setup.rapid_override, 100.0) / 100 *
+                     of_setup(setup, axes[i], &AxisLimits::rapid).value_or(profile_of(profile, axes[i]).rapid);
   return rates;
 }
 

@@ -41,9 +41,10 @@ class Arc {
     if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
     from_ = flat_point(m_, m_.position.programmed);
     to_ = flat_point(m_, end_);
-    if (m_.has('R') && (!in_plane || length(to_ - from_) <= tol::same_point)) return straight_rest(in_plane);
+    polar_turns_ = polar_turns(angle_before);
+    if (m_.has('R') && !polar_turns_ && (!in_plane || length(to_ - from_) <= tol::same_point)) return straight_rest();
     KADR_TRY(m_.feed_known(call_.where));
-    auto arc = m_.has('R') ? by_radius(angle_before) : by_center();
+    auto arc = m_.has('R') ? by_radius() : by_center();
     if (!arc) return fail(arc.error());
     KADR_TRY(turns(*arc));
     hand_on(*arc);
@@ -61,8 +62,7 @@ class Arc {
   }
 
   /// R without an end point (or with the start as its end): no circle, no alarm (4.3); other axes still move.
-  Status straight_rest(bool in_plane) {
-    (void)in_plane;
+  Status straight_rest() {
     named_ &= ~(1u << plane_.first | 1u << plane_.second);
     if (named_ == 0) return {};
     KADR_TRY(m_.feed_known(call_.where));
@@ -81,15 +81,16 @@ class Arc {
     const double difference = m_.has('L') ? any_difference : m_.nct->settings.radius_difference;
     auto arc = arc_around(from_, to_, center, turn_, difference);
     if (!arc) return placed(arc.error());
+    if (polar_turns_ && length(center) <= m_.nct->settings.radius_difference) arc->turns = *polar_turns_;
     return arc;
   }
 
-  Result<PlaneArc> by_radius(double angle_before) {
+  Result<PlaneArc> by_radius() {
     const double radius = m_.length_value('R');
     const double most = m_.nct->settings.radius_difference;
-    if (const auto turns = polar_turns(angle_before, radius)) return PlaneArc{{}, *turns};
+    if (polar_turns_ && std::fabs(length(from_) - std::fabs(radius)) <= most) return PlaneArc{{}, *polar_turns_};
     const double half = length(to_ - from_) / 2, r = std::fabs(radius);
-    if (r > 0 && r < half - tol::same_point) {  // the centre on the chord, at R from the start (4.3)
+    if (r < half - tol::same_point) {  // the centre on the chord, at R from the start (4.3)
       if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_mismatch, {}, r, half * 2 - r));
       return PlaneArc{from_ + (r / (2 * half)) * (to_ - from_), 0.5};
     }
@@ -98,12 +99,11 @@ class Arc {
     return arc;
   }
 
-  /// G16 with an angle beyond a whole turn, around the pole (5.4); INFERRED: the sweep is the difference of the angles.
-  std::optional<double> polar_turns(double angle_before, double radius) const {
-    if (!m_.modal.polar_data || m_.modal.surface != PathSurface::plane) return std::nullopt;
+  /// G16 with an angle of a whole turn or more, around the pole (5.4); INFERRED: the sweep is the difference of the angles.
+  std::optional<double> polar_turns(double angle_before) const {
+    if (!m_.modal.polar_data || m_.modal.surface == PathSurface::cylinder) return std::nullopt;
     const double sweep = m_.modal.polar_angle - angle_before;
-    if (!(std::fabs(sweep) > 360) || (sweep > 0) != (turn_ == Turn::ccw)) return std::nullopt;
-    if (std::fabs(length(from_) - std::fabs(radius)) > m_.nct->settings.radius_difference) return std::nullopt;
+    if (!(std::fabs(sweep) >= 360) || (sweep > 0) != (turn_ == Turn::ccw)) return std::nullopt;
     return std::fabs(sweep) / 360;
   }
 
@@ -120,24 +120,29 @@ class Arc {
     const Axes before = m_.position.programmed;
     const Transform& t = m_.transform;
     bool reversed = false;
-    Vec2 center = arc.center;
-    Axes work = surface_work(m_, end_);
+    Vec2 center = m_.modal.surface == PathSurface::cylinder ? in_axes(arc.center) : arc.center;
+    Axes work = t.identity ? end_ : t.to_work(end_);
     if (!t.identity) {
       Axes at = end_;
-      at[plane_.first] = arc.center.x;
-      at[plane_.second] = arc.center.y;
+      at[plane_.first] = center.x;
+      at[plane_.second] = center.y;
       at = t.to_work(at);
       center = {at[plane_.first], at[plane_.second]};
-      work = t.to_work(end_);
       const auto sign = [&](std::size_t axis) { return t.scale[axis] * t.mirror[axis]; };
       reversed = sign(plane_.first) * sign(plane_.second) < 0;
     }
     named_ |= 1u << plane_.first | 1u << plane_.second;
-    m_.move_to(end_, work, named_);
     const bool cw = (turn_ == Turn::cw) != reversed;
+    if (m_.modal.surface == PathSurface::polar) {
+      const Axes start = t.identity ? before : t.to_work(before);
+      const FlatArc path{
+          {start[plane_.first], start[plane_.second]}, {work[plane_.first], work[plane_.second]}, center, cw ? -arc.turns : arc.turns};
+      work = polar_work(m_, work, m_.nct->surface_angle + swept_about_pole(path));
+    }
+    m_.move_to(end_, work, named_);
     Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named_);
     m_.set_feed(motion);
-    motion.center = m_.modal.surface == PathSurface::cylinder ? in_axes(center) : center;
+    motion.center = center;
     motion.turns = arc.turns;
     motion.along = m_.nct->settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
     if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);
@@ -163,6 +168,7 @@ class Arc {
   Axes end_{};
   AxisMask named_ = 0;
   Vec2 from_, to_;
+  std::optional<double> polar_turns_;
 };
 
 }  // namespace

@@ -72,6 +72,26 @@ Status check_words(const Machinery& m) {
   return check_m_codes(m);
 }
 
+/// P has one meaning in a block (8, 10.2.2, 14.4.2).
+Status one_meaning_of_p(const Machinery& m) {
+  if (!m.has('P')) return {};
+  const CodeRow* first = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t index = w.code < 0 || w.address == 0 ? -1 : m.def.row_of(w.address, w.code);
+    if (index < 0) continue;
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    const Function f = row.function;
+    const bool takes = f == Function::dwell_or_turns || f == Function::work_system_extended || f == Function::call_program ||
+                       f == Function::return_program || f == Function::interrupt_on || f == Function::set_tables ||
+                       (f == Function::reference_return && row.arg == 2);
+    if (!takes) continue;
+    if (first != nullptr) return fail(alarm(AlarmId::not_together, w.where, first->code, row.code));
+    first = &row;
+  }
+  return {};
+}
+
 /// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
 Status take_spindle_words(Machinery& m) {
   m.nct->spindle_by_p = 0;
@@ -89,6 +109,7 @@ Status take_spindle_words(Machinery& m) {
     first = &w;
   }
   if (first == nullptr || p == nullptr || codes) return {};
+  if (m.block->word_count > 2) return fail(alarm(AlarmId::own_block, p->where, m.block->text_of(first->where)));  // 11.1.1
   const auto number = m.whole('P', 1, most_spindles);
   if (!number) return fail(number.error());
   m.nct->spindle_by_p = static_cast<int>(*number);
@@ -123,7 +144,8 @@ void note_words(Machinery& m) {
   take('F', words.f);
   take('H', words.h);
   take('M', words.m);
-  take('S', words.s);
+  for (std::uint32_t i = 0; (m.block->letters & m.letters.spindles) != 0 && i < m.block->word_count; ++i)  // S2=700 too (11.1)
+    if (const Word& w = m.block->words[i]; w.address != 0 && m.def.address(w.address).function == Function::spindle_word) words.s = w.value;
   take('T', words.t);
 }
 
@@ -134,19 +156,25 @@ bool hidden(const Machinery& m) {
   return (number >= 8000 && number < 9000 && !s.lists_8000) || (number >= 9000 && number < 10000 && !s.lists_9000);
 }
 
-/// Single block: a stop behind NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
-void stop_single_block(Machinery& m, bool was_hidden) {
+bool may_stop(const Machinery& m) {
   constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
   const Nct& nct = *m.nct;
-  if (!nct.single_block || (nct.control_1 & 1u) != 0 || (nct.control_2 & m_ov) != 0 || m.cycle_run.active() || m.cycling()) return;
+  return nct.single_block && (nct.control_1 & 1u) == 0 && (nct.control_2 & m_ov) == 0 && m.modal.rows[nct.stop_group] != nct.inhibiting;
+}
+
+/// Single block: a stop behind NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
+void stop_single_block(Machinery& m, bool was_hidden) {
+  if (!may_stop(m) || m.block->word_count == 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
-  const bool macro =
-      returned || m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
+  const bool macro = returned || !m.nct->pending.empty() ||
+                     m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
   if (hidden(m) || (macro && !(returned && was_hidden)) || m.has_code({Function::program_end})) return;
   m.emit(Stop{false, StopReason::single_block});
 }
 
 }  // namespace
+
+bool stops_each_block(const Machinery& m) { return may_stop(m) && !hidden(m); }
 
 Status check_values(Machinery& m) {
   for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
@@ -158,7 +186,7 @@ Result<bool> before_plan(Machinery& m) {
   Nct& nct = *m.nct;
   nct.moved = nct.stops_reading = false;
   if (nct.single_block) nct.was_hidden = hidden(m);
-  nct.pending_program = 0;
+  nct.pending.clear();
   give_back(m);
   if (nct.data_mode != DataMode::none) {
     nct.keep_all(m);
@@ -186,6 +214,7 @@ Result<bool> before_plan(Machinery& m) {
   KADR_TRY(take_bare_words(m));
   KADR_TRY(check_words(m));
   KADR_TRY(take_spindle_words(m));
+  KADR_TRY(one_meaning_of_p(m));
   KADR_TRY(check_increment_of_r(m));
   const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
   m.block->checked = plain ? m.block->letters : 0;

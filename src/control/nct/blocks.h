@@ -18,6 +18,9 @@ Status check_values(Machinery& m);
 /// Looks at the evaluated words before they are planned.
 ///   returns  true: the block is done (a data line, or a macro was called with it)
 Result<bool> before_plan(Machinery& m);
+/// Single-block operation stops here: the switch is on, no lock, no G63, not inside a program that counts as one block
+/// (23.1.10, 23.3.9, 6.3.4).
+bool stops_each_block(const Machinery& m);
 /// Calls that follow the block's motion: words that stand for subprograms, modal macros; the single-block stop.
 Status after_block(Machinery& m);
 

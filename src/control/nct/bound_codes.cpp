@@ -39,6 +39,9 @@ bool may_call(const Machinery& m, char address, std::int32_t code) {
 }
 
 Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& run) {
+  const Word* const first = m.block->words.data();
+  if (w.written == 'M' && &w != first)
+    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N before it
   CallRequest request;
   const auto place = m.nct->programs.system(m, static_cast<std::uint32_t>(program), w.where);
   if (!place) return fail(place.error());
@@ -61,10 +64,7 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
 
 /// Takes the word out of the block; the subprogram follows behind the block.
 void pend(Machinery& m, Word& w, int program) {
-  m.nct->pending_program = program;
-  m.nct->pending_letter = w.written;
-  m.nct->pending_code = w.code;
-  m.nct->pending_where = w.where;
+  m.nct->pending.push_back({program, w.written, w.code, w.where});
   w.address = 0;
   m.block->altered = true;
 }
@@ -112,22 +112,25 @@ Result<bool> call_by_code(Machinery& m) {
     if (w.written != 'M') (void)letter_calls(m, w);
     else if (const int sub = program_of(s.m_programs, w.value); sub >= 0 && may_call(m, 'M', w.code)) pend(m, w, sub);
   }
-  if (m.nct->pending_program != 0) m.note_addresses();
+  if (!m.nct->pending.empty()) m.note_addresses();
   return false;
 }
 
+/// The last one first: so the others run before it. INFERRED: in the order of writing.
 Status call_pending(Machinery& m) {
   Nct& nct = *m.nct;
-  if (nct.pending_program == 0) return {};
-  CallRequest request;
-  const auto place = nct.programs.system(m, static_cast<std::uint32_t>(nct.pending_program), nct.pending_where);
-  if (!place) return fail(place.error());
-  request.place = *place;
-  request.name = static_cast<std::uint32_t>(nct.pending_program);
-  request.called_by = nct.pending_letter;
-  request.called_code = nct.pending_code;
-  nct.pending_program = 0;
-  return call(m, request, {}, nct.pending_where);
+  for (; !nct.pending.empty(); nct.pending.pop_back()) {
+    const PendingCall& pending = nct.pending.back();
+    CallRequest request;
+    const auto place = nct.programs.system(m, static_cast<std::uint32_t>(pending.program), pending.where);
+    if (!place) return fail(place.error());
+    request.place = *place;
+    request.name = static_cast<std::uint32_t>(pending.program);
+    request.called_by = pending.letter;
+    request.called_code = pending.code;
+    KADR_TRY(call(m, request, {}, pending.where));
+  }
+  return {};
 }
 
 }  // namespace kadr::nct

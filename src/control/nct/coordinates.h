@@ -4,6 +4,7 @@
 #include "base/result.h"
 #include "base/vec.h"
 #include "control/action.h"
+#include "control/nct/settings.h"
 
 namespace kadr {
 class Machinery;
@@ -15,13 +16,32 @@ namespace kadr::nct {
 Status target(const Machinery& m, Axes& to, AxisMask& named);
 /// Origin, length, shifts and basic rotation worked out anew (10, position chain).
 void refresh_frames(Machinery& m);
+/// c in [0, period).
+double rolled_position(double c, double period);
+/// Signed way of a rotary axis that rolls over (5.6), from c in [0, R) to the programmed value.
+double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment);
+/// Axes that roll over stand in [0, R), in work and machine coordinates (5.6).
+void roll_positions(Machinery& m);
 /// A motion has been made: travel of rolled axes, feed of mixed axes, the block's kind.
 void note_motion(Machinery& m, Motion& motion);
+/// Feed of a motion in inches mode: degrees are not converted, so the way counts in inches and degrees (4.2, 6.2.1).
+double inch_feed(const Machinery& m, const Motion& motion, const Axes& from);
 /// A straight motion in the virtual plane (G12.1) or on the cylinder (G7.1).
 Status surface_line(Machinery& m, MotionKind kind, const Axes& programmed, AxisMask named);
 /// A programmed point in the plane of the surface, mm; the real axes of one; what a motion on a surface has beside its end.
 Vec2 flat_point(const Machinery& m, const Axes& programmed);
 Axes surface_work(const Machinery& m, const Axes& programmed);
+/// The same of a point behind the transformations, in polar interpolation: the angle is the one nearest to `near` degrees.
+Axes polar_work(const Machinery& m, const Axes& point, double near);
+/// An arc in the plane of polar interpolation; turns counter-clockwise positive.
+struct FlatArc {
+  Vec2 from, to, center;
+  double turns = 0;
+};
+/// Degrees that the point's direction from the pole turns by on its way, whole turns included (4.5).
+double swept_about_pole(const FlatArc& arc);
+/// Where the tool stands for the transformations: work coordinates, in polar interpolation the virtual ones.
+Axes before_transform(const Machinery& m);
 void finish_surface(Machinery& m, Motion& motion, const Axes& from);
 /// The detail of a motion, to be filled.
 MotionDetail& detail_of(Machinery& m, Motion& motion);

@@ -277,7 +277,8 @@ int drills_along(const Machinery& m) {
   return bottom ? drilling_axis(m, *bottom) : -1;
 }
 
-void note_code(Machinery& m, const CodeRow& row) {
+void note_code(Machinery& m, const CodeRow& row, std::int32_t tenth) {
+  if (row.letter == 'M' && m.nct->settings.part_code != 0 && tenth == 10 * m.nct->settings.part_code) m.nct->parts_done += 1;  // 13.1
   if (row.group != m.nct->motion_group) return;
   if (row.function != Function::turning_simple) m.nct->state.turning.code = 0;  // the data of a simple turning cycle (19.1)
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
@@ -309,7 +310,7 @@ Status drilling(Machinery& m, const Call& call) {
 Status drilling_off(Machinery& m, const Call&) {
   if (!nct::drilling_on(m)) return {};
   m.nct->state.drilling = {};
-  m.run_modes({Function::retract_initial});
+  if (!m.has_code({Function::retract_level})) m.run_modes({Function::retract_initial});
   return {};
 }
 

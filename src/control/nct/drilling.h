@@ -36,7 +36,7 @@ std::int16_t motion_row(const Machinery& m);
 /// Axis that drills if the block carries a cycle out, else -1: the one its length offset acts on (15.3, 18.2).
 int drills_along(const Machinery& m);
 /// A code has been carried out: one of group 1 deletes the cycle mode (18.0).
-void note_code(Machinery& m, const CodeRow& row);
+void note_code(Machinery& m, const CodeRow& row, std::int32_t tenth);
 /// What the cycle of this block needs from words that act behind operation 1: S, M3.
 ///   alarms  spindle_not_turning
 Status check_drilling(const Machinery& m);

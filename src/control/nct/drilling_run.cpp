@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "control/functions.h"
+#include "control/nct/blocks.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 
@@ -270,7 +271,7 @@ Status DrillingRun::feed(Machinery& m, double level, double percent) {
   KADR_TRY(m.straight(MotionKind::feed, to, 1u << job_.axis));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.feed *= percent / 100;
-  motion.own_override = job_.code == 740 || job_.code == 840;  // 18.2
+  motion.own_override = motion.own_override || job_.code == 740 || job_.code == 840;  // 18.2
   return {};
 }
 
@@ -290,7 +291,7 @@ Status DrillingRun::tap(Machinery& m, double level, double percent) {
 }
 
 void DrillingRun::single_block(Machinery& m) const {
-  if (m.nct->stops_each_block()) m.emit(Stop{false, StopReason::single_block});
+  if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
 /// Machine millimetres to one programmed millimetre of the drilling axis.

@@ -1,5 +1,8 @@
 // MCS = C + W + M·(S + Lc + p) (spec/nct/10, position chain), lengths, planes.
 
+#include <cmath>
+
+#include "base/units.h"
 #include "control/machinery.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
@@ -65,18 +68,47 @@ MotionDetail& detail_of(Machinery& m, Motion& motion) {
   return filled;
 }
 
+/// In [0, R), whatever the number of turns was (5.6).
+void roll_positions(Machinery& m) {
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const AxisSettings& axis = m.nct->settings.axes[a];
+    if (!axis.rolls || (m.def.rotary >> a & 1u) == 0) continue;
+    m.position.work[a] = rolled_position(m.position.work[a], axis.period);
+    m.position.machine[a] = rolled_position(m.position.machine[a], axis.period);
+  }
+}
+
+double inch_feed(const Machinery& m, const Motion& motion, const Axes& from) {
+  double linear = 0, rotary = 0;  // squares of the ways, mm and degrees
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const bool rolls = motion.detail && (motion.detail->rolled >> a & 1u) != 0;
+    const double way = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
+    ((m.def.rotary >> a & 1u) != 0 ? rotary : linear) += way * way;
+  }
+  if (rotary == 0 || m.modal.surface != PathSurface::plane) return m.modal.feed;
+  const double feed = m.modal.feed / mm_per_inch;  // inches, degrees a minute
+  return feed * std::sqrt((linear + rotary) / (linear / (mm_per_inch * mm_per_inch) + rotary));
+}
+
 void note_motion(Machinery& m, Motion& motion) {
   Nct& nct = *m.nct;
   nct.moved = true;
   if (motion.kind != MotionKind::thread) nct.in_thread = false;
-  motion.along = FeedAlong::all_axes;  // 4.2: millimetres and degrees alike
-  motion.in_position = m.block_exact || m.modal.exact || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
+  motion.along = FeedAlong::all_axes;           // 4.2: millimetres and degrees alike
+  constexpr std::uint32_t m_ov = 2, m_est = 4;  // #3004: override and stop as in G63; exact stop suppressed (23.1.10, 6.3.4)
+  if ((nct.control_2 & m_est) != 0) motion.exact = false;
+  const bool stops = (m.block_exact || m.modal.exact) && (nct.control_2 & m_est) == 0;
+  motion.in_position = stops || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
+  motion.own_override = (nct.control_2 & m_ov) != 0 || m.modal.rows[nct.stop_group] == nct.inhibiting;
   if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;
   if (nct.rolled != 0) {
     MotionDetail& detail = detail_of(m, motion);
     detail.rolled = nct.rolled;
     detail.travel = nct.travel;
     nct.rolled = 0;
+    roll_positions(m);
+    motion.to = m.position.work;
+    motion.machine = m.position.machine;
   }
   if (nct.couplings.axes != 0) follow(m, motion);
 }

@@ -1,5 +1,7 @@
 #include "control/nct/interrupt.h"
 
+#include <utility>
+
 #include "control/functions.h"
 #include "control/nct/calls.h"
 #include "control/nct/nct.h"
@@ -7,18 +9,14 @@
 namespace kadr::nct {
 namespace {
 
-constexpr const char* interrupt_signal = "CP_MINT";
-
 bool signal_on(const Nct& nct) {
-  const auto found = nct.signals.find(interrupt_signal);
+  const auto found = nct.signals.find(std::string(interrupt_signal));
   return found != nct.signals.end() && found->second != 0;
 }
 
 bool asked(Nct& nct) {
-  const bool on = signal_on(nct);
-  const bool rose = on && !nct.signal_was_on;
-  nct.signal_was_on = on;
-  return nct.settings.interrupt_edge ? rose : on;
+  const bool rose = std::exchange(nct.signal_rose, false);
+  return nct.settings.interrupt_edge ? rose : signal_on(nct);
 }
 
 /// The code is the machine's: N1758 #0 USD=0, or #4 MCD says that other codes do it.
@@ -66,6 +64,7 @@ Result<bool> call_interrupt(Machinery& m, BlockMoment moment) {
 /// Plain M99 brings the modal state back; what it says is in force again (23.4). M99 P does not.
 void Nct::end_interrupt(Machinery& m, bool restore) {
   interrupted.active = false;
+  signal_rose = false;  // one during the macro does not count
   if (!restore) return;
   m.modal = interrupted.modal;
   state.words = interrupted.words;
@@ -80,7 +79,7 @@ namespace kadr::functions {
 Status interrupt_on(Machinery& m, const Call& call) {
   nct::Nct& nct = *m.nct;
   if (nct::is_free(nct, call.word->code / 10, nct.settings.interrupt_on)) return nct::machine_code(m, call);
-  nct.signal_was_on = nct::signal_on(nct);  // INFERRED: an edge before it does not count
+  nct.signal_rose = false;  // INFERRED: an edge before it does not count
   if (m.block->file_name.end != 0) {
     const auto place = nct.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());

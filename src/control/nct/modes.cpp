@@ -45,6 +45,7 @@ Status feed_control(Machinery& m, const Call&) {
 
 /// G51.1 (16.3): the named axes are mirrored about the given coordinates.
 Status mirror_on(Machinery& m, const Call& call) {
+  const Axes at = nct::before_transform(m);
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -56,12 +57,13 @@ Status mirror_on(Machinery& m, const Call& call) {
     m.transform.added[a] = 2 * center;
   }
   m.transform.refresh();
-  m.position.programmed = m.transform.to_programmed(m.position.work);
+  m.position.programmed = m.transform.to_programmed(at);
   return {};
 }
 
 /// G50.1: off on the named axes; without axis words on all.
 Status mirror_off(Machinery& m, const Call&) {
+  const Axes at = nct::before_transform(m);
   const bool all = !m.has_axis_words();
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const char letter = m.letters.axis_letter[a];
@@ -70,7 +72,7 @@ Status mirror_off(Machinery& m, const Call&) {
     m.transform.added[a] = 0;
   }
   m.transform.refresh();
-  m.position.programmed = m.transform.to_programmed(m.position.work);
+  m.position.programmed = m.transform.to_programmed(at);
   return {};
 }
 
@@ -89,19 +91,18 @@ Status thread(Machinery& m, const Call& call) {
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));
-  if (m.has('E')) m.nct->thread_lead = mm_per_inch / m.value('E');
-  else if (m.has('F')) m.nct->thread_lead = m.value('F') * m.unit_scale();
+  const double lead = nct::take_lead(m);
   if (named == 0) return {};
-  if (!(m.nct->thread_lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
+  if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
   if (const int count = __builtin_popcount(named); count > 2) return fail(alarm(AlarmId::thread_axes, call.where, double(count)));
   const bool first = !m.nct->in_thread;
   KADR_TRY(m.straight(MotionKind::thread, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.own_override = true;
   motion.unit = FeedUnit::mm_per_rev;
-  motion.feed = m.nct->thread_lead;
+  motion.feed = lead;
   MotionDetail& detail = nct::detail_of(m, motion);
-  detail.lead = m.nct->thread_lead;
+  detail.lead = lead;
   if (first) detail.start_angle = m.value('Q');
   m.nct->in_thread = true;
   return {};
@@ -114,6 +115,14 @@ Status set_tables_end(Machinery&, const Call&) { return {}; }
 }  // namespace kadr::functions
 
 namespace kadr::nct {
+
+/// F is the common modal word, E a lead of its own until the next F (4.4, recommended reading).
+double take_lead(Machinery& m) {
+  if (m.has('E')) m.nct->thread_lead = mm_per_inch / m.value('E');
+  else if (m.has('F')) m.nct->thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
+  if (m.nct->thread_lead > 0) return m.nct->thread_lead;
+  return m.modal.feed_known ? m.modal.feed : 0;
+}
 
 Result<double> dwell_seconds(Machinery& m, double p, Span where) {
   if (!(p >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'P', p));

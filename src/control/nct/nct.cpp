@@ -74,7 +74,9 @@ void reset_codes(Machinery& m, bool keep) {
     const int number = group_number(group);
     constexpr int gear_group = 34;
     if (number == gear_group && m.nct->state.gear.on) continue;  // 20.1.4: with RCE=0 a reset leaves it on
-    if (group.power_on < 0 || (keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
+    // G13.1, G15, G64, G50.1 come back whatever CLR says (4.5, 5.4, 6.3.3, INFERRED 16.3)
+    const bool always = number == 15 || number == 17 || number == 21 || number == 22;
+    if (group.power_on < 0 || (!always && keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
                                s.kept_groups[static_cast<std::size_t>(number)]))
       continue;
     const std::int32_t tenth = initial_code(s, number, m.def.codes[static_cast<std::size_t>(group.power_on)].tenth);
@@ -110,10 +112,17 @@ double number_of_symbol(const Machinery& m, const std::string& name) {
   return -1;
 }
 
+/// N1400, N2902, N2903.
+ToolLimits tool_limits(const ParameterStore& p) {
+  const auto whole = [&](const char* name) { return static_cast<int>(p.value(p.named(name))); };
+  const int columns = whole("2903");
+  return {whole("2902"), columns > 0 ? columns : ToolLimits().user_data, whole("1400")};
+}
+
 Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
     : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
       parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
-      tools(setup),
+      tools(setup, tool_limits(parameters)),
       output({limits.files, std::uint64_t{1} << 30, limits.writes_files ? OutputWriting::files : OutputWriting::nothing}) {
   if (!parameters.error().empty()) m.start_error = parameters.error();
   const auto group_of = [&](std::int32_t tenth) {
@@ -122,6 +131,8 @@ Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_
   };
   drilling_group = group_of(800);
   motion_group = group_of(0);
+  inhibiting = static_cast<std::int16_t>(m.def.row_of('G', 630));
+  stop_group = group_of(630);
 }
 
 Nct::~Nct() = default;
@@ -129,6 +140,7 @@ Nct::~Nct() = default;
 void Nct::refresh_settings(const Machinery& m) {
   if (parameters_seen_ == parameters.version() + 1) return;
   parameters_seen_ = parameters.version() + 1;
+  tools.set_limits(tool_limits(parameters));
   settings = read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
 }
 
@@ -153,14 +165,20 @@ void Nct::start(Machinery& m, const Setup& setup) {
   clock = setup.clock;
   reset_shifts(m);
   reset_codes(m, false);
+  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};  // 6.2
+  const bool per_minute = m.modal.feed_mode == FeedMode::per_minute;
+  m.modal.feed = feeds[per_minute ? 0 : 1];
+  m.modal.other_feed = feeds[per_minute ? 1 : 0];
+  m.modal.feed_known = m.modal.feed > 0;
+  m.modal.other_feed_known = m.modal.other_feed > 0;
 }
 
 void Nct::take_setup(Machinery& m, const Setup& setup) {
   for (const auto& [name, value] : setup.variables) {
     if (name.size() < 2 || name[0] != '#') continue;
     const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
-    const Status written = write_variable(m, number, value ? *value : vacant, {});
-    if (!written && m.start_error.empty()) m.start_error = "variables: " + name;
+    if (const Status written = set_start_value(m, number, value ? *value : vacant); !written && m.start_error.empty())
+      m.start_error = "variables: " + name;
   }
   for (const auto& [name, on] : setup.diameter)
     for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -171,6 +189,33 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
         m.modal.axes.first = first, m.modal.axes.second = second;
   m.transform.refresh();
   if (m.start_error.empty()) m.start_error = coupling_error(m, setup.events);
+  watch_tool_time(m);
+}
+
+/// M5, M9 at the end of the program (13.1, "usually"): the codes of the table's `end`; all spindles of the channel stand.
+void stop_machine(Machinery& m) {
+  const std::size_t silent = m.batch->size();
+  const double parts = m.nct->parts_done;
+  for (const std::int32_t index : m.def.end_codes) {
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    if (row.letter != 'M') continue;
+    (void)handler_of(row.function)(m, {&row, nullptr, {}});
+    if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(index);
+  }
+  for (SpindleState& s : m.nct->state.spindles) {
+    if (s.known && s.channel != m.def.channel) continue;
+    s.dir = SpindleDir::stop;
+    s.loop_closed = s.referenced = false;
+    s.master = 0;
+  }
+  m.nct->parts_done = parts;
+  m.batch->cut(silent);
+}
+
+/// Where a tool's life is counted in time, the machine's time is looked at behind each block.
+void watch_tool_time(Machinery& m) {
+  if (!m.nct->tools.counts_time()) return;
+  m.reads_clock = m.each_block = m.nct->counts_time = true;
 }
 
 void Nct::end_program(Machinery& m) {
@@ -185,6 +230,7 @@ void Nct::end_program(Machinery& m) {
   interrupted.active = false;
   finishing.clear();
   state.turning.code = 0;
+  stop_machine(m);
   reset_shifts(m);
   if (parameters.bit(parameters.named("1800"), 0)) disengage(m);  // RCE
   reset_codes(m, true);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/setup.h"
@@ -45,7 +46,7 @@ struct ModalCall {
 struct SpindleState {
   bool known = false;  // the set-up has it
   int channel = 1;
-  double rpm = 0;
+  double rpm = 0;  // within the limits of the range
   SpindleDir dir = SpindleDir::stop;
   bool loop_closed = false;
   bool referenced = false;  // oriented since the loop was closed
@@ -82,6 +83,7 @@ struct Volatile {
   Gear gear;
 };
 
+inline constexpr std::string_view interrupt_signal = "CP_MINT";
 inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
 inline constexpr std::size_t all_systems = 1 + basic_systems + extended_systems;
 
@@ -104,6 +106,14 @@ struct Before {
   std::optional<ProgramPlace> interrupt_program;
   double parts_done = 0;
   std::vector<std::pair<double*, double>> cells;  // of the tables of zeros
+};
+
+/// A word that calls a subprogram behind its block: T, S, A, B, C, M or an ASCII letter (23.3.6–23.3.8).
+struct PendingCall {
+  int program = 0;
+  char letter = 0;
+  std::int32_t code = -1;
+  Span where;
 };
 
 /// Modal state kept for the end of an interrupt macro (23.4).
@@ -158,9 +168,6 @@ class Nct {
 
   /// Tool lengths by axis before the block.
   const Axes& lengths_before() const { return lengths_before_; }
-  /// Single-block operation is on and #3003 does not suppress it (23.1.10).
-  bool stops_each_block() const { return single_block && (control_1 & 1u) == 0; }
-
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
   void end_interrupt(Machinery& m, bool restore);
 
@@ -181,21 +188,20 @@ class Nct {
   DataMode data_mode = DataMode::none;
   Interrupted interrupted;
   std::optional<ProgramPlace> interrupt_program;      // M96
-  bool signal_was_on = false;                         // CP_MINT when it was looked at last
+  bool signal_rose = false;                           // CP_MINT, since it was looked at last
   std::map<std::string, double> signals;              // of the machine's logic
   Couplings couplings;                                // axes that follow others
   bool single_block = false;                          // the operator's switch
   std::uint8_t drilling_group = 0, motion_group = 0;  // of G80 and G0
+  std::uint8_t stop_group = 0;                        // of G61 … G64
+  std::int16_t inhibiting = -1;                       // row of G63
   // of the block being carried out
   bool was_hidden = false;     // the block stands in a program that is not listed (23.3.9)
   bool moved = false;          // it held a movement command
   bool stops_reading = false;  // it empties the buffer
   bool in_thread = false;      // the motion before was a thread too
   double thread_lead = 0;      // mm
-  char pending_letter = 0;     // T, S, A, B, C or an ASCII letter that calls a subprogram behind the block
-  int pending_program = 0;
-  std::int32_t pending_code = -1;
-  Span pending_where;
+  std::vector<PendingCall> pending;
   int spindle_by_p = 0;          // S1500 P2: number of the spindle; 0: none
   bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
   AxisMask rolled = 0;           // rotary axes of the block that roll over, and their way
@@ -209,6 +215,7 @@ class Nct {
   double answer = 0;                           // #3107
   double parts_done = 0, parts_required = 0;
   double cutting_ms = 0, clock_offset_ms = 0;
+  bool counts_time = false;               // of tools, since set_time came last
   double now_ms = 0;                      // virtual time since power-on
   double tool_magazine = 10;              // #8400
   Axes probe_position{}, probe_length{};  // work coordinates; tool length then
@@ -225,12 +232,16 @@ class Nct {
   Before before_;
 };
 
+/// Lead of a thread by the block's E or F, or the last one, mm; 0: none (4.4).
+double take_lead(Machinery& m);
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
 Result<double> dwell_seconds(Machinery& m, double p, Span where);
 /// M codes for the machine: indexing, closing the loop, optional spindle codes, all others (11, 13.1).
 Status machine_code(Machinery& m, const Call& call);
 /// The gearbox, if it is on, stops (20.1).
 void disengage(Machinery& m);
+/// A tool's life may be counted in time (12.3.1).
+void watch_tool_time(Machinery& m);
 /// The block has a word for a spindle.
 bool has_spindle_word(const Machinery& m);
 /// Variables that hold something, and those that are asked for ("#5061", "#_ALM").

@@ -200,7 +200,8 @@ Result<double> ParameterStore::read(double number, std::optional<double> bit, st
   const auto nth_bit = whole_within(bit.value_or(0), 0, of_bits ? bits_with_number - 1 : -1);
   if (bit && !nth_bit) return out_of_range('Q', *bit);  // ours: the manual is silent
   const auto nth = whole_within(index.value_or(1), 1, count_of(of.scope));
-  if (index && (!nth || of.scope == ParameterScope::global)) return out_of_range('P', *index);  // ours: the manual is silent
+  const bool there = nth && (of.scope != ParameterScope::axis || has_axis(*nth));
+  if (index && (!there || of.scope == ParameterScope::global)) return out_of_range('P', *index);  // ours: the manual is silent
   const int at = index ? *nth : 0;
   return of_bits ? static_cast<double>(this->bit(id, *nth_bit, at)) : value(id, at);
 }
@@ -246,6 +247,7 @@ Status ParameterStore::write(const Write& w) {
   if (of.when != ParameterClass::run_time) return fail(alarm(AlarmId::parameter_not_writable, w.n->where, std::string_view(of.name)));
   const auto index = nct::index_of(w, of.scope, context_.channel);
   if (!index) return fail(index.error());
+  if (of.scope == ParameterScope::axis && !has_axis(*index)) return fail(beyond('P', *w.p));
   const auto bit = nct::bit_of(w, of.type);
   if (!bit) return fail(bit.error());
   if (!w.r) return fail(missing(w, 'R'));

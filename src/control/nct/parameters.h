@@ -104,6 +104,11 @@ class ParameterStore {
     std::optional<Place> place;  // that was new in written_
   };
 
+  /// An axis of any channel has that number.
+  bool has_axis(int number) const {
+    const auto n = static_cast<std::size_t>(number);
+    return n >= 1 && n <= context_.axes.size() && !context_.axes[n - 1].empty();
+  }
   const ParameterRow& row(ParameterId id) const { return rows_[static_cast<std::size_t>(id)]; }
   std::size_t slot(ParameterId id, int index) const;
   void give(const ParameterKey& key, const ParameterValue& value);

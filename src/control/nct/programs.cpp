@@ -61,7 +61,8 @@ std::string program_name(std::uint32_t number) {
 }
 
 std::uint32_t number_of_file(const std::string& path) {
-  const std::string stem = fs::path(path).stem().string();
+  std::string stem = fs::path(path).stem().string();
+  stem.resize(std::min(stem.size(), stem.find(' ')));  // "O9999 (nct)", the control's own
   if (stem.size() < 2 || stem.size() > 9 || (stem[0] != 'O' && stem[0] != 'o')) return 0;
   if (stem.find_first_not_of("0123456789", 1) != std::string::npos) return 0;
   return static_cast<std::uint32_t>(std::stoul(stem.substr(1)));

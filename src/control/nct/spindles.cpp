@@ -44,8 +44,11 @@ std::string name_of_spindle(const Machinery& m, int number) {
   return found != m.nct->spindle_names.end() && !found->second.empty() ? found->second : "S" + std::to_string(number);
 }
 
+/// INFERRED: a number that the set-up has not, where it has spindles, is alarm 2017.
 Status own_spindle(const Machinery& m, int number, Span where) {
   const SpindleState& s = m.nct->spindle(number);
+  if (!s.known && !m.nct->spindle_names.empty())
+    return fail(alarm(AlarmId::illegal_address, where, std::string_view(name_of_spindle(m, number))));
   if (!s.known || s.channel == m.def.channel) return {};
   return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(s.channel)));
 }
@@ -60,6 +63,27 @@ void turn(Machinery& m, int number, double degrees, bool absolute) {
   m.emit(action);
 }
 
+/// The spindle that a word of the block names, or plain S means; without one the spindle referred to last (11.1.1, 11.2).
+int spindle_of_block(const Machinery& m) {
+  const Nct& nct = *m.nct;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0 || m.def.address(w.address).function != Function::spindle_word) continue;
+    const int named = m.def.address(w.address).number;
+    if (named != 0) return named;
+    if (m.modal.surface_speed) return nct.state.main_spindle;
+    if (nct.spindle_by_p != 0) return nct.spindle_by_p;
+    return nct.settings.default_spindle > 0 ? nct.settings.default_spindle : 1;
+  }
+  return nct.state.current_spindle;
+}
+
+/// The speed of an S word within the limits; S0 is 0.
+double limited(const Nct& nct, int number, double rpm) {
+  const auto [least, most] = limits_of(nct, number);
+  return rpm == 0 ? 0 : std::clamp(rpm, least, most);
+}
+
 Status loop_closed(const Machinery& m, int number, Span where) {
   if (m.nct->spindle(number).loop_closed) return {};
   return fail(alarm(AlarmId::spindle_loop_open, where, std::string_view(name_of_spindle(m, number))));
@@ -72,10 +96,12 @@ double Nct::css_rpm(const Machinery& m) const {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.def.axis_numbers[a] == state.css_axis) diameter = 2 * std::fabs(m.position.work[a]);
   const auto [least, most] = limits_of(*this, state.main_spindle);
-  double rpm = diameter > 0 ? mm_per_m * state.surface_speed / (pi * diameter) : 1e300;
+  constexpr double no_limit = 1e300;
+  double rpm = diameter > 0 ? mm_per_m * state.surface_speed / (pi * diameter) : no_limit;
   rpm = std::max({rpm, settings.css_least, least});
   if (state.css_most > 0) rpm = std::min(rpm, state.css_most);
-  return std::min(rpm, most);
+  rpm = std::min(rpm, most);
+  return rpm < no_limit ? rpm : spindle(state.main_spindle).rpm;  // INFERRED: at the centre without any limit
 }
 
 double Nct::spindle_rpm(const Machinery& m) const {
@@ -100,14 +126,10 @@ Status spindle_word(Machinery& m, const Call& call) {
     m.emit(Speed{nct.state.surface_speed, true, static_cast<std::uint8_t>(nct.state.main_spindle), 0});
     return {};
   }
-  const int number = named != 0                         ? named
-                     : nct.spindle_by_p != 0            ? nct.spindle_by_p
-                     : nct.settings.default_spindle > 0 ? nct.settings.default_spindle
-                                                        : 1;
+  const int number = nct::spindle_of_block(m);
   KADR_TRY(nct::own_spindle(m, number, call.where));
-  const auto [least, most] = nct::limits_of(nct, number);
-  const double rpm = value == 0 ? 0 : std::clamp(value, least, most);
   nct::SpindleState& s = nct.spindle(number);
+  const double rpm = nct::limited(nct, number, value);
   s.rpm = rpm;
   nct.state.current_spindle = number;
   m.modal.rpm = value;
@@ -121,6 +143,8 @@ Status spindle_code(Machinery& m, const Call& call) {
   const int number = nct.state.current_spindle;
   nct::SpindleState& s = nct.spindle(number);
   s.master = 0;
+  const bool turned = s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw;
+  if (turned && m.modal.surface_speed && number == nct.state.main_spindle) s.rpm = nct.css_rpm(m);  // it stays at G97 (11.5.1)
   switch (call.row->arg) {
     case 3: s.dir = SpindleDir::cw; break;
     case 4: s.dir = SpindleDir::ccw; break;
@@ -139,11 +163,17 @@ Status spindle_code(Machinery& m, const Call& call) {
   return {};
 }
 
-/// M11 … M18 (11.3).
+/// M11 … M18 (11.3): of the spindle that the block names. A speed in force that lies outside is limited (11.1).
 Status gear_range(Machinery& m, const Call& call) {
-  const int number = m.nct->state.current_spindle;
-  m.nct->spindle(number).range = call.row->arg;
+  const int number = nct::spindle_of_block(m);
+  nct::SpindleState& s = m.nct->spindle(number);
+  s.range = call.row->arg;
   m.emit(MachineFunction{static_cast<std::uint32_t>(call.word->code / 10), {}, {}, static_cast<std::uint8_t>(number)});
+  const double rpm = nct::limited(*m.nct, number, s.rpm);
+  if (rpm != s.rpm && !m.modal.surface_speed && !nct::has_spindle_word(m)) {
+    s.rpm = rpm;
+    m.emit(Speed{rpm, false, static_cast<std::uint8_t>(number), static_cast<std::uint8_t>(s.range)});
+  }
   return {};
 }
 
@@ -201,23 +231,25 @@ Status machine_code(Machinery& m, const Call& call) {
   Nct& nct = *m.nct;
   const int code = call.word->code / 10;
   const int number = nct.state.current_spindle;
-  for (int n = 1; n <= static_cast<int>(most_spindles); ++n) {
+  for (int i = 0; i <= static_cast<int>(most_spindles); ++i) {
+    const int n = i == 0 ? number : i;  // that referred to last goes before others with the same codes (11.2)
     const SpindleSettings& s = nct.settings.spindles[static_cast<std::size_t>(n)];
     if (s.index_count > 0 && code >= s.index_from && code < s.index_from + s.index_count) {
       KADR_TRY(loop_closed(m, n, call.where));
+      if (!nct.spindle(n).referenced)  // 11.7.3: M19 before the first indexing code
+        return fail(alarm(AlarmId::spindle_not_referenced, call.where, std::string_view(name_of_spindle(m, n))));
       const double way = (code - s.index_from + 1) * s.index_angle;
       return turn(m, n, s.index_negative ? -way : way, false), Status();
     }
   }
   const SpindleSettings& own = nct.settings.spindles[static_cast<std::size_t>(number)];
-  const bool closes = own.closing_code != 0 && own.closing_code == code;
+  const bool closes = own.indexes && own.closing_code != 0 && own.closing_code == code;  // 11.7.2
   const bool of_spindle = closes || (own.m_high != 0 && code >= own.m_low && code <= own.m_high) || has_spindle_word(m);
   if (closes) {
     nct.spindle(number).loop_closed = true;
     nct.spindle(number).referenced = false;
     nct.spindle(number).dir = SpindleDir::stop;
   }
-  if (nct.settings.part_code == code && code != 0) nct.parts_done += 1;
   m.emit(MachineFunction{static_cast<std::uint32_t>(code), {}, {}, static_cast<std::uint8_t>(of_spindle ? number : 0)});
   return {};
 }

@@ -26,6 +26,8 @@ void to_polar(const Machinery& m, const Axes& programmed, double near, Axes& wor
   work[plane.second] = angle;
 }
 
+Axes transformed(const Machinery& m, const Axes& programmed) { return m.transform.identity ? programmed : m.transform.to_work(programmed); }
+
 /// Millimetres on the unrolled surface.
 Vec2 unrolled(const Machinery& m, const Axes& programmed) {
   const PlaneAxes& plane = m.modal.axes;
@@ -60,15 +62,48 @@ Vec2 flat_point(const Machinery& m, const Axes& programmed) {
   return {programmed[m.modal.axes.first], programmed[m.modal.axes.second]};
 }
 
-/// The motion's end in real axes.
+/// The motion's end in real axes: transformed in the programmed plane, then rolled up (4.5, INFERRED).
 Axes surface_work(const Machinery& m, const Axes& programmed) {
-  Axes work = programmed;
-  if (m.modal.surface == PathSurface::polar) to_polar(m, programmed, m.nct->surface_angle, work);
+  const Axes point = transformed(m, programmed);
+  return m.modal.surface == PathSurface::polar ? polar_work(m, point, m.nct->surface_angle) : point;
+}
+
+Axes polar_work(const Machinery& m, const Axes& point, double near) {
+  Axes work = point;
+  to_polar(m, point, near, work);
   return work;
 }
 
+double swept_about_pole(const FlatArc& arc) {
+  constexpr double pieces_of_turn = 64, most_sampled = 1000;
+  const Vec2 arm = arc.from - arc.center;
+  const double growth = length(arm) > 0 ? length(arc.to - arc.center) / length(arm) : 1;
+  const double turns = std::fabs(arc.turns);
+  double whole = 0;  // turns that need no looking at: of a true circle
+  if (std::fabs(growth - 1) < tol::same_point) whole = std::floor(turns);
+  const double around = length(arc.center) < length(arm) ? 360 : 0;
+  const double left = std::min(turns - whole, most_sampled);
+  const double sign = arc.turns < 0 ? -1 : 1;
+  double swept = sign * whole * around;
+  double angle = angle_deg(arc.from);
+  const auto pieces = static_cast<int>(std::ceil(left * pieces_of_turn));
+  for (int i = 1; i <= pieces; ++i) {
+    const double part = static_cast<double>(i) / pieces;
+    const Vec2 point = arc.center + (1 + (growth - 1) * part) * rotated(arm, sign * 360 * left * part);
+    const double next = angle_deg(point);
+    swept += next - angle - 360 * std::round((next - angle) / 360);
+    angle = next;
+  }
+  return swept;
+}
+
+Axes before_transform(const Machinery& m) {
+  return m.modal.surface == PathSurface::polar ? transformed(m, m.position.programmed) : m.position.work;
+}
+
 void finish_surface(Machinery& m, Motion& motion, const Axes& from) {
-  set_surface(m, detail_of(m, motion), from, m.position.programmed);
+  set_surface(m, detail_of(m, motion), transformed(m, from), transformed(m, m.position.programmed));
+  if (m.modal.surface == PathSurface::polar) detail_of(m, motion).programmed = m.position.programmed;
   motion.first = static_cast<std::uint8_t>(m.modal.axes.first);
   motion.second = static_cast<std::uint8_t>(m.modal.axes.second);
   if (m.modal.surface == PathSurface::polar) m.nct->surface_angle = m.position.work[m.modal.axes.second];
@@ -129,6 +164,7 @@ Status polar_surface_off(Machinery& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   if (m.modal.surface != PathSurface::polar) return {};
   m.modal.surface = PathSurface::plane;
+  nct::roll_positions(m);
   m.position.programmed = m.transform.to_programmed(m.position.work);
   return {};
 }

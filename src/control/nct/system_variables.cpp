@@ -104,8 +104,8 @@ bool is_zero(VariableKind kind) {
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
 double* zero_field(Machinery& m, const Found& f, int axis) {
-  Axes& zero = f.row->kind == VariableKind::zero_common ? m.tables.common : m.tables.zeros[system_of(f)];
-  return &zero[static_cast<std::size_t>(axis)];
+  Axes* const zero = f.row->kind == VariableKind::zero_common ? &m.tables.common : &m.tables.zeros[system_of(f)];
+  return zero->data() + axis;
 }
 
 double bits_to_word(const std::array<double, 32>& bits) {
@@ -266,6 +266,26 @@ Status write_variable(Machinery& m, double number, double value, Span where) {
     return {};
   }
   return write_plain(m, *f, value, where);
+}
+
+Status set_start_value(Machinery& m, double number, double value) {
+  Nct& nct = *m.nct;
+  const auto n = whole_number(number, {});
+  if (!n) return fail(n.error());
+  const auto plain = static_cast<int>(*n);
+  if (plain >= first_common && plain <= last_common) return nct.variables.set_common(plain, value), Status();
+  const auto f = find(m.def, *n);
+  if (!f || is_vacant(value)) return write_variable(m, number, value, {});
+  if (f->row->kind == VariableKind::plc_in) {
+    const auto on = bit_value(value, {});
+    if (!on) return fail(on.error());
+    return nct.plc_in[f->index] = *on ? 1 : 0, Status();
+  }
+  if (f->row->kind == VariableKind::plc_in_word) {
+    if (f->index == 0) return write_word(nct.plc_in, value, {});
+    return nct.plc_in_word[f->index] = value, Status();
+  }
+  return write_variable(m, number, value, {});
 }
 
 Result<double> number_of_element(const Machinery& m, double symbol, double index, Span where) {

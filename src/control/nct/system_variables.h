@@ -18,6 +18,8 @@ Result<double> read_variable(Machinery& m, double number, Span where);
 /// Writes #number.
 ///   alarms  variable_unknown, variable_read_only (2161), value_limit (2092)
 Status write_variable(Machinery& m, double number, double value, Span where);
+/// The same for the set-up: N1702, N1703 protect nothing from it, and inputs of the PLC can be given.
+Status set_start_value(Machinery& m, double number, double value);
 /// #_NAME[index] → number. alarms value_out_of_range
 Result<double> number_of_element(const Machinery& m, double symbol, double index, Span where);
 /// Number of "ALM" or "ABSIO[3]"; -1: unknown.

@@ -11,7 +11,8 @@ namespace {
 
 /// The word's value in mm or degrees; a diameter as a radius.
 double value_of(const Machinery& m, const Word& w, std::size_t axis) {
-  const bool is_length = m.def.address(w.address).unit == WordUnit::length;
+  const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // a length there (4.5)
+  const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
   double v = w.value * (is_length ? m.unit_scale() : 1.0);
   if ((m.modal.diameter >> axis & 1u) != 0) v /= 2;
   return v;
@@ -19,28 +20,6 @@ double value_of(const Machinery& m, const Word& w, std::size_t axis) {
 
 bool is_increment(const Machinery& m, const Word& w) {
   return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
-}
-
-/// c in [0, period).
-double rolled(double c, double period) {
-  const double r = c - period * std::floor(c / period);
-  return r < period ? r : 0;  // rounding just below a whole turn
-}
-
-/// Signed travel of a rotary axis that rolls over (5.6), from c in [0, R) to the programmed value.
-double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment) {
-  const double period = axis.period;
-  if (increment) return axis.cuts_turns ? programmed - period * std::trunc(programmed / period) : programmed;
-  if (axis.by_sign) {  // INFERRED: with ASH too
-    const double t = rolled(std::fabs(programmed), period);
-    return programmed >= 0 ? rolled(t - c, period) : -rolled(c - t, period);
-  }
-  if (axis.shortest) {
-    const double d = rolled(programmed - c, period);
-    return d <= period / 2 ? d : d - period;
-  }
-  const double way = programmed - c;
-  return way - period * std::trunc(way / period);
 }
 
 /// G16: the first plane axis carries the radius, the second the angle (5.4).
@@ -71,6 +50,28 @@ void polar(const Machinery& m, const Word* radius, const Word* angle, Axes& to, 
 
 }  // namespace
 
+/// c in [0, period).
+double rolled_position(double c, double period) {
+  const double r = c - period * std::floor(c / period);
+  return r < period ? r : 0;  // rounding just below a whole turn
+}
+
+/// Signed travel of a rotary axis that rolls over (5.6), from c in [0, R) to the programmed value.
+double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment) {
+  const double period = axis.period;
+  if (increment) return axis.cuts_turns ? programmed - period * std::trunc(programmed / period) : programmed;
+  if (axis.by_sign) {  // INFERRED: with ASH too
+    const double t = rolled_position(std::fabs(programmed), period);
+    return programmed >= 0 ? rolled_position(t - c, period) : -rolled_position(c - t, period);
+  }
+  if (axis.shortest) {
+    const double d = rolled_position(programmed - c, period);
+    return d <= period / 2 ? d : d - period;
+  }
+  const double way = programmed - c;
+  return way - period * std::trunc(way / period);
+}
+
 Status target(const Machinery& m, Axes& to, AxisMask& named) {
   to = m.position.programmed;
   named = 0;
@@ -96,10 +97,10 @@ Status target(const Machinery& m, Axes& to, AxisMask& named) {
     const bool increment = is_increment(m, w);
     named |= 1u << axis;
     if (settings.rolls && (m.def.rotary >> axis & 1u) != 0 && m.modal.surface == PathSurface::plane) {
-      const double from = rolled(m.position.programmed[axis], settings.period);
+      const double from = rolled_position(m.position.programmed[axis], settings.period);
       nct.travel[axis] = roll_travel(settings, from, v, increment);
       nct.rolled |= 1u << axis;
-      to[axis] = rolled(from + nct.travel[axis], settings.period);
+      to[axis] = rolled_position(from + nct.travel[axis], settings.period);
     } else {
       to[axis] = increment ? m.position.programmed[axis] + v : v;
     }

@@ -67,6 +67,7 @@ Result<std::uint32_t> Nct::offset_of_tool(char letter) const {
 }
 
 Status Nct::open_tool_data(Machinery& m, std::uint32_t l, double p, Span where) {
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, where, 'P', "G10"));
   const auto kind = data_kind(l, p);
   if (!kind) return fail(alarm(AlarmId::value_out_of_range, m.has('P') ? m.where('P') : where, 'P', p));
   data_input.begin(*kind);
@@ -85,7 +86,9 @@ Status Nct::tool_line(Machinery& m) {
     digits.remove_prefix(std::min<std::size_t>(1, digits.size()));
     words.push_back({w.written, w.value, w.expression ? std::string_view() : digits, w.where});
   }
-  return data_input.block({words, m.block->where}, tools);
+  KADR_TRY(data_input.block({words, m.block->where}, tools));
+  watch_tool_time(m);
+  return {};
 }
 
 Status Nct::parameter_line(Machinery& m) {

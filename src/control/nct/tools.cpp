@@ -138,6 +138,10 @@ void ToolManagement::use(int data, double amount) {
   tool.status = tool.counter >= tool.life ? expired : used;
 }
 
+bool ToolManagement::counts_time() const {
+  return std::any_of(rows().begin(), rows().end(), [](const auto& row) { return (row.second.info & by_time) != 0; });
+}
+
 void ToolManagement::add_time(double seconds, int spindle) {
   const int data = spindle_row(spindle);
   const ToolRow* tool = row(data);

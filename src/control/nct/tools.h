@@ -103,6 +103,9 @@ class ToolManagement {
   explicit ToolManagement(const Setup& setup, ToolLimits limits = {});
 
   const ToolLimits& limits() const { return limits_; }
+  void set_limits(const ToolLimits& limits) { limits_ = limits; }
+  /// A tool whose life is counted in time is in a table.
+  bool counts_time() const;
   const std::map<int, ToolRow>& rows() const { return rows_.rows(); }
   const PlaceTable& places() const { return places_.rows(); }
   const std::map<int, ToolForm>& forms() const { return forms_.rows(); }

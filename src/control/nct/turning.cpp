@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "control/functions.h"
+#include "control/nct/blocks.h"
 #include "control/nct/nct.h"
 #include "control/nct/turning_contour.h"
 
@@ -221,7 +222,7 @@ Status go(Machinery& m, MotionKind kind, Vec2 to) {
 }
 
 void end_pass(Machinery& m) {
-  if (m.nct->stops_each_block()) m.emit(Stop{false, StopReason::single_block});
+  if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
 char letter_of(const Machinery& m, std::size_t which) { return m.letters.axis_letter[axis_of(m, which)]; }

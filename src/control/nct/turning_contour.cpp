@@ -112,6 +112,14 @@ class Reader {
     return {};  // F, S, T, D are for finishing
   }
 
+  /// Of the block's own D, or of that in force.
+  double radius() const {
+    const Word* const d = block_.find('D');
+    if (d == nullptr) return m_.radius_in_force();
+    const auto number = static_cast<std::size_t>(std::max(d->value, 0.0));
+    return number < m_.tables.offsets.size() ? m_.tables.offsets[number].whole_radius() : 0;
+  }
+
   Status code(const Word& w, const CodeRow*& motion) {
     const std::int32_t index = w.code < 0 ? -1 : m_.def.row_of(w.address, w.code);
     if (index < 0) return fail(alarm(AlarmId::code_unknown, call_.where, block_.text_of(w.where)));
@@ -126,7 +134,7 @@ class Reader {
         return {};
       case Function::absolute:
       case Function::incremental: return handler_of(row.function)(m_, {&row, nullptr, call_.where});
-      case Function::radius_side: return row.arg == 0 ? Status() : without(row.code);
+      case Function::radius_side: return row.arg == 0 || radius() == 0 ? Status() : without(row.code);
       case Function::feed_per_minute:
       case Function::feed_per_revolution:
       case Function::css_on:

@@ -53,7 +53,7 @@ class Profile {
       if (direction == 0 && std::fabs(way) > tol::level) direction = way;
       if (way * direction < 0 && std::fabs(way) > tol::level) return shape(piece);
       if (!p.pockets_ && depth > p.depth(piece.from) + tol::level) return shape(piece);
-      if (p.pockets_ && depth < -tol::level) return shape(piece);
+      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);  // the end may lie outside
       p.deepest_ = std::max(p.deepest_, depth);
     }
     if (direction == 0) return shape(contour.back());

@@ -103,10 +103,9 @@ Result<double> lead_of(Machinery& m, const Call& call) {
   if (m.has('F') && m.has('E')) return fail(alarm(AlarmId::thread_definition, call.where));
   for (const char letter : {'F', 'E'})
     if (m.has(letter) && !(m.value(letter) > 0)) return fail(alarm(AlarmId::thread_definition, m.where(letter)));
-  if (m.has('E')) m.nct->thread_lead = mm_per_inch / m.value('E');
-  else if (m.has('F')) m.nct->thread_lead = m.length_value('F');
-  if (!(m.nct->thread_lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
-  return m.nct->thread_lead;
+  const double lead = take_lead(m);
+  if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
+  return lead;
 }
 
 /// G76.7 X_ Z_ R_ P_ Q_ F_.

@@ -119,7 +119,7 @@ Status new_system(Machinery& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     if (is_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
-    const double here = m.position.programmed[a] + m.modal.local[a];
+    const double here = m.position.work[a] + m.modal.local[a];  // 16: G92 data are not transformed
     m.modal.new_system[a] += here - v;
     m.modal.local[a] = 0;
     return {};
@@ -135,10 +135,17 @@ Status machine_move(Machinery& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   Axes to = m.position.machine;
   AxisMask named = 0;
+  m.nct->rolled = 0;
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     if (is_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     to[a] = v;
     named |= 1u << a;
+    if (const nct::AxisSettings& axis = m.nct->settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
+      const double from = nct::rolled_position(m.position.machine[a], axis.period);
+      m.nct->travel[a] = nct::roll_travel(axis, from, v, false);
+      m.nct->rolled |= 1u << a;
+      to[a] = from + m.nct->travel[a];
+    }
     if (!(std::fabs(v) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, v));
     return {};
   }));

@@ -111,7 +111,7 @@ TEST(alarm_on_nct, leaves_everything_as_it_was) {
       "AX[9]=5",
       "AX[1]=99999999",
       "M30 Q7",
-      "G33 X5",
+      "G33 X5 F0",
       "(COMMENT) X5 Y",
       "G41 D1 X5",
   };

@@ -231,7 +231,7 @@ TEST(g10_l52, clears_one_bit_and_leaves_the_others) {
 TEST(g10_l52, alarms) {
   const ParameterStore p = store();
   EXPECT_EQ(refused(p, block(107, 4, 0, 1)), "done");
-  EXPECT_EQ(refused(p, block(107, 32, 7, 0)), "done");
+  EXPECT_EQ(refused(p, block(107, 32, 7, 0)), "value_out_of_range P 32");  // no such axis
   EXPECT_EQ(refused(p, block(109, no, no, 1)), "parameter_unknown 109");
   EXPECT_EQ(refused(p, block(-107, 4, 0, 1)), "parameter_unknown -107");
   EXPECT_EQ(refused(p, block(107, 33, 0, 1)), "value_out_of_range P 33");
