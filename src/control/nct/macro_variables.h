@@ -29,12 +29,13 @@ class MacroVariables {
 
   /// #0, locals and commons; false for any other number.
   bool known(double number, double& value) const {
+    if (!(number >= 0 && number <= last_common)) return false;
     const int n = static_cast<int>(number);
-    if (n >= first_common && n <= last_common) {
+    if (n >= first_common) {
       value = common(n);
       return true;
     }
-    if (n < 0 || n > static_cast<int>(most_locals)) return false;
+    if (n > static_cast<int>(most_locals)) return false;
     value = n == 0 ? vacant : levels_.back()[static_cast<std::size_t>(n)];
     return true;
   }

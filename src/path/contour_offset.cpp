@@ -1,0 +1,179 @@
+#include "path/contour_offset.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+namespace {
+
+Vec2 unit(Vec2 v) { return 1 / length(v) * v; }
+
+/// Tangential within rounding: |delta| below a millionth of a radian (15.5.0, INFERRED guard).
+bool tangential(Vec2 a, Vec2 b) { return std::fabs(cross(a, b)) < tol::tangential && dot(a, b) > 0; }
+
+/// Nearest of two points to the origin of the vectors.
+Vec2 nearer(Vec2 a, Vec2 b) { return dot(a, a) <= dot(b, b) ? a : b; }
+
+std::optional<Vec2> of_lines(const OffsetElement& a, const OffsetElement& b) {
+  const double c = cross(a.normal, b.normal);
+  if (std::fabs(c) < tol::tangential) {
+    if (dot(a.normal, b.normal) > 0 && std::fabs(a.distance - b.distance) <= tol::same_point) return b.distance * b.normal;
+    return std::nullopt;
+  }
+  return 1 / c * Vec2{a.distance * b.normal.y - b.distance * a.normal.y, a.normal.x * b.distance - b.normal.x * a.distance};
+}
+
+std::optional<Vec2> of_line_and_circle(const OffsetElement& line, const OffsetElement& circle, Vec2 point) {
+  const Vec2 start = line.distance * line.normal, center = circle.center - point;
+  const Vec2 foot = start + dot(center - start, line.tangent) * line.tangent;
+  const double height = length(center - foot);
+  if (circle.radius < 0 || height > circle.radius + tol::same_point) return std::nullopt;
+  const double way = std::sqrt(std::max(circle.radius * circle.radius - height * height, 0.0));
+  return nearer(foot - way * line.tangent, foot + way * line.tangent);
+}
+
+std::optional<Vec2> of_circles(const OffsetElement& a, const OffsetElement& b, Vec2 point) {
+  const Vec2 between = b.center - a.center;
+  const double d = length(between);
+  if (a.radius < 0 || b.radius < 0 || d == 0) return std::nullopt;
+  if (d > a.radius + b.radius + tol::same_point || d < std::fabs(a.radius - b.radius) - tol::same_point) return std::nullopt;
+  const double along = (d * d + a.radius * a.radius - b.radius * b.radius) / (2 * d);
+  const double height = std::sqrt(std::max(a.radius * a.radius - along * along, 0.0));
+  const Vec2 u = 1 / d * between, foot = a.center - point + along * u;
+  return nearer(foot + height * left_of(u), foot - height * left_of(u));
+}
+
+OffsetElement offset(const ContourElement& element, Vec2 tangent, double arc_radius, double radius, double side) {
+  OffsetElement beside;
+  beside.is_arc = element.is_arc;
+  if (element.is_arc) {
+    beside.center = element.center;
+    beside.radius = arc_radius - side * element.sense() * radius;
+    return beside;
+  }
+  beside.normal = side_normal(tangent, side);
+  beside.distance = radius;
+  beside.tangent = tangent;
+  return beside;
+}
+
+/// Where the tangents, moved by the radius, meet: at an outside corner of at most a right turn.
+Vec2 of_tangents(Vec2 n1, Vec2 n2, double radius) { return radius / (1 + dot(n1, n2)) * (n1 + n2); }
+
+}  // namespace
+
+ContourElement ContourElement::line(Vec2 from, Vec2 to) {
+  ContourElement e;
+  e.from = from;
+  e.to = to;
+  e.start = e.end = unit(to - from);
+  return e;
+}
+
+ContourElement ContourElement::arc(Vec2 from, Vec2 to, Vec2 center, double turns) {
+  ContourElement e;
+  e.from = from;
+  e.to = to;
+  e.is_arc = true;
+  e.center = center;
+  e.turns = turns;
+  e.start_radius = length(from - center);
+  e.end_radius = length(to - center);
+  e.start = e.sense() / e.start_radius * left_of(from - center);
+  e.end = e.sense() / e.end_radius * left_of(to - center);
+  return e;
+}
+
+OffsetElement offset_at_end(const ContourElement& e, double radius, double side) { return offset(e, e.end, e.end_radius, radius, side); }
+OffsetElement offset_at_start(const ContourElement& e, double radius, double side) {
+  return offset(e, e.start, e.start_radius, radius, side);
+}
+
+std::optional<Vec2> intersection(const OffsetElement& first, const OffsetElement& second, Vec2 point) {
+  if (first.is_arc) return second.is_arc ? of_circles(first, second, point) : of_line_and_circle(second, first, point);
+  return second.is_arc ? of_line_and_circle(first, second, point) : of_lines(first, second);
+}
+
+Corner corner_of(Vec2 t1, Vec2 t2, double side) {
+  const double turn = side * cross(t1, t2);
+  if (turn > 0 && !(turn < tol::tangential)) return Corner::inside;
+  return dot(t1, t2) >= 0 ? Corner::obtuse : Corner::acute;
+}
+
+std::optional<JunctionVectors> junction(const ContourElement& first, const ContourElement& second, double radius, double side) {
+  JunctionVectors v;
+  const Vec2 t1 = first.end, t2 = second.start, n1 = side_normal(t1, side), n2 = side_normal(t2, side);
+  if (tangential(t1, t2)) {
+    v.add(radius * n2);
+    return v;
+  }
+  switch (corner_of(t1, t2, side)) {
+    case Corner::inside: {
+      const auto meet = intersection(offset_at_end(first, radius, side), offset_at_start(second, radius, side), first.to);
+      if (!meet) return std::nullopt;
+      v.add(*meet);
+      return v;
+    }
+    case Corner::obtuse:
+      if (first.is_arc) v.add(radius * n1);
+      v.add(of_tangents(n1, n2, radius));
+      break;
+    case Corner::acute:
+      if (first.is_arc) v.add(radius * n1);
+      v.add(radius * (n1 + t1));
+      v.add(radius * (n2 - t2));
+      break;
+  }
+  if (second.is_arc) v.add(radius * n2);
+  return v;
+}
+
+JunctionVectors start_up(const ContourElement& first, const ContourElement& second, double radius, double side) {
+  JunctionVectors v;
+  const Vec2 t1 = first.end, t2 = second.start, n1 = side_normal(t1, side), n2 = side_normal(t2, side);
+  const Corner corner = corner_of(t1, t2, side);
+  if (corner == Corner::inside || tangential(t1, t2)) {
+    v.add(radius * n2);
+    return v;
+  }
+  v.add(radius * n1);
+  if (corner == Corner::obtuse) {
+    v.add(of_tangents(n1, n2, radius));
+  } else {
+    v.add(radius * (n1 + t1));
+    v.add(radius * (n2 - t2));
+  }
+  if (second.is_arc) v.add(radius * n2);
+  return v;
+}
+
+JunctionVectors cancel(const ContourElement& first, const ContourElement& second, double radius, double side) {
+  JunctionVectors v;
+  const Vec2 t1 = first.end, t2 = second.start, n1 = side_normal(t1, side), n2 = side_normal(t2, side);
+  const Corner corner = corner_of(t1, t2, side);
+  if (corner == Corner::inside || tangential(t1, t2)) {
+    v.add(radius * n1);
+    return v;
+  }
+  if (first.is_arc) v.add(radius * n1);
+  if (corner == Corner::obtuse) {
+    v.add(of_tangents(n1, n2, radius));
+  } else {
+    v.add(radius * (n1 + t1));
+    v.add(radius * (n2 - t2));
+  }
+  v.add(radius * n2);
+  return v;
+}
+
+double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector) {
+  const auto turned = [&](Vec2 at, Vec2 vector) {  // of the direction from the centre, in (-1/2, 1/2] of a turn
+    const Vec2 arm = at - arc.center;
+    return angle_deg({dot(arm, arm + vector), cross(arm, arm + vector)}) / 360;
+  };
+  return arc.turns + turned(arc.to, end_vector) - turned(arc.from, start_vector);
+}
+
+}  // namespace kadr

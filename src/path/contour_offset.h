@@ -1,0 +1,79 @@
+#pragma once
+// The contour in its plane, moved by the tool's radius: elements, the vectors at a junction of two of them, compensated arcs.
+// NCT 15.5.0–15.5.4. A vector leads from the programmed point to the tool's centre. Side: +1 the tool is left of the path, -1 right.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "base/vec.h"
+
+namespace kadr {
+
+/// A quarter turn to the left.
+inline Vec2 left_of(Vec2 v) { return {-v.y, v.x}; }
+
+/// A line or an arc of the programmed contour.
+struct ContourElement {
+  Vec2 from, to;
+  Vec2 start, end;  // unit tangents; of an arc whose radius changes those of the circles through its ends (15.5.2)
+  bool is_arc = false;
+  Vec2 center;       // of an arc
+  double turns = 0;  // of an arc: swept angle / 360, counter-clockwise positive
+  double start_radius = 0, end_radius = 0;
+
+  /// `from` and `to` must differ.
+  static ContourElement line(Vec2 from, Vec2 to);
+  static ContourElement arc(Vec2 from, Vec2 to, Vec2 center, double turns);
+
+  double sense() const { return turns < 0 ? -1 : 1; }  // +1 counter-clockwise
+};
+
+/// Side normal: from a point of the path to the tool's centre beside it.
+inline Vec2 side_normal(Vec2 tangent, double side) { return side * left_of(tangent); }
+
+/// The line or circle that the tool's centre follows beside an element, seen from one of its ends.
+struct OffsetElement {
+  bool is_arc = false;
+  Vec2 normal;  // of a line: the offset is `distance` along it
+  double distance = 0;
+  Vec2 tangent;       // of a line
+  Vec2 center;        // of a circle
+  double radius = 0;  // negative: the tool is larger than the arc it stands in
+};
+OffsetElement offset_at_end(const ContourElement& element, double radius, double side);
+OffsetElement offset_at_start(const ContourElement& element, double radius, double side);
+
+/// From `point`, where both elements meet, to the nearest intersection of their offsets.
+///   returns  nothing: they do not meet, or one of them is an arc too small for the tool
+///   law      the intersection lies on both offsets within tol::same_point
+std::optional<Vec2> intersection(const OffsetElement& first, const OffsetElement& second, Vec2 point);
+
+/// How two elements meet, for a tool on one side (15.5.0): alpha above 180°, from 90° to 180°, below 90°.
+enum class Corner : std::uint8_t { inside, obtuse, acute };
+Corner corner_of(Vec2 end_tangent, Vec2 start_tangent, double side);
+
+/// The vectors at a junction in order; the tool's centre goes straight from one to the next.
+struct JunctionVectors {
+  std::array<Vec2, 4> at{};
+  std::uint8_t count = 0;
+  void add(Vec2 v) { at[count++] = v; }
+  Vec2 first() const { return at[0]; }
+  Vec2 last() const { return at[count - 1U]; }
+};
+
+/// In offset mode, both elements on the same side (15.5.2).
+///   returns  nothing: an inside corner whose offsets do not meet (alarm 2047)
+std::optional<JunctionVectors> junction(const ContourElement& first, const ContourElement& second, double radius, double side);
+
+/// At the end of the block that switches compensation on, a line (15.5.1, type B of the INFERRED rule).
+JunctionVectors start_up(const ContourElement& first, const ContourElement& second, double radius, double side);
+
+/// At the end of the last compensated block, before the line that switches it off (15.5.3, type B).
+JunctionVectors cancel(const ContourElement& first, const ContourElement& second, double radius, double side);
+
+/// Swept angle / 360 of an arc's compensated path, counter-clockwise positive; it may exceed that of the arc, or change its sign where
+/// the tool does not fit (15.5.0, 15.5.7).
+double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector);
+
+}  // namespace kadr
