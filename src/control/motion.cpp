@@ -170,7 +170,7 @@ void Machinery::change_frames() {
   if (before == frames) return;
   if (before.rotation || frames.rotation) {
     position.work = frames.work_of(position.machine);
-    if (nct) nct::roll_positions(*this);
+    if (nct) nct::roll_positions(*this, position.work);
     emit(frame_change());
     position.programmed = transform.to_programmed(position.work);
     return;
@@ -181,7 +181,7 @@ void Machinery::change_frames() {
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;
   }
-  if (nct) nct::roll_positions(*this);
+  if (nct) nct::roll_positions(*this, position.work);
   emit(frame_change());
   position.programmed = transform.to_programmed(position.work);
 }

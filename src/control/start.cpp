@@ -192,7 +192,8 @@ void Machinery::start_modal(const Setup& setup) {
     position.machine[a] = setup.start_in_work ? start[a] + shift : start[a];
     position.work[a] = position.machine[a] - shift;
   }
-  if (nct) nct::roll_positions(*this);
+  if (nct) nct::roll_positions(*this, position.work);
+  if (nct) nct::roll_positions(*this, position.machine);
   position.programmed = transform.to_programmed(position.work);
   if (nct) nct::couple_gantries(*this);
   flow.started = false;

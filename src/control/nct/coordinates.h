@@ -20,8 +20,8 @@ void refresh_frames(Machinery& m);
 double rolled_position(double c, double period);
 /// Signed way of a rotary axis that rolls over (5.6), from c in [0, R) to the programmed value.
 double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment);
-/// Axes that roll over stand in [0, R), in work and machine coordinates (5.6).
-void roll_positions(Machinery& m);
+/// Axes that roll over are shown in [0, R) (5.6). Machine positions change with a motion only: the machine follows those.
+void roll_positions(const Machinery& m, Axes& positions);
 /// A motion has been made: travel of rolled axes, feed of mixed axes, the block's kind.
 void note_motion(Machinery& m, Motion& motion);
 /// Feed of a motion in inches mode: degrees are not converted, so the way counts in inches and degrees (4.2, 6.2.1).

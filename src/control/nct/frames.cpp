@@ -69,12 +69,10 @@ MotionDetail& detail_of(Machinery& m, Motion& motion) {
 }
 
 /// In [0, R), whatever the number of turns was (5.6).
-void roll_positions(Machinery& m) {
+void roll_positions(const Machinery& m, Axes& positions) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const AxisSettings& axis = m.nct->settings.axes[a];
-    if (!axis.rolls || (m.def.rotary >> a & 1u) == 0) continue;
-    m.position.work[a] = rolled_position(m.position.work[a], axis.period);
-    m.position.machine[a] = rolled_position(m.position.machine[a], axis.period);
+    if (axis.rolls && (m.def.rotary >> a & 1u) != 0) positions[a] = rolled_position(positions[a], axis.period);
   }
 }
 
@@ -106,7 +104,8 @@ void note_motion(Machinery& m, Motion& motion) {
     detail.rolled = nct.rolled;
     detail.travel = nct.travel;
     nct.rolled = 0;
-    roll_positions(m);
+    roll_positions(m, m.position.work);
+    roll_positions(m, m.position.machine);
     motion.to = m.position.work;
     motion.machine = m.position.machine;
   }

@@ -164,7 +164,9 @@ Status polar_surface_off(Machinery& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   if (m.modal.surface != PathSurface::polar) return {};
   m.modal.surface = PathSurface::plane;
-  nct::roll_positions(m);
+  const Axes before = m.position.work;
+  nct::roll_positions(m, m.position.work);
+  if (m.position.work != before) m.emit(m.frame_change());
   m.position.programmed = m.transform.to_programmed(m.position.work);
   return {};
 }
