@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-Control::Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits, std::shared_ptr<SharedMemory> shared)
+Control::Control(const ControlDef& def, const Setup& setup, Program program, const RunLimits& limits, std::shared_ptr<SharedMemory> shared)
     : shared_(std::move(shared)) {
   std::unique_ptr<ControlDef> own;
   std::string error;

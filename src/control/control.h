@@ -37,7 +37,8 @@ class SharedMemory;  // control/shared_memory.h
 class Control {
  public:
   /// `def` must outlive the control. `shared`: what the channels of one machine have in common (nct 1.2), or nullptr.
-  Control(const ControlDef& def, const Setup& setup, Program program, RunLimits limits, std::shared_ptr<SharedMemory> shared = nullptr);
+  Control(const ControlDef& def, const Setup& setup, Program program, const RunLimits& limits,
+          std::shared_ptr<SharedMemory> shared = nullptr);
   ~Control();
 
   enum class State : std::uint8_t { running, needs_probe, waiting, stopped, ended };

@@ -33,7 +33,7 @@ std::string text_of_bodies(const ControlDef& def, std::map<std::string, Position
 }  // namespace
 
 Flow::Flow(const ControlDef& def, Program program, RunLimits limits)
-    : def_(def), limits_(limits), body_grammar_(grammar_of_bodies(def.grammar)) {
+    : def_(def), limits_(std::move(limits)), body_grammar_(grammar_of_bodies(def.grammar)) {
   files_.push_back(std::make_unique<ProgramFile>(std::move(program.file), std::move(program.source), def.grammar, program.encoding));
   files_.push_back(nullptr);
   std::string bodies = text_of_bodies(def, body_starts_);

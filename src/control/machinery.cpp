@@ -13,8 +13,9 @@
 
 namespace kadr {
 
-Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, RunLimits limits,
-                     std::shared_ptr<nct::Commons> commons)
+// NOLINTNEXTLINE(readability-function-size): what it is made of, called in one place
+Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
+                     const RunLimits& limits, std::shared_ptr<nct::Commons> commons)
     : own_def(std::move(own)), def(own_def ? *own_def : control), letters(def), variables(def), flow(def, std::move(program), limits) {
   modal.rows.fill(-1);
   if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, limits, std::move(commons));

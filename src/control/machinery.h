@@ -48,7 +48,7 @@ struct PocketCycle {
 class Machinery {
  public:
   /// `own`: the control's definition made fit for this machine, or nullptr (then `control` is used as it is).
-  Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, RunLimits limits,
+  Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, const RunLimits& limits,
             std::shared_ptr<nct::Commons> commons);
   ~Machinery();
 

@@ -86,6 +86,7 @@ constexpr bool takes_two(Op op) {
 /// `known(double number, double& value)`: the same for what is at hand, false if it is not;
 /// `control_value(number, bit, index, Span)` and `element(symbol, index, Span)` belong to custom macros.
 template <class Variables>
+// NOLINTNEXTLINE(readability-function-size): one switch over the steps
 Result<double> evaluate(const Block& block, Expression expression, Variables&& variables) {
   std::array<double, limits::expression_depth * 2> stack;  // the compiler bounds the depth
   std::size_t top = 0;

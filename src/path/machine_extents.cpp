@@ -23,7 +23,7 @@ Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const 
   if (!from.rotation) return box;
   for (const std::int8_t main : from.rotation->main) {
     if (main < 0) continue;
-    const auto axis = static_cast<std::size_t>(main);
+    const auto axis = static_cast<std::size_t>(static_cast<unsigned char>(main));
     const Range range =
         range_of([&](double part) { return machine_along(roles, from, motion, curve.at(part), part)[axis]; }, curve.samples());
     box.least[axis] = range.least;
