@@ -76,12 +76,16 @@ def main():
         program, setup = folder / "count.nct", folder / "setup.json"
         program.write_text(PROGRAM)
         setup.write_text(json.dumps(SETUP))
+        begin = time.monotonic()
+        (folder / "empty.nct").write_text("M30\n")
+        subprocess.run([kadr, "run", folder / "empty.nct", "--control", "nct", "-q"], capture_output=True)  # how long a start takes here
+        start = time.monotonic() - begin
         before = 0
         for n in range(options.kills):
             # The set-up goes before the state: given only until something is saved.
             command = [kadr, "run", program, "--control", "nct", "--state", folder / "memory.state", "-q"]
             run = subprocess.Popen(command + (["--setup", setup] if before == 0 else []), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-            time.sleep(choice.uniform(0.005, 0.06))
+            time.sleep(choice.uniform(0.005, max(0.06, 2 * start)))
             run.send_signal(signal.SIGKILL)
             run.wait()
             try:

@@ -15,7 +15,8 @@ constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
 /// v of G10 L2, L20: written, or in G91 and with the operator I added.
 Status set_zero(Machinery& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
-  Axes zero = common ? m.tables.common : m.tables.zeros[index];  // all or nothing
+  Axes& table = common ? m.tables.common : m.tables.zeros[index];
+  Axes zero = table;  // all or nothing
   for (const char letter : rotation_letters)
     if (common && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -25,11 +26,11 @@ Status set_zero(Machinery& m, const Call& call, std::uint32_t index, bool common
     double v = w.value * (row.unit == WordUnit::length ? m.unit_scale() : 1.0);
     if ((m.modal.diameter >> row.axis & 1u) != 0) v /= 2;
     const bool add = adds || w.incremental || row.function == Function::increment_axis;
-    m.nct->keep_cell(zero[row.axis]);
     zero[row.axis] = add ? zero[row.axis] + v : v;
     if (!(std::fabs(zero[row.axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, zero[row.axis]));
   }
-  (common ? m.tables.common : m.tables.zeros[index]) = zero;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (zero[a] != table[a]) m.nct->keep_cell(table[a]), table[a] = zero[a];
   if (!common) {
     Vec3& angles = m.tables.rotations[index];
     double* const parts[] = {&angles.x, &angles.y, &angles.z};

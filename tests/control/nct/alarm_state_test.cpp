@@ -144,5 +144,16 @@ TEST(alarm_on_nct, behind_a_motion_takes_the_motion_back) {
   EXPECT_EQ(deep.ending.position[0], -100);
 }
 
+// The table itself, not only the frame that was in force: the next G54 reads it. M205 turns a spindle whose loop is open.
+TEST(alarm_on_nct, a_work_offset_comes_back) {
+  const auto setup = parse_setup(R"({"parameters": {"N0607.1#2": 1, "N0820.1": 201, "N0821.1": 10, "N0822.1": 30}})");
+  for (const char* const system : {"L2 P1", "L2 P0"}) {
+    const test::Run made = run("nct", "G10 " + std::string(system) + " X5 M205\nG55\nG54\nG0 X1\n", setup.value(), OnAlarm::go_on);
+    EXPECT_EQ(made.first_alarm(), "spindle_loop_open");
+    ASSERT_EQ(made.motions().size(), 1U) << system;
+    EXPECT_EQ(made.motions()[0].machine[0], 1) << system;
+  }
+}
+
 }  // namespace
 }  // namespace kadr
