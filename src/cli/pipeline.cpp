@@ -89,6 +89,7 @@ Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& s
       setup_(setup),
       outlets_(outlets),
       logic_(logic),
+      compensation_({control.ending().position, control.ending().machine_position}),
       machine_(control.axes(), control.rotary(), profile, setup, {control.ending().position, control.ending().machine_position}),
       rates_(rates_of(profile, setup, control.axes())) {
   control.on_warning = outlets.warning;
@@ -107,7 +108,8 @@ Carrier::Step Carrier::stop(const AlarmReport& report) {
 Carrier::Step Carrier::step() {
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
-  const Control::State state = control_.run(batch_);  // lang, control: blocks → actions
+  const Control::State state = control_.run(batch_);                                // lang, control: blocks → actions
+  const auto fault = compensation_.take(batch_, state != Control::State::running);  // path: corners, the tool's radius
   const ToolPosition before = machine_.position();
   const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
   const auto taken =
@@ -125,6 +127,13 @@ Carrier::Step Carrier::step() {
       return stop(report);
     }
     if (taken.refused) return Step::running;
+  }
+  if (fault) {
+    const AlarmReport report = control_.report_for(fault->alarm, fault->origin);
+    if (!outlets_.alarm(report)) {
+      stopped_.machine_stood = machine_.position();
+      return stop(report);
+    }
   }
   if (state == Control::State::stopped || control_.is_stopped()) {
     const AlarmReport report = control_.report();

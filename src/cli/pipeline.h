@@ -11,6 +11,7 @@
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
 #include "motion/estimate.h"
+#include "path/radius_compensation.h"
 
 namespace kadr::cli {
 
@@ -92,6 +93,7 @@ class Carrier {
   const Setup& setup_;
   const Outlets& outlets_;
   Logic& logic_;
+  RadiusCompensation compensation_;
   VirtualMachine machine_;
   Rates rates_;
   std::optional<TimeEstimate> estimate_;  // where the outlets have no time

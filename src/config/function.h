@@ -82,6 +82,7 @@ namespace kadr {
   X(feed_control, path_mode, false) X(css_on, speed_mode, false)     X(css_off, speed_mode, false)       \
   X(drilling, positioning, true)    X(drilling_off, motion, false)   X(turning_cycle, motion, true)      \
   X(turning_simple, motion, true)   X(gear_on, data, false)          X(gear_off, data, false)            \
+  X(vector_hold, corner, false)     X(vector_corner, data, false)                                        \
   X(not_available, none, true)                                                                           \
   /* nct: macros, programs, M codes */                                                                   \
   X(macro_call, flow, true)         X(macro_modal, flow, true)       X(macro_modal_off, flow, false)     \

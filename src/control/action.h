@@ -40,6 +40,15 @@ enum class FeedAlong : std::uint8_t {
 /// Where the programmed plane lies when it is not a plane of the axes (nct 4.5, 4.6).
 enum class PathSurface : std::uint8_t { plane, polar, cylinder };
 
+/// What a motion in the plane does to cutter radius compensation (nct 15.5.1, 15.5.3).
+enum class SideStep : std::uint8_t {
+  none,
+  begins,  // G41, G42 in its block
+  begun,   // in a block before, that did not move in the plane
+  ends,    // G40 in its block
+  holds,   // G38: it ends with the vector that it begins with
+};
+
 /// An axis that copies another's way (nct 20.2).
 struct Follower {
   std::uint8_t axis = 0;
@@ -65,6 +74,7 @@ struct MotionDetail {
   std::optional<double> turn;         // degrees the spindle turns with it, signed
   std::optional<double> torque;       // limit of a probe motion, %
   int input = 0;                      // of a probe motion: 1 to 8; 98: torque; 0: any
+  std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the way in or out
   std::vector<Follower> followers;    // each behind its master; their way is no part of the path
 };
 
@@ -85,6 +95,9 @@ struct Motion {
   double turns = 0;                            // swept angle / 360, positive; the radius changes linearly with the angle
   double feed = 0;                             // as commanded, in `unit`
   double tolerance = 0;                        // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+  std::int8_t side = 0;                        // of the path that the tool is on: +1 left, -1 right; 0: no compensation
+  SideStep side_step = SideStep::none;         //
+  double tool_radius = 0;                      // mm, at its end
   double join = 0;                             // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
   std::shared_ptr<const MotionDetail> detail;  // mostly nullptr
 };
@@ -174,6 +187,14 @@ struct Couple {
 struct Uncouple {
   std::string slave;
 };
+/// Round the corner at the tool's radius, about the programmed point (G39, nct 15.5.6).
+struct ContourCorner {
+  std::optional<Vec2> way{};  // I J K: the next motion goes that way; else as it does
+};
+/// Compensation is interrupted: the tool's centre stands on the programmed point (nct 15.5.2); `off`: it is over (G40, 15.5.3).
+struct ContourBreak {
+  bool off = false;
+};
 /// The frame of what follows: machine = work + origin + length. Not a command to the machine: the tool stands, `work` are
 /// its coordinates from now on (a length that is taken out by the next motion only, 2С42, leaves them as they were).
 /// With a basic rotation (nct 10.2.3): machine = origin + length + turn · (shift + work) on the three `main` axes.
@@ -193,7 +214,7 @@ struct FrameChange {
 struct Action {
   Origin origin;
   std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
-               FrameChange, Sync, ZoneChange, Couple, Uncouple>
+               FrameChange, Sync, ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner>
       what;
 };
 

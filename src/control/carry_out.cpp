@@ -3,6 +3,7 @@
 #include "control/machinery.h"
 #include "control/nct/drilling.h"
 #include "control/nct/nct.h"
+#include "control/nct/sides.h"
 
 namespace kadr {
 namespace {
@@ -69,6 +70,7 @@ Status Machinery::carry_out(const PlanItem& item) {
   const CodeRow* const row = row_of(item);
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
+  if (nct && nct->state.compensates && nct::interrupts_contour(function)) emit(ContourBreak{});
   const std::int32_t code = w != nullptr ? w->code : -1;  // a jump may put another block in hand
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
@@ -132,7 +134,7 @@ Status Machinery::modes_served(const PlanItem& item) const {
 }
 
 Status Machinery::radius_comp_possible() const {
-  if (modal.radius_side == 0) return {};
+  if (modal.radius_side == 0 || nct) return {};  // nct: path compensates
   const double radius = radius_in_force();
   if (radius == 0) return {};
   const Word* const d = word('D');

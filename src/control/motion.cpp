@@ -49,6 +49,9 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
   motion.tolerance = modal.blend_tolerance;
   motion.join = 0;
+  motion.side = 0;
+  motion.side_step = SideStep::none;
+  motion.tool_radius = 0;
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = 0;
   motion.turns = 0;

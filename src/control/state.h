@@ -70,7 +70,8 @@ struct Modal {
   double polar_radius = 0;
   double polar_angle = 0;
   // nct
-  double other_feed = 0;  // of G94 while G95 is in force, and the other way round
+  bool turning_lengths = false;  // G43.7
+  double other_feed = 0;         // of G94 while G95 is in force, and the other way round
   bool other_feed_known = false;
   bool polar_data = false;          // G16
   bool polar_radius_given = false;  // since G16, and as an absolute one

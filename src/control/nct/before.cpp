@@ -10,6 +10,8 @@ void Nct::begin_block() {
   before_.in_thread = in_thread;
   before_.thread_lead = thread_lead;
   before_.surface_angle = surface_angle;
+  before_.side_step = state.side_step;
+  before_.compensates = state.compensates;
   before_.commons.clear();
   before_.all = false;
 }
@@ -20,6 +22,8 @@ void Nct::keep_all(const Machinery& m) {
   before_.all = true;
   before_.state = state;
   before_.state.words = before_.words;
+  before_.state.side_step = before_.side_step;
+  before_.state.compensates = before_.compensates;
   before_.modal_calls = modal_calls;
   before_.active_modal_calls = active_modal_calls;
   before_.levels = variables.depth();
@@ -37,6 +41,8 @@ void Nct::take_back(const Machinery& m) {
   in_thread = before_.in_thread;
   thread_lead = before_.thread_lead;
   surface_angle = before_.surface_angle;
+  state.side_step = before_.side_step;
+  state.compensates = before_.compensates;
   for (auto common = before_.commons.rbegin(); common != before_.commons.rend(); ++common)
     variables.set_common(common->first, common->second);
   before_.commons.clear();

@@ -8,6 +8,7 @@
 #include "control/nct/data_lines.h"
 #include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
+#include "control/nct/sides.h"
 
 namespace kadr::nct {
 namespace {
@@ -184,7 +185,8 @@ Status check_values(Machinery& m) {
 
 Result<bool> before_plan(Machinery& m) {
   Nct& nct = *m.nct;
-  nct.moved = nct.stops_reading = false;
+  nct.moved = nct.stops_reading = nct.holds_vector = false;
+  nct.uncompensated = nct.state.compensates && m.has_code({Function::machine_move, Function::reference_return});
   if (nct.single_block) nct.was_hidden = hidden(m);
   nct.pending.clear();
   give_back(m);
@@ -224,6 +226,7 @@ Result<bool> before_plan(Machinery& m) {
 
 Status after_block(Machinery& m) {
   Nct& nct = *m.nct;
+  if (nct.state.side_step != SideStep::none) end_side_block(m);
   KADR_TRY(check_drilling(m));
   if (nct.single_block) stop_single_block(m, nct.was_hidden);
   KADR_TRY(call_pending(m));

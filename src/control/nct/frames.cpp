@@ -6,6 +6,7 @@
 #include "control/machinery.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
+#include "control/nct/sides.h"
 
 namespace kadr::nct {
 namespace {
@@ -109,6 +110,7 @@ void note_motion(Machinery& m, Motion& motion) {
     motion.to = m.position.work;
     motion.machine = m.position.machine;
   }
+  if (m.modal.radius_side != 0 || nct.state.side_step != SideStep::none) note_side(m, motion);
   if (nct.couplings.axes != 0) follow(m, motion);
 }
 

@@ -3,6 +3,7 @@
 #include "control/functions.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
+#include "control/nct/sides.h"
 
 namespace kadr {
 namespace {
@@ -33,7 +34,16 @@ AxisMask length_axes(const Machinery& m) {
   return axes;
 }
 
+/// G43.7 (15.4): the sums of the table for turning on X, Y, Z at once.
+void register_turning(Machinery& m, std::uint32_t number) {
+  const ToolOffset none, &offset = number == 0 || number >= m.tables.offsets.size() ? none : m.tables.offsets[number];
+  const double lengths[] = {offset.length_x + offset.length_x_wear, offset.length_y + offset.length_y_wear, offset.whole_length()};
+  for (int role = 1; role <= 3; ++role)
+    if (const int axis = nct::main_axis(m, role); axis >= 0) m.modal.lengths[static_cast<std::size_t>(axis)] = lengths[role - 1];
+}
+
 void register_length(Machinery& m, std::uint32_t number) {
+  if (m.modal.turning_lengths) return register_turning(m, number);
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   const AxisMask axes = length_axes(m);
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -44,22 +54,25 @@ void register_length(Machinery& m, std::uint32_t number) {
 
 namespace functions {
 
-/// arg 1 G43, 2 G44, 0 G49.
+/// arg 1 G43, 2 G44, 0 G49, 437 G43.7.
 Status length_comp(Machinery& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
+  const bool turning = call.row->arg == 437;
+  if (turning && !m.nct->settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
+  m.modal.turning_lengths = turning;
   if (call.row->arg == 0) {
     m.modal.length_sign = 0;
     m.modal.lengths = {};
     m.change_frames();
     return {};
   }
-  m.modal.length_sign = call.row->arg == 1 ? std::int8_t{1} : std::int8_t{-1};
+  m.modal.length_sign = call.row->arg == 2 ? std::int8_t{-1} : std::int8_t{1};
   if (m.has('H')) {
     const auto number = offset_number(m, 'H');
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
     m.nct->state.words.h = *number;
-  } else if (!m.has_axis_words()) {
+  } else if (!m.has_axis_words() && !turning) {
     return {};
   }
   register_length(m, m.modal.length_number);
@@ -85,12 +98,42 @@ Status radius_number(Machinery& m, const Call&) {
   if (!number) return fail(number.error());
   m.modal.offset_number = *number;
   m.nct->state.words.d = *number;
+  m.nct->state.tool_radius = m.radius_in_force();
   return {};
 }
 
-/// arg 0 G40, 1 G41, 2 G42. A radius other than 0 is for the contours (15.5) to come: the first motion says so.
+/// arg 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane begins or ends compensation; I, J, K give it a direction.
 Status radius_side(Machinery& m, const Call& call) {
-  m.modal.radius_side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
+  nct::Volatile& state = m.nct->state;
+  if (call.row->arg != 0 && m.nct->settings.checks_interference)  // 15.5.7 is not here yet: no unchecked path where the check is on
+    return fail(alarm(AlarmId::not_available, call.where, call.row->code));
+  const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
+  if (side != 0 && m.modal.radius_side == 0) state.side_step = SideStep::begins;
+  else if (side == 0) state.side_step = state.compensates ? SideStep::ends : SideStep::none;
+  if (m.has_code({Function::arc_cw, Function::arc_ccw}) || m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw) {
+    const bool line = m.has_code({Function::rapid, Function::linear});
+    const bool moves = m.has_axis_words() && !line;
+    if (moves && state.side_step == SideStep::ends) return fail(alarm(AlarmId::compensation_ends_in_arc, call.where));
+    if (moves && state.side_step == SideStep::begins) return fail(alarm(AlarmId::compensation_begins_in_arc, call.where, call.row->code));
+  }
+  state.way.reset();
+  if (const auto way = nct::plane_direction(m)) state.way = *way;
+  m.modal.radius_side = side;
+  return {};
+}
+
+/// G38 (15.5.5): the motion of its block, a line, ends with the vector that it begins with.
+Status vector_hold(Machinery& m, const Call& call) {
+  if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
+  m.nct->holds_vector = true;
+  return {};
+}
+
+/// G39 (15.5.6): about the programmed point, to where the next motion begins or to I, J, K. Nothing else moves in its block.
+Status vector_corner(Machinery& m, const Call& call) {
+  if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
+  if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
+  m.emit(ContourCorner{nct::plane_direction(m)});
   return {};
 }
 

@@ -234,6 +234,8 @@ void Nct::end_program(Machinery& m) {
   reset_shifts(m);
   if (parameters.bit(parameters.named("1800"), 0)) disengage(m);  // RCE
   reset_codes(m, true);
+  state.side_step = SideStep::none;
+  state.compensates = false;
   m.change_frames();
 }
 

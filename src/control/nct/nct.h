@@ -81,6 +81,10 @@ struct Volatile {
   DrillingMemory drilling;
   TurningMemory turning;
   Gear gear;
+  double tool_radius = 0;               // of D when it was programmed last (15.1)
+  SideStep side_step = SideStep::none;  // what the next motion in the plane does
+  std::optional<Vec2> way;              // I J K of G41, G42, G40 in this block
+  bool compensates = false;             // a motion has been made with compensation since G41, G42
 };
 
 inline constexpr std::string_view interrupt_signal = "CP_MINT";
@@ -95,6 +99,8 @@ struct Before {
   ModalWords words;
   bool in_thread = false;
   double thread_lead = 0, surface_angle = 0;
+  SideStep side_step = SideStep::none;
+  bool compensates = false;
   std::vector<std::pair<int, double>> commons;  // #191 … #199, set by bound letters
   // of a block that does more than move, or call
   bool all = false;
@@ -198,6 +204,8 @@ class Nct {
   // of the block being carried out
   bool was_hidden = false;     // the block stands in a program that is not listed (23.3.9)
   bool moved = false;          // it held a movement command
+  bool holds_vector = false;   // G38
+  bool uncompensated = false;  // its motions are: G53, G28, G30
   bool stops_reading = false;  // it empties the buffer
   bool in_thread = false;      // the motion before was a thread too
   double thread_lead = 0;      // mm

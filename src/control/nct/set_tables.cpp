@@ -50,8 +50,10 @@ double* offset_register(ToolOffset& offset, std::uint32_t l) {
     case 11: return &offset.length_wear;
     case 12: return &offset.radius;
     case 13: return &offset.radius_wear;
-    case 110: return &offset.corner;
-    case 111: return &offset.corner_wear;
+    case 110:
+    case 203: return &offset.corner;
+    case 111:
+    case 202: return &offset.corner_wear;
     default: return nullptr;
   }
 }
@@ -66,6 +68,30 @@ Status set_offset(Machinery& m, const Call& call, std::uint32_t l) {
   const Word& r = *m.word('R');
   const bool adds = !m.modal.absolute || r.incremental;
   *to = (adds ? *to : 0.0) + r.value * m.unit_scale();
+  m.nct->changed_offsets.push_back(*number);
+  return {};
+}
+
+/// L200 wear, L201 geometry: X Y Z R Q of the table for turning (15.2); INFERRED: registers whose word is missing stay.
+Status set_turning_offset(Machinery& m, const Call& call, bool wear) {
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+  const auto number = m.whole('P', 1, m.def.behaviour.offsets);
+  if (!number) return fail(number.error());
+  const auto q = m.has('Q') ? m.whole('Q', 0, 9) : Result<std::uint32_t>(0);
+  if (!q) return fail(q.error());
+  m.keep_offset(*number);
+  ToolOffset& offset = m.tables.offsets[*number];
+  const std::pair<char, double*> registers[] = {{'X', wear ? &offset.length_x_wear : &offset.length_x},
+                                                {'Y', wear ? &offset.length_y_wear : &offset.length_y},
+                                                {'Z', wear ? &offset.length_wear : &offset.length},
+                                                {'R', wear ? &offset.radius_wear : &offset.radius}};
+  for (const auto& [letter, to] : registers) {
+    const Word* const w = m.word(letter);
+    if (w == nullptr) continue;
+    const bool adds = !m.modal.absolute || w->incremental;
+    *to = (adds ? *to : 0.0) + w->value * m.unit_scale();
+  }
+  if (m.has('Q')) offset.tip_position = *q;
   m.nct->changed_offsets.push_back(*number);
   return {};
 }
@@ -87,11 +113,13 @@ Status set_tables(Machinery& m, const Call& call) {
   const auto l = m.whole('L', 1, 999);
   if (!l) return fail(l.error());
   if (*l == 52 || (*l >= 75 && *l <= 77)) return open_data(m, call, *l);
+  const bool of_turning = *l >= 200 && *l <= 203;
+  if (of_turning && !m.nct->settings.turning_offsets) return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
+  if (*l == 200 || *l == 201) return set_turning_offset(m, call, *l == 200);
   ToolOffset unused;
   if (offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
   if (*l != 2 && *l != 20) {
-    const bool known = *l == 21 || (*l >= 200 && *l <= 203);
-    if (known) return fail(alarm(AlarmId::not_available, m.where('L'), "G10 L21, L200"));
+    if (*l == 21) return fail(alarm(AlarmId::not_available, m.where('L'), "G10 L21"));
     return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
   }
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));

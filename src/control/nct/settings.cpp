@@ -120,6 +120,7 @@ void read_interpretation(Settings& s, const ParameterSource& p) {
   const bool plane = p.bit("1416", "1", 0);
   s.length_axes = plane ? 2 : p.bit("1416", "0", 0) ? 1 : 0;
   s.turning_offsets = p.bit("1416", "2", 0);
+  s.checks_interference = p.bit("1403", "0", 0);
 }
 
 void read_machine(Settings& s, const ParameterSource& p) {

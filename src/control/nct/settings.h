@@ -61,6 +61,7 @@ struct Settings {
   bool in_position_check = false;      // N1337 PCH
   int length_axes = 0;                 // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
   bool turning_offsets = false;        // N1416 #2 TOL
+  bool checks_interference = false;    // N1403 #0 IEN
   // macros
   int protect_low = 0, protect_high = 0;  // N1702, N1703
   int shared_100 = 0, shared_500 = 0;     // N1700, N1701

@@ -113,7 +113,7 @@ TEST(alarm_on_nct, leaves_everything_as_it_was) {
       "M30 Q7",
       "G33 X5 F0",
       "(COMMENT) X5 Y",
-      "G41 D1 X5",
+      "G41 D1 G2 X5 R10",
   };
   for (const Scene& scene : scenes)
     for (const char* fault : faults) EXPECT_EQ(differences(scene, fault, machine()), "") << scene.before << "fault: " << fault;

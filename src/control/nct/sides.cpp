@@ -1,0 +1,75 @@
+#include "control/nct/sides.h"
+
+#include <cmath>
+
+#include "control/machinery.h"
+#include "control/nct/coordinates.h"
+#include "control/nct/nct.h"
+
+namespace kadr::nct {
+namespace {
+
+double sign_of(const Machinery& m, std::size_t axis) { return m.transform.scale[axis] * m.transform.mirror[axis] < 0 ? -1 : 1; }
+
+}  // namespace
+
+void note_side(Machinery& m, Motion& motion) {
+  Volatile& state = m.nct->state;
+  if (m.modal.radius_side == 0 && state.side_step != SideStep::ends) return;
+  const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
+  const bool contour = arc || motion.kind == MotionKind::rapid || motion.kind == MotionKind::feed;
+  if (!contour || m.modal.surface != PathSurface::plane || m.nct->uncompensated) return;
+  const PlaneAxes& plane = m.modal.axes;
+  const double mirrored = sign_of(m, plane.first) * sign_of(m, plane.second);
+  const double side = -m.modal.radius_side * (state.tool_radius < 0 ? -1 : 1) * mirrored;
+  motion.side = static_cast<std::int8_t>(side);
+  motion.tool_radius = std::fabs(state.tool_radius);
+  if ((motion.named & (AxisMask{1} << plane.first | AxisMask{1} << plane.second)) == 0) return;
+  motion.side_step = state.side_step;
+  if (m.nct->holds_vector && motion.side_step == SideStep::none) motion.side_step = SideStep::holds;
+  state.compensates = motion.side_step != SideStep::ends;
+  if (motion.side_step != SideStep::none && state.way) detail_of(m, motion).way = state.way;
+  state.side_step = SideStep::none;
+  state.way.reset();
+}
+
+bool interrupts_contour(Function f) {
+  switch (f) {
+    case Function::work_area_on:
+    case Function::work_area_off:
+    case Function::work_system:
+    case Function::work_system_extended:
+    case Function::local_system:
+    case Function::new_system:
+    case Function::machine_move:
+    case Function::reference_return:
+    case Function::length_comp:
+    case Function::length_number:
+    case Function::program_stop:
+    case Function::optional_stop:
+    case Function::program_end: return true;
+    default: return false;
+  }
+}
+
+void end_side_block(Machinery& m) {
+  Volatile& state = m.nct->state;
+  if (state.side_step == SideStep::begins) state.side_step = SideStep::begun;
+  if (state.side_step != SideStep::ends) return;
+  m.emit(ContourBreak{true});
+  state.side_step = SideStep::none;
+  state.compensates = false;
+  state.way.reset();
+}
+
+std::optional<Vec2> plane_direction(const Machinery& m) {
+  constexpr char letters[] = {'I', 'J', 'K'};
+  constexpr std::array<std::array<std::size_t, 2>, 3> of_plane{{{0, 1}, {2, 0}, {1, 2}}};
+  const auto& pair = of_plane[m.modal.plane == Plane::xy ? 0 : m.modal.plane == Plane::zx ? 1 : 2];
+  const char first = letters[pair[0]], second = letters[pair[1]];
+  if (!m.has(first) && !m.has(second)) return std::nullopt;
+  const Vec2 way{sign_of(m, m.modal.axes.first) * m.length_value(first), sign_of(m, m.modal.axes.second) * m.length_value(second)};
+  return way == Vec2{} ? std::nullopt : std::optional(way);
+}
+
+}  // namespace kadr::nct

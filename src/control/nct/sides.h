@@ -1,0 +1,25 @@
+#pragma once
+// What cutter radius compensation (path/radius_compensation) is told of motions and blocks (spec/nct/15 15.5).
+
+#include <optional>
+
+#include "base/vec.h"
+#include "config/function.h"
+#include "control/action.h"
+
+namespace kadr {
+class Machinery;
+}
+
+namespace kadr::nct {
+
+/// Side, radius and step of a motion in the plane; the step is taken by the first one.
+void note_side(Machinery& m, Motion& motion);
+/// Codes that interrupt compensation: the tool's centre goes to the programmed point before them (15.5.2).
+bool interrupts_contour(Function function);
+/// G41, G42, G40 in a block that did not move in the plane.
+void end_side_block(Machinery& m);
+/// I, J, K of the plane as a direction, mirrored with it; nothing if none stands in the block.
+std::optional<Vec2> plane_direction(const Machinery& m);
+
+}  // namespace kadr::nct

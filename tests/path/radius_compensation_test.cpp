@@ -1,0 +1,139 @@
+// path/radius_compensation: the slow twin is the sampled path: nowhere nearer to the contour than the tool's radius. NCT 15.5.
+
+#include "path/radius_compensation.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "actions.h"
+#include "base/tolerance.h"
+#include "path/curve.h"
+
+namespace kadr {
+namespace {
+
+const AxisRoles xyz = AxisRoles::of({"X", "Y", "Z"}, 0);
+
+double any_number(int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000 + 1) / 1000.0; }
+
+/// A contour and the way in and out, each a motion of its own; all on one side.
+struct Contour {
+  std::vector<Motion> motions;
+  Vec2 at, direction{1, 0};
+
+  Motion& add(Motion m, std::int8_t side, double radius) {
+    m.named = 3;
+    m.machine = m.to;
+    m.side = side;
+    m.tool_radius = radius;
+    at = {m.to[0], m.to[1]};
+    motions.push_back(m);
+    return motions.back();
+  }
+  Motion& line(double length, std::int8_t side, double radius) {
+    const Vec2 to = at + length * direction;
+    return add(test::straight(MotionKind::feed, {to.x, to.y, 0}), side, radius);
+  }
+  Motion& arc(double radius_of_arc, double turns, std::int8_t side, double radius) {
+    const Vec2 center = at + (turns > 0 ? radius_of_arc : -radius_of_arc) * left_of(direction);
+    const Vec2 to = center + rotated(at - center, 360 * turns);
+    direction = rotated(direction, 360 * turns);
+    return add(test::arc(turns > 0 ? MotionKind::arc_ccw : MotionKind::arc_cw, {to.x, to.y, 0}, {center.x, center.y, 0}, std::fabs(turns)),
+               side, radius);
+  }
+};
+
+/// Points of motions in a row.
+std::vector<Vec2> sampled(const std::vector<Motion>& motions, Axes from) {
+  std::vector<Vec2> points;
+  for (const Motion& m : motions) {
+    const Curve curve(xyz, from, m);
+    for (int i = 0; i <= 60; ++i) {
+      const Axes at = curve.at(i / 60.0);
+      points.push_back({at[0], at[1]});
+    }
+    from = m.to;
+  }
+  return points;
+}
+
+std::vector<Motion> compensated(const std::vector<Motion>& motions) {
+  RadiusCompensation compensation{ToolPosition{}};
+  std::vector<Motion> all;
+  for (std::size_t i = 0; i < motions.size(); ++i) {  // one at a time: what is held must come in the right order
+    ActionBatch batch;
+    batch.add().what = motions[i];
+    EXPECT_FALSE(compensation.take(batch, i + 1 == motions.size()));
+    for (const Action& action : batch) all.push_back(std::get<Motion>(action.what));
+  }
+  return all;
+}
+
+RC_GTEST_PROP(radius_compensation, the_path_is_nowhere_nearer_than_the_radius, ()) {
+  const auto side = *rc::gen::element<std::int8_t>(1, -1);
+  const double radius = any_number(1, 5);
+  const bool first_arc = *rc::gen::arbitrary<bool>(), second_arc = *rc::gen::arbitrary<bool>();
+  const auto element = [&](Contour& c, bool arc) {
+    if (arc) c.arc(any_number(40, 80), *rc::gen::element(0.2, -0.2), side, radius);
+    else c.line(any_number(60, 100), side, radius);
+  };
+  const int most = first_arc || second_arc ? 60 : 140;  // the elements do not come near each other again
+  Contour c;
+  c.line(20, side, radius).side_step = SideStep::begins;
+  element(c, first_arc);
+  c.direction = rotated(c.direction, any_number(-most, most));
+  element(c, second_arc);
+  c.line(20, 0, radius).side_step = SideStep::ends;
+  const auto path = compensated(c.motions);
+  RC_ASSERT(path.size() >= 4U);
+  const Axes first{20, 0, 0};
+  const auto contour = sampled({c.motions.begin() + 1, c.motions.end() - 1}, first);
+  const auto tool = sampled({path.begin() + 1, path.end() - 1}, path.front().to);
+  // Two samples of the contour lie at most so far apart that a tool on the path can seem nearer by their sagitta.
+  for (const Vec2 t : tool)
+    for (const Vec2 p : contour) RC_ASSERT(length(t - p) > radius - 10 * tol::same_point);
+  double farthest = 0;  // and it follows: each of its points is near the contour
+  for (const Vec2 t : tool) {
+    double nearest = 1e9;
+    for (const Vec2 p : contour) nearest = std::min(nearest, length(t - p));
+    farthest = std::max(farthest, nearest);
+  }
+  RC_ASSERT(farthest < 2.3 * radius + 2);  // acute corners go out to √5 of the radius
+}
+
+TEST(radius_compensation, other_actions_keep_their_place) {
+  RadiusCompensation compensation{ToolPosition{}};
+  Contour c;
+  c.line(20, 1, 5).side_step = SideStep::begins;
+  c.line(50, 1, 5);
+  c.direction = {0, -1};
+  c.line(50, 1, 5);
+  ActionBatch batch;
+  batch.add().what = c.motions[0];
+  batch.add().what = c.motions[1];
+  batch.add().what = Dwell{1};
+  batch.add().what = c.motions[2];
+  ASSERT_FALSE(compensation.take(batch, true));
+  ASSERT_EQ(batch.size(), 4U);  // an outside corner of 90 degrees between two lines has one point
+  EXPECT_EQ(std::get<Motion>(batch[1].what).to[0], 75);
+  EXPECT_TRUE(std::holds_alternative<Dwell>(batch[2].what));
+  EXPECT_EQ(std::get<Motion>(batch[3].what).to[0], 75);
+}
+
+TEST(radius_compensation, too_many_actions_between) {
+  RadiusCompensation compensation{ToolPosition{}};
+  Contour c;
+  c.line(20, 1, 5).side_step = SideStep::begins;
+  ActionBatch batch;
+  batch.add().what = c.motions[0];
+  for (int i = 0; i < 100; ++i) batch.add().what = Dwell{1};
+  const auto fault = compensation.take(batch, false);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->alarm.id, AlarmId::compensation_buffer);
+}
+
+}  // namespace
+}  // namespace kadr
