@@ -186,7 +186,7 @@ struct Behaviour {
   bool helix_by_lead = false;           // 2С42: K is the lead, Z/K whole turns
   LengthOffset length_offset = LengthOffset::next_motion;
   double feed_most = 0;                 // mm/min; 0 = no limit
-  bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning
+  bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning (F0 is an alarm)
   double reference_feed = 2000;         // mm/min, G25 of the 2С42
   double return_chip_break = 1;         // mm, G73
   double return_near = 1;               // mm, back to just above the bottom in G83

@@ -191,6 +191,14 @@ struct Uncouple {
 struct ContourCorner {
   std::optional<Vec2> way{};  // I J K: the next motion goes that way; else as it does
 };
+/// How the compensated contour is checked from here on (nct 15.5.2, 15.5.7). Not a command to the machine.
+struct ContourCheck {
+  bool interference = false;  // N1403 #0 IEN
+  bool always_alarm = false;  // #1 AAL: no correction is tried
+  std::uint8_t further = 0;   // N1404: 0…8 blocks over and above three
+  double least_step = 0;      // N1405 DELTV, mm: shorter steps round a corner are left out
+  friend bool operator==(const ContourCheck&, const ContourCheck&) = default;
+};
 /// Compensation is interrupted: the tool's centre stands on the programmed point (nct 15.5.2); `off`: it is over (G40, 15.5.3).
 struct ContourBreak {
   bool off = false;
@@ -214,7 +222,7 @@ struct FrameChange {
 struct Action {
   Origin origin;
   std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
-               FrameChange, Sync, ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner>
+               FrameChange, Sync, ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>
       what;
 };
 

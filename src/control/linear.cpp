@@ -6,6 +6,7 @@
 #include "control/correctors/correctors.h"
 #include "control/functions.h"
 #include "control/nct/nct.h"
+#include "control/nct/sides.h"
 
 namespace kadr {
 namespace {
@@ -59,6 +60,7 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
   if (named == 0) return {};  // the code alone: only the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
+  if (m.nct && nct::only_shifts_length(m)) return m.move_to(to, m.transform.to_work(to), named), Status();
   return m.straight(kind, to, named);
 }
 

@@ -10,6 +10,7 @@
 #include "control/nct/drilling.h"
 #include "control/nct/interrupt.h"
 #include "control/nct/nct.h"
+#include "control/nct/sides.h"
 
 namespace kadr {
 
@@ -118,6 +119,7 @@ void Machinery::watch_block() {
     resumed_ = block->position;
     return;
   }
+  if (block->skip != 0 && !is_skipped && nct) nct::note_skip_mark(*this);
   const std::uint8_t skip = is_skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
   const Status status = instead ? execute() : Status(fail(instead.error()));
   if (!is_skipped) block->skip = skip;
@@ -245,7 +247,10 @@ Status Machinery::execute() {
     KADR_TRY(structure());
     if (skipping_section_ || flow.ended()) return {};
   }
-  if (block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
+  if (block->skip != 0) {
+    if (nct) nct::note_skip_mark(*this);
+    if (skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
+  }
   const bool data = nct && nct->data_mode != nct::DataMode::none && block->has_number;
   if (def.grammar.macro && !data) KADR_TRY(check_numbers());
   if (block->empty() && block->comments.empty() && !data) return {};

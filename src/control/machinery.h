@@ -272,6 +272,7 @@ class Machinery {
   std::pair<std::uint32_t, ToolOffset> kept_offset_{};  // [0] is none
   bool stopped_ = false;
   bool start_missing_reported_ = false;
+  bool feed_missing_told_ = false;
   bool skipping_section_ = false;
   // of a block that the machine's logic watches (nct 23.4)
   bool in_interrupt_ = false;        // it belongs to an interrupt macro

@@ -1,6 +1,7 @@
 // Straight motions and frames: programmed point → work → machine, and the Motion that goes there.
 
 #include <cmath>
+#include <utility>
 
 #include "base/tolerance.h"
 #include "control/machinery.h"
@@ -114,8 +115,8 @@ Status Machinery::feed_known(Span at) {
   }
   if (modal.feed_known && modal.feed > 0) [[likely]]
     return {};
-  if (def.behaviour.feed_required) return fail(alarm(AlarmId::feed_missing, at));
-  warn(warning(AlarmId::feed_missing, at));
+  if (def.behaviour.feed_required || modal.feed_known) return fail(alarm(AlarmId::feed_missing, at));
+  if (!std::exchange(feed_missing_told_, true)) warn(warning(AlarmId::feed_missing, at));
   return {};
 }
 

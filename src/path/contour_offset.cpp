@@ -102,6 +102,15 @@ Corner corner_of(Vec2 t1, Vec2 t2, double side) {
   return dot(t1, t2) >= 0 ? Corner::obtuse : Corner::acute;
 }
 
+JunctionVectors without_short_steps(const JunctionVectors& vectors, double least) {
+  JunctionVectors kept = single(vectors.first());
+  for (std::size_t i = 1; i < vectors.count; ++i) {
+    const Vec2 step = vectors.at[i] - kept.last();
+    if (std::fabs(step.x) >= least || std::fabs(step.y) >= least) kept.add(vectors.at[i]);
+  }
+  return kept;
+}
+
 std::optional<JunctionVectors> junction(const ContourElement& first, const ContourElement& second, double radius, double side) {
   JunctionVectors v;
   const Vec2 t1 = first.end, t2 = second.start, n1 = side_normal(t1, side), n2 = side_normal(t2, side);

@@ -55,12 +55,21 @@ Corner corner_of(Vec2 end_tangent, Vec2 start_tangent, double side);
 
 /// The vectors at a junction in order; the tool's centre goes straight from one to the next.
 struct JunctionVectors {
-  std::array<Vec2, 4> at{};
+  std::array<Vec2, 8> at{};  // four at a corner; more where the interference check joins two (15.5.7)
   std::uint8_t count = 0;
   void add(Vec2 v) { at[count++] = v; }
   Vec2 first() const { return at[0]; }
   Vec2 last() const { return at[count - 1U]; }
 };
+inline JunctionVectors single(Vec2 vector) {
+  JunctionVectors v;
+  v.add(vector);
+  return v;
+}
+
+/// Without those that differ from the one before by less than `least` mm in both axes (N1405 DELTV, 15.5.2; which of the two stays is
+/// INFERRED).
+JunctionVectors without_short_steps(const JunctionVectors& vectors, double least);
 
 /// In offset mode, both elements on the same side (15.5.2).
 ///   returns  nothing: an inside corner whose offsets do not meet (alarm 2047)

@@ -9,12 +9,6 @@
 namespace kadr {
 namespace {
 
-JunctionVectors one(Vec2 vector) {
-  JunctionVectors v;
-  v.add(vector);
-  return v;
-}
-
 bool in_contour(const Motion& m) {
   const bool kind = m.kind == MotionKind::rapid || m.kind == MotionKind::feed || is_arc(m.kind);
   return kind && !(m.detail && m.detail->surface != PathSurface::plane);
@@ -27,25 +21,31 @@ const std::optional<Vec2>& direction_of(const Motion& m) {
 
 /// One vector, inside or outside alike: where the offsets meet (15.5.1, 15.5.3, 15.5.4).
 JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
-  return one(intersection(first, second, point).value_or(otherwise));
+  return single(intersection(first, second, point).value_or(otherwise));
 }
 
 }  // namespace
 
 void RadiusCompensation::drop() {
-  held_.reset();
+  while (count_ > 0) {
+    held(0).waiting.clear();
+    drop_first();
+  }
   zero_.reset();
   corner_.reset();
-  waiting_.clear();
+  stand_ = at_;
 }
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
-  if (!held_ && !zero_) {  // mostly: nothing to do but to know where the tool stands
+  if (count_ == 0 && !zero_) {  // mostly: nothing to do but to know where the tool stands
     bool any = false;
-    for (const Action& action : batch)
-      if (const auto* const m = std::get_if<Motion>(&action.what); m != nullptr && m->side != 0) any = true;
+    for (const Action& action : batch) {
+      if (const auto* const m = std::get_if<Motion>(&action.what)) any = any || m->side != 0;
+      else any = any || std::holds_alternative<ContourCheck>(action.what);
+    }
     if (!any) {
       for (const Action& action : batch) at_.take(action);
+      stand_ = at_;
       return std::nullopt;
     }
   }
@@ -69,18 +69,28 @@ void RadiusCompensation::next(Action& action) {
     return;
   }
   if (std::holds_alternative<ContourCorner>(action.what)) return corner(action);
-  if (std::holds_alternative<FrameChange>(action.what)) flush(Vec2{});
-  at_.take(action);
-  if (!held_) {
-    out_.add() = std::move(action);
+  if (const auto* const check = std::get_if<ContourCheck>(&action.what)) {
+    flush({});
+    check_ = *check;
     return;
   }
-  wait(std::move(action));
+  if (std::holds_alternative<FrameChange>(action.what)) flush(Vec2{});
+  if (fault_) return;
+  at_.take(action);
+  if (count_ == 0) hand_out(std::move(action));
+  else wait(std::move(action));
 }
 
 void RadiusCompensation::wait(Action action) {
-  if (waiting_.size() < most_waiting) waiting_.push_back(std::move(action));
-  else fault_ = CompensationFault{alarm(AlarmId::compensation_buffer, {}), held_->action.origin};
+  auto& waiting = last_held().waiting;
+  if (waiting.size() < most_waiting) waiting.push_back(std::move(action));
+  else fault(AlarmId::compensation_buffer, last_held().action.origin);
+}
+
+/// Programmed actions as they are; those that compensation moves have been moved.
+void RadiusCompensation::hand_out(Action action) {
+  stand_.take(action);
+  out_.add() = std::move(action);
 }
 
 void RadiusCompensation::motion(Action& action) {
@@ -88,8 +98,9 @@ void RadiusCompensation::motion(Action& action) {
   const bool ends = m.side_step == SideStep::ends;
   if ((m.side == 0 && !ends) || !in_contour(m)) {
     flush(Vec2{});
+    if (fault_) return;
     at_.take(m);
-    out_.add() = std::move(action);
+    hand_out(std::move(action));
     return;
   }
   first_ = m.first;
@@ -100,16 +111,17 @@ void RadiusCompensation::motion(Action& action) {
   if (named && ends) {
     leave();
     at_.take(m);
-    out_.add() = std::move(action);
+    hand_out(std::move(action));
   } else if (named) {  // zero displacement (15.5.1, 15.5.2): the way to the next vector is its own
     flush({});
     at_.take(m);
     zero_ = std::move(action);
-  } else if (held_) {
+  } else if (count_ > 0) {
     at_.take(m);
     wait(std::move(action));
   } else {
     at_.take(m);
+    stand_.take(m);
     shift(m, vector_);
     out_.add() = std::move(action);
   }
@@ -120,20 +132,16 @@ void RadiusCompensation::contour(Action& action) {
   const ContourElement element = element_of(m);
   const Vec2 beside = m.tool_radius * side_normal(element.start, m.side);
   Vec2 start = vector_;
-  if (held_ && corner_) {
-    const Motion before = std::get<Motion>(held_->action.what);
+  if (count_ > 0 && corner_) {
+    const Motion before = last_held().motion();
     const Origin origin = std::exchange(corner_, std::nullopt)->origin;
     flush({});
     if (!fault_) round(beside, origin, before.kind == MotionKind::rapid ? m : before);
     start = beside;
-  } else if (held_) {
-    const auto vectors = vectors_to(m, element);
-    if (!vectors) {
-      fault_ = CompensationFault{alarm(AlarmId::compensation_no_intersection, {}), held_->action.origin};
-      return;
-    }
-    end_held(*vectors, &m, action.origin);
-    start = vectors->last();
+  } else if (count_ > 0) {
+    join(m, element);
+    const JunctionVectors& end = last_held().end;
+    start = end.count > 0 ? end.last() : beside;
   } else if (zero_) {
     step(beside, std::get<Motion>(zero_->what), zero_->origin);
     zero_.reset();
@@ -145,32 +153,88 @@ void RadiusCompensation::contour(Action& action) {
   if (fault_) return;
   at_.take(m);
   const bool ends = m.side_step == SideStep::ends;
-  held_ = Held{std::move(action), element, start, false};
-  if (ends) end_held(one({}), nullptr, {});
+  Held& now = held(count_++);
+  now.action = std::move(action);
+  now.element = element;
+  now.start_vector = start;
+  now.end.count = 0;
+  now.rejoins = false;
+  if (ends) flush(Vec2{});
+  while (!fault_ && count_ >= looked_at()) release_first();
 }
 
-/// The held motion ends with the first vector, what waits is done there, the next motion goes round the corner.
-void RadiusCompensation::end_held(const JunctionVectors& vectors, const Motion* next, const Origin& origin) {
-  if (!let_go(vectors.first())) return;
-  for (Action& action : waiting_) {
+/// What stands between the last motion and the next: known now.
+void RadiusCompensation::join(const Motion& next, const ContourElement& second) {
+  Held& first = last_held();
+  const auto vectors = vectors_to(next, second);
+  if (vectors) first.end = check_.least_step > 0 ? without_short_steps(*vectors, check_.least_step) : *vectors;
+  else if (!check_.interference) fault(AlarmId::compensation_no_intersection, first.action.origin);
+}
+
+std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Held& h = held(i);
+    const Motion& m = h.motion();
+    const bool plain = m.side_step == SideStep::none || m.side_step == SideStep::holds;
+    const bool known = i + 1 < count_ || h.end.count > 0;
+    blocks_[i] = {&h.element, m.tool_radius, static_cast<double>(m.side), plain, h.start_vector, known ? &h.end : nullptr};
+  }
+  return {blocks_.data(), count_};
+}
+
+/// The first of the window is checked against those behind it, and goes. 15.5.7.
+void RadiusCompensation::release_first() {
+  const bool sound = !check_.interference || mend_first();
+  Held& first = held(0);
+  if (!sound) {  // with further blocks ahead the alarm comes before it, else behind it
+    const Origin origin = held(count_ > 1 ? 1 : 0).action.origin;
+    if (check_.further == 0 && first.end.count > 0) (void)let_go(first);
+    if (!fault_) fault(first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection, origin);
+    return;
+  }
+  if (!let_go(first)) return;
+  const JunctionVectors& vectors = first.end;
+  for (Action& action : first.waiting) {
+    stand_.take(action);
     if (auto* const m = std::get_if<Motion>(&action.what)) shift(*m, vectors.first());
     out_.add() = std::move(action);
   }
-  waiting_.clear();
+  first.waiting.clear();
   vector_ = vectors.first();
-  for (std::size_t i = 1; i < vectors.count && next != nullptr; ++i) step(vectors.at[i], *next, origin);
+  for (std::size_t i = 1; i < vectors.count && count_ > 1; ++i) step(vectors.at[i], held(1).motion(), held(1).action.origin);
   vector_ = vectors.last();
+  drop_first();
+}
+
+/// Joins the first of the window with a later one, if that mends it; the blocks between are dropped, their actions are not.
+///   returns  false: it cannot be mended
+bool RadiusCompensation::mend_first() {
+  const auto window = checked_blocks();
+  const auto join = check_interference(window, check_.further, check_.always_alarm);
+  if (!join) return false;
+  Held& first = held(0);
+  if (join->next > 1) {
+    first.end = join->vectors;
+    for (std::size_t i = 1; i < join->next; ++i)
+      for (Action& action : std::exchange(held(i).waiting, {})) first.waiting.push_back(std::move(action));
+    held(join->next).start_vector = join->start_vector;
+    const std::size_t dropped = join->next - 1;
+    for (std::size_t i = 1; i + dropped < count_; ++i) std::swap(held(i), held(i + dropped));
+    count_ -= dropped;
+  }
+  if (first.end.count == 0) return false;
+  return !checked_blocks()[0].plain || !goes_back(blocks_[0]);
 }
 
 /// G39: with a direction of its own at once; else when the next motion is known.
 void RadiusCompensation::corner(Action& action) {
-  if (!held_) return;
+  if (count_ == 0) return;
   const auto& way = std::get<ContourCorner>(action.what).way;
   if (!way) {
     corner_ = std::move(action);
     return;
   }
-  const Motion before = std::get<Motion>(held_->action.what);
+  const Motion before = last_held().motion();
   flush({});
   if (!fault_) round(before.tool_radius * side_normal(1 / length(*way) * *way, before.side), action.origin, before);
 }
@@ -180,7 +244,7 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
   const double swept = angle_deg({dot(vector_, to), cross(vector_, to)});  // counter-clockwise
   const bool cw = like.side > 0;
   const double turns = (cw ? -swept : swept) / 360;
-  const Vec2 point = in_plane(at_.work);
+  const Vec2 point = in_plane(stand_.work);
   step(to, like, origin);
   auto* const m = out_.empty() ? nullptr : std::get_if<Motion>(&out_.back().what);
   if (m == nullptr || turns == 0) return;
@@ -189,39 +253,42 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
   m->turns = turns < 0 ? turns + 1 : turns;
 }
 
-/// Nothing follows in the plane: the held motion ends with this vector, by default perpendicular to its end.
+/// Nothing follows in the plane: the last held motion ends with this vector, by default perpendicular to its end.
 void RadiusCompensation::flush(std::optional<Vec2> vector) {
   if (zero_) {
-    shift(std::get<Motion>(zero_->what), vector.value_or(vector_));
+    auto& m = std::get<Motion>(zero_->what);
+    stand_.take(m);
+    shift(m, vector.value_or(vector_));
     out_.add() = std::move(*zero_);
     zero_.reset();
     vector_ = vector.value_or(vector_);
   }
-  if (!held_) return;
-  const auto& m = std::get<Motion>(held_->action.what);
-  end_held(one(vector.value_or(m.tool_radius * side_normal(held_->element.end, m.side))), nullptr, {});
+  if (count_ == 0 || fault_) return;
+  const Held& last = last_held();
+  const Motion& m = last.motion();
+  last_held().end = single(vector.value_or(m.tool_radius * side_normal(last.element.end, m.side)));
+  while (!fault_ && count_ > 0) release_first();
 }
 
 /// G40 without a motion in the plane: beside the end of the last block, then straight to its point (15.5.3).
 void RadiusCompensation::leave() {
-  if (!held_) return flush(Vec2{});
-  const Motion like = std::get<Motion>(held_->action.what);
-  const Origin origin = held_->action.origin;
-  std::vector<Action> behind = std::exchange(waiting_, {});
+  if (count_ == 0) return flush(Vec2{});
+  const Motion like = last_held().motion();
+  const Origin origin = last_held().action.origin;
+  std::vector<Action> behind = std::exchange(last_held().waiting, {});
   flush({});
   if (fault_) return;
   step({}, like, origin);
-  for (Action& action : behind) out_.add() = std::move(action);
+  for (Action& action : behind) hand_out(std::move(action));
 }
 
-bool RadiusCompensation::let_go(Vec2 end_vector) {
-  Held held = std::move(*held_);
-  held_.reset();
+bool RadiusCompensation::let_go(Held& held) {
   auto& m = std::get<Motion>(held.action.what);
+  const Vec2 end_vector = held.end.first();
+  stand_.take(m);
   if (is_arc(m.kind)) {
-    const bool fits = held.rejoins ? rejoin(m, held, end_vector) : true;
-    if (!fits) {
-      fault_ = CompensationFault{alarm(AlarmId::compensation_turn, {}), held.action.origin};
+    if (held.rejoins && !rejoin(m, held, end_vector)) {
+      fault(AlarmId::compensation_turn, held.action.origin);
       return false;
     }
     if (!held.rejoins) {
@@ -261,8 +328,8 @@ void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& ori
   m.detail.reset();
   m.turns = 0;
   m.exact = m.in_position = false;
-  m.to = at_.work;
-  m.machine = at_.machine;
+  m.to = stand_.work;
+  m.machine = stand_.machine;
   shift(m, vector);
   action.what = std::move(m);
   vector_ = vector;
@@ -287,10 +354,11 @@ ContourElement RadiusCompensation::element_of(const Motion& m) const {
 
 /// At the junction with the next motion. The radius is that in force in the block that ends there.
 std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next, const ContourElement& second) {
-  const auto& m = std::get<Motion>(held_->action.what);
-  const ContourElement& first = held_->element;
+  const Held& before = last_held();
+  const Motion& m = before.motion();
+  const ContourElement& first = before.element;
   const double radius = m.tool_radius, side = m.side;
-  if (radius == 0) return one({});
+  if (radius == 0) return single({});
   const bool begins = m.side_step == SideStep::begins, ends = next.side_step == SideStep::ends;
   if (const auto& way = direction_of(m); begins && way) {
     const ContourElement in = ContourElement::line(first.to - *way, first.to);
@@ -301,14 +369,14 @@ std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next
     const ContourElement out = ContourElement::line(first.to, first.to + *way);
     return meeting(offset_at_end(first, radius, side), offset_at_start(out, radius, side), first.to, radius * side_normal(first.end, side));
   }
-  if (m.side_step == SideStep::holds) return one(held_->start_vector);
+  if (m.side_step == SideStep::holds) return single(before.start_vector);
   if (begins) return start_up(first, second, radius, side);
   if (ends) return cancel(first, second, radius, side);
   if (next.side == m.side) return junction(first, second, radius, side);
   const double other = next.side;
   const auto meet = intersection(offset_at_end(first, radius, side), offset_at_start(second, radius, other), first.to);
-  held_->rejoins = !meet && first.is_arc;
-  return one(meet.value_or(radius * side_normal(second.start, other)));
+  last_held().rejoins = !meet && first.is_arc;
+  return single(meet.value_or(radius * side_normal(second.start, other)));
 }
 
 }  // namespace kadr

@@ -1,14 +1,16 @@
 #pragma once
 // RadiusCompensation: programmed actions in, those of the tool's centre out. It holds one motion back until the next one in the plane
-// says how the corner between them goes, and the actions between the two. NCT 15.5.
+// says how the corner between them goes, and the actions between the two; with the interference check as many as that looks at. NCT 15.5.
 //
-//   programmed ──▶ held motion k · actions between ──▶ junction k/k+1 ──▶ motion k · actions between · corner · (k+1 is held now)
+//   programmed ──▶ window: motion k · actions between · motion k+1 … ──▶ junction k/k+1, check ──▶ motion k · actions between · corner
 
+#include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "path/axis_roles.h"
-#include "path/contour_offset.h"
+#include "path/interference.h"
 
 namespace kadr {
 
@@ -21,11 +23,11 @@ struct CompensationFault {
 class RadiusCompensation {
  public:
   /// `start`: where the tool stands before the first action.
-  explicit RadiusCompensation(const ToolPosition& start) : at_(start) {}
+  explicit RadiusCompensation(const ToolPosition& start) : at_(start), stand_(start) {}
 
   /// Takes a batch; leaves in it what can be said by now. `last`: nothing follows.
-  ///   alarms  compensation_no_intersection (nct 2047), compensation_buffer (2090), compensation_turn (2048, INFERRED): what comes
-  ///           before is in the batch, what is held is dropped
+  ///   alarms  compensation_no_intersection (nct 2047), compensation_interference (2049), compensation_buffer (2090),
+  ///           compensation_turn (2048, INFERRED): what comes before is in the batch, what is held is dropped
   ///   law     what is handed out ends where the programmed path ends, plus a vector no longer than the corner rules say
   std::optional<CompensationFault> take(ActionBatch& batch, bool last);
 
@@ -33,11 +35,15 @@ class RadiusCompensation {
   void drop();
 
  private:
+  /// A motion of the contour, and what stands between it and the next.
   struct Held {
     Action action;
     ContourElement element;
     Vec2 start_vector;
-    bool rejoins = false;  // an arc of the programmed radius between its ends (15.5.4)
+    JunctionVectors end;           // none: not known, or the offsets do not meet
+    bool rejoins = false;          // an arc of the programmed radius between its ends (15.5.4)
+    std::vector<Action> waiting{};  // behind it
+    const Motion& motion() const { return std::get<Motion>(action.what); }
   };
 
   void next(Action& action);
@@ -48,24 +54,39 @@ class RadiusCompensation {
   void leave();
   void corner(Action& action);
   void round(Vec2 to, const Origin& origin, const Motion& like);
-  void end_held(const JunctionVectors& vectors, const Motion* next, const Origin& origin);
-  bool let_go(Vec2 end_vector);
+  void join(const Motion& next, const ContourElement& second);
+  void release_first();
+  bool mend_first();
+  bool let_go(Held& held);
   bool rejoin(Motion& motion, const Held& held, Vec2 end_vector) const;
   void step(Vec2 vector, const Motion& like, const Origin& origin);
+  void hand_out(Action action);
   void shift(Motion& motion, Vec2 vector) const;
   std::optional<JunctionVectors> vectors_to(const Motion& next, const ContourElement& second);
   ContourElement element_of(const Motion& motion) const;
   Vec2 in_plane(const Axes& axes) const { return {axes[first_], axes[second_]}; }
+  void fault(AlarmId id, const Origin& origin) { fault_ = CompensationFault{alarm(id, {}), origin}; }
+
+  // the window
+  Held& held(std::size_t i) { return window_[(head_ + i) % window_.size()]; }
+  Held& last_held() { return held(count_ - 1); }
+  void drop_first() { head_ = (head_ + 1) % window_.size(), --count_; }
+  std::size_t looked_at() const { return check_.interference ? 3U + check_.further : 2U; }
+  std::span<const CompensatedBlock> checked_blocks();
 
   static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's is not known
+  static constexpr std::size_t most_held = 12;     // 3 + 8 of N1404 (15.5.7), and the one that comes
 
-  ToolPosition at_;  // programmed, behind the last action taken
+  ToolPosition at_;     // programmed, behind the last action taken
+  ToolPosition stand_;  // programmed, behind what was handed out
   std::size_t first_ = 0, second_ = 1;
   Vec2 vector_;  // from the programmed point to the tool's centre, behind what was handed out
-  std::optional<Held> held_;
+  std::array<Held, most_held> window_;
+  std::size_t head_ = 0, count_ = 0;
+  std::array<CompensatedBlock, most_held> blocks_;
+  ContourCheck check_;
   std::optional<Action> corner_;  // G39 waits for the next motion
   std::optional<Action> zero_;    // a block of no displacement in the plane, its way is to the next vector
-  std::vector<Action> waiting_;
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
 };

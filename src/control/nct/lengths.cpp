@@ -52,6 +52,13 @@ void register_length(Machinery& m, std::uint32_t number) {
 
 }  // namespace
 
+bool nct::only_shifts_length(const Machinery& m) {
+  if (m.modal.absolute || !(m.has('H') || m.has_code({Function::length_comp}))) return false;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (const char letter = m.letters.axis_letter[a]; letter != 0 && m.has(letter) && m.value(letter) != 0) return false;
+  return true;
+}
+
 namespace functions {
 
 /// arg 1 G43, 2 G44, 0 G49, 437 G43.7.
@@ -105,8 +112,6 @@ Status radius_number(Machinery& m, const Call&) {
 /// arg 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane begins or ends compensation; I, J, K give it a direction.
 Status radius_side(Machinery& m, const Call& call) {
   nct::Volatile& state = m.nct->state;
-  if (call.row->arg != 0 && m.nct->settings.checks_interference)  // 15.5.7 is not here yet: no unchecked path where the check is on
-    return fail(alarm(AlarmId::not_available, call.where, call.row->code));
   const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
   if (side != 0 && m.modal.radius_side == 0) state.side_step = SideStep::begins;
   else if (side == 0) state.side_step = state.compensates ? SideStep::ends : SideStep::none;
@@ -119,6 +124,10 @@ Status radius_side(Machinery& m, const Call& call) {
   state.way.reset();
   if (const auto way = nct::plane_direction(m)) state.way = *way;
   m.modal.radius_side = side;
+  if (state.side_step == SideStep::begins && m.nct->settings.contour_check != state.contour_check) {
+    state.contour_check = m.nct->settings.contour_check;
+    m.emit(state.contour_check);
+  }
   return {};
 }
 

@@ -85,6 +85,7 @@ struct Volatile {
   SideStep side_step = SideStep::none;  // what the next motion in the plane does
   std::optional<Vec2> way;              // I J K of G41, G42, G40 in this block
   bool compensates = false;             // a motion has been made with compensation since G41, G42
+  ContourCheck contour_check;           // as `path` knows it
 };
 
 inline constexpr std::string_view interrupt_signal = "CP_MINT";

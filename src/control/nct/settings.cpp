@@ -1,5 +1,6 @@
 #include "control/nct/settings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -120,7 +121,11 @@ void read_interpretation(Settings& s, const ParameterSource& p) {
   const bool plane = p.bit("1416", "1", 0);
   s.length_axes = plane ? 2 : p.bit("1416", "0", 0) ? 1 : 0;
   s.turning_offsets = p.bit("1416", "2", 0);
-  s.checks_interference = p.bit("1403", "0", 0);
+  s.contour_check.interference = p.bit("1403", "0", 0);
+  s.contour_check.always_alarm = p.bit("1403", "1", 0);
+  s.contour_check.further = static_cast<std::uint8_t>(std::clamp(whole(p.value("1404", 0)), 0, 8));
+  s.contour_check.least_step = std::max(p.value("1405", 0), 0.0);
+  s.skip_breaks_contour = !p.bit("1337", "4", 0);
 }
 
 void read_machine(Settings& s, const ParameterSource& p) {

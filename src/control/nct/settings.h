@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "control/action.h"
 
 namespace kadr::nct {
 
@@ -61,7 +62,8 @@ struct Settings {
   bool in_position_check = false;      // N1337 PCH
   int length_axes = 0;                 // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
   bool turning_offsets = false;        // N1416 #2 TOL
-  bool checks_interference = false;    // N1403 #0 IEN
+  ContourCheck contour_check;          // N1403 … N1405
+  bool skip_breaks_contour = true;     // N1337 #4 CBB is 0: a block with / interrupts compensation (15.5.2)
   // macros
   int protect_low = 0, protect_high = 0;  // N1702, N1703
   int shared_100 = 0, shared_500 = 0;     // N1700, N1701

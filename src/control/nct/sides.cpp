@@ -52,6 +52,10 @@ bool interrupts_contour(Function f) {
   }
 }
 
+void note_skip_mark(Machinery& m) {
+  if (m.nct->state.compensates && m.nct->settings.skip_breaks_contour) m.emit(ContourBreak{});
+}
+
 void end_side_block(Machinery& m) {
   Volatile& state = m.nct->state;
   if (state.side_step == SideStep::begins) state.side_step = SideStep::begun;

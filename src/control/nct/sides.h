@@ -17,6 +17,10 @@ namespace kadr::nct {
 void note_side(Machinery& m, Motion& motion);
 /// Codes that interrupt compensation: the tool's centre goes to the programmed point before them (15.5.2).
 bool interrupts_contour(Function function);
+/// A block with `/`: whether it is skipped or not, it interrupts compensation where N1337 #4 CBB is 0 (15.5.2).
+void note_skip_mark(Machinery& m);
+/// Increments of zero beside a new length: the start point is shifted by it, nothing moves (15.3).
+bool only_shifts_length(const Machinery& m);
 /// G41, G42, G40 in a block that did not move in the plane.
 void end_side_block(Machinery& m);
 /// I, J, K of the plane as a direction, mirrored with it; nothing if none stands in the block.
