@@ -72,5 +72,5 @@
   /* cutter radius compensation (nct 15.5) */                                                \
   X(compensation_no_intersection) X(compensation_buffer) X(compensation_turn)                \
   X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)                                          \
-  X(compensation_interference)
+  X(compensation_interference) X(contour_cut)
 // clang-format on

@@ -128,6 +128,7 @@ Carrier::Step Carrier::step() {
     }
     if (taken.refused) return Step::running;
   }
+  for (const CompensationFault& cut : compensation_.warnings()) outlets_.warning(control_.report_for(cut.alarm, cut.origin));
   if (fault) {
     const AlarmReport report = control_.report_for(fault->alarm, fault->origin);
     if (!outlets_.alarm(report)) {

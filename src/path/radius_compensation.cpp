@@ -34,9 +34,11 @@ void RadiusCompensation::drop() {
   zero_.reset();
   corner_.reset();
   stand_ = at_;
+  end_watch();
 }
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
+  warnings_.clear();
   if (count_ == 0 && !zero_) {  // mostly: nothing to do but to know where the tool stands
     bool any = false;
     for (const Action& action : batch) {
@@ -56,6 +58,7 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
     if (fault_) break;
   }
   if (!fault_ && last) flush({});
+  if (last) end_watch();
   std::swap(batch, out_);
   if (fault_) drop();
   return fault_;
@@ -143,6 +146,7 @@ void RadiusCompensation::contour(Action& action) {
     const JunctionVectors& end = last_held().end;
     start = end.count > 0 ? end.last() : beside;
   } else if (zero_) {
+    watch_step(vector_, beside, m, zero_->origin);
     step(beside, std::get<Motion>(zero_->what), zero_->origin);
     zero_.reset();
     start = beside;
@@ -159,7 +163,9 @@ void RadiusCompensation::contour(Action& action) {
   now.start_vector = start;
   now.end.count = 0;
   now.rejoins = false;
+  watch_last();
   if (ends) flush(Vec2{});
+  if (ends) end_watch();
   while (!fault_ && count_ >= looked_at()) release_first();
 }
 
@@ -184,11 +190,11 @@ std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
 
 /// The first of the window is checked against those behind it, and goes. 15.5.7.
 void RadiusCompensation::release_first() {
-  const bool sound = !check_.interference || mend_first();
+  const Mended mended = check_.interference ? mend_first() : Mended::sound;
   Held& first = held(0);
-  if (!sound) {  // with further blocks ahead the alarm comes before it, else behind it
-    const Origin origin = held(count_ > 1 ? 1 : 0).action.origin;
-    if (check_.further == 0 && first.end.count > 0) (void)let_go(first);
+  if (mended != Mended::sound) {
+    const Origin origin = held(mended == Mended::first_fails ? 0 : 1).action.origin;
+    if (mended == Mended::next_fails && check_.further == 0) (void)let_go(first);  // looking further the alarm comes before it
     if (!fault_) fault(first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection, origin);
     return;
   }
@@ -201,19 +207,20 @@ void RadiusCompensation::release_first() {
   }
   first.waiting.clear();
   vector_ = vectors.first();
-  for (std::size_t i = 1; i < vectors.count && count_ > 1; ++i) step(vectors.at[i], held(1).motion(), held(1).action.origin);
+  for (std::size_t i = 1; i < vectors.count && count_ > 1; ++i) {
+    watch_step(vector_, vectors.at[i], held(1).motion(), held(1).action.origin);
+    step(vectors.at[i], held(1).motion(), held(1).action.origin);
+  }
   vector_ = vectors.last();
   drop_first();
 }
 
 /// Joins the first of the window with a later one, if that mends it; the blocks between are dropped, their actions are not.
-///   returns  false: it cannot be mended
-bool RadiusCompensation::mend_first() {
+RadiusCompensation::Mended RadiusCompensation::mend_first() {
   const auto window = checked_blocks();
-  const auto join = check_interference(window, check_.further, check_.always_alarm);
-  if (!join) return false;
   Held& first = held(0);
-  if (join->next > 1) {
+  const auto join = check_interference(window, check_.further, check_.always_alarm);
+  if (join && join->next > 1) {
     first.end = join->vectors;
     for (std::size_t i = 1; i < join->next; ++i)
       for (Action& action : std::exchange(held(i).waiting, {})) first.waiting.push_back(std::move(action));
@@ -222,8 +229,8 @@ bool RadiusCompensation::mend_first() {
     for (std::size_t i = 1; i + dropped < count_; ++i) std::swap(held(i), held(i + dropped));
     count_ -= dropped;
   }
-  if (first.end.count == 0) return false;
-  return !checked_blocks()[0].plain || !goes_back(blocks_[0]);
+  if (first.end.count == 0 || (checked_blocks()[0].plain && goes_back(blocks_[0]))) return Mended::first_fails;
+  return join ? Mended::sound : Mended::next_fails;
 }
 
 /// G39: with a direction of its own at once; else when the next motion is known.
@@ -279,6 +286,7 @@ void RadiusCompensation::leave() {
   flush({});
   if (fault_) return;
   step({}, like, origin);
+  end_watch();
   for (Action& action : behind) hand_out(std::move(action));
 }
 
@@ -297,9 +305,41 @@ bool RadiusCompensation::let_go(Held& held) {
       else m.kind = MotionKind::feed, m.turns = 0;  // the tool does not fit in: no interference check (15.5.7, IEN=0)
     }
   }
+  if (held.watched) {
+    const ContourElement& e = held.element;
+    const Vec2 from = e.from + held.start_vector, to = e.to + end_vector;
+    const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
+    if (length(to - from) > tol::same_point || m.turns > 0)
+      watch_.path(is_arc(m.kind) ? ContourElement::arc(from, to, m.center, turns) : ContourElement::line(from, to), m.tool_radius,
+                  held.action.origin);
+  }
   shift(m, end_vector);
   out_.add() = std::move(held.action);
   return true;
+}
+
+/// Motions at feed along the contour; neither the way in nor the way out, nor what is next to a change of side.
+void RadiusCompensation::watch_last() {
+  Held& now = last_held();
+  const Motion& m = now.motion();
+  const bool plain = m.side_step != SideStep::begins && m.side_step != SideStep::ends;
+  now.watched = plain && m.kind != MotionKind::rapid && m.tool_radius > 0;
+  if (count_ > 1 && held(count_ - 2).motion().side * m.side < 0) {
+    held(count_ - 2).watched = now.watched = false;
+    end_watch();
+  }
+  if (now.watched) watch_.contour(now.element, m.tool_radius, now.action.origin);
+}
+
+void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin) {
+  const Vec2 point = in_plane(stand_.work);
+  if (like.kind == MotionKind::rapid || length(to - from) <= tol::same_point) return;
+  watch_.path(ContourElement::line(point + from, point + to), like.tool_radius, origin);
+}
+
+void RadiusCompensation::end_watch() {
+  if (const auto cut = watch_.end())
+    warnings_.push_back({warning(AlarmId::contour_cut, {}, cut->depth, static_cast<double>(cut->contour)), cut->tool});
 }
 
 /// A change of side without intersection after an arc: its ends are joined by an arc of the programmed radius (15.5.4).

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "path/axis_roles.h"
+#include "path/contour_watch.h"
 #include "path/interference.h"
 
 namespace kadr {
@@ -31,6 +32,9 @@ class RadiusCompensation {
   ///   law     what is handed out ends where the programmed path ends, plus a vector no longer than the corner rules say
   std::optional<CompensationFault> take(ActionBatch& batch, bool last);
 
+  /// Warnings of the last batch: contour_cut, one for a contour, at its deepest place.
+  const std::vector<CompensationFault>& warnings() const { return warnings_; }
+
   /// What is held is not carried out after all.
   void drop();
 
@@ -40,8 +44,9 @@ class RadiusCompensation {
     Action action;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;           // none: not known, or the offsets do not meet
-    bool rejoins = false;          // an arc of the programmed radius between its ends (15.5.4)
+    JunctionVectors end;            // none: not known, or the offsets do not meet
+    bool rejoins = false;           // an arc of the programmed radius between its ends (15.5.4)
+    bool watched = false;           // its way must not cut into the contour
     std::vector<Action> waiting{};  // behind it
     const Motion& motion() const { return std::get<Motion>(action.what); }
   };
@@ -56,11 +61,15 @@ class RadiusCompensation {
   void round(Vec2 to, const Origin& origin, const Motion& like);
   void join(const Motion& next, const ContourElement& second);
   void release_first();
-  bool mend_first();
+  enum class Mended : std::uint8_t { sound, next_fails, first_fails };
+  Mended mend_first();
   bool let_go(Held& held);
   bool rejoin(Motion& motion, const Held& held, Vec2 end_vector) const;
   void step(Vec2 vector, const Motion& like, const Origin& origin);
   void hand_out(Action action);
+  void watch_last();
+  void watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin);
+  void end_watch();
   void shift(Motion& motion, Vec2 vector) const;
   std::optional<JunctionVectors> vectors_to(const Motion& next, const ContourElement& second);
   ContourElement element_of(const Motion& motion) const;
@@ -89,6 +98,8 @@ class RadiusCompensation {
   std::optional<Action> zero_;    // a block of no displacement in the plane, its way is to the next vector
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
+  ContourWatch watch_;
+  std::vector<CompensationFault> warnings_;
 };
 
 }  // namespace kadr

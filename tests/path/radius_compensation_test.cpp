@@ -8,57 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actions.h"
-#include "base/tolerance.h"
-#include "path/curve.h"
+#include "contours.h"
 
 namespace kadr {
 namespace {
 
-const AxisRoles xyz = AxisRoles::of({"X", "Y", "Z"}, 0);
-
-double any_number(int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000 + 1) / 1000.0; }
-
-/// A contour and the way in and out, each a motion of its own; all on one side.
-struct Contour {
-  std::vector<Motion> motions;
-  Vec2 at, direction{1, 0};
-
-  Motion& add(Motion m, std::int8_t side, double radius) {
-    m.named = 3;
-    m.machine = m.to;
-    m.side = side;
-    m.tool_radius = radius;
-    at = {m.to[0], m.to[1]};
-    motions.push_back(m);
-    return motions.back();
-  }
-  Motion& line(double length, std::int8_t side, double radius) {
-    const Vec2 to = at + length * direction;
-    return add(test::straight(MotionKind::feed, {to.x, to.y, 0}), side, radius);
-  }
-  Motion& arc(double radius_of_arc, double turns, std::int8_t side, double radius) {
-    const Vec2 center = at + (turns > 0 ? radius_of_arc : -radius_of_arc) * left_of(direction);
-    const Vec2 to = center + rotated(at - center, 360 * turns);
-    direction = rotated(direction, 360 * turns);
-    return add(test::arc(turns > 0 ? MotionKind::arc_ccw : MotionKind::arc_cw, {to.x, to.y, 0}, {center.x, center.y, 0}, std::fabs(turns)),
-               side, radius);
-  }
-};
-
-/// Points of motions in a row.
-std::vector<Vec2> sampled(const std::vector<Motion>& motions, Axes from) {
-  std::vector<Vec2> points;
-  for (const Motion& m : motions) {
-    const Curve curve(xyz, from, m);
-    for (int i = 0; i <= 60; ++i) {
-      const Axes at = curve.at(i / 60.0);
-      points.push_back({at[0], at[1]});
-    }
-    from = m.to;
-  }
-  return points;
-}
+using test::any_number;
+using test::Contour;
+using test::sampled;
 
 std::vector<Motion> compensated(const std::vector<Motion>& motions) {
   RadiusCompensation compensation{ToolPosition{}};

@@ -1,0 +1,55 @@
+#pragma once
+// ContourWatch: does the tool's path come nearer to the contour than its radius? A control only looks at the blocks next to each other
+// (nct 15.5.7); this looks at all that lie within some blocks, and tells what the control would do to the part.
+
+#include <array>
+#include <optional>
+
+#include "control/action.h"
+#include "path/plane_distance.h"
+
+namespace kadr {
+
+/// The deepest place where the tool cuts into the contour.
+struct ContourCut {
+  double depth = 0;           // mm
+  Origin tool;                // block of the tool's path
+  std::uint32_t contour = 0;  // line of the contour's block
+};
+
+class ContourWatch {
+ public:
+  /// A piece of the programmed contour. `radius`: of the tool, mm.
+  void contour(const ContourElement& element, double radius, const Origin& origin);
+  /// A piece of the way of the tool's centre.
+  void path(const ContourElement& way, double radius, const Origin& origin);
+  /// The contour is over: the deepest cut, if there was one deeper than tol::same_point. Forgets all.
+  ///   law  a way that is nowhere nearer to the last `reach` pieces, or those of the next `reach`, than the radius gives none
+  std::optional<ContourCut> end();
+
+  static constexpr std::size_t reach = 48;  // steps round corners count too
+
+ private:
+  struct Seen {
+    PlanePiece piece;
+    double radius = 0;
+    Origin origin;
+  };
+  /// The last `reach` pieces; their boxes lie side by side, as most are far away and nothing else of them is looked at.
+  struct Ring {
+    std::array<Seen, reach> at;
+    std::array<double, reach> least_x, least_y, most_x, most_y;
+    std::size_t count = 0;
+    const Seen& add(const ContourElement& element, double radius, const Origin& origin);
+    std::size_t size() const { return count < reach ? count : reach; }
+    /// Calls back with those whose boxes come nearer to that of `piece` than `distance`.
+    template <class Found>
+    void near(const PlanePiece& piece, double distance, const Found& found) const;
+  };
+  void compare(const Seen& contour, const Seen& path);
+
+  Ring contour_, path_;
+  ContourCut worst_;
+};
+
+}  // namespace kadr

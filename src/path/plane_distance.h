@@ -1,0 +1,24 @@
+#pragma once
+// Distance of two pieces of path in a plane: lines and arcs.
+
+#include "path/contour_offset.h"
+
+namespace kadr {
+
+/// A line or an arc, ready for measuring.
+struct PlanePiece {
+  Vec2 from, to;
+  bool is_arc = false;
+  Vec2 center;
+  double turns = 0;   // swept angle / 360, counter-clockwise positive
+  double radius = 0;  // of an arc: the mean of those at its ends
+  double slack = 0;   // mm, by which the radius changes along it
+  Vec2 least, most;   // bounding box
+  static PlanePiece of(const ContourElement& element);
+};
+
+/// Least distance of two pieces, mm; of an arc whose radius changes within its slack.
+///   law  the same for both orders; not changed by turning, mirroring, reversing
+double distance(const PlanePiece& a, const PlanePiece& b);
+
+}  // namespace kadr

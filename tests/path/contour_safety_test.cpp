@@ -1,0 +1,173 @@
+// path/radius_compensation, path/interference, path/contour_watch together: whatever the contour, a path that is nearer to it than the
+// tool's radius is told, and what is told is true. The slow twin samples path and contour. NCT 15.5.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "contours.h"
+
+namespace kadr {
+namespace {
+
+using test::any_number;
+using test::Contour;
+
+constexpr double tool = 5;
+
+/// Lines and arcs with any corner, tiny pieces, nearly tangential joints, arcs about as large as the tool.
+Contour any_contour(std::int8_t side) {
+  Contour c;
+  c.line(20, side, tool).side_step = SideStep::begins;
+  const int pieces = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(2, 12));
+  for (int i = 0; i < pieces; ++i) {
+    const auto joint = *rc::gen::inRange(0, 5);
+    if (joint == 0) c.direction = rotated(c.direction, any_number(-120, 120));
+    else if (joint == 1) c.direction = rotated(c.direction, any_number(-5, 5) * 1e-4);
+    else if (joint == 2) c.direction = rotated(c.direction, any_number(-60, 60));
+    if (*rc::gen::arbitrary<bool>()) {
+      const double turns = *rc::gen::element(1, -1) * *rc::gen::inRange(20, 700) / 1000.0;
+      c.arc(*rc::gen::element(0, 1) == 0 ? any_number(1, 30) : tool + *rc::gen::inRange(-20, 21) * 1e-3, turns, side, tool);
+    } else {
+      c.line(*rc::gen::element(0, 1) == 0 ? any_number(1, 60) : *rc::gen::inRange(1, 2000) * 1e-3, side, tool);
+    }
+  }
+  c.line(20, 0, tool).side_step = SideStep::ends;
+  return c;
+}
+
+ContourCheck any_check() {
+  ContourCheck check;
+  check.interference = *rc::gen::arbitrary<bool>();
+  check.always_alarm = *rc::gen::arbitrary<bool>();
+  check.further = static_cast<std::uint8_t>(*rc::gen::inRange(0, 9));
+  return check;
+}
+
+struct Outcome {
+  std::vector<Action> path;
+  std::optional<AlarmId> alarm;
+  double told = 0;  // depth of the cut, mm
+};
+
+Outcome carried_out(const Contour& contour, const ContourCheck& check) {
+  Outcome outcome;
+  RadiusCompensation compensation{ToolPosition{}};
+  for (std::size_t i = 0; i <= contour.motions.size() && !outcome.alarm; ++i) {
+    ActionBatch batch;
+    if (i == 0) batch.add().what = check;
+    else batch.add() = test::action(contour.motions[i - 1], static_cast<std::uint32_t>(i));
+    const auto fault = compensation.take(batch, i == contour.motions.size());
+    if (fault) outcome.alarm = fault->alarm.id;
+    for (const Action& action : batch) outcome.path.push_back(action);
+    for (const CompensationFault& w : compensation.warnings()) outcome.told = std::max(outcome.told, w.alarm.args[0].number());
+  }
+  return outcome;
+}
+
+/// Least distance of the tool's way along the contour to the contour, by sampling.
+double nearest(const Contour& contour, const Outcome& outcome) {
+  const std::size_t last_line = contour.motions.size();
+  const auto programmed = test::sampled({contour.motions.begin() + 1, contour.motions.end() - 1}, contour.motions.front().to);
+  double least = 1e9;
+  Axes from{};
+  std::size_t taken = 0;
+  for (const Action& action : outcome.path) {
+    const auto* const m = std::get_if<Motion>(&action.what);
+    if (m == nullptr) continue;
+    if (action.origin.line > 1 && action.origin.line < last_line) {
+      ++taken;
+      for (const Vec2 t : test::sampled({*m}, from))
+        for (const Vec2 p : programmed) least = std::min(least, length(t - p));
+    }
+    from = m->to;
+  }
+  return taken == 0 ? tool : least;
+}
+
+/// For the report of a failure: ends of the motions, block by block.
+std::string shown(const Contour& contour, const Outcome& outcome) {
+  std::ostringstream text;
+  const auto show = [&](std::uint32_t line, const Motion& m) {
+    text << line << (is_arc(m.kind) ? m.kind == MotionKind::arc_cw ? " cw " : " ccw " : " line ") << m.to[0] << ' ' << m.to[1];
+    if (is_arc(m.kind)) text << " center " << m.center.x << ' ' << m.center.y << " turns " << m.turns;
+    text << '\n';
+  };
+  text << "told " << outcome.told << " nearest " << nearest(contour, outcome) << "\nprogrammed, side "
+       << static_cast<int>(contour.motions.front().side) << '\n';
+  for (std::size_t i = 0; i < contour.motions.size(); ++i) show(static_cast<std::uint32_t>(i + 1), contour.motions[i]);
+  text << "path\n";
+  for (const Action& action : outcome.path)
+    if (const auto* const m = std::get_if<Motion>(&action.what)) show(action.origin.line, *m);
+  return text.str();
+}
+
+RC_GTEST_PROP(contour_safety, what_is_not_told_does_not_cut, ()) {
+  const Contour contour = any_contour(*rc::gen::element<std::int8_t>(1, -1));
+  const Outcome outcome = carried_out(contour, any_check());
+  RC_CLASSIFY(outcome.alarm.has_value(), "alarm");
+  RC_CLASSIFY(!outcome.alarm && outcome.told == 0, "whole");
+  if (outcome.alarm) return;  // what came before it may only have been made known with it
+  if (outcome.told == 0 && nearest(contour, outcome) < tool - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
+}
+
+RC_GTEST_PROP(contour_safety, what_is_told_is_true, ()) {
+  const Contour contour = any_contour(*rc::gen::element<std::int8_t>(1, -1));
+  const Outcome outcome = carried_out(contour, any_check());
+  RC_PRE(!outcome.alarm && outcome.told > 0);
+  if (nearest(contour, outcome) > tool - outcome.told + test::sampling) RC_FAIL(shown(contour, outcome));
+  if (nearest(contour, outcome) < tool - outcome.told - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
+}
+
+/// A motion goes along its programmed way, never against it.
+bool runs_back(const Contour& contour, const Outcome& outcome) {
+  Axes from{};
+  for (const Action& action : outcome.path) {
+    const auto* const m = std::get_if<Motion>(&action.what);
+    if (m == nullptr) continue;
+    const std::size_t block = action.origin.line - 1;
+    const Motion& programmed = contour.motions[block];
+    const Axes start = block == 0 ? Axes{} : contour.motions[block - 1].to;
+    const Vec2 way{m->to[0] - from[0], m->to[1] - from[1]};
+    const Vec2 wanted{programmed.to[0] - start[0], programmed.to[1] - start[1]};
+    const bool along = block > 0 && block + 1 < contour.motions.size() && !is_arc(programmed.kind);
+    const bool of_block = &action == &outcome.path.back() || (&action)[1].origin.line != action.origin.line;  // not the corner before it
+    if (along && of_block && dot(way, wanted) < -1e-5 * length(wanted)) return true;
+    from = m->to;
+  }
+  return false;
+}
+
+RC_GTEST_PROP(contour_safety, the_check_lets_no_block_run_back, ()) {
+  const Contour contour = any_contour(*rc::gen::element<std::int8_t>(1, -1));
+  ContourCheck check = any_check();
+  check.interference = true;
+  const Outcome outcome = carried_out(contour, check);
+  if (runs_back(contour, outcome)) RC_FAIL(shown(contour, outcome));
+}
+
+RC_GTEST_PROP(contour_safety, always_alarm_is_only_stricter, ()) {
+  const Contour contour = any_contour(*rc::gen::element<std::int8_t>(1, -1));
+  ContourCheck check{true, true, 0, 0};
+  const Outcome strict = carried_out(contour, check);
+  if (strict.alarm) return;
+  check.always_alarm = false;  // nothing to mend: the same path
+  const Outcome mended = carried_out(contour, check);
+  RC_ASSERT(!mended.alarm);
+  RC_ASSERT(mended.path.size() == strict.path.size());
+  check.interference = false;
+  const Outcome unchecked = carried_out(contour, check);
+  RC_ASSERT(unchecked.path.size() == strict.path.size());
+  for (std::size_t i = 0; i < strict.path.size(); ++i) {
+    const auto *const a = std::get_if<Motion>(&strict.path[i].what), *const b = std::get_if<Motion>(&unchecked.path[i].what);
+    RC_ASSERT((a == nullptr) == (b == nullptr));
+    if (a != nullptr) RC_ASSERT(a->to == b->to);
+  }
+}
+
+}  // namespace
+}  // namespace kadr
