@@ -62,7 +62,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
 
 void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
   if (modal.inch) moved_from_ = position.work;
-  if (transform.turns_plane() && (named & 3u) != 0) named |= 3u;  // turned: X and Y move together
+  named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
     if ((named >> a & 1u) != 0) position.work[a] = work[a];
   if (frames.rotation) {

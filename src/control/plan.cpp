@@ -9,11 +9,14 @@ namespace {
 
 constexpr std::uint8_t sequence_length = 4;
 
-/// Order within one phase: a cycle is cancelled before a motion; a repetition is opened, then a call made, then an end met.
+/// Order within one phase: a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is opened,
+/// then a call made, then an end met.
 std::uint8_t sequence(Function function) {
   switch (function) {
     case Function::no_motion:
     case Function::drilling_off:
+    case Function::scaling_off:
+    case Function::plane_rotation_off:
     case Function::repeat_word: return 0;
     case Function::call_word:
     case Function::call_subprogram: return 1;
@@ -27,7 +30,8 @@ std::uint8_t sequence(Function function) {
 bool leaves_mode(Function function) {
   return function == Function::home_through || function == Function::home_axes || function == Function::approach_reference ||
          function == Function::machine_point || function == Function::reference_return || function == Function::machine_move ||
-         function == Function::local_system || function == Function::mirror_on || function == Function::mirror_off;
+         function == Function::local_system || function == Function::mirror_on || function == Function::mirror_off ||
+         function == Function::scaling_on || function == Function::plane_rotation_on;
 }
 
 /// Collects the calls of one block.
