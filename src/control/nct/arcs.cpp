@@ -126,9 +126,7 @@ class Arc {
   Status hand_on(const PlaneArc& arc) {
     const Axes before = m_.position.programmed;
     Axes work = transformed(m_, end_);
-    for (std::size_t a = 0; a < m_.axis_count; ++a)
-      if (!(std::fabs(work[a]) <= farthest))
-        return fail(alarm(AlarmId::position_out_of_range, m_.block->where, std::string_view(m_.axis_names[a]), work[a]));
+    KADR_TRY(m_.within_reach(work));
     const bool cw = turn_ == Turn::cw;
     if (m_.modal.surface == PathSurface::polar)
       work = polar_work(m_, work, m_.nct->surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
