@@ -43,7 +43,7 @@ class Arc {
     if (named_ == 0 && !has_data) return {};  // the code alone: only the mode
     if (m_.has(letters_.other)) return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
     if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
-    if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_illegal, call_.where));  // turned out of the plane
+    if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_wrong, call_.where, call_.row->code));
     from_ = flat_point(m_, transformed(m_, m_.position.programmed));
     to_ = flat_point(m_, transformed(m_, end_));
     polar_turns_ = polar_turns(angle_before);

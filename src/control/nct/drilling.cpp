@@ -73,8 +73,9 @@ class Drilling {
     const auto bottom = bottom_word(m_);
     if (!bottom) return fail(bottom.error());
     const int axis = drilling_axis(m_, *bottom);
-    const AxisMask drills = axis < 0 ? 0 : AxisMask{1} << axis;
-    if (drills == 0 || m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_illegal, call_.where));
+    if (axis < 0) return fail(alarm(AlarmId::plane_illegal, call_.where));
+    const AxisMask drills = AxisMask{1} << axis;
+    if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
     if (!m_.has_axis_words()) return {};  // 18.2: not carried out
     KADR_TRY(remember(*bottom));

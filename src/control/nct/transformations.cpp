@@ -169,7 +169,7 @@ Status scaling_off(Machinery& m, const Call&) {
 Status plane_rotation_on(Machinery& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
   const PlaneAxes& plane = m.modal.axes;
-  if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_illegal, call.where));
+  if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   const Word* const r = m.word('R');
   const bool adds = r == nullptr || r->incremental || !m.modal.absolute;
   Axes center = m.position.programmed;
