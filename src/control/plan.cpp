@@ -55,7 +55,7 @@ class Planner {
         acting(word, static_cast<std::uint8_t>(i));
       }
     }
-    if (axes_taker_ != nullptr && motion_word_ != nullptr && !leaves_mode(axes_taker_function_))
+    if (axes_taker_ != nullptr && motion_word_ != nullptr && (motion_is_cycle_ || !leaves_mode(axes_taker_function_)))
       return fail(
           alarm(AlarmId::not_together, motion_word_->where, block_.text_of(axes_taker_->where), block_.text_of(motion_word_->where)));
     KADR_TRY(motion_in_force(motion_row));
@@ -144,6 +144,7 @@ class Planner {
     if (is_mode) {
       motion_coded_ = true;
       motion_word_ = &word;
+      motion_is_cycle_ = row.function == Function::drilling || row.function == Function::turning_simple;
       return {};
     }
     if (axes_taker_ != nullptr)
@@ -253,6 +254,7 @@ class Planner {
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
   bool calls_macro_ = false;
+  bool motion_is_cycle_ = false;  // nct: its words would be another code's
   const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;

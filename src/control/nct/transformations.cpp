@@ -48,7 +48,7 @@ Status mirror_may_change(const Machinery& m, const Call& call) {
   return fail(alarm(AlarmId::mirror_state, call.where, call.row->code, m.transform.scaling ? "G51" : "G68"));
 }
 
-/// Degrees and millimetres do not mix: on a cylinder, or with a rotary axis in the plane where that means degrees (4.6).
+/// On a cylinder degrees and millimetres would mix; 4.6 says nothing of it.
 Status flat_surface(const Machinery& m, const Call& call) {
   if (m.modal.surface == PathSurface::cylinder) return fail(alarm(AlarmId::not_available, call.where, call.row->code));
   return {};
