@@ -71,6 +71,8 @@
   X(gear_not_on) X(coupling_parameter) X(axis_follows)                              \
   /* cutter radius compensation (nct 15.5) */                                                \
   X(compensation_no_intersection) X(compensation_buffer) X(compensation_turn)                \
-  X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)                                          \
-  X(compensation_interference) X(contour_cut)
+  X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)           \
+  X(compensation_interference) X(contour_cut)                                                \
+  /* transformations (nct 16) */                                                             \
+  X(mirror_state)
 // clang-format on

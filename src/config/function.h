@@ -77,6 +77,8 @@ namespace kadr {
   X(work_area_on, data, true)       X(work_area_off, data, false)    X(reference_return, data, true)     \
   X(measure, motion, true)          X(measure_length, motion, true)  X(radius_side, compensation, false) \
   X(length_comp, length, false)     X(mirror_on, transform, true)    X(mirror_off, transform, true)      \
+  X(scaling_on, transform, true)    X(scaling_off, transform, false)                                     \
+  X(plane_rotation_on, transform, true) X(plane_rotation_off, transform, false)                          \
   X(transform_off, transform, false) X(local_system, data, true)     X(machine_move, data, true)         \
   X(work_system, zero, false)       X(work_system_extended, zero, false) X(new_system, data, true)       \
   X(feed_control, path_mode, false) X(css_on, speed_mode, false)     X(css_off, speed_mode, false)       \

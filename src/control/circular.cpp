@@ -17,18 +17,8 @@ Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.
 
 /// A circle of another plane does not stay in it under G68, which turns in XY.
 Status turned_in_plane(const Machinery& m, PlaneAxes axes, Span where, std::string_view code) {
-  if (m.transform.turns_plane() && axes.normal != 2) return fail(alarm(AlarmId::plane_wrong, where, code));
+  if (m.transform.leaves(axes)) return fail(alarm(AlarmId::plane_wrong, where, code));
   return {};
-}
-
-/// Unequal factors make an ellipse of a circle (Mach3 10.7.15).
-bool is_ellipse(const Transform& t, PlaneAxes axes) {
-  return !t.identity && std::fabs(t.scale[axes.first]) != std::fabs(t.scale[axes.second]);
-}
-
-/// Mirrored along one axis of the plane: the circle is run the other way round.
-bool runs_reversed(const Transform& t, PlaneAxes axes) {
-  return t.scale[axes.first] * t.mirror[axes.first] * t.scale[axes.second] * t.mirror[axes.second] < 0;
 }
 
 /// Places an alarm of the geometry at the arc's own words.
@@ -58,7 +48,8 @@ class Circular {
     if (!arc) return fail(arc.error());
     KADR_TRY(helix(start, end, *arc));
     KADR_TRY(turned_in_plane(m_, axes_, where, turn_ == Turn::cw ? "G2" : "G3"));
-    if (is_ellipse(m_.transform, axes_)) return start_ellipse(*arc, end, named);
+    // Unequal factors make an ellipse of a circle (Mach3 10.7.15).
+    if (m_.transform.distorts(axes_)) return start_ellipse(*arc, end, named);
     hand_on(*arc, end, named);
     return {};
   }
@@ -139,7 +130,7 @@ class Circular {
     bool reversed = false;
     Axes work = end;
     if (!m_.transform.identity) {
-      reversed = runs_reversed(m_.transform, axes_);
+      reversed = m_.transform.reverses(axes_);
       work = m_.transform.to_work(end);
       center = m_.transform.to_work(center);
     }
@@ -180,13 +171,13 @@ Status functions::circular_pocket(Machinery& m, const Call& call) {
   if (!(radius > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('I'), 'I', radius));
   const PlaneAxes plane = axes_of(Plane::xy);
   KADR_TRY(turned_in_plane(m, plane, call.where, call.row->code));
-  if (is_ellipse(m.transform, plane)) return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
+  if (m.transform.distorts(plane)) return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
   const Axes middle = m.position.programmed;
   Axes edge = middle;
   edge[0] += radius;
   KADR_TRY(m.straight(MotionKind::feed, edge, 1u));
   const Axes center = m.transform.identity ? middle : m.transform.to_work(middle);
-  const bool cw = (call.row->arg == 2) != runs_reversed(m.transform, plane);
+  const bool cw = (call.row->arg == 2) != m.transform.reverses(plane);
   Motion& circle = m.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, 3u);
   m.set_feed(circle);
   circle.first = 0;

@@ -96,6 +96,8 @@ class Machinery {
   double axis_target(const Word& w, std::size_t axis) const;
   /// Hands a straight motion to a programmed point on.
   Status straight(MotionKind kind, const Axes& programmed, AxisMask named);
+  /// A point that a transformation has led to. alarms position_out_of_range
+  Status within_reach(const Axes& work) const;
   /// A straight motion to a machine position on the named axes.
   Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed);
   /// Position after a motion; the axes not named stay where they are.

@@ -63,7 +63,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
 
 void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
   if (modal.inch) moved_from_ = position.work;
-  if (transform.turns_plane() && (named & 3u) != 0) named |= 3u;  // turned: X and Y move together
+  named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
     if ((named >> a & 1u) != 0) position.work[a] = work[a];
   if (frames.rotation) {
@@ -78,14 +78,19 @@ void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named
   position.programmed = programmed;
 }
 
+Status Machinery::within_reach(const Axes& work) const {
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (!(std::fabs(work[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], work[a]));
+  return {};
+}
+
 Status Machinery::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
   if (modal.surface != PathSurface::plane) return nct::surface_line(*this, kind, programmed, named);
   if (transform.identity) [[likely]] {
     move_to(programmed, programmed, named);
   } else {
     const Axes work = transform.to_work(programmed);
-    for (std::size_t a = 0; a < axis_count; ++a)
-      if (!(std::fabs(work[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], work[a]));
+    KADR_TRY(within_reach(work));
     move_to(programmed, work, named);
   }
   Motion& motion = add_motion(kind, named);

@@ -9,11 +9,14 @@ namespace {
 
 constexpr std::uint8_t sequence_length = 4;
 
-/// Order within one phase: a cycle is cancelled before a motion; a repetition is opened, then a call made, then an end met.
+/// Order within one phase: a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is opened,
+/// then a call made, then an end met.
 std::uint8_t sequence(Function function) {
   switch (function) {
     case Function::no_motion:
     case Function::drilling_off:
+    case Function::scaling_off:
+    case Function::plane_rotation_off:
     case Function::repeat_word: return 0;
     case Function::call_word:
     case Function::call_subprogram: return 1;
@@ -27,7 +30,8 @@ std::uint8_t sequence(Function function) {
 bool leaves_mode(Function function) {
   return function == Function::home_through || function == Function::home_axes || function == Function::approach_reference ||
          function == Function::machine_point || function == Function::reference_return || function == Function::machine_move ||
-         function == Function::local_system || function == Function::mirror_on || function == Function::mirror_off;
+         function == Function::local_system || function == Function::mirror_on || function == Function::mirror_off ||
+         function == Function::scaling_on || function == Function::plane_rotation_on;
 }
 
 /// Collects the calls of one block.
@@ -51,7 +55,7 @@ class Planner {
         acting(word, static_cast<std::uint8_t>(i));
       }
     }
-    if (axes_taker_ != nullptr && motion_word_ != nullptr && !leaves_mode(axes_taker_function_))
+    if (axes_taker_ != nullptr && motion_word_ != nullptr && (motion_is_cycle_ || !leaves_mode(axes_taker_function_)))
       return fail(
           alarm(AlarmId::not_together, motion_word_->where, block_.text_of(axes_taker_->where), block_.text_of(motion_word_->where)));
     KADR_TRY(motion_in_force(motion_row));
@@ -140,6 +144,7 @@ class Planner {
     if (is_mode) {
       motion_coded_ = true;
       motion_word_ = &word;
+      motion_is_cycle_ = row.function == Function::drilling || row.function == Function::turning_simple;
       return {};
     }
     if (axes_taker_ != nullptr)
@@ -249,6 +254,7 @@ class Planner {
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
   bool calls_macro_ = false;
+  bool motion_is_cycle_ = false;  // nct: its words would be another code's
   const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;

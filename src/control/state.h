@@ -87,20 +87,48 @@ struct Modal {
   Axes lengths{};                            // by G43, G44 on each axis, with their sign
 };
 
-/// Programmed → work coordinates: scale, mirror, rotation about a point, what axis correctors have added.
+/// Programmed → work coordinates. From the inside out: scaled, then turned (or turned, then scaled), mirrored, shifted by what axis
+/// correctors have added. Each axis by itself but the two that a rotation mixes (nct 16.0: the first switched on is the outermost).
+///   law  to_programmed(to_work(p)) == p up to rounding
 struct Transform {
   bool identity = true;
   Axes scale;                                // negative where mirrored
-  Axes added;                                // by correctors, mm
-  double rotation = 0;                       // degrees about Z
-  Vec2 rotation_center;                      // work coordinates
+  Axes scale_shift;                          // mm: centre · (1 - scale)
+  Axes added;                                // by correctors, or twice the coordinate of a mirror line (nct 16.3), mm
+  double rotation = 0;                       // degrees, the first axis turned towards the second
+  Vec2 rotation_center;                      // mm
+  std::uint8_t first = 0, second = 1;        // axes that the rotation mixes
+  bool turned_last = true;                   // scaled, then turned; false: turned, then scaled
+  bool scaling = false, turning = false;     // nct: G51, G68 are on, whatever their numbers
   std::array<std::int8_t, max_axes> mirror;  // +1, -1
 
   Transform();
-  void refresh();  // sets `identity`
+  void refresh();  // sets `identity` and the rotation's sine and cosine
   Axes to_work(const Axes& programmed) const;
   Axes to_programmed(const Axes& work) const;
-  bool turns_plane() const { return rotation != 0; }
+  /// The axes that a rotation mixes move together.
+  AxisMask moved_with(AxisMask named) const;
+
+  // ---- what it does in a plane
+  /// A rotation in another plane leads its figures out of this one.
+  bool leaves(PlaneAxes plane) const;
+  /// A contour runs the other way round: the determinant of the plane part is negative.
+  bool reverses(PlaneAxes plane) const { return sign(plane.first) * sign(plane.second) < 0; }
+  /// Its two axes have different factors: a circle is none any more.
+  bool distorts(PlaneAxes plane) const;
+  /// A point of the plane; mm. Nothing else of it counts where the transformation does not leave the plane.
+  Vec2 to_work(Vec2 programmed, PlaneAxes plane) const;
+  /// A direction: mirrored and turned; scaling has no influence on it (nct 15.5.6).
+  Vec2 direction(Vec2 way, PlaneAxes plane) const;
+  /// Factor of a corner's rounding or chamfer: the mean of the plane's two, without sign (nct 16.2).
+  double corner_scale(PlaneAxes plane) const;
+  /// Factor of an arc's radius: that of the first axis of the plane, without sign (nct 16.2).
+  double radius_scale(PlaneAxes plane) const;
+
+ private:
+  int sign(std::size_t axis) const { return scale[axis] * mirror[axis] < 0 ? -1 : 1; }
+  void turn(Axes& at, SinCos by) const;
+  SinCos turn_;
 };
 
 struct ProgramPosition {

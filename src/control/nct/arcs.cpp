@@ -25,10 +25,14 @@ CenterLetters center_letters(Plane plane) {
   }
 }
 
+/// The arc is found behind the transformations (16.0): start, end and centre are transformed, the sense by their determinant.
 class Arc {
  public:
   Arc(Machinery& m, const Call& call, Turn turn)
-      : m_(m), call_(call), turn_(turn), plane_(m.modal.axes), letters_(center_letters(m.modal.plane)) {}
+      : m_(m), call_(call), programmed_turn_(turn), plane_(m.modal.axes), letters_(center_letters(m.modal.plane)) {
+    const bool reversed = m.transform.reverses(plane_);
+    turn_ = (turn == Turn::cw) != reversed ? Turn::cw : Turn::ccw;
+  }
 
   Status run() {
     const double angle_before = start_angle();
@@ -39,16 +43,17 @@ class Arc {
     if (named_ == 0 && !has_data) return {};  // the code alone: only the mode
     if (m_.has(letters_.other)) return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
     if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
-    from_ = flat_point(m_, m_.position.programmed);
-    to_ = flat_point(m_, end_);
+    if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_wrong, call_.where, call_.row->code));
+    from_ = flat_point(m_, transformed(m_, m_.position.programmed));
+    to_ = flat_point(m_, transformed(m_, end_));
     polar_turns_ = polar_turns(angle_before);
+    if (polar_turns_ && m_.transform.distorts(plane_)) return fail(alarm(AlarmId::not_available, call_.where, "G16 G51"));
     if (m_.has('R') && !polar_turns_ && (!in_plane || length(to_ - from_) <= tol::same_point)) return straight_rest();
     KADR_TRY(m_.feed_known(call_.where));
     auto arc = m_.has('R') ? by_radius() : by_center();
     if (!arc) return fail(arc.error());
     KADR_TRY(turns(*arc));
-    hand_on(*arc);
-    return {};
+    return hand_on(*arc);
   }
 
  private:
@@ -76,19 +81,21 @@ class Arc {
       return fail(alarm(AlarmId::surface_state, m_.where(letter), letter));
     }
     const bool absolute = m_.nct->settings.centers_absolute;
+    const Axes& here = m_.position.programmed;
     const Vec2 words{m_.length_value(letters_.first), m_.length_value(letters_.second)};
-    const Vec2 center = absolute ? words : from_ + words;
+    const Vec2 center = absolute ? words : Vec2{here[plane_.first], here[plane_.second]} + words;
     const double difference = m_.has('L') ? any_difference : m_.nct->settings.radius_difference;
-    auto arc = arc_around(from_, to_, center, turn_, difference);
+    auto arc = arc_around(from_, to_, placed_point(center), turn_, difference);
     if (!arc) return placed(arc.error());
     if (polar_turns_ && length(center) <= m_.nct->settings.radius_difference) arc->turns = *polar_turns_;
     return arc;
   }
 
   Result<PlaneArc> by_radius() {
-    const double radius = m_.length_value('R');
+    const double radius = m_.length_value('R') * m_.transform.radius_scale(plane_);
     const double most = m_.nct->settings.radius_difference;
-    if (polar_turns_ && std::fabs(length(from_) - std::fabs(radius)) <= most) return PlaneArc{{}, *polar_turns_};
+    const Vec2 pole = placed_point({});
+    if (polar_turns_ && std::fabs(length(from_ - pole) - std::fabs(radius)) <= most) return PlaneArc{pole, *polar_turns_};
     const double half = length(to_ - from_) / 2, r = std::fabs(radius);
     if (r < half - tol::same_point) {  // the centre on the chord, at R from the start (4.3)
       if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_mismatch, {}, r, half * 2 - r));
@@ -103,7 +110,7 @@ class Arc {
   std::optional<double> polar_turns(double angle_before) const {
     if (!m_.modal.polar_data || m_.modal.surface == PathSurface::cylinder) return std::nullopt;
     const double sweep = m_.modal.polar_angle - angle_before;
-    if (!(std::fabs(sweep) >= 360) || (sweep > 0) != (turn_ == Turn::ccw)) return std::nullopt;
+    if (!(std::fabs(sweep) >= 360) || (sweep > 0) != (programmed_turn_ == Turn::ccw)) return std::nullopt;
     return std::fabs(sweep) / 360;
   }
 
@@ -116,37 +123,26 @@ class Arc {
     return {};
   }
 
-  void hand_on(const PlaneArc& arc) {
+  Status hand_on(const PlaneArc& arc) {
     const Axes before = m_.position.programmed;
-    const Transform& t = m_.transform;
-    bool reversed = false;
-    Vec2 center = m_.modal.surface == PathSurface::cylinder ? in_axes(arc.center) : arc.center;
-    Axes work = t.identity ? end_ : t.to_work(end_);
-    if (!t.identity) {
-      Axes at = end_;
-      at[plane_.first] = center.x;
-      at[plane_.second] = center.y;
-      at = t.to_work(at);
-      center = {at[plane_.first], at[plane_.second]};
-      const auto sign = [&](std::size_t axis) { return t.scale[axis] * t.mirror[axis]; };
-      reversed = sign(plane_.first) * sign(plane_.second) < 0;
-    }
+    Axes work = transformed(m_, end_);
+    KADR_TRY(m_.within_reach(work));
+    const bool cw = turn_ == Turn::cw;
+    if (m_.modal.surface == PathSurface::polar)
+      work = polar_work(m_, work, m_.nct->surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
     named_ |= 1u << plane_.first | 1u << plane_.second;
-    const bool cw = (turn_ == Turn::cw) != reversed;
-    if (m_.modal.surface == PathSurface::polar) {
-      const Axes start = t.identity ? before : t.to_work(before);
-      const FlatArc path{
-          {start[plane_.first], start[plane_.second]}, {work[plane_.first], work[plane_.second]}, center, cw ? -arc.turns : arc.turns};
-      work = polar_work(m_, work, m_.nct->surface_angle + swept_about_pole(path));
-    }
     m_.move_to(end_, work, named_);
     Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named_);
     m_.set_feed(motion);
-    motion.center = center;
+    motion.center = m_.modal.surface == PathSurface::cylinder ? in_axes(arc.center) : arc.center;
     motion.turns = arc.turns;
     motion.along = m_.nct->settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
     if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);
+    return {};
   }
+
+  /// A programmed point of the plane; mm. Not on a cylinder.
+  Vec2 placed_point(Vec2 programmed) const { return m_.transform.identity ? programmed : m_.transform.to_work(programmed, plane_); }
 
   /// On the cylinder: from millimetres to the axes' own units.
   Vec2 in_axes(Vec2 flat) const {
@@ -162,7 +158,8 @@ class Arc {
 
   Machinery& m_;
   const Call& call_;
-  Turn turn_;
+  Turn programmed_turn_;
+  Turn turn_;  // behind the transformations, as from_ and to_
   PlaneAxes plane_;
   CenterLetters letters_;
   Axes end_{};

@@ -5,6 +5,7 @@
 #include "base/vec.h"
 #include "control/action.h"
 #include "control/nct/settings.h"
+#include "lang/block.h"
 
 namespace kadr {
 class Machinery;
@@ -14,6 +15,10 @@ namespace kadr::nct {
 
 /// End point by the block's axis words: G90/G91, operator I, U V W, diameter, polar data, roll-over (5.1–5.6).
 Status target(const Machinery& m, Axes& to, AxisMask& named);
+/// Value of an axis word in mm or degrees; a diameter as a radius.
+double coordinate(const Machinery& m, const Word& w, std::size_t axis);
+/// By G91, the operator I or an address of increments.
+bool is_increment(const Machinery& m, const Word& w);
 /// Origin, length, shifts and basic rotation worked out anew (10, position chain).
 void refresh_frames(Machinery& m);
 /// c in [0, period).
@@ -28,8 +33,8 @@ void note_motion(Machinery& m, Motion& motion);
 double inch_feed(const Machinery& m, const Motion& motion, const Axes& from);
 /// A straight motion in the virtual plane (G12.1) or on the cylinder (G7.1).
 Status surface_line(Machinery& m, MotionKind kind, const Axes& programmed, AxisMask named);
-/// A programmed point in the plane of the surface, mm; the real axes of one; what a motion on a surface has beside its end.
-Vec2 flat_point(const Machinery& m, const Axes& programmed);
+/// A point in the plane of the surface, mm; the real axes of a programmed one; what a motion on a surface has beside its end.
+Vec2 flat_point(const Machinery& m, const Axes& point);
 Axes surface_work(const Machinery& m, const Axes& programmed);
 /// The same of a point behind the transformations, in polar interpolation: the angle is the one nearest to `near` degrees.
 Axes polar_work(const Machinery& m, const Axes& point, double near);
@@ -40,7 +45,9 @@ struct FlatArc {
 };
 /// Degrees that the point's direction from the pole turns by on its way, whole turns included (4.5).
 double swept_about_pole(const FlatArc& arc);
-/// Where the tool stands for the transformations: work coordinates, in polar interpolation the virtual ones.
+/// A programmed point behind mirroring, scaling and rotation (16.0).
+Axes transformed(const Machinery& m, const Axes& programmed);
+/// Where the tool stands behind the transformations: work coordinates, in polar interpolation the virtual ones.
 Axes before_transform(const Machinery& m);
 void finish_surface(Machinery& m, Motion& motion, const Axes& from);
 /// The detail of a motion, to be filled.

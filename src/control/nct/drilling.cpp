@@ -4,8 +4,10 @@
 
 #include "base/tolerance.h"
 #include "control/functions.h"
+#include "control/nct/coordinates.h"
 #include "control/nct/drilling_run.h"
 #include "control/nct/nct.h"
+#include "control/nct/transformations.h"
 
 namespace kadr::nct {
 namespace {
@@ -60,16 +62,6 @@ int drilling_axis(const Machinery& m, const Word* bottom) {
   return -1;
 }
 
-/// The value of an axis word in mm; a diameter as a radius.
-double axis_value(const Machinery& m, const Word& w, std::size_t axis) {
-  const double v = w.value * (m.def.address(w.address).unit == WordUnit::length ? m.unit_scale() : 1.0);
-  return (m.modal.diameter >> axis & 1u) != 0 ? v / 2 : v;
-}
-
-bool is_increment(const Machinery& m, const Word& w) {
-  return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
-}
-
 /// One block with a cycle: its words are kept, its levels found, operation 1 done, the rest begun.
 class Drilling {
  public:
@@ -82,6 +74,8 @@ class Drilling {
     if (!bottom) return fail(bottom.error());
     const int axis = drilling_axis(m_, *bottom);
     if (axis < 0) return fail(alarm(AlarmId::plane_illegal, call_.where));
+    const AxisMask drills = AxisMask{1} << axis;
+    if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
     if (!m_.has_axis_words()) return {};  // 18.2: not carried out
     KADR_TRY(remember(*bottom));
@@ -152,7 +146,7 @@ class Drilling {
 
   Status remember(const Word* bottom) {
     if (bottom != nullptr) {
-      kept_.bottom = axis_value(m_, *bottom, kept_.axis);
+      kept_.bottom = coordinate(m_, *bottom, kept_.axis);
       kept_.bottom_added = is_increment(m_, *bottom);
     }
     if (const Word* const r = m_.word('R'); r != nullptr) {  // always a radius (5.3)
@@ -215,7 +209,8 @@ class Drilling {
     }
     if ((code_ == 730 || code_ == 830) && !(job.peck > 0))
       return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));
-    if (job.peck > 0 && std::fabs(job.level - job.bottom) / job.peck > most_pecks)
+    const double depth = std::fabs(job.level - job.bottom) * std::fabs(m_.transform.scale[job.axis]);
+    if (job.peck > 0 && depth / job.peck > most_pecks)
       return fail(alarm(AlarmId::value_out_of_range, m_.has('Q') ? m_.where('Q') : call_.where, 'Q', job.peck));
     return {};
   }
@@ -279,6 +274,7 @@ int drills_along(const Machinery& m) {
 
 void note_code(Machinery& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && m.nct->settings.part_code != 0 && tenth == 10 * m.nct->settings.part_code) m.nct->parts_done += 1;  // 13.1
+  note_mirror_code(m, row);
   if (row.group != m.nct->motion_group) return;
   if (row.function != Function::turning_simple) m.nct->state.turning.code = 0;  // the data of a simple turning cycle (19.1)
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
@@ -291,7 +287,9 @@ Status check_drilling(const Machinery& m) {
 
 Status check_increment_of_r(const Machinery& m) {
   const Word* const r = m.word('R');
-  if (r == nullptr || !r->incremental || drilling_on(m) || m.has_code({Function::drilling, Function::set_tables})) return {};  // G10 R: 5.1
+  if (r == nullptr || !r->incremental || drilling_on(m) ||
+      m.has_code({Function::drilling, Function::set_tables, Function::plane_rotation_on}))
+    return {};  // 5.1
   return fail(alarm(AlarmId::increment_not_allowed, r->where, r->written));
 }
 

@@ -103,7 +103,7 @@ void note_motion(Machinery& m, Motion& motion) {
   if (nct.rolled != 0) {
     MotionDetail& detail = detail_of(m, motion);
     detail.rolled = nct.rolled;
-    detail.travel = nct.travel;
+    for (std::size_t a = 0; a < m.axis_count; ++a) detail.travel[a] = nct.travel[a] * m.transform.mirror[a];
     nct.rolled = 0;
     roll_positions(m, m.position.work);
     roll_positions(m, m.position.machine);

@@ -4,6 +4,7 @@
 
 #include "control/functions.h"
 #include "control/nct/calls.h"
+#include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
@@ -57,7 +58,7 @@ Result<bool> call_interrupt(Machinery& m, BlockMoment moment) {
   KADR_TRY(m.flow.call_at(nct.interrupt_program->reader, nct.interrupt_program->start, frame, m.block->where));
   if (frame.opened_level) nct.variables.open_level(no_locals());
   nct.active_modal_calls = 0;
-  nct.interrupted = {true, m.modal, nct.state.words};
+  nct.interrupted = {true, m.modal, nct.state.words, m.transform};
   return true;
 }
 
@@ -68,6 +69,8 @@ void Nct::end_interrupt(Machinery& m, bool restore) {
   if (!restore) return;
   m.modal = interrupted.modal;
   state.words = interrupted.words;
+  m.transform = interrupted.transform;
+  m.position.programmed = m.transform.to_programmed(before_transform(m));
   m.change_frames();
 }
 

@@ -44,8 +44,6 @@ Status needs(const Machinery& m, const Call& call, const Needed& needed) {
 Status state_allows(const Machinery& m, const Call& call) {
   if (m.modal.surface == PathSurface::polar) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   for (const Needed& needed : always_needed) KADR_TRY(needs(m, call, needed));
-  for (std::size_t a = 0; a < m.axis_count; ++a)  // G50.1 with axes leaves the others mirrored
-    if (m.transform.mirror[a] < 0) return fail(alarm(AlarmId::probe_state, call.where, "G51.1"));
   return {};
 }
 

@@ -1,4 +1,4 @@
-// Modes and small functions: polar data, smoothing, dwell, feed control, mirroring, threads (spec/nct/04, 05, 06, 08, 16.3).
+// Modes and small functions: polar data, smoothing, dwell, feed control, threads (spec/nct/04, 05, 06, 08).
 
 #include <cmath>
 
@@ -43,40 +43,7 @@ Status feed_control(Machinery& m, const Call&) {
   return {};
 }
 
-/// G51.1 (16.3): the named axes are mirrored about the given coordinates.
-Status mirror_on(Machinery& m, const Call& call) {
-  const Axes at = nct::before_transform(m);
-  if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
-    const Word& w = m.block->words[i];
-    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
-    const std::size_t a = m.def.address(w.address).axis;
-    if (w.incremental) return fail(alarm(AlarmId::increment_not_allowed, w.where, w.written));
-    const double center = w.value * (m.def.address(w.address).unit == WordUnit::length ? m.unit_scale() : 1.0);
-    m.transform.mirror[a] = -1;
-    m.transform.added[a] = 2 * center;
-  }
-  m.transform.refresh();
-  m.position.programmed = m.transform.to_programmed(at);
-  return {};
-}
-
-/// G50.1: off on the named axes; without axis words on all.
-Status mirror_off(Machinery& m, const Call&) {
-  const Axes at = nct::before_transform(m);
-  const bool all = !m.has_axis_words();
-  for (std::size_t a = 0; a < m.axis_count; ++a) {
-    const char letter = m.letters.axis_letter[a];
-    if (!all && (letter == 0 || !m.has(letter))) continue;
-    m.transform.mirror[a] = 1;
-    m.transform.added[a] = 0;
-  }
-  m.transform.refresh();
-  m.position.programmed = m.transform.to_programmed(at);
-  return {};
-}
-
-/// Codes that end what Kadr does not begin yet (G50, G69, G69.1): the state they name is in force.
+/// Codes that end what Kadr does not begin yet (G50.2, G69.1): the state they name is in force.
 Status transform_off(Machinery&, const Call&) { return {}; }
 
 /// G33 (4.4): a thread along one or two axes; F the lead, or E threads an inch; Q the start angle.

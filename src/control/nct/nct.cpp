@@ -7,6 +7,7 @@
 #include "control/functions.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/system_variables.h"
+#include "control/nct/transformations.h"
 
 namespace kadr::nct {
 namespace {
@@ -73,9 +74,8 @@ void reset_codes(Machinery& m, bool keep) {
     const GroupRow& group = m.def.groups[g];
     const int number = group_number(group);
     constexpr int gear_group = 34;
-    if (number == gear_group && m.nct->state.gear.on) continue;  // 20.1.4: with RCE=0 a reset leaves it on
-    // G13.1, G15, G64, G50.1 come back whatever CLR says (4.5, 5.4, 6.3.3, INFERRED 16.3)
-    const bool always = number == 15 || number == 17 || number == 21 || number == 22;
+    if (number == gear_group && m.nct->state.gear.on) continue;        // 20.1.4: with RCE=0 a reset leaves it on
+    const bool always = number == 15 || number == 17 || number == 21;  // G64, G15, G13.1: whatever CLR says (6.3.3, 5.4, 4.5)
     if (group.power_on < 0 || (!always && keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
                                s.kept_groups[static_cast<std::size_t>(number)]))
       continue;
@@ -83,6 +83,7 @@ void reset_codes(Machinery& m, bool keep) {
     const std::int32_t index = m.def.row_of('G', tenth);
     if (index < 0) continue;
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
+    if (row.function == Function::mirror_off) clear_mirror(m);  // under G51, G68 that stay on, too
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, {}});
     m.batch->cut(silent);
@@ -98,7 +99,6 @@ void reset_shifts(Machinery& m) {
   m.modal.diameter = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.nct->settings.axes[a].diameter) m.modal.diameter |= 1u << a;
-  m.transform = Transform();
 }
 
 }  // namespace
@@ -163,6 +163,7 @@ void Nct::start(Machinery& m, const Setup& setup) {
   signals = setup.signals;
   single_block = setup.single_block;
   clock = setup.clock;
+  m.transform = Transform();
   reset_shifts(m);
   reset_codes(m, false);
   const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};  // 6.2

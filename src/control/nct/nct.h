@@ -128,6 +128,7 @@ struct Interrupted {
   bool active = false;
   Modal modal;
   ModalWords words;
+  Transform transform;
 };
 
 class Nct {

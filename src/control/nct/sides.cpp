@@ -7,12 +7,6 @@
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
-namespace {
-
-double sign_of(const Machinery& m, std::size_t axis) { return m.transform.scale[axis] * m.transform.mirror[axis] < 0 ? -1 : 1; }
-
-}  // namespace
-
 void note_side(Machinery& m, Motion& motion) {
   Volatile& state = m.nct->state;
   if (m.modal.radius_side == 0 && state.side_step != SideStep::ends) return;
@@ -20,11 +14,10 @@ void note_side(Machinery& m, Motion& motion) {
   const bool contour = arc || motion.kind == MotionKind::rapid || motion.kind == MotionKind::feed;
   if (!contour || m.modal.surface != PathSurface::plane || m.nct->uncompensated) return;
   const PlaneAxes& plane = m.modal.axes;
-  const double mirrored = sign_of(m, plane.first) * sign_of(m, plane.second);
-  const double side = -m.modal.radius_side * (state.tool_radius < 0 ? -1 : 1) * mirrored;
+  const int side = (state.tool_radius < 0) == m.transform.reverses(plane) ? -m.modal.radius_side : m.modal.radius_side;
   motion.side = static_cast<std::int8_t>(side);
   motion.tool_radius = std::fabs(state.tool_radius);
-  if ((motion.named & (AxisMask{1} << plane.first | AxisMask{1} << plane.second)) == 0) return;
+  if ((m.transform.moved_with(motion.named) & (AxisMask{1} << plane.first | AxisMask{1} << plane.second)) == 0) return;
   motion.side_step = state.side_step;
   if (m.nct->holds_vector && motion.side_step == SideStep::none) motion.side_step = SideStep::holds;
   state.compensates = motion.side_step != SideStep::ends;
@@ -72,7 +65,7 @@ std::optional<Vec2> plane_direction(const Machinery& m) {
   const auto& pair = of_plane[m.modal.plane == Plane::xy ? 0 : m.modal.plane == Plane::zx ? 1 : 2];
   const char first = letters[pair[0]], second = letters[pair[1]];
   if (!m.has(first) && !m.has(second)) return std::nullopt;
-  const Vec2 way{sign_of(m, m.modal.axes.first) * m.length_value(first), sign_of(m, m.modal.axes.second) * m.length_value(second)};
+  const Vec2 way = m.transform.direction({m.length_value(first), m.length_value(second)}, m.modal.axes);
   return way == Vec2{} ? std::nullopt : std::optional(way);
 }
 

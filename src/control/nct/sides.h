@@ -23,7 +23,7 @@ void note_skip_mark(Machinery& m);
 bool only_shifts_length(const Machinery& m);
 /// G41, G42, G40 in a block that did not move in the plane.
 void end_side_block(Machinery& m);
-/// I, J, K of the plane as a direction, mirrored with it; nothing if none stands in the block.
+/// I, J, K of the plane as a direction, mirrored and turned as the contour is (15.5.1, 15.5.6); nothing if none stands in the block.
 std::optional<Vec2> plane_direction(const Machinery& m);
 
 }  // namespace kadr::nct

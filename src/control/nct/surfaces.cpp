@@ -26,14 +26,10 @@ void to_polar(const Machinery& m, const Axes& programmed, double near, Axes& wor
   work[plane.second] = angle;
 }
 
-Axes transformed(const Machinery& m, const Axes& programmed) { return m.transform.identity ? programmed : m.transform.to_work(programmed); }
-
 /// Millimetres on the unrolled surface.
-Vec2 unrolled(const Machinery& m, const Axes& programmed) {
+Vec2 unrolled(const Machinery& m, const Axes& point) {
   const PlaneAxes& plane = m.modal.axes;
-  const auto flat = [&](std::size_t axis) {
-    return is_rotary(m, axis) ? programmed[axis] * m.modal.surface_radius * rad_per_deg : programmed[axis];
-  };
+  const auto flat = [&](std::size_t axis) { return is_rotary(m, axis) ? point[axis] * m.modal.surface_radius * rad_per_deg : point[axis]; };
   return {flat(plane.first), flat(plane.second)};
 }
 
@@ -57,9 +53,11 @@ void set_surface(const Machinery& m, MotionDetail& detail, const Axes& from, con
 
 }  // namespace
 
-Vec2 flat_point(const Machinery& m, const Axes& programmed) {
-  if (m.modal.surface == PathSurface::cylinder) return unrolled(m, programmed);
-  return {programmed[m.modal.axes.first], programmed[m.modal.axes.second]};
+Axes transformed(const Machinery& m, const Axes& programmed) { return m.transform.identity ? programmed : m.transform.to_work(programmed); }
+
+Vec2 flat_point(const Machinery& m, const Axes& point) {
+  if (m.modal.surface == PathSurface::cylinder) return unrolled(m, point);
+  return {point[m.modal.axes.first], point[m.modal.axes.second]};
 }
 
 /// The motion's end in real axes: transformed in the programmed plane, then rolled up (4.5, INFERRED).
@@ -135,6 +133,9 @@ namespace {
 
 Status allowed(const Machinery& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  // 4.5, 4.6 leave open what scaling and rotation do where the axes of the plane change their meaning.
+  if (m.transform.scaling || m.transform.turning)
+    return fail(alarm(AlarmId::not_available, call.where, m.transform.scaling ? "G51" : "G68"));
   return {};
 }
 
@@ -154,9 +155,9 @@ Status polar_surface_on(Machinery& m, const Call& call) {
   m.modal.surface = PathSurface::polar;
   m.modal.surface_side = linear > 0 ? 1 : -1;
   m.nct->surface_angle = rotary;
-  const double offset = m.nct->settings.axes[plane.second].polar_offset;
-  m.position.programmed[plane.first] = linear;
-  m.position.programmed[plane.second] = offset;
+  Axes at = m.position.work;  // in the virtual plane
+  at[plane.second] = m.nct->settings.axes[plane.second].polar_offset;
+  m.position.programmed = m.transform.to_programmed(at);
   return {};
 }
 

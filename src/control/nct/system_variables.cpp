@@ -58,7 +58,7 @@ double axis_value(const Machinery& m, VariableKind kind, int axis) {
   const double length = m.frames.length[a];
   const bool with_length = !m.nct->settings.without_length;
   switch (kind) {
-    case VariableKind::end_position: return shown(m, axis, m.position.programmed[a]);
+    case VariableKind::end_position: return shown(m, axis, before_transform(m)[a]);
     case VariableKind::machine_position: return shown(m, axis, m.position.machine[a]);
     case VariableKind::work_position: return shown(m, axis, m.position.work[a] + (with_length ? length : 0));
     case VariableKind::probe_position: return shown(m, axis, m.nct->probe_position[a] + (with_length ? m.nct->probe_length[a] : 0));

@@ -9,19 +9,6 @@
 namespace kadr::nct {
 namespace {
 
-/// The word's value in mm or degrees; a diameter as a radius.
-double value_of(const Machinery& m, const Word& w, std::size_t axis) {
-  const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // a length there (4.5)
-  const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
-  double v = w.value * (is_length ? m.unit_scale() : 1.0);
-  if ((m.modal.diameter >> axis & 1u) != 0) v /= 2;
-  return v;
-}
-
-bool is_increment(const Machinery& m, const Word& w) {
-  return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
-}
-
 /// G16: the first plane axis carries the radius, the second the angle (5.4).
 void polar(const Machinery& m, const Word* radius, const Word* angle, Axes& to, AxisMask& named) {
   Modal& modal = const_cast<Machinery&>(m).modal;  // what was given last is kept
@@ -33,7 +20,7 @@ void polar(const Machinery& m, const Word* radius, const Word* angle, Axes& to, 
     modal.polar_radius_absolute = true;
   }
   if (radius != nullptr) {
-    modal.polar_radius = value_of(m, *radius, plane.first);
+    modal.polar_radius = coordinate(m, *radius, plane.first);
     modal.polar_radius_absolute = !is_increment(m, *radius);
     modal.polar_radius_given = true;
   }
@@ -49,6 +36,18 @@ void polar(const Machinery& m, const Word* radius, const Word* angle, Axes& to, 
 }
 
 }  // namespace
+
+double coordinate(const Machinery& m, const Word& w, std::size_t axis) {
+  const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // a length there (4.5)
+  const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
+  double v = w.value * (is_length ? m.unit_scale() : 1.0);
+  if ((m.modal.diameter >> axis & 1u) != 0) v /= 2;
+  return v;
+}
+
+bool is_increment(const Machinery& m, const Word& w) {
+  return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
+}
 
 /// c in [0, period).
 double rolled_position(double c, double period) {
@@ -92,7 +91,7 @@ Status target(const Machinery& m, Axes& to, AxisMask& named) {
       (axis == plane.first ? radius : angle) = &w;
       continue;
     }
-    const double v = value_of(m, w, axis);
+    const double v = coordinate(m, w, axis);
     const AxisSettings& settings = nct.settings.axes[axis];
     const bool increment = is_increment(m, w);
     named |= 1u << axis;

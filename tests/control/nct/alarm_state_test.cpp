@@ -43,6 +43,7 @@ TEST(alarm_on_nct, leaves_everything_as_it_was) {
       {"nct", head + "G1 X1 Y1\n", shows},
       {"nct", head + "G0 X1\nG16\nX5 Y45\n", "X6\nY20\n" + shows},
       {"nct", head + "G51.1 X5\nG1 X2\n", "X6\nY20\n" + shows},
+      {"nct", head + "G51.1 X5\nG51 X1 Y2 Z3 P2\nG68 X4 Y5 R30\nG1 X2\n", "X6\nG68 X1 Y1 RI10\nY20\nG69\nG51 X0 P3\nX7\nG50\nX8\n" + shows},
       {"nct", head + "G92 X5\nG52 Y3\nG1 X2\n", "G92 X6\nX7\nG52 X0 Y0\n" + shows},
       {"nct", head + "G66 P301\nG1 X2\n", "X6\n" + shows},
       {"nct", head + "T71 M6\nS500 M3\nT72\nG0 X2\n", "M5\n" + shows},
@@ -114,6 +115,10 @@ TEST(alarm_on_nct, leaves_everything_as_it_was) {
       "G33 X5 F0",
       "(COMMENT) X5 Y",
       "G41 D1 G2 X5 R10",
+      "G51 X0 Y0 P3 M98 P777",
+      "G51 X0 I0",
+      "G68 X9 Y9 R50 M98 P777",
+      "G69 G50 G50.1 X0 M98 P777",
   };
   for (const Scene& scene : scenes)
     for (const char* fault : faults) EXPECT_EQ(differences(scene, fault, machine()), "") << scene.before << "fault: " << fault;
