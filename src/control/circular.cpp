@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "control/arc.h"
+#include "control/contour.h"
 #include "control/functions.h"
 #include "control/machinery.h"
 #include "control/nct/arcs.h"
@@ -24,11 +25,6 @@ Status turned_in_plane(const Machinery& m, PlaneAxes axes, Span where, std::stri
 /// Unequal factors make an ellipse of a circle (Mach3 10.7.15).
 bool is_ellipse(const Transform& t, PlaneAxes axes) {
   return !t.identity && std::fabs(t.scale[axes.first]) != std::fabs(t.scale[axes.second]);
-}
-
-/// Mirrored along one axis of the plane: the circle is run the other way round.
-bool runs_reversed(const Transform& t, PlaneAxes axes) {
-  return t.scale[axes.first] * t.mirror[axes.first] * t.scale[axes.second] * t.mirror[axes.second] < 0;
 }
 
 /// Places an alarm of the geometry at the arc's own words.
@@ -52,6 +48,7 @@ class Circular {
     if ((m_.block->letters & used) == 0) return {};  // the code alone: only the mode
     if (m_.def.behaviour.correctors && m_.has('L'))
       return fail(alarm(AlarmId::not_together, m_.where('L'), "L", turn_ == Turn::cw ? "G2" : "G3"));
+    KADR_TRY(arc_beside_contour(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
     const Axes& start = m_.position.programmed;
     auto arc = shape(start, end, where);
@@ -139,7 +136,7 @@ class Circular {
     bool reversed = false;
     Axes work = end;
     if (!m_.transform.identity) {
-      reversed = runs_reversed(m_.transform, axes_);
+      reversed = m_.transform.reverses(axes_);
       work = m_.transform.to_work(end);
       center = m_.transform.to_work(center);
     }
@@ -175,6 +172,7 @@ Status functions::arc_ccw(Machinery& m, const Call& call) { return circular(m, c
 
 /// G12 / G13 (Mach3): from the centre out along +X by I, the circle, back; arg: 2 clockwise, 3 counter-clockwise.
 Status functions::circular_pocket(Machinery& m, const Call& call) {
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));
   const double radius = m.length_value('I');
   if (!(radius > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('I'), 'I', radius));
@@ -186,7 +184,7 @@ Status functions::circular_pocket(Machinery& m, const Call& call) {
   edge[0] += radius;
   KADR_TRY(m.straight(MotionKind::feed, edge, 1u));
   const Axes center = m.transform.identity ? middle : m.transform.to_work(middle);
-  const bool cw = (call.row->arg == 2) != runs_reversed(m.transform, plane);
+  const bool cw = (call.row->arg == 2) != m.transform.reverses(plane);
   Motion& circle = m.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, 3u);
   m.set_feed(circle);
   circle.first = 0;

@@ -17,6 +17,10 @@ void Transform::refresh() {
              std::all_of(added.begin(), added.end(), [](double x) { return x == 0; });
 }
 
+bool Transform::reverses(const PlaneAxes& plane) const {
+  return scale[plane.first] * mirror[plane.first] * scale[plane.second] * mirror[plane.second] < 0;
+}
+
 Axes Transform::to_work(const Axes& programmed) const {
   Axes work;
   for (std::size_t a = 0; a < max_axes; ++a) work[a] = programmed[a] * scale[a] * mirror[a];

@@ -25,6 +25,12 @@ const std::optional<Vec2>& direction_of(const Motion& m) {
   return m.detail ? m.detail->way : none;
 }
 
+/// At rapid there are no arcs.
+CornerJoin join_of(const Motion& m, const Motion& next) {
+  const bool rapid = m.kind == MotionKind::rapid && next.kind == MotionKind::rapid;
+  return rapid && m.join_corner == CornerJoin::arc ? CornerJoin::extended : m.join_corner;
+}
+
 /// One vector, inside or outside alike: where the offsets meet (15.5.1, 15.5.3, 15.5.4).
 JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
   return one(intersection(first, second, point).value_or(otherwise));
@@ -40,7 +46,7 @@ void RadiusCompensation::drop() {
 }
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
-  if (!held_ && !zero_) {  // mostly: nothing to do but to know where the tool stands
+  if (!held_ && !zero_ && !beside()) {  // mostly: nothing to do but to know where the tool stands
     bool any = false;
     for (const Action& action : batch)
       if (const auto* const m = std::get_if<Motion>(&action.what); m != nullptr && m->side != 0) any = true;
@@ -69,13 +75,24 @@ void RadiusCompensation::next(Action& action) {
     return;
   }
   if (std::holds_alternative<ContourCorner>(action.what)) return corner(action);
-  if (std::holds_alternative<FrameChange>(action.what)) flush(Vec2{});
+  if (auto* const frame = std::get_if<FrameChange>(&action.what)) return frame_change(action, *frame);
   at_.take(action);
   if (!held_) {
     out_.add() = std::move(action);
     return;
   }
   wait(std::move(action));
+}
+
+/// A length does not touch the path; where the zero moves, an offset that the program may leave by itself (`entry`) stays.
+void RadiusCompensation::frame_change(Action& action, FrameChange& frame) {
+  const bool stays = length(in_plane(frame.work) - in_plane(at_.work)) <= tol::same_point && frame.rotation == at_.rotation;
+  if (!keeps_vector_) flush(Vec2{});
+  else if (!stays) flush({});
+  at_.take(frame);
+  if (held_) return wait(std::move(action));
+  if (keeps_vector_) shift(frame);
+  out_.add() = std::move(action);
 }
 
 void RadiusCompensation::wait(Action action) {
@@ -86,14 +103,10 @@ void RadiusCompensation::wait(Action action) {
 void RadiusCompensation::motion(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool ends = m.side_step == SideStep::ends;
-  if ((m.side == 0 && !ends) || !in_contour(m)) {
-    flush(Vec2{});
-    at_.take(m);
-    out_.add() = std::move(action);
-    return;
-  }
+  if ((m.side == 0 && !ends) || !in_contour(m)) return outside_contour(action);
   first_ = m.first;
   second_ = m.second;
+  keeps_vector_ = m.entry != ContourEntry::by_corner;
   const Vec2 way = in_plane(m.to) - in_plane(at_.work);
   if (length(way) > tol::same_point || is_arc(m.kind)) return contour(action);
   const bool named = (m.named & (AxisMask{1} << first_ | AxisMask{1} << second_)) != 0;
@@ -101,7 +114,7 @@ void RadiusCompensation::motion(Action& action) {
     leave();
     at_.take(m);
     out_.add() = std::move(action);
-  } else if (named) {  // zero displacement (15.5.1, 15.5.2): the way to the next vector is its own
+  } else if (named && !keeps_vector_) {  // zero displacement (15.5.1, 15.5.2): the way to the next vector is its own
     flush({});
     at_.take(m);
     zero_ = std::move(action);
@@ -115,9 +128,26 @@ void RadiusCompensation::motion(Action& action) {
   }
 }
 
+/// A motion that is no part of the contour: to the programmed point, but for the axes of the plane where it leaves them alone.
+void RadiusCompensation::outside_contour(Action& action) {
+  auto& m = std::get<Motion>(action.what);
+  const bool stays = m.side != 0 && (m.named & (AxisMask{1} << first_ | AxisMask{1} << second_)) == 0;
+  if (keeps_vector_) flush({});
+  else flush(Vec2{});
+  at_.take(m);
+  if (stays) shift(m, vector_);
+  else vector_ = {};
+  out_.add() = std::move(action);
+}
+
 void RadiusCompensation::contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const ContourElement element = element_of(m);
+  if (length(element.start) == 0) {
+    fault_ = CompensationFault{alarm(AlarmId::compensation_entry_short, {}, length(in_plane(m.to) - in_plane(at_.work)), m.tool_radius),
+                               action.origin};
+    return;
+  }
   const Vec2 beside = m.tool_radius * side_normal(element.start, m.side);
   Vec2 start = vector_;
   if (held_ && corner_) {
@@ -129,7 +159,10 @@ void RadiusCompensation::contour(Action& action) {
   } else if (held_) {
     const auto vectors = vectors_to(m, element);
     if (!vectors) {
-      fault_ = CompensationFault{alarm(AlarmId::compensation_no_intersection, {}), held_->action.origin};
+      const auto& before = std::get<Motion>(held_->action.what);
+      const bool inside = corner_of(held_->element.end, element.start, before.side) == Corner::inside;
+      const AlarmId id = inside ? AlarmId::compensation_no_intersection : AlarmId::compensation_corner_sharp;
+      fault_ = CompensationFault{alarm(id, {}), held_->action.origin};
       return;
     }
     end_held(*vectors, &m, action.origin);
@@ -151,13 +184,17 @@ void RadiusCompensation::contour(Action& action) {
 
 /// The held motion ends with the first vector, what waits is done there, the next motion goes round the corner.
 void RadiusCompensation::end_held(const JunctionVectors& vectors, const Motion* next, const Origin& origin) {
+  std::optional<Motion> before;
+  if (vectors.round) before = std::get<Motion>(held_->action.what);
   if (!let_go(vectors.first())) return;
+  vector_ = vectors.first();
   for (Action& action : waiting_) {
     if (auto* const m = std::get_if<Motion>(&action.what)) shift(*m, vectors.first());
+    if (auto* const frame = std::get_if<FrameChange>(&action.what)) shift(*frame);
     out_.add() = std::move(action);
   }
   waiting_.clear();
-  vector_ = vectors.first();
+  if (before) return round(vectors.last(), origin, next == nullptr || next->kind == MotionKind::rapid ? *before : *next);
   for (std::size_t i = 1; i < vectors.count && next != nullptr; ++i) step(vectors.at[i], *next, origin);
   vector_ = vectors.last();
 }
@@ -181,9 +218,11 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
   const bool cw = like.side > 0;
   const double turns = (cw ? -swept : swept) / 360;
   const Vec2 point = in_plane(at_.work);
+  const std::size_t behind = out_.size();
   step(to, like, origin);
-  auto* const m = out_.empty() ? nullptr : std::get_if<Motion>(&out_.back().what);
-  if (m == nullptr || turns == 0) return;
+  if (out_.size() == behind) return;
+  auto* const m = std::get_if<Motion>(&out_.back().what);
+  if (turns == 0) return;
   m->kind = cw ? MotionKind::arc_cw : MotionKind::arc_ccw;
   m->center = point;
   m->turns = turns < 0 ? turns + 1 : turns;
@@ -218,6 +257,11 @@ bool RadiusCompensation::let_go(Vec2 end_vector) {
   Held held = std::move(*held_);
   held_.reset();
   auto& m = std::get<Motion>(held.action.what);
+  const bool of_contour = keeps_vector_ && m.side_step == SideStep::none && m.tool_radius != 0;
+  if (of_contour && !kadr::fits(held.element, held.start_vector, end_vector, m.tool_radius, m.side)) {
+    fault_ = CompensationFault{alarm(AlarmId::compensation_gouge, {}, m.tool_radius), held.action.origin};
+    return false;
+  }
   if (is_arc(m.kind)) {
     const bool fits = held.rejoins ? rejoin(m, held, end_vector) : true;
     if (!fits) {
@@ -279,8 +323,19 @@ void RadiusCompensation::shift(Motion& m, Vec2 vector) const {
   for (std::size_t i = 0; i < max_axes; ++i) m.machine[i] += now[i] - before[i];
 }
 
+/// The tool's coordinates in a frame: those programmed and the vector.
+void RadiusCompensation::shift(FrameChange& frame) const {
+  frame.work[first_] += vector_.x;
+  frame.work[second_] += vector_.y;
+}
+
+/// What the motion is to its neighbours. Without a direction: it cannot begin compensation, the point lies within the tool.
 ContourElement RadiusCompensation::element_of(const Motion& m) const {
   const Vec2 from = in_plane(at_.work), to = in_plane(m.to);
+  if (m.side_step == SideStep::begins && m.entry == ContourEntry::tangent) {
+    const auto way = entry_direction(to - from, m.tool_radius, m.side);
+    return way ? ContourElement::line(to - *way, to) : ContourElement();
+  }
   if (!is_arc(m.kind)) return ContourElement::line(from, to);
   return ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns);
 }
@@ -292,6 +347,9 @@ std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next
   const double radius = m.tool_radius, side = m.side;
   if (radius == 0) return one({});
   const bool begins = m.side_step == SideStep::begins, ends = next.side_step == SideStep::ends;
+  if (keeps_vector_ && ends) return one(radius * side_normal(first.end, side));
+  if (keeps_vector_ && begins && m.entry == ContourEntry::normal) return one(radius * side_normal(second.start, side));
+  if (keeps_vector_ && next.side == m.side) return joined(first, second, radius, side, join_of(m, next));
   if (const auto& way = direction_of(m); begins && way) {
     const ContourElement in = ContourElement::line(first.to - *way, first.to);
     return meeting(offset_at_end(in, radius, side), offset_at_start(second, radius, side), first.to,
