@@ -23,7 +23,7 @@
   X(feed_missing) X(feed_limited) X(radius_mismatch) X(radius_too_small) X(center_missing)   \
   X(arc_not_in_plane) X(full_circle_by_radius) X(arc_radius_zero) X(turns_not_whole)         \
   X(no_motion_mode) X(polar_motion) X(plane_wrong) X(rotary_motion)                          \
-  X(compensation_not_available) X(compensation_active) X(scale_zero)                         \
+  X(compensation_active) X(scale_zero)                         \
   X(machine_motion_mode) X(zero_change) X(position_out_of_range)                             \
   /* spindle, tool, offsets */                                                               \
   X(speed_without_direction) X(speed_missing) X(spindle_not_turning) X(spindle_direction)                     \
@@ -32,7 +32,7 @@
   X(subprogram_missing) X(subprogram_end_missing) X(return_without_call) X(call_too_deep)    \
   X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(label_twice) X(end_missing)\
   /* cycles */                                                                               \
-  X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_undefined) X(pocket_not_available)   \
+  X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_undefined)   \
   X(stepover_out_of_range) X(cycle_override)                                                 \
   /* probe and machine */                                                                    \
   X(probe_too_close) X(probe_no_contact) X(probe_feed_mode) X(limit_exceeded)                \
@@ -74,5 +74,10 @@
   X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)           \
   X(compensation_interference) X(contour_cut)                                                \
   /* transformations (nct 16) */                                                             \
-  X(mirror_state)
+  X(mirror_state)                                                      \
+  /* … of the other controls (2С42 6.4.7, Mach3 10.7.13) */                                   \
+  X(compensation_entry_short) X(compensation_corner_sharp) X(compensation_gouge)             \
+  X(compensation_two_blocks) X(compensation_closing) X(compensation_zero)                    \
+  /* pocket cycle (spec/correctors 3) */                                                     \
+  X(pocket_tool_missing) X(pocket_tool_large) X(pocket_corner) X(pocket_too_long)
 // clang-format on

@@ -38,7 +38,7 @@ struct Vec3 {
 
 inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-inline double length(Vec2 a) { return std::hypot(a.x, a.y); }
+inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
 
 struct SinCos {

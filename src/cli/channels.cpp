@@ -132,7 +132,10 @@ void Channels::step(std::size_t i) {
   switch (carriers_[i]->step()) {
     case Carrier::Step::running: break;
     case Carrier::Step::waiting: begin_waiting(i); break;
-    case Carrier::Step::ended: states_[i] = State::ended; break;
+    case Carrier::Step::ended:
+      states_[i] = State::ended;
+      stopped_[i] = carriers_[i]->stopped();
+      break;
     case Carrier::Step::stopped:
       stopped_[i] = carriers_[i]->stopped();
       states_[i] = State::stopped;

@@ -100,7 +100,13 @@ Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& s
   control.on_block = [this](const Origin& origin, bool at_end) { apply(logic_.plc.block(origin, at_end), control_, logic_.channels); };
 }
 
+/// Beside a compensated contour the control knows the programmed point only.
+void Carrier::note_place() {
+  if (compensation_.beside()) stopped_.machine_stood = machine_.position();
+}
+
 Carrier::Step Carrier::stop(const AlarmReport& report) {
+  note_place();
   stopped_.report = report;
   return Step::stopped;
 }
@@ -143,6 +149,7 @@ Carrier::Step Carrier::step() {
   }
   if (state == Control::State::ended) {
     if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
+    note_place();
     return Step::ended;
   }
   if (interrupted()) {
@@ -192,7 +199,7 @@ Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
     if (step == Carrier::Step::stopped) return carrier.stopped();
     if (step != Carrier::Step::ended) continue;
     apply(logic.plc.program_end(), control, logic.channels);
-    return {};
+    return carrier.stopped();
   }
 }
 

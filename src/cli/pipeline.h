@@ -53,7 +53,7 @@ struct Outlets {
 /// How a run came to its end.
 struct Stopped {
   std::optional<AlarmReport> report{};          // the alarm that stopped it, if one did
-  std::optional<ToolPosition> machine_stood{};  // where, if the machine refused a motion: the control was ahead of it
+  std::optional<ToolPosition> machine_stood{};  // where, if that is not where the control is: it was ahead, or knows no offset
   int channel = 0;                              // in which the alarm arose, if not in this one (several channels)
 };
 
@@ -87,6 +87,7 @@ class Carrier {
  private:
   void count_time(const ToolPosition& from);
   VirtualTime spent();
+  void note_place();
   Step stop(const AlarmReport& report);
 
   Control& control_;

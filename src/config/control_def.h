@@ -185,6 +185,8 @@ struct Behaviour {
   double arc_radius_difference = 0.01;  // mm
   bool helix_by_lead = false;           // 2С42: K is the lead, Z/K whole turns
   LengthOffset length_offset = LengthOffset::next_motion;
+  bool contour_entry_tangent = false;   // Mach3: onto the contour touching the line to its first point; else to the normal there
+  bool contour_blocks_checked = false;  // 2С42: order of the blocks around G41, G42 and G40
   double feed_most = 0;                 // mm/min; 0 = no limit
   bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning (F0 is an alarm)
   double reference_feed = 2000;         // mm/min, G25 of the 2С42

@@ -153,6 +153,8 @@ Done ControlLoader::behaviour() {
   number("probe_least_distance", b.probe_least_distance);
   flag("speed_needs_direction", b.speed_needs_direction);
   flag("tool_and_corrector", b.tool_and_corrector);
+  flag("contour_entry_tangent", b.contour_entry_tangent);
+  flag("contour_blocks_checked", b.contour_blocks_checked);
   flag("zero_change_checked", b.zero_change_checked);
   flag("subprogram_zero_local", b.subprogram_zero_local);
   flag("subprograms_by_section", b.subprograms_by_section);

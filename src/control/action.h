@@ -29,6 +29,7 @@ struct Origin {
 
 enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };
 enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home, thread };
+inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
 
 /// What the commanded feed is measured along.
 enum class FeedAlong : std::uint8_t {
@@ -47,6 +48,20 @@ enum class SideStep : std::uint8_t {
   begun,   // in a block before, that did not move in the plane
   ends,    // G40 in its block
   holds,   // G38: it ends with the vector that it begins with
+};
+
+/// How the offset path goes round an outside corner.
+enum class CornerJoin : std::uint8_t {
+  extended,  // straight lines, a sharp corner cut off (nct 15.5.2)
+  arc,       // about the programmed point (2С42 G36, Mach3)
+  straight,  // up to the intersection of the lines (2С42 G37)
+};
+
+/// Where the first compensated motion ends.
+enum class ContourEntry : std::uint8_t {
+  by_corner,  // as the corner to the next one says (nct 15.5.1)
+  normal,     // on the normal to the next element (2С42 6.4.7)
+  tangent,    // the tool touches the line to the programmed point all along its way (Mach3, RS274/NGC)
 };
 
 /// An axis that copies another's way (nct 20.2).
@@ -85,21 +100,23 @@ struct Motion {
   std::uint8_t second = 1;  //
   FeedUnit unit = FeedUnit::mm_per_min;
   FeedAlong along = FeedAlong::path;
-  bool exact = false;                          // exact stop at its end
-  bool own_override = false;                   // feed override counts as 100 % (tapping, threads)
-  bool in_position = false;                    // at its end the axes must come into position (nct 4.1.1, 6.3)
-  AxisMask named = 0;                          // axes whose position it gives anew
-  Axes to;                                     // work coordinates at its end
-  Axes machine;                                // machine coordinates at its end
-  Vec2 center;                                 // of an arc: of its first and second axis, work coordinates
-  double turns = 0;                            // swept angle / 360, positive; the radius changes linearly with the angle
-  double feed = 0;                             // as commanded, in `unit`
-  double tolerance = 0;                        // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
-  std::int8_t side = 0;                        // of the path that the tool is on: +1 left, -1 right; 0: no compensation
-  SideStep side_step = SideStep::none;         //
-  double tool_radius = 0;                      // mm, at its end
-  double join = 0;                             // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
-  std::shared_ptr<const MotionDetail> detail;  // mostly nullptr
+  bool exact = false;                             // exact stop at its end
+  bool own_override = false;                      // feed override counts as 100 % (tapping, threads)
+  bool in_position = false;                       // at its end the axes must come into position (nct 4.1.1, 6.3)
+  AxisMask named = 0;                             // axes whose position it gives anew
+  Axes to;                                        // work coordinates at its end
+  Axes machine;                                   // machine coordinates at its end
+  Vec2 center;                                    // of an arc: of its first and second axis, work coordinates
+  double turns = 0;                               // swept angle / 360, positive; the radius changes linearly with the angle
+  double feed = 0;                                // as commanded, in `unit`
+  double tolerance = 0;                           // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+  std::int8_t side = 0;                           // of the path that the tool is on: +1 left, -1 right; 0: no compensation
+  SideStep side_step = SideStep::none;            //
+  CornerJoin join_corner = CornerJoin::extended;  // with the next motion
+  ContourEntry entry = ContourEntry::by_corner;   // where it begins compensation
+  double tool_radius = 0;                         // mm, at its end
+  double join = 0;                                // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
+  std::shared_ptr<const MotionDetail> detail;     // mostly nullptr
 };
 
 struct Dwell {

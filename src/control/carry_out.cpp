@@ -1,5 +1,6 @@
 // A planned block carried out in the order of execution, and taken back where it fails: nothing of a faulty block is done.
 
+#include "control/contour.h"
 #include "control/machinery.h"
 #include "control/nct/drilling.h"
 #include "control/nct/nct.h"
@@ -42,7 +43,7 @@ Status Machinery::carry_out(const Plan& plan) {
     if (phase == Phase::motion && !motion_began) {
       motion_began = true;
       if (unserved_ != 0) KADR_TRY(modes_served(item));
-      KADR_TRY(radius_comp_possible());
+      KADR_TRY(contour_allows_motion(*this));
     }
     if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
     if (row_of(item) != nullptr && ended_subprogram && ends(row_of(item))) break;  // `M17 M2`: M2 ends the section, not the program
@@ -131,14 +132,6 @@ Status Machinery::modes_served(const PlanItem& item) const {
     if (!row.works) return fail(alarm(AlarmId::not_available, block->where, row.code));
   }
   return {};
-}
-
-Status Machinery::radius_comp_possible() const {
-  if (modal.radius_side == 0 || nct) return {};  // nct: path compensates
-  const double radius = radius_in_force();
-  if (radius == 0) return {};
-  const Word* const d = word('D');
-  return fail(alarm(AlarmId::compensation_not_available, d != nullptr ? d->where : block->where, radius));
 }
 
 /// M0, M2 and their like in the block of a cycle: the holes come first (order of execution: motion, stop, flow).

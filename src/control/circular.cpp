@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "control/arc.h"
+#include "control/contour.h"
 #include "control/functions.h"
 #include "control/machinery.h"
 #include "control/nct/arcs.h"
@@ -42,6 +43,7 @@ class Circular {
     if ((m_.block->letters & used) == 0) return {};  // the code alone: only the mode
     if (m_.def.behaviour.correctors && m_.has('L'))
       return fail(alarm(AlarmId::not_together, m_.where('L'), "L", turn_ == Turn::cw ? "G2" : "G3"));
+    KADR_TRY(arc_beside_contour(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
     const Axes& start = m_.position.programmed;
     auto arc = shape(start, end, where);
@@ -166,6 +168,7 @@ Status functions::arc_ccw(Machinery& m, const Call& call) { return circular(m, c
 
 /// G12 / G13 (Mach3): from the centre out along +X by I, the circle, back; arg: 2 clockwise, 3 counter-clockwise.
 Status functions::circular_pocket(Machinery& m, const Call& call) {
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));
   const double radius = m.length_value('I');
   if (!(radius > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('I'), 'I', radius));

@@ -16,7 +16,7 @@ constexpr Handler handlers[] = {
 static_assert(std::size(handlers) == static_cast<std::size_t>(Function::count));
 
 Status set_plane(Machinery& m, Plane plane) {
-  if (m.modal.radius_side != 0 && m.modal.plane != plane && m.def.behaviour.arc_radius_word)
+  if (m.modal.contour != ContourPhase::off && m.modal.plane != plane)
     return fail(alarm(AlarmId::compensation_active, m.block->where, "G17, G18, G19"));
   m.modal.plane = plane;
   m.modal.axes = axes_of(plane);
@@ -33,6 +33,14 @@ Status set_feed_mode(Machinery& m, FeedMode mode) {
     modal.feed_known = false;  // a feed of the other unit means nothing
   }
   modal.feed_mode = mode;
+  return {};
+}
+
+/// Not under radius compensation (RS274/NGC).
+Status set_unit(Machinery& m, const Call& call, bool inch) {
+  if (m.modal.contour != ContourPhase::off && m.modal.inch != inch)
+    return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  m.modal.inch = m.variables.inch = inch;
   return {};
 }
 
@@ -59,8 +67,8 @@ Status absolute(Machinery& m, const Call&) { return m.modal.absolute = true, Sta
 Status incremental(Machinery& m, const Call&) { return m.modal.absolute = false, Status(); }
 Status centers_absolute(Machinery& m, const Call&) { return m.modal.centers_absolute = true, Status(); }
 Status centers_incremental(Machinery& m, const Call&) { return m.modal.centers_absolute = false, Status(); }
-Status inch(Machinery& m, const Call&) { return m.modal.inch = m.variables.inch = true, Status(); }
-Status millimetre(Machinery& m, const Call&) { return m.modal.inch = m.variables.inch = false, Status(); }
+Status inch(Machinery& m, const Call& call) { return set_unit(m, call, true); }
+Status millimetre(Machinery& m, const Call& call) { return set_unit(m, call, false); }
 Status feed_inverse_time(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
 Status feed_per_minute(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::per_minute); }
 Status feed_per_revolution(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::per_revolution); }
@@ -80,9 +88,8 @@ Status constant_velocity(Machinery& m, const Call&) {
   m.modal.blend_tolerance = tolerance;
   return {};
 }
-// Joins of the offset path: their mode is kept for the cutter radius compensation (modal.rows).
-Status corner_arc(Machinery&, const Call&) { return {}; }
-Status corner_line(Machinery&, const Call&) { return {}; }
+Status corner_arc(Machinery& m, const Call&) { return m.modal.corner_join = CornerJoin::arc, Status(); }
+Status corner_line(Machinery& m, const Call&) { return m.modal.corner_join = CornerJoin::straight, Status(); }
 Status retract_initial(Machinery& m, const Call&) { return m.modal.retract_initial = true, Status(); }
 Status retract_level(Machinery& m, const Call&) { return m.modal.retract_initial = false, Status(); }
 Status override_permission(Machinery& m, const Call& call) {

@@ -73,6 +73,12 @@ bool axes_taken_by_code(const Machinery& m) {
   return false;
 }
 
+/// Machine points, reference points and probes: not with radius compensation (Mach3 10.7.12; 2С42 INFERRED).
+Status no_compensation(const Machinery& m, const Call& call) {
+  if (m.modal.radius_side == 0) return {};
+  return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+}
+
 /// Axes of the block's words, whatever their values; all linear ones if there is none.
 AxisMask named_axes(const Machinery& m) {
   AxisMask named = 0;
@@ -116,7 +122,7 @@ Status machine_coordinates(Machinery& m, const Call& call) {
 /// G28 / G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second.
 /// INFERRED: axes named go home; none named: all of them, at once.
 Status home_through(Machinery& m, const Call& call) {
-  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  KADR_TRY(no_compensation(m, call));
   const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
   AxisMask named = 0;
   if (m.has_axis_words()) {
@@ -131,17 +137,22 @@ Status home_through(Machinery& m, const Call& call) {
 
 /// G28.1 (Mach3 10.7.11): the axes go to their switches at feed; the commanded end is the reference point.
 Status home_axes(Machinery& m, const Call& call) {
+  KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
   return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed);
 }
 
 /// G25 (2С42): to the machine's reference point at 2000 mm/min.
-Status approach_reference(Machinery& m, const Call&) {
+Status approach_reference(Machinery& m, const Call& call) {
+  KADR_TRY(no_compensation(m, call));
   return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed);
 }
 
 /// G26 (2С42): to an absolute point of the machine; INFERRED: at rapid.
-Status machine_point(Machinery& m, const Call&) { return machine_motion(m, MotionKind::rapid); }
+Status machine_point(Machinery& m, const Call& call) {
+  KADR_TRY(no_compensation(m, call));
+  return machine_motion(m, MotionKind::rapid);
+}
 
 /// G10 (GOST turning example): rapid to a polar point: pole by axis words, radius B, angle A from the first of them.
 /// What a word leaves out stays as it was.
@@ -174,7 +185,7 @@ Status probe(Machinery& m, const Call& call) {
   const std::uint64_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
   if ((m.block->letters & linear) == 0) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (m.modal.feed_mode == FeedMode::inverse_time) return fail(alarm(AlarmId::probe_feed_mode, call.where));
-  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
   AxisMask named = 0;
   Axes to;

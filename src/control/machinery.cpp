@@ -298,7 +298,10 @@ Status Machinery::words() {
   if (!each_block && changes_little()) take_small_moment();
   else if (each_block || !changes_only_position()) take_moment();
   KADR_TRY(carry_out(*plan_now_));
-  if (moment_taken_) KADR_TRY(check_place());
+  if (moment_taken_) {
+    KADR_TRY(check_place());
+    KADR_TRY(check_zero_kept());
+  }
   return nct ? nct::after_block(*this) : Status();
 }
 
@@ -338,6 +341,12 @@ Status Machinery::check_place() const {
     for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
       if (!(std::fabs(v) <= most)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], v));
   return {};
+}
+
+/// The zero cannot move under a contour that is being compensated (2С42 6.4.1, Mach3 10.7.18; INFERRED for all that moves it).
+Status Machinery::check_zero_kept() const {
+  if (nct || modal.radius_side == 0 || frames.origin == moment_.frames.origin) return {};
+  return fail(alarm(AlarmId::compensation_zero, block->where));
 }
 
 /// '%', sections of subprograms, labels: where a program begins.

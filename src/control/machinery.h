@@ -43,6 +43,7 @@ class Running {
 struct PocketCycle {
   bool defined = false;
   double x = 0, y = 0, z = 0, clearance = 0, corner = 0, stepover = 0, direction = 0, pass = 0;
+  double feed = 0;  // 0: that in force
 };
 
 class Machinery {
@@ -157,6 +158,7 @@ class Machinery {
   bool block_axes_taken = false;           // a code of this block has its axis words: a motion code beside it only sets the mode
   bool block_exact = false;                // G9 in this block
   bool block_machine_coordinates = false;  // G53 with a motion (Mach3)
+  Axes moved_from{};                       // work coordinates before the last motion, in inches mode and with radius compensation
   bool needs_probe = false;
   Span probe_where;
   bool optional_stop_on = false;
@@ -214,7 +216,7 @@ class Machinery {
   Status words();
   Status carry_out(const Plan& plan);
   Status carry_out(const PlanItem& item);
-  Status radius_comp_possible() const;
+  Status check_zero_kept() const;
   bool is_call(const PlanItem& item) const;
   bool waits_for(const Running& cycle, const PlanItem& item) const;
   void keep_for_return(const PlanItem& item);
@@ -280,7 +282,6 @@ class Machinery {
   bool in_interrupt_ = false;        // it belongs to an interrupt macro
   bool again_ = false;               // the block in hand comes once more
   std::uint64_t unserved_ = 0;       // groups that a code which does not work was in at the start
-  Axes moved_from_{};                // work coordinates before the last motion, in inches mode
   std::optional<Position> resumed_;  // the block that was to begin when an interrupt macro came
   std::vector<double> clocks_;       // numbers of the clock variables
   bool first_frames_ = true;

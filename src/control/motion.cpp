@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/tolerance.h"
+#include "control/contour.h"
 #include "control/machinery.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
@@ -53,16 +54,19 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.side = 0;
   motion.side_step = SideStep::none;
   motion.tool_radius = 0;
+  motion.join_corner = CornerJoin::extended;
+  motion.entry = ContourEntry::by_corner;
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = 0;
   motion.turns = 0;
   motion.center = {};
   if (nct) nct::note_motion(*this, motion);
+  else if (modal.contour != ContourPhase::off) note_contour(*this, motion, moved_from);
   return motion;
 }
 
 void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
-  if (modal.inch) moved_from_ = position.work;
+  if (modal.inch || modal.contour != ContourPhase::off) moved_from = position.work;
   named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
     if ((named >> a & 1u) != 0) position.work[a] = work[a];
@@ -135,7 +139,7 @@ void Machinery::set_feed(Motion& motion) {
     case FeedMode::per_minute:
       motion.unit = FeedUnit::mm_per_min;
       motion.feed = feed_limited(modal.feed);
-      if (nct && modal.inch) motion.feed = nct::inch_feed(*this, motion, moved_from_);
+      if (nct && modal.inch) motion.feed = nct::inch_feed(*this, motion, moved_from);
       break;
     case FeedMode::per_revolution:
       motion.unit = FeedUnit::mm_per_rev;

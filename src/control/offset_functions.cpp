@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/contour.h"
 #include "control/functions.h"
 
 namespace kadr {
@@ -22,10 +23,10 @@ Status radius_comp(Machinery& m, const Call& call, std::int8_t side) {
     const auto number = offset_number(m, 'D', m.modal.tool < m.tables.offsets.size() ? m.modal.tool : 0);
     if (!number) return fail(number.error());
     m.modal.offset_number = *number;
+    if (m.value('P') < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', m.value('P')));
     m.modal.radius_by_word = m.has('P') ? m.length_value('P') : -1;
   }
-  m.modal.radius_side = side;
-  if (const double radius = m.radius_in_force(); radius != 0) return fail(alarm(AlarmId::compensation_not_available, call.where, radius));
+  begin_contour(m, side);
   return {};
 }
 
@@ -87,15 +88,11 @@ namespace functions {
 
 Status radius_comp_left(Machinery& m, const Call& call) { return radius_comp(m, call, -1); }
 Status radius_comp_right(Machinery& m, const Call& call) { return radius_comp(m, call, +1); }
-Status radius_comp_off(Machinery& m, const Call&) {
-  m.modal.radius_side = 0;
-  m.modal.radius_by_word = -1;
-  return {};
-}
+Status radius_comp_off(Machinery& m, const Call& call) { return end_contour(m, call); }
 
 /// G40 of the 2С42: the radius; with a Z motion in its block the length too (6.4.7, INFERRED for blocks without Z).
-Status compensation_off(Machinery& m, const Call&) {
-  m.modal.radius_side = 0;
+Status compensation_off(Machinery& m, const Call& call) {
+  KADR_TRY(end_contour(m, call));
   if (m.has('Z') && m.modal.length_sign != 0) {
     m.modal.length_sign = 0;
     for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
@@ -189,6 +186,8 @@ Status temporary_shift(Machinery& m, const Call& call) {
 Status set_position(Machinery& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
+  if (m.modal.contour != ContourPhase::off)  // where the tool stands is known to `path` only
+    return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   each_axis_word(m, [&](std::size_t a, double v) { m.set_position[a] += m.position.work[a] - v; });
   m.set_position_by_g52 = false;
   store_set_position(m);

@@ -28,6 +28,15 @@ inline PlaneAxes axes_of(Plane plane) {
   }
 }
 
+/// Where a program stands between G41, G42 and the motion that leaves the contour (2С42 6.4.7, Mach3 10.7.13).
+enum class ContourPhase : std::uint8_t {
+  off,
+  on,          // no motion in the plane yet
+  approached,  // the first one
+  following,   // further ones
+  leaving,     // G40: the tool still stands beside the contour, until the next motion in the plane
+};
+
 enum class MotionMode : std::uint8_t { none, rapid, linear, arc_cw, arc_ccw, cycle };
 enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
@@ -69,6 +78,10 @@ struct Modal {
   Vec2 pole;  // polar mode, programmed coordinates
   double polar_radius = 0;
   double polar_angle = 0;
+  ContourPhase contour = ContourPhase::off;
+  std::int8_t contour_side = 0;              // as in Motion::side, of the last compensated motion; 0: there was none
+  CornerJoin corner_join = CornerJoin::arc;  // G36, G37
+  Vec2 contour_start;                        // end of the first motion, programmed
   // nct
   bool turning_lengths = false;  // G43.7
   double other_feed = 0;         // of G94 while G95 is in force, and the other way round

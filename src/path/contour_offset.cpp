@@ -59,6 +59,9 @@ OffsetElement offset(const ContourElement& element, Vec2 tangent, double arc_rad
   return beside;
 }
 
+/// Times the radius: lines that meet further away than this belong to a turn back within a degree, not to a corner (INFERRED).
+constexpr double farthest_corner = 100;
+
 /// Where the tangents, moved by the radius, meet: at an outside corner of at most a right turn.
 Vec2 of_tangents(Vec2 n1, Vec2 n2, double radius) { return radius / (1 + dot(n1, n2)) * (n1 + n2); }
 
@@ -139,6 +142,41 @@ std::optional<JunctionVectors> junction(const ContourElement& first, const Conto
   return v;
 }
 
+std::optional<JunctionVectors> joined(const ContourElement& first, const ContourElement& second, double radius, double side,
+                                      CornerJoin join) {
+  const Vec2 n1 = side_normal(first.end, side), n2 = side_normal(second.start, side);
+  const bool outside = !tangential(first.end, second.start) && corner_of(first.end, second.start, side) != Corner::inside;
+  if (!outside || join == CornerJoin::extended) return junction(first, second, radius, side);
+  JunctionVectors v;
+  if (join == CornerJoin::arc) {
+    v.round = true;
+    v.add(radius * n1);
+    v.add(radius * n2);
+    return v;
+  }
+  if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;  // |n1 + n2| / (1 + n1 · n2) is its distance
+  if (first.is_arc) v.add(radius * n1);
+  v.add(of_tangents(n1, n2, radius));
+  if (second.is_arc) v.add(radius * n2);
+  return v;
+}
+
+std::optional<Vec2> entry_direction(Vec2 way, double radius, double side) {
+  const double distance = length(way);
+  if (!(distance > radius + tol::same_point)) return std::nullopt;
+  const double across = side * radius / distance;  // the tool's way leans away from the line by this sine
+  const double along = std::sqrt((1 - across) * (1 + across));
+  const Vec2 ahead = 1 / distance * way;
+  return along * ahead + across * left_of(ahead);
+}
+
+bool fits(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
+  if (!element.is_arc) return dot(element.to + end_vector - element.from - start_vector, element.start) >= -tol::same_point;
+  const bool concave = side * element.sense() > 0;
+  if (concave && std::min(element.start_radius, element.end_radius) <= radius + tol::same_point) return false;
+  return compensated_turns(element, start_vector, end_vector) * element.sense() >= -tol::tangential;
+}
+
 JunctionVectors start_up(const ContourElement& first, const ContourElement& second, double radius, double side) {
   JunctionVectors v;
   const Vec2 t1 = first.end, t2 = second.start, n1 = side_normal(t1, side), n2 = side_normal(t2, side);
@@ -180,7 +218,10 @@ JunctionVectors cancel(const ContourElement& first, const ContourElement& second
 double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector) {
   const auto turned = [&](Vec2 at, Vec2 vector) {  // of the direction from the centre, in (-1/2, 1/2] of a turn
     const Vec2 arm = at - arc.center;
-    return angle_deg({dot(arm, arm + vector), cross(arm, arm + vector)}) / 360;
+    const double along = dot(arm, arm + vector), across = cross(arm, vector);
+    constexpr double straight = 1e-8;  // radians: below it the angle is its tangent, to the last digit
+    if (std::fabs(across) <= straight * along) return across / along / (2 * pi);
+    return angle_deg({along, across}) / 360;
   };
   return arc.turns + turned(arc.to, end_vector) - turned(arc.from, start_vector);
 }

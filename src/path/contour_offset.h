@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/vec.h"
+#include "control/action.h"
 
 namespace kadr {
 
@@ -57,6 +58,7 @@ Corner corner_of(Vec2 end_tangent, Vec2 start_tangent, double side);
 struct JunctionVectors {
   std::array<Vec2, 8> at{};  // four at a corner; more where the interference check joins two (15.5.7)
   std::uint8_t count = 0;
+  bool round = false;  // from the first to the second by an arc about the programmed point
   void add(Vec2 v) { at[count++] = v; }
   Vec2 first() const { return at[0]; }
   Vec2 last() const { return at[count - 1U]; }
@@ -80,6 +82,22 @@ JunctionVectors start_up(const ContourElement& first, const ContourElement& seco
 
 /// At the end of the last compensated block, before the line that switches it off (15.5.3, type B).
 JunctionVectors cancel(const ContourElement& first, const ContourElement& second, double radius, double side);
+
+/// The same for the controls that join the offset path at an outside corner by an arc, or by straight lines that go on until they
+/// meet (2С42 6.6.7, RS274/NGC). Beside an arc the line is its tangent.
+///   returns  nothing: an inside corner whose offsets do not meet; an outside one whose lines meet too far away
+///   law      no point of the joint is nearer to the programmed point than the radius
+std::optional<JunctionVectors> joined(const ContourElement& first, const ContourElement& second, double radius, double side,
+                                      CornerJoin join);
+
+/// Direction of the tool's way to a point beside which it shall stand, touching all along the line that ends there (RS274/NGC,
+/// first move into compensation).
+///   way      from where the tool stands to the programmed point, mm
+///   returns  a unit vector; nothing: the point is no further away than the radius
+std::optional<Vec2> entry_direction(Vec2 way, double radius, double side);
+
+/// The tool fits in: its way beside the element, between the two vectors, goes forward, and no arc is smaller than the tool.
+bool fits(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);
 
 /// Swept angle / 360 of an arc's compensated path, counter-clockwise positive; it may exceed that of the arc, or change its sign where
 /// the tool does not fit (15.5.0, 15.5.7).

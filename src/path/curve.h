@@ -9,8 +9,6 @@
 
 namespace kadr {
 
-inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
-
 /// Least and most value of each axis.
 struct Extents {
   Axes least;

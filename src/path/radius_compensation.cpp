@@ -1,9 +1,10 @@
+// What comes into the window of cutter radius compensation, and how two motions of it are joined.
+
 #include "path/radius_compensation.h"
 
 #include <cmath>
 #include <utility>
 
-#include "base/tolerance.h"
 #include "path/curve.h"
 
 namespace kadr {
@@ -19,6 +20,12 @@ const std::optional<Vec2>& direction_of(const Motion& m) {
   return m.detail ? m.detail->way : none;
 }
 
+/// At rapid there are no arcs.
+CornerJoin join_of(const Motion& m, const Motion& next) {
+  const bool rapid = m.kind == MotionKind::rapid && next.kind == MotionKind::rapid;
+  return rapid && m.join_corner == CornerJoin::arc ? CornerJoin::extended : m.join_corner;
+}
+
 /// One vector, inside or outside alike: where the offsets meet (15.5.1, 15.5.3, 15.5.4).
 JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
   return single(intersection(first, second, point).value_or(otherwise));
@@ -27,10 +34,7 @@ JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second,
 }  // namespace
 
 void RadiusCompensation::drop() {
-  while (count_ > 0) {
-    held(0).waiting.clear();
-    drop_first();
-  }
+  for (; count_ > 0; drop_first()) held(0).waiting.clear();
   zero_.reset();
   corner_.reset();
   stand_ = at_;
@@ -39,7 +43,7 @@ void RadiusCompensation::drop() {
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
   warnings_.clear();
-  if (count_ == 0 && !zero_) {  // mostly: nothing to do but to know where the tool stands
+  if (count_ == 0 && !zero_ && !beside()) {  // mostly: nothing to do but to know where the tool stands
     bool any = false;
     for (const Action& action : batch) {
       if (const auto* const m = std::get_if<Motion>(&action.what)) any = any || m->side != 0;
@@ -77,37 +81,38 @@ void RadiusCompensation::next(Action& action) {
     check_ = *check;
     return;
   }
-  if (std::holds_alternative<FrameChange>(action.what)) flush(Vec2{});
-  if (fault_) return;
+  if (auto* const frame = std::get_if<FrameChange>(&action.what)) return frame_change(action, *frame);
   at_.take(action);
   if (count_ == 0) hand_out(std::move(action));
   else wait(std::move(action));
 }
 
+/// A length does not touch the path; where the zero moves, an offset that the program may leave by itself (`entry`) stays.
+void RadiusCompensation::frame_change(Action& action, FrameChange& frame) {
+  const bool stays = length(in_plane(frame.work) - in_plane(at_.work)) <= tol::same_point && frame.rotation == at_.rotation;
+  if (!keeps_vector_) flush(Vec2{});
+  else if (!stays) flush({});
+  if (fault_) return;
+  at_.take(frame);
+  if (count_ > 0) return wait(std::move(action));
+  stand_.take(frame);
+  if (keeps_vector_) shift(frame);
+  out_.add() = std::move(action);
+}
+
 void RadiusCompensation::wait(Action action) {
   auto& waiting = last_held().waiting;
   if (waiting.size() < most_waiting) waiting.push_back(std::move(action));
-  else fault(AlarmId::compensation_buffer, last_held().action.origin);
-}
-
-/// Programmed actions as they are; those that compensation moves have been moved.
-void RadiusCompensation::hand_out(Action action) {
-  stand_.take(action);
-  out_.add() = std::move(action);
+  else fault(alarm(AlarmId::compensation_buffer, {}), last_held().origin);
 }
 
 void RadiusCompensation::motion(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool ends = m.side_step == SideStep::ends;
-  if ((m.side == 0 && !ends) || !in_contour(m)) {
-    flush(Vec2{});
-    if (fault_) return;
-    at_.take(m);
-    hand_out(std::move(action));
-    return;
-  }
+  if ((m.side == 0 && !ends) || !in_contour(m)) return outside_contour(action);
   first_ = m.first;
   second_ = m.second;
+  keeps_vector_ = m.entry != ContourEntry::by_corner;
   const Vec2 way = in_plane(m.to) - in_plane(at_.work);
   if (length(way) > tol::same_point || is_arc(m.kind)) return contour(action);
   const bool named = (m.named & (AxisMask{1} << first_ | AxisMask{1} << second_)) != 0;
@@ -115,7 +120,7 @@ void RadiusCompensation::motion(Action& action) {
     leave();
     at_.take(m);
     hand_out(std::move(action));
-  } else if (named) {  // zero displacement (15.5.1, 15.5.2): the way to the next vector is its own
+  } else if (named && !keeps_vector_) {  // zero displacement (15.5.1, 15.5.2): the way to the next vector is its own
     flush({});
     at_.take(m);
     zero_ = std::move(action);
@@ -130,13 +135,31 @@ void RadiusCompensation::motion(Action& action) {
   }
 }
 
+/// A motion that is no part of the contour: to the programmed point, but for the axes of the plane where it leaves them alone.
+void RadiusCompensation::outside_contour(Action& action) {
+  auto& m = std::get<Motion>(action.what);
+  const bool stays = m.side != 0 && (m.named & (AxisMask{1} << first_ | AxisMask{1} << second_)) == 0;
+  if (keeps_vector_) flush({});
+  else flush(Vec2{});
+  if (fault_) return;
+  at_.take(m);
+  stand_.take(m);
+  if (stays) shift(m, vector_);
+  else vector_ = {};
+  out_.add() = std::move(action);
+}
+
 void RadiusCompensation::contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const ContourElement element = element_of(m);
+  if (element.start == Vec2{}) {
+    const double way = length(in_plane(m.to) - in_plane(at_.work));
+    return fault(alarm(AlarmId::compensation_entry_short, {}, way, m.tool_radius), action.origin);
+  }
   const Vec2 beside = m.tool_radius * side_normal(element.start, m.side);
   Vec2 start = vector_;
   if (count_ > 0 && corner_) {
-    const Motion before = last_held().motion();
+    const Motion before = last_held().motion;
     const Origin origin = std::exchange(corner_, std::nullopt)->origin;
     flush({});
     if (!fault_) round(beside, origin, before.kind == MotionKind::rapid ? m : before);
@@ -154,83 +177,24 @@ void RadiusCompensation::contour(Action& action) {
     step(beside, m, action.origin);
     start = beside;
   }
-  if (fault_) return;
-  at_.take(m);
-  const bool ends = m.side_step == SideStep::ends;
+  if (!fault_) hold(action, element, start);
+}
+
+void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec2 start_vector) {
   Held& now = held(count_++);
-  now.action = std::move(action);
+  now.motion = std::move(std::get<Motion>(action.what));
+  now.origin = action.origin;
   now.element = element;
-  now.start_vector = start;
+  now.start_vector = start_vector;
   now.end.count = 0;
   now.rejoins = false;
+  at_.take(now.motion);
   watch_last();
-  if (ends) flush(Vec2{});
-  if (ends) end_watch();
+  if (now.motion.side_step == SideStep::ends) {
+    flush(Vec2{});
+    end_watch();
+  }
   while (!fault_ && count_ >= looked_at()) release_first();
-}
-
-/// What stands between the last motion and the next: known now.
-void RadiusCompensation::join(const Motion& next, const ContourElement& second) {
-  Held& first = last_held();
-  const auto vectors = vectors_to(next, second);
-  if (vectors) first.end = check_.least_step > 0 ? without_short_steps(*vectors, check_.least_step) : *vectors;
-  else if (!check_.interference) fault(AlarmId::compensation_no_intersection, first.action.origin);
-}
-
-std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Held& h = held(i);
-    const Motion& m = h.motion();
-    const bool plain = m.side_step == SideStep::none || m.side_step == SideStep::holds;
-    const bool known = i + 1 < count_ || h.end.count > 0;
-    blocks_[i] = {&h.element, m.tool_radius, static_cast<double>(m.side), plain, h.start_vector, known ? &h.end : nullptr};
-  }
-  return {blocks_.data(), count_};
-}
-
-/// The first of the window is checked against those behind it, and goes. 15.5.7.
-void RadiusCompensation::release_first() {
-  const Mended mended = check_.interference ? mend_first() : Mended::sound;
-  Held& first = held(0);
-  if (mended != Mended::sound) {
-    const Origin origin = held(mended == Mended::first_fails ? 0 : 1).action.origin;
-    if (mended == Mended::next_fails && check_.further == 0) (void)let_go(first);  // looking further the alarm comes before it
-    if (!fault_) fault(first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection, origin);
-    return;
-  }
-  if (!let_go(first)) return;
-  const JunctionVectors& vectors = first.end;
-  for (Action& action : first.waiting) {
-    stand_.take(action);
-    if (auto* const m = std::get_if<Motion>(&action.what)) shift(*m, vectors.first());
-    out_.add() = std::move(action);
-  }
-  first.waiting.clear();
-  vector_ = vectors.first();
-  for (std::size_t i = 1; i < vectors.count && count_ > 1; ++i) {
-    watch_step(vector_, vectors.at[i], held(1).motion(), held(1).action.origin);
-    step(vectors.at[i], held(1).motion(), held(1).action.origin);
-  }
-  vector_ = vectors.last();
-  drop_first();
-}
-
-/// Joins the first of the window with a later one, if that mends it; the blocks between are dropped, their actions are not.
-RadiusCompensation::Mended RadiusCompensation::mend_first() {
-  const auto window = checked_blocks();
-  Held& first = held(0);
-  const auto join = check_interference(window, check_.further, check_.always_alarm);
-  if (join && join->next > 1) {
-    first.end = join->vectors;
-    for (std::size_t i = 1; i < join->next; ++i)
-      for (Action& action : std::exchange(held(i).waiting, {})) first.waiting.push_back(std::move(action));
-    held(join->next).start_vector = join->start_vector;
-    const std::size_t dropped = join->next - 1;
-    for (std::size_t i = 1; i + dropped < count_; ++i) std::swap(held(i), held(i + dropped));
-    count_ -= dropped;
-  }
-  if (first.end.count == 0 || (checked_blocks()[0].plain && goes_back(blocks_[0]))) return Mended::first_fails;
-  return join ? Mended::sound : Mended::next_fails;
 }
 
 /// G39: with a direction of its own at once; else when the next motion is known.
@@ -241,23 +205,9 @@ void RadiusCompensation::corner(Action& action) {
     corner_ = std::move(action);
     return;
   }
-  const Motion before = last_held().motion();
+  const Motion before = last_held().motion;
   flush({});
   if (!fault_) round(before.tool_radius * side_normal(1 / length(*way) * *way, before.side), action.origin, before);
-}
-
-/// From the vector in force to another one, about the programmed point (15.5.6).
-void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
-  const double swept = angle_deg({dot(vector_, to), cross(vector_, to)});  // counter-clockwise
-  const bool cw = like.side > 0;
-  const double turns = (cw ? -swept : swept) / 360;
-  const Vec2 point = in_plane(stand_.work);
-  step(to, like, origin);
-  auto* const m = out_.empty() ? nullptr : std::get_if<Motion>(&out_.back().what);
-  if (m == nullptr || turns == 0) return;
-  m->kind = cw ? MotionKind::arc_cw : MotionKind::arc_ccw;
-  m->center = point;
-  m->turns = turns < 0 ? turns + 1 : turns;
 }
 
 /// Nothing follows in the plane: the last held motion ends with this vector, by default perpendicular to its end.
@@ -271,17 +221,16 @@ void RadiusCompensation::flush(std::optional<Vec2> vector) {
     vector_ = vector.value_or(vector_);
   }
   if (count_ == 0 || fault_) return;
-  const Held& last = last_held();
-  const Motion& m = last.motion();
-  last_held().end = single(vector.value_or(m.tool_radius * side_normal(last.element.end, m.side)));
+  Held& last = last_held();
+  last.end = single(vector.value_or(last.motion.tool_radius * side_normal(last.element.end, last.motion.side)));
   while (!fault_ && count_ > 0) release_first();
 }
 
 /// G40 without a motion in the plane: beside the end of the last block, then straight to its point (15.5.3).
 void RadiusCompensation::leave() {
   if (count_ == 0) return flush(Vec2{});
-  const Motion like = last_held().motion();
-  const Origin origin = last_held().action.origin;
+  const Motion like = last_held().motion;
+  const Origin origin = last_held().origin;
   std::vector<Action> behind = std::exchange(last_held().waiting, {});
   flush({});
   if (fault_) return;
@@ -290,116 +239,40 @@ void RadiusCompensation::leave() {
   for (Action& action : behind) hand_out(std::move(action));
 }
 
-bool RadiusCompensation::let_go(Held& held) {
-  auto& m = std::get<Motion>(held.action.what);
-  const Vec2 end_vector = held.end.first();
-  stand_.take(m);
-  if (is_arc(m.kind)) {
-    if (held.rejoins && !rejoin(m, held, end_vector)) {
-      fault(AlarmId::compensation_turn, held.action.origin);
-      return false;
-    }
-    if (!held.rejoins) {
-      const double turns = compensated_turns(held.element, held.start_vector, end_vector);
-      if (turns * held.element.turns > 0) m.turns = std::fabs(turns);
-      else m.kind = MotionKind::feed, m.turns = 0;  // the tool does not fit in: no interference check (15.5.7, IEN=0)
-    }
-  }
-  if (held.watched) {
-    const ContourElement& e = held.element;
-    const Vec2 from = e.from + held.start_vector, to = e.to + end_vector;
-    const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
-    if (length(to - from) > tol::same_point || m.turns > 0)
-      watch_.path(is_arc(m.kind) ? ContourElement::arc(from, to, m.center, turns) : ContourElement::line(from, to), m.tool_radius,
-                  held.action.origin);
-  }
-  shift(m, end_vector);
-  out_.add() = std::move(held.action);
-  return true;
-}
-
-/// Motions at feed along the contour; neither the way in nor the way out, nor what is next to a change of side.
-void RadiusCompensation::watch_last() {
-  Held& now = last_held();
-  const Motion& m = now.motion();
-  const bool plain = m.side_step != SideStep::begins && m.side_step != SideStep::ends;
-  now.watched = plain && m.kind != MotionKind::rapid && m.tool_radius > 0;
-  if (count_ > 1 && held(count_ - 2).motion().side * m.side < 0) {
-    held(count_ - 2).watched = now.watched = false;
-    end_watch();
-  }
-  if (now.watched) watch_.contour(now.element, m.tool_radius, now.action.origin);
-}
-
-void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin) {
-  const Vec2 point = in_plane(stand_.work);
-  if (like.kind == MotionKind::rapid || length(to - from) <= tol::same_point) return;
-  watch_.path(ContourElement::line(point + from, point + to), like.tool_radius, origin);
-}
-
-void RadiusCompensation::end_watch() {
-  if (const auto cut = watch_.end())
-    warnings_.push_back({warning(AlarmId::contour_cut, {}, cut->depth, static_cast<double>(cut->contour)), cut->tool});
-}
-
-/// A change of side without intersection after an arc: its ends are joined by an arc of the programmed radius (15.5.4).
-bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) const {
-  const ContourElement& e = held.element;
-  const Vec2 a = e.from + held.start_vector, b = e.to + end_vector, chord = b - a;
-  const double way = length(chord), radius = e.start_radius;
-  if (way > 2 * radius + tol::same_point || way == 0) return false;
-  const double height = std::sqrt(std::max(radius * radius - way * way / 4, 0.0));
-  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;  // INFERRED: as the programmed sweep
-  const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / way * left_of(chord);
-  const double half = std::asin(std::min(way / (2 * radius), 1.0)) / rad_per_deg / 180;
-  m.turns = minor > 0 ? half : 1 - half;
-  m.center = center;
-  return true;
-}
-
-/// A straight motion in the plane to the programmed point plus a vector.
-void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& origin) {
-  if (length(vector - vector_) <= tol::same_point) return;
-  Action& action = out_.add();
-  action.origin = origin;
-  Motion m = like;
-  if (is_arc(m.kind)) m.kind = MotionKind::feed;
-  m.named = AxisMask{1} << first_ | AxisMask{1} << second_;
-  m.detail.reset();
-  m.turns = 0;
-  m.exact = m.in_position = false;
-  m.to = stand_.work;
-  m.machine = stand_.machine;
-  shift(m, vector);
-  action.what = std::move(m);
-  vector_ = vector;
-}
-
-/// Moves the end of a motion in the plane; in machine coordinates as the frame is turned.
-void RadiusCompensation::shift(Motion& m, Vec2 vector) const {
-  if (vector == Vec2{}) return;
-  const FrameRotation* const rotation = at_.rotation.get();
-  const Axes before = turned(rotation, m.to);
-  m.to[first_] += vector.x;
-  m.to[second_] += vector.y;
-  const Axes now = turned(rotation, m.to);
-  for (std::size_t i = 0; i < max_axes; ++i) m.machine[i] += now[i] - before[i];
-}
-
+/// What the motion is to its neighbours. Without a direction: it cannot begin compensation, the point lies within the tool.
 ContourElement RadiusCompensation::element_of(const Motion& m) const {
   const Vec2 from = in_plane(at_.work), to = in_plane(m.to);
+  if (m.side_step == SideStep::begins && m.entry == ContourEntry::tangent) {
+    const auto way = entry_direction(to - from, m.tool_radius, m.side);
+    return way ? ContourElement::line(to - *way, to) : ContourElement();
+  }
   if (!is_arc(m.kind)) return ContourElement::line(from, to);
   return ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns);
 }
 
+/// What stands between the last motion and the next: known now.
+void RadiusCompensation::join(const Motion& next, const ContourElement& second) {
+  Held& first = last_held();
+  const auto vectors = vectors_to(next, second);
+  if (vectors) {
+    first.end = check_.least_step > 0 ? without_short_steps(*vectors, check_.least_step) : *vectors;
+  } else if (!check_.interference) {
+    const bool inside = corner_of(first.element.end, second.start, first.motion.side) == Corner::inside;
+    fault(alarm(inside ? AlarmId::compensation_no_intersection : AlarmId::compensation_corner_sharp, {}), first.origin);
+  }
+}
+
 /// At the junction with the next motion. The radius is that in force in the block that ends there.
 std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next, const ContourElement& second) {
-  const Held& before = last_held();
-  const Motion& m = before.motion();
+  Held& before = last_held();
+  const Motion& m = before.motion;
   const ContourElement& first = before.element;
   const double radius = m.tool_radius, side = m.side;
   if (radius == 0) return single({});
   const bool begins = m.side_step == SideStep::begins, ends = next.side_step == SideStep::ends;
+  if (keeps_vector_ && ends) return single(radius * side_normal(first.end, side));
+  if (keeps_vector_ && begins && m.entry == ContourEntry::normal) return single(radius * side_normal(second.start, side));
+  if (keeps_vector_ && next.side == m.side) return joined(first, second, radius, side, join_of(m, next));
   if (const auto& way = direction_of(m); begins && way) {
     const ContourElement in = ContourElement::line(first.to - *way, first.to);
     return meeting(offset_at_end(in, radius, side), offset_at_start(second, radius, side), first.to,
@@ -415,7 +288,7 @@ std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next
   if (next.side == m.side) return junction(first, second, radius, side);
   const double other = next.side;
   const auto meet = intersection(offset_at_end(first, radius, side), offset_at_start(second, radius, other), first.to);
-  last_held().rejoins = !meet && first.is_arc;
+  before.rejoins = !meet && first.is_arc;
   return single(meet.value_or(radius * side_normal(second.start, other)));
 }
 

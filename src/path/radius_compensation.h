@@ -3,12 +3,15 @@
 // says how the corner between them goes, and the actions between the two; with the interference check as many as that looks at. NCT 15.5.
 //
 //   programmed ──▶ window: motion k · actions between · motion k+1 … ──▶ junction k/k+1, check ──▶ motion k · actions between · corner
+//
+// What comes in: radius_compensation.cpp; what goes out: compensated_path.cpp.
 
 #include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/tolerance.h"
 #include "path/axis_roles.h"
 #include "path/contour_watch.h"
 #include "path/interference.h"
@@ -28,12 +31,16 @@ class RadiusCompensation {
 
   /// Takes a batch; leaves in it what can be said by now. `last`: nothing follows.
   ///   alarms  compensation_no_intersection (nct 2047), compensation_interference (2049), compensation_buffer (2090),
-  ///           compensation_turn (2048, INFERRED): what comes before is in the batch, what is held is dropped
+  ///           compensation_turn (2048, INFERRED); of controls with a ContourEntry of their own compensation_entry_short,
+  ///           compensation_corner_sharp, compensation_gouge: what comes before is in the batch, what is held is dropped
   ///   law     what is handed out ends where the programmed path ends, plus a vector no longer than the corner rules say
   std::optional<CompensationFault> take(ActionBatch& batch, bool last);
 
   /// Warnings of the last batch: contour_cut, one for a contour, at its deepest place.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
+
+  /// The tool does not stand on the programmed point, behind what was handed out.
+  bool beside() const { return dot(vector_, vector_) > tol::same_point * tol::same_point; }
 
   /// What is held is not carried out after all.
   void drop();
@@ -41,47 +48,57 @@ class RadiusCompensation {
  private:
   /// A motion of the contour, and what stands between it and the next.
   struct Held {
-    Action action;
+    Motion motion;
+    Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;            // none: not known, or the offsets do not meet
-    bool rejoins = false;           // an arc of the programmed radius between its ends (15.5.4)
-    bool watched = false;           // its way must not cut into the contour
+    JunctionVectors end;    // none: not known, or the offsets do not meet
+    bool rejoins = false;   // an arc of the programmed radius between its ends (15.5.4)
+    bool watched = false;   // its way must not cut into the contour
     std::vector<Action> waiting{};  // behind it
-    const Motion& motion() const { return std::get<Motion>(action.what); }
   };
 
+  // what comes in
   void next(Action& action);
+  void frame_change(Action& action, FrameChange& frame);
   void motion(Action& action);
+  void outside_contour(Action& action);
   void contour(Action& action);
+  void hold(Action& action, const ContourElement& element, Vec2 start_vector);
+  void corner(Action& action);
   void wait(Action action);
   void flush(std::optional<Vec2> vector);
   void leave();
-  void corner(Action& action);
-  void round(Vec2 to, const Origin& origin, const Motion& like);
   void join(const Motion& next, const ContourElement& second);
-  void release_first();
-  enum class Mended : std::uint8_t { sound, next_fails, first_fails };
-  Mended mend_first();
-  bool let_go(Held& held);
-  bool rejoin(Motion& motion, const Held& held, Vec2 end_vector) const;
-  void step(Vec2 vector, const Motion& like, const Origin& origin);
-  void hand_out(Action action);
-  void watch_last();
-  void watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin);
-  void end_watch();
-  void shift(Motion& motion, Vec2 vector) const;
   std::optional<JunctionVectors> vectors_to(const Motion& next, const ContourElement& second);
   ContourElement element_of(const Motion& motion) const;
+
+  // what goes out
+  enum class Mended : std::uint8_t { sound, next_fails, first_fails };
+  Mended mend_first();
+  std::span<const CompensatedBlock> checked_blocks();
+  void release_first();
+  bool let_go(Held& held);
+  bool rejoin(Motion& motion, const Held& held, Vec2 end_vector) const;
+  void go_round(const Held& first, std::optional<Motion> before);
+  void round(Vec2 to, const Origin& origin, const Motion& like);
+  void step(Vec2 vector, const Motion& like, const Origin& origin);
+  void hand_out(Action action);
+  void shift(Motion& motion, Vec2 vector) const;
+  void shift(FrameChange& frame) const;
+  void watch_last();
+  void watch_way(const Held& held, Vec2 end_vector);
+  void watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin);
+  void end_watch();
+
   Vec2 in_plane(const Axes& axes) const { return {axes[first_], axes[second_]}; }
-  void fault(AlarmId id, const Origin& origin) { fault_ = CompensationFault{alarm(id, {}), origin}; }
+  void fault(const Alarm& alarm, const Origin& origin) { fault_ = CompensationFault{alarm, origin}; }
 
   // the window
   Held& held(std::size_t i) { return window_[(head_ + i) % window_.size()]; }
   Held& last_held() { return held(count_ - 1); }
   void drop_first() { head_ = (head_ + 1) % window_.size(), --count_; }
   std::size_t looked_at() const { return check_.interference ? 3U + check_.further : 2U; }
-  std::span<const CompensatedBlock> checked_blocks();
 
   static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's is not known
   static constexpr std::size_t most_held = 12;     // 3 + 8 of N1404 (15.5.7), and the one that comes
@@ -89,7 +106,8 @@ class RadiusCompensation {
   ToolPosition at_;     // programmed, behind the last action taken
   ToolPosition stand_;  // programmed, behind what was handed out
   std::size_t first_ = 0, second_ = 1;
-  Vec2 vector_;  // from the programmed point to the tool's centre, behind what was handed out
+  bool keeps_vector_ = false;  // as on controls with a ContourEntry of their own: only the program's motions lead back to the contour
+  Vec2 vector_;                // from the programmed point to the tool's centre, behind what was handed out
   std::array<Held, most_held> window_;
   std::size_t head_ = 0, count_ = 0;
   std::array<CompensatedBlock, most_held> blocks_;

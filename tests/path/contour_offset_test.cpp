@@ -153,5 +153,51 @@ RC_GTEST_PROP(contour_offset, turned_or_reversed_the_vectors_follow, ()) {
   }
 }
 
+RC_GTEST_PROP(contour_offset, the_way_onto_a_contour_touches_its_line, ()) {
+  const auto any = [](int least, int most) { return *rc::gen::inRange(least * 1000, most * 1000) / 1000.0; };
+  const double side = *rc::gen::element(1.0, -1.0), radius = any(1, 5);
+  const Vec2 way = rotated(Vec2{radius + any(1, 50), 0}, any(0, 360));
+  const auto along = entry_direction(way, radius, side);
+  RC_ASSERT(along.has_value());
+  RC_ASSERT(std::fabs(length(*along) - 1) < tol::same_point);
+  const Vec2 end = way + radius * side_normal(*along, side);
+  RC_ASSERT(std::fabs(cross(end, *along)) < tol::same_point);  // it goes straight there …
+  RC_ASSERT(side * cross(*along, way) < 0);                    // … with the point on its other side
+}
+
+TEST(contour_offset, no_way_onto_a_contour_within_the_tool) {
+  EXPECT_FALSE(entry_direction({5, 0}, 5, 1));
+  EXPECT_FALSE(entry_direction({0, 0}, 5, 1));
+}
+
+TEST(contour_offset, joined_inside_and_outside) {
+  const auto first = ContourElement::line({0, 0}, {30, 0});
+  const auto down = ContourElement::line({30, 0}, {30, -30}), up = ContourElement::line({30, 0}, {30, 30});
+  const auto arc = joined(first, down, 5, 1, CornerJoin::arc);
+  ASSERT_TRUE(arc && arc->round && arc->count == 2);
+  EXPECT_NEAR(arc->last().x, 5, tol::same_point);
+  const auto lines = joined(first, down, 5, 1, CornerJoin::straight);
+  ASSERT_TRUE(lines && !lines->round && lines->count == 1);
+  EXPECT_NEAR(lines->first().x, 5, tol::same_point);
+  EXPECT_NEAR(lines->first().y, 5, tol::same_point);
+  for (const CornerJoin join : {CornerJoin::arc, CornerJoin::straight}) {
+    const auto inside = joined(first, up, 5, 1, join);
+    ASSERT_TRUE(inside && inside->count == 1);
+    EXPECT_NEAR(inside->first().x, -5, tol::same_point);
+    EXPECT_NEAR(inside->first().y, 5, tol::same_point);
+  }
+  EXPECT_FALSE(joined(first, ContourElement::line({30, 0}, {0, 0}), 5, 1, CornerJoin::straight));
+}
+
+TEST(contour_offset, what_fits) {
+  const auto line = ContourElement::line({0, 0}, {8, 0});
+  EXPECT_TRUE(fits(line, {5, 5}, {3, 5}, 5, 1));
+  EXPECT_FALSE(fits(line, {5, 5}, {-5, 5}, 5, 1));
+  const auto arc = ContourElement::arc({0, 0}, {10, 10}, {0, 10}, 0.25);
+  EXPECT_TRUE(fits(arc, {0, 9}, {-9, 0}, 9, 1));
+  EXPECT_FALSE(fits(arc, {0, 10}, {-10, 0}, 10, 1));
+  EXPECT_TRUE(fits(arc, {0, -20}, {20, 0}, 20, -1));
+}
+
 }  // namespace
 }  // namespace kadr

@@ -61,6 +61,75 @@ RC_GTEST_PROP(radius_compensation, the_path_is_nowhere_nearer_than_the_radius, (
   RC_ASSERT(farthest < 2.3 * radius + 2);  // acute corners go out to √5 of the radius
 }
 
+/// The same contour for a control with a ContourEntry of its own.
+std::vector<Motion> joined_by(CornerJoin join, std::vector<Motion> motions) {
+  for (Motion& m : motions) {
+    m.join_corner = join;
+    m.entry = ContourEntry::normal;
+  }
+  return motions;
+}
+
+double nearest_of(Vec2 to, const std::vector<Vec2>& points) {
+  double nearest = 1e9;
+  for (const Vec2 p : points) nearest = std::min(nearest, length(to - p));
+  return nearest;
+}
+
+RC_GTEST_PROP(radius_compensation, arcs_and_straight_joins_are_nowhere_nearer_than_the_radius, ()) {
+  const auto side = *rc::gen::element<std::int8_t>(1, -1);
+  const auto join = *rc::gen::element(CornerJoin::arc, CornerJoin::straight);
+  const double radius = any_number(1, 5);
+  bool arcs = false;
+  Contour c;
+  c.line(20, side, radius).side_step = SideStep::begins;
+  for (int i = 0; i < 2; ++i) {
+    if (*rc::gen::arbitrary<bool>()) c.arc(any_number(40, 80), *rc::gen::element(0.2, -0.2), side, radius), arcs = true;
+    else c.line(any_number(60, 100), side, radius);
+    const int most = arcs ? 60 : 140;  // the elements do not come near each other again
+    if (i == 0) c.direction = rotated(c.direction, any_number(-most, most));
+  }
+  c.line(20, 0, radius).side_step = SideStep::ends;
+  const auto motions = joined_by(join, c.motions);
+  const auto path = compensated(motions);
+  const auto contour = sampled({motions.begin() + 1, motions.end() - 1}, {20, 0, 0});
+  const auto tool = sampled({path.begin() + 1, path.end() - 1}, path.front().to);
+  const double reach = join == CornerJoin::arc ? radius : 3 * radius;  // tan 70° · r beyond the sharpest corner
+  for (const Vec2 t : tool) {
+    RC_ASSERT(nearest_of(t, contour) > radius - 10 * tol::same_point);
+    RC_ASSERT(nearest_of(t, contour) < reach + 1);  // half the way between two samples
+  }
+}
+
+TEST(radius_compensation, a_frame_that_moves_keeps_the_tool_beside) {
+  RadiusCompensation compensation{ToolPosition{}};
+  Contour c;
+  c.line(20, 1, 5).side_step = SideStep::begins;
+  c.line(50, 1, 5);
+  ActionBatch batch;
+  for (const Motion& m : joined_by(CornerJoin::arc, c.motions)) batch.add().what = m;
+  FrameChange frame{};
+  frame.work = {-30, 0, 0};
+  batch.add().what = frame;
+  ASSERT_FALSE(compensation.take(batch, false));
+  ASSERT_EQ(batch.size(), 3U);
+  EXPECT_EQ(std::get<Motion>(batch[1].what).to[1], 5);
+  EXPECT_EQ(std::get<FrameChange>(batch[2].what).work[0], -30);
+  EXPECT_EQ(std::get<FrameChange>(batch[2].what).work[1], 5);
+  EXPECT_TRUE(compensation.beside());
+}
+
+TEST(radius_compensation, a_corner_too_flat_for_a_motion_of_its_own) {
+  Contour c;
+  c.line(20, 1, 0.1).side_step = SideStep::begins;
+  c.line(50, 1, 0.1);
+  c.direction = rotated(c.direction, -1e-4);  // 1.7e-6 radians: 1.7e-7 mm on the arc
+  c.line(50, 1, 0.1);
+  const auto path = compensated(joined_by(CornerJoin::arc, c.motions));
+  ASSERT_EQ(path.size(), 3U);
+  for (const Motion& m : path) EXPECT_EQ(m.kind, MotionKind::feed);
+}
+
 TEST(radius_compensation, other_actions_keep_their_place) {
   RadiusCompensation compensation{ToolPosition{}};
   Contour c;

@@ -3,12 +3,14 @@
 #include <bit>
 #include <cmath>
 
+#include "control/correctors/pocket.h"
 #include "control/functions.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t corrected_axes = 3;  // X, Y, Z
+constexpr double most_rounds = 1e6;        // of a pocket: more is a mistake in K or I
 
 /// Which axes and which corrector an L word names.
 struct Named {
@@ -33,6 +35,14 @@ Result<Named> read(const Machinery& m, const Word& w) {
     if (m.has(m.letters.axis_letter[a])) named.axes |= 1u << a;
   if (std::popcount(named.axes) != 1) return fail(alarm(AlarmId::corrector_axis, w.where, w.value));
   return named;
+}
+
+/// Of the corrector that T names (2: T0915, corrector 15 = radius), mm; 0: not known.
+double tool_radius(const Machinery& m) {
+  const std::size_t number = m.modal.corrector;
+  if (number == 0 || number >= m.tables.correctors.size()) return 0;
+  const double stored = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_radius() : 0.0;
+  return std::fabs(stored != 0 ? stored : m.tables.correctors[number]);
 }
 
 }  // namespace
@@ -92,20 +102,37 @@ Status pocket_define(Machinery& m, const Call& call) {
   p.stepover = m.value('I');
   p.direction = m.value('J');
   p.pass = m.value('K');
+  p.feed = m.value('F');
   if (!(p.stepover > 0 && p.stepover <= most_stepover))
     return fail(alarm(AlarmId::stepover_out_of_range, m.where('I'), p.stepover, most_stepover));
   if (std::fabs(p.direction) != 1) return fail(alarm(AlarmId::value_out_of_range, m.where('J'), 'J', p.direction));
   if (!(p.pass > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('K'), 'K', p.pass));
+  if (!(p.z < 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('Z'), 'Z', p.z));
+  if (p.clearance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('B'), 'B', p.clearance));
   for (const char letter : {'X', 'Y'})
     if (!(m.value(letter) > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
   m.pocket = p;
   return {};
 }
 
-/// G79: runs it at a point. Its area clearing belongs to the contour work.
+/// G79: runs it at a point, in the plane XY.
 Status pocket_run(Machinery& m, const Call& call) {
   if (!m.pocket.defined) return fail(alarm(AlarmId::cycle_undefined, call.where, call.row->code));
-  return fail(alarm(AlarmId::pocket_not_available, call.where));
+  if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
+  if (!m.has('Z')) return fail(alarm(AlarmId::word_missing, call.where, 'Z', call.row->code));
+  const double radius = tool_radius(m);
+  if (radius == 0) return fail(alarm(AlarmId::pocket_tool_missing, call.where, double(m.modal.corrector)));
+  const auto rounds = correctors::PocketRounds::of(m.pocket, radius, call.where);
+  if (!rounds) return fail(rounds.error());
+  const double all = rounds->count() * correctors::PocketRun::passes(m.pocket);
+  if (!(all <= most_rounds)) return fail(alarm(AlarmId::pocket_too_long, call.where, all));
+  if (m.pocket.feed > 0) m.modal.feed = m.pocket.feed;
+  KADR_TRY(m.feed_known(call.where));
+  Axes middle;
+  AxisMask named = 0;
+  KADR_TRY(m.target(middle, named));
+  m.running = std::make_unique<correctors::PocketRun>(m.pocket, *rounds, middle);
+  return {};
 }
 
 }  // namespace functions

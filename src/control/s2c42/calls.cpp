@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/contour.h"
 
 namespace kadr::s2c42 {
 namespace {
@@ -64,6 +65,9 @@ Status call(Machinery& m, const Call& call) {
       m.call_text = m.flow.shown(m.block->text, m.call_where);
       return m.flow.call_body(*cycle, times, m.origin, w.where);
     }
+    KADR_TRY(contour_allows_infeed(m, w.where));
+    if (m.modal.contour != ContourPhase::off && m.modal.plane != Plane::xy)
+      return fail(alarm(AlarmId::compensation_active, w.where, "G17"));
     // The body begins with G1 G9 G17 G43 and ends with G0 (table 9).
     m.run_modes({Function::plane_xy, Function::length_plus});
     KADR_TRY(start_deep_drilling(m, *cycle, w.where));

@@ -1,0 +1,34 @@
+#pragma once
+// Cutter radius compensation on the control's side, for the controls other than NCT: the order of the blocks around G41, G42, G40, and what
+// each motion tells `path`. 2С42 6.4.7, 6.6.7, 6.8; Mach3 10.7.13; GOST as the 2С42 (INFERRED).
+
+#include "control/machinery.h"
+
+namespace kadr {
+
+/// G41 (side -1), G42 (+1) are in force from the block's motion on. INFERRED: behind a G40 that has not led off the contour yet, as
+/// if that had not been.
+void begin_contour(Machinery& m, std::int8_t side);
+
+/// G40: the next motion in the plane leads off the contour; alone it moves nothing.
+///   alarms  compensation_two_blocks: one block of the contour only (2С42 6.4.7)
+Status end_contour(Machinery& m, const Call& call);
+
+/// Before the motion of a block that is written with axis words.
+///   alarms  compensation_two_blocks: no motion in the plane between G41, G42 and the second block of the contour (2С42 6.4.7);
+///           compensation_closing: G40 in the block that closes the contour (2С42 6.4.7; INFERRED: it ends where the first one ended)
+Status contour_allows_motion(const Machinery& m);
+
+/// A motion along the tool alone, by a cycle or its block.
+///   alarms  compensation_two_blocks, as above
+Status contour_allows_infeed(const Machinery& m, Span where);
+
+/// An arc leads neither onto the contour nor off it (INFERRED).
+///   alarms  compensation_begins_in_arc, compensation_ends_in_arc
+Status arc_beside_contour(const Machinery& m, Span where, std::string_view code);
+
+/// Side, radius and joint of a motion that is handed on; counts the blocks of the contour.
+///   from  work coordinates at its beginning
+void note_contour(Machinery& m, Motion& motion, const Axes& from);
+
+}  // namespace kadr

@@ -1,3 +1,0 @@
-(radius by P)
-G41 P2.5
-M2
