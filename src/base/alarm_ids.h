@@ -71,5 +71,8 @@
   X(gear_not_on) X(coupling_parameter) X(axis_follows)                              \
   /* cutter radius compensation (nct 15.5) */                                                \
   X(compensation_no_intersection) X(compensation_buffer) X(compensation_turn)                \
-  X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)
+  X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)           \
+  /* automatic geometry (nct 17) */                                                          \
+  X(chamfer_and_rounding) X(corner_illegal) X(corner_too_large) X(contour_no_intersection)   \
+  X(intersection_needs_side) X(angle_meets_not) X(angle_alone)
 // clang-format on

@@ -13,8 +13,8 @@ namespace {
 const std::string& pick(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
 std::string letters_of(std::uint64_t bits, std::string text = {}) {
-  for (int i = 0; i < 26; ++i)
-    if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", static_cast<char>('A' + i));
+  for (int i = 0; i <= comma_vector - 'A'; ++i)
+    if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", address_written(static_cast<char>('A' + i)));
   return text;
 }
 
@@ -62,7 +62,7 @@ std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
 
 std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang) {
   const bool ru = lang == Lang::ru;
-  std::string text = fmt::format("{} {}: {}\n", def.id, row.letter, pick(row.text, lang));
+  std::string text = fmt::format("{} {}: {}\n", def.id, address_written(row.letter), pick(row.text, lang));
   text += fmt::format("  {}: {}\n", ru ? "формат" : "format", format_of(def, row));
   if (row.unit == WordUnit::length && def.grammar.word(row.letter).implied)
     text += fmt::format("  {}\n",

@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "path/curve.h"
+#include "path/plane_shift.h"
 
 namespace kadr {
 namespace {
@@ -269,15 +270,7 @@ void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& ori
 }
 
 /// Moves the end of a motion in the plane; in machine coordinates as the frame is turned.
-void RadiusCompensation::shift(Motion& m, Vec2 vector) const {
-  if (vector == Vec2{}) return;
-  const FrameRotation* const rotation = at_.rotation.get();
-  const Axes before = turned(rotation, m.to);
-  m.to[first_] += vector.x;
-  m.to[second_] += vector.y;
-  const Axes now = turned(rotation, m.to);
-  for (std::size_t i = 0; i < max_axes; ++i) m.machine[i] += now[i] - before[i];
-}
+void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, first_, second_, vector, at_.rotation.get()); }
 
 ContourElement RadiusCompensation::element_of(const Motion& m) const {
   const Vec2 from = in_plane(at_.work), to = in_plane(m.to);
