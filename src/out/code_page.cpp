@@ -114,8 +114,9 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   if (what.empty()) return std::nullopt;
   if (what.find_first_not_of("0123456789") == std::string::npos) return numbered_alarms(def, texts, what, lang);
   if (what[0] == '#') return explain_variable(def, what, lang);
-  if (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z') {
-    const AddressRow& row = def.address(code[0]);
+  const bool comma = code.size() == 2 && code[0] == ',' && comma_address(code[1]) != 0;
+  if (comma || (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z')) {
+    const AddressRow& row = def.address(comma ? comma_address(code[1]) : code[0]);
     if (row.function == Function::count) return std::nullopt;
     return address_text(def, row, lang);
   }

@@ -5,83 +5,10 @@
 #include <utility>
 
 #include "base/tolerance.h"
-#include "path/curve.h"
+#include "path/contour_motion.h"
 #include "path/plane_shift.h"
 
 namespace kadr {
-namespace {
-
-constexpr double endless = std::numeric_limits<double>::infinity();
-
-const ContourData* contour_of(const Motion& m) { return m.detail && m.detail->contour ? &*m.detail->contour : nullptr; }
-bool is_over_determined(const ContourData* c) {
-  return c != nullptr && (c->on == SupportingCurve::line || c->on == SupportingCurve::circle);
-}
-bool is_shaped(const ContourData* c) { return c != nullptr && (c->chamfer > 0 || c->rounding > 0); }
-bool is_way(const ContourData* c) { return c != nullptr && c->on == SupportingCurve::way; }
-
-/// G1, G2, G3 in a plane of the axes.
-bool is_element(const Motion& m) {
-  return (m.kind == MotionKind::feed || is_arc(m.kind)) && !(m.detail && m.detail->surface != PathSurface::plane);
-}
-
-/// Its end may be calculated by the next motion: that is so while radius compensation is on (17.3).
-bool may_end_elsewhere(const Motion& m) { return m.side != 0 && is_element(m); }
-
-Vec2 in_plane(const Axes& axes, const Motion& of) { return {axes[of.first], axes[of.second]}; }
-double sense_of(const Motion& arc) { return arc.kind == MotionKind::arc_ccw ? 1 : -1; }
-
-/// Nothing that comes behind can be looked at before this has been done: codes that empty the buffer (15.5.2), stops, G39, G40 alone.
-bool ends_look_ahead(const Action& action) {
-  if (const auto* const stop = std::get_if<Stop>(&action.what)) return stop->reason != StopReason::single_block;
-  return std::holds_alternative<FrameChange>(action.what) || std::holds_alternative<ContourBreak>(action.what) ||
-         std::holds_alternative<ContourCorner>(action.what) || std::holds_alternative<ZoneChange>(action.what) ||
-         std::holds_alternative<Sync>(action.what);
-}
-
-/// A circle's arc, no spiral: a corner with it can be rounded.
-bool is_circular(const ContourElement& e) {
-  return !e.is_arc || (std::fabs(e.start_radius - e.end_radius) <= tol::circular && e.start_radius > tol::same_point);
-}
-
-/// Swept angle of an arc whose ends are calculated; a whole turn if they coincide, as in a programmed one (4.3).
-double calculated_turns(Vec2 from, Vec2 to, Vec2 center, double sense) {
-  const double turns = swept_turns(from - center, to - center, sense);
-  return length(to - from) <= tol::same_point ? 1 : turns;
-}
-
-/// The line or circle that a motion lies on; nothing: a line of no length.
-std::optional<Support> support_of(const Motion& m, Vec2 from, Vec2 end) {
-  const ContourData* const c = contour_of(m);
-  Support s;
-  s.point = from;
-  if (is_arc(m.kind)) {
-    s.is_circle = true;
-    s.center = m.center;
-    s.radius = is_over_determined(c) ? c->radius : length(from - m.center);
-    return s;
-  }
-  if (is_over_determined(c)) s.point = end;
-  if (c != nullptr && c->on != SupportingCurve::none) {
-    s.direction = c->direction;
-    return s;
-  }
-  const double way = length(end - from);
-  if (!(way > tol::same_point)) return std::nullopt;
-  s.direction = 1 / way * (end - from);
-  return s;
-}
-
-/// What has been used up is taken out; a motion in the plane may have the way in or out, axes that roll and followers besides.
-void without_contour(Motion& m) {
-  if (contour_of(m) == nullptr) return;
-  if (m.detail->rolled == 0 && !m.detail->way && m.detail->followers.empty()) return m.detail.reset();
-  auto detail = std::make_shared<MotionDetail>(*m.detail);
-  detail->contour.reset();
-  m.detail = std::move(detail);
-}
-
-}  // namespace
 
 std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follows follows) {
   const std::size_t begin = held_ ? 0 : untouched(batch, follows);
@@ -221,7 +148,7 @@ std::optional<CornerElement> ContourCorners::element_at(Vec2 corner, const Conto
   CornerElement nothing;
   nothing.from = nothing.to = corner;
   if (own.rounding > 0 && meet_smoothly(*first, second)) return nothing;
-  const double there = second.is_arc ? 1 : endless;
+  const double there = second.is_arc ? 1 : std::numeric_limits<double>::infinity();
   const CornerRoom room{whole_way(*first), end == End::open ? there : whole_way(second)};
   const auto inserted = own.rounding > 0 ? rounding(*first, second, own.rounding, room) : chamfer(*first, second, own.chamfer);
   if (!inserted || !(inserted->second_way <= room.second + slack(second))) return failed(AlarmId::corner_too_large, held_->action.origin);
