@@ -32,7 +32,7 @@ class Arc {
       : m_(m), call_(call), turn_(turn), plane_(m.modal.axes), letters_(center_letters(m.modal.plane)) {}
 
   Status run() {
-    if (has_geometry_words(m_)) KADR_TRY(geometry());
+    if (has_geometry_words(m_) || (m_.has('R') && has_center())) KADR_TRY(geometry());
     const double angle_before = start_angle();
     m_.nct->absolute_block = over_determined();
     const Status read = m_.target(end_, named_);
@@ -64,9 +64,10 @@ class Arc {
   /// Words of chapter 17.
   Status geometry() {
     KADR_TRY(shape_words(m_, contour_));
-    if (m_.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call_.where, ",C ,R"));
     const auto over = is_over_determined_arc(m_, m_.has(letters_.first) && m_.has(letters_.second));
     if (!over) return fail(over.error());
+    if (m_.modal.surface != PathSurface::plane && (*over || has_shape_words(m_)))
+      return fail(alarm(AlarmId::surface_state, call_.where, *over ? "I J R" : ",C ,R"));
     if (!*over) return {};
     if (m_.modal.polar_data) return fail(alarm(AlarmId::not_together, call_.where, "G16", "I J R"));
     contour_.on = SupportingCurve::circle;
@@ -94,7 +95,7 @@ class Arc {
 
   /// R without an end point (or with the start as its end): no circle, no alarm (4.3); other axes still move.
   Status straight_rest() {
-    if (contour_.chamfer > 0 || contour_.rounding > 0) return fail(alarm(AlarmId::corner_illegal, call_.where));
+    if (has_shape_words(m_)) return fail(alarm(AlarmId::corner_illegal, call_.where));
     named_ &= ~(1u << plane_.first | 1u << plane_.second);
     if (named_ == 0) return {};
     KADR_TRY(m_.feed_known(call_.where));

@@ -49,6 +49,7 @@ Status supporting_line(const Machinery& m, MotionKind kind, PlaneWords words, Co
 }  // namespace
 
 bool has_geometry_words(const Machinery& m) { return (m.block->letters & geometry_bits) != 0; }
+bool has_shape_words(const Machinery& m) { return (m.block->letters & shape_bits) != 0; }
 
 PlaneWords plane_words(const Machinery& m) {
   PlaneWords words;
@@ -100,7 +101,7 @@ Status shaped_line(Machinery& m, const Call& call, MotionKind kind) {
   ContourData contour;
   KADR_TRY(shape_words(m, contour));
   const PlaneWords words = plane_words(m);
-  const bool shaped = (m.block->letters & shape_bits) != 0, supports = m.has(comma_angle) && !words.one();
+  const bool shaped = has_shape_words(m), supports = m.has(comma_angle) && !words.one();
   if (shaped && (kind != MotionKind::feed || !(m.has(comma_angle) || words.first || words.second)))
     return fail(alarm(AlarmId::corner_illegal, m.where(m.has(comma_chamfer) ? comma_chamfer : comma_rounding)));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, ",A ,C ,R"));

@@ -13,8 +13,9 @@ struct Call;
 
 namespace kadr::nct {
 
-/// ,C ,R ,A or Q stands in the block.
+/// ,C ,R ,A or Q stands in the block; ,C or ,R does.
 bool has_geometry_words(const Machinery& m);
+bool has_shape_words(const Machinery& m);
 
 /// Words on the two axes of the plane.
 struct PlaneWords {
