@@ -118,10 +118,9 @@ Carrier::Step Carrier::stop(const AlarmReport& report) {
 Carrier::Step Carrier::step() {
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
-  const Control::State state = control_.run(batch_);                   // lang, control: blocks → actions
-  const auto corner_fault = corners_.take(batch_, behind(state));      // path: calculated corners, roundings
-  const bool last = corner_fault || state != Control::State::running;  //
-  const auto fault = compensation_.take(batch_, last);                 // path: the tool's radius
+  const Control::State state = control_.run(batch_);                                                // lang, control: blocks → actions
+  const auto corner_fault = corners_.take(batch_, behind(state));                                   // path: calculated corners, roundings
+  const auto fault = compensation_.take(batch_, corner_fault || state != Control::State::running);  // path: the tool's radius
   const ToolPosition before = machine_.position();
   const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
   const auto taken =

@@ -4,7 +4,6 @@
 #include "base/result.h"
 #include "base/vec.h"
 #include "control/action.h"
-#include "control/arc.h"
 
 namespace kadr {
 class Machinery;
