@@ -69,7 +69,7 @@ ADDRESS_FUNCTIONS = {"block_number", "axis", "center", "word_of_code", "feed_wor
                      "formal_parameter", "code", "label", "dwell_word", "repeat_word", "call_word", "corrector_word", "machine_axis",
                      "increment_axis", "argument_only", "auxiliary_word", "spindle_word", "spindle_axis_word", "tool_call",
                      "length_number", "radius_number"}
-OTHER_WORDS = "*cra"  # in `takes`: every axis of the channel, the words ,C ,R ,A
+COMMA_WORDS = {"c": ",C", "r": ",R", "a": ",A"}  # in `takes`; `*`: every axis of the channel
 TEXT_OF_THE_PROGRAM = {"program_alarm"}  # their text is written by the program
 
 passed = 0
@@ -209,7 +209,7 @@ class Control:
         described = descriptor_letters(self.t.get("format", ""))
         for letter, row in self.addresses.items():
             where = self.at("address", letter)
-            check(re.fullmatch("[A-Z]", letter), f"{where}: no letter")
+            check(re.fullmatch("[A-Z]|,[CRA]", letter), f"{where}: no letter")
             check_keys(row, ADDRESS_KEYS, where)
             check_text(row, where)
             self.check_function(row, where)
@@ -241,7 +241,7 @@ class Control:
             takes = row.get("takes", "")
             check(len(set(takes)) == len(takes), f"{where}: takes a letter twice")
             for word in takes:
-                check(word in self.addresses or word in OTHER_WORDS or (word == "A" and self.t.get("grammar", {}).get("zero_between_slashes")),
+                check(COMMA_WORDS.get(word, word) in self.addresses or word == "*" or (word == "A" and self.t.get("grammar", {}).get("zero_between_slashes")),
                       f"{where}: takes {word}, which is no address")
             check(set(row.get("needs", "")) <= set(takes), f"{where}: needs what it does not take")
             if key == "other":

@@ -79,5 +79,8 @@
   X(compensation_entry_short) X(compensation_corner_sharp) X(compensation_gouge)             \
   X(compensation_two_blocks) X(compensation_closing) X(compensation_zero)                    \
   /* pocket cycle (spec/correctors 3) */                                                     \
-  X(pocket_tool_missing) X(pocket_tool_large) X(pocket_corner) X(pocket_too_long)
+  X(pocket_tool_missing) X(pocket_tool_large) X(pocket_corner) X(pocket_too_long)            \
+  /* automatic geometry (nct 17) */                                                          \
+  X(chamfer_and_rounding) X(corner_illegal) X(corner_too_large) X(contour_no_intersection)   \
+  X(intersection_needs_side) X(angle_meets_not) X(angle_alone)
 // clang-format on

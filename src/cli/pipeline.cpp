@@ -35,6 +35,15 @@ std::optional<std::string> control_of(const Options& options, const std::string&
   return guess.control;
 }
 
+/// What the corners of `path` may expect behind a batch.
+ContourCorners::Follows behind(Control::State state) {
+  switch (state) {
+    case Control::State::running: return ContourCorners::Follows::more;
+    case Control::State::stopped: return ContourCorners::Follows::alarm;
+    default: return ContourCorners::Follows::nothing;
+  }
+}
+
 }  // namespace
 
 void catch_interrupts() {
@@ -89,6 +98,7 @@ Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& s
       setup_(setup),
       outlets_(outlets),
       logic_(logic),
+      corners_({control.ending().position, control.ending().machine_position}),
       compensation_({control.ending().position, control.ending().machine_position}),
       machine_(control.axes(), control.rotary(), profile, setup, {control.ending().position, control.ending().machine_position}),
       rates_(rates_of(profile, setup, control.axes())) {
@@ -114,8 +124,9 @@ Carrier::Step Carrier::stop(const AlarmReport& report) {
 Carrier::Step Carrier::step() {
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
-  const Control::State state = control_.run(batch_);                                // lang, control: blocks → actions
-  const auto fault = compensation_.take(batch_, state != Control::State::running);  // path: corners, the tool's radius
+  const Control::State state = control_.run(batch_);                                                // lang, control: blocks → actions
+  const auto corner_fault = corners_.take(batch_, behind(state));                                   // path: calculated corners, roundings
+  const auto fault = compensation_.take(batch_, corner_fault || state != Control::State::running);  // path: the tool's radius
   const ToolPosition before = machine_.position();
   const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
   const auto taken =
@@ -135,13 +146,7 @@ Carrier::Step Carrier::step() {
     if (taken.refused) return Step::running;
   }
   for (const CompensationFault& cut : compensation_.warnings()) outlets_.warning(control_.report_for(cut.alarm, cut.origin));
-  if (fault) {
-    const AlarmReport report = control_.report_for(fault->alarm, fault->origin);
-    if (!outlets_.alarm(report)) {
-      stopped_.machine_stood = machine_.position();
-      return stop(report);
-    }
-  }
+  if (!goes_on_after(fault) || !goes_on_after(corner_fault)) return Step::stopped;
   if (state == Control::State::stopped || control_.is_stopped()) {
     const AlarmReport report = control_.report();
     if (!outlets_.alarm(report)) return stop(report);
@@ -159,6 +164,16 @@ Carrier::Step Carrier::step() {
   }
   if (outlets_.batch) outlets_.batch(control_);
   return state == Control::State::waiting ? Step::waiting : Step::running;
+}
+
+/// An alarm of `path`: the control was ahead of it.
+bool Carrier::goes_on_after(const std::optional<CompensationFault>& fault) {
+  if (!fault) return true;
+  const AlarmReport report = control_.report_for(fault->alarm, fault->origin);
+  if (outlets_.alarm(report)) return true;
+  stopped_.machine_stood = machine_.position();
+  stopped_.report = report;
+  return false;
 }
 
 VirtualTime Carrier::spent() {

@@ -11,7 +11,7 @@
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
 #include "motion/estimate.h"
-#include "path/radius_compensation.h"
+#include "path/contour_corners.h"
 
 namespace kadr::cli {
 
@@ -89,11 +89,13 @@ class Carrier {
   VirtualTime spent();
   void note_place();
   Step stop(const AlarmReport& report);
+  bool goes_on_after(const std::optional<CompensationFault>& fault);
 
   Control& control_;
   const Setup& setup_;
   const Outlets& outlets_;
   Logic& logic_;
+  ContourCorners corners_;
   RadiusCompensation compensation_;
   VirtualMachine machine_;
   Rates rates_;

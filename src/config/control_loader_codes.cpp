@@ -45,11 +45,13 @@ int ControlLoader::group_named(std::string_view name) const {
 }
 
 /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
-/// Not letters: `*` (takes_all_axes); c, r, a (the words ,C ,R ,A).
+/// c, r, a are the words ,C ,R ,A; no letter: `*` (takes_all_axes).
 std::uint64_t ControlLoader::letters(const std::string& text) {
   std::uint64_t bits = 0;
-  for (const char c : text)
+  for (const char c : text) {
     if (c >= 'A' && c <= 'Z') bits |= letter_bit_of(c);
+    if (c == 'c' || c == 'r' || c == 'a') bits |= letter_bit_of(comma_address(static_cast<char>(c - 'a' + 'A')));
+  }
   return bits;
 }
 
@@ -107,10 +109,10 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
     for (const auto& other : *with)
       c.with.push_back(
           static_cast<std::int32_t>(std::lround(std::strtod(other.value_or(std::string(" 0")).substr(1).c_str(), nullptr) * 10)));
-  for (int i = 0; i < 26; ++i)
+  for (int i = 0; i <= comma_vector - 'A'; ++i)
     if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count &&
         !(def_.grammar.zero_between_slashes && i == 0))
-      return Failed(place(name_, row, "takes") + "takes: no address " + static_cast<char>('A' + i));
+      return Failed(place(name_, row, "takes") + "takes: no address " + address_written(static_cast<char>('A' + i)));
   c.text = text_of(row);
   c.manual = row["manual"].value_or(std::string());
   if (c.function == Function::cycle) {

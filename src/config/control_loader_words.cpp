@@ -233,9 +233,12 @@ Done ControlLoader::addresses() {
   if (t == nullptr) return Failed(name_ + ": [address] is missing");
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
-    if (key.str().size() != 1 || key.str()[0] < 'A' || key.str()[0] > 'Z' || row == nullptr)
-      return Failed(place(name_, node) + "an address is a letter A to Z with a table");
-    KADR_LOAD(address(key.str()[0], *row));
+    const std::string_view text = key.str();
+    const bool comma = text.size() == 2 && text[0] == ',';
+    const char letter = comma ? comma_address(text[1]) : text.size() == 1 ? text[0] : '\0';
+    if (letter == 0 || (!comma && (letter < 'A' || letter > 'Z')) || row == nullptr)
+      return Failed(place(name_, node) + "an address is a letter A to Z, or ,C ,R ,A, with a table");
+    KADR_LOAD(address(letter, *row));
   }
   return {};
 }

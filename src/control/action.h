@@ -71,6 +71,25 @@ struct Follower {
   double sign = 1;  // -1: the other way round
 };
 
+/// What a motion in the plane lies on, where its start or end is to be calculated (nct 17.3).
+enum class SupportingCurve : std::uint8_t {
+  none,    // its ends say it
+  way,     // a line from its start: only its direction is known, its end is where the next motion begins
+  line,    // over-determined: the line through its end; it begins where that meets the motion before
+  circle,  // over-determined: the circle about its centre; the same
+};
+
+/// How a motion meets its neighbours in the plane (nct 17); path/contour_corners uses it up.
+struct ContourData {
+  double chamfer = 0;   // leg of the chamfer at its end, mm; 0: none
+  double rounding = 0;  // radius of the rounding there, mm; 0: none
+  SupportingCurve on = SupportingCurve::none;
+  Vec2 direction;         // of `way` and `line`: unit vector
+  double radius = 0;      // of `circle`, mm
+  bool farther = false;   // of two intersections the second (Q above 0)
+  bool mirrored = false;  // the programmed plane is: its clockwise is counter-clockwise here
+};
+
 /// What only few motions have.
 struct MotionDetail {
   AxisMask rolled = 0;  // rotary axes that roll over: `travel` is their signed way, degrees (nct 5.6)
@@ -91,6 +110,7 @@ struct MotionDetail {
   int input = 0;                      // of a probe motion: 1 to 8; 98: torque; 0: any
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the way in or out
   std::vector<Follower> followers;    // each behind its master; their way is no part of the path
+  std::optional<ContourData> contour;
 };
 
 /// A motion along a line, an arc, a spiral or a helix, of the tool point.

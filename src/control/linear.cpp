@@ -5,6 +5,7 @@
 #include "base/tolerance.h"
 #include "control/correctors/correctors.h"
 #include "control/functions.h"
+#include "control/nct/automatic_geometry.h"
 #include "control/nct/nct.h"
 #include "control/nct/sides.h"
 
@@ -48,6 +49,7 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
   }
   m.cycle_memory.row = -1;
   if (m.block_axes_taken) return {};
+  if (m.nct && nct::has_geometry_words(m)) return nct::shaped_line(m, call, kind);
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));

@@ -40,8 +40,7 @@ Alarm Machinery::with_names(Alarm alarm) const {
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {
     if (alarm.args[i].is_number() || alarm.args[i].text().size() != 1 || alarm.args[i].text()[0] <= 'Z') continue;
     const char address = alarm.args[i].text()[0];
-    for (const char letter : {'C', 'R', 'A', 'L'})
-      if (comma_address(letter) == address) alarm.args[i] = AlarmArg(std::string_view(std::string{',', letter}));
+    alarm.args[i] = AlarmArg(std::string_view(address_written(address)));
     for (const AddressName& name : def.grammar.names)
       if (name.address == address) alarm.args[i] = AlarmArg(std::string_view(name.text));
   }

@@ -23,6 +23,13 @@ constexpr char comma_address(char letter) {
   return letter == 'C' ? comma_chamfer : letter == 'R' ? comma_rounding : letter == 'A' ? comma_angle : letter == 'L' ? comma_vector : '\0';
 }
 
+/// An address as a program writes it: `X`, `,C`. Not those of Grammar::names.
+inline std::string address_written(char address) {
+  for (const char letter : {'C', 'R', 'A', 'L'})
+    if (comma_address(letter) == address) return {',', letter};
+  return {address};
+}
+
 /// A name of several characters (nct 2.2, 11.1.1).
 struct AddressName {
   std::string text;  // upper case

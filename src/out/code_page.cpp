@@ -13,8 +13,8 @@ namespace {
 const std::string& pick(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
 std::string letters_of(std::uint64_t bits, std::string text = {}) {
-  for (int i = 0; i < 26; ++i)
-    if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", static_cast<char>('A' + i));
+  for (int i = 0; i <= comma_vector - 'A'; ++i)
+    if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", address_written(static_cast<char>('A' + i)));
   return text;
 }
 
@@ -62,7 +62,7 @@ std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
 
 std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang) {
   const bool ru = lang == Lang::ru;
-  std::string text = fmt::format("{} {}: {}\n", def.id, row.letter, pick(row.text, lang));
+  std::string text = fmt::format("{} {}: {}\n", def.id, address_written(row.letter), pick(row.text, lang));
   text += fmt::format("  {}: {}\n", ru ? "формат" : "format", format_of(def, row));
   if (row.unit == WordUnit::length && def.grammar.word(row.letter).implied)
     text += fmt::format("  {}\n",
@@ -114,8 +114,9 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   if (what.empty()) return std::nullopt;
   if (what.find_first_not_of("0123456789") == std::string::npos) return numbered_alarms(def, texts, what, lang);
   if (what[0] == '#') return explain_variable(def, what, lang);
-  if (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z') {
-    const AddressRow& row = def.address(code[0]);
+  const bool comma = code.size() == 2 && code[0] == ',' && comma_address(code[1]) != 0;
+  if (comma || (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z')) {
+    const AddressRow& row = def.address(comma ? comma_address(code[1]) : code[0]);
     if (row.function == Function::count) return std::nullopt;
     return address_text(def, row, lang);
   }

@@ -31,7 +31,8 @@ void address_rows(const ControlDef& def, std::string& page) {
   page += "\n## Addresses\n\n" + head("| address | format | meaning | значение | source |");
   for (const AddressRow& row : def.addresses)
     if (row.function != Function::count)
-      page += fmt::format("| {} | {} | {} | {} |\n", row.letter, format_of(def, row), cells(row.text), escaped(row.manual));
+      page +=
+          fmt::format("| {} | {} | {} | {} |\n", address_written(row.letter), format_of(def, row), cells(row.text), escaped(row.manual));
 }
 
 void code_rows(const ControlDef& def, char letter, std::string& page) {

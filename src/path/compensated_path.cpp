@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "path/plane_shift.h"
 #include "path/radius_compensation.h"
 
 namespace kadr {
@@ -166,23 +167,7 @@ void RadiusCompensation::hand_out(Action action) {
   out_.add() = std::move(action);
 }
 
-/// Moves the end of a motion in the plane; in machine coordinates as the frame is turned.
-void RadiusCompensation::shift(Motion& m, Vec2 vector) const {
-  if (vector == Vec2{}) return;
-  const FrameRotation* const rotation = at_.rotation.get();
-  if (rotation == nullptr) {
-    m.to[first_] += vector.x;
-    m.to[second_] += vector.y;
-    m.machine[first_] += vector.x;
-    m.machine[second_] += vector.y;
-    return;
-  }
-  const Axes before = turned(rotation, m.to);
-  m.to[first_] += vector.x;
-  m.to[second_] += vector.y;
-  const Axes now = turned(rotation, m.to);
-  for (std::size_t i = 0; i < max_axes; ++i) m.machine[i] += now[i] - before[i];
-}
+void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, first_, second_, vector, at_.rotation.get()); }
 
 /// The tool's coordinates in a frame: those programmed and the vector.
 void RadiusCompensation::shift(FrameChange& frame) const {
@@ -195,7 +180,8 @@ void RadiusCompensation::watch_last() {
   Held& now = last_held();
   const Motion& m = now.motion;
   const bool plain = m.side_step != SideStep::begins && m.side_step != SideStep::ends;
-  now.watched = plain && m.kind != MotionKind::rapid && m.tool_radius > 0;
+  if (m.side_step == SideStep::begins || m.side_step == SideStep::begun) astray_ = false;
+  now.watched = plain && !astray_ && m.kind != MotionKind::rapid && m.tool_radius > 0;
   if (count_ > 1 && held(count_ - 2).motion.side * m.side < 0) {
     held(count_ - 2).watched = now.watched = false;
     end_watch();

@@ -13,36 +13,42 @@ Vec2 unit(Vec2 v) { return 1 / length(v) * v; }
 /// Tangential within rounding: |delta| below a millionth of a radian (15.5.0, INFERRED guard).
 bool tangential(Vec2 a, Vec2 b) { return std::fabs(cross(a, b)) < tol::tangential && dot(a, b) > 0; }
 
-/// Nearest of two points to the origin of the vectors.
-Vec2 nearer(Vec2 a, Vec2 b) { return dot(a, a) <= dot(b, b) ? a : b; }
+Meetings none() { return {}; }
 
-std::optional<Vec2> of_lines(const OffsetElement& a, const OffsetElement& b) {
-  const double c = cross(a.normal, b.normal);
-  if (std::fabs(c) < tol::tangential) {
-    if (dot(a.normal, b.normal) > 0 && std::fabs(a.distance - b.distance) <= tol::same_point) return b.distance * b.normal;
-    return std::nullopt;
-  }
-  return 1 / c * Vec2{a.distance * b.normal.y - b.distance * a.normal.y, a.normal.x * b.distance - b.normal.x * a.distance};
+Meetings both(Vec2 first, Vec2 second) {
+  Meetings m;
+  m.add(first);
+  m.add(second);
+  return m;
 }
 
-std::optional<Vec2> of_line_and_circle(const OffsetElement& line, const OffsetElement& circle, Vec2 point) {
+Meetings of_lines(const OffsetElement& a, const OffsetElement& b) {
+  const double c = cross(a.normal, b.normal);
+  Meetings m;
+  if (!(std::fabs(c) < tol::tangential))
+    m.add(1 / c * Vec2{a.distance * b.normal.y - b.distance * a.normal.y, a.normal.x * b.distance - b.normal.x * a.distance});
+  else if (dot(a.normal, b.normal) > 0 && std::fabs(a.distance - b.distance) <= tol::same_point) m.add(b.distance * b.normal);
+  return m;
+}
+
+Meetings of_line_and_circle(const OffsetElement& line, const OffsetElement& circle, Vec2 point) {
   const Vec2 start = line.distance * line.normal, center = circle.center - point;
   const Vec2 foot = start + dot(center - start, line.tangent) * line.tangent;
   const double height = length(center - foot);
-  if (circle.radius < 0 || height > circle.radius + tol::same_point) return std::nullopt;
+  if (circle.radius < 0 || height > circle.radius + tol::same_point) return none();
   const double way = std::sqrt(std::max(circle.radius * circle.radius - height * height, 0.0));
-  return nearer(foot - way * line.tangent, foot + way * line.tangent);
+  return both(foot - way * line.tangent, foot + way * line.tangent);
 }
 
-std::optional<Vec2> of_circles(const OffsetElement& a, const OffsetElement& b, Vec2 point) {
+Meetings of_circles(const OffsetElement& a, const OffsetElement& b, Vec2 point) {
   const Vec2 between = b.center - a.center;
   const double d = length(between);
-  if (a.radius < 0 || b.radius < 0 || d == 0) return std::nullopt;
-  if (d > a.radius + b.radius + tol::same_point || d < std::fabs(a.radius - b.radius) - tol::same_point) return std::nullopt;
+  if (a.radius < 0 || b.radius < 0 || d == 0) return none();
+  if (d > a.radius + b.radius + tol::same_point || d < std::fabs(a.radius - b.radius) - tol::same_point) return none();
   const double along = (d * d + a.radius * a.radius - b.radius * b.radius) / (2 * d);
   const double height = std::sqrt(std::max(a.radius * a.radius - along * along, 0.0));
   const Vec2 u = 1 / d * between, foot = a.center - point + along * u;
-  return nearer(foot + height * left_of(u), foot - height * left_of(u));
+  return both(foot + height * left_of(u), foot - height * left_of(u));
 }
 
 OffsetElement offset(const ContourElement& element, Vec2 tangent, double arc_radius, double radius, double side) {
@@ -95,6 +101,12 @@ OffsetElement offset_at_start(const ContourElement& e, double radius, double sid
 }
 
 std::optional<Vec2> intersection(const OffsetElement& first, const OffsetElement& second, Vec2 point) {
+  const Meetings m = intersections(first, second, point);
+  if (m.count == 0) return std::nullopt;
+  return m.count == 1 || dot(m.at[0], m.at[0]) <= dot(m.at[1], m.at[1]) ? m.at[0] : m.at[1];
+}
+
+Meetings intersections(const OffsetElement& first, const OffsetElement& second, Vec2 point) {
   if (first.is_arc) return second.is_arc ? of_circles(first, second, point) : of_line_and_circle(second, first, point);
   return second.is_arc ? of_line_and_circle(first, second, point) : of_lines(first, second);
 }

@@ -45,6 +45,19 @@ struct OffsetElement {
 OffsetElement offset_at_end(const ContourElement& element, double radius, double side);
 OffsetElement offset_at_start(const ContourElement& element, double radius, double side);
 
+/// Where two lines or circles meet: vectors from a point.
+struct Meetings {
+  std::array<Vec2, 2> at{};
+  std::uint8_t count = 0;
+  void add(Vec2 v) { at[count++] = v; }
+};
+
+/// From `point`, where both elements meet, to all intersections of their offsets.
+///   returns  of a line and a circle: that first met along the line, then the other; of two circles: that on the left of the way
+///            from the centre of the first to that of the second, then the other. None: they do not meet, or one of them is an
+///            arc too small for the tool
+Meetings intersections(const OffsetElement& first, const OffsetElement& second, Vec2 point);
+
 /// From `point`, where both elements meet, to the nearest intersection of their offsets.
 ///   returns  nothing: they do not meet, or one of them is an arc too small for the tool
 ///   law      the intersection lies on both offsets within tol::same_point

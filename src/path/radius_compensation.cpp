@@ -38,7 +38,8 @@ void RadiusCompensation::drop() {
   zero_.reset();
   corner_.reset();
   stand_ = at_;
-  end_watch();
+  (void)watch_.end();
+  astray_ = true;
 }
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {

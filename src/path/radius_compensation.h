@@ -52,9 +52,9 @@ class RadiusCompensation {
     Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;    // none: not known, or the offsets do not meet
-    bool rejoins = false;   // an arc of the programmed radius between its ends (15.5.4)
-    bool watched = false;   // its way must not cut into the contour
+    JunctionVectors end;            // none: not known, or the offsets do not meet
+    bool rejoins = false;           // an arc of the programmed radius between its ends (15.5.4)
+    bool watched = false;           // its way must not cut into the contour
     std::vector<Action> waiting{};  // behind it
   };
 
@@ -117,6 +117,7 @@ class RadiusCompensation {
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
   ContourWatch watch_;
+  bool astray_ = false;  // after an alarm: nothing is known of the contour until it begins anew
   std::vector<CompensationFault> warnings_;
 };
 

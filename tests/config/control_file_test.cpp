@@ -109,7 +109,9 @@ TEST(nct, writes_macros) {
 
 TEST(nct, codes_take_every_axis_of_the_channel) {
   EXPECT_TRUE(nct_code('G', 0).takes_all_axes);
-  EXPECT_EQ(nct_code('G', 0).takes, 0u);  // not the letter of ,A
+  // ,C ,R ,A: not the letters C, R, A
+  EXPECT_EQ(nct_code('G', 0).takes, letter_bit(comma_chamfer) | letter_bit(comma_rounding) | letter_bit(comma_angle));
+  EXPECT_EQ(nct().address(comma_chamfer).unit, WordUnit::length);
   EXPECT_FALSE(nct_code('G', 220).takes_all_axes);
 }
 

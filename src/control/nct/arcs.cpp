@@ -4,6 +4,7 @@
 
 #include "base/tolerance.h"
 #include "control/machinery.h"
+#include "control/nct/automatic_geometry.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 
@@ -35,8 +36,12 @@ class Arc {
   }
 
   Status run() {
+    if (has_geometry_words(m_) || (m_.has('R') && has_center())) KADR_TRY(geometry());
     const double angle_before = start_angle();
-    KADR_TRY(m_.target(end_, named_));
+    m_.nct->absolute_block = over_determined();
+    const Status read = m_.target(end_, named_);
+    m_.nct->absolute_block = false;
+    KADR_TRY(read);
     const bool has_data = m_.has('R') || has_center();
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
@@ -46,6 +51,7 @@ class Arc {
     if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_wrong, call_.where, call_.row->code));
     from_ = flat_point(m_, transformed(m_, m_.position.programmed));
     to_ = flat_point(m_, transformed(m_, end_));
+    if (over_determined()) return meeting_arc();
     polar_turns_ = polar_turns(angle_before);
     if (polar_turns_ && m_.transform.distorts(plane_)) return fail(alarm(AlarmId::not_available, call_.where, "G16 G51"));
     if (m_.has('R') && !polar_turns_ && (!in_plane || length(to_ - from_) <= tol::same_point)) return straight_rest();
@@ -53,10 +59,38 @@ class Arc {
     auto arc = m_.has('R') ? by_radius() : by_center();
     if (!arc) return fail(arc.error());
     KADR_TRY(turns(*arc));
-    return hand_on(*arc);
+    KADR_TRY(hand_on(*arc));
+    attach(m_, contour_);
+    return {};
   }
 
  private:
+  bool over_determined() const { return contour_.on == SupportingCurve::circle; }
+
+  /// Words of chapter 17.
+  Status geometry() {
+    KADR_TRY(shape_words(m_, contour_));
+    const auto over = is_over_determined_arc(m_, m_.has(letters_.first) && m_.has(letters_.second));
+    if (!over) return fail(over.error());
+    if (m_.modal.surface != PathSurface::plane && (*over || has_shape_words(m_)))
+      return fail(alarm(AlarmId::surface_state, call_.where, *over ? "I J R" : ",C ,R"));
+    if (!*over) return {};
+    if (m_.modal.polar_data) return fail(alarm(AlarmId::not_together, call_.where, "G16", "I J R"));
+    contour_.on = SupportingCurve::circle;
+    return {};
+  }
+
+  /// An over-determined arc: where it begins, and so how far it goes, is found in `path` (17.3).
+  Status meeting_arc() {
+    if (m_.transform.distorts(plane_)) return fail(alarm(AlarmId::not_together, call_.where, "G51", "I J R"));
+    const Vec2 center{m_.length_value(letters_.first), m_.length_value(letters_.second)};
+    KADR_TRY(circle_words(m_, center, {end_[plane_.first], end_[plane_.second]}, contour_));
+    KADR_TRY(m_.feed_known(call_.where));
+    KADR_TRY(hand_on({placed_point(center), 0}));
+    attach(m_, contour_);
+    return {};
+  }
+
   bool has_center() const { return m_.has(letters_.first) || m_.has(letters_.second); }
 
   /// Polar angle of the start: as programmed last, or where the tool stands, [0, 360).
@@ -68,6 +102,7 @@ class Arc {
 
   /// R without an end point (or with the start as its end): no circle, no alarm (4.3); other axes still move.
   Status straight_rest() {
+    if (has_shape_words(m_)) return fail(alarm(AlarmId::corner_illegal, call_.where));
     named_ &= ~(1u << plane_.first | 1u << plane_.second);
     if (named_ == 0) return {};
     KADR_TRY(m_.feed_known(call_.where));
@@ -166,6 +201,7 @@ class Arc {
   AxisMask named_ = 0;
   Vec2 from_, to_;
   std::optional<double> polar_turns_;
+  ContourData contour_;
 };
 
 }  // namespace

@@ -61,7 +61,7 @@ Status check_words(const Machinery& m) {
     const Word& w = m.block->words[i];
     if (w.address == 0) continue;
     if (w.address == 'M') ++m_codes;
-    if (w.address > 'Z' && w.address < first_name && w.address != indirect_axis)  // ,C ,R ,A ,L: spec/nct/17, 25
+    if (w.address == comma_vector)  // spec/nct/25
       return fail(alarm(AlarmId::not_available, w.where, m.block->text_of(w.where)));
     if (w.address == 'N') return fail(alarm(AlarmId::block_number_position, w.where));
     if ((m.letters.codes & letter_bit(w.address)) != 0) continue;

@@ -4,6 +4,7 @@
 
 #include "base/tolerance.h"
 #include "control/functions.h"
+#include "control/nct/automatic_geometry.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/drilling_run.h"
 #include "control/nct/nct.h"
@@ -110,7 +111,7 @@ class Drilling {
     if (code_ == 760 && !spindle().orients) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
     if (is_tap() && !spindle().indexes)
       return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(m_.nct->state.current_spindle)));
-    if (m_.has(comma_angle)) return fail(alarm(AlarmId::not_available, m_.where(comma_angle), ",A"));
+    if (m_.has(comma_angle) && m_.has_axis_words()) KADR_TRY(one_coordinate(m_));
     for (const char letter : {'I', 'J', 'K'})
       if (m_.has(letter) && !belongs(letter)) return fail(alarm(AlarmId::illegal_address, m_.where(letter), letter));
     return {};

@@ -213,6 +213,7 @@ class Nct {
   double thread_lead = 0;      // mm
   std::vector<PendingCall> pending;
   int spindle_by_p = 0;          // S1500 P2: number of the spindle; 0: none
+  bool absolute_block = false;   // its axis words are absolute even with G91 (17.3)
   bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
   AxisMask rolled = 0;           // rotary axes of the block that roll over, and their way
   Axes travel{};

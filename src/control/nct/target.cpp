@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "control/machinery.h"
+#include "control/nct/automatic_geometry.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 
@@ -46,6 +47,7 @@ double coordinate(const Machinery& m, const Word& w, std::size_t axis) {
 }
 
 bool is_increment(const Machinery& m, const Word& w) {
+  if (m.nct->absolute_block) return false;
   return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
@@ -106,6 +108,7 @@ Status target(const Machinery& m, Axes& to, AxisMask& named) {
     if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));
   }
   if (radius != nullptr || angle != nullptr) polar(m, radius, angle, to, named);
+  if (m.has(comma_angle)) KADR_TRY(end_by_angle(m, to, named));
   return not_following(m, named);
 }
 
