@@ -71,5 +71,11 @@
   X(gear_not_on) X(coupling_parameter) X(axis_follows)                              \
   /* cutter radius compensation (nct 15.5) */                                                \
   X(compensation_no_intersection) X(compensation_buffer) X(compensation_turn)                \
-  X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)
+  X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)             \
+  /* contours and area milling (spec/correctors 4) */                                        \
+  X(contour_syntax) X(contour_word_missing) X(contour_unit) X(contour_radius)                \
+  X(contour_empty) X(contour_too_large) X(contour_reach) X(contour_open_end)                 \
+  X(contour_branch) X(contour_crosses) X(mill_value) X(mill_hole)         \
+  X(tool_does_not_fit) X(mill_stepover) X(mill_too_long) X(mill_wall) X(mill_rapid) X(mill_uncut)          \
+  X(mill_read_back) X(word_has_no_room) X(function_has_no_code)
 // clang-format on
