@@ -16,7 +16,7 @@ namespace {
 constexpr double page_width = 1000, margin = 30, title_height = 64, legend_height = 40, tallest = 1400, least_size = 1;
 constexpr double chord = 0.05;  // units of the page between an arc and its picture
 constexpr Colour contour = colour(0x20262E), open_side = colour(0xB04A00), cutting = colour(0x1F6FEB),
-                 swept_ink = colour(0x1F6FEB, 0.08), plunging = colour(0x1A9850), rapid = colour(0x8A949F);
+                 swept_ink = colour(0xE2ECFB), plunging = colour(0x1A9850), rapid = colour(0x8A949F);
 
 struct Words {
   const char *wall, *open, *feed, *plunge, *rapid;

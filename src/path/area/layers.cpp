@@ -10,7 +10,8 @@ namespace kadr::area {
 namespace {
 
 constexpr double above = 1;          // mm over cut ground at which rapid motion ends
-constexpr double ramp_chord = 0.02;  // mm between an arc and its chords on the ramp: it is cut again on the level
+constexpr double ramp_chord = tol::area_wall / 4;  // mm between an arc and its chords on the ramp, which may run along a wall
+constexpr double rough = 0.02;                     // mm: chords where it is only asked whether something is left
 constexpr int most_strokes = 200;    // of a ramp; beyond it the tool has no room to go down on it
 
 class Layers {
@@ -186,9 +187,9 @@ class Layers {
     Polygons near;
     const Bounds tool{point - Vec2{job_.radius, job_.radius}, point + Vec2{job_.radius, job_.radius}};
     for (const Edge& e : cut_)
-      if (bounds_of({e}).near(tool, job_.radius)) near.push_back(flattened({e}, ramp_chord));
-    const Polygon disk = flattened({{point - Vec2{job_.radius, 0}, point + Vec2{job_.radius, 0}, 1}, {point + Vec2{job_.radius, 0}, point - Vec2{job_.radius, 0}, 1}}, ramp_chord);
-    const Polygons left = less(common({disk}, field_->zone), swept(near, job_.radius + tol::area_cusp, ramp_chord));
+      if (bounds_of({e}).near(tool, job_.radius)) near.push_back(flattened({e}, rough));
+    const Polygon disk = flattened({{point - Vec2{job_.radius, 0}, point + Vec2{job_.radius, 0}, 1}, {point + Vec2{job_.radius, 0}, point - Vec2{job_.radius, 0}, 1}}, rough);
+    const Polygons left = less(common({disk}, field_->zone), swept(near, job_.radius + tol::area_cusp, rough));
     return area_of(left) < tol::area_cusp * job_.radius;
   }
 

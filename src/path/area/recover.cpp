@@ -14,6 +14,12 @@ constexpr std::size_t across = 64;           // cells of the index in each direc
 
 double away(const Carrier& c, Vec2 p) { return c.line ? std::abs(cross(c.way, p - c.point)) : std::abs(length(p - c.point) - c.radius); }
 
+Vec2 on_carrier(const Carrier& c, Vec2 p) {
+  if (c.line) return c.point + dot(c.way, p - c.point) * c.way;
+  const Vec2 out = p - c.point;
+  return c.point + (c.radius / std::max(length(out), tol::same_point)) * out;
+}
+
 bool carries(const Carrier& c, Vec2 a, Vec2 b) {
   if (away(c, a) > off || away(c, b) > off) return false;
   if (c.line) return true;
@@ -170,7 +176,8 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
   };
   const auto joint = [&](const Run& before, const Run& after) {
     const Vec2 corner = corners[after.first];
-    Vec2 best = corner;
+    const auto& nearest = before.carrier ? before.carrier : after.carrier;
+    Vec2 best = nearest ? on_carrier(all_[*nearest], corner) : corner;
     double least = std::max(2 * off, std::min(reach(before), reach(after)));
     if (before.carrier && after.carrier && before.carrier != after.carrier)
       for (const Vec2 p : meetings(all_[*before.carrier], all_[*after.carrier]))

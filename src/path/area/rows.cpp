@@ -177,6 +177,12 @@ class Rows {
     return {rightwards ? Edge{left, right} : Edge{right, left}};
   }
 
+  Vec2 begin_of(std::size_t span, bool rightwards) const { return point(rightwards ? spans_[span].left : spans_[span].right); }
+  bool holds_turned(Edges path) const {
+    for (Edge& e : path) e = area::rotated(e, job_.angle);
+    return path.empty() || holds(field_, path);
+  }
+
   /// The cell of a row from its lowest row on.
   std::vector<std::size_t> cell_of(std::size_t span) {
     while (spans_[span].below != Span::none) span = spans_[span].below;
@@ -202,10 +208,8 @@ class Rows {
           append(path, back);
         }
       if (i + 1 == cell.size()) break;
-      const Edges straight{{path.back().to, right ? point(spans_[cell[i + 1]].right) : point(spans_[cell[i + 1]].left)}};
-      Edges turned = straight;
-      for (Edge& e : turned) e = area::rotated(e, job_.angle);
-      append(path, !follow_ && holds(field_, turned) ? straight : link(cell[i], cell[i + 1], right));
+      const Edges straight{{path.back().to, begin_of(cell[i + 1], !right)}};
+      append(path, !follow_ && holds_turned(straight) ? straight : link(cell[i], cell[i + 1], right));
     }
     return path;
   }
@@ -241,7 +245,10 @@ class Rows {
       if (spans_[s].done) continue;
       const std::vector<std::size_t> cell = cell_of(s);
       for (std::size_t i = 0; i < cell.size(); ++i) {
-        Edges path = i > 0 && follow_ ? side(cell[i - 1], cell[i], !right, true) : Edges();
+        Edges path;  // down where the row before began: nothing is left there
+        if (i > 0 && follow_) path = side(cell[i - 1], cell[i], !right, true);
+        else if (i > 0) path = {{begin_of(cell[i - 1], right), begin_of(cell[i], right)}};
+        if (!holds_turned(path)) path.clear();
         append(path, row(cell[i], right));
         if (i > 0 && follow_)
           if (const Edges back = side(cell[i - 1], cell[i], right, false); along_wall(back)) append(path, back);
