@@ -72,6 +72,8 @@ Status check_ranges(const MillOptions& o) {
   };
   for (const Range& r : ranges)
     if (!(r.value >= r.least && r.value <= r.most)) return fail(alarm(AlarmId::mill_value, {}, r.option, r.value));
+  constexpr double most_layers = 1000;
+  if (o.pass > 0 && std::abs(o.depth) / o.pass > most_layers) return fail(alarm(AlarmId::mill_value, {}, "pass", o.pass));
   for (const double value : o.hole)
     if (!(std::abs(value) <= far)) return fail(alarm(AlarmId::mill_value, {}, "hole", value));
   return {};

@@ -22,15 +22,16 @@ class Layers {
 
   void mill(const Field& field, Passes passes) {
     field_ = &field;
-    const int layers = std::max(1, static_cast<int>(std::ceil(job_.depth / job_.layer - tol::tangential)));
-    path_.layers = std::max(path_.layers, static_cast<std::size_t>(layers));
+    const std::vector<double> levels = levels_of(job_);
+    path_.layers = levels.size();
+    ground_ = job_.top;
     begin_first(passes.front());
     lift();
-    for (int i = 0; i < layers; ++i) {
-      ground_ = job_.top - job_.depth * i / layers;
-      level_ = job_.top - job_.depth * (i + 1) / layers;
+    for (const double level : levels) {
+      level_ = level;
       cut_.clear();
       for (std::size_t k = 0; k < passes.size(); ++k) pass(passes[k], k == 0);
+      ground_ = level;
     }
     leave(passes.back());
     lift();
@@ -232,6 +233,13 @@ Result<AreaPath> milled(const std::vector<Field>& fields, std::vector<Passes> pa
 }
 
 }  // namespace
+
+std::vector<double> levels_of(const Job& job) {
+  const int layers = std::max(1, static_cast<int>(std::ceil(job.depth / job.layer - tol::tangential)));
+  std::vector<double> levels;
+  for (int i = 1; i <= layers; ++i) levels.push_back(job.top - job.depth * i / layers);
+  return levels;
+}
 
 Result<AreaPath> area_path(const std::vector<Zone>& zones, const Job& job) {
   std::vector<Field> fields;

@@ -62,6 +62,9 @@ struct AreaPath {
   double step = 0;         // mm, as taken
 };
 
+/// The levels of the layers, from the top down; equal depths.
+std::vector<double> levels_of(const Job& job);
+
 /// The path through all zones.
 ///   alarms  tool_does_not_fit, mill_hole, mill_too_long
 Result<AreaPath> area_path(const std::vector<Zone>& zones, const Job& job);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/tolerance.h"
 #include "path/area/field.h"
@@ -15,7 +14,7 @@ constexpr double same_level = tol::area_cusp;   // mm: levels are rounded to the
 
 class Check {
  public:
-  Check(const std::vector<Zone>& zones, const Job& job) : job_(job) {
+  Check(const std::vector<Zone>& zones, const Job& job) : job_(job), levels_(levels_of(job)), cut_(levels_.size()) {
     outcome_.wanted = job.radius + job.allowance;
     outcome_.nearest_wall = std::numeric_limits<double>::infinity();
     for (const Zone& zone : zones) add(zone);
@@ -24,7 +23,7 @@ class Check {
 
   Outcome run(const std::vector<Move>& moves) {
     for (std::size_t i = 1; i < moves.size(); ++i) take(moves[i - 1].to, moves[i]);
-    for (const auto& [level, lines] : levels_) coverage(-static_cast<double>(level) * same_level, lines);
+    for (std::size_t i = 0; i < levels_.size(); ++i) coverage(levels_[i], cut_[i]);
     return outcome_;
   }
 
@@ -60,8 +59,9 @@ class Check {
     if (move.kind == MoveKind::rapid && flat > tol::area_wall) fault(alarm(AlarmId::mill_rapid, {}, move.to.x, move.to.y, move.to.z));
     keep_off(e, move.to.z);
     stay_inside(e, move.to.z);
-    if (move.kind != MoveKind::rapid && std::abs(move.to.z - from.z) < tol::level)
-      levels_[std::lround(-move.to.z / same_level)].push_back(e);
+    if (move.kind == MoveKind::rapid) return;
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+      if (std::abs(move.to.z - levels_[i]) < same_level && std::abs(from.z - levels_[i]) < same_level) cut_[i].push_back(e);
   }
 
   void keep_off(const Edge& e, double level) {
@@ -100,7 +100,8 @@ class Check {
   Outcome outcome_;
   std::vector<std::pair<Edge, Bounds>> walls_;
   Polygons allowed_, wanted_;
-  std::map<long, Edges> levels_;
+  std::vector<double> levels_;
+  std::vector<Edges> cut_;  // by level
 };
 
 }  // namespace
