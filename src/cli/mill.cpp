@@ -179,6 +179,8 @@ int mill(const MillOptions& options) {
   if (!texts) return complain(texts.error()), wrong_usage;
   if (!options.plot.empty() && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png"))
     return complain(fmt::format("--plot {}: the name must end in .svg or .png", options.plot)), wrong_usage;
+  for (const std::string& file : {options.output, options.plot})
+    if (file == options.contour && file != "-") return complain(fmt::format("{}: would be written over the contour", file)), wrong_usage;
   return MillCommand(options, language(shared), *def, *texts).run();
 }
 

@@ -39,7 +39,7 @@ TEST(PartProgram, PointsAndCentresFromTheStart) {
             "N90 G1 X-10.\nN100 G0 Z5.\nN110 M5\nN120 M2\n");
 }
 
-TEST(PartProgram, ToolAndCorrectorInOneWord) { EXPECT_NE(program_of("correctors").find("T303 M06"), std::string::npos); }
+TEST(PartProgram, ToolAndCorrectorInOneWord) { EXPECT_NE(program_of("correctors").find("T303 M6"), std::string::npos); }
 
 TEST(PartProgram, EveryControlReadsItBack) {
   for (const std::string& id : built_in_controls()) {
