@@ -15,7 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!edges) return 0;
   require(!edges->empty() && edges->size() <= kadr::limits::contour_edges, "a contour has edges, and not too many");
   for (const kadr::Edge& e : *edges) {
-    require(std::abs(e.from.x) <= kadr::limits::contour_reach && std::abs(e.from.y) <= kadr::limits::contour_reach, "edges are within reach");
+    require(std::abs(e.from.x) <= kadr::limits::contour_reach && std::abs(e.from.y) <= kadr::limits::contour_reach,
+            "edges are within reach");
     require(std::abs(e.bulge) < 1.001, "an arc is at most half a circle");
   }
   if (edges->size() > few) return 0;

@@ -123,8 +123,10 @@ class MillCommand {
   bool draw(const area::Verified& path, const Shape& shape, const Job& job) const {
     const std::size_t slash = options_.contour.find_last_of("/\\");
     const std::string title = options_.contour.substr(slash == std::string::npos ? 0 : slash + 1);
-    const std::string subtitle = fmt::format("{}   Ø{}   {}", scheme_name(job), number_text(2 * job.radius), ru() ? def_.name.ru : def_.name.en);
-    const auto drawn = draw_milling(options_.plot, {shape.zones, path.path.moves, path.path.holes, job.radius, job.top, title, subtitle, lang_});
+    const std::string subtitle =
+        fmt::format("{}   Ø{}   {}", scheme_name(job), number_text(2 * job.radius), ru() ? def_.name.ru : def_.name.en);
+    const auto drawn =
+        draw_milling(options_.plot, {shape.zones, path.path.moves, path.path.holes, job.radius, job.top, title, subtitle, lang_});
     if (!drawn) complain(drawn.error());
     return drawn.has_value();
   }
@@ -141,14 +143,25 @@ class MillCommand {
     };
     const auto blocks = std::count(program.text.begin(), program.text.end(), '\n');
     line("zone", "зона", zone_text(shape));
-    line("scheme", "схема", fmt::format("{}, {} {} mm ({} %)", scheme_name(job), ru() ? "шаг" : "step", number_text(path.path.step, 3), number_text(50 * path.path.step / job.radius, 1)));
-    line("path", "траектория", fmt::format("{} mm, {} × Z, {}: {}", number_text(o.length, 1), path.path.layers, ru() ? "подъёмов" : "lifts", path.path.lifts));
-    if (std::isfinite(o.nearest_wall)) line("wall", "стенка", fmt::format("{} mm ({} {})", number_text(o.nearest_wall, 3), ru() ? "нужно" : "wanted", number_text(o.wanted, 3)));
-    line("uncut", "не обработано", fmt::format("{} mm²; {} {} mm²", number_text(o.uncut, 2), ru() ? "недоступно фрезе" : "out of the tool's reach", number_text(o.out_of_reach, 2)));
-    for (const Vec2 hole : path.path.holes) line("drill before", "засверлить", fmt::format("X{} Y{}", number_text(hole.x, 3), number_text(hole.y, 3)));
+    line("scheme", "схема",
+         fmt::format("{}, {} {} mm ({} %)", scheme_name(job), ru() ? "шаг" : "step", number_text(path.path.step, 3),
+                     number_text(50 * path.path.step / job.radius, 1)));
+    line("path", "траектория",
+         fmt::format("{} mm, {} × Z, {}: {}", number_text(o.length, 1), path.path.layers, ru() ? "подъёмов" : "lifts", path.path.lifts));
+    if (std::isfinite(o.nearest_wall))
+      line("wall", "стенка",
+           fmt::format("{} mm ({} {})", number_text(o.nearest_wall, 3), ru() ? "нужно" : "wanted", number_text(o.wanted, 3)));
+    line("uncut", "не обработано",
+         fmt::format("{} mm²; {} {} mm²", number_text(o.uncut, 2), ru() ? "недоступно фрезе" : "out of the tool's reach",
+                     number_text(o.out_of_reach, 2)));
+    for (const Vec2 hole : path.path.holes)
+      line("drill before", "засверлить", fmt::format("X{} Y{}", number_text(hole.x, 3), number_text(hole.y, 3)));
     if (path.path.step < job.step) line("note", "замечание", ru() ? "шаг уменьшен: острые углы" : "the step was reduced: sharp corners");
-    if (path.path.fields > shape.zones.size()) line("note", "замечание", ru() ? "зона распалась: есть места уже фрезы" : "the zone falls apart: places narrower than the tool");
-    line("program", "УП", fmt::format("{} {}, {}", blocks, ru() ? "кадров" : "blocks", ru() ? "прочитана обратно: путь тот же" : "read back: the same path"));
+    if (path.path.fields > shape.zones.size())
+      line("note", "замечание", ru() ? "зона распалась: есть места уже фрезы" : "the zone falls apart: places narrower than the tool");
+    line(
+        "program", "УП",
+        fmt::format("{} {}, {}", blocks, ru() ? "кадров" : "blocks", ru() ? "прочитана обратно: путь тот же" : "read back: the same path"));
   }
 
   std::string zone_text(const Shape& shape) const {
@@ -158,7 +171,9 @@ class MillCommand {
       for (const Edges& loop : zone.loops)
         for (const Edge& e : loop) ++edges, open += e.open ? 1 : 0;
     }
-    const std::string kind = open == 0 ? (ru() ? "закрытая" : "closed") : open == edges ? (ru() ? "открытая" : "open") : (ru() ? "полуоткрытая" : "half-open");
+    const std::string kind = open == 0       ? (ru() ? "закрытая" : "closed")
+                             : open == edges ? (ru() ? "открытая" : "open")
+                                             : (ru() ? "полуоткрытая" : "half-open");
     return fmt::format("{}; {}: {}", kind, ru() ? "островков" : "islands", islands);
   }
 

@@ -64,11 +64,19 @@ struct Range {
 Status check_ranges(const MillOptions& o) {
   constexpr double tiny = 0.01, far = limits::contour_reach, fast = 1e6;
   const Range ranges[] = {
-      {"tool-diameter", o.tool_diameter, 0.05, 1000}, {"depth", std::abs(o.depth), tiny, 10'000}, {"pass", o.pass < 0 ? tiny : o.pass, tiny, 10'000},
-      {"allowance", o.allowance, 0, 100},             {"top", o.top, -far, far},                  {"clearance", o.clearance, tiny, 10'000},
-      {"overrun", o.overrun, 0, 1000},                {"angle", o.angle, -360, 360},              {"ramp-angle", o.ramp_angle, 0.1, 45},
-      {"width", o.width < 0 ? o.tool_diameter : o.width, o.tool_diameter, far},                   {"feed", o.feed, tiny, fast},
-      {"plunge-feed", o.plunge_feed < 0 ? o.feed : o.plunge_feed, tiny, fast},                    {"speed", o.speed, 0, fast},
+      {"tool-diameter", o.tool_diameter, 0.05, 1000},
+      {"depth", std::abs(o.depth), tiny, 10'000},
+      {"pass", o.pass < 0 ? tiny : o.pass, tiny, 10'000},
+      {"allowance", o.allowance, 0, 100},
+      {"top", o.top, -far, far},
+      {"clearance", o.clearance, tiny, 10'000},
+      {"overrun", o.overrun, 0, 1000},
+      {"angle", o.angle, -360, 360},
+      {"ramp-angle", o.ramp_angle, 0.1, 45},
+      {"width", o.width < 0 ? o.tool_diameter : o.width, o.tool_diameter, far},
+      {"feed", o.feed, tiny, fast},
+      {"plunge-feed", o.plunge_feed < 0 ? o.feed : o.plunge_feed, tiny, fast},
+      {"speed", o.speed, 0, fast},
   };
   for (const Range& r : ranges)
     if (!(r.value >= r.least && r.value <= r.most)) return fail(alarm(AlarmId::mill_value, {}, r.option, r.value));

@@ -88,8 +88,7 @@ ContourResult EdgeList::take() {
 }
 
 ContourResult read_contour(std::string_view text) {
-  if (text.size() > limits::contour_bytes)
-    return contour_fault(0, alarm(AlarmId::contour_too_large, {}, double(limits::contour_edges)));
+  if (text.size() > limits::contour_bytes) return contour_fault(0, alarm(AlarmId::contour_too_large, {}, double(limits::contour_edges)));
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t at = text.find_first_not_of(" \t\r\n");
   if (at != std::string_view::npos && text[at] == '<') return read_contour_svg(text);

@@ -28,7 +28,8 @@ std::string_view trimmed(std::string_view text) {
 /// mm of a unit of $INSUNITS; 0: a unit no drawing of a part is made in.
 double unit_of(int insunits) {
   switch (insunits) {
-    case 0: case 4: return 1;  // not stated: mm
+    case 0:
+    case 4: return 1;  // not stated: mm
     case 1: return mm_per_inch;
     case 2: return 12 * mm_per_inch;
     case 5: return 10;
@@ -159,7 +160,8 @@ class DxfReader {
     edges_.at(entity_.line);
     edges_.open(entity_.open);
     const bool mirrored = entity_.of(230) < 0;  // extrusion towards −Z: X is mirrored
-    if (entity_.type == "LINE") edges_.line({unit_ * entity_.of(10), unit_ * entity_.of(20)}, {unit_ * entity_.of(11), unit_ * entity_.of(21)});
+    if (entity_.type == "LINE")
+      edges_.line({unit_ * entity_.of(10), unit_ * entity_.of(20)}, {unit_ * entity_.of(11), unit_ * entity_.of(21)});
     else if (entity_.type == "CIRCLE") edges_.arc(point(10, 20), unit_ * entity_.of(40), 0, 360);
     else if (entity_.type == "ARC") arc(mirrored);
     else if (entity_.type == "LWPOLYLINE") polyline(entity_.vertices, entity_.closed(), mirrored);

@@ -31,8 +31,9 @@ std::optional<Length> length_of(const char* text) {
   constexpr struct {
     std::string_view name;
     double mm;
-  } units[] = {{"", 0}, {"mm", 1}, {"cm", 10}, {"in", mm_per_inch}, {"pt", mm_per_inch / 72}, {"pc", mm_per_inch / 6},
-               {"px", mm_per_inch / 96}, {"%", 0}};
+  } units[] = {
+      {"", 0}, {"mm", 1}, {"cm", 10}, {"in", mm_per_inch}, {"pt", mm_per_inch / 72}, {"pc", mm_per_inch / 6}, {"px", mm_per_inch / 96},
+      {"%", 0}};
   for (const auto& known : units)
     if (unit == known.name) return Length{value, known.mm};
   return std::nullopt;
@@ -84,7 +85,8 @@ class SvgReader {
 
   ContourResult read() {
     pugi::xml_document document;
-    const auto parsed = document.load_buffer(text_.data(), text_.size(), pugi::parse_minimal | pugi::parse_escapes | pugi::parse_wconv_attribute);
+    const auto parsed =
+        document.load_buffer(text_.data(), text_.size(), pugi::parse_minimal | pugi::parse_escapes | pugi::parse_wconv_attribute);
     if (!parsed) return contour_fault(line_at(parsed.offset), alarm(AlarmId::contour_syntax, {}, parsed.description()));
     const pugi::xml_node root = document.document_element();
     if (std::strcmp(root.name(), "svg") != 0) return contour_fault(1, alarm(AlarmId::contour_syntax, {}, root.name()));
@@ -107,7 +109,9 @@ class SvgReader {
     counted_ = offset;
     return line_;
   }
-  Wrong wrong(const pugi::xml_node& node, const char* text) { return ContourFault{alarm(AlarmId::contour_syntax, {}, text), line_of(node)}; }
+  Wrong wrong(const pugi::xml_node& node, const char* text) {
+    return ContourFault{alarm(AlarmId::contour_syntax, {}, text), line_of(node)};
+  }
 
   /// The page: user units → mm, Y upwards.
   bool set_page(const pugi::xml_node& root) {

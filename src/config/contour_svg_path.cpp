@@ -82,8 +82,10 @@ class PathReader {
       case 'H': return number(p.x) && (p.x += relative ? now_.x : 0, line_to(p), true);
       case 'V': return number(p.y) && (p.y += relative ? now_.y : 0, line_to(p), true);
       case 'Z': return line_to(first_), true;
-      case 'C': case 'S': return cubic(what == 'S', relative);
-      case 'Q': case 'T': return quadratic(what == 'T', relative);
+      case 'C':
+      case 'S': return cubic(what == 'S', relative);
+      case 'Q':
+      case 'T': return quadratic(what == 'T', relative);
       case 'A': return arc(relative);
       default: return --at_, false;
     }

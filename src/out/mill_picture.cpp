@@ -15,8 +15,8 @@ namespace {
 
 constexpr double page_width = 1000, margin = 30, title_height = 64, legend_height = 40, tallest = 1400, least_size = 1;
 constexpr double chord = 0.05;  // units of the page between an arc and its picture
-constexpr Colour contour = colour(0x20262E), open_side = colour(0xB04A00), cutting = colour(0x1F6FEB),
-                 swept_ink = colour(0xE2ECFB), plunging = colour(0x1A9850), rapid = colour(0x8A949F);
+constexpr Colour contour = colour(0x20262E), open_side = colour(0xB04A00), cutting = colour(0x1F6FEB), swept_ink = colour(0xE2ECFB),
+                 plunging = colour(0x1A9850), rapid = colour(0x8A949F);
 
 struct Words {
   const char *wall, *open, *feed, *plunge, *rapid;
@@ -51,7 +51,8 @@ class Drawing {
     for (const auto& zone : picture_.zones)
       for (const auto& loop : zone.loops)
         for (const Edge& e : loop) edge(canvas, e, e.open ? open_side : contour, 2.2, e.open);
-    path(canvas, rapid, 1, [&](const area::Move& m, double) { return m.kind == area::MoveKind::rapid; }, true);
+    path(
+        canvas, rapid, 1, [&](const area::Move& m, double) { return m.kind == area::MoveKind::rapid; }, true);
     path(canvas, cutting, 1.4, [&](const area::Move& m, double) { return m.kind == area::MoveKind::feed; });
     path(canvas, plunging, 1.6, [&](const area::Move& m, double) { return m.kind == area::MoveKind::plunge; });
     arrows(canvas);

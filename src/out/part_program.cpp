@@ -15,9 +15,9 @@ namespace {
 using area::Move;
 using area::MoveKind;
 
-constexpr int free_decimals = 3;         // of a word with any number of digits: the controls' increment of 0.001 mm
-constexpr double chord = 0.005;          // mm between an arc and the lines written for it: half the controls' arc tolerance
-constexpr double shortest_arc = 10;      // increments: a shorter one is a line
+constexpr int free_decimals = 3;     // of a word with any number of digits: the controls' increment of 0.001 mm
+constexpr double chord = 0.005;      // mm between an arc and the lines written for it: half the controls' arc tolerance
+constexpr double shortest_arc = 10;  // increments: a shorter one is a line
 constexpr int block_steps[] = {10, 5, 1};
 
 /// How the words of one address are written.
@@ -159,7 +159,8 @@ class Writer {
     if (area::length_of(arc) < shortest_arc * increment || length(arc.to - arc.from) < increment) return line({move.kind, to});
     const Vec2 centre = written_centre(arc);
     const double off = std::abs(length(arc.to - centre) - length(arc.from - centre));
-    const bool fits = Words(def_, 'I').word(centre_value(centre.x, arc.from.x)) && Words(def_, 'J').word(centre_value(centre.y, arc.from.y));
+    const bool fits =
+        Words(def_, 'I').word(centre_value(centre.x, arc.from.x)) && Words(def_, 'J').word(centre_value(centre.y, arc.from.y));
     if (!fits || off > def_.behaviour.arc_radius_difference / 2) return chords(move, arc);
     return circular(move, arc, centre);
   }

@@ -22,7 +22,7 @@ struct Technology {
 };
 
 struct PartProgram {
-  std::string text;                // UTF-8
+  std::string text;               // UTF-8
   std::vector<area::Move> moves;  // as written: rounded to the digits of the words
 };
 

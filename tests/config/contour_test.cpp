@@ -50,11 +50,11 @@ std::string dxf(const std::string& entities, const std::string& header = "") {
 }
 
 TEST(Contour, DxfLinesArcsPolylines) {
-  const auto edges = read_contour(dxf(
-      "0\nLINE\n8\nOpen side\n10\n0\n20\n0\n11\n10\n21\n0\n"
-      "0\nARC\n8\n0\n10\n10\n20\n5\n40\n5\n50\n270\n51\n90\n"
-      "0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n10\n20\n20\n0\n42\n1\n10\n30\n20\n0\n10\n30\n20\n9\n"
-      "0\nPOLYLINE\n8\n0\n70\n0\n0\nVERTEX\n10\n1\n20\n1\n0\nVERTEX\n10\n2\n20\n1\n42\n-0.5\n0\nVERTEX\n10\n3\n20\n1\n0\nSEQEND\n"));
+  const auto edges = read_contour(
+      dxf("0\nLINE\n8\nOpen side\n10\n0\n20\n0\n11\n10\n21\n0\n"
+          "0\nARC\n8\n0\n10\n10\n20\n5\n40\n5\n50\n270\n51\n90\n"
+          "0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n10\n20\n20\n0\n42\n1\n10\n30\n20\n0\n10\n30\n20\n9\n"
+          "0\nPOLYLINE\n8\n0\n70\n0\n0\nVERTEX\n10\n1\n20\n1\n0\nVERTEX\n10\n2\n20\n1\n42\n-0.5\n0\nVERTEX\n10\n3\n20\n1\n0\nSEQEND\n"));
   ASSERT_TRUE(edges);
   ASSERT_EQ(edges->size(), 7U);
   EXPECT_TRUE((*edges)[0].open);

@@ -34,9 +34,10 @@ TEST(PartProgram, IntegersOfTheIncrementAndAbsoluteCentres) {
 }
 
 TEST(PartProgram, PointsAndCentresFromTheStart) {
-  EXPECT_EQ(program_of("mach3"),
-            "N10 G17 G90\nN20 G21 G94 G91.1\nN30 T3 M6\nN40 S800 M3\nN50 G0 Z5.\nN60 X10. Y0.\nN70 G1 Z-1.5 F80\nN80 G3 X0. Y10. I-10. J0. F240\n"
-            "N90 G1 X-10.\nN100 G0 Z5.\nN110 M5\nN120 M2\n");
+  EXPECT_EQ(
+      program_of("mach3"),
+      "N10 G17 G90\nN20 G21 G94 G91.1\nN30 T3 M6\nN40 S800 M3\nN50 G0 Z5.\nN60 X10. Y0.\nN70 G1 Z-1.5 F80\nN80 G3 X0. Y10. I-10. J0. F240\n"
+      "N90 G1 X-10.\nN100 G0 Z5.\nN110 M5\nN120 M2\n");
 }
 
 TEST(PartProgram, ToolAndCorrectorInOneWord) { EXPECT_NE(program_of("correctors").find("T303 M6"), std::string::npos); }

@@ -9,10 +9,10 @@
 namespace kadr::area {
 namespace {
 
-constexpr double above = 1;          // mm over cut ground at which rapid motion ends
+constexpr double above = 1;                        // mm over cut ground at which rapid motion ends
 constexpr double ramp_chord = tol::area_wall / 4;  // mm between an arc and its chords on the ramp, which may run along a wall
 constexpr double rough = 0.02;                     // mm: chords where it is only asked whether something is left
-constexpr int most_strokes = 200;    // of a ramp; beyond it the tool has no room to go down on it
+constexpr int most_strokes = 200;                  // of a ramp; beyond it the tool has no room to go down on it
 
 class Layers {
  public:
@@ -80,7 +80,8 @@ class Layers {
 
   void first_pass(const Pass& pass) {
     const bool down = at_.z < job_.top;
-    const bool turn = down && !pass.closed && !pass.lifted && length(pass.path.back().to - here()) < length(pass.path.front().from - here());
+    const bool turn =
+        down && !pass.closed && !pass.lifted && length(pass.path.back().to - here()) < length(pass.path.front().from - here());
     const Edges path = turn ? reversed(pass.path) : pass.path;
     enter(path, false);
     cut(path);
@@ -189,7 +190,9 @@ class Layers {
     const Bounds tool{point - Vec2{job_.radius, job_.radius}, point + Vec2{job_.radius, job_.radius}};
     for (const Edge& e : cut_)
       if (bounds_of({e}).near(tool, job_.radius)) near.push_back(flattened({e}, rough));
-    const Polygon disk = flattened({{point - Vec2{job_.radius, 0}, point + Vec2{job_.radius, 0}, 1}, {point + Vec2{job_.radius, 0}, point - Vec2{job_.radius, 0}, 1}}, rough);
+    const Polygon disk = flattened(
+        {{point - Vec2{job_.radius, 0}, point + Vec2{job_.radius, 0}, 1}, {point + Vec2{job_.radius, 0}, point - Vec2{job_.radius, 0}, 1}},
+        rough);
     const Polygons left = less(common({disk}, field_->zone), swept(near, job_.radius + tol::area_cusp, rough));
     return area_of(left) < tol::area_cusp * job_.radius;
   }
@@ -227,8 +230,7 @@ Result<AreaPath> milled(const std::vector<Field>& fields, std::vector<Passes> pa
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (!passes[i].empty()) layers.mill(fields[i], std::move(passes[i]));
   if (path.moves.empty()) return fail(alarm(AlarmId::tool_does_not_fit, {}, 2 * job.radius));
-  if (job.hole && job.plunge == Plunge::hole && !layers.uses_hole())
-    return fail(alarm(AlarmId::mill_hole, {}, job.hole->x, job.hole->y));
+  if (job.hole && job.plunge == Plunge::hole && !layers.uses_hole()) return fail(alarm(AlarmId::mill_hole, {}, job.hole->x, job.hole->y));
   return path;
 }
 

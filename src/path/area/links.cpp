@@ -93,7 +93,8 @@ Edges begun_near(const Edges& ring, Vec2 p) {
 }
 
 Edges begun_at_longest(const Edges& ring) {
-  const auto longest = std::max_element(ring.begin(), ring.end(), [](const Edge& a, const Edge& b) { return length_of(a) < length_of(b) - tol::same_point; });
+  const auto longest = std::max_element(ring.begin(), ring.end(),
+                                        [](const Edge& a, const Edge& b) { return length_of(a) < length_of(b) - tol::same_point; });
   return begun_at(ring, static_cast<std::size_t>(longest - ring.begin()), 0.5);
 }
 

@@ -64,7 +64,7 @@ double turned(Vec2 centre, Vec2 a, Vec2 b, bool ccw) {
 
 void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, bool ccw, double about) {
   double sweep = turned(c.point, a, b, ccw);
-  if (about > 300 && sweep < 60) sweep += 360;                      // a whole circle
+  if (about > 300 && sweep < 60) sweep += 360;                           // a whole circle
   if (sweep > 300 && about < 60) return path.push_back({a, b}), void();  // shorter than its corners moved
   const int pieces = sweep > 180 ? 2 : 1;
   const double signed_sweep = ccw ? sweep : -sweep, bulge = std::tan(signed_sweep / pieces / 4 * rad_per_deg);

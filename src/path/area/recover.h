@@ -9,8 +9,8 @@ namespace kadr::area {
 /// A line or circle that chords may lie on.
 struct Carrier {
   bool line = true;
-  Vec2 point;        // of a line; centre of a circle
-  Vec2 way;          // unit vector of a line
+  Vec2 point;  // of a line; centre of a circle
+  Vec2 way;    // unit vector of a line
   double radius = 0;
   Bounds box;
 };

@@ -198,9 +198,7 @@ class Rows {
   Edges through(const std::vector<std::size_t>& cell, bool up, bool right) const {
     Edges path;
     for (std::size_t i = 0; i < cell.size(); ++i, right = !right) {
-      const auto link = [&](std::size_t from, std::size_t to, bool at_right) {
-        return side(up ? from : to, up ? to : from, at_right, up);
-      };
+      const auto link = [&](std::size_t from, std::size_t to, bool at_right) { return side(up ? from : to, up ? to : from, at_right, up); };
       append(path, row(cell[i], right));
       if (follow_ && i > 0)
         if (const Edges back = link(cell[i - 1], cell[i], right); along_wall(back)) {

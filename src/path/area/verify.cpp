@@ -84,7 +84,8 @@ class Check {
     Polygons lines;
     for (const Edge& e : cut) {
       Polygon corners = flattened({e}, tol::area_chord);
-      if (!lines.empty() && length(lines.back().back() - corners.front()) < tol::same_point) lines.back().insert(lines.back().end(), corners.begin() + 1, corners.end());
+      if (!lines.empty() && length(lines.back().back() - corners.front()) < tol::same_point)
+        lines.back().insert(lines.back().end(), corners.begin() + 1, corners.end());
       else lines.push_back(std::move(corners));
     }
     double sum = 0;

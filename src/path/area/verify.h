@@ -9,11 +9,11 @@
 namespace kadr::area {
 
 struct Outcome {
-  double nearest_wall = 0;          // mm, least distance of the tool's centre from a wall below the top; infinite without walls
-  double wanted = 0;                // mm: radius and allowance
-  double uncut = 0;                 // mm² that the tool can reach and leaves, of the worst layer
-  double out_of_reach = 0;          // mm² of the zones in corners and places narrower than the tool
-  double length = 0;                // mm at feed
+  double nearest_wall = 0;  // mm, least distance of the tool's centre from a wall below the top; infinite without walls
+  double wanted = 0;        // mm: radius and allowance
+  double uncut = 0;         // mm² that the tool can reach and leaves, of the worst layer
+  double out_of_reach = 0;  // mm² of the zones in corners and places narrower than the tool
+  double length = 0;        // mm at feed
   std::optional<Alarm> fault;
 };
 

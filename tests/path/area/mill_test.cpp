@@ -26,9 +26,10 @@ std::vector<Zone> zones(const Edges& edges) {
   return found ? *found : std::vector<Zone>();
 }
 
-const std::vector<Scheme> all_schemes {Scheme::zigzag,    Scheme::zigzag_then_contour, Scheme::contour_then_zigzag, Scheme::spiral_out,
-                                  Scheme::spiral_in, Scheme::comb,                Scheme::comb_then_contour,   Scheme::contour_then_comb};
-const std::vector<Plunge> all_plunges {Plunge::hole, Plunge::tangential, Plunge::ramp};
+const std::vector<Scheme> all_schemes{
+    Scheme::zigzag, Scheme::zigzag_then_contour, Scheme::contour_then_zigzag, Scheme::spiral_out, Scheme::spiral_in,
+    Scheme::comb,   Scheme::comb_then_contour,   Scheme::contour_then_comb};
+const std::vector<Plunge> all_plunges{Plunge::hole, Plunge::tangential, Plunge::ramp};
 
 TEST(Mill, EverySchemeAndPlungeInAPocket) {
   const std::vector<Zone> pocket = zones(rectangle(60, 40));
@@ -61,8 +62,9 @@ TEST(Mill, RingsAreExactArcs) {
 
 TEST(Mill, NarrowPlacesSplitTheZone) {
   // Two squares of 30 joined by a neck of 8: the tool of 10 does not pass.
-  const Edges dumbbell{{{0, 0}, {30, 0}},   {{30, 0}, {30, 11}},  {{30, 11}, {50, 11}}, {{50, 11}, {50, 0}},  {{50, 0}, {80, 0}},  {{80, 0}, {80, 30}},
-                       {{80, 30}, {50, 30}}, {{50, 30}, {50, 19}}, {{50, 19}, {30, 19}}, {{30, 19}, {30, 30}}, {{30, 30}, {0, 30}}, {{0, 30}, {0, 0}}};
+  const Edges dumbbell{{{0, 0}, {30, 0}},    {{30, 0}, {30, 11}},  {{30, 11}, {50, 11}}, {{50, 11}, {50, 0}},
+                       {{50, 0}, {80, 0}},   {{80, 0}, {80, 30}},  {{80, 30}, {50, 30}}, {{50, 30}, {50, 19}},
+                       {{50, 19}, {30, 19}}, {{30, 19}, {30, 30}}, {{30, 30}, {0, 30}},  {{0, 30}, {0, 0}}};
   const auto path = verified_path(zones(dumbbell), Job());
   ASSERT_TRUE(path);
   EXPECT_EQ(path->path.fields, 2U);
@@ -134,12 +136,13 @@ RC_GTEST_PROP(MillProperty, VerifiedWhateverTheZone, ()) {
   job.depth = 2, job.layer = *rc::gen::element(1, 2);
   const auto path = verified_path(found, job);
   if (path || path.error().id == AlarmId::tool_does_not_fit) return;
-  RC_LOG() << name_of(path.error().id) << ' ' << path.error().args[0].number() << ' ' << path.error().args[1].number() << "\nradius " << job.radius
-           << " allowance " << job.allowance << " step " << job.step << " scheme " << int(job.scheme) << " plunge " << int(job.plunge)
-           << " angle " << job.angle << '\n';
+  RC_LOG() << name_of(path.error().id) << ' ' << path.error().args[0].number() << ' ' << path.error().args[1].number() << "\nradius "
+           << job.radius << " allowance " << job.allowance << " step " << job.step << " scheme " << int(job.scheme) << " plunge "
+           << int(job.plunge) << " angle " << job.angle << '\n';
   for (const Zone& zone : found)
     for (const Edges& loop : zone.loops)
-      for (const Edge& e : loop) RC_LOG() << e.from.x << ' ' << e.from.y << "  " << e.to.x << ' ' << e.to.y << "  " << e.bulge << ' ' << e.open << '\n';
+      for (const Edge& e : loop)
+        RC_LOG() << e.from.x << ' ' << e.from.y << "  " << e.to.x << ' ' << e.to.y << "  " << e.bulge << ' ' << e.open << '\n';
   RC_FAIL("not verified");
 }
 

@@ -40,7 +40,8 @@ inline Edges random_drawing(bool may_be_open) {
   const int islands = *rc::gen::inRange(0, 4);
   for (int i = 0; i < islands; ++i) {
     const Vec2 at = rotated({7, 0}, 120.0 * i);
-    const Edges island = *rc::gen::inRange(0, 2) == 0 ? circle(at, 0.5 + share(*rc::gen::inRange(0, 3000))) : random_star(at, 1, 3.5, false);
+    const Edges island =
+        *rc::gen::inRange(0, 2) == 0 ? circle(at, 0.5 + share(*rc::gen::inRange(0, 3000))) : random_star(at, 1, 3.5, false);
     edges.insert(edges.end(), island.begin(), island.end());
   }
   return edges;
