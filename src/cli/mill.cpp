@@ -51,7 +51,7 @@ class MillCommand {
     const auto job = mill_job(options_);
     if (!job) return say(job.error()), wrong_usage;
     const auto shape = shape_of(*text);
-    if (!shape) return say(shape.error().alarm, shape.error().line, *text), alarms;
+    if (!shape) return say(shape.error(), *text), alarms;
     auto path = shape->lines.empty() ? area::verified_path(shape->zones, *job) : along_lines(*shape, *job);
     if (!path) return say(path.error()), alarms;
     const auto program = written(*path, *shape, *job);
@@ -65,14 +65,21 @@ class MillCommand {
  private:
   bool ru() const { return lang_ == Lang::ru; }
 
-  void say(const Alarm& alarm, std::uint32_t line = 0, std::string_view text = {}) const {
+  /// An alarm of the whole job, not of a line of the drawing.
+  void say(const Alarm& alarm) const {
+    complain(fmt::format("{}: {}: {}", options_.contour, name_of(alarm.id), texts_.sentence(alarm, lang_)));
+    if (const std::string hint = texts_.hint(alarm, lang_); !hint.empty()) fmt::print(stderr, "  {}\n", hint);
+  }
+
+  void say(const ContourFault& fault, std::string_view text) const {
+    if (fault.line == 0) return say(fault.alarm);
     AlarmReport report;
-    report.alarm = alarm;
+    report.alarm = fault.alarm;
     report.file = options_.contour;
-    report.origin.line = line;
-    report.origin.column = alarm.where.begin + 1;
-    if (line > 0) report.line_text = line_of(text, line);
-    if (alarm.where.end > report.line_text.size()) report.alarm.where = {};
+    report.origin.line = fault.line;
+    report.origin.column = fault.alarm.where.begin + 1;
+    report.line_text = line_of(text, fault.line);
+    if (fault.alarm.where.end > report.line_text.size()) report.alarm.where = {};
     fmt::print(stderr, "{}", alarm_text(report, texts_, lang_));
   }
 
