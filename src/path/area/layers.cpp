@@ -152,7 +152,8 @@ class Layers {
     if (!(strokes <= most_strokes)) return descend(start, again);
     approach(start, again);
     go(MoveKind::plunge, {start.x, start.y, ground_});
-    const Polygon corners = beginning(path, stroke);
+    Polygon corners = beginning(path, stroke, rough);
+    if (!keeps_off(corners)) corners = beginning(path, stroke, ramp_chord);
     double gone = 0;
     const double all = strokes * length_of_corners(corners), drop = ground_ - level_;
     for (int i = 0; i < static_cast<int>(strokes); ++i)
@@ -171,7 +172,13 @@ class Layers {
     return sum;
   }
 
-  static Polygon beginning(const Edges& path, double most) {
+  bool keeps_off(const Polygon& corners) const {
+    Edges lines;
+    for (std::size_t i = 1; i < corners.size(); ++i) lines.push_back({corners[i - 1], corners[i]});
+    return holds(*field_, lines);
+  }
+
+  static Polygon beginning(const Edges& path, double most, double chord) {
     Edges piece;
     for (const Edge& e : path) {
       const double whole = length_of(e);
@@ -179,7 +186,7 @@ class Layers {
       most -= whole;
       if (most <= 0) break;
     }
-    Polygon corners = flattened(piece, ramp_chord);
+    Polygon corners = flattened(piece, chord);
     if (length(corners.back() - piece.back().to) > tol::same_point) corners.push_back(piece.back().to);
     return corners;
   }
