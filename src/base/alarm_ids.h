@@ -82,5 +82,11 @@
   X(pocket_tool_missing) X(pocket_tool_large) X(pocket_corner) X(pocket_too_long)            \
   /* automatic geometry (nct 17) */                                                          \
   X(chamfer_and_rounding) X(corner_illegal) X(corner_too_large) X(contour_no_intersection)   \
-  X(intersection_needs_side) X(angle_meets_not) X(angle_alone)
+  X(intersection_needs_side) X(angle_meets_not) X(angle_alone)                              \
+  /* contours and area milling (spec/correctors 4) */                                        \
+  X(contour_syntax) X(contour_word_missing) X(contour_unit) X(contour_radius)                \
+  X(contour_empty) X(contour_too_large) X(contour_reach) X(contour_open_end)                 \
+  X(contour_branch) X(contour_crosses) X(mill_value) X(mill_hole)         \
+  X(tool_does_not_fit) X(mill_stepover) X(mill_too_long) X(mill_wall) X(mill_rapid) X(mill_uncut)          \
+  X(mill_read_back) X(word_has_no_room) X(function_has_no_code)
 // clang-format on

@@ -13,4 +13,11 @@ inline constexpr double tangential = 1e-6;     // radians: two elements meet wit
 inline constexpr double circular = 0.05;       // mm: a circle's arc whose radii differ by what a program's decimals and N1339 leave
 inline constexpr double level = same_point;    // mm: two levels of a cycle closer than this are one
 
+// Area milling (path/area). The path is made of exact lines and arcs; polygons serve only to find out which, and to measure areas.
+inline constexpr double contour_curve = 2e-3;  // mm: an SVG curve as arcs; a fifth of what the controls allow an arc
+inline constexpr double contour_gap = 0.01;    // mm: ends of a drawing closer than this meet; drawings are rounded to 0.001 or 0.01
+inline constexpr double area_chord = 2e-4;     // mm: an arc as chords in a polygon; well below the least increment of the controls
+inline constexpr double area_wall = 2e-3;      // mm the path may come too near to a wall: chords, and words rounded to 0.001
+inline constexpr double area_cusp = 0.01;      // mm: what is left between two passes and lower than this is no cusp
+
 }  // namespace kadr::tol

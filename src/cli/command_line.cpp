@@ -33,6 +33,14 @@ constexpr const char* tape_examples =
     "  kadr tape decode flange.tape               rows to text; parity errors by row on stderr\n"
     "Exit status: 0 all well, 1 parity errors or a character that has no code, 2 wrong usage.";
 
+constexpr const char* mill_examples =
+    "Examples:\n"
+    "  kadr mill pocket cover.dxf --tool-diameter 10 --depth 12 --pass 4 --control s2c42 --output cover.nc\n"
+    "  kadr mill pocket cam.txt --tool-diameter 8 --depth 5 --scheme СПИР --stepover 60% --control mach3\n"
+    "  kadr mill face plate.svg --tool-diameter 50 --depth 1 --control nct --plot face.svg\n"
+    "  kadr mill slot groove.txt --tool-diameter 8 --depth 6 --pass 2 --control gost\n"
+    "Exit status: 0 written and verified, 1 the contour or the path is faulty, 2 wrong usage or unreadable file.";
+
 void language_option(CLI::App& app, std::string& lang) {
   app.add_option("--lang", lang, "language of messages: en or ru (default: by LANG)")->check(CLI::IsMember({"en", "ru"}));
 }
@@ -101,6 +109,52 @@ void add_tape(CLI::App& app, Commands& c) {
   tape->footer(tape_examples);
 }
 
+void geometry_options(CLI::App& app, MillOptions& o) {
+  app.add_option("CONTOUR", o.contour, "drawing: DXF, SVG or text (- for standard input)")->required();
+  app.add_option("--tool-diameter", o.tool_diameter, "mm")->required();
+  app.add_option("--depth", o.depth, "below the top, mm")->required();
+  app.add_option("--pass", o.pass, "depth of a layer at most, mm (default: all at once)");
+  app.add_option("--scheme", o.scheme, "zigzag 1zigzag 2zigzag spiral-out spiral-in comb 1comb 2comb, or ЗИГЗАГ СПИР АСПИР ШТИП …");
+  app.add_option("--direction", o.direction, "of going round: ccw or cw (default: climb milling)");
+  app.add_option("--stepover", o.stepover, "mm, or % of the diameter (default: 50%, face 70%)");
+  app.add_option("--plunge", o.plunge, "hole, tangential or ramp (ЗАСВ, КАС, СПУСК)")->capture_default_str();
+  app.add_option("--hole", o.hole, "X Y of the hole drilled before (default: named by Kadr)")->expected(2);
+  app.add_option("--ramp-angle", o.ramp_angle, "of the ramp, degrees")->capture_default_str();
+  app.add_option("--allowance", o.allowance, "left on walls, mm")->capture_default_str();
+  app.add_option("--top", o.top, "Z of the material")->capture_default_str();
+  app.add_option("--clearance", o.clearance, "above the top: free way, mm")->capture_default_str();
+  app.add_option("--overrun", o.overrun, "of the tool beyond open sides, mm")->capture_default_str();
+  app.add_option("--angle", o.angle, "of the rows to X, degrees")->capture_default_str();
+}
+
+void add_mill(CLI::App& app, Commands& c) {
+  CLI::App* const mill = app.add_subcommand("mill", "make a program that mills an area");
+  mill->require_subcommand(1);
+  const std::pair<const char*, const char*> tasks[] = {
+      {"pocket", "a zone within walls, with islands; open sides where the drawing says so"},
+      {"face", "a zone without walls: the tool runs over its edges"},
+      {"slot", "along a line, or a pocket in the shape of a slot"}};
+  for (const auto& [name, what] : tasks) {
+    CLI::App* const sub = mill->add_subcommand(name, what);
+    MillOptions& o = c.mill;
+    geometry_options(*sub, o);
+    if (std::string(name) == "slot") sub->add_option("--width", o.width, "of the slot along a line, mm (default: that of the tool)");
+    sub->add_option("--control", o.control, "control: an id of `kadr controls`, or a file NAME.toml")->required();
+    sub->add_option("--feed", o.feed, "mm/min")->capture_default_str();
+    sub->add_option("--plunge-feed", o.plunge_feed, "mm/min (default: a third of the feed)");
+    sub->add_option("--speed", o.speed, "of the spindle, rev/min (default: not written)");
+    sub->add_option("--tool", o.tool, "number of the tool (default: not called)");
+    sub->add_flag("--coolant", o.coolant, "switch the coolant on and off");
+    sub->add_option("--mark", o.mark, "end of block written out: ПС or LF")->check(CLI::IsMember({"ПС", "LF"}));
+    sub->add_option("--output", o.output, "the program (default: standard output)");
+    sub->add_option("--plot", o.plot, "draw contour and path: a file .svg or .png");
+    sub->add_flag("--quiet,-q", o.quiet, "no summary");
+    language_option(*sub, o.lang);
+    sub->footer(mill_examples);
+  }
+  mill->footer(mill_examples);
+}
+
 }  // namespace
 
 std::unique_ptr<CLI::App> make_app(Commands& c) {
@@ -112,6 +166,7 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   add_check(*app, c);
   add_explain(*app, c);
   add_tape(*app, c);
+  add_mill(*app, c);
   app->add_subcommand("man", "print the manual page (kadr man > kadr.1)");
   CLI::App* const complete = app->add_subcommand("completion", "print the completion script of a shell");
   complete->add_option("SHELL", c.shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));

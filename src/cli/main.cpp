@@ -33,6 +33,11 @@ int perform(const CLI::App& app, const Commands& commands) {
     options.decode = app.get_subcommand("tape")->got_subcommand("decode");
     return tape(options);
   }
+  if (app.got_subcommand("mill")) {
+    MillOptions options = commands.mill;
+    options.task = app.get_subcommand("mill")->get_subcommands().front()->get_name();
+    return mill(options);
+  }
   if (app.got_subcommand("man")) return fmt::print("{}", manual_page(app)), ok;
   return fmt::print("{}", completion(app, commands.shell)), ok;
 }

@@ -2,13 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-#include <sstream>
-
+#include "cli/files.h"
 #include "cli/options.h"
 #include "lang/encoding.h"
 #include "lang/tape.h"
@@ -17,35 +11,6 @@ namespace kadr::cli {
 namespace {
 
 constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
-
-std::optional<std::string> read_all(const std::string& name) {
-  std::string text;
-  std::ifstream file;
-  if (name != "-") file.open(name, std::ios::binary);
-  std::istream& in = name == "-" ? std::cin : file;
-  char piece[1 << 16];
-  while (in.read(piece, sizeof piece) || in.gcount() > 0) {
-    text.append(piece, static_cast<std::size_t>(in.gcount()));
-    if (text.size() > longest_tape) {
-      complain(fmt::format("{}: longer than {} MiB, no tape", name, longest_tape >> 20));
-      return std::nullopt;
-    }
-  }
-  if (name != "-" && !file.is_open()) {
-    complain(fmt::format("{}: {}", name, std::strerror(errno)));
-    return std::nullopt;
-  }
-  return text;
-}
-
-bool write_all(const std::string& name, const std::string& text) {
-  if (name.empty() || name == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  std::ofstream file(name, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) complain(fmt::format("{}: {}", name, std::strerror(errno)));
-  return static_cast<bool>(file);
-}
 
 int decode(const TapeOptions& options, const std::string& rows, bool ru) {
   const TapeText text = decode_tape(rows);
@@ -79,7 +44,7 @@ int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
 }  // namespace
 
 int tape(const TapeOptions& options) {
-  const auto bytes = read_all(options.input);
+  const auto bytes = read_all(options.input, longest_tape);
   if (!bytes) return wrong_usage;
   Options shared;
   shared.lang = options.lang;

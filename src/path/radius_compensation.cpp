@@ -63,7 +63,7 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
     if (fault_) break;
   }
   if (!fault_ && last) flush({});
-  if (last) end_watch();
+  if (last && !fault_) end_watch();
   std::swap(batch, out_);
   if (fault_) drop();
   return fault_;

@@ -1,0 +1,25 @@
+// Fuzz target for the contour readers: any bytes may be a drawing. What is read is finite and bounded; what closes can be put together.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "config/contour.h"
+#include "path/area/loops.h"
+#include "require.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using kadr::fuzz::require;
+  constexpr std::size_t few = 300;  // edges that are put together: more only take time
+  const auto edges = kadr::read_contour({reinterpret_cast<const char*>(data), size});
+  if (!edges) return 0;
+  require(!edges->empty() && edges->size() <= kadr::limits::contour_edges, "a contour has edges, and not too many");
+  for (const kadr::Edge& e : *edges) {
+    require(std::abs(e.from.x) <= kadr::limits::contour_reach && std::abs(e.from.y) <= kadr::limits::contour_reach,
+            "edges are within reach");
+    require(std::abs(e.bulge) < 1.001, "an arc is at most half a circle");
+  }
+  if (edges->size() > few) return 0;
+  if (const auto chains = kadr::area::chained(*edges)) (void)kadr::area::zones_of(*chains);
+  return 0;
+}

@@ -1,0 +1,43 @@
+#include "cli/files.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+#include "cli/options.h"
+
+namespace kadr::cli {
+
+std::optional<std::string> read_all(const std::string& name, std::size_t most) {
+  std::string text;
+  std::ifstream file;
+  if (name != "-") file.open(name, std::ios::binary);
+  std::istream& in = name == "-" ? std::cin : file;
+  char piece[1 << 16];
+  while (in.read(piece, sizeof piece) || in.gcount() > 0) {
+    text.append(piece, static_cast<std::size_t>(in.gcount()));
+    if (text.size() > most) {
+      complain(fmt::format("{}: longer than {} MiB", name, most >> 20));
+      return std::nullopt;
+    }
+  }
+  if (name != "-" && (!file.is_open() || file.bad())) {
+    complain(fmt::format("{}: {}", name, std::strerror(errno)));
+    return std::nullopt;
+  }
+  return text;
+}
+
+bool write_all(const std::string& name, const std::string& text) {
+  if (name.empty() || name == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  std::ofstream file(name, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) complain(fmt::format("{}: {}", name, std::strerror(errno)));
+  return static_cast<bool>(file);
+}
+
+}  // namespace kadr::cli

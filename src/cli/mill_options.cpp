@@ -1,0 +1,123 @@
+#include "cli/mill_options.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "config/contour.h"
+
+namespace kadr::cli {
+namespace {
+
+using area::Direction;
+using area::Plunge;
+using area::Scheme;
+
+constexpr double most_stepover = 100;  // % of the diameter: beyond it ridges stay
+
+/// A name of the command line, of the source, and the latter in small letters.
+template <class T>
+struct Name {
+  std::string_view name, source, small;
+  T value;
+};
+constexpr Name<Scheme> schemes[] = {
+    {"zigzag", "ЗИГЗАГ", "зигзаг", Scheme::zigzag},
+    {"1zigzag", "1ЗИГЗАГ", "1зигзаг", Scheme::zigzag_then_contour},
+    {"2zigzag", "2ЗИГЗАГ", "2зигзаг", Scheme::contour_then_zigzag},
+    {"spiral-out", "СПИР", "спир", Scheme::spiral_out},
+    {"spiral-in", "АСПИР", "аспир", Scheme::spiral_in},
+    {"comb", "ШТИП", "штип", Scheme::comb},
+    {"1comb", "1ШТИП", "1штип", Scheme::comb_then_contour},
+    {"2comb", "2ШТИП", "2штип", Scheme::contour_then_comb},
+};
+constexpr Name<Direction> directions[] = {{"ccw", "ПЧС", "пчс", Direction::ccw}, {"cw", "ЧС", "чс", Direction::cw}};
+constexpr Name<Plunge> plunges[] = {
+    {"hole", "ЗАСВ", "засв", Plunge::hole}, {"tangential", "КАС", "кас", Plunge::tangential}, {"ramp", "СПУСК", "спуск", Plunge::ramp}};
+
+template <class T, std::size_t n>
+bool find(const Name<T> (&names)[n], std::string_view text, T& value) {
+  for (const Name<T>& name : names)
+    if (text == name.name || text == name.source || text == name.small) return value = name.value, true;
+  return false;
+}
+
+/// Climb milling: the material not yet cut is on the right.
+Direction climb(Scheme scheme) { return scheme == Scheme::spiral_in ? Direction::cw : Direction::ccw; }
+
+/// Stepover in mm.
+Result<double> step_of(const MillOptions& o) {
+  const std::string text = !o.stepover.empty() ? o.stepover : o.task == "face" ? "70%" : "50%";
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const std::string_view rest(end);
+  if (end == text.c_str() || (!rest.empty() && rest != "%")) return fail(alarm(AlarmId::mill_value, {}, "stepover", text));
+  const double percent = rest == "%" ? value : 100 * value / o.tool_diameter;
+  if (!(percent > 0 && percent <= most_stepover)) return fail(alarm(AlarmId::mill_stepover, {}, percent, most_stepover));
+  return percent / 100 * o.tool_diameter;
+}
+
+struct Range {
+  const char* option;
+  double value, least, most;
+};
+
+Status check_ranges(const MillOptions& o) {
+  constexpr double tiny = 0.01, far = limits::contour_reach, fast = 1e6;
+  const Range ranges[] = {
+      {"tool-diameter", o.tool_diameter, 0.05, 1000},
+      {"depth", std::abs(o.depth), tiny, 10'000},
+      {"pass", o.pass < 0 ? tiny : o.pass, tiny, 10'000},
+      {"allowance", o.allowance, 0, 100},
+      {"top", o.top, -far, far},
+      {"clearance", o.clearance, tiny, 10'000},
+      {"overrun", o.overrun, 0, 1000},
+      {"angle", o.angle, -360, 360},
+      {"ramp-angle", o.ramp_angle, 0.1, 45},
+      {"width", o.width < 0 ? o.tool_diameter : o.width, o.tool_diameter, far},
+      {"feed", o.feed, tiny, fast},
+      {"plunge-feed", o.plunge_feed < 0 ? o.feed : o.plunge_feed, tiny, fast},
+      {"speed", o.speed, 0, fast},
+  };
+  for (const Range& r : ranges)
+    if (!(r.value >= r.least && r.value <= r.most)) return fail(alarm(AlarmId::mill_value, {}, r.option, r.value));
+  constexpr double most_layers = 1000;
+  if (o.pass > 0 && std::abs(o.depth) / o.pass > most_layers) return fail(alarm(AlarmId::mill_value, {}, "pass", o.pass));
+  for (const double value : o.hole)
+    if (!(std::abs(value) <= far)) return fail(alarm(AlarmId::mill_value, {}, "hole", value));
+  return {};
+}
+
+}  // namespace
+
+Result<area::Job> mill_job(const MillOptions& o) {
+  KADR_TRY(check_ranges(o));
+  area::Job job;
+  if (!o.scheme.empty() ? !find(schemes, o.scheme, job.scheme) : (o.task == "face" && !find(schemes, "zigzag", job.scheme)))
+    return fail(alarm(AlarmId::mill_value, {}, "scheme", o.scheme));
+  job.direction = climb(job.scheme);
+  if (!o.direction.empty() && !find(directions, o.direction, job.direction))
+    return fail(alarm(AlarmId::mill_value, {}, "direction", o.direction));
+  if (!find(plunges, o.plunge, job.plunge)) return fail(alarm(AlarmId::mill_value, {}, "plunge", o.plunge));
+  const auto step = step_of(o);
+  if (!step) return fail(step.error());
+  job.radius = o.tool_diameter / 2;
+  job.step = *step;
+  job.allowance = o.allowance;
+  job.depth = std::abs(o.depth);
+  job.layer = o.pass < 0 ? job.depth : o.pass;
+  job.top = o.top;
+  job.clearance = o.clearance;
+  job.overrun = o.overrun;
+  job.angle = o.angle;
+  job.ramp_deg = o.ramp_angle;
+  if (o.hole.size() == 2) job.hole = Vec2{o.hole[0], o.hole[1]};
+  return job;
+}
+
+std::string_view russian_name(area::Scheme scheme) {
+  for (const auto& name : schemes)
+    if (name.value == scheme) return name.source;
+  return {};
+}
+
+}  // namespace kadr::cli

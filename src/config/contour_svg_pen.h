@@ -1,0 +1,52 @@
+#pragma once
+// What the SVG reader draws with: user units of an element → edges in mm.
+
+#include <functional>
+
+#include "config/contour.h"
+
+namespace kadr::svg {
+
+/// x' = a·x + c·y + e, y' = b·x + d·y + f, as SVG writes it.
+struct Matrix {
+  double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
+  Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
+  friend Matrix operator*(const Matrix& m, const Matrix& n) {
+    return {m.a * n.a + m.c * n.b, m.b * n.a + m.d * n.b,       m.a * n.c + m.c * n.d,
+            m.b * n.c + m.d * n.d, m.a * n.e + m.c * n.f + m.e, m.b * n.e + m.d * n.f + m.f};
+  }
+};
+
+/// An ellipse, its axis turned by `turn` degrees, from angle `from` over `sweep` (degrees of its parameter, positive towards +Y).
+struct EllipseArc {
+  Vec2 centre;
+  double rx = 0, ry = 0, turn = 0, from = 0, sweep = 360;
+};
+
+class Pen {
+ public:
+  Pen(EdgeList& edges, const Matrix& to_mm) : edges_(edges), to_mm_(to_mm) {}
+
+  void line(Vec2 from, Vec2 to) { edges_.line(to_mm_(from), to_mm_(to)); }
+  /// Any curve over 0..1, as arcs and lines within tol::contour_curve.
+  void curve(const std::function<Vec2(double)>& at);
+  /// A circle stays one where the matrix keeps it round.
+  void ellipse(const EllipseArc& arc);
+  bool full() const { return edges_.full(); }
+
+ private:
+  void piece(const std::function<Vec2(double)>& at, double from, double to, int depth);
+
+  EdgeList& edges_;
+  Matrix to_mm_;
+};
+
+/// The `d` of a path.
+///   returns  the place in `d` that is not understood, or npos
+std::size_t draw_path(std::string_view d, Pen& pen);
+
+/// Numbers of a list, separated by blanks or a comma.
+///   returns  false: something else stands there
+bool read_numbers(std::string_view text, std::vector<double>& numbers);
+
+}  // namespace kadr::svg

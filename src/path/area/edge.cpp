@@ -1,0 +1,199 @@
+#include "path/area/edge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr::area {
+namespace {
+
+double swept_deg(const Edge& arc) { return 4 * std::atan(arc.bulge) / rad_per_deg; }
+Vec2 left_of(Vec2 v) { return {-v.y, v.x}; }
+
+/// Part of the arc at the angle of `p`, unclamped: 0..1 on the arc.
+double part_of_angle(const Edge& arc, const Circle& c, Vec2 p) {
+  const Vec2 a = arc.from - c.centre, b = p - c.centre;
+  const double turn = std::atan2(cross(a, b), dot(a, b)) / rad_per_deg;  // (-180, 180]
+  const double sweep = swept_deg(arc);
+  double part = turn / sweep;
+  const double around = std::abs(360 / sweep);
+  if (part < 0 && part + around < 1 + around / 2 && part + around - 1 < -part) part += around;
+  return part;
+}
+
+/// Of the line the part nearest to p, unclamped.
+double line_part(const Edge& e, Vec2 p) {
+  const Vec2 way = e.to - e.from;
+  const double size = dot(way, way);
+  return size > 0 ? dot(p - e.from, way) / size : 0;
+}
+
+bool on_edge(const Edge& e, Vec2 p) { return distance(e, p) < tol::same_point; }
+
+void add_meeting(std::vector<Vec2>& points, const Edge& a, const Edge& b, Vec2 p) {
+  if (on_edge(a, p) && on_edge(b, p)) points.push_back(p);
+}
+
+void line_circle(std::vector<Vec2>& points, const Edge& a, const Edge& b, const Edge& line, const Circle& c) {
+  const Vec2 way = line.to - line.from;
+  const Vec2 foot = line.from + line_part(line, c.centre) * way;
+  const double away = length(foot - c.centre);
+  const double half = std::sqrt(std::max(0.0, (c.radius - away) * (c.radius + away)));
+  const Vec2 unit = (1 / length(way)) * way;
+  add_meeting(points, a, b, foot + half * unit);
+  if (half > 0) add_meeting(points, a, b, foot - half * unit);
+}
+
+void circle_circle(std::vector<Vec2>& points, const Edge& a, const Edge& b) {
+  const Circle p = circle_of(a), q = circle_of(b);
+  const Vec2 way = q.centre - p.centre;
+  const double apart = length(way);
+  if (apart < tol::same_point) return;  // the same circle or none: the ends decide
+  const double along = (apart * apart + (p.radius - q.radius) * (p.radius + q.radius)) / (2 * apart);
+  const double half = std::sqrt(std::max(0.0, (p.radius - along) * (p.radius + along)));
+  const Vec2 unit = (1 / apart) * way, foot = p.centre + along * unit;
+  add_meeting(points, a, b, foot + half * left_of(unit));
+  if (half > 0) add_meeting(points, a, b, foot - half * left_of(unit));
+}
+
+/// Where a common normal of both may stand, beside their ends.
+void normals(std::vector<Vec2>& points, const Edge& a, const Edge& b) {
+  if (is_line(a)) return;
+  const Circle c = circle_of(a);
+  const Vec2 towards = is_line(b) ? b.from + line_part(b, c.centre) * (b.to - b.from) - c.centre : circle_of(b).centre - c.centre;
+  const double size = length(towards);
+  const Vec2 unit = size > tol::same_point ? (1 / size) * towards : Vec2{1, 0};
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 p = c.centre + side * c.radius * unit;
+    const double part = part_of_angle(a, c, p);
+    if (part >= 0 && part <= 1) points.push_back(p);
+  }
+}
+
+}  // namespace
+
+Circle circle_of(const Edge& arc) {
+  const Vec2 way = arc.to - arc.from;
+  const Vec2 centre = 0.5 * (arc.from + arc.to) + ((1 - arc.bulge) * (1 + arc.bulge) / (4 * arc.bulge)) * left_of(way);
+  return {centre, length(way) * (1 + arc.bulge * arc.bulge) / (4 * std::abs(arc.bulge))};
+}
+
+double length_of(const Edge& e) {
+  const double chord = length(e.to - e.from);
+  return is_line(e) ? chord : circle_of(e).radius * std::abs(4 * std::atan(e.bulge));
+}
+
+double length_of(const Edges& path) {
+  double sum = 0;
+  for (const Edge& e : path) sum += length_of(e);
+  return sum;
+}
+
+Edge reversed(const Edge& e) { return {e.to, e.from, -e.bulge, e.open, e.line}; }
+
+Edges reversed(const Edges& path) {
+  Edges back;
+  for (auto e = path.rbegin(); e != path.rend(); ++e) back.push_back(reversed(*e));
+  return back;
+}
+
+Vec2 at(const Edge& e, double part) {
+  if (part <= 0) return e.from;
+  if (part >= 1) return e.to;
+  if (is_line(e)) return e.from + part * (e.to - e.from);
+  const Circle c = circle_of(e);
+  return c.centre + kadr::rotated(e.from - c.centre, part * swept_deg(e));
+}
+
+Vec2 direction(const Edge& e, double part) {
+  const Vec2 chord = e.to - e.from;
+  const Vec2 unit = (1 / std::max(length(chord), tol::same_point)) * chord;
+  return is_line(e) ? unit : kadr::rotated(unit, (part - 0.5) * swept_deg(e));
+}
+
+Edge stretch(const Edge& e, double from, double to) {
+  Edge piece = e;
+  piece.from = at(e, from);
+  piece.to = at(e, to);
+  if (!is_line(e)) piece.bulge = std::tan(std::atan(e.bulge) * (to - from));
+  return piece;
+}
+
+double nearest_part(const Edge& e, Vec2 p) {
+  if (is_line(e)) return std::clamp(line_part(e, p), 0.0, 1.0);
+  const double part = part_of_angle(e, circle_of(e), p);
+  if (part >= 0 && part <= 1) return part;
+  return length(p - e.from) <= length(p - e.to) ? 0 : 1;
+}
+
+double distance(const Edge& e, Vec2 p) { return length(p - at(e, nearest_part(e, p))); }
+
+double distance(const Edge& a, const Edge& b) {
+  if (!meetings(a, b).empty()) return 0;
+  double least = std::min(std::min(distance(a, b.from), distance(a, b.to)), std::min(distance(b, a.from), distance(b, a.to)));
+  std::vector<Vec2> of_a, of_b;
+  normals(of_a, a, b);
+  normals(of_b, b, a);
+  for (const Vec2 p : of_a) least = std::min(least, distance(b, p));
+  for (const Vec2 p : of_b) least = std::min(least, distance(a, p));
+  return least;
+}
+
+std::vector<Vec2> meetings(const Edge& a, const Edge& b) {
+  std::vector<Vec2> points;
+  if (is_line(a) && is_line(b)) {
+    const Vec2 u = a.to - a.from, v = b.to - b.from;
+    const double across = cross(u, v);
+    if (std::abs(across) > tol::tangential * length(u) * length(v))
+      add_meeting(points, a, b, a.from + (cross(b.from - a.from, v) / across) * u);
+  } else if (is_line(a)) line_circle(points, a, b, a, circle_of(b));
+  else if (is_line(b)) line_circle(points, a, b, b, circle_of(a));
+  else circle_circle(points, a, b);
+  for (const Vec2 p : {a.from, a.to})
+    if (on_edge(b, p)) points.push_back(p);
+  for (const Vec2 p : {b.from, b.to})
+    if (on_edge(a, p)) points.push_back(p);
+  return points;
+}
+
+void Bounds::take(Vec2 p) {
+  least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+  most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+}
+
+void Bounds::take(const Edge& e) {
+  take(e.from);
+  take(e.to);
+  if (is_line(e)) return;
+  const Circle c = circle_of(e);
+  for (const Vec2 unit : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
+    const Vec2 p = c.centre + c.radius * unit;
+    const double part = part_of_angle(e, c, p);
+    if (part >= 0 && part <= 1) take(p);
+  }
+}
+
+bool Bounds::near(const Bounds& other, double reach) const {
+  return least.x - reach <= other.most.x && other.least.x - reach <= most.x && least.y - reach <= other.most.y &&
+         other.least.y - reach <= most.y;
+}
+
+Bounds bounds_of(const Edges& path) {
+  Bounds box;
+  for (const Edge& e : path) box.take(e);
+  return box;
+}
+
+Edge rotated(const Edge& e, double deg) { return {kadr::rotated(e.from, deg), kadr::rotated(e.to, deg), e.bulge, e.open, e.line}; }
+
+Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to) {
+  const Vec2 chord = to - from;
+  const double half = std::atan2(cross(way, chord), dot(way, chord));  // of the swept angle
+  if (std::abs(half) < tol::tangential) return {{from, to}};
+  if (std::abs(half) <= pi / 2) return {{from, to, std::tan(half / 2)}};
+  const Vec2 middle = 0.5 * (from + to) + (std::tan(half / 2) / 2) * Vec2{chord.y, -chord.x};
+  return {{from, middle, std::tan(half / 4)}, {middle, to, std::tan(half / 4)}};
+}
+
+}  // namespace kadr::area

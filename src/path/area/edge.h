@@ -1,0 +1,55 @@
+#pragma once
+// Geometry of one edge: a line or an arc of at most half a circle.
+
+#include <limits>
+
+#include "config/contour.h"
+
+namespace kadr::area {
+
+struct Circle {
+  Vec2 centre;
+  double radius = 0;
+};
+
+inline bool is_line(const Edge& e) { return e.bulge == 0; }
+Circle circle_of(const Edge& arc);
+double length_of(const Edge& e);
+double length_of(const Edges& path);
+Edge reversed(const Edge& e);
+Edges reversed(const Edges& path);
+
+/// Point at the part 0..1 of its length.
+Vec2 at(const Edge& e, double part);
+/// Unit vector of the way at that part.
+Vec2 direction(const Edge& e, double part);
+/// The stretch between two parts.
+Edge stretch(const Edge& e, double from, double to);
+/// Part of the point of the edge next to `p`.
+double nearest_part(const Edge& e, Vec2 p);
+double distance(const Edge& e, Vec2 p);
+
+/// Least distance between two edges; 0 where they cross.
+///   law  distance(a, b) == distance(b, a); no two points of them are nearer
+double distance(const Edge& a, const Edge& b);
+
+/// Where two edges meet, ends included; overlapping edges give their ends.
+std::vector<Vec2> meetings(const Edge& a, const Edge& b);
+
+struct Bounds {
+  Vec2 least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  void take(Vec2 p);
+  void take(const Edge& e);
+  /// At most `reach` apart.
+  bool near(const Bounds& other, double reach) const;
+};
+Bounds bounds_of(const Edges& path);
+
+/// Turned about the origin.
+Edge rotated(const Edge& e, double deg);
+
+/// Circular stretch from `from` in the direction `way` to `to`; a line where that is straight. Longer than half a circle: two edges.
+Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to);
+
+}  // namespace kadr::area

@@ -1,0 +1,298 @@
+// Layers: the passes of each field, carried out level by level; plunges, links and lifts between them. The door is area_path().
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "path/area/links.h"
+
+namespace kadr::area {
+namespace {
+
+constexpr double above = 1;                        // mm over cut ground at which rapid motion ends
+constexpr double ramp_chord = tol::area_wall / 4;  // mm between an arc and its chords on the ramp, which may run along a wall
+constexpr double rough = 0.02;                     // mm: chords where it is only asked whether something is left
+constexpr int most_strokes = 200;                  // of a ramp; beyond it the tool has no room to go down on it
+
+class Layers {
+ public:
+  Layers(const Job& job, AreaPath& path) : job_(job), path_(path) {}
+
+  bool uses_hole() const { return hole_used_; }
+
+  void mill(const Field& field, Passes passes) {
+    field_ = &field;
+    const std::vector<double> levels = levels_of(job_);
+    path_.layers = levels.size();
+    ground_ = job_.top;
+    begin_first(passes.front());
+    lift();
+    for (const double level : levels) {
+      level_ = level;
+      cut_.clear();
+      for (std::size_t k = 0; k < passes.size(); ++k) pass(passes[k], k == 0);
+      ground_ = level;
+    }
+    leave(passes.back());
+    lift();
+  }
+
+ private:
+  Vec2 here() const { return {at_.x, at_.y}; }
+  void go(MoveKind kind, Vec3 to, double bulge = 0) {
+    if (length(to - at_) < tol::same_point && !path_.moves.empty()) return;
+    path_.moves.push_back({kind, to, bulge});
+    at_ = to;
+  }
+  void cut(const Edges& path) {
+    for (const Edge& e : path) {
+      go(MoveKind::feed, {e.to.x, e.to.y, level_}, e.bulge);
+      cut_.push_back(e);
+    }
+    if (!path.empty()) out_ = direction(path.back(), 1);
+  }
+  void lift() {
+    if (!path_.moves.empty()) go(MoveKind::rapid, {at_.x, at_.y, job_.top + job_.clearance});
+    out_.reset();
+  }
+
+  /// A ring has its start for all layers: a hole is drilled there, or it lies next to the hole given.
+  void begin_first(Pass& first) {
+    const bool own_hole = job_.plunge == Plunge::hole && job_.hole && contains(field_->roomy, *job_.hole);
+    if (!first.closed) return;
+    if (own_hole) first.path = begun_near(first.path, *job_.hole);
+    else if (const auto air = air_near(first.path.front().from)) first.path = begun_near(first.path, *air);
+    else first.path = begun_at_longest(first.path);
+  }
+
+  void pass(const Pass& pass, bool first) {
+    if (first) return first_pass(pass);
+    if (!pass.lifted)
+      if (const auto begun = begun_from(*field_, job_, pass, here(), out_)) {
+        cut(begun->way);
+        return cut(begun->path);
+      }
+    ++path_.lifts;
+    leave(pass);
+    enter(pass.path, true);
+    cut(pass.path);
+  }
+
+  void first_pass(const Pass& pass) {
+    const bool down = at_.z < job_.top;
+    const bool turn =
+        down && !pass.closed && !pass.lifted && length(pass.path.back().to - here()) < length(pass.path.front().from - here());
+    const Edges path = turn ? reversed(pass.path) : pass.path;
+    enter(path, false);
+    cut(path);
+  }
+
+  /// Off a wall before the tool is lifted.
+  void leave(const Pass& pass) {
+    if (!pass.closed || cut_.empty()) return;
+    if (const auto arc = arc_out_of(*field_, job_, cut_)) cut({*arc});
+  }
+
+  /// Down to the level and to the beginning of the path; `again`: in a layer already begun.
+  void enter(const Edges& path, bool again) {
+    const Vec2 start = path.front().from;
+    if (in_air(*field_, job_, start) || (again && cleared(start))) return descend(start, again);
+    if (const auto air = air_near(start)) {
+      descend(*air, again);
+      return cut({{*air, start}});
+    }
+    switch (job_.plunge) {
+      case Plunge::hole: return enter_by_hole(start, again);
+      case Plunge::tangential:
+        if (const auto arc = arc_into(*field_, job_, path)) {
+          descend(arc->from, again);
+          return cut({*arc});
+        }
+        return descend_ramp(path, again);
+      case Plunge::ramp: return descend_ramp(path, again);
+    }
+  }
+
+  void enter_by_hole(Vec2 start, bool again) {
+    Vec2 hole = start;
+    std::optional<Edges> way;
+    if (job_.hole && contains(field_->roomy, *job_.hole)) {
+      way = way_between(*field_, *job_.hole, start, 1e9);
+      if (way) hole = *job_.hole, hole_used_ = true;
+    }
+    if (std::none_of(path_.holes.begin(), path_.holes.end(), [&](Vec2 h) { return length(h - hole) < tol::contour_gap; }))
+      path_.holes.push_back(hole);
+    descend(hole, again);
+    if (way) cut(*way);
+  }
+
+  /// To the point, through the air or over the ground cut by the layer before; then down.
+  void descend(Vec2 point, bool again) {
+    approach(point, again);
+    go(MoveKind::plunge, {point.x, point.y, level_});
+  }
+
+  void approach(Vec2 point, bool again) {
+    if (!again && at_.z < job_.top)
+      if (const auto way = way_between(*field_, here(), point, 6 * job_.radius)) {
+        for (const Edge& e : *way) go(MoveKind::feed, {e.to.x, e.to.y, at_.z}, e.bulge);
+        return;
+      }
+    if (at_.z < job_.top + job_.clearance) lift();
+    go(MoveKind::rapid, {point.x, point.y, job_.top + job_.clearance});
+    go(MoveKind::rapid, {point.x, point.y, std::min(ground_ + above, job_.top + job_.clearance)});
+  }
+
+  /// To and fro along the beginning of the path; an even number of strokes, so that it ends where it began.
+  void descend_ramp(const Edges& path, bool again) {
+    const Vec2 start = path.front().from;
+    const double needed = (ground_ - level_) / std::tan(job_.ramp_deg * rad_per_deg);
+    const double stroke = std::min(length_of(path), std::clamp(needed / 2, 2 * job_.radius, 6 * job_.radius));
+    const double strokes = 2 * std::ceil(needed / stroke / 2);
+    if (!(strokes <= most_strokes)) return descend(start, again);
+    approach(start, again);
+    go(MoveKind::plunge, {start.x, start.y, ground_});
+    Polygon corners = beginning(path, stroke, rough);
+    if (!keeps_off(corners)) corners = beginning(path, stroke, ramp_chord);
+    double gone = 0;
+    const double all = strokes * length_of_corners(corners), drop = ground_ - level_;
+    for (int i = 0; i < static_cast<int>(strokes); ++i)
+      for (std::size_t k = 1; k < corners.size(); ++k) {
+        const Vec2 a = i % 2 == 0 ? corners[k - 1] : corners[corners.size() - k];
+        const Vec2 b = i % 2 == 0 ? corners[k] : corners[corners.size() - 1 - k];
+        gone += length(b - a);
+        go(MoveKind::plunge, {b.x, b.y, ground_ - drop * std::min(1.0, gone / all)});
+      }
+    go(MoveKind::plunge, {start.x, start.y, level_});
+  }
+
+  static double length_of_corners(const Polygon& corners) {
+    double sum = 0;
+    for (std::size_t i = 1; i < corners.size(); ++i) sum += length(corners[i] - corners[i - 1]);
+    return sum;
+  }
+
+  bool keeps_off(const Polygon& corners) const {
+    Edges lines;
+    for (std::size_t i = 1; i < corners.size(); ++i) lines.push_back({corners[i - 1], corners[i]});
+    return holds(*field_, lines);
+  }
+
+  static Polygon beginning(const Edges& path, double most, double chord) {
+    Edges piece;
+    for (const Edge& e : path) {
+      const double whole = length_of(e);
+      piece.push_back(whole <= most ? e : stretch(e, 0, most / whole));
+      most -= whole;
+      if (most <= 0) break;
+    }
+    Polygon corners = flattened(piece, chord);
+    if (length(corners.back() - piece.back().to) > tol::same_point) corners.push_back(piece.back().to);
+    return corners;
+  }
+
+  /// Nothing is left under the tool at that point.
+  bool cleared(Vec2 point) const {
+    Polygons near;
+    const Bounds tool{point - Vec2{job_.radius, job_.radius}, point + Vec2{job_.radius, job_.radius}};
+    for (const Edge& e : cut_)
+      if (bounds_of({e}).near(tool, job_.radius)) near.push_back(flattened({e}, rough));
+    const Polygon disk = flattened(
+        {{point - Vec2{job_.radius, 0}, point + Vec2{job_.radius, 0}, 1}, {point + Vec2{job_.radius, 0}, point - Vec2{job_.radius, 0}, 1}},
+        rough);
+    const Polygons left = less(common({disk}, field_->zone), swept(near, job_.radius + tol::area_cusp, rough));
+    return area_of(left) < tol::area_cusp * job_.radius;
+  }
+
+  /// A point beside the material from which the tool can go straight to `start`.
+  std::optional<Vec2> air_near(Vec2 start) const {
+    if (field_->roomy.empty()) return std::nullopt;
+    std::vector<Vec2> points;
+    for (const Edges& loop : field_->reach)
+      for (const Edge& e : loop)
+        for (const double part : {0.0, 0.5, nearest_part(e, start)}) points.push_back(at(e, part));
+    std::sort(points.begin(), points.end(), [&](Vec2 a, Vec2 b) { return length(a - start) < length(b - start); });
+    for (const Vec2 p : points) {
+      if (length(p - start) > 4 * (job_.radius + job_.overrun)) break;
+      if (in_air(*field_, job_, p) && holds(*field_, {{p, start}})) return p;
+    }
+    return std::nullopt;
+  }
+
+  const Job& job_;
+  AreaPath& path_;
+  const Field* field_ = nullptr;
+  Vec3 at_{0, 0, 1e9};
+  double ground_ = 0, level_ = 0;
+  Edges cut_;  // on this level
+  std::optional<Vec2> out_;
+  bool hole_used_ = false;
+};
+
+Result<AreaPath> milled(const std::vector<Field>& fields, std::vector<Passes> passes, const Job& job) {
+  AreaPath path;
+  path.fields = fields.size();
+  path.step = job.step;
+  Layers layers(job, path);
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (!passes[i].empty()) layers.mill(fields[i], std::move(passes[i]));
+  if (path.moves.empty()) return fail(alarm(AlarmId::tool_does_not_fit, {}, 2 * job.radius));
+  if (job.hole && job.plunge == Plunge::hole && !layers.uses_hole()) return fail(alarm(AlarmId::mill_hole, {}, job.hole->x, job.hole->y));
+  return path;
+}
+
+}  // namespace
+
+std::vector<double> levels_of(const Job& job) {
+  const int layers = std::max(1, static_cast<int>(std::ceil(job.depth / job.layer - tol::tangential)));
+  std::vector<double> levels;
+  for (int i = 1; i <= layers; ++i) levels.push_back(job.top - job.depth * i / layers);
+  return levels;
+}
+
+Result<AreaPath> area_path(const std::vector<Zone>& zones, const Job& job) {
+  std::vector<Field> fields;
+  for (const Zone& zone : zones)
+    for (Field& field : fields_of(zone, job)) fields.push_back(std::move(field));
+  std::vector<Passes> passes;
+  for (const Field& field : fields) {
+    auto covering = passes_of(field, job);
+    if (!covering) return tl::unexpected(covering.error());
+    passes.push_back(std::move(*covering));
+  }
+  return milled(fields, std::move(passes), job);
+}
+
+std::vector<Zone> slot_zones(const std::vector<Edges>& lines, double radius) {
+  Polygons corners;
+  Carriers carriers;
+  for (const Edges& line : lines) {
+    corners.push_back(flattened(line, tol::area_chord));
+    carriers.add(line, radius);
+  }
+  std::vector<Zone> zones;
+  for (const Polygons& part : parts_of(swept(corners, radius, tol::area_chord))) {
+    zones.emplace_back();
+    for (const Polygon& p : part) zones.back().loops.push_back(carriers.recovered(p, true));
+  }
+  return zones;
+}
+
+Result<AreaPath> slot_path(const std::vector<Edges>& lines, const Job& job) {
+  std::vector<Field> fields;
+  for (const Zone& zone : slot_zones(lines, job.radius + job.allowance)) {
+    fields.emplace_back();
+    fields.back().zone = flattened(zone.loops, tol::area_chord);
+  }
+  std::vector<Passes> passes(fields.size());
+  for (const Edges& line : lines)
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (contains(fields[i].zone, at(line[0], 0.5))) {
+        passes[i].push_back({line});
+        const Polygons room = swept({flattened(line, tol::area_chord)}, tol::area_wall / 2, tol::area_chord);
+        fields[i].roomy = joined(fields[i].roomy, room);
+      }
+  return milled(fields, std::move(passes), job);
+}
+
+}  // namespace kadr::area

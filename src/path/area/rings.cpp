@@ -1,0 +1,100 @@
+// Rings: level k is k steps inside of the work area. A ring follows (spiral out: leads) the rings one step further in next to it.
+
+#include <algorithm>
+
+#include "base/tolerance.h"
+#include "path/area/passes.h"
+
+namespace kadr::area {
+namespace {
+
+constexpr std::size_t samples = 16;  // corners of a ring at which its neighbours are looked for
+
+struct Ring {
+  Edges path;
+  Bounds box;
+  std::vector<std::size_t> inner;
+};
+
+double distance_to(const Edges& path, Vec2 p) {
+  double least = 1e300;
+  for (const Edge& e : path) least = std::min(least, distance(e, p));
+  return least;
+}
+
+bool neighbours(const Ring& outer, const Ring& inner, double step) {
+  if (!outer.box.near(inner.box, 2 * step)) return false;
+  const std::size_t stride = 1 + inner.path.size() / samples;
+  for (std::size_t i = 0; i < inner.path.size(); i += stride)
+    for (const double part : {0.0, 0.5})
+      if (distance_to(outer.path, at(inner.path[i], part)) < step * 1.001 + tol::area_cusp) return true;
+  return false;
+}
+
+class RingTree {
+ public:
+  explicit RingTree(bool outwards) : outwards_(outwards) {}
+
+  bool grow(const Field& field, double step) {
+    std::size_t first = 0;  // of the level before
+    for (std::size_t level = 0;; ++level) {
+      const std::size_t here = rings_.size();
+      for (Edges& path : rings_at(field, step * static_cast<double>(level))) {
+        Bounds box = bounds_of(path);
+        rings_.push_back({std::move(path), box, {}});
+        if (rings_.size() > most_passes) return false;
+      }
+      if (level == 0) roots_ = rings_.size();
+      if (rings_.size() == here) return true;
+      for (std::size_t outer = level == 0 ? here : first; outer < here; ++outer)
+        for (std::size_t inner = here; inner < rings_.size(); ++inner)
+          if (neighbours(rings_[outer], rings_[inner], step)) rings_[outer].inner.push_back(inner);
+      first = here;
+    }
+  }
+
+  Passes passes() {
+    seen_.assign(rings_.size(), false);
+    for (std::size_t root = 0; root < roots_; ++root) visit(root);
+    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);  // no neighbour was seen
+    return std::move(passes_);
+  }
+
+ private:
+  /// Depth first, without recursion: there may be thousands of levels.
+  void visit(std::size_t root) {
+    std::vector<std::pair<std::size_t, std::size_t>> way;  // ring, the next of its inner ones
+    const auto enter = [&](std::size_t ring) {
+      if (seen_[ring]) return;
+      seen_[ring] = true;
+      if (!outwards_) passes_.push_back({rings_[ring].path, true});
+      way.emplace_back(ring, 0);
+    };
+    enter(root);
+    while (!way.empty()) {
+      auto& [ring, next] = way.back();
+      if (next < rings_[ring].inner.size()) {
+        enter(rings_[ring].inner[next++]);
+        continue;
+      }
+      if (outwards_) passes_.push_back({rings_[ring].path, true});
+      way.pop_back();
+    }
+  }
+
+  bool outwards_;
+  std::size_t roots_ = 0;
+  std::vector<Ring> rings_;
+  std::vector<bool> seen_;
+  Passes passes_;
+};
+
+}  // namespace
+
+Result<Passes> ring_passes(const Field& field, const Job& job) {
+  RingTree tree(job.scheme == Scheme::spiral_out);
+  if (!tree.grow(field, job.step)) return fail(alarm(AlarmId::mill_too_long, {}, double(most_passes)));
+  return tree.passes();
+}
+
+}  // namespace kadr::area

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""kadr mill from outside: every scheme, plunge and control gives a program that the control carries out along the walls of the pocket.
+
+    tests/mill.py --kadr PROGRAM
+"""
+import argparse
+import json
+import math
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
+RUSSIAN = ['ЗИГЗАГ', '1ЗИГЗАГ', '2ЗИГЗАГ', 'СПИР', 'АСПИР', 'ШТИП', '1ШТИП', '2ШТИП']
+CONTROLS = ['s2c42', 'mach3', 'nct', 'correctors', 'gost']
+PLUNGES = ['hole', 'tangential', 'ramp']
+WIDTH, HEIGHT, TOOL, DEPTH, ISLAND = 60, 40, 10, 4, (30, 20, 4)   # a pocket with a round island
+
+TEXT = f'from 0 0\nline {WIDTH} 0\nline {WIDTH} {HEIGHT}\nline 0 {HEIGHT}\nclose\ncircle {ISLAND[0]} {ISLAND[1]} {ISLAND[2]}\n'
+SVG = (f'<svg width="{WIDTH}mm" height="{HEIGHT}mm" viewBox="0 0 {WIDTH} {HEIGHT}"><rect width="{WIDTH}" height="{HEIGHT}"/>'
+       f'<circle cx="{ISLAND[0]}" cy="{ISLAND[1]}" r="{ISLAND[2]}"/></svg>')
+CORNERS = [(0, 0), (WIDTH, 0), (WIDTH, HEIGHT), (0, HEIGHT)]
+DXF = ('0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n' + ''.join(f'10\n{x}\n20\n{y}\n' for x, y in CORNERS) +
+       f'0\nCIRCLE\n8\n0\n10\n{ISLAND[0]}\n20\n{ISLAND[1]}\n40\n{ISLAND[2]}\n0\nENDSEC\n0\nEOF\n')
+
+# drawing, options beside --tool-diameter 10 --depth 4, exit status, alarm
+FAULTS = [
+    ('from 0 0\nline 60 0\nline 60 40\n', [], 1, 'contour_open_end'),
+    ('from 0 0\nline 60 0\nline 0 40\nline 60 40\nclose\n', [], 1, 'contour_crosses'),
+    (TEXT + 'from 0 0\nline 5 5\n', [], 1, 'contour_branch'),
+    ('nothing\n', [], 1, 'contour_syntax'),
+    ('', [], 1, 'contour_empty'),
+    ('from 0 0\nline 60 0\nline 60 8\nline 0 8\nclose\n', [], 1, 'tool_does_not_fit'),
+    (TEXT, ['--stepover', '120%'], 2, 'mill_stepover'),
+    (TEXT, ['--stepover', 'wide'], 2, 'mill_value'),
+    (TEXT, ['--scheme', 'star'], 2, 'mill_value'),
+    (TEXT, ['--feed', '-3'], 2, 'mill_value'),
+    (TEXT, ['--plunge', 'hole', '--hole', '30', '20'], 1, 'mill_hole'),
+    (TEXT.replace('from 0 0', 'from 0 0', 1), ['--top', '99999'], 1, 'word_has_no_room'),
+]
+
+
+class Runner:
+    def __init__(self, kadr, folder):
+        self.kadr, self.folder, self.passed, self.failed = kadr, Path(folder), 0, 0
+
+    def expect(self, holds, what):
+        self.passed += bool(holds)
+        if not holds:
+            self.failed += 1
+            print(f'FAILED  {what}')
+
+    def mill(self, drawing, control, *options, task='pocket'):
+        contour, program = self.folder / 'contour', self.folder / 'program.nc'
+        contour.write_text(drawing, encoding='utf-8')
+        program.unlink(missing_ok=True)
+        done = subprocess.run([self.kadr, 'mill', task, contour, '--tool-diameter', str(TOOL), '--depth', str(DEPTH), '--control', control,
+                               '--output', program, '--lang', 'en', *options], capture_output=True, text=True, timeout=120)
+        return done, program
+
+    def trace(self, program, control):
+        """(do, from, to) of every motion, by `kadr run`."""
+        done = subprocess.run([self.kadr, 'run', program, '--control', control, '--trace', '-', '--quiet', '--lang', 'en'],
+                              capture_output=True, text=True, timeout=120)
+        at, moves = {'X': 0, 'Y': 0, 'Z': 0}, []
+        for row in map(json.loads, done.stdout.splitlines()):
+            if 'to' in row and row['do'] in ('rapid', 'feed', 'arc_cw', 'arc_ccw'):
+                to = {**at, **row['to']}
+                moves.append((row['do'], at, to))
+                at = to
+        return done.returncode, moves
+
+    def keeps_off(self, moves):
+        """The ends of all motions below the top are a radius off the walls; rapid motion there goes up and down only."""
+        for do, start, to in moves:
+            if min(start['Z'], to['Z']) >= -1e-6:
+                continue
+            x, y = to['X'], to['Y']
+            off = min(x, y, WIDTH - x, HEIGHT - y, math.hypot(x - ISLAND[0], y - ISLAND[1]) - ISLAND[2])
+            if off < TOOL / 2 - 0.002 or (do == 'rapid' and math.hypot(x - start['X'], y - start['Y']) > 0.002):
+                return False
+        return True
+
+    def good(self, what, drawing, control, *options):
+        done, program = self.mill(drawing, control, *options)
+        self.expect(done.returncode == 0, f'{what}: {done.stderr}')
+        if done.returncode != 0:
+            return ''
+        status, moves = self.trace(program, control)
+        deepest = min((to['Z'] for _, _, to in moves), default=0)
+        self.expect(status == 0 and abs(deepest + DEPTH) < 1e-6 and self.keeps_off(moves), f'{what}: the program itself')
+        return program.read_text(encoding='utf-8')
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('--kadr', required=True)
+    with tempfile.TemporaryDirectory() as folder:
+        run = Runner(parser.parse_args().kadr, folder)
+        for i, (scheme, russian) in enumerate(zip(SCHEMES, RUSSIAN)):
+            by_name = {}
+            for control in CONTROLS:
+                by_name[control] = run.good(f'{scheme}, {control}', TEXT, control, '--scheme', scheme, '--pass', '2', '--speed', '800')
+            control = CONTROLS[i % len(CONTROLS)]
+            run.expect(run.good(russian, TEXT, control, '--scheme', russian, '--pass', '2', '--speed', '800') == by_name[control], russian)
+        for plunge in PLUNGES:
+            for control in CONTROLS:
+                run.good(f'{plunge}, {control}', TEXT, control, '--plunge', plunge, '--tool', '4', '--coolant')
+        programs = {run.good(name, drawing, 'mach3') for name, drawing in (('text', TEXT), ('SVG', SVG), ('DXF', DXF))}
+        run.expect(len({len(p.splitlines()) for p in programs}) == 1, 'the three formats give programs of the same length')
+        marked = run.good('ПС', TEXT, 's2c42', '--mark', 'ПС')
+        run.expect(marked and all(line.endswith(' ПС') for line in marked.splitlines()), 'every block ends with ПС')
+        for drawing, options, status, alarm in FAULTS:
+            done, program = run.mill(drawing, 's2c42', *options)
+            run.expect(done.returncode == status and alarm in done.stderr and not program.exists(), f'{alarm}: {done.returncode} {done.stderr}')
+        print(f'{run.passed} passed, {run.failed} failed')
+        return 1 if run.failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

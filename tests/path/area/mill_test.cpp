@@ -1,0 +1,150 @@
+// Area milling: whatever the zone, the tool, the scheme and the plunge, the path keeps off the walls and leaves nothing it could reach.
+
+#include "path/area/mill.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "path/area/random_zone.h"
+#include "path/area/verify.h"
+
+namespace kadr::area {
+namespace {
+
+Edges rectangle(double width, double height) {
+  return {{{0, 0}, {width, 0}}, {{width, 0}, {width, height}}, {{width, height}, {0, height}}, {{0, height}, {0, 0}}};
+}
+
+std::vector<Zone> zones(const Edges& edges) {
+  const auto chains = chained(edges);
+  if (!chains) return {};
+  const auto found = zones_of(*chains);
+  return found ? *found : std::vector<Zone>();
+}
+
+const std::vector<Scheme> all_schemes{
+    Scheme::zigzag, Scheme::zigzag_then_contour, Scheme::contour_then_zigzag, Scheme::spiral_out, Scheme::spiral_in,
+    Scheme::comb,   Scheme::comb_then_contour,   Scheme::contour_then_comb};
+const std::vector<Plunge> all_plunges{Plunge::hole, Plunge::tangential, Plunge::ramp};
+
+TEST(Mill, EverySchemeAndPlungeInAPocket) {
+  const std::vector<Zone> pocket = zones(rectangle(60, 40));
+  ASSERT_EQ(pocket.size(), 1U);
+  for (const Scheme scheme : all_schemes)
+    for (const Plunge plunge : all_plunges) {
+      Job job;
+      job.scheme = scheme;
+      job.plunge = plunge;
+      job.depth = 4, job.layer = 2;
+      const auto path = verified_path(pocket, job);
+      ASSERT_TRUE(path) << int(scheme) << ' ' << int(plunge) << ' ' << name_of(path.error().id);
+      EXPECT_NEAR(path->outcome.nearest_wall, 5, tol::same_point);
+      EXPECT_NEAR(path->outcome.out_of_reach, (4 - pi) * 25, 0.01);  // four corners of the tool's radius
+      EXPECT_EQ(path->path.layers, 2U);
+      EXPECT_EQ(path->path.holes.empty(), plunge != Plunge::hole);
+    }
+}
+
+TEST(Mill, RingsAreExactArcs) {
+  Job job;
+  job.scheme = Scheme::spiral_in;
+  const auto path = verified_path(zones(test::circle({100, 50}, 30)), job);
+  ASSERT_TRUE(path);
+  for (const Move& move : path->path.moves)
+    if (move.bulge > 0.9) {
+      EXPECT_NEAR(std::remainder(length(Vec2{move.to.x, move.to.y} - Vec2{100, 50}), 5), 0, 1e-6);
+    }
+}
+
+TEST(Mill, NarrowPlacesSplitTheZone) {
+  // Two squares of 30 joined by a neck of 8: the tool of 10 does not pass.
+  const Edges dumbbell{{{0, 0}, {30, 0}},    {{30, 0}, {30, 11}},  {{30, 11}, {50, 11}}, {{50, 11}, {50, 0}},
+                       {{50, 0}, {80, 0}},   {{80, 0}, {80, 30}},  {{80, 30}, {50, 30}}, {{50, 30}, {50, 19}},
+                       {{50, 19}, {30, 19}}, {{30, 19}, {30, 30}}, {{30, 30}, {0, 30}},  {{0, 30}, {0, 0}}};
+  const auto path = verified_path(zones(dumbbell), Job());
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->path.fields, 2U);
+  EXPECT_GT(path->outcome.out_of_reach, 20 * 8 - 20);
+}
+
+TEST(Mill, TheToolDoesNotFit) {
+  const auto path = area_path(zones(rectangle(60, 9)), Job());
+  ASSERT_FALSE(path);
+  EXPECT_EQ(path.error().id, AlarmId::tool_does_not_fit);
+}
+
+TEST(Mill, ASlotAsWideAsTheTool) {
+  const auto path = verified_path(zones(rectangle(60, 10)), Job());
+  ASSERT_TRUE(path) << name_of(path.error().id);
+  EXPECT_NEAR(path->outcome.nearest_wall, 5, tol::area_wall);
+}
+
+TEST(Mill, AHoleOutsideIsRefused) {
+  Job job;
+  job.plunge = Plunge::hole;
+  job.hole = Vec2{2, 2};
+  const auto path = area_path(zones(rectangle(60, 40)), job);
+  ASSERT_FALSE(path);
+  EXPECT_EQ(path.error().id, AlarmId::mill_hole);
+  job.hole = Vec2{30, 20};
+  EXPECT_TRUE(verified_path(zones(rectangle(60, 40)), job));
+}
+
+TEST(Mill, OpenZonesAreEnteredFromTheAir) {
+  Edges edges = rectangle(60, 40);
+  for (Edge& e : edges) e.open = true;
+  for (const Scheme scheme : all_schemes) {
+    Job job;
+    job.scheme = scheme;
+    job.plunge = Plunge::ramp;
+    const auto path = verified_path(zones(edges), job);
+    ASSERT_TRUE(path) << int(scheme);
+    EXPECT_EQ(path->outcome.out_of_reach, 0);
+    const Vec3 down = path->path.moves[2].to;  // above, near, down
+    const Vec2 nearest{std::clamp(down.x, 0.0, 60.0), std::clamp(down.y, 0.0, 40.0)};
+    EXPECT_GE(length(Vec2{down.x, down.y} - nearest), 5) << int(scheme) << " X" << down.x << " Y" << down.y << " Z" << down.z;
+  }
+}
+
+TEST(Mill, VerificationSeesAGougeAndAnUncutRest) {
+  const std::vector<Zone> pocket = zones(rectangle(60, 40));
+  auto path = area_path(pocket, Job());
+  ASSERT_TRUE(path);
+  std::vector<Move> moves = path->moves;
+  for (Move& move : moves) move.to.x += 0.01;
+  EXPECT_EQ(verified(pocket, Job(), moves).fault->id, AlarmId::mill_wall);
+  moves = path->moves;
+  moves.resize(moves.size() / 2);
+  EXPECT_EQ(verified(pocket, Job(), moves).fault->id, AlarmId::mill_uncut);
+}
+
+RC_GTEST_PROP(MillProperty, VerifiedWhateverTheZone, ()) {
+  const std::vector<Zone> found = zones(test::random_drawing(*rc::gen::inRange(0, 2) == 0));
+  RC_PRE(!found.empty());
+  Job job;
+  job.radius = 1.5 + test::share(*rc::gen::inRange(0, 4000));
+  job.allowance = *rc::gen::inRange(0, 3) == 0 ? 0.3 : 0;
+  job.step = 2 * job.radius * (0.2 + 0.7 * test::share(*rc::gen::inRange(0, 1001)));
+  job.scheme = *rc::gen::elementOf(all_schemes);
+  job.plunge = *rc::gen::elementOf(all_plunges);
+  job.direction = *rc::gen::element(Direction::ccw, Direction::cw);
+  job.angle = *rc::gen::element(0, 30, 90);
+  job.depth = 2, job.layer = *rc::gen::element(1, 2);
+  const auto path = verified_path(found, job);
+  if (path || path.error().id == AlarmId::tool_does_not_fit) return;
+  RC_LOG() << name_of(path.error().id) << ' ' << path.error().args[0].number() << ' ' << path.error().args[1].number() << "\nradius "
+           << job.radius << " allowance " << job.allowance << " step " << job.step << " scheme " << int(job.scheme) << " plunge "
+           << int(job.plunge) << " angle " << job.angle << '\n';
+  for (const Zone& zone : found)
+    for (const Edges& loop : zone.loops)
+      for (const Edge& e : loop)
+        RC_LOG() << e.from.x << ' ' << e.from.y << "  " << e.to.x << ' ' << e.to.y << "  " << e.bulge << ' ' << e.open << '\n';
+  RC_FAIL("not verified");
+}
+
+}  // namespace
+}  // namespace kadr::area
