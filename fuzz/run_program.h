@@ -17,6 +17,8 @@
 #include "out/plot.h"
 #include "out/summary.h"
 #include "out/trace.h"
+#include "path/contour_corners.h"
+#include "path/radius_compensation.h"
 #include "require.h"
 
 namespace kadr::fuzz {
@@ -105,6 +107,8 @@ class Run {
         machine_(control_.axes(), control_.rotary(), shop.profile, setup_, stand_),
         statistics_(control_.axes(), control_.rotary(), rates_of(shop.profile, setup_, control_.axes()), stand_),
         plot_(control_.axes(), control_.rotary(), stand_),
+        corners_(stand_),
+        compensation_(stand_),
         trace_(shop.nowhere, control_.axes(), control_.rotary(), stand_, setup_.points) {
     require(is_finite(stand_.work) && is_finite(stand_.machine), "the run begins somewhere");
     control_.on_warning = [this](const AlarmReport& report) { show(report); };
@@ -125,6 +129,7 @@ class Run {
       const std::uint64_t blocks = control_.blocks();
       state = control_.run(batch);
       const bool one_block = control_.blocks() == blocks + 1;
+      go_beside(batch, state != Control::State::running);
       for (Action& action : batch) take(action);
       if (state == Control::State::stopped || control_.is_stopped()) {
         stopped(compared && state == Control::State::stopped && one_block ? &before : nullptr);
@@ -173,13 +178,32 @@ class Run {
     trace_.write(action, time);
   }
 
+  /// The same actions through the stages of `path`, as the tool's centre goes; the machine takes those of the program.
+  void go_beside(const ActionBatch& batch, bool last) {
+    beside_ = batch;
+    const auto corner = corners_.take(beside_, last ? ContourCorners::Follows::nothing : ContourCorners::Follows::more);
+    const auto fault = compensation_.take(beside_, corner || last);
+    for (const auto& f : {corner, fault})
+      if (f) show(control_.report_for(f->alarm, f->origin));
+    for (const CompensationFault& cut : compensation_.warnings()) show(control_.report_for(cut.alarm, cut.origin));
+    for (const Action& action : beside_) {
+      const auto* const m = std::get_if<Motion>(&action.what);
+      if (m == nullptr) continue;
+      require(is_finite(m->to) && is_finite(m->machine), "the tool's centre goes somewhere");
+      const bool arc = is_arc(m->kind);
+      require(arc ? m->turns > 0 && std::isfinite(m->turns) : m->turns == 0, "its arcs turn, its lines do not");
+      require(!arc || (std::isfinite(m->center.x) && std::isfinite(m->center.y)), "its arcs have a centre");
+    }
+  }
+
   void check_motion(const Motion& motion) const {
     require(is_finite(motion.to) && is_finite(motion.machine), "a motion ends somewhere");
     require(std::isfinite(motion.center.x) && std::isfinite(motion.center.y), "an arc has a centre");
     require(std::isfinite(motion.feed) && motion.feed >= 0, "the feed is a number");
     require(std::isfinite(motion.turns) && std::isfinite(motion.tolerance) && motion.tolerance >= 0, "turns and tolerance are numbers");
-    const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
-    require(arc ? motion.turns > 0 : motion.turns == 0, "an arc turns, a line does not");
+    const bool calculated =
+        motion.detail && motion.detail->contour && motion.detail->contour->on == SupportingCurve::circle;  // its start is found in `path`
+    require(is_arc(motion.kind) ? motion.turns > 0 || calculated : motion.turns == 0, "an arc turns, a line does not");
     for (std::size_t a = 0; a < control_.axes().size(); ++a) {
       require(std::fabs(motion.to[a]) < farthest_end && std::fabs(motion.machine[a]) < farthest_end, "a motion ends on this earth");
       // An axis that does not move keeps a length that its next motion takes out (2С42).
@@ -244,6 +268,9 @@ class Run {
   VirtualMachine machine_;
   Statistics statistics_;
   Plot plot_;
+  ContourCorners corners_;
+  RadiusCompensation compensation_;
+  ActionBatch beside_;
   TraceWriter trace_;
   FrameChange frame_{};
   AlarmReport last_;

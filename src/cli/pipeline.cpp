@@ -52,6 +52,14 @@ void catch_interrupts() {
 }
 bool interrupted() { return interrupt_seen != 0; }
 
+const AlarmTexts& Job::texts() const {
+  if (texts_) return *texts_;
+  auto texts = AlarmTexts::load(def.get());
+  if (!texts) complain(texts.error());
+  texts_ = std::make_unique<AlarmTexts>(texts ? std::move(*texts) : AlarmTexts());
+  return *texts_;
+}
+
 std::optional<Job> make_job(const Options& options, const std::string& file) {
   Job job;
   job.file = file;
@@ -61,9 +69,6 @@ std::optional<Job> make_job(const Options& options, const std::string& file) {
   auto def = load_control(*id);
   if (!def) return complain(def.error()), std::nullopt;
   job.def = std::make_unique<ControlDef>(std::move(*def));
-  auto texts = AlarmTexts::load(job.def.get());
-  if (!texts) return complain(texts.error()), std::nullopt;
-  job.texts = std::make_unique<AlarmTexts>(std::move(*texts));
   auto profile = load_machine(options.machine.empty() ? "generic" : options.machine);
   if (!profile) return complain(profile.error()), std::nullopt;
   job.profile = std::move(*profile);
@@ -124,8 +129,10 @@ Carrier::Step Carrier::stop(const AlarmReport& report) {
 Carrier::Step Carrier::step() {
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
-  const Control::State state = control_.run(batch_);                                                // lang, control: blocks → actions
-  const auto corner_fault = corners_.take(batch_, behind(state));                                   // path: calculated corners, roundings
+  const Control::State state = control_.run(batch_);               // lang, control: blocks → actions
+  const auto corner_fault = corners_.take(batch_, behind(state));  // path: calculated corners, roundings
+  if (outlets_.programmed)
+    for (const Action& action : batch_) outlets_.programmed(action);
   const auto fault = compensation_.take(batch_, corner_fault || state != Control::State::running);  // path: the tool's radius
   const ToolPosition before = machine_.position();
   const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;

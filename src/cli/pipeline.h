@@ -23,7 +23,12 @@ struct Job {
   MachineProfile profile;
   Setup setup;
   std::optional<Encoding> encoding;
-  std::unique_ptr<AlarmTexts> texts;
+
+  /// Read when the first alarm is to be told: a run without one need not wait for them.
+  const AlarmTexts& texts() const;
+
+ private:
+  mutable std::unique_ptr<AlarmTexts> texts_;
 };
 
 /// Loads what the options name; complains to stderr.
@@ -46,8 +51,9 @@ struct Outlets {
   std::function<void(const AlarmReport&)> warning;
   /// An alarm; true: go on with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  std::function<void(const Control&)> batch{};  // between batches: progress
-  std::function<VirtualTime()> time{};          // of the actions so far; missing: counted here, if somebody asks
+  std::function<void(const Control&)> batch{};      // between batches: progress
+  std::function<VirtualTime()> time{};              // of the actions so far; missing: counted here, if somebody asks
+  std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
 };
 
 /// How a run came to its end.

@@ -90,13 +90,19 @@ class RunCommand {
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
-      fmt::print(stderr, "{}", alarm_text(report, *job_.texts, lang_));
+      fmt::print(stderr, "{}", alarm_text(report, job_.texts(), lang_));
     };
     return {{},
             say,
             [say](const AlarmReport& report) { return say(report), false; },
             [this](const Control& c) { progress_.show(c); },
-            [&view] { return virtual_time(view.statistics.time()); }};
+            [&view] { return virtual_time(view.statistics.time()); },
+            programmed_of(view)};
+  }
+
+  static std::function<void(const Action&)> programmed_of(View& view) {
+    if (!view.plot) return {};
+    return [&view](const Action& action) { view.plot->take_programmed(action); };
   }
 
   Stopped run_alone() {
@@ -147,7 +153,7 @@ class RunCommand {
       const std::optional<RunState> state = channels_[i].control->run_state();
       const std::string state_text = state ? state_json(*state) : std::string();
       const LastLine more{state_text, stopped[i].channel};
-      if (stopped[i].report) trace.finish(ending, *stopped[i].report, *job_.texts, lang_, more);
+      if (stopped[i].report) trace.finish(ending, *stopped[i].report, job_.texts(), lang_, more);
       else trace.finish(ending, more);
       if (trace.ok()) continue;
       complain(fmt::format("{}: {}", options_.trace, std::strerror(errno)));

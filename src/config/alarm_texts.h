@@ -14,6 +14,9 @@ enum class Lang : std::uint8_t { en, ru };
 
 class AlarmTexts {
  public:
+  /// Without texts: ids and arguments only.
+  AlarmTexts() : rows_(static_cast<std::size_t>(AlarmId::count) + 1) {}
+
   /// The common texts, overlaid by `def.alarms`; without a control the common ones alone.
   ///   returns  an error sentence if controls/alarms.toml is damaged: unknown id, wrong key
   static tl::expected<AlarmTexts, std::string> load(const ControlDef* def);
@@ -36,7 +39,6 @@ class AlarmTexts {
   std::string number(const Alarm& alarm) const;
 
  private:
-  AlarmTexts() : rows_(static_cast<std::size_t>(AlarmId::count) + 1) {}
   const AlarmText& row(AlarmId id) const { return rows_[static_cast<std::size_t>(id)]; }
 
   std::vector<AlarmText> rows_;  // by AlarmId

@@ -78,7 +78,7 @@ double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, Moti
     return 1 / (motion.feed * override_part);
   }
   time.feed = motion.feed * override_part * (motion.unit == FeedUnit::mm_per_rev ? feed_rpm() : 1);
-  if (way == 0 || !(time.feed > 0)) return 0;  // no feed is known: the control has said so
+  if (way == 0) return 0;
   if (curve.surface() == PathSurface::polar) return minutes(curve, {time.feed, motion.detail->rotary_most, motion.along});
   return way / time.feed;
 }

@@ -23,7 +23,7 @@ Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
 }  // namespace
 
 Plot::Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start)
-    : roles_(AxisRoles::of(axes, rotary)), position_(start) {}
+    : roles_(AxisRoles::of(axes, rotary)), position_(start), programmed_(start) {}
 
 void Plot::take_frame(const FrameChange& frame) {
   position_.take(frame);
@@ -57,12 +57,35 @@ void Plot::take_motion(const Motion& motion) {
     if (zeros_.empty()) take_reference();
     mark_zero();
   }
-  if (const Curve curve(roles_, position_.work, motion); !curve.straight()) {
-    const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));
-    for (int i = 1; i < pieces; ++i) path_.go(roles_.point(curve.at(double(i) / pieces)) + shift_, stroke);
-  }
-  path_.go(to + shift_, stroke);
+  draw(path_, position_, motion, shift_, stroke);
   position_.take(motion);
+}
+
+void Plot::draw(PlotPath& path, const ToolPosition& from, const Motion& motion, Vec3 shift, Stroke stroke) const {
+  if (const Curve curve(roles_, from.work, motion); !curve.straight()) {
+    const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));
+    for (int i = 1; i < pieces; ++i) path.go(roles_.point(curve.at(double(i) / pieces)) + shift, stroke);
+  }
+  path.go(roles_.point(motion.to) + shift, stroke);
+}
+
+/// Of a contour all but the way in and out, at feed.
+void Plot::take_programmed(const Action& action) {
+  if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
+    programmed_origin_ = roles_.point(frame->origin);
+    programmed_.take(*frame);
+  }
+  const auto* const motion = std::get_if<Motion>(&action.what);
+  if (motion == nullptr) return;
+  const bool way = motion->side_step == SideStep::begins || motion->side_step == SideStep::ends;
+  if (motion->side != 0 && !way && motion->kind != MotionKind::rapid) {
+    const Vec3 from = roles_.point(programmed_.work) + programmed_origin_;
+    if (!has_contour_) contour_.start(from);
+    else contour_.go(from, Stroke::rapid);
+    has_contour_ = true;
+    draw(contour_, programmed_, *motion, programmed_origin_, Stroke::contour);
+  }
+  programmed_.take(*motion);
 }
 
 void Plot::take(const Action& action) {
@@ -71,7 +94,9 @@ void Plot::take(const Action& action) {
 }
 
 tl::expected<void, std::string> Plot::write(const std::string& file, const PlotTitle& title) const {
-  return draw_page(file, {path_, zeros_, title});
+  PlotPath contour = contour_;
+  contour.move_all(-1.0 * first_origin_);
+  return draw_page(file, {path_, contour, zeros_, title});
 }
 
 }  // namespace kadr

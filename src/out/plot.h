@@ -21,6 +21,9 @@ class Plot {
 
   void take(const Action& action);
 
+  /// An action as programmed, before cutter radius compensation: contours are drawn beside the tool's path.
+  void take_programmed(const Action& action);
+
   /// Draws; the ending of the name (.svg, .png) says which.
   ///   returns  an error sentence
   tl::expected<void, std::string> write(const std::string& file, const PlotTitle& title) const;
@@ -34,6 +37,7 @@ class Plot {
   void take_frame(const FrameChange& frame);
   void mark_zero();
   void take_reference();
+  void draw(PlotPath& path, const ToolPosition& from, const Motion& motion, Vec3 shift, Stroke stroke) const;
 
   AxisRoles roles_;
   ToolPosition position_;
@@ -43,6 +47,10 @@ class Plot {
   bool origin_known_ = false;
   bool started_ = false;
   std::vector<Vec3> zeros_;
+  ToolPosition programmed_;
+  Vec3 programmed_origin_;
+  PlotPath contour_;  // measured from the machine's zero
+  bool has_contour_ = false;
 };
 
 }  // namespace kadr

@@ -18,16 +18,23 @@ constexpr double reach = 0.25;    // rapid motion is shown as far as this part o
 constexpr double least_size = 1;  // mm
 
 struct Words {
-  const char *control, *nothing, *rapid, *feed, *arc, *plunge, *zero, *thinned, *size, *unit;
+  const char *control, *nothing, *rapid, *feed, *arc, *plunge, *contour, *zero, *thinned, *size, *unit;
 };
-constexpr Words english = {"control", "no motion", "rapid",     "feed",
-                           "arc",     "plunge",    "work zero", "thinned: of {} points, those closer than {} mm are left out",
+constexpr Words english = {"control", "no motion", "rapid",
+                           "feed",    "arc",       "plunge",
+                           "contour", "work zero", "thinned: of {} points, those closer than {} mm are left out",
                            "cutting", "mm"};
-constexpr Words russian = {"УЧПУ",        "нет движений",
-                           "быстрый ход", "рабочая подача",
-                           "дуга",        "врезание",
-                           "нуль детали", "прорежено: из {} точек не показаны те, что ближе {} мм",
-                           "резание",     "мм"};
+constexpr Words russian = {"УЧПУ",
+                           "нет движений",
+                           "быстрый ход",
+                           "рабочая подача",
+                           "дуга",
+                           "врезание",
+                           "контур",
+                           "нуль детали",
+                           "прорежено: из {} точек не показаны те, что ближе {} мм",
+                           "резание",
+                           "мм"};
 
 const Words& words(Lang lang) { return lang == Lang::ru ? russian : english; }
 
@@ -66,6 +73,7 @@ void draw_legend(Canvas& canvas, const PlotScene& scene) {
   entry(Stroke::feed, w.feed);
   entry(Stroke::arc, w.arc);
   entry(Stroke::plunge, w.plunge);
+  if (!scene.contour.points().empty()) entry(Stroke::contour, w.contour);
   canvas.zero_mark({x + 10, y - 4}, 6, style.ink);
   canvas.text({x + 24, y}, w.zero, style);
   if (scene.path.tolerance() > 0)

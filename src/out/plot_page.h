@@ -10,6 +10,7 @@ namespace kadr {
 
 struct PlotScene {
   const PlotPath& path;
+  const PlotPath& contour;  // as programmed, where the tool runs beside it; may be empty
   const std::vector<Vec3>& zeros;
   const PlotTitle& title;
 };

@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-enum class Stroke : std::uint8_t { rapid, feed, plunge, arc };  // plunge: a feed straight down
+enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour };  // plunge: a feed straight down; contour: as programmed
 
 /// A vertex and how the path comes to it.
 struct PlotPoint {

@@ -79,7 +79,8 @@ void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) 
 
 }  // namespace
 
-void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotPath& path) {
+void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotPath& path, const PlotPath& contour) {
+  draw_lines(canvas, view, scale, contour, Stroke::contour);
   for (const Stroke stroke : {Stroke::rapid, Stroke::feed, Stroke::arc}) draw_lines(canvas, view, scale, path, stroke);
   if (view == View::xy) draw_plunges(canvas, scale, path);
 }

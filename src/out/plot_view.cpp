@@ -149,7 +149,7 @@ void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& sc
   canvas.fill(field, paper);
   draw_grid(canvas, field, view, scale);
   canvas.clip(field);
-  draw_strokes(canvas, view, scale, scene.path);
+  draw_strokes(canvas, view, scale, scene.path, scene.contour);
   draw_zeros(canvas, view, scale, scene.zeros);
   canvas.unclip();
   canvas.frame(field, edge, 1);
@@ -162,7 +162,7 @@ void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, co
   canvas.clip(area);
   const Box& room = scene.path.cutting_box().empty ? box : scene.path.cutting_box();
   draw_floor(canvas, scale, room);
-  draw_strokes(canvas, View::isometric, scale, scene.path);
+  draw_strokes(canvas, View::isometric, scale, scene.path, scene.contour);
   draw_zeros(canvas, View::isometric, scale, scene.zeros);
   draw_sizes(canvas, scale, room);
   canvas.unclip();
@@ -177,6 +177,7 @@ StrokeStyle style_of(Stroke stroke, std::size_t points) {
   switch (stroke) {
     case Stroke::rapid: return {colour(0x7A8794), std::min(1.0, fine), true};
     case Stroke::arc: return {colour(0xD55E00), fine, false};
+    case Stroke::contour: return {colour(0xB9C2CC), 3.2, false};
     case Stroke::plunge: return {colour(0x009E73), 1.4, false};
     default: return {colour(0x0072B2), fine, false};
   }

@@ -50,6 +50,7 @@ void RadiusCompensation::release_first() {
     out_.add() = std::move(action);
   }
   first.waiting.clear();
+  regular_start_ = first.regular;
   go_round(first, std::move(before));
   drop_first();
 }
@@ -61,8 +62,9 @@ void RadiusCompensation::go_round(const Held& first, std::optional<Motion> befor
     const Motion& like = !follows || held(1).motion.kind == MotionKind::rapid ? *before : held(1).motion;
     return round(first.end.last(), follows ? held(1).origin : first.origin, like);
   }
+  const ContourSpan known = first.regular ? ContourSpan{first.number, first.number + 1} : ContourSpan{};
   for (std::size_t i = 1; i < first.end.count && follows; ++i) {
-    watch_step(vector_, first.end.at[i], held(1).motion, held(1).origin);
+    watch_step(vector_, first.end.at[i], held(1).motion, held(1).origin, known);
     step(first.end.at[i], held(1).motion, held(1).origin);
   }
   vector_ = first.end.last();
@@ -74,6 +76,7 @@ RadiusCompensation::Mended RadiusCompensation::mend_first() {
   const auto join = check_interference(checked_blocks(), check_.further, check_.always_alarm);
   if (join && join->next > 1) {
     first.end = join->vectors;
+    first.regular = false;
     for (std::size_t i = 1; i < join->next; ++i)
       for (Action& action : std::exchange(held(i).waiting, {})) first.waiting.push_back(std::move(action));
     held(join->next).start_vector = join->start_vector;
@@ -186,7 +189,7 @@ void RadiusCompensation::watch_last() {
     held(count_ - 2).watched = now.watched = false;
     end_watch();
   }
-  if (now.watched) watch_.contour(now.element, m.tool_radius, now.origin);
+  if (now.watched) now.number = watch_.contour(now.element, m.tool_radius, now.origin);
 }
 
 void RadiusCompensation::watch_way(const Held& held, Vec2 end_vector) {
@@ -194,14 +197,17 @@ void RadiusCompensation::watch_way(const Held& held, Vec2 end_vector) {
   const Motion& m = held.motion;
   const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
-  if (is_arc(m.kind)) watch_.path(ContourElement::arc(from, to, m.center, turns), m.tool_radius, held.origin);
-  else if (length(to - from) > tol::same_point) watch_.path(ContourElement::line(from, to), m.tool_radius, held.origin);
+  ContourSpan known;
+  if (is_arc(m.kind) == held.element.is_arc && lies_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))
+    known = {held.number - (regular_start_ ? 1 : 0), held.number + (held.regular ? 1 : 0)};
+  if (is_arc(m.kind)) watch_.path(ContourElement::arc(from, to, m.center, turns), m.tool_radius, held.origin, known);
+  else if (length(to - from) > tol::same_point) watch_.path(ContourElement::line(from, to), m.tool_radius, held.origin, known);
 }
 
-void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin) {
+void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known) {
   const Vec2 point = in_plane(stand_.work);
   if (like.kind == MotionKind::rapid || length(to - from) <= tol::same_point) return;
-  watch_.path(ContourElement::line(point + from, point + to), like.tool_radius, origin);
+  watch_.path(ContourElement::line(point + from, point + to), like.tool_radius, origin, known);
 }
 
 void RadiusCompensation::end_watch() {

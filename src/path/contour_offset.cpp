@@ -227,6 +227,25 @@ JunctionVectors cancel(const ContourElement& first, const ContourElement& second
   return v;
 }
 
+bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
+  constexpr double beside = tol::same_point / 10;  // what is told of a path is told to same_point
+  const Vec2 from = e.from + start_vector, to = e.to + end_vector;
+  if (e.is_arc) {
+    const double inside = side * e.sense() * radius, first = e.start_radius - inside, last = e.end_radius - inside;
+    return first > 0 && last > 0 && std::fabs(length(from - e.center) - first) < beside && std::fabs(length(to - e.center) - last) < beside;
+  }
+  const Vec2 n = side_normal(e.start, side);
+  return std::fabs(dot(start_vector, n) - radius) < beside && std::fabs(dot(end_vector, n) - radius) < beside &&
+         dot(to - from, e.start) >= 0;
+}
+
+bool gentle(const ContourElement& first, const ContourElement& second) {
+  if (dot(first.end, second.start) < 0) return false;
+  constexpr double quarter = 0.25;  // of a turn: the corner's at most
+  const double rest = tangential(first.end, second.start) ? 2 * quarter : quarter;
+  return std::fabs(first.turns) + std::fabs(second.turns) <= rest;
+}
+
 double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector) {
   const auto turned = [&](Vec2 at, Vec2 vector) {  // of the direction from the centre, in (-1/2, 1/2] of a turn
     const Vec2 arm = at - arc.center;

@@ -112,6 +112,12 @@ std::optional<Vec2> entry_direction(Vec2 way, double radius, double side);
 /// The tool fits in: its way beside the element, between the two vectors, goes forward, and no arc is smaller than the tool.
 bool fits(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);
 
+/// The way from one vector to the other lies on the element's offset and goes forward along it.
+bool lies_on_offset(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);
+
+/// The two turn by less than half a turn in all: where they meet they cannot come round to each other again.
+bool gentle(const ContourElement& first, const ContourElement& second);
+
 /// Swept angle / 360 of an arc's compensated path, counter-clockwise positive; it may exceed that of the arc, or change its sign where
 /// the tool does not fit (15.5.0, 15.5.7).
 double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector);

@@ -6,34 +6,47 @@
 #include "base/tolerance.h"
 
 namespace kadr {
+namespace {
+
+bool boxes_near(const Box2& a, const Box2& b, double distance) {
+  const double x = std::max({a.least.x - b.most.x, b.least.x - a.most.x, 0.0});
+  if (x >= distance) return false;
+  const double y = std::max({a.least.y - b.most.y, b.least.y - a.most.y, 0.0});
+  return x * x + y * y < distance * distance;
+}
+
+}  // namespace
 
 const ContourWatch::Seen& ContourWatch::Ring::add(const ContourElement& element, double radius, const Origin& origin) {
-  const std::size_t i = count++ % reach;
-  at[i] = {PlanePiece::of(element), radius, origin};
-  least_x[i] = at[i].piece.least.x;
-  least_y[i] = at[i].piece.least.y;
-  most_x[i] = at[i].piece.most.x;
-  most_y[i] = at[i].piece.most.y;
+  const std::size_t i = count % at.size(), group = i / group_size;
+  at[i] = {PlanePiece::of(element), radius, origin, count++};
+  if (i % group_size == 0) boxes[group] = at[i].piece.box;
+  else boxes[group].take(at[i].piece.box.least), boxes[group].take(at[i].piece.box.most);
   return at[i];
 }
 
 template <class Found>
 void ContourWatch::Ring::near(const PlanePiece& piece, double distance, const Found& found) const {
-  const Vec2 least{piece.least.x - distance, piece.least.y - distance}, most{piece.most.x + distance, piece.most.y + distance};
-  for (std::size_t i = 0; i < size(); ++i) {
-    const bool apart = (least_x[i] > most.x) | (most_x[i] < least.x) | (least_y[i] > most.y) | (most_y[i] < least.y);
-    if (!apart) found(at[i]);
+  const std::uint64_t filled = std::min<std::uint64_t>(count, at.size());
+  for (std::size_t group = 0; group * group_size < filled; ++group) {
+    if (!boxes_near(boxes[group], piece.box, distance)) continue;
+    const std::uint64_t end = std::min<std::uint64_t>(filled, (group + 1) * group_size);
+    for (std::size_t i = group * group_size; i < end; ++i)
+      if (boxes_near(at[i].piece.box, piece.box, distance)) found(at[i]);
   }
 }
 
-void ContourWatch::contour(const ContourElement& element, double radius, const Origin& origin) {
+std::uint64_t ContourWatch::contour(const ContourElement& element, double radius, const Origin& origin) {
   const Seen& seen = contour_.add(element, radius, origin);
   path_.near(seen.piece, radius, [&](const Seen& path) { compare(seen, path); });
+  return seen.number;
 }
 
-void ContourWatch::path(const ContourElement& way, double radius, const Origin& origin) {
+void ContourWatch::path(const ContourElement& way, double radius, const Origin& origin, ContourSpan known) {
   const Seen& seen = path_.add(way, radius, origin);
-  contour_.near(seen.piece, radius, [&](const Seen& contour) { compare(contour, seen); });
+  contour_.near(seen.piece, radius, [&](const Seen& contour) {
+    if (contour.number < known.first || contour.number > known.last) compare(contour, seen);
+  });
 }
 
 void ContourWatch::compare(const Seen& contour, const Seen& path) {

@@ -17,31 +17,39 @@ struct ContourCut {
   std::uint32_t contour = 0;  // line of the contour's block
 };
 
+/// Contour pieces, by number, that a piece of path need not be compared with: it lies on their offset, as the corner rules made it.
+struct ContourSpan {
+  std::uint64_t first = 1, last = 0;  // none
+};
+
 class ContourWatch {
  public:
   /// A piece of the programmed contour. `radius`: of the tool, mm.
-  void contour(const ContourElement& element, double radius, const Origin& origin);
+  ///   returns  its number
+  std::uint64_t contour(const ContourElement& element, double radius, const Origin& origin);
   /// A piece of the way of the tool's centre.
-  void path(const ContourElement& way, double radius, const Origin& origin);
+  void path(const ContourElement& way, double radius, const Origin& origin, ContourSpan known);
   /// The contour is over: the deepest cut, if there was one deeper than tol::same_point. Forgets all.
   ///   law  a way that is nowhere nearer to the last `reach` pieces, or those of the next `reach`, than the radius gives none
   std::optional<ContourCut> end();
 
-  static constexpr std::size_t reach = 48;  // steps round corners count too
+  static constexpr std::size_t reach = 40;  // pieces; steps round corners count too
 
  private:
+  static constexpr std::size_t group_size = 8, groups = reach / group_size + 1;
+
   struct Seen {
     PlanePiece piece;
     double radius = 0;
     Origin origin;
+    std::uint64_t number = 0;
   };
-  /// The last `reach` pieces; their boxes lie side by side, as most are far away and nothing else of them is looked at.
+  /// The last pieces, in groups with a box around each: most are far away, and nothing else of them is looked at.
   struct Ring {
-    std::array<Seen, reach> at;
-    std::array<double, reach> least_x, least_y, most_x, most_y;
-    std::size_t count = 0;
+    std::array<Seen, group_size * groups> at;
+    std::array<Box2, groups> boxes;
+    std::uint64_t count = 0;
     const Seen& add(const ContourElement& element, double radius, const Origin& origin);
-    std::size_t size() const { return count < reach ? count : reach; }
     /// Calls back with those whose boxes come nearer to that of `piece` than `distance`.
     template <class Found>
     void near(const PlanePiece& piece, double distance, const Found& found) const;

@@ -68,18 +68,13 @@ double inner_arcs(const PlanePiece& a, const PlanePiece& b) {
   return least;
 }
 
-void widen(PlanePiece& piece, Vec2 p) {
-  piece.least = {std::min(piece.least.x, p.x), std::min(piece.least.y, p.y)};
-  piece.most = {std::max(piece.most.x, p.x), std::max(piece.most.y, p.y)};
-}
-
 }  // namespace
 
 PlanePiece PlanePiece::of(const ContourElement& e) {
   PlanePiece piece;
-  piece.from = piece.least = piece.most = e.from;
+  piece.from = piece.box.least = piece.box.most = e.from;
   piece.to = e.to;
-  widen(piece, e.to);
+  piece.box.take(e.to);
   if (!e.is_arc) return piece;
   piece.is_arc = true;
   piece.center = e.center;
@@ -87,7 +82,7 @@ PlanePiece PlanePiece::of(const ContourElement& e) {
   piece.radius = (e.start_radius + e.end_radius) / 2;
   piece.slack = std::fabs(e.start_radius - e.end_radius);
   for (const Vec2 axis : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}})
-    if (passes(piece, axis)) widen(piece, e.center + piece.radius * axis);
+    if (passes(piece, axis)) piece.box.take(e.center + piece.radius * axis);
   return piece;
 }
 

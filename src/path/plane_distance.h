@@ -2,6 +2,7 @@
 // Distance of two pieces of path in a plane: lines and arcs.
 
 #include "path/contour_offset.h"
+#include "path/flat_path.h"
 
 namespace kadr {
 
@@ -13,7 +14,7 @@ struct PlanePiece {
   double turns = 0;   // swept angle / 360, counter-clockwise positive
   double radius = 0;  // of an arc: the mean of those at its ends
   double slack = 0;   // mm, by which the radius changes along it
-  Vec2 least, most;   // bounding box
+  Box2 box;
   static PlanePiece of(const ContourElement& element);
 };
 

@@ -64,6 +64,7 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
   }
   if (!fault_ && last) flush({});
   if (last && !fault_) end_watch();
+  astray_ = astray_ || last;
   std::swap(batch, out_);
   if (fault_) drop();
   return fault_;
@@ -170,7 +171,7 @@ void RadiusCompensation::contour(Action& action) {
     const JunctionVectors& end = last_held().end;
     start = end.count > 0 ? end.last() : beside;
   } else if (zero_) {
-    watch_step(vector_, beside, m, zero_->origin);
+    watch_step(vector_, beside, m, zero_->origin, {});
     step(beside, std::get<Motion>(zero_->what), zero_->origin);
     zero_.reset();
     start = beside;
@@ -188,7 +189,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   now.element = element;
   now.start_vector = start_vector;
   now.end.count = 0;
-  now.rejoins = false;
+  now.rejoins = now.regular = false;
   at_.take(now.motion);
   watch_last();
   if (now.motion.side_step == SideStep::ends) {
@@ -255,6 +256,8 @@ ContourElement RadiusCompensation::element_of(const Motion& m) const {
 void RadiusCompensation::join(const Motion& next, const ContourElement& second) {
   Held& first = last_held();
   const auto vectors = vectors_to(next, second);
+  first.regular = vectors && first.watched && first.motion.side == next.side && first.motion.tool_radius == next.tool_radius &&
+                  next.side_step == SideStep::none && next.kind != MotionKind::rapid && gentle(first.element, second);
   if (vectors) {
     first.end = check_.least_step > 0 ? without_short_steps(*vectors, check_.least_step) : *vectors;
   } else if (!check_.interference) {

@@ -54,6 +54,8 @@ class RadiusCompensation {
     Vec2 start_vector;
     JunctionVectors end;            // none: not known, or the offsets do not meet
     bool rejoins = false;           // an arc of the programmed radius between its ends (15.5.4)
+    bool regular = false;           // `end` is what the corner rules say for it and the next, both on one side
+    std::uint64_t number = 0;       // of its contour, for the watch
     bool watched = false;           // its way must not cut into the contour
     std::vector<Action> waiting{};  // behind it
   };
@@ -88,7 +90,7 @@ class RadiusCompensation {
   void shift(FrameChange& frame) const;
   void watch_last();
   void watch_way(const Held& held, Vec2 end_vector);
-  void watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin);
+  void watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known);
   void end_watch();
 
   Vec2 in_plane(const Axes& axes) const { return {axes[first_], axes[second_]}; }
@@ -117,7 +119,8 @@ class RadiusCompensation {
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
   ContourWatch watch_;
-  bool astray_ = false;  // after an alarm: nothing is known of the contour until it begins anew
+  bool regular_start_ = false;  // the first of the window begins where such a junction ended
+  bool astray_ = false;         // after an alarm or an end: nothing is known of the contour until it begins anew
   std::vector<CompensationFault> warnings_;
 };
 

@@ -78,7 +78,7 @@ TEST(alarm_on_mach3, leaves_everything_as_it_was) {
       "G92.1 M98 P999",
       "G92.2 M98 P999",
       "G98 G90.1 M48 M98 P999",
-      "G41 D1 P5",
+      "G41 D0.5",
       "G41 P0 G18 M98 P999",
       "M3 S0 M98 P999",
       "G4 P-1 F77",

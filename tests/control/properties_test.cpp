@@ -11,7 +11,6 @@ using namespace test;
 constexpr double near = 1e-9;  // mm
 const std::string start = "G21 F100\n";
 
-bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
 MotionKind opposite(MotionKind kind) {
   return kind == MotionKind::arc_cw ? MotionKind::arc_ccw : kind == MotionKind::arc_ccw ? MotionKind::arc_cw : kind;
 }

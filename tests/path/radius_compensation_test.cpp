@@ -80,13 +80,13 @@ RC_GTEST_PROP(radius_compensation, arcs_and_straight_joins_are_nowhere_nearer_th
   const auto side = *rc::gen::element<std::int8_t>(1, -1);
   const auto join = *rc::gen::element(CornerJoin::arc, CornerJoin::straight);
   const double radius = any_number(1, 5);
-  bool arcs = false;
+  const std::array<bool, 2> arc{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+  const int most = arc[0] || arc[1] ? 60 : 140;  // the elements do not come near each other again
   Contour c;
   c.line(20, side, radius).side_step = SideStep::begins;
-  for (int i = 0; i < 2; ++i) {
-    if (*rc::gen::arbitrary<bool>()) c.arc(any_number(40, 80), *rc::gen::element(0.2, -0.2), side, radius), arcs = true;
+  for (std::size_t i = 0; i < arc.size(); ++i) {
+    if (arc[i]) c.arc(any_number(40, 80), *rc::gen::element(0.2, -0.2), side, radius);
     else c.line(any_number(60, 100), side, radius);
-    const int most = arcs ? 60 : 140;  // the elements do not come near each other again
     if (i == 0) c.direction = rotated(c.direction, any_number(-most, most));
   }
   c.line(20, 0, radius).side_step = SideStep::ends;

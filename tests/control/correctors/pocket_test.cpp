@@ -40,8 +40,8 @@ double distance_to_way(Vec2 p, const PocketRounds& rounds, double direction) {
         const double turn =
             direction * angle_deg({dot(at - piece.center, piece.to - piece.center), cross(at - piece.center, piece.to - piece.center)});
         EXPECT_NEAR(turn, round.corner > 0 ? 90 : 0, 1e-3);
-        for (int k = 0; k <= 8; ++k)
-          least = std::min(least, length(p - piece.center - rotated(at - piece.center, direction * turn * k / 8)));
+        for (int k = 0; k <= 32; ++k)
+          least = std::min(least, length(p - piece.center - rotated(at - piece.center, direction * turn * k / 32)));
       }
       at = piece.to;
     }
@@ -67,7 +67,7 @@ RC_GTEST_PROP(pocket, no_area_stays_inside_the_wall, ()) {
   const double direction = *rc::gen::element(1.0, -1.0);
   const auto rounds = PocketRounds::of(pocket, radius, {});
   RC_ASSERT(rounds.has_value());
-  const double chord = radius * 0.01;  // the sampled corners lie inside the arcs by up to 1 - cos(90°/16)
+  const double chord = radius * 0.01;  // the sampled corners lie inside the arcs by up to 1 - cos(90°/64)
   for (int i = 0; i <= 24; ++i)
     for (int j = 0; j <= 24; ++j) {
       const Vec2 p{(i / 24.0 - 0.5) * (pocket.x + 4), (j / 24.0 - 0.5) * (pocket.y + 4)};
