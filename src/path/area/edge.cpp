@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "path/plane_distance.h"
 
 namespace kadr::area {
 namespace {
 
 double swept_deg(const Edge& arc) { return 4 * std::atan(arc.bulge) / rad_per_deg; }
-Vec2 left_of(Vec2 v) { return {-v.y, v.x}; }
 
 /// Part of the arc at the angle of `p`, unclamped: 0..1 on the arc.
 double part_of_angle(const Edge& arc, const Circle& c, Vec2 p) {
@@ -57,18 +57,10 @@ void circle_circle(std::vector<Vec2>& points, const Edge& a, const Edge& b) {
   if (half > 0) add_meeting(points, a, b, foot - half * left_of(unit));
 }
 
-/// Where a common normal of both may stand, beside their ends.
-void normals(std::vector<Vec2>& points, const Edge& a, const Edge& b) {
-  if (is_line(a)) return;
-  const Circle c = circle_of(a);
-  const Vec2 towards = is_line(b) ? b.from + line_part(b, c.centre) * (b.to - b.from) - c.centre : circle_of(b).centre - c.centre;
-  const double size = length(towards);
-  const Vec2 unit = size > tol::same_point ? (1 / size) * towards : Vec2{1, 0};
-  for (const double side : {1.0, -1.0}) {
-    const Vec2 p = c.centre + side * c.radius * unit;
-    const double part = part_of_angle(a, c, p);
-    if (part >= 0 && part <= 1) points.push_back(p);
-  }
+/// The edge in the form that is measured.
+PlanePiece piece_of(const Edge& e) {
+  if (is_line(e)) return PlanePiece::of(ContourElement::line(e.from, e.to));
+  return PlanePiece::of(ContourElement::arc(e.from, e.to, circle_of(e).centre, swept_deg(e) / 360));
 }
 
 }  // namespace
@@ -129,16 +121,7 @@ double nearest_part(const Edge& e, Vec2 p) {
 
 double distance(const Edge& e, Vec2 p) { return length(p - at(e, nearest_part(e, p))); }
 
-double distance(const Edge& a, const Edge& b) {
-  if (!meetings(a, b).empty()) return 0;
-  double least = std::min(std::min(distance(a, b.from), distance(a, b.to)), std::min(distance(b, a.from), distance(b, a.to)));
-  std::vector<Vec2> of_a, of_b;
-  normals(of_a, a, b);
-  normals(of_b, b, a);
-  for (const Vec2 p : of_a) least = std::min(least, distance(b, p));
-  for (const Vec2 p : of_b) least = std::min(least, distance(a, p));
-  return least;
-}
+double distance(const Edge& a, const Edge& b) { return kadr::distance(piece_of(a), piece_of(b)); }
 
 std::vector<Vec2> meetings(const Edge& a, const Edge& b) {
   std::vector<Vec2> points;
@@ -163,15 +146,9 @@ void Bounds::take(Vec2 p) {
 }
 
 void Bounds::take(const Edge& e) {
-  take(e.from);
-  take(e.to);
-  if (is_line(e)) return;
-  const Circle c = circle_of(e);
-  for (const Vec2 unit : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
-    const Vec2 p = c.centre + c.radius * unit;
-    const double part = part_of_angle(e, c, p);
-    if (part >= 0 && part <= 1) take(p);
-  }
+  const Box2 box = piece_of(e).box;
+  take(box.least);
+  take(box.most);
 }
 
 bool Bounds::near(const Bounds& other, double reach) const {
