@@ -51,6 +51,7 @@ void RadiusCompensation::release_first() {
   }
   first.waiting.clear();
   regular_start_ = first.regular;
+  radius_before_ = first.motion.tool_radius;
   go_round(first, std::move(before));
   drop_first();
 }
@@ -178,11 +179,12 @@ void RadiusCompensation::shift(FrameChange& frame) const {
   frame.work[second_] += vector_.y;
 }
 
-/// Motions at feed along the contour; neither the way in nor the way out, nor what is next to a change of side.
+/// Motions at feed along the contour; neither the way in nor the way out, nor what is next to a change of side, nor what holds its
+/// vector (G38), as that is meant to leave the contour.
 void RadiusCompensation::watch_last() {
   Held& now = last_held();
   const Motion& m = now.motion;
-  const bool plain = m.side_step != SideStep::begins && m.side_step != SideStep::ends;
+  const bool plain = m.side_step == SideStep::none || m.side_step == SideStep::begun;
   if (m.side_step == SideStep::begins || m.side_step == SideStep::begun) astray_ = false;
   now.watched = plain && !astray_ && m.kind != MotionKind::rapid && m.tool_radius > 0;
   if (count_ > 1 && held(count_ - 2).motion.side * m.side < 0) {
@@ -195,13 +197,14 @@ void RadiusCompensation::watch_last() {
 void RadiusCompensation::watch_way(const Held& held, Vec2 end_vector) {
   if (!held.watched) return;
   const Motion& m = held.motion;
+  const double radius = std::min(m.tool_radius, radius_before_);  // a new D: the allowance changes on the way
   const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
   ContourSpan known;
   if (is_arc(m.kind) == held.element.is_arc && lies_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))
     known = {held.number - (regular_start_ ? 1 : 0), held.number + (held.regular ? 1 : 0)};
-  if (is_arc(m.kind)) watch_.path(ContourElement::arc(from, to, m.center, turns), m.tool_radius, held.origin, known);
-  else if (length(to - from) > tol::same_point) watch_.path(ContourElement::line(from, to), m.tool_radius, held.origin, known);
+  if (is_arc(m.kind)) watch_.path(ContourElement::arc(from, to, m.center, turns), radius, held.origin, known);
+  else if (length(to - from) > tol::same_point) watch_.path(ContourElement::line(from, to), radius, held.origin, known);
 }
 
 void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known) {

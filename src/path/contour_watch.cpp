@@ -50,7 +50,7 @@ void ContourWatch::path(const ContourElement& way, double radius, const Origin& 
 }
 
 void ContourWatch::compare(const Seen& contour, const Seen& path) {
-  const double radius = std::min(contour.radius, path.radius);  // a new D: the allowance changes on the way
+  const double radius = std::min(contour.radius, path.radius);
   const double allowed = radius - tol::same_point - worst_.depth - contour.piece.slack - path.piece.slack;
   if (allowed <= 0) return;
   const double away = distance(contour.piece, path.piece);

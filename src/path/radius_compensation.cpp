@@ -171,8 +171,9 @@ void RadiusCompensation::contour(Action& action) {
     const JunctionVectors& end = last_held().end;
     start = end.count > 0 ? end.last() : beside;
   } else if (zero_) {
-    watch_step(vector_, beside, m, zero_->origin, {});
-    step(beside, std::get<Motion>(zero_->what), zero_->origin);
+    const auto& like = std::get<Motion>(zero_->what);
+    if (like.side_step == SideStep::none) watch_step(vector_, beside, m, zero_->origin, {});
+    step(beside, like, zero_->origin);
     zero_.reset();
     start = beside;
   } else if (m.side_step == SideStep::begun) {

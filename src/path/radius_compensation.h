@@ -119,6 +119,7 @@ class RadiusCompensation {
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
   ContourWatch watch_;
+  double radius_before_ = 0;    // of the motion handed out last, mm
   bool regular_start_ = false;  // the first of the window begins where such a junction ended
   bool astray_ = false;         // after an alarm or an end: nothing is known of the contour until it begins anew
   std::vector<CompensationFault> warnings_;

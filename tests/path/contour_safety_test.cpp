@@ -123,6 +123,35 @@ RC_GTEST_PROP(contour_safety, what_is_told_is_true, ()) {
   if (nearest(contour, outcome) < tool - outcome.told - 2 * tol::same_point) RC_FAIL(shown(contour, outcome));
 }
 
+/// A straight contour of six lines, its motions as `change` leaves them.
+template <class Change>
+double told_of_a_line(const Change& change) {
+  Contour c;
+  c.line(20, 1, tool).side_step = SideStep::begins;
+  for (int i = 0; i < 6; ++i) c.line(20, 1, tool);
+  c.line(20, 0, tool).side_step = SideStep::ends;
+  change(c.motions);
+  return carried_out(c, {}).told;
+}
+
+TEST(contour_safety, what_leaves_the_contour_on_purpose_is_not_told) {
+  using Motions = std::vector<Motion>;
+  EXPECT_EQ(told_of_a_line([](Motions&) {}), 0);
+  EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].tool_radius = m[4].tool_radius = 0; }), 0);  // D0 … D1
+  EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].tool_radius = tool / 2; }), 0);
+  EXPECT_EQ(told_of_a_line([](Motions& m) { m[3].kind = m[4].kind = MotionKind::rapid; }), 0);
+  EXPECT_EQ(told_of_a_line([](Motions& m) {  // G42 in a block of zero displacement
+              m[0].to = m[0].machine = Axes{};
+              m[0].named = 3;
+            }),
+            0);
+  EXPECT_GT(told_of_a_line([](Motions& m) {  // round a chamfer too short for the tool
+              const std::array<Vec2, 4> ends{Vec2{81, 1}, Vec2{81, 60}, Vec2{81, 80}, Vec2{81, 100}};
+              for (std::size_t i = 0; i < ends.size(); ++i) m[4 + i].to = m[4 + i].machine = {ends[i].x, ends[i].y};
+            }),
+            0);
+}
+
 /// A motion goes along its programmed way, never against it.
 bool runs_back(const Contour& contour, const Outcome& outcome) {
   Axes from{};
