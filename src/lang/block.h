@@ -142,6 +142,24 @@ enum class Marker : std::uint8_t {
   section,        // `L` alone: subprograms follow (2С42 6.3.5)
 };
 
+/// The addresses of a plain block in their order, and its codes: blocks of the same shape ask for the same (lang/plain_block).
+struct BlockShape {
+  std::uint64_t first = 0, second = 0;  // the last word in the lowest bits
+  friend bool operator==(const BlockShape&, const BlockShape&) = default;
+  /// False: it is no plain block, has no words, or more than there is room for.
+  explicit operator bool() const { return first != 0; }
+
+  /// `code`: of G and M, else -1.
+  void add(char letter, std::int32_t code) {
+    constexpr unsigned letter_bits = 7, code_bits = 17;
+    const unsigned bits = code >= 0 ? letter_bits + code_bits : letter_bits;
+    if (second >> (64 - bits) != 0) return void(*this = {0, ~std::uint64_t{0}});  // stays so
+    const std::uint64_t item = (code >= 0 ? static_cast<std::uint64_t>(code) << letter_bits : 0) | static_cast<std::uint64_t>(letter);
+    second = second << bits | first >> (64 - bits);
+    first = first << bits | item;
+  }
+};
+
 struct Block {
   std::string_view text;  // UTF-8 text of its line; valid until the next block is read
   Position position;
@@ -158,6 +176,7 @@ struct Block {
   std::uint64_t letters = 0;                      // bit (address - 'A') for each address present
   std::array<std::uint8_t, most_addresses> at{};  // first word of each present address
   std::array<Word, limits::block_words> words;
+  BlockShape shape;
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
   std::vector<Span> comments;   // the text between the brackets
@@ -191,6 +210,7 @@ struct Block {
     number_digits = skip = 0;
     number = label = word_count = 0;
     letters = 0;
+    shape = {};
     code.clear();
     assignments.clear();
     comments.clear();

@@ -16,7 +16,7 @@ bool has_high_bytes(std::string_view bytes) {
 }  // namespace
 
 BlockReader::BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
-    : lines_(std::move(source)), grammar_(grammar), encoding_(encoding) {
+    : lines_(std::move(source)), grammar_(grammar), plain_(grammar), encoding_(encoding) {
   if (encoding_) return;
   encoding_ = detect_encoding(lines_.sample());
   guessed_ = encoding_.has_value();
@@ -94,6 +94,10 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
 }
 
 Status BlockReader::lex_line(Block& block) {
+  if (first_mark_ == no_mark && plain_.read(text_, rest_, block)) [[likely]] {
+    rest_ = text_.size();
+    return {};
+  }
   auto lexed = lex_block(text_, rest_, is_text_, grammar_, block);
   const bool unclear = lexed ? lexed->needs_utf8 : has_high_bytes(text_);
   if (unclear && !is_text_) {

@@ -7,6 +7,7 @@
 
 #include "lang/block.h"
 #include "lang/line_reader.h"
+#include "lang/plain_block.h"
 
 namespace kadr {
 
@@ -37,11 +38,14 @@ class BlockReader {
   Status decode_line();
   Status join_comment(Block& block, std::size_t open);
 
+  static constexpr std::uint64_t no_mark = ~std::uint64_t{0};
+
   LineReader lines_;
   const Grammar& grammar_;
+  PlainBlocks plain_;
   std::optional<Encoding> encoding_;
   bool guessed_ = false;
-  std::uint64_t first_mark_ = ~std::uint64_t{0};  // offset of the first line with a block that ended with ПС or LF
+  std::uint64_t first_mark_ = no_mark;  // offset of the first line with a block that ended with ПС or LF
   Line line_;
   std::string decoded_;    // the line in UTF-8, where it is not already
   std::string joined_;     // the line and those that its comment goes over (nct 14.3)
