@@ -276,6 +276,7 @@ Status Machinery::attempt() {
   block_exact = block_machine_coordinates = false;
   waiting_count_ = 0;
   flow_before_.reset();
+  shape_ = shapes_.of(def, *block);
   if (nct) nct->begin_block();
   if (!block->code.empty() && !nct) {  // nct assigns in blocks of their own
     take_moment();
@@ -305,9 +306,19 @@ Status Machinery::words() {
   return nct ? nct::after_block(*this) : Status();
 }
 
-/// The block's plan; of one that a loop carries out again, the plan of the last pass where nothing it depends on has changed.
+/// The block's plan: that of its shape; of one that a loop carries out again, that of the last pass where nothing it depends on has
+/// changed.
 Status Machinery::plan() {
   const std::int16_t motion_row = nct ? nct::motion_row(*this) : modal.motion_row;
+  if (ShapeFacts* const facts = shape(); facts != nullptr) [[likely]] {
+    plan_now_ = &facts->plan;
+    if (facts->planned && facts->motion_row == motion_row) return {};
+    facts->planned = false;
+    KADR_TRY(plan_block(def, letters, *block, motion_row, facts->plan));
+    facts->planned = true;
+    facts->motion_row = motion_row;
+    return {};
+  }
   plan_now_ = &plan_;
   if (!block->kept || block->codes_vary) return plan_block(def, letters, *block, motion_row, plan_);
   if (plans_.empty()) plans_.resize(kept_plans);

@@ -14,6 +14,7 @@
 #include "control/flow.h"
 #include "control/nct/waiting.h"
 #include "control/plan.h"
+#include "control/shapes.h"
 #include "control/state.h"
 #include "control/variables.h"
 
@@ -26,8 +27,8 @@ struct Commons;
 
 class Machinery;
 
-inline constexpr double farthest = 1e7;         // mm, degrees: a coordinate beyond ten kilometres is a mistake
-inline constexpr std::size_t batch_size = 256;  // actions handed on at a time
+inline constexpr double farthest = 1e7;        // mm, degrees: a coordinate beyond ten kilometres is a mistake
+inline constexpr std::size_t batch_size = 64;  // actions handed on at a time
 
 /// What goes on behind its block, some actions at a time, so that a cycle of any length runs in constant memory.
 class Running {
@@ -82,6 +83,8 @@ class Machinery {
   Span where(char letter) const;
   /// The block holds a code of one of these functions.
   bool has_code(std::initializer_list<Function> functions) const;
+  /// What is known of blocks like this one; nullptr: it is no plain block, or words were taken away from it.
+  ShapeFacts* shape() const { return block->altered ? nullptr : shape_; }
   /// A cycle of the block is being carried out.
   bool cycling() const { return cycle_run.active() || ellipse_run.active() || running != nullptr; }
   /// Every value within the limits of its address.
@@ -238,7 +241,11 @@ class Machinery {
   void take_moment();
   void take_small_moment() {
     small_moment_taken_ = true;
-    small_moment_ = {modal.feed, modal.feed_known, modal.motion, modal.motion_row, modal.rows};
+    small_moment_.feed = modal.feed;
+    small_moment_.feed_known = modal.feed_known;
+    small_moment_.motion = modal.motion;
+    small_moment_.motion_row = modal.motion_row;
+    small_moment_.rows = modal.rows;
   }
   void take_back(std::size_t actions);
   Origin origin_of_block() const;
@@ -256,6 +263,8 @@ class Machinery {
   static constexpr std::size_t kept_plans = 64;
   std::vector<KeptPlan> plans_;
   Plan* plan_now_ = &plan_;
+  Shapes shapes_;
+  ShapeFacts* shape_ = nullptr;                              // of the block in hand
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;
   std::optional<Flow::Place> flow_before_;  // kept where a block has more than one item that jumps

@@ -103,6 +103,8 @@ double Machinery::value(char letter) const {
 }
 
 bool Machinery::has_code(std::initializer_list<Function> functions) const {
+  if (const ShapeFacts* const facts = shape(); facts != nullptr && facts->shape == block->shape) [[likely]]
+    return std::any_of(functions.begin(), functions.end(), [&](Function f) { return facts->functions[static_cast<std::size_t>(f)]; });
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];
     const std::int32_t row = w.code < 0 || w.address == 0 ? -1 : def.row_of(w.address, w.code);

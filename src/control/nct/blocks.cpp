@@ -196,13 +196,18 @@ Result<bool> before_plan(Machinery& m) {
     KADR_TRY(data_line(m));
     return true;
   }
-  auto done = call_with_block(m);
-  if (!done || *done) return done;
-  done = call_by_code(m);
-  if (!done || *done) return done;
+  if (const auto called = call_with_block(m); !called || *called) return called;
+  if (const auto called = call_by_code(m); !called || *called) return called;
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary) {  // known to be right from the pass before
     if (!m.block->calls_macro) note_words(m);
     else if (m.block->has_number) nct.state.words.n = m.block->number;
+    return false;
+  }
+  if (const ShapeFacts* const shape = m.shape(); shape != nullptr && shape->words_right) {
+    KADR_TRY(check_values(m));
+    note_words(m);
+    m.block->calls_macro = false;
+    m.block->checked = m.block->letters;
     return false;
   }
   m.block->calls_macro = m.has('G') && m.has_code({Function::macro_call, Function::macro_modal});
@@ -220,6 +225,7 @@ Result<bool> before_plan(Machinery& m) {
   KADR_TRY(check_increment_of_r(m));
   const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
   m.block->checked = plain ? m.block->letters : 0;
+  if (ShapeFacts* const shape = m.shape(); shape != nullptr) shape->words_right = plain;
   note_words(m);
   return false;
 }

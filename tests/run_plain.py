@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Plain blocks are read and planned quickly (lang/plain_block, control/shapes). A comment makes a block one that is not plain: with
+and without one at the end of each block a program gives the same trace and the same alarms.
+
+    run_plain.py --kadr build/kadr [--seed 4] [--count 60]
+
+Random programs of few shapes and many modes, good blocks and bad ones, and the programs of tests/golden and tests/cases.
+"""
+import argparse
+import json
+import random
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+TIME_LIMIT_S = 30
+COMMENT = ' (.)'
+COMMANDS = (['run', '--quiet', '--trace', '-'], ['check'])  # checking goes on behind an alarm
+MARK = re.compile(r'^ *\^~*\n', re.MULTILINE)  # below an alarm's characters, which may be the whole block's
+PLAIN = re.compile(r'[A-Za-z0-9 .+-]*[0-9.] *')  # as far as can be told without the control's grammar
+LENGTH = {'X', 'Y', 'Z', 'I', 'J', 'R', 'Q'}
+ANY = ['G90', 'G91', 'G17', 'G18', 'G19', 'G40', 'G41 D1', 'G42 D1', 'G43 H1', 'G49', 'G54', 'G55', 'G94', 'G95', 'G61', 'G64', 'G4 P',
+       'G0', 'G1', 'G2', 'G3', 'G80', 'G81 X Y Z R F', 'G81', 'G83 X Y Z R Q F', 'M3', 'M5', 'M8', 'M9', 'S', 'T1', 'F', 'G28 X Y',
+       'G53 X Z', 'G92 X Y', 'G0 X Y', 'G0 Z', 'G1 X', 'G1 Y F', 'X', 'Y', 'Z', 'X Y', 'X Y Z', 'G1 X Y', 'G2 X Y R', 'G3 X Y I J', 'X Y I J',
+       'X Y R', 'G1 G2 X', 'G1 G1', 'X X', 'G199', 'M99', 'M199', 'H1', 'D1', 'P1', 'E1', 'L2', 'R', 'I', 'G1 G91 X', 'G90 G0 X Y']
+OF = {'nct': ANY + ['G68 X Y R', 'G69', 'G51.1 X', 'G50.1', 'G16', 'G15', 'G10 L2 P1 X', 'G52 X', 'G65 P9999 A', 'G33 Z E', 'G22 X Y Z I J',
+                    'G21', 'G20', 'M98 P1', 'U', 'G9 X', 'G38', 'G39'],
+      'mach3': ANY + ['G52 X', 'G68 A0 B0 R', 'G69', 'G51 X', 'G50', 'G15', 'G16', 'G10 L2 P1 X', 'G93', 'G98', 'G99', 'G21', 'G20', 'A', 'G31 X'],
+      'gost': ANY, 'correctors': ANY}
+SETUP = {'offsets': {'1': {'radius': 2, 'length': 30}}}
+
+
+def block(choose, shapes):
+    words = []
+    for word in choose.choice(shapes).split():
+        if len(word) > 1:
+            words.append(word)
+        elif word in LENGTH:
+            words.append(f'{word}{choose.randint(-40, 40)}{choose.choice(("", ".", ".5", ".25"))}')
+        else:
+            words.append(word + str(choose.choice((0, 1, 100, 250, -5))))
+    number = f'N{choose.randint(1, 999)} ' if choose.random() < 0.2 else ''
+    return number + choose.choice((' ', '' if all(len(w) > 1 for w in words) else ' ')).join(words)
+
+
+def random_programs(choose, count):
+    for i in range(count):
+        control = choose.choice(sorted(OF))
+        shapes = choose.sample(OF[control], 12) + ['G1 X Y F', 'X Y']
+        blocks = ['%'] if control == 'correctors' else []
+        blocks += [block(choose, shapes) for _ in range(100)]
+        yield f'random {i}', control, SETUP, '\n'.join(blocks) + '\n'
+
+
+def programs_of_cases():
+    for path in sorted([*HERE.glob('golden/*/*.json'), *HERE.glob('cases/*/*.json')]):
+        case = json.loads(path.read_text(encoding='utf-8'))
+        cases = case if isinstance(case, list) else [case]
+        for one in cases:
+            if isinstance(one, dict) and isinstance(one.get('program'), str) and one.get('control') in OF:
+                yield path.name, one['control'], one.get('setup', {}), one['program']
+
+
+def commented(program):
+    return '\n'.join(line + COMMENT if PLAIN.fullmatch(line.strip()) else line for line in program.split('\n'))
+
+
+def outcome(kadr, folder, name, commands, control, setup, program):
+    """What is said and done, without the comments."""
+    path, said = folder / name, []
+    path.write_text(program, encoding='utf-8')
+    (folder / f'{name}.json').write_text(json.dumps(setup), encoding='utf-8')
+    for command in commands:
+        made = subprocess.run([kadr, command[0], path, '--control', control, '--setup', folder / f'{name}.json', *command[1:]],
+                              capture_output=True, text=True, timeout=TIME_LIMIT_S)
+        said.append(made.returncode)
+        said += [MARK.sub('', text.replace(COMMENT, '').replace(name, '')) for text in (made.stdout, made.stderr)]
+    return said
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--kadr', required=True)
+    parser.add_argument('--seed', type=int, default=4)
+    parser.add_argument('--count', type=int, default=60)
+    options = parser.parse_args()
+    kadr, choose = str(Path(options.kadr).resolve()), random.Random(options.seed)
+    programs = [*random_programs(choose, options.count), *programs_of_cases()]
+    with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(2) as pool:
+        folder = Path(name)
+
+        def differs(item):
+            number, (_, control, setup, program) = item
+            commands = COMMANDS if number < options.count else COMMANDS[:1]
+            plain = outcome(kadr, folder, f'a{number:05}', commands, control, setup, program)
+            other = outcome(kadr, folder, f'b{number:05}', commands, control, setup, commented(program))
+            return None if plain == other else (plain, other)
+
+        results = list(pool.map(differs, enumerate(programs)))
+    failed = [(program, result) for program, result in zip(programs, results) if result]
+    for (name, control, _, program), (plain, other) in failed[:5]:
+        print(f'FAIL {control} {name}\n{program}')
+        for a, b in zip(plain, other):
+            pairs = zip(str(a).split('\n'), str(b).split('\n'))
+            print(next((f'plain:     {x}\ncommented: {y}' for x, y in pairs if x != y), ''))
+    changed = sum(commented(p[3]) != p[3] for p in programs)
+    print(f'{len(programs)} programs, {changed} of them with plain blocks, {len(failed)} differ')
+    sys.exit(1 if failed or changed < options.count else 0)
+
+
+if __name__ == '__main__':
+    main()
