@@ -124,8 +124,6 @@ struct Motion {
   bool own_override = false;                      // feed override counts as 100 % (tapping, threads)
   bool in_position = false;                       // at its end the axes must come into position (nct 4.1.1, 6.3)
   AxisMask named = 0;                             // axes whose position it gives anew
-  Axes to;                                        // work coordinates at its end
-  Axes machine;                                   // machine coordinates at its end
   Vec2 center;                                    // of an arc: of its first and second axis, work coordinates
   double turns = 0;                               // swept angle / 360, positive; the radius changes linearly with the angle
   double feed = 0;                                // as commanded, in `unit`
@@ -137,6 +135,8 @@ struct Motion {
   double tool_radius = 0;                         // mm, at its end
   double join = 0;                                // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
   std::shared_ptr<const MotionDetail> detail;     // mostly nullptr
+  Axes to{};                                      // work coordinates at its end
+  Axes machine{};                                 // machine coordinates at its end
 };
 
 struct Dwell {
@@ -267,23 +267,25 @@ struct Action {
 class ActionBatch {
  public:
   Action& add() {
-    if (size_ == actions_.size()) actions_.emplace_back();
-    return actions_[size_++];
+    if (end_ == actions_.size()) actions_.emplace_back();
+    return actions_[end_++];
   }
-  void clear() { size_ = 0; }
-  void cut(std::size_t size) { size_ = size; }
-  std::size_t size() const { return size_; }
-  bool empty() const { return size_ == 0; }
-  Action& operator[](std::size_t i) { return actions_[i]; }
-  Action& back() { return actions_[size_ - 1]; }
-  Action* begin() { return actions_.data(); }
-  Action* end() { return actions_.data() + size_; }
-  const Action* begin() const { return actions_.data(); }
-  const Action* end() const { return actions_.data() + size_; }
+  /// One more before the first: once, until the batch is cleared.
+  Action& add_front() { return actions_[begin_ = 0]; }
+  void clear() { begin_ = end_ = 1; }
+  void cut(std::size_t size) { end_ = begin_ + size; }
+  std::size_t size() const { return end_ - begin_; }
+  bool empty() const { return end_ == begin_; }
+  Action& operator[](std::size_t i) { return actions_[begin_ + i]; }
+  Action& back() { return actions_[end_ - 1]; }
+  Action* begin() { return actions_.data() + begin_; }
+  Action* end() { return actions_.data() + end_; }
+  const Action* begin() const { return actions_.data() + begin_; }
+  const Action* end() const { return actions_.data() + end_; }
 
  private:
-  std::vector<Action> actions_;
-  std::size_t size_ = 0;
+  std::vector<Action> actions_ = std::vector<Action>(1);
+  std::size_t begin_ = 1, end_ = 1;  // the first place is kept free
 };
 
 /// An alarm with its place, as people and traces see it.

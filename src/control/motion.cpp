@@ -46,8 +46,10 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.own_override = motion.in_position = false;
   motion.detail.reset();
   motion.named = named;
-  motion.to = position.work;
-  motion.machine = position.machine;
+  for (std::size_t a = 0; a < axis_count; ++a) {  // the others stay 0
+    motion.to[a] = position.work[a];
+    motion.machine[a] = position.machine[a];
+  }
   motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
   motion.tolerance = modal.blend_tolerance;
   motion.join = 0;

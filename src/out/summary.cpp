@@ -75,11 +75,12 @@ std::string box_text(const Box& box) {
 
 }  // namespace
 
-void Box::take(Vec3 p) {
-  if (empty) least = most = p;
-  empty = false;
-  least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-  most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+Box Statistics::box() const {
+  Box all = cutting_box_;
+  if (other_box_.empty) return all;
+  all.take(other_box_.least);
+  all.take(other_box_.most);
+  return all;
 }
 
 Statistics::Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates, const ToolPosition& start)
@@ -105,16 +106,15 @@ MotionTime Statistics::take_motion(const Motion& motion) {
   const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::thread || curve.arc();
   ++(curve.arc() ? arcs_ : motion.kind == MotionKind::rapid ? rapids_ : cuts ? feeds_ : others_);
   (cuts || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += time.length;
-  const auto take = [&](Vec3 p) {
-    box_.take(p);
-    if (cuts) cutting_box_.take(p);
-  };
-  take(roles_.point(position_.work));
-  take(roles_.point(motion.to));
+  Box& box = cuts ? cutting_box_ : other_box_;
+  const Stands stands = cuts ? Stands::in_cutting_box : Stands::in_other_box;
+  if (stands_ != stands) box.take(roles_.point(position_.work));  // else the motion before ended there
+  stands_ = stands;
+  box.take(roles_.point(motion.to));
   if (!curve.straight()) {
     const Extents extents = curve.extents();
-    take(roles_.point(extents.least));
-    take(roles_.point(extents.most));
+    box.take(roles_.point(extents.least));
+    box.take(roles_.point(extents.most));
   }
   position_.take(motion);
   return time;
@@ -122,7 +122,10 @@ MotionTime Statistics::take_motion(const Motion& motion) {
 
 MotionTime Statistics::take(const Action& action) {
   if (const auto* motion = std::get_if<Motion>(&action.what)) return take_motion(*motion);
-  if (const auto* frame = std::get_if<FrameChange>(&action.what)) position_.take(*frame);
+  if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
+    position_.take(*frame);
+    stands_ = Stands::in_neither;
+  }
   if (const auto* change = std::get_if<ToolChange>(&action.what)) use(change->tool);
   estimate_.other(action);
   return {};
@@ -138,7 +141,7 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   text += line(w.motions, motions + ")");
   text += line(w.path, fmt::format("{} {}, {} {}", w.cutting, number_text(cutting_mm_, 3), w.rapid, number_text(rapid_mm_, 3)));
   if (!cutting_box_.empty) text += line(w.cutting_box, box_text(cutting_box_));
-  if (!box_.empty) text += line(w.box, box_text(box_));
+  if (const Box all = box(); !all.empty) text += line(w.box, box_text(all));
   text +=
       line(w.time, fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(t.total()), w.cutting, duration_text(t.cutting), w.rapid,
                                duration_text(t.rapid), w.dwell, duration_text(t.dwell), w.tool_change, duration_text(t.tool_change)));

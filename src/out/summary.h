@@ -1,6 +1,7 @@
 #pragma once
 // Statistics: what a run came to, for the summary on stdout (design.md 5).
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,12 @@ struct Box {
   Vec3 least;
   Vec3 most;
   bool empty = true;
-  void take(Vec3 p);
+  void take(Vec3 p) {
+    if (empty) least = most = p;
+    empty = false;
+    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+  }
 };
 
 /// Takes Actions in order; cheap per action, no memory but for the tools.
@@ -43,7 +49,7 @@ class Statistics {
   double cutting_mm() const { return cutting_mm_; }
   double rapid_mm() const { return rapid_mm_; }
   const Box& cutting_box() const { return cutting_box_; }
-  const Box& box() const { return box_; }
+  Box box() const;
   const TimeSplit& time() const { return estimate_.split(); }
   const std::vector<ToolUse>& tools() const { return tools_; }
 
@@ -57,8 +63,9 @@ class Statistics {
   std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // others: probe, home
   std::uint64_t alarms_ = 0, warnings_ = 0;
   double cutting_mm_ = 0, rapid_mm_ = 0;
-  Box cutting_box_, box_;
-  std::vector<ToolUse> tools_;  // in order of first use
+  Box cutting_box_, other_box_;  // of motions that cut, of others
+  enum class Stands : std::uint8_t { in_neither, in_cutting_box, in_other_box } stands_ = Stands::in_neither;  // the tool
+  std::vector<ToolUse> tools_;                                                                                 // in order of first use
   std::size_t in_spindle_ = 0;  // index in tools_; its size: none known
 };
 

@@ -39,8 +39,7 @@ void RadiusCompensation::release_first() {
     if (!fault_) fault(alarm(id, {}), origin);
     return;
   }
-  std::optional<Motion> before;
-  if (first.end.round) before = first.motion;
+  if (first.end.round) round_first_ = first.motion;  // it is about to go
   if (!let_go(first)) return;
   vector_ = first.end.first();
   for (Action& action : first.waiting) {
@@ -52,15 +51,15 @@ void RadiusCompensation::release_first() {
   first.waiting.clear();
   regular_start_ = first.regular;
   radius_before_ = first.motion.tool_radius;
-  go_round(first, std::move(before));
+  go_round(first);
   drop_first();
 }
 
-/// From the first vector at the end of `first` to the last: with the next motion's feed and kind. `before`: round by an arc, as that.
-void RadiusCompensation::go_round(const Held& first, std::optional<Motion> before) {
+/// From the first vector at the end of `first` to the last: with the next motion's feed and kind; by an arc as the first one's.
+void RadiusCompensation::go_round(const Held& first) {
   const bool follows = count_ > 1;
-  if (before) {
-    const Motion& like = !follows || held(1).motion.kind == MotionKind::rapid ? *before : held(1).motion;
+  if (first.end.round) {
+    const Motion& like = !follows || held(1).motion.kind == MotionKind::rapid ? round_first_ : held(1).motion;
     return round(first.end.last(), follows ? held(1).origin : first.origin, like);
   }
   const ContourSpan known = first.regular ? ContourSpan{first.number, first.number + 1} : ContourSpan{};
@@ -203,14 +202,14 @@ void RadiusCompensation::watch_way(const Held& held, Vec2 end_vector) {
   ContourSpan known;
   if (is_arc(m.kind) == held.element.is_arc && lies_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))
     known = {held.number - (regular_start_ ? 1 : 0), held.number + (held.regular ? 1 : 0)};
-  if (is_arc(m.kind)) watch_.path(ContourElement::arc(from, to, m.center, turns), radius, held.origin, known);
-  else if (length(to - from) > tol::same_point) watch_.path(ContourElement::line(from, to), radius, held.origin, known);
+  if (is_arc(m.kind)) watch_.path(PlanePiece::arc(from, to, m.center, turns), radius, held.origin, known);
+  else if (length(to - from) > tol::same_point) watch_.path(PlanePiece::line(from, to), radius, held.origin, known);
 }
 
 void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known) {
   const Vec2 point = in_plane(stand_.work);
   if (like.kind == MotionKind::rapid || length(to - from) <= tol::same_point) return;
-  watch_.path(ContourElement::line(point + from, point + to), like.tool_radius, origin, known);
+  watch_.path(PlanePiece::line(point + from, point + to), like.tool_radius, origin, known);
 }
 
 void RadiusCompensation::end_watch() {

@@ -11,6 +11,7 @@
 namespace kadr {
 
 std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follows follows) {
+  put_back(batch);
   const std::size_t begin = held_ ? 0 : untouched(batch, follows);
   follow(batch, 0, begin);
   if (!held_ && begin == batch.size()) return std::nullopt;  // mostly
@@ -25,6 +26,20 @@ std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follow
   else
     for (Action& action : out_) batch.add() = std::move(action);
   return fault_;
+}
+
+/// A held motion whose end is the programmed one, as the next motion shows, is the first of the batch.
+void ContourCorners::put_back(ActionBatch& batch) {
+  if (!held_ || contour_of(held()) != nullptr || held_->start.cut > 0 || held_->start.calculated) return;
+  if (!waiting_.empty() || !settled_.empty()) return;
+  for (const Action& action : batch) {
+    const auto* const next = std::get_if<Motion>(&action.what);
+    if (next == nullptr) continue;
+    if (contour_of(*next) != nullptr) return;
+    batch.add_front() = std::move(held_->action);
+    held_.reset();
+    return;
+  }
 }
 
 /// How many actions no corner concerns: up to the first motion with chapter 17's data, or to the last one, which a next batch may cut.

@@ -43,6 +43,7 @@ class ContourCorners {
     Vec2 end;  // programmed
   };
 
+  void put_back(ActionBatch& batch);
   std::size_t untouched(const ActionBatch& batch, Follows follows) const;
   void follow(const ActionBatch& batch, std::size_t from, std::size_t end);
   void next(ActionBatch& batch, std::size_t place, Follows follows);

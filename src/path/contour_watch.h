@@ -28,7 +28,7 @@ class ContourWatch {
   ///   returns  its number
   std::uint64_t contour(const ContourElement& element, double radius, const Origin& origin);
   /// A piece of the way of the tool's centre.
-  void path(const ContourElement& way, double radius, const Origin& origin, ContourSpan known);
+  void path(const PlanePiece& way, double radius, const Origin& origin, ContourSpan known);
   /// The contour is over: the deepest cut, if there was one deeper than tol::same_point. Forgets all.
   ///   law  a way that is nowhere nearer to the last `reach` pieces, or those of the next `reach`, than the radius gives none
   std::optional<ContourCut> end();
@@ -49,7 +49,7 @@ class ContourWatch {
     std::array<Seen, group_size * groups> at;
     std::array<Box2, groups> boxes;
     std::uint64_t count = 0;
-    const Seen& add(const ContourElement& element, double radius, const Origin& origin);
+    const Seen& add(const PlanePiece& piece, double radius, const Origin& origin);
     /// Calls back with those whose boxes come nearer to that of `piece` than `distance`.
     template <class Found>
     void near(const PlanePiece& piece, double distance, const Found& found) const;

@@ -65,15 +65,17 @@ double Curve::rate(FeedAlong along, double part) const {
   return std::hypot(kadr::length(flat_.rate(part)), rise(along));
 }
 
-void Curve::set_in_plane(Axes& point, Vec2 flat) const {
-  if (surface_ != PathSurface::cylinder) {
-    point[first_] = flat.x;
-    point[second_] = flat.y;
-    return;
-  }
+/// A point of the flat path as the axes of the plane stand there.
+Vec2 Curve::in_axes(Vec2 flat) const {
+  if (surface_ != PathSurface::cylinder) return flat;
   const Vec2 way = flat - flat_.at(0);
-  point[first_] = from_[first_] + way.x * unit(first_);
-  point[second_] = from_[second_] + way.y * unit(second_);
+  return {from_[first_] + way.x * unit(first_), from_[second_] + way.y * unit(second_)};
+}
+
+void Curve::set_in_plane(Axes& point, Vec2 flat) const {
+  const Vec2 there = in_axes(flat);
+  point[first_] = there.x;
+  point[second_] = there.y;
 }
 
 /// A follower's way is its master's; what else there is between its ends, in a turned frame, it goes evenly.
@@ -131,29 +133,27 @@ double Curve::nearest() const { return surface_ == PathSurface::polar ? polar().
 
 Extents Curve::extents() const {
   Extents box{from_, from_};
-  const auto take = [&](const Axes& point, AxisMask axes) {
-    for (std::size_t i = 0; i < roles_.count; ++i) {
-      if ((axes >> i & 1U) == 0) continue;
-      box.least[i] = std::min(box.least[i], point[i]);
-      box.most[i] = std::max(box.most[i], point[i]);
-    }
-  };
-  take(motion_.to, all_axes());
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    box.least[i] = std::min(box.least[i], motion_.to[i]);
+    box.most[i] = std::max(box.most[i], motion_.to[i]);
+  }
   if (straight()) return box;
-  Axes least{}, most{};
+  const auto widen = [&](std::size_t axis, double least, double most) {
+    if ((rolled_ >> axis & 1U) != 0) return;
+    box.least[axis] = std::min(box.least[axis], least);
+    box.most[axis] = std::max(box.most[axis], most);
+  };
   if (surface_ == PathSurface::polar) {
     PolarAxes low, high;
     polar().extremes(low, high);
-    least[first_] = low.linear, least[second_] = low.rotary;
-    most[first_] = high.linear, most[second_] = high.rotary;
+    widen(first_, low.linear, high.linear);
+    widen(second_, low.rotary, high.rotary);
   } else {
     const Box2 flat = flat_.box();
-    set_in_plane(least, flat.least);
-    set_in_plane(most, flat.most);
+    const Vec2 least = in_axes(flat.least), most = in_axes(flat.most);
+    widen(first_, least.x, most.x);
+    widen(second_, least.y, most.y);
   }
-  const AxisMask inside = plane_axes() & ~rolled_;
-  take(least, inside);
-  take(most, inside);
   for (std::size_t n = 0; following_ != 0 && n < motion_.detail->followers.size(); ++n) {
     const auto [axis, master, sign] = motion_.detail->followers[n];
     const double least_way = box.least[master] - from_[master], most_way = box.most[master] - from_[master];

@@ -79,6 +79,7 @@ class Curve {
   double rise(FeedAlong along) const;
   PolarPath polar() const;
   double unit(std::size_t axis) const;
+  Vec2 in_axes(Vec2 flat) const;
   void set_in_plane(Axes& point, Vec2 flat) const;
   void set_followers(Axes& point, double part) const;
 

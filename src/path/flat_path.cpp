@@ -47,9 +47,17 @@ double turning_point(double quarter, double radius, double growth_per_rad) {
 
 }  // namespace
 
-void Box2::take(Vec2 p) {
-  least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-  most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+void take_quarters(Box2& box, const CircleArc& arc) {
+  const Vec2 first = arc.first, last = arc.last;
+  const auto passes = [&](bool behind, bool before, bool not_opposite) {
+    if (arc.turns > 0.5) return arc.turns >= 1 || behind || before;
+    return behind && before && not_opposite;  // not on the other side of an arc of hardly any sweep
+  };
+  // cross(first, axis) >= 0, cross(axis, last) >= 0, and one of them is not turned away from it
+  if (passes(first.y <= 0, last.y >= 0, first.x >= 0 || last.x >= 0)) box.most.x = std::max(box.most.x, arc.center.x + arc.radius);
+  if (passes(first.x >= 0, last.x <= 0, first.y >= 0 || last.y >= 0)) box.most.y = std::max(box.most.y, arc.center.y + arc.radius);
+  if (passes(first.y >= 0, last.y <= 0, first.x <= 0 || last.x <= 0)) box.least.x = std::min(box.least.x, arc.center.x - arc.radius);
+  if (passes(first.x <= 0, last.x >= 0, first.y <= 0 || last.y <= 0)) box.least.y = std::min(box.least.y, arc.center.y - arc.radius);
 }
 
 FlatPath FlatPath::line(Vec2 from, Vec2 to) {
@@ -89,7 +97,7 @@ Vec2 FlatPath::rate(double part) const {
 double FlatPath::length(double rise) const {
   if (!arc_) return std::hypot(to_.x - from_.x, to_.y - from_.y, rise);
   const double sweep_rad = std::abs(sweep_deg_) * rad_per_deg;
-  if (radius_change_ == 0) return std::hypot(radius_ * sweep_rad, rise);
+  if (radius_change_ == 0) return rise == 0 ? radius_ * sweep_rad : std::hypot(radius_ * sweep_rad, rise);
   return spiral_length(radius_, radius_change_, rise, sweep_rad);
 }
 
@@ -97,6 +105,12 @@ Box2 FlatPath::box() const {
   Box2 box{from_, from_};
   box.take(to_);
   if (!arc_ || sweep_deg_ == 0) return box;
+  if (radius_change_ == 0 && std::abs(sweep_deg_) <= 360) {
+    const Vec2 end = to_ - center_;
+    const bool ccw = sweep_deg_ > 0;
+    take_quarters(box, {center_, radius_, ccw ? arm_ : end, ccw ? end : arm_, std::abs(sweep_deg_) / 360});
+    return box;
+  }
 
   const double start = angle_deg(arm_), sweep_rad = std::abs(sweep_deg_) * rad_per_deg;
   const double low = std::min(start, start + sweep_deg_), high = std::max(start, start + sweep_deg_);

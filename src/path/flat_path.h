@@ -2,6 +2,8 @@
 // FlatPath: a line, a circle's arc or a planar spiral in a plane. NCT 4.3: the radius changes linearly with the angle,
 // R(φ) = R0 + (R1 − R0)·φ/Φ, over any number of turns. A `part` 0..1 is that of a line's length, of an arc's angle.
 
+#include <algorithm>
+
 #include "base/vec.h"
 
 namespace kadr {
@@ -9,8 +11,22 @@ namespace kadr {
 struct Box2 {
   Vec2 least;
   Vec2 most;
-  void take(Vec2 p);
+  void take(Vec2 p) {
+    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+  }
 };
+
+/// A circle's arc, counter-clockwise from the end of one arm to that of the other.
+struct CircleArc {
+  Vec2 center;
+  double radius = 0;
+  Vec2 first, last;  // from the centre
+  double turns = 0;  // swept angle / 360, positive
+};
+
+/// Widens the box by the arc's outermost points in the directions of the axes, its ends excepted.
+void take_quarters(Box2& box, const CircleArc& arc);
 
 ///   law  at(0) is the start and at(1) the end, bit by bit
 ///   law  turned, mirrored, reversed: the same length; cut in two: the lengths add up

@@ -70,19 +70,24 @@ double inner_arcs(const PlanePiece& a, const PlanePiece& b) {
 
 }  // namespace
 
-PlanePiece PlanePiece::of(const ContourElement& e) {
+PlanePiece PlanePiece::line(Vec2 from, Vec2 to) {
   PlanePiece piece;
-  piece.from = piece.box.least = piece.box.most = e.from;
-  piece.to = e.to;
-  piece.box.take(e.to);
-  if (!e.is_arc) return piece;
+  piece.from = piece.box.least = piece.box.most = from;
+  piece.to = to;
+  piece.box.take(to);
+  return piece;
+}
+
+PlanePiece PlanePiece::arc(Vec2 from, Vec2 to, Vec2 center, double turns) {
+  PlanePiece piece = line(from, to);
+  const Vec2 start = from - center, end = to - center;
+  const double start_radius = length(start), end_radius = length(end);
   piece.is_arc = true;
-  piece.center = e.center;
-  piece.turns = e.turns;
-  piece.radius = (e.start_radius + e.end_radius) / 2;
-  piece.slack = std::fabs(e.start_radius - e.end_radius);
-  for (const Vec2 axis : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}})
-    if (passes(piece, axis)) piece.box.take(e.center + piece.radius * axis);
+  piece.center = center;
+  piece.turns = turns;
+  piece.radius = (start_radius + end_radius) / 2;
+  piece.slack = std::fabs(start_radius - end_radius);
+  take_quarters(piece.box, {center, piece.radius, turns > 0 ? start : end, turns > 0 ? end : start, std::fabs(turns)});
   return piece;
 }
 

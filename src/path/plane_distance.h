@@ -15,7 +15,11 @@ struct PlanePiece {
   double radius = 0;  // of an arc: the mean of those at its ends
   double slack = 0;   // mm, by which the radius changes along it
   Box2 box;
-  static PlanePiece of(const ContourElement& element);
+  static PlanePiece of(const ContourElement& element) {
+    return element.is_arc ? arc(element.from, element.to, element.center, element.turns) : line(element.from, element.to);
+  }
+  static PlanePiece line(Vec2 from, Vec2 to);
+  static PlanePiece arc(Vec2 from, Vec2 to, Vec2 center, double turns);
 };
 
 /// Least distance of two pieces, mm; of an arc whose radius changes within its slack.

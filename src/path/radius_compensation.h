@@ -39,6 +39,9 @@ class RadiusCompensation {
   /// Warnings of the last batch: contour_cut, one for a contour, at its deepest place.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
+  /// A contour is under way, behind what was handed out.
+  bool at_work() const { return count_ > 0 || beside(); }
+
   /// The tool does not stand on the programmed point, behind what was handed out.
   bool beside() const { return dot(vector_, vector_) > tol::same_point * tol::same_point; }
 
@@ -82,7 +85,7 @@ class RadiusCompensation {
   void release_first();
   bool let_go(Held& held);
   bool rejoin(Motion& motion, const Held& held, Vec2 end_vector) const;
-  void go_round(const Held& first, std::optional<Motion> before);
+  void go_round(const Held& first);
   void round(Vec2 to, const Origin& origin, const Motion& like);
   void step(Vec2 vector, const Motion& like, const Origin& origin);
   void hand_out(Action action);
@@ -103,7 +106,7 @@ class RadiusCompensation {
   std::size_t looked_at() const { return check_.interference ? 3U + check_.further : 2U; }
 
   static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's is not known
-  static constexpr std::size_t most_held = 12;     // 3 + 8 of N1404 (15.5.7), and the one that comes
+  static constexpr std::size_t most_held = 16;     // 3 + 8 of N1404 (15.5.7), and the one that comes; a power of two
 
   ToolPosition at_;     // programmed, behind the last action taken
   ToolPosition stand_;  // programmed, behind what was handed out
@@ -113,6 +116,7 @@ class RadiusCompensation {
   std::array<Held, most_held> window_;
   std::size_t head_ = 0, count_ = 0;
   std::array<CompensatedBlock, most_held> blocks_;
+  Motion round_first_;  // the motion before an arc about the programmed point
   ContourCheck check_;
   std::optional<Action> corner_;  // G39 waits for the next motion
   std::optional<Action> zero_;    // a block of no displacement in the plane, its way is to the next vector

@@ -37,7 +37,7 @@ class Arc {
 
   Status run() {
     if (has_geometry_words(m_) || (m_.has('R') && has_center())) KADR_TRY(geometry());
-    const double angle_before = start_angle();
+    const double angle_before = m_.modal.polar_data ? start_angle() : 0;
     m_.nct->absolute_block = over_determined();
     const Status read = m_.target(end_, named_);
     m_.nct->absolute_block = false;
@@ -49,8 +49,8 @@ class Arc {
     if (m_.has(letters_.other)) return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
     if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
     if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_wrong, call_.where, call_.row->code));
-    from_ = flat_point(m_, transformed(m_, m_.position.programmed));
-    to_ = flat_point(m_, transformed(m_, end_));
+    from_ = placed_flat(m_.position.programmed);
+    to_ = placed_flat(end_);
     if (over_determined()) return meeting_arc();
     polar_turns_ = polar_turns(angle_before);
     if (polar_turns_ && m_.transform.distorts(plane_)) return fail(alarm(AlarmId::not_available, call_.where, "G16 G51"));
@@ -159,25 +159,38 @@ class Arc {
   }
 
   Status hand_on(const PlaneArc& arc) {
+    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) return move(arc, end_), Status();  // mostly
     const Axes before = m_.position.programmed;
     Axes work = transformed(m_, end_);
     KADR_TRY(m_.within_reach(work));
     const bool cw = turn_ == Turn::cw;
     if (m_.modal.surface == PathSurface::polar)
       work = polar_work(m_, work, m_.nct->surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
-    named_ |= 1u << plane_.first | 1u << plane_.second;
-    m_.move_to(end_, work, named_);
-    Motion& motion = m_.add_motion(cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named_);
-    m_.set_feed(motion);
-    motion.center = m_.modal.surface == PathSurface::cylinder ? in_axes(arc.center) : arc.center;
-    motion.turns = arc.turns;
-    motion.along = m_.nct->settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
+    Motion& motion = move(arc, work);
+    if (m_.modal.surface == PathSurface::cylinder) motion.center = in_axes(arc.center);
     if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);
     return {};
   }
 
+  /// The tool at the arc's end, and the motion that goes there.
+  Motion& move(const PlaneArc& arc, const Axes& work) {
+    named_ |= 1u << plane_.first | 1u << plane_.second;
+    m_.move_to(end_, work, named_);
+    Motion& motion = m_.add_motion(turn_ == Turn::cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named_);
+    m_.set_feed(motion);
+    motion.center = arc.center;
+    motion.turns = arc.turns;
+    motion.along = m_.nct->settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
+    return motion;
+  }
+
   /// A programmed point of the plane; mm. Not on a cylinder.
   Vec2 placed_point(Vec2 programmed) const { return m_.transform.identity ? programmed : m_.transform.to_work(programmed, plane_); }
+
+  /// The same of any programmed point; on a cylinder unrolled.
+  Vec2 placed_flat(const Axes& programmed) const {
+    return m_.transform.identity ? flat_point(m_, programmed) : flat_point(m_, m_.transform.to_work(programmed));
+  }
 
   /// On the cylinder: from millimetres to the axes' own units.
   Vec2 in_axes(Vec2 flat) const {
