@@ -95,7 +95,7 @@ std::string AlarmTexts::sentence(const Alarm& alarm, Lang lang) const {
   const std::string& pattern = in(row(alarm.id).text, lang);
   if (!pattern.empty()) return filled(pattern, alarm);
   std::string text(alarm.id == AlarmId::count ? "alarm" : name_of(alarm.id));
-  for (std::size_t i = 0; i < alarm.arg_count; ++i) text += (i == 0 ? ": " : ", ") + text_of(alarm.args[i]);
+  for (std::size_t i = 0; i < alarm.arg_count; ++i) text.append(i == 0 ? ": " : ", ").append(text_of(alarm.args[i]));
   return text;
 }
 

@@ -46,13 +46,21 @@ std::int32_t ControlDef::row_of(char letter, std::int32_t tenth) const {
   return -1;
 }
 
-tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file) {
+namespace {
+
+tl::expected<ControlDef, std::string> parse(std::string_view toml, const std::string& file, ParametersBeside parameters) {
   std::vector<std::string> lineage;
   auto table = merged(toml, file, lineage);
   if (!table) return Failed(table.error());
-  auto def = ControlLoader(*table, file).load();
+  auto def = ControlLoader(*table, file, parameters).load();
   if (def) def->lineage = std::move(lineage);
   return def;
+}
+
+}  // namespace
+
+tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file) {
+  return parse(toml, file, ParametersBeside());
 }
 
 tl::expected<ControlDef, std::string> load_control(const std::string& name) {
@@ -68,7 +76,7 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
     for (const std::string& id : built_in_controls()) known += (known.empty() ? "" : ", ") + id;
     return Failed("no control '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)");
   }
-  return parse_control(*text, file);
+  return parse(*text, file, ParametersBeside(name));
 }
 
 std::vector<std::string> built_in_controls() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/control_def.h"
+#include "config/parameter_table.h"
 #include "config/toml_tools.h"
 
 namespace kadr {
@@ -24,7 +25,8 @@ inline constexpr std::uint32_t most_variables = first_unwritten_variable;
 
 class ControlLoader {
  public:
-  ControlLoader(const toml::table& file, std::string name) : file_(file), name_(std::move(name)) {}
+  ControlLoader(const toml::table& file, std::string name, ParametersBeside& beside)
+      : file_(file), name_(std::move(name)), beside_(beside) {}
   tl::expected<ControlDef, std::string> load();
 
  private:
@@ -75,6 +77,7 @@ class ControlLoader {
   void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
   const toml::table& file_;
   std::string name_;
+  ParametersBeside& beside_;
   ControlDef def_;
   std::map<char, std::uint8_t> most_codes_;
   std::vector<std::string> initial_;

@@ -210,7 +210,7 @@ Done ControlLoader::initial_codes() {
 Done ControlLoader::parameters() {
   const toml::node* const name = file_.get("parameters");
   if (name == nullptr) return {};
-  auto rows = load_parameters(name->value_or(std::string()));
+  auto rows = beside_.take(name->value_or(std::string()));
   if (!rows) return Failed(place(name_, *name) + rows.error());
   def_.parameters = std::move(*rows);
   return {};

@@ -148,4 +148,12 @@ tl::expected<std::vector<ParameterRow>, std::string> load_parameters(const std::
   return parse_parameters(*text, file);
 }
 
+ParametersBeside::ParametersBeside(const std::string& control) : name_(control + "-parameters") {
+  if (toml_tools::embedded_text("controls/" + name_ + ".toml")) rows_ = std::async(load_parameters, name_);
+}
+
+ParametersBeside::Rows ParametersBeside::take(const std::string& name) {
+  return rows_.valid() && name == name_ ? rows_.get() : load_parameters(name);
+}
+
 }  // namespace kadr
