@@ -5,12 +5,15 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "config/control_file.h"
 #include "config/guess.h"
 
 namespace kadr::cli {
 namespace {
+
+constexpr unsigned shown_each = 64;  // batches between two looks at the progress
 
 volatile std::sig_atomic_t interrupt_seen = 0;
 void note_interrupt(int) { interrupt_seen = 1; }
@@ -107,12 +110,23 @@ Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& s
       compensation_({control.ending().position, control.ending().machine_position}),
       machine_(control.axes(), control.rotary(), profile, setup, {control.ending().position, control.ending().machine_position}),
       rates_(rates_of(profile, setup, control.axes())) {
-  control.on_warning = outlets.warning;
+  control.on_warning = [this](const AlarmReport& warning) {
+    if (!(ahead_ && ahead_->keep(warning))) outlets_.warning(warning);
+  };
   if (control.has_machine_parameters()) machine_.obey_parameters(setup);
   control.on_signal = [this](const std::string& name, bool on) { machine_.set_signal(name, on); };
-  if (machine_.has_limits() || !logic.plc.idle()) control.hand_over_each_block();
+  const bool answers = machine_.has_limits() || !logic.plc.idle();
+  if (answers) control.hand_over_each_block();
+  if (!answers && logic.channels.size() == 1 && !control.on_changes) ahead_.emplace(control);
   if (logic.plc.idle()) return;
   control.on_block = [this](const Origin& origin, bool at_end) { apply(logic_.plc.block(origin, at_end), control_, logic_.channels); };
+}
+
+Carrier::~Carrier() {
+  ahead_.reset();  // before what the control calls goes
+  control_.on_block = nullptr;
+  control_.on_signal = nullptr;
+  control_.on_warning = nullptr;
 }
 
 /// Beside a compensated contour the control knows the programmed point only.
@@ -126,10 +140,31 @@ Carrier::Step Carrier::stop(const AlarmReport& report) {
   return Step::stopped;
 }
 
-Carrier::Step Carrier::step() {
+/// lang, control: blocks → actions.
+Control::State Carrier::next_batch() {
+  if (ahead_ && ahead_->is_going()) {
+    const Control::State state = ahead_->take(batch_, early_warnings_);
+    for (const AlarmReport& warning : early_warnings_) outlets_.warning(warning);
+    return state;
+  }
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
-  const Control::State state = control_.run(batch_);               // lang, control: blocks → actions
+  const Control::State state = control_.run(batch_);
+  // It pays only where the rooms behind the control have about as much to do: else handing over costs more than it saves.
+  const bool pays = outlets_.works_long || compensation_.at_work();
+  if (ahead_ && pays && state == Control::State::running && !control_.hands_over_each_block()) ahead_->start();
+  return state;
+}
+
+/// The control, to be asked for something.
+Control& Carrier::settled() {
+  if (ahead_) ahead_->settle();
+  return control_;
+}
+
+Carrier::Step Carrier::step() {
+  const Control::State state = next_batch();
+  const bool is_ahead = ahead_ && ahead_->is_going();              // then control_ is settled() only
   const auto corner_fault = corners_.take(batch_, behind(state));  // path: calculated corners, roundings
   if (outlets_.programmed)
     for (const Action& action : batch_) outlets_.programmed(action);
@@ -144,39 +179,40 @@ Carrier::Step Carrier::step() {
   if (!logic_.plc.idle())
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
-    const AlarmReport report = control_.report_for(*taken.alarm, taken.origin);
-    if (taken.refused) control_.refused();
+    const AlarmReport report = settled().report_for(*taken.alarm, taken.origin);
+    if (taken.refused) control_.refused();  // it hands over each block then: it is not ahead
     if (!outlets_.alarm(report)) {
       stopped_.machine_stood = machine_.position();
       return stop(report);
     }
     if (taken.refused) return Step::running;
   }
-  for (const CompensationFault& cut : compensation_.warnings()) outlets_.warning(control_.report_for(cut.alarm, cut.origin));
+  for (const CompensationFault& cut : compensation_.warnings()) outlets_.warning(settled().report_for(cut.alarm, cut.origin));
   if (!goes_on_after(fault) || !goes_on_after(corner_fault)) return Step::stopped;
-  if (state == Control::State::stopped || control_.is_stopped()) {
+  if (state == Control::State::stopped || (!is_ahead && control_.is_stopped())) {
     const AlarmReport report = control_.report();
     if (!outlets_.alarm(report)) return stop(report);
     control_.go_on();
   }
   if (state == Control::State::ended) {
+    constexpr double ms = 1000;
     if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
     note_place();
     return Step::ended;
   }
   if (interrupted()) {
-    const AlarmReport report = control_.report_for(alarm(AlarmId::interrupted, {}), batch_.empty() ? Origin() : batch_.back().origin);
+    const AlarmReport report = settled().report_for(alarm(AlarmId::interrupted, {}), batch_.empty() ? Origin() : batch_.back().origin);
     (void)outlets_.alarm(report);
     return stop(report);
   }
-  if (outlets_.batch) outlets_.batch(control_);
+  if (outlets_.batch && ++steps_ % shown_each == 0) outlets_.batch(settled());
   return state == Control::State::waiting ? Step::waiting : Step::running;
 }
 
 /// An alarm of `path`: the control was ahead of it.
 bool Carrier::goes_on_after(const std::optional<CompensationFault>& fault) {
   if (!fault) return true;
-  const AlarmReport report = control_.report_for(fault->alarm, fault->origin);
+  const AlarmReport report = settled().report_for(fault->alarm, fault->origin);
   if (outlets_.alarm(report)) return true;
   stopped_.machine_stood = machine_.position();
   stopped_.report = report;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cli/options.h"
+#include "cli/run_ahead.h"
 #include "config/machine_profile.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
@@ -51,9 +52,10 @@ struct Outlets {
   std::function<void(const AlarmReport&)> warning;
   /// An alarm; true: go on with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  std::function<void(const Control&)> batch{};      // between batches: progress
+  std::function<void(const Control&)> batch{};      // now and then: progress
   std::function<VirtualTime()> time{};              // of the actions so far; missing: counted here, if somebody asks
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
+  bool works_long = false;                          // on each action: writes or draws it
 };
 
 /// How a run came to its end.
@@ -75,7 +77,7 @@ class Carrier {
   Carrier(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic);
   Carrier(const Carrier&) = delete;  // the control calls it back
   Carrier& operator=(const Carrier&) = delete;
-  ~Carrier() { control_.on_block = nullptr, control_.on_signal = nullptr; }
+  ~Carrier();
 
   enum class Step : std::uint8_t { running, waiting, stopped, ended };
   /// Carries out what the control hands over at once.
@@ -91,6 +93,8 @@ class Carrier {
   double waited() const { return waited_; }
 
  private:
+  Control::State next_batch();
+  Control& settled();
   void count_time(const ToolPosition& from);
   VirtualTime spent();
   void note_place();
@@ -110,6 +114,9 @@ class Carrier {
   double goes_on_at_ = 0;                 // time at which it waited last …
   double spent_then_ = 0;                 // … and what it had spent until then: no sum that rounding could put out of order
   ActionBatch batch_;
+  std::optional<RunAhead> ahead_;            // where nothing behind the control tells it what to do
+  std::vector<AlarmReport> early_warnings_;  // of the batch taken last
+  unsigned steps_ = 0;
   Stopped stopped_;
 };
 

@@ -17,7 +17,6 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   bool on_;
   bool shown_ = false;
-  unsigned calls_ = 0;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };

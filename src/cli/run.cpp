@@ -113,6 +113,7 @@ class RunCommand {
       if (view.trace) view.trace->write(action, time);
       if (view.plot) view.plot->take(action);
     };
+    outlets.works_long = view.trace || view.plot;
     return carry_out(*channels_.front().control, job_, outlets);
   }
 

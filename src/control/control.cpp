@@ -40,6 +40,7 @@ void Control::answer(const ProbeAnswer& answer) {
   if (shared_) shared_->take_back(machinery_->tables.offsets);
 }
 void Control::hand_over_each_block() { machinery_->each_block = true; }
+bool Control::hands_over_each_block() const { return machinery_->each_block; }
 void Control::refused() {
   machinery_->refused();
   machinery_->block_open = false;

@@ -53,6 +53,8 @@ class Control {
   void answer(const ProbeAnswer& answer);
   /// Hands actions over after each block, so that the machine may refuse one.
   void hand_over_each_block();
+  /// It does: from the start, or since the program came to a safety zone or a clock.
+  bool hands_over_each_block() const;
   /// The machine has refused an action of the last block: nothing of the block is done, as with an alarm of its own.
   void refused();
   /// What a waiting code does (nct 14.5).

@@ -1,0 +1,125 @@
+#include "cli/run_ahead.h"
+
+#include <sched.h>
+
+#include <system_error>
+#include <utility>
+
+namespace kadr::cli {
+namespace {
+
+/// Waits until `done`: looks for a while, as mostly the other side is nearly ready, then sleeps until `changes` does.
+template <class Value, class Done>
+void wait_for(const std::atomic<Value>& changes, const Done& done) {
+  constexpr int most_looks = 1000;  // some tens of microseconds
+  for (int look = 0;; ++look) {
+    const Value seen = changes.load(std::memory_order_acquire);
+    if (done()) return;
+    if (look >= most_looks) changes.wait(seen, std::memory_order_acquire);
+#if defined(__x86_64__) || defined(__i386__)
+    else __builtin_ia32_pause();
+#endif
+  }
+}
+
+/// That this process may use.
+bool has_several_processors() {
+  cpu_set_t set;
+  return sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) > 1;
+}
+
+}  // namespace
+
+RunAhead::RunAhead(Control& control) : control_(control), beside_(has_several_processors()) {}
+
+RunAhead::~RunAhead() {
+  over_.store(true, std::memory_order_release);
+  give_way();
+  if (thread_.joinable()) thread_.join();
+}
+
+/// What the thread may wait for has changed.
+void RunAhead::give_way() {
+  if (beside_) {
+    news_.fetch_add(1, std::memory_order_release);
+    news_.notify_one();
+  } else {
+    while (may_make()) make();
+  }
+}
+
+bool RunAhead::may_make() const {
+  return !stands_.load(std::memory_order_acquire) && !over_.load(std::memory_order_acquire) &&
+         made_.load(std::memory_order_relaxed) < allowed_.load(std::memory_order_acquire);
+}
+
+void RunAhead::start() {
+  going_ = true;
+  allowed_.store(taken_ + depth, std::memory_order_release);
+  stands_.store(false, std::memory_order_release);
+  if (beside_ && !thread_.joinable()) begin_thread();
+  give_way();
+}
+
+void RunAhead::begin_thread() {
+  try {
+    thread_ = std::thread([this] { work(); });
+  } catch (const std::system_error&) {  // no more threads are to be had
+    beside_ = false;
+  }
+}
+
+void RunAhead::work() {
+  while (!over_.load(std::memory_order_acquire)) {
+    wait_for(news_, [this] { return may_make() || over_.load(std::memory_order_acquire); });
+    while (may_make()) make();
+  }
+}
+
+void RunAhead::make() {
+  const std::uint64_t made = made_.load(std::memory_order_relaxed);
+  Batch& batch = ring_[made % depth];
+  batch.warnings.clear();
+  in_work_ = &batch;
+  try {
+    batch.state = control_.run(batch.actions);
+    batch.wants_answers = control_.hands_over_each_block();
+  } catch (...) {
+    batch.failure = std::current_exception();
+  }
+  in_work_ = nullptr;
+  if (batch.is_last()) stands_.store(true, std::memory_order_release);
+  made_.store(made + 1, std::memory_order_release);
+  made_.notify_one();
+}
+
+Control::State RunAhead::take(ActionBatch& actions, std::vector<AlarmReport>& warnings) {
+  wait_for(made_, [this] { return made_.load(std::memory_order_acquire) > taken_; });
+  Batch& batch = ring_[taken_ % depth];
+  if (batch.failure) std::rethrow_exception(batch.failure);
+  std::swap(actions, batch.actions);
+  std::swap(warnings, batch.warnings);
+  const Control::State state = batch.state;
+  going_ = !batch.is_last();
+  ++taken_;
+  if (going_) {
+    allowed_.store(taken_ + depth, std::memory_order_release);
+    give_way();
+  }
+  return state;
+}
+
+void RunAhead::settle() {
+  if (!going_) return;
+  wait_for(made_, [this] {
+    return made_.load(std::memory_order_acquire) == allowed_.load(std::memory_order_relaxed) || stands_.load(std::memory_order_acquire);
+  });
+}
+
+bool RunAhead::keep(const AlarmReport& warning) {
+  if (in_work_ == nullptr) return false;
+  in_work_->warnings.push_back(warning);
+  return true;
+}
+
+}  // namespace kadr::cli
