@@ -71,7 +71,7 @@ double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) co
 
 double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
   const double override_part = motion.own_override ? 1 : rates_.feed_part;
-  const bool measured = motion.along == FeedAlong::path && time.length > 0;
+  const bool measured = time.length > 0 && curve.measures_path(motion.along);
   const double way = measured ? time.length : curve.length(motion.along);
   if (motion.unit == FeedUnit::per_min) {
     time.feed = way * motion.feed * override_part;

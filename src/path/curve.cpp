@@ -55,6 +55,13 @@ double Curve::rise(FeedAlong along) const {
   return std::sqrt(squares((along == FeedAlong::all_axes ? own_axes() : own_axes() & ~roles_.rotary) & ~plane_axes()));
 }
 
+bool Curve::measures_path(FeedAlong along) const {
+  if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
+  bool flat = true;  // nothing outside the plane moves
+  for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || way(i) == 0);
+  return flat;
+}
+
 double Curve::length(FeedAlong along) const {
   const double way = straight() ? rise(along) : flat_.length(rise(along));
   return way > 0 ? way : rotary_length();  // rotary axes alone: degrees for mm

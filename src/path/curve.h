@@ -38,6 +38,9 @@ class Curve {
   /// Length of what a feed is measured along.
   double length(FeedAlong along) const;
 
+  /// That is certainly length().
+  bool measures_path(FeedAlong along) const;
+
   /// How fast that grows: d length / d part. The same all along but for spirals.
   double rate(FeedAlong along, double part) const;
 

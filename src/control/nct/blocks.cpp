@@ -198,7 +198,8 @@ Result<bool> before_plan(Machinery& m) {
   }
   if (const auto called = call_with_block(m); !called || *called) return called;
   if (const auto called = call_by_code(m); !called || *called) return called;
-  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary) {  // known to be right from the pass before
+  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary) {  // known to be right from the pass before …
+    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));         // … but for values that may have changed
     if (!m.block->calls_macro) note_words(m);
     else if (m.block->has_number) nct.state.words.n = m.block->number;
     return false;

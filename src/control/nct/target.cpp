@@ -1,5 +1,6 @@
 // Axis words → programmed end point (spec/nct/05).
 
+#include <bit>
 #include <cmath>
 
 #include "control/machinery.h"
@@ -34,6 +35,16 @@ void polar(const Machinery& m, const Word* radius, const Word* angle, Axes& to, 
   to[plane.first] = pole.x + modal.polar_radius * at.cos;
   to[plane.second] = pole.y + modal.polar_radius * at.sin;
   named |= 1u << plane.first | 1u << plane.second;
+}
+
+/// Two words of one axis (X and its increment U): the one written last.
+tl::unexpected<Alarm> twice(const Machinery& m, std::size_t axis) {
+  const Word* last = nullptr;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address != 0 && (m.letters.axes & letter_bit(w.address)) != 0 && m.def.address(w.address).axis == axis) last = &w;
+  }
+  return fail(alarm(AlarmId::address_twice, last->where, last->address));
 }
 
 }  // namespace
@@ -82,13 +93,12 @@ Status target(const Machinery& m, Axes& to, AxisMask& named) {
   const bool is_polar = m.modal.polar_data && !nct.cartesian_block;
   const Word* radius = nullptr;
   const Word* angle = nullptr;
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
-    const Word& w = m.block->words[i];
-    if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
+  for (std::uint64_t left = m.block->letters & m.letters.axes; left != 0; left &= left - 1) {  // each address stands once (blocks.cpp)
+    const Word& w = m.block->words[m.block->at[static_cast<std::size_t>(std::countr_zero(left))]];
+    if (w.address == 0) continue;  // hidden for the moment (drilling)
     const std::size_t axis = m.def.address(w.address).axis;
     const bool polar_word = is_polar && (axis == plane.first || axis == plane.second);
-    if ((named >> axis & 1u) != 0 || (polar_word && (axis == plane.first ? radius : angle) != nullptr))
-      return fail(alarm(AlarmId::address_twice, w.where, w.address));
+    if ((named >> axis & 1u) != 0 || (polar_word && (axis == plane.first ? radius : angle) != nullptr)) return twice(m, axis);
     if (polar_word) {
       (axis == plane.first ? radius : angle) = &w;
       continue;
