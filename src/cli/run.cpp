@@ -108,12 +108,14 @@ class RunCommand {
   Stopped run_alone() {
     View& view = *views_.front();
     Outlets outlets = outlets_of(view);
-    outlets.action = [&view](const Action& action) {
-      const MotionTime time = view.statistics.take(action);
-      if (view.trace) view.trace->write(action, time);
-      if (view.plot) view.plot->take(action);
-    };
     outlets.works_long = view.trace || view.plot;
+    if (options_.quiet && !outlets.works_long) outlets.action = [&view](const Action& action) { view.statistics.take_time(action); };
+    else
+      outlets.action = [&view](const Action& action) {
+        const MotionTime time = view.statistics.take(action);
+        if (view.trace) view.trace->write(action, time);
+        if (view.plot) view.plot->take(action);
+      };
     return carry_out(*channels_.front().control, job_, outlets);
   }
 

@@ -131,6 +131,14 @@ MotionTime Statistics::take(const Action& action) {
   return {};
 }
 
+MotionTime Statistics::take_time(const Action& action) {
+  const auto* const motion = std::get_if<Motion>(&action.what);
+  if (motion == nullptr) return take(action);
+  const MotionTime time = estimate_.motion(*motion, Curve(roles_, position_.work, *motion));
+  position_.take(*motion);
+  return time;
+}
+
 std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   const Words& w = lang == Lang::ru ? russian : english;
   const TimeSplit& t = estimate_.split();
