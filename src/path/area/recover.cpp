@@ -55,20 +55,18 @@ std::vector<Vec2> meetings(const Carrier& a, const Carrier& b) {
   return points;
 }
 
-/// Angle from a to b about the centre, turning as `ccw` says, degrees 0..360.
-double turned(Vec2 centre, Vec2 a, Vec2 b, bool ccw) {
+/// Angle from a to b about the centre, degrees, counter-clockwise positive, the one nearest to `about`.
+double turned(Vec2 centre, Vec2 a, Vec2 b, double about) {
   const double deg = std::atan2(cross(a - centre, b - centre), dot(a - centre, b - centre)) / rad_per_deg;
-  const double way = ccw ? deg : -deg;
-  return way < 0 ? way + 360 : way;
+  return about + std::remainder(deg - about, 360);
 }
 
-void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, bool ccw, double about) {
-  double sweep = turned(c.point, a, b, ccw);
-  if (about > 300 && sweep < 60) sweep += 360;                           // a whole circle
-  if (sweep > 300 && about < 60) return path.push_back({a, b}), void();  // shorter than its corners moved
-  const int pieces = sweep > 180 ? 2 : 1;
-  const double signed_sweep = ccw ? sweep : -sweep, bulge = std::tan(signed_sweep / pieces / 4 * rad_per_deg);
-  const Vec2 middle = pieces == 2 ? c.point + kadr::rotated(a - c.point, signed_sweep / 2) : b;
+/// Of a path on the circle that turns by `about` degrees, the arc from a to b.
+void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, double about) {
+  const double sweep = turned(c.point, a, b, about);
+  const int pieces = std::abs(sweep) > 180 ? 2 : 1;
+  const double bulge = std::tan(sweep / pieces / 4 * rad_per_deg);
+  const Vec2 middle = pieces == 2 ? c.point + kadr::rotated(a - c.point, sweep / 2) : b;
   path.push_back({a, middle, bulge});
   if (pieces == 2) path.push_back({middle, b, bulge});
 }
@@ -194,14 +192,10 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
       continue;
     }
     const Carrier& c = all_[*run.carrier];
-    const Vec2 first = corners[run.first], second = corners[(run.first + 1) % count];
-    double about = 0;
-    const bool ccw = cross(first - c.point, second - c.point) > 0;
-    for (std::size_t k = 0; k < run.count; ++k) {
-      const double step = turned(c.point, corners[(run.first + k) % count], corners[(run.first + k + 1) % count], ccw);
-      about += step > 180 ? step - 360 : step;
-    }
-    emit_arc(path, c, a, b, ccw, about);
+    double about = 0;  // of all chords: one alone, short beside the corners' error, may go back
+    for (std::size_t k = 0; k < run.count; ++k)
+      about += turned(c.point, corners[(run.first + k) % count], corners[(run.first + k + 1) % count], 0);
+    emit_arc(path, c, a, b, about);
   }
   std::erase_if(path, [](const Edge& e) { return length(e.to - e.from) < tol::same_point; });
   for (std::size_t i = 0; i + (closed ? 0 : 1) < path.size(); ++i) path[(i + 1) % path.size()].from = path[i].to;

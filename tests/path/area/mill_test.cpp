@@ -122,6 +122,27 @@ TEST(Mill, VerificationSeesAGougeAndAnUncutRest) {
   EXPECT_EQ(verified(pocket, Job(), moves).fault->id, AlarmId::mill_uncut);
 }
 
+/// Found by the property below with seed 7432448717896982861. A rest is crossed along the boundary; clipped there, the boundary begins with
+/// a chord of half a micrometre before the arc around a corner of the wall.
+TEST(Mill, ARestBesideAnArcAroundACorner) {
+  const double radii[] = {24.644, 24.116, 24.534, 18, 24.666}, bulges[] = {0, 0, -0.1, 0, 0};
+  const bool open[] = {false, true, false, true, true};
+  Edges edges = test::circle({7, 0}, 0.5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto corner = [&](std::size_t k) { return rotated(Vec2{radii[k % 5], 0}, 72.0 * static_cast<double>(k % 5)); };
+    edges.push_back({corner(i), corner(i + 1), bulges[i], open[i]});
+  }
+  Job job;
+  job.radius = 2.375;
+  job.allowance = 0.3;
+  job.step = 2 * job.radius * (0.2 + 0.7 * 0.282);
+  job.scheme = Scheme::comb;
+  job.depth = job.layer = 2;
+  const auto path = verified_path(zones(edges), job);
+  ASSERT_TRUE(path) << name_of(path.error().id);
+  EXPECT_NEAR(path->outcome.nearest_wall, path->outcome.wanted, tol::area_wall / 4);
+}
+
 RC_GTEST_PROP(MillProperty, VerifiedWhateverTheZone, ()) {
   const std::vector<Zone> found = zones(test::random_drawing(*rc::gen::inRange(0, 2) == 0));
   RC_PRE(!found.empty());
