@@ -118,10 +118,10 @@ double Ramp::seconds_at(double at) const {
   double t = seconds_ * at / length_;
   for (int step = 0; step < most_steps && high - low > near_enough * seconds_; ++step) {
     const double over = way_at(t) - at;
+    if (std::abs(over) <= near_enough * length_) break;
     (over > 0 ? high : low) = t;
     const double newton = t - over / speed_at(t);
     t = newton > low && newton < high ? newton : (low + high) / 2;
-    if (std::abs(over) <= near_enough * length_) break;
   }
   return t;
 }
