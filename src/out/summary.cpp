@@ -12,7 +12,7 @@ namespace {
 struct Words {
   const char *blocks, *motions, *rapids, *feeds, *arcs, *other;
   const char *path, *cutting, *rapid, *cutting_box, *box;
-  const char *time, *dwell, *tool_change, *estimate, *unknown;
+  const char *time, *dwell, *tool_change, *estimate, *planned, *unknown;
   const char *tools, *alarms, *warnings;
 };
 
@@ -31,6 +31,7 @@ constexpr Words english = {"blocks",
                            "dwell",
                            "tool change",
                            "from programmed feeds and rapid rates, without acceleration",
+                           "as the control accelerates, with acceleration and look-ahead",
                            "motions without a time (no feed, or the spindle stands)",
                            "tools",
                            "alarms",
@@ -50,6 +51,7 @@ constexpr Words russian = {"кадров",
                            "выдержка",
                            "смена инструмента",
                            "по программным подачам и быстрым ходам станка, без разгонов",
+                           "как разгоняет устройство ЧПУ: с разгонами и просмотром кадров вперёд",
                            "движений без времени (нет подачи или шпиндель стоит)",
                            "инструменты",
                            "ошибок",
@@ -139,6 +141,12 @@ MotionTime Statistics::take_time(const Action& action) {
   return time;
 }
 
+void Statistics::lengthen(const Motion& motion, double longer) {
+  const double before = estimate_.split().cutting;
+  estimate_.lengthen(motion, longer);
+  if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
+}
+
 std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   const Words& w = lang == Lang::ru ? russian : english;
   const TimeSplit& t = estimate_.split();
@@ -153,7 +161,7 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   text +=
       line(w.time, fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(t.total()), w.cutting, duration_text(t.cutting), w.rapid,
                                duration_text(t.rapid), w.dwell, duration_text(t.dwell), w.tool_change, duration_text(t.tool_change)));
-  text += line("", w.estimate);
+  text += line("", accelerates_ ? w.planned : w.estimate);
   if (t.unknown > 0) text += line("", fmt::format("{}: {}", w.unknown, t.unknown));
   if (!tools_.empty()) {
     std::string tools;

@@ -35,6 +35,10 @@ class Statistics {
   MotionTime take(const Action& action);
   /// The same, but only the time is counted: for a run whose summary nobody reads.
   MotionTime take_time(const Action& action);
+  /// Times are those of a look-ahead: lengthen() brings what they differ from the programmed ones.
+  void count_acceleration() { accelerates_ = true; }
+  ///   longer  than it was counted the motion taken before takes, s. Of all motions before an action that changes the tool.
+  void lengthen(const Motion& motion, double longer);
   void count(Severity severity) { ++(severity == Severity::alarm ? alarms_ : warnings_); }
 
   /// The summary, lines ending in '\n'.
@@ -64,6 +68,7 @@ class Statistics {
   TimeEstimate estimate_;
   std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // others: probe, home
   std::uint64_t alarms_ = 0, warnings_ = 0;
+  bool accelerates_ = false;
   double cutting_mm_ = 0, rapid_mm_ = 0;
   Box cutting_box_, other_box_;  // of motions that cut, of others
   enum class Stands : std::uint8_t { in_neither, in_cutting_box, in_other_box } stands_ = Stands::in_neither;  // the tool
