@@ -54,6 +54,16 @@ Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
   return all;
 }
 
+/// The other way round: no path through them is faster.
+Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
+  Acceleration all = pieces_[first].acceleration;
+  for (std::size_t k = first + 1; k < last; ++k) {
+    all.most = std::max(all.most, pieces_[k].acceleration.most);
+    all.build_up = std::min(all.build_up, pieces_[k].acceleration.build_up);
+  }
+  return all;
+}
+
 /// Nothing changes at the node: a line in two pieces is one.
 bool SpeedPlan::is_anchor_free(std::size_t node) const {
   return speed_[node] == pieces_[node - 1].most && speed_[node] == pieces_[node].most;
@@ -64,11 +74,10 @@ void SpeedPlan::place_anchor(std::size_t node) {
   std::size_t before = node - 1, after = node + 1;
   while (!anchor_[before]) --before;
   while (!anchor_[after]) ++after;
-  const Acceleration up = gentlest(before, node), down = gentlest(node, after);
-  const double even = std::min(reached(speed_[before], way(before, node), up), reached(speed_[after], way(node, after), down));
+  const double from = speed_[before], to = speed_[after], up = way(before, node), down = way(node, after);
+  const double even = std::min(reached(from, up, gentlest(before, node)), reached(to, down, gentlest(node, after)));
   if (speed_[node] > even) {
-    const double fast = std::min(passing(speed_[before], way(before, node), up), passing(speed_[after], way(node, after), down));
-    if (speed_[node] >= fast) return;
+    if (speed_[node] >= std::min(passing(from, up, liveliest(before, node)), passing(to, down, liveliest(node, after)))) return;
     speed_[node] = even;
   }
   anchor_[node] = true;
@@ -83,8 +92,10 @@ void SpeedPlan::make_smooth() {
   order_.clear();
   for (std::size_t k = 1; k < count; ++k)
     if (!is_anchor_free(k)) order_.push_back(k);
-  std::sort(order_.begin(), order_.end(),
-            [&](std::size_t a, std::size_t b) { return speed_[a] != speed_[b] ? speed_[a] < speed_[b] : a < b; });
+  const auto from_end = [&](std::size_t node) { return std::min(at_[node], at_.back() - at_[node]); };
+  std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {  // backwards the same
+    return speed_[a] != speed_[b] ? speed_[a] < speed_[b] : from_end(a) < from_end(b);
+  });
   for (const std::size_t node : order_) place_anchor(node);
   for (std::size_t first = 0, last = 1; last <= count; ++last) {
     if (!anchor_[last]) continue;

@@ -42,6 +42,7 @@ class SpeedPlan {
   void place_anchor(std::size_t node);
   void fill(std::size_t first, std::size_t last);
   Acceleration gentlest(std::size_t first, std::size_t last) const;
+  Acceleration liveliest(std::size_t first, std::size_t last) const;
   double way(std::size_t first, std::size_t last) const { return at_[last] - at_[first]; }
 
   std::span<PathPiece> pieces_;
