@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "base/vec.h"
 
 namespace kadr {
 namespace {
+
+constexpr double rounding = 1e-9;  // relative: what a speed reached within a way needs more than that way
 
 /// The speed of an acceleration that goes on, after `length`: what a ramp to a far higher speed has there.
 double passing(double from, double length, const Acceleration& acceleration) {
@@ -54,13 +59,14 @@ Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// The other way round: no path through them is faster.
+/// The other way round: no ramp through them is faster. A jerk-free one is bounded by its greatest jerk, π/2 times the mean.
 Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   Acceleration all = pieces_[first].acceleration;
   for (std::size_t k = first + 1; k < last; ++k) {
     all.most = std::max(all.most, pieces_[k].acceleration.most);
     all.build_up = std::min(all.build_up, pieces_[k].acceleration.build_up);
   }
+  if (std::exchange(all.jerk_free, false)) all.build_up *= 2 / pi;
   return all;
 }
 
@@ -110,7 +116,7 @@ void SpeedPlan::make_smooth() {
 void SpeedPlan::fill(std::size_t first, std::size_t last) {
   const double from = speed_[first], to = speed_[last], length = way(first, last);
   Acceleration a = gentlest(first, last);
-  if (ramp_length(from, to, a) > length) a = {std::abs(to - from) * (to + from) / (2 * length)};
+  if (ramp_length(from, to, a) > length * (1 + rounding)) a = {std::abs(to - from) * (to + from) / (2 * length)};
   double most = 0, top = 0, up_way = 0, down_at = 0;
   for (std::size_t k = first; k < last; ++k) most = std::max(most, pieces_[k].most);
   for (bool fits = false; !fits;) {

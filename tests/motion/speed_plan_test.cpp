@@ -43,7 +43,7 @@ std::vector<PathPiece> reversed(std::vector<PathPiece> pieces) {
 void check_limits(bool smooth) {
   std::vector<PathPiece> pieces = any_path(smooth);
   SpeedPlan().make(pieces, 0);
-  constexpr double slack = 1 + 1e-6;  // what the search for the top leaves
+  constexpr double slack = 1 + 1e-9;
   double start = 0;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const PathPiece& p = pieces[k];
