@@ -95,7 +95,7 @@ class RunCommand {
     SpeedRules rules = speed_rules(channel.setup, control.axes());
     if (control.has_machine_parameters()) obey_parameters(rules, channel.setup, control.axes());
     if (!rules.in_force) return;
-    view.statistics.count_acceleration();
+    view.statistics.count_by(rules.accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
     view.look_ahead.emplace(AxisRoles::of(control.axes(), control.rotary()), rules, rates.rapid, stand,
                             [&view](const Action& action, const MotionTime& time, double longer) {
                               if (const auto* const motion = std::get_if<Motion>(&action.what)) view.statistics.lengthen(*motion, longer);

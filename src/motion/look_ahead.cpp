@@ -4,15 +4,18 @@
 #include <cmath>
 #include <utility>
 
+#include "base/tolerance.h"
+
 namespace kadr {
 namespace {
 
 /// What the axes stand for: the motion before comes to rest (nct 7.0.1). INFERRED: each function of spindle, tool, coolant and
 /// machine; a text that asks nothing does not stop.
-bool stops(const Action& action) {
+bool stops(const Action& action, const SpeedRules& rules) {
+  const bool frame = std::holds_alternative<FrameChange>(action.what) || std::holds_alternative<ZoneChange>(action.what);
+  if (frame) return rules.frames_stop;
   if (const auto* const text = std::get_if<Message>(&action.what)) return text->asks;
-  return !std::holds_alternative<FrameChange>(action.what) && !std::holds_alternative<ZoneChange>(action.what) &&
-         !std::holds_alternative<ContourBreak>(action.what) && !std::holds_alternative<ContourCorner>(action.what) &&
+  return !std::holds_alternative<ContourBreak>(action.what) && !std::holds_alternative<ContourCorner>(action.what) &&
          !std::holds_alternative<ContourCheck>(action.what);
 }
 
@@ -45,7 +48,7 @@ void LookAhead::take(const Action& action, const MotionTime& programmed) {
   if (const auto* const m = std::get_if<Motion>(&action.what)) {
     motion(action, *m, programmed);
   } else {
-    if (stops(action)) rest();
+    if (stops(action, rules_)) rest();
     hold(action, programmed);
   }
   position_.take(action);
@@ -139,8 +142,10 @@ void LookAhead::limit_step(Open* next, const Axes& bend) {
 void LookAhead::close(double slow_from) {
   const Open& open = *open_;
   const Acceleration acceleration = acceleration_of(rules_, open.shape);
-  const double fast = block_speed(rules_, open.motion(), open.shape, open.commanded);
-  const double slow = block_speed(rules_, open.motion(), open.shape, open.commanded * rules_.inner_part);
+  const auto speed = [&](double commanded) {
+    return std::max(block_speed(rules_, open.motion(), open.shape, commanded), tol::least_speed);
+  };
+  const double fast = speed(open.commanded), slow = speed(open.commanded * rules_.inner_part);
   double enter = open.enter;
   const auto add = [&](double from, double to, double most) {
     if (!(to > from)) return;

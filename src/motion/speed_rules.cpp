@@ -45,6 +45,8 @@ void obey_axis(SpeedRules& rules, const SetupParameters& given, std::size_t axis
 
 }  // namespace
 
+bool SpeedRules::accelerates() const { return limits_something(acceleration); }
+
 SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes) {
   SpeedRules rules;
   for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a) {
@@ -53,7 +55,7 @@ SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes)
     rules.acceleration[a] = own.most;
     rules.build_up[a] = own.build_up;
   }
-  rules.in_force = limits_something(rules.acceleration);
+  rules.in_force = rules.accelerates();
   return rules;
 }
 
@@ -77,7 +79,7 @@ void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<st
   rules.in_force = rules.in_force || rules.stated != 0 || corners || zones || rules.least_arc_part > 0 ||
                    limits_something(rules.most_feed) || limits_something(rules.normal) || limits_something(rules.line_step) ||
                    limits_something(rules.arc_step);
-  rules.slows_inner_arcs = rules.in_force;
+  rules.slows_inner_arcs = rules.frames_stop = rules.in_force;
 }
 
 }  // namespace kadr

@@ -43,6 +43,10 @@ struct SpeedRules {
   double inner_before = 0, inner_after = 0;    // N1407 DecDist, N1408 AccDist, mm
   bool overlaps_rapids = false;                // N0421 ROL
   double overlap_from = 1;                     // N0422 Rapid Reduct. Ratio: part of the deceleration after which the next one starts
+  bool frames_stop = false;  // another zero, tool length or work area empties the buffer (nct 13.3): the axes stand (7.0.2)
+
+  /// Some axis needs time to change its speed.
+  bool accelerates() const;
 };
 
 /// The accelerations that the set-up states, by axis or for all ("*"): `acceleration`, `jerk_time`.
