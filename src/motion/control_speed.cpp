@@ -148,6 +148,10 @@ Axes bend_between(const PathShape& before, const PathShape& after) {
 
 double speed_in_bend(const Axes& most, const Axes& bend) { return std::sqrt(slowest(most, bend)); }
 
+double speed_over_step(const SpeedRules& rules, const Axes& bend, const Axes& next) {
+  return speed_in_bend(rules.line_step, change(bend, next));
+}
+
 bool is_slow_corner(const SpeedRules& rules, const Motion& before, const PathShape& first, const Motion& after, const PathShape& second) {
   if (!(rules.inner_part < 1) || before.side != after.side) return false;
   if (!cuts_in_plane(before, first) || !cuts_in_plane(after, second) || first.plane != second.plane) return false;

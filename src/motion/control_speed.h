@@ -40,6 +40,10 @@ Axes bend_between(const PathShape& before, const PathShape& after);
 /// The speed at which no axis has more than `most` acceleration where the direction changes by `bend`: √(most_i/|bend_i|).
 double speed_in_bend(const Axes& most, const Axes& bend);
 
+/// The speed at which the acceleration of no axis steps by more than N0403 Acc Diff from one junction of lines to the next (7.3):
+/// √(most_i/|next_i − bend_i|).
+double speed_over_step(const SpeedRules& rules, const Axes& bend, const Axes& next);
+
 /// Whether two blocks make an inner corner at which G62 slows down (6.3.5). INFERRED: the corner angle is 180° less the turn.
 bool is_slow_corner(const SpeedRules& rules, const Motion& before, const PathShape& first, const Motion& after, const PathShape& second);
 

@@ -31,12 +31,6 @@ bool ends_at_rest(const Motion& motion) {
   return motion.exact || motion.in_position || motion.kind == MotionKind::probe || motion.kind == MotionKind::home;
 }
 
-Axes change(const Axes& from, const Axes& to) {
-  Axes all{};
-  for (std::size_t i = 0; i < max_axes; ++i) all[i] = to[i] - from[i];
-  return all;
-}
-
 }  // namespace
 
 LookAhead::LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, const ToolPosition& start, Sink sink)
@@ -133,7 +127,7 @@ void LookAhead::join(Open& next) {
 
 /// The step of acceleration from the junction at which the open line begins to that at which it ends (nct 7.3). INFERRED: it limits both.
 void LookAhead::limit_step(Open* next, const Axes& bend) {
-  const double most = speed_in_bend(rules_.line_step, change(open_->bend, bend));
+  const double most = speed_over_step(rules_, open_->bend, bend);
   open_->enter = std::min(open_->enter, most);
   if (next != nullptr) next->enter = std::min(next->enter, most);
 }
