@@ -1,5 +1,5 @@
 #pragma once
-// Machining time from programmed feeds and the machine's rapid rates: no acceleration yet, so the truth is somewhat longer.
+// Machining time from programmed feeds and the machine's rapid rates, without acceleration; with it: motion/look_ahead.h.
 
 #include <optional>
 

@@ -139,6 +139,26 @@ RC_GTEST_PROP(look_ahead, backwards_it_takes_the_same_time, ()) {
   RC_ASSERT(std::abs(one - (other - way_there)) < 1e-9 * (1 + one));
 }
 
+/// The curvature of short lines (N0402, N0403) counts by their lengths: without those two.
+RC_GTEST_PROP(look_ahead, a_line_cut_in_two_takes_the_same_time, ()) {
+  SpeedRules rules = any_rules();
+  rules.build_up = {};
+  rules.normal = rules.line_step = axes_filled(unlimited);
+  std::vector<Action> program;
+  Axes at{};
+  const int count = *rc::gen::inRange(1, 30), cut = *rc::gen::inRange(0, count);
+  for (int i = 0; i < count; ++i)
+    program.push_back(act(straight(feed, {within(-20, 20), within(-20, 20), within(-5, 5)}, within(100, 6000))));
+  const double whole = seconds(run(program, rules));
+  const auto place = program.begin() + cut;
+  if (cut > 0) at = std::get<Motion>((place - 1)->what).to;
+  Motion first = std::get<Motion>(place->what);
+  const double part = within(0.01, 0.99);
+  for (std::size_t i = 0; i < 3; ++i) first.to[i] = at[i] + part * (first.to[i] - at[i]);
+  program.insert(place, act(first));
+  RC_ASSERT(std::abs(seconds(run(program, rules)) - whole) < 1e-9 * (1 + whole));
+}
+
 /// More motions than it holds: the speed is as if it held them all, for the machine stops within the newer half.
 TEST(look_ahead, goes_on_past_its_window) {
   std::vector<Action> program;
