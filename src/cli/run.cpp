@@ -11,6 +11,7 @@
 #include "cli/progress.h"
 #include "cli/state.h"
 #include "config/state_json.h"
+#include "motion/look_ahead.h"
 #include "out/alarm_print.h"
 #include "out/plot.h"
 #include "out/summary.h"
@@ -49,15 +50,15 @@ bool plot_name_is_known(const std::string& name) {
 
 /// What looks at one channel.
 struct View {
-  View(const Channel& channel, const Job& job, const ToolPosition& stand)
-      : statistics(channel.control->axes(), channel.control->rotary(), rates_of(job.profile, channel.setup, channel.control->axes()),
-                   stand) {
+  View(const Channel& channel, const Rates& rates, const ToolPosition& stand)
+      : statistics(channel.control->axes(), channel.control->rotary(), rates, stand) {
     statistics.start_with(channel.setup.spindle().rpm, static_cast<std::uint32_t>(std::max(channel.setup.tool, 0)));
   }
   Statistics statistics;
   std::optional<TraceWriter> trace;
-  std::optional<Plot> plot;  // of the program's own channel
-  double waited = 0;         // s
+  std::optional<LookAhead> look_ahead;  // where something limits the speed
+  std::optional<Plot> plot;             // of the program's own channel
+  double waited = 0;                    // s
 };
 
 class RunCommand {
@@ -67,11 +68,13 @@ class RunCommand {
     for (const Channel& channel : channels) {
       const Ending start = channel.control->ending();
       const ToolPosition stand{start.position, start.machine_position};
-      View& view = *views_.emplace_back(std::make_unique<View>(channel, job, stand));
       const auto& axes = channel.control->axes();
+      const Rates rates = rates_of(job.profile, channel.setup, axes);
+      View& view = *views_.emplace_back(std::make_unique<View>(channel, rates, stand));
       const AxisMask rotary = channel.control->rotary();
       if (trace != nullptr) view.trace.emplace(trace, axes, rotary, stand, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
+      if (channels.size() == 1) look_ahead(view, channel, rates, stand);
       if (!options.plot.empty() && channel.number == job.setup.channel) view.plot.emplace(axes, rotary, stand);
     }
   }
@@ -86,6 +89,29 @@ class RunCommand {
   }
 
  private:
+  /// Several channels wait for each other by their programmed times: their speeds are not planned.
+  static void look_ahead(View& view, const Channel& channel, const Rates& rates, const ToolPosition& stand) {
+    const Control& control = *channel.control;
+    SpeedRules rules = speed_rules(channel.setup, control.axes());
+    if (control.has_machine_parameters()) obey_parameters(rules, channel.setup, control.axes());
+    if (!rules.in_force) return;
+    view.statistics.count_by(rules.accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
+    view.look_ahead.emplace(AxisRoles::of(control.axes(), control.rotary()), rules, rates.rapid, stand,
+                            [&view](const Action& action, const MotionTime& time, double longer) {
+                              if (const auto* const motion = std::get_if<Motion>(&action.what)) view.statistics.lengthen(*motion, longer);
+                              if (view.trace) view.trace->write(action, time);
+                            });
+  }
+
+  /// The time of what the look-ahead holds counts as programmed; another tool, only when all motions of the one before are through.
+  static void show(View& view, const Action& action) {
+    const bool is_motion = std::holds_alternative<Motion>(action.what);
+    const MotionTime time = is_motion ? view.statistics.take(action) : MotionTime();
+    if (view.look_ahead) view.look_ahead->take(action, time);
+    else if (view.trace) view.trace->write(action, time);
+    if (!is_motion) view.statistics.take(action);
+  }
+
   /// The outlets of one channel, without its actions.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
@@ -112,11 +138,12 @@ class RunCommand {
     if (options_.quiet && !outlets.works_long) outlets.action = [&view](const Action& action) { view.statistics.take_time(action); };
     else
       outlets.action = [&view](const Action& action) {
-        const MotionTime time = view.statistics.take(action);
-        if (view.trace) view.trace->write(action, time);
+        show(view, action);
         if (view.plot) view.plot->take(action);
       };
-    return carry_out(*channels_.front().control, job_, outlets);
+    Stopped stopped = carry_out(*channels_.front().control, job_, outlets);
+    if (view.look_ahead) view.look_ahead->finish();
+    return stopped;
   }
 
   std::vector<Stopped> run_together() {

@@ -57,6 +57,13 @@ enum class CornerJoin : std::uint8_t {
   straight,  // up to the intersection of the lines (2С42 G37)
 };
 
+/// How the speed is controlled where motions meet (nct 6.3).
+enum class CornerSpeed : std::uint8_t {
+  limited,       // as the control's limits say (G64, G61)
+  inner_slower,  // and slower near inner corners (G62)
+  kept,          // not slowed down (G63)
+};
+
 /// Where the first compensated motion ends.
 enum class ContourEntry : std::uint8_t {
   by_corner,  // as the corner to the next one says (nct 15.5.1)
@@ -131,12 +138,13 @@ struct Motion {
   std::int8_t side = 0;                           // of the path that the tool is on: +1 left, -1 right; 0: no compensation
   SideStep side_step = SideStep::none;            //
   CornerJoin join_corner = CornerJoin::extended;  // with the next motion
-  ContourEntry entry = ContourEntry::by_corner;   // where it begins compensation
-  double tool_radius = 0;                         // mm, at its end
-  double join = 0;                                // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
-  std::shared_ptr<const MotionDetail> detail;     // mostly nullptr
-  Axes to{};                                      // work coordinates at its end
-  Axes machine{};                                 // machine coordinates at its end
+  CornerSpeed corner_speed = CornerSpeed::limited;
+  ContourEntry entry = ContourEntry::by_corner;  // where it begins compensation
+  double tool_radius = 0;                        // mm, at its end
+  double join = 0;                               // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
+  std::shared_ptr<const MotionDetail> detail;    // mostly nullptr
+  Axes to{};                                     // work coordinates at its end
+  Axes machine{};                                // machine coordinates at its end
 };
 
 struct Dwell {

@@ -58,6 +58,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.tool_radius = 0;
   motion.join_corner = CornerJoin::extended;
   motion.entry = ContourEntry::by_corner;
+  motion.corner_speed = CornerSpeed::limited;
   motion.unit = FeedUnit::mm_per_min;
   motion.feed = 0;
   motion.turns = 0;

@@ -51,6 +51,10 @@ TimeEstimate::Turning& TimeEstimate::spindle_of(std::size_t number) {
   return spindles_[number];
 }
 
+double& TimeEstimate::share_of(const Motion& motion) {
+  return motion.kind == MotionKind::rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting;
+}
+
 /// All axes together: the slowest decides.
 double TimeEstimate::rapid_minutes(const Curve& curve) const {
   if (curve.surface() == PathSurface::polar) return kadr::rapid_minutes(curve, roles_, rates_.rapid);
@@ -94,7 +98,7 @@ MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve) {
     return time;
   }
   time.seconds = 60 * minutes;
-  (rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting) += time.seconds;
+  share_of(motion) += time.seconds;
   if (!rates_.exact_times) return time;
   time.exact = true;
   const bool polar = curve.surface() == PathSurface::polar;

@@ -1,5 +1,7 @@
 #pragma once
-// Machining time from programmed feeds and the machine's rapid rates: no acceleration yet, so the truth is somewhat longer.
+// Machining time from programmed feeds and the machine's rapid rates, without acceleration; with it: motion/look_ahead.h.
+
+#include <optional>
 
 #include "config/machine_profile.h"
 #include "config/setup.h"
@@ -35,11 +37,12 @@ struct TimeSplit {
 
 /// What the estimate found of one motion.
 struct MotionTime {
-  double length = 0;     // Curve::length(), mm
-  double seconds = 0;    // 0 if it would never end
-  double feed = 0;       // the commanded one after override, mm/min (degrees/min), along what `along` says; 0: rapid, none
-  double feed_most = 0;  // highest speed along that, where `exact` (0 of a rapid in polar interpolation)
-  bool exact = false;    // the seconds are those of the machine
+  double length = 0;                 // Curve::length(), mm
+  double seconds = 0;                // 0 if it would never end
+  double feed = 0;                   // the commanded one after override, mm/min (degrees/min), along what `along` says; 0: rapid, none
+  double feed_most = 0;              // highest speed along that, where `exact` (0 of a rapid in polar interpolation)
+  bool exact = false;                // the seconds are those of the machine
+  std::optional<double> feed_end{};  // speed at its end, as feed_most; where the look-ahead has planned it
 };
 
 /// Adds up the time of Actions in order.
@@ -53,6 +56,9 @@ class TimeEstimate {
   /// Of any other action. A Sync takes no time of its own.
   void other(const Action& action);
 
+  /// A motion takes `longer` than its programmed time, s: the look-ahead has planned it.
+  void lengthen(const Motion& motion, double longer) { share_of(motion) += longer; }
+
   void spindle(double rpm) { spindle_of(1).rpm = rpm; }
   const TimeSplit& split() const { return split_; }
 
@@ -61,6 +67,7 @@ class TimeEstimate {
     double rpm = 0;  // commanded
     bool on = true;  // the setup may say that it stands: then rpm is 0
   };
+  double& share_of(const Motion& motion);
   Turning& spindle_of(std::size_t number);
   double turning_rpm() const { return spindles_[1].on ? spindles_[1].rpm : 0; }
   double feed_rpm() const { return turning_rpm() * feed_ratio_; }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace kadr {
@@ -12,7 +13,8 @@ namespace {
 struct Words {
   const char *blocks, *motions, *rapids, *feeds, *arcs, *other;
   const char *path, *cutting, *rapid, *cutting_box, *box;
-  const char *time, *dwell, *tool_change, *estimate, *unknown;
+  const char *time, *dwell, *tool_change, *unknown;
+  std::array<const char*, 3> basis;  // by TimeBasis
   const char *tools, *alarms, *warnings;
 };
 
@@ -30,30 +32,33 @@ constexpr Words english = {"blocks",
                            "time",
                            "dwell",
                            "tool change",
-                           "from programmed feeds and rapid rates, without acceleration",
                            "motions without a time (no feed, or the spindle stands)",
+                           {"from programmed feeds and rapid rates, without acceleration",
+                            "as the control limits the speed, without acceleration", "as the control limits the speed, with acceleration"},
                            "tools",
                            "alarms",
                            "warnings"};
-constexpr Words russian = {"кадров",
-                           "движений",
-                           "ускоренных",
-                           "на подаче",
-                           "дуг",
-                           "прочих",
-                           "путь, мм",
-                           "резание",
-                           "быстрый ход",
-                           "резание, мм",
-                           "всё, мм",
-                           "время",
-                           "выдержка",
-                           "смена инструмента",
-                           "по программным подачам и быстрым ходам станка, без разгонов",
-                           "движений без времени (нет подачи или шпиндель стоит)",
-                           "инструменты",
-                           "ошибок",
-                           "предупреждений"};
+constexpr Words russian = {
+    "кадров",
+    "движений",
+    "ускоренных",
+    "на подаче",
+    "дуг",
+    "прочих",
+    "путь, мм",
+    "резание",
+    "быстрый ход",
+    "резание, мм",
+    "всё, мм",
+    "время",
+    "выдержка",
+    "смена инструмента",
+    "движений без времени (нет подачи или шпиндель стоит)",
+    {"по программным подачам и быстрым ходам станка, без разгонов", "с ограничениями скорости устройства ЧПУ, без разгонов",
+     "с ограничениями скорости устройства ЧПУ, с разгонами"},
+    "инструменты",
+    "ошибок",
+    "предупреждений"};
 
 std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(
@@ -139,6 +144,12 @@ MotionTime Statistics::take_time(const Action& action) {
   return time;
 }
 
+void Statistics::lengthen(const Motion& motion, double longer) {
+  const double before = estimate_.split().cutting;
+  estimate_.lengthen(motion, longer);
+  if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
+}
+
 std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   const Words& w = lang == Lang::ru ? russian : english;
   const TimeSplit& t = estimate_.split();
@@ -153,7 +164,7 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   text +=
       line(w.time, fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(t.total()), w.cutting, duration_text(t.cutting), w.rapid,
                                duration_text(t.rapid), w.dwell, duration_text(t.dwell), w.tool_change, duration_text(t.tool_change)));
-  text += line("", w.estimate);
+  text += line("", w.basis[static_cast<std::size_t>(basis_)]);
   if (t.unknown > 0) text += line("", fmt::format("{}: {}", w.unknown, t.unknown));
   if (!tools_.empty()) {
     std::string tools;

@@ -23,6 +23,13 @@ struct Box {
   }
 };
 
+/// What the machining time is made of.
+enum class TimeBasis : std::uint8_t {
+  programmed,   // feeds and rapid rates
+  limited,      // and what the control slows down
+  accelerated,  // and the accelerations of the axes
+};
+
 /// Takes Actions in order; cheap per action, no memory but for the tools.
 class Statistics {
  public:
@@ -35,6 +42,10 @@ class Statistics {
   MotionTime take(const Action& action);
   /// The same, but only the time is counted: for a run whose summary nobody reads.
   MotionTime take_time(const Action& action);
+  /// What the times are made of, if not of programmed feeds; then lengthen() brings what they differ.
+  void count_by(TimeBasis basis) { basis_ = basis; }
+  ///   longer  than it was counted the motion taken before takes, s. Of all motions before an action that changes the tool.
+  void lengthen(const Motion& motion, double longer);
   void count(Severity severity) { ++(severity == Severity::alarm ? alarms_ : warnings_); }
 
   /// The summary, lines ending in '\n'.
@@ -64,6 +75,7 @@ class Statistics {
   TimeEstimate estimate_;
   std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // others: probe, home
   std::uint64_t alarms_ = 0, warnings_ = 0;
+  TimeBasis basis_ = TimeBasis::programmed;
   double cutting_mm_ = 0, rapid_mm_ = 0;
   Box cutting_box_, other_box_;  // of motions that cut, of others
   enum class Stands : std::uint8_t { in_neither, in_cutting_box, in_other_box } stands_ = Stands::in_neither;  // the tool

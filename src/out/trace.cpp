@@ -155,10 +155,10 @@ void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   char* at = out_.room(head_room);
   const bool curved = is_arc(motion.kind) || (motion.detail && motion.detail->surface != PathSurface::plane);
   if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
-  // Without acceleration these are the machine's. With it they would be wrong: there is no planner yet, so they are not stated.
-  if (time.exact) {
+  if (time.exact) {  // else the set-up does not say how the axes accelerate: they would be wrong
     at = put_field(at, R"(,"seconds":)", time.seconds);
     if (time.feed_most > 0) at = put_field(at, R"(,"feed_max":)", time.feed_most);
+    if (time.feed_end) at = put_field(at, R"(,"feed_end":)", *time.feed_end);
   }
   out_.done(at);
 }

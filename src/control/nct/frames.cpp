@@ -99,6 +99,8 @@ void note_motion(Machinery& m, Motion& motion) {
   const bool stops = (m.block_exact || m.modal.exact) && (nct.control_2 & m_est) == 0;
   motion.in_position = stops || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
   motion.own_override = (nct.control_2 & m_ov) != 0 || m.modal.rows[nct.stop_group] == nct.inhibiting;
+  if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // 6.3.4
+  else if (m.modal.rows[nct.stop_group] == nct.slowing) motion.corner_speed = CornerSpeed::inner_slower;
   if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;
   if (nct.rolled != 0) {
     MotionDetail& detail = detail_of(m, motion);

@@ -132,6 +132,7 @@ Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_
   drilling_group = group_of(800);
   motion_group = group_of(0);
   inhibiting = static_cast<std::int16_t>(m.def.row_of('G', 630));
+  slowing = static_cast<std::int16_t>(m.def.row_of('G', 620));
   stop_group = group_of(630);
 }
 

@@ -203,6 +203,7 @@ class Nct {
   std::uint8_t drilling_group = 0, motion_group = 0;  // of G80 and G0
   std::uint8_t stop_group = 0;                        // of G61 … G64
   std::int16_t inhibiting = -1;                       // row of G63
+  std::int16_t slowing = -1;                          // row of G62
   // of the block being carried out
   bool was_hidden = false;     // the block stands in a program that is not listed (23.3.9)
   bool moved = false;          // it held a movement command

@@ -1,0 +1,38 @@
+#pragma once
+// Parameters of the set-up as the rooms behind the control read them: by axis of the channel or of the channel itself. A value
+// with an index goes before one without, a bit before the whole value (as ParameterStore). Not given: 0.
+
+#include <string>
+#include <vector>
+
+#include "config/setup.h"
+
+namespace kadr {
+
+/// A bit by its number and its name.
+struct ParameterBit {
+  int number;
+  const char* name;
+};
+
+class SetupParameters {
+ public:
+  /// `axes`: names of the channel's axes; numbers of axes run on through the channels (nct 1.2). The set-up must outlive it.
+  SetupParameters(const Setup& setup, const std::vector<std::string>& axes);
+
+  double of_channel(const char* parameter) const { return value(parameter, channel_); }
+  bool of_channel(const char* parameter, ParameterBit bit) const { return value(parameter, channel_, bit); }
+  double of_axis(const char* parameter, std::size_t axis) const { return value(parameter, axes_[axis]); }
+  bool of_axis(const char* parameter, std::size_t axis, ParameterBit bit) const { return value(parameter, axes_[axis], bit); }
+
+ private:
+  using Indices = std::vector<std::string>;  // the ways to write an index, from the most particular on
+  double value(const char* parameter, const Indices& indices) const;
+  bool value(const char* parameter, const Indices& indices, ParameterBit bit) const;
+
+  const Setup& setup_;
+  Indices channel_;
+  std::vector<Indices> axes_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,94 @@
+#pragma once
+// LookAhead: Actions with their programmed times in, the same in order with the times that the machine takes. NCT 6, 7; 4.1.2 for G0.
+//
+//   motions at feed ──▶ a path of pieces, as long as nothing makes the axes stand ──▶ SpeedPlan ──▶ each motion's time
+//   rapid: each from rest to rest, or overlapping the next (N0421 ROL)
+//
+// Threads and polar interpolation keep their programmed time: the spindle leads there, here the rotary axis (6.2, 4.5). They begin and
+// end at rest, as does a probe's motion.
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "motion/control_speed.h"
+#include "motion/estimate.h"
+#include "motion/rapid_time.h"
+#include "motion/speed_plan.h"
+
+namespace kadr {
+
+class LookAhead {
+ public:
+  ///   longer  than its programmed time a motion takes, s; negative: shorter
+  using Sink = std::function<void(const Action&, const MotionTime&, double longer)>;
+
+  /// `rapid`: the axes' rapid rates, mm/min, override included; `start`: where the tool stands before the first action.
+  LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, const ToolPosition& start, Sink sink);
+  LookAhead(const LookAhead&) = delete;  // it points into what it holds
+  LookAhead& operator=(const LookAhead&) = delete;
+
+  /// Takes an action; hands on what is decided by now. Holds at most `most_pieces` motions: when full, the older half is decided as
+  /// if the newest ended at rest. That is safe: with more to come the speeds at the end can only rise, and those of the older half
+  /// are low enough to stop; what is lost is speed in runs of motions so short that the machine could not stop within the newer half.
+  ///   programmed  of a motion, by the TimeEstimate
+  void take(const Action& action, const MotionTime& programmed);
+
+  /// Nothing follows: what is held ends at rest.
+  void finish();
+
+  static constexpr std::size_t most_pieces = 1024;
+  static constexpr std::size_t most_actions = 4096;  // held in all, with what stands between the motions
+
+ private:
+  struct Held {
+    Action action;
+    MotionTime time;
+    double longer = 0;       // s
+    std::size_t pieces = 0;  // of the path; 0: its time is known, or it is the open one
+  };
+  /// The last motion at feed: what comes next says how it ends.
+  struct Open {
+    Held* held;
+    PathShape shape;
+    double commanded;       // mm/s
+    double enter = 0;       // the highest speed at its start, mm/s
+    double slow_until = 0;  // mm from its start, behind an inner corner (nct 6.3.5)
+    Axes bend{};            // where it begins
+    const Motion& motion() const { return std::get<Motion>(held->action.what); }
+  };
+  /// The last rapid motion, where the next may begin before it ends.
+  struct LastRapid {
+    Held* held;
+    AxisMask moves;
+    double ahead;  // s before its end
+  };
+
+  void motion(const Action& action, const Motion& motion, const MotionTime& programmed);
+  void rapid(const Action& action, const Motion& motion, const PathShape& shape, MotionTime time);
+  void cut(const Action& action, const PathShape& shape, const MotionTime& time);
+  void join(Open& next);
+  void limit_step(Open* next, const Axes& bend);
+  void close(double slow_from);
+  void rest();
+  void plan_older();
+  std::size_t place_to_part() const;
+  void release(std::size_t pieces);
+  void hold(const Action& action, const MotionTime& time);
+
+  AxisRoles roles_;
+  SpeedRules rules_;
+  Axes rapid_rates_{};  // per s
+  Sink sink_;
+  ToolPosition position_;
+  std::deque<Held> held_;          // in order; what stands behind the last motion follows it
+  std::vector<PathPiece> pieces_;  // of the held motions, the open one excepted
+  std::optional<Open> open_;
+  std::optional<LastRapid> last_rapid_;
+  double start_speed_ = 0;  // mm/s, at the first piece
+  SpeedPlan plan_;
+};
+
+}  // namespace kadr
