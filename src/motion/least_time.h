@@ -1,0 +1,101 @@
+#pragma once
+// The least time along a given path: path speed as a function of path length, so that no axis exceeds its acceleration and jerk.
+//
+//   path          x(s), cut into cells; x′, x″ (continuous) and x‴ are known at four places of each
+//   path speed    b(s) = ṡ²; in each cell a quadratic polynomial, b and b′ continuous:
+//                   s̈ = b′/2,   s⃛ = √b · b″/2
+//   speed         b ≤ most
+//   acceleration  |x′ b′/2 + x″ b| ≤ A
+//   jerk          √b · |x′ b″/2 + 3/2 x″ b′ + x‴ b| ≤ J
+//   time          ∫ ds/√b, to be the least
+//
+// b is told by its middle Bézier ordinate m in each cell:  b(knot k) = (h_k m_(k−1) + h_(k−1) m_k) / (h_(k−1) + h_k). In a cell beside a
+// stop the motion is s = j t³/6, that is b ~ s^(4/3). The problem is solved by an interior-point method: Newton steps on
+// T − μ Σ log(slack), μ → 0, with a Hessian of five diagonals; every iterate obeys all limits. b as the unknown: Verscheure et al. 2009,
+// IEEE TAC 54(10); the jerk, which is not convex in b, is kept by the barrier itself and its bend left out of the Hessian.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace kadr {
+
+/// A path to be timed, in cells.
+struct TimedPath {
+  std::size_t axes = 0;
+  std::vector<double> acceleration, jerk;  // of each axis, mm/s², mm/s³
+  std::vector<double> h;                   // length of each cell, mm
+  std::vector<double> most;                // greatest ṡ² in each cell, mm²/s²
+  std::vector<double> x1, x2, x3;          // x′, x″, x‴ in each cell at its places: (cell * places + place) * axes + axis
+
+  /// Where the limits are looked at: at the ends of a cell and between.
+  static constexpr std::size_t places = 4;
+  static constexpr std::array<double, places> part = {0, 0.2764, 0.7236, 1};
+
+  std::size_t cells() const { return h.size(); }
+  void clear();
+};
+
+/// ṡ² and its derivative by s at a knot.
+struct PathSpeed {
+  double b = 0, d = 0;
+};
+
+/// Finds the speed. Keeps its memory for the next path.
+class LeastTime {
+ public:
+  /// How the path begins and ends.
+  struct Ends {
+    bool from_stop = true;
+    PathSpeed from{};             // else: that of an earlier solution at its knot
+    bool to_stop = true;          // else: at the end it crawls, so slow that it may go on or stop behind it
+    double crawl = 0;             // ṡ² then, at most
+    std::vector<double> guess{};  // middles to begin with, of the first cells; the others crawl
+  };
+
+  ///   pre      at least 4 cells
+  ///   returns  false: no speed was found that obeys the limits (a limit that is not positive, a path that is not finite)
+  bool solve(const TimedPath& path, const Ends& ends);
+
+  /// ṡ² at the knots of the solution, and its derivatives; at stops zero.
+  const std::vector<PathSpeed>& speeds() const { return speeds_; }
+  /// The middle ordinates.
+  const std::vector<double>& middles() const { return m_; }
+  int steps() const { return steps_; }
+
+ private:
+  /// A knot's b = left m_(k−1) + right m_k, b′ = slope (m_k − m_(k−1)).
+  struct Knot {
+    double left = 0, right = 0, slope = 0;
+  };
+  using Four = std::array<double, 4>;  // by m_(first) …, the fourth is not used
+
+  void prepare();
+  void keep_stop(std::size_t cell, std::size_t inner, double tie);
+  bool first_guess();
+  void tie(std::vector<double>& m) const;
+  PathSpeed speed_at(std::size_t knot, const std::vector<double>& m) const;
+  bool is_stop_cell(std::size_t cell) const { return (cell == 0 && ends_.from_stop) || (cell + 1 == n_ && ends_.to_stop); }
+  double time() const;
+  double barrier(const std::vector<double>& m, double mu) const;
+  void derivatives(double mu);
+  void add_cell(std::size_t cell, double mu);
+  void add(std::size_t first, const Four& by, double part, double mu);
+  void fold_ties();
+  bool newton_step();
+  double line_search(double value, double mu);
+
+  const TimedPath* path_ = nullptr;
+  Ends ends_;
+  std::size_t n_ = 0;                        // cells
+  std::size_t first_ = 0, last_ = 0;         // free middles: first_ … last_ − 1
+  double tie_front_ = 0, tie_back_ = 0;      // middle of the cell beside a stop over that of its neighbour
+  std::vector<double> inverse_a_, inverse_j_;  // 1/A, 1/J of each axis
+  std::vector<Knot> knots_;
+  std::vector<double> cap_;
+  std::vector<double> m_, trial_, step_, gradient_, h0_, h1_, h2_;  // h: the Hessian's diagonals
+  std::vector<PathSpeed> speeds_;
+  int steps_ = 0;
+};
+
+}  // namespace kadr
