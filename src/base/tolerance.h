@@ -11,6 +11,7 @@ inline constexpr double whole_turns = 1e-4;    // turns: Z/K of a helix written 
 inline constexpr double ellipse_chord = 5e-4;  // mm: half the least increment of the controls, an ellipse as chords
 inline constexpr double tangential = 1e-6;     // radians: two elements meet without a corner, NCT 15.5.0
 inline constexpr double circular = 0.05;       // mm: a circle's arc whose radii differ by what a program's decimals and N1339 leave
+inline constexpr double exact_path = 5e-4;     // mm: an arc followed exactly, half the least increment of the controls
 inline constexpr double level = same_point;    // mm: two levels of a cycle closer than this are one
 
 // Area milling (path/area). The path is made of exact lines and arcs; polygons serve only to find out which, and to measure areas.

@@ -11,28 +11,30 @@
 #include "cli/progress.h"
 #include "cli/state.h"
 #include "config/state_json.h"
+#include "motion/axis_motion.h"
 #include "out/alarm_print.h"
 #include "out/plot.h"
+#include "out/samples.h"
 #include "out/summary.h"
 #include "out/trace.h"
 
 namespace kadr::cli {
 namespace {
 
-/// A file for the trace; closes it unless it is stdout.
-class TraceFile {
+/// A file to be written; closes it unless it is stdout.
+class OutFile {
  public:
-  explicit TraceFile(const std::string& name) {
+  explicit OutFile(const std::string& name) {
     if (name.empty()) return;
     file_ = name == "-" ? stdout : std::fopen(name.c_str(), "wb");
     if (file_ == nullptr) complain(fmt::format("{}: {}", name, std::strerror(errno)));
     failed_ = file_ == nullptr;
   }
-  ~TraceFile() {
+  ~OutFile() {
     if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   }
-  TraceFile(const TraceFile&) = delete;
-  TraceFile& operator=(const TraceFile&) = delete;
+  OutFile(const OutFile&) = delete;
+  OutFile& operator=(const OutFile&) = delete;
   std::FILE* get() const { return file_; }
   bool failed() const { return failed_; }
 
@@ -47,6 +49,17 @@ bool plot_name_is_known(const std::string& name) {
   return false;
 }
 
+/// The axes' motion in time, and its samples.
+struct Sampled {
+  Sampled(std::FILE* file, const Channel& channel, const Job& job, const ToolPosition& stand, double rate)
+      : writer(file, channel.control->axes(), rate),
+        motion(AxisRoles::of(channel.control->axes(), channel.control->rotary()),
+               motion_limits(job.profile, channel.setup, channel.control->axes()), job.profile.tolerance, stand,
+               [this](const TimedCells& cells) { writer.take(cells); }) {}
+  SampleWriter writer;
+  AxisMotion motion;
+};
+
 /// What looks at one channel.
 struct View {
   View(const Channel& channel, const Job& job, const ToolPosition& stand)
@@ -56,13 +69,29 @@ struct View {
   }
   Statistics statistics;
   std::optional<TraceWriter> trace;
-  std::optional<Plot> plot;  // of the program's own channel
-  double waited = 0;         // s
+  std::optional<Plot> plot;          // of the program's own channel
+  std::unique_ptr<Sampled> sampled;  // of the program's own channel
+  double waited = 0;                 // s
+
+  /// An action of the program, behind the machine.
+  MotionTime take(const Action& action) {
+    const TimeSplit before = statistics.time();
+    const MotionTime time = statistics.take(action);
+    const TimeSplit& now = statistics.time();
+    if (sampled) sampled->motion.take(action, time, now.dwell + now.tool_change - before.dwell - before.tool_change);
+    return time;
+  }
+};
+
+/// Where what is asked for goes.
+struct OutFiles {
+  std::FILE* trace = nullptr;
+  std::FILE* samples = nullptr;
 };
 
 class RunCommand {
  public:
-  RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, std::FILE* trace)
+  RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, const OutFiles& files)
       : options_(options), job_(job), lang_(language(options)), channels_(channels), progress_(options.quiet) {
     for (const Channel& channel : channels) {
       const Ending start = channel.control->ending();
@@ -70,9 +99,11 @@ class RunCommand {
       View& view = *views_.emplace_back(std::make_unique<View>(channel, job, stand));
       const auto& axes = channel.control->axes();
       const AxisMask rotary = channel.control->rotary();
-      if (trace != nullptr) view.trace.emplace(trace, axes, rotary, stand, channel.setup.points);
+      if (files.trace != nullptr) view.trace.emplace(files.trace, axes, rotary, stand, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
-      if (!options.plot.empty() && channel.number == job.setup.channel) view.plot.emplace(axes, rotary, stand);
+      if (channel.number != job.setup.channel) continue;
+      if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
+      if (files.samples != nullptr) view.sampled = std::make_unique<Sampled>(files.samples, channel, job, stand, options.rate);
     }
   }
 
@@ -80,6 +111,7 @@ class RunCommand {
     const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
     bool written = write_last_lines(stopped);
     if (!options_.plot.empty()) written = draw() && written;
+    if (!options_.samples.empty()) written = finish_samples() && written;
     if (!options_.quiet) print_summary();
     if (!written) return wrong_usage;
     return std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); }) ? alarms : ok;
@@ -108,11 +140,11 @@ class RunCommand {
   Stopped run_alone() {
     View& view = *views_.front();
     Outlets outlets = outlets_of(view);
-    outlets.works_long = view.trace || view.plot;
+    outlets.works_long = view.trace || view.plot || view.sampled;
     if (options_.quiet && !outlets.works_long) outlets.action = [&view](const Action& action) { view.statistics.take_time(action); };
     else
       outlets.action = [&view](const Action& action) {
-        const MotionTime time = view.statistics.take(action);
+        const MotionTime time = view.take(action);
         if (view.trace) view.trace->write(action, time);
         if (view.plot) view.plot->take(action);
       };
@@ -133,7 +165,7 @@ class RunCommand {
       outlets.own.push_back(outlets_of(view));
       outlets.own.back().action = [&view, &together, i](const Action& action) {
         const double at = together->now(i);
-        together->show(i, at, action, view.statistics.take(action));
+        together->show(i, at, action, view.take(action));
         if (view.plot) view.plot->take(action);
       };
     }
@@ -160,6 +192,18 @@ class RunCommand {
       else trace.finish(ending, more);
       if (trace.ok()) continue;
       complain(fmt::format("{}: {}", options_.trace, std::strerror(errno)));
+      return false;
+    }
+    return true;
+  }
+
+  bool finish_samples() {
+    for (const auto& view : views_) {
+      if (!view->sampled) continue;
+      view->sampled->motion.finish();
+      view->sampled->writer.finish();
+      if (view->sampled->writer.ok()) continue;
+      complain(fmt::format("{}: {}", options_.samples, std::strerror(errno)));
       return false;
     }
     return true;
@@ -217,8 +261,8 @@ int run(const Options& options) {
   if (!options.state.empty() && !(state_file = open_state(options.state, *job))) return wrong_usage;
   auto program = open_program(*job);
   if (!program) return wrong_usage;
-  TraceFile trace_file(options.trace);
-  if (trace_file.failed()) return wrong_usage;
+  OutFile trace_file(options.trace), samples_file(options.samples);
+  if (trace_file.failed() || samples_file.failed()) return wrong_usage;
   RunLimits limits = options.limits;
   limits.writes_files = true;
   auto channels = make_channels(*job, std::move(*program), limits);
@@ -226,7 +270,7 @@ int run(const Options& options) {
   std::string state_fault;
   if (state_file) save_changes(*state_file, own_channel(*channels, *job), state_fault);
   catch_interrupts();
-  const Exit exit = RunCommand(options, *job, *channels, trace_file.get()).run();
+  const Exit exit = RunCommand(options, *job, *channels, {trace_file.get(), samples_file.get()}).run();
   return state_fault.empty() ? exit : wrong_usage;
 }
 

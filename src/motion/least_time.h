@@ -10,7 +10,8 @@
 //   time          ∫ ds/√b, to be the least
 //
 // b is told by its middle Bézier ordinate m in each cell:  b(knot k) = (h_k m_(k−1) + h_(k−1) m_k) / (h_(k−1) + h_k). In a cell beside a
-// stop the motion is s = j t³/6, that is b ~ s^(4/3). The problem is solved by an interior-point method: Newton steps on
+// stop the motion is s = j t³/6, that is b ~ s^(4/3). Where the path turns back on itself the axes stand for an instant, but go on
+// accelerating the same way: b = 0, b′ changes its sign, m/h is the same on both sides. The problem is solved by an interior-point method: Newton steps on
 // T − μ Σ log(slack), μ → 0, with a Hessian of five diagonals; every iterate obeys all limits. b as the unknown: Verscheure et al. 2009,
 // IEEE TAC 54(10); the jerk, which is not convex in b, is kept by the barrier itself and its bend left out of the Hessian.
 
@@ -26,6 +27,7 @@ struct TimedPath {
   std::vector<double> acceleration, jerk;  // of each axis, mm/s², mm/s³
   std::vector<double> h;                   // length of each cell, mm
   std::vector<double> most;                // greatest ṡ² in each cell, mm²/s²
+  std::vector<char> turns;                 // the path turns back behind this cell
   std::vector<double> x1, x2, x3;          // x′, x″, x‴ in each cell at its places: (cell * places + place) * axes + axis
 
   /// Where the limits are looked at: at the ends of a cell and between.
@@ -57,8 +59,11 @@ class LeastTime {
   ///   returns  false: no speed was found that obeys the limits (a limit that is not positive, a path that is not finite)
   bool solve(const TimedPath& path, const Ends& ends);
 
-  /// ṡ² at the knots of the solution, and its derivatives; at stops zero.
-  const std::vector<PathSpeed>& speeds() const { return speeds_; }
+  /// ṡ² and its derivative at the start and the end of each cell; at stops zero.
+  struct CellSpeeds {
+    PathSpeed start, end;
+  };
+  const std::vector<CellSpeeds>& speeds() const { return speeds_; }
   /// The middle ordinates.
   const std::vector<double>& middles() const { return m_; }
   int steps() const { return steps_; }
@@ -68,33 +73,45 @@ class LeastTime {
   struct Knot {
     double left = 0, right = 0, slope = 0;
   };
-  using Four = std::array<double, 4>;  // by m_(first) …, the fourth is not used
+  /// By the three variables that a cell's limits depend on.
+  using Three = std::array<double, 3>;
+  /// Derivatives of b and b′.
+  struct By {
+    Three b{}, d{};
+  };
 
   void prepare();
-  void keep_stop(std::size_t cell, std::size_t inner, double tie);
+  void number_variables();
+  void keep_stop(std::size_t cell);
   bool first_guess();
-  void tie(std::vector<double>& m) const;
-  PathSpeed speed_at(std::size_t knot, const std::vector<double>& m) const;
+  void spread(const std::vector<double>& y);
+  PathSpeed start_of(std::size_t cell) const;
+  PathSpeed end_of(std::size_t cell) const;
+  By by_start(std::size_t cell, std::size_t first) const;
+  By by_end(std::size_t cell, std::size_t first) const;
+  bool turns_behind(std::size_t cell) const { return path_->turns[cell] != 0; }
   bool is_stop_cell(std::size_t cell) const { return (cell == 0 && ends_.from_stop) || (cell + 1 == n_ && ends_.to_stop); }
   double time() const;
-  double barrier(const std::vector<double>& m, double mu) const;
+  double barrier(const std::vector<double>& y, double mu);
   void derivatives(double mu);
   void add_cell(std::size_t cell, double mu);
-  void add(std::size_t first, const Four& by, double part, double mu);
-  void fold_ties();
+  void add(std::size_t first, const Three& by, double part, double mu);
   bool newton_step();
   double line_search(double value, double mu);
 
   const TimedPath* path_ = nullptr;
   Ends ends_;
-  std::size_t n_ = 0;                        // cells
-  std::size_t first_ = 0, last_ = 0;         // free middles: first_ … last_ − 1
-  double tie_front_ = 0, tie_back_ = 0;      // middle of the cell beside a stop over that of its neighbour
+  std::size_t n_ = 0;          // cells
+  std::size_t variables_ = 0;  // m of a cell = scale * its variable; those beside stops and turns have their neighbour's
+  std::vector<std::size_t> variable_;
+  std::vector<double> scale_;
+  bool first_given_ = false;  // the first cell follows from the start
   std::vector<double> inverse_a_, inverse_j_;  // 1/A, 1/J of each axis
   std::vector<Knot> knots_;
   std::vector<double> cap_;
-  std::vector<double> m_, trial_, step_, gradient_, h0_, h1_, h2_;  // h: the Hessian's diagonals
-  std::vector<PathSpeed> speeds_;
+  std::vector<double> m_;                                           // of the cells
+  std::vector<double> y_, trial_, step_, gradient_, h0_, h1_, h2_;  // of the variables; h: the Hessian's diagonals
+  std::vector<CellSpeeds> speeds_;
   int steps_ = 0;
 };
 

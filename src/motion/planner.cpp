@@ -118,16 +118,16 @@ void Planner::straight_line() {
   sink_(out_);
 }
 
-/// Size of a cell at a length: small at corners and stops, growing away from them.
+/// Size of a cell at a length: small at corners, turns and stops, growing away from them.
 double Planner::size_at(double s, std::size_t piece, bool last) const {
   double size = longest_s * path_.feed(piece);
   const double rest = 0.01 * std::min(1.0, path_.ends() - path_.begins());  // beside a stop: a part of the way that a ramp takes
-  if (ends_.from_stop && cut_ < 1e9) size = std::min(size, rest + growth * s);
+  size = std::min(size, rest + growth * s);
   if (last) size = std::min(size, rest + growth * (path_.ends() - s));
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
-    const double w = path_.width(i);
-    size = std::min(size, w / SoftCorner::cells + growth * std::max(0.0, std::fabs(s - path_.at(i)) - w));
+    const double w = path_.width(i), small = path_.turns_back(i) ? rest : w / SoftCorner::cells;
+    size = std::min(size, small + growth * std::max(0.0, std::fabs(s - path_.at(i)) - w));
   };
   for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);
   for (std::size_t i = piece + 1; i < path_.pieces() && path_.at(i) - s < reach; ++i) take(i);
@@ -136,15 +136,16 @@ double Planner::size_at(double s, std::size_t piece, bool last) const {
 
 void Planner::set_knot(double s, std::size_t piece) { path_.evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
 
-void Planner::add_cell(double from, double to) {
+void Planner::add_cell(double from, double to, bool turns) {
   const std::size_t axes = cells_.axes, shape = shapes_.size();
   const double h = to - from;
   const Knot start = knot_;
   tags_.push_back(path_.tag(piece_));
   double feed = path_.feed(piece_);
   for (std::size_t i = piece_; i + 1 < path_.pieces() && path_.at(i + 1) < to; ++i) feed = std::min(feed, path_.feed(i + 1));
-  piece_ = path_.piece_at(to, piece_);
-  set_knot(to, piece_);
+  const std::size_t next = path_.piece_at(to, piece_);
+  set_knot(to, turns ? next - 1 : next);
+  piece_ = next;
   shapes_.resize(shape + axes * TimedCells::terms);
   for (std::size_t a = 0; a < axes; ++a)
     quintic({start.x[a], start.x1[a], start.x2[a]}, {knot_.x[a], knot_.x1[a], knot_.x2[a]}, h,
@@ -166,28 +167,33 @@ void Planner::add_cell(double from, double to) {
   }
   cells_.h.push_back(h);
   cells_.most.push_back(most);
+  cells_.turns.push_back(turns ? 1 : 0);
+  if (turns) set_knot(to, next);
 }
 
 void Planner::cut_cells(bool last) {
   if (!has_knot_) set_knot(cut_, piece_ = path_.piece_at(cut_, 0));
   has_knot_ = true;
-  const double end = path_.settled();
-  constexpr double rest = 1.5;  // cells: what is left at the end becomes one
-  while (cut_ < end) {
-    double to = cut_ + size_at(cut_, piece_, last);
-    if (last && to + (rest - 1) * (to - cut_) >= end) to = end;
-    if (to > end) break;
-    add_cell(cut_, to);
+  constexpr double rest = 1.5;  // cells: what is left before an end becomes one
+  const double settled = path_.settled();
+  for (std::size_t turn = piece_ + 1; cut_ < settled;) {
+    while (turn < path_.pieces() && (path_.at(turn) <= cut_ || !path_.turns_back(turn))) ++turn;
+    const bool known = turn < path_.pieces();
+    const double end = known ? path_.at(turn) : path_.ends(), size = size_at(cut_, piece_, last);
+    const bool at_end = (known || last) && cut_ + rest * size >= end;
+    const double to = at_end ? end : cut_ + size;
+    if (to > settled) break;
+    add_cell(cut_, to, at_end && known);
     cut_ = to;
   }
 }
 
 /// How many cells of a solution that ends crawling are as they will be: up to the last speed that the end has not lowered.
 std::size_t Planner::sure_cells() const {
-  const std::vector<PathSpeed>& speeds = least_.speeds();
-  std::size_t knot = cells_.cells();
-  while (knot > 1 && speeds[knot - 1].b >= speeds[knot].b) --knot;
-  return knot;
+  const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
+  std::size_t cell = cells_.cells();
+  while (cell > 1 && speeds[cell - 1].start.b >= speeds[cell - 1].end.b) --cell;
+  return cell;
 }
 
 void Planner::solve(bool last) {
@@ -203,26 +209,28 @@ void Planner::solve(bool last) {
 /// The first cells go out; the path begins anew behind them.
 void Planner::hand_out(std::size_t count) {
   const std::size_t axes = cells_.axes, all = cells_.cells();
-  const std::vector<PathSpeed>& speeds = least_.speeds();
+  const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
   out_.clear();
   for (std::size_t k = 0; k < count; ++k) {
-    const PathSpeed from = speeds[k], to = speeds[k + 1];
-    const double h = cells_.h[k];
+    const PathSpeed from = speeds[k].start, to = speeds[k].end;
+    const double h = cells_.h[k], q = (to.d - from.d) / h;
     if (k == 0 && ends_.from_stop) out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(to.b), false));
     else if (k + 1 == all && ends_.to_stop) out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(from.b), true));
-    else out_.laws.push_back(TimeLaw::of_squares(h, std::sqrt(from.b), from.d / 2, (to.d - from.d) / (2 * h)));
+    else out_.laws.push_back(TimeLaw::of_squares(h, std::sqrt(from.b), from.d / 2, q / 2));
   }
   out_.path.assign(shapes_.begin(), shapes_.begin() + static_cast<std::ptrdiff_t>(count * axes * TimedCells::terms));
   out_.tags.assign(tags_.begin(), tags_.begin() + static_cast<std::ptrdiff_t>(count));
   sink_(out_);
   if (count == all) return;
   ends_.from_stop = false;
-  ends_.from = speeds[count];
+  ends_.from = speeds[count].start;
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
-  ends_.guess.assign(least_.middles().begin() + static_cast<std::ptrdiff_t>(count), least_.middles().begin() + static_cast<std::ptrdiff_t>(all));
+  ends_.guess.assign(least_.middles().begin() + static_cast<std::ptrdiff_t>(count),
+                     least_.middles().begin() + static_cast<std::ptrdiff_t>(all));
   cut(tags_, count);
   cut(cells_.h, count);
   cut(cells_.most, count);
+  cut(cells_.turns, count);
   for (std::vector<double>* const of_places : {&cells_.x1, &cells_.x2, &cells_.x3}) cut(*of_places, count * TimedPath::places * axes);
   cut(shapes_, count * axes * TimedCells::terms);
   double left = 0;
@@ -239,7 +247,10 @@ void Planner::cell_by_cell() {
   out_.clear();
   for (std::size_t k = 0; k < cells_.cells(); ++k) {
     std::array<double, max_axes> from{}, to{}, way{};
-    TimedCells cell{axes, {}, {}, {shapes_.begin() + static_cast<std::ptrdiff_t>(k * row), shapes_.begin() + static_cast<std::ptrdiff_t>((k + 1) * row)}};
+    TimedCells cell{axes,
+                    {},
+                    {},
+                    {shapes_.begin() + static_cast<std::ptrdiff_t>(k * row), shapes_.begin() + static_cast<std::ptrdiff_t>((k + 1) * row)}};
     cell.position(0, 0, from.data());
     cell.position(0, cells_.h[k], to.data());
     double squares = 0;

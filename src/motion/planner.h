@@ -46,7 +46,7 @@ class Planner {
   void plan(bool last);
   void cut_cells(bool last);
   double size_at(double s, std::size_t piece, bool last) const;
-  void add_cell(double from, double to);
+  void add_cell(double from, double to, bool turns);
   void set_knot(double s, std::size_t piece);
   void solve(bool last);
   void hand_out(std::size_t cells);
@@ -58,7 +58,7 @@ class Planner {
   MotionLimits limits_;
   Sink sink_;
   SmoothPath path_;
-  std::vector<double> at_;  // the end of the last piece
+  std::vector<double> at_;   // the end of the last piece
   std::vector<double> way_;  // of the last piece: its unit vector; empty: none yet
   std::size_t fresh_ = 0;    // pieces since the last plan
 
@@ -68,10 +68,10 @@ class Planner {
   std::vector<std::uint64_t> tags_;
   struct Knot {
     std::array<double, max_axes> x{}, x1{}, x2{};
-  } knot_;                      // the last one
+  } knot_;  // the last one
   bool has_knot_ = false;
-  double cut_ = 0;              // length at the last knot
-  std::size_t piece_ = 0;       // that holds it
+  double cut_ = 0;         // length at the last knot
+  std::size_t piece_ = 0;  // that holds it
   LeastTime least_;
   LeastTime::Ends ends_;
   TimedCells out_;

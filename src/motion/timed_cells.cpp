@@ -46,12 +46,17 @@ TimeLaw TimeLaw::of_jerk(double seconds, double v, double a, double j) {
 TimeLaw TimeLaw::of_squares(double length, double v, double a, double j) {
   TimeLaw law{0, length, false, v, a, j};
   const double end = std::sqrt(std::max(0.0, v * v + length * (2 * a + j * length)));
+  if (end < v) {  // the time is found from the slow end, where it may stand: as well backwards
+    const TimeLaw back = of_squares(length, end, -(a + j * length), j);
+    law.seconds = back.seconds;
+    return law;
+  }
   double t = 2 * length / (v + end);
   constexpr int most_steps = 30;  // Newton: four or five are needed
   for (int step = 0; step < most_steps; ++step) {
     const double error = law.way(t) - length, rate = law.speed(t);
     if (!(rate > 0)) break;
-    const double by = std::clamp(error / rate, -t / 2, t);
+    const double by = std::clamp(error / rate, -t, t / 2);
     t -= by;
     if (std::fabs(by) <= 1e-15 * t) break;
   }

@@ -31,7 +31,7 @@ struct TimedCells {
   std::size_t axes = 0;
   std::vector<TimeLaw> laws;
   std::vector<std::uint64_t> tags;  // of the piece where each begins: the caller's own
-  std::vector<double> path;  // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
+  std::vector<double> path;         // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
 
   void clear() { laws.clear(), tags.clear(), path.clear(); }
   /// Axis positions at a way along a cell.

@@ -112,14 +112,25 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
 
 void SmoothPath::settle(bool last) {
   const std::size_t vertices = at_.size();
-  for (std::size_t i = std::max<std::size_t>(done_, 1); i + 1 < vertices; ++i) {
-    width_[i] = std::min({widest, at_[i], last ? at_.back() - at_[i] : widest});
-    if (turn_[i] > straight_bend) width_[i] = std::min(width_[i], tolerance_[i] / (SoftCorner::of(turn_[i]).highest() * turn_[i]));
+  std::size_t first = std::max<std::size_t>(done_, 1);
+  double edge = 0;  // the last length that no rounding reaches over
+  for (std::size_t i = first; i-- > 0 && edge == 0 && at_[first] - at_[i] < widest;)
+    if (turns_back(i)) edge = at_[i];
+  for (std::size_t i = first; i + 1 < vertices; ++i) {
+    width_[i] = std::min(widest, at_[i] - edge);
+    if (turns_back(i)) width_[i] = 0, edge = at_[i];
+    else if (turn_[i] > straight_bend) width_[i] = std::min(width_[i], tolerance_[i] / (SoftCorner::of(turn_[i]).highest() * turn_[i]));
+  }
+  edge = last ? at_.back() : at_.back() + widest;
+  for (std::size_t i = vertices - 1; i-- > first;) {
+    width_[i] = std::min(width_[i], edge - at_[i]);
+    if (turns_back(i)) edge = at_[i];
   }
   constexpr int most_rounds = 30;  // a chain needs three to eight
-  std::size_t first = done_;
+  first = std::max<std::size_t>(done_, 1);
   while (first > 1 && at_[std::min(done_, vertices - 1)] - at_[first] < 2 * widest) --first;
-  for (int round = 0; round < most_rounds && shrink(first, vertices - 1); ++round) {}
+  for (int round = 0; round < most_rounds && shrink(first, vertices - 1); ++round) {
+  }
   settled_ = last ? at_.back() : std::max(settled_, at_.back() - 3 * widest);
   while (done_ < vertices && (last || at_[done_] < settled_ + widest)) ++done_;
 }

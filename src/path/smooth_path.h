@@ -37,6 +37,8 @@ class SmoothPath {
 
   double at(std::size_t vertex) const { return at_[vertex]; }
   double width(std::size_t vertex) const { return width_[vertex]; }
+  /// The path turns back on itself there: a vertex without rounding, which none other reaches over.
+  bool turns_back(std::size_t vertex) const { return turn_[vertex] > turning_back; }
   double feed(std::size_t piece) const { return feed_[piece]; }
   std::uint64_t tag(std::size_t piece) const { return tag_[piece]; }
   /// The piece that holds a length, looked for from `from` on.
@@ -50,6 +52,7 @@ class SmoothPath {
   static constexpr double widest = 2;  // mm: a rounding to either side; wider ones cost work and gain little below 12 m/min
 
  private:
+  static constexpr double turning_back = 2 - 1e-9;  // |Δu|
   double moved(double s, std::size_t around) const;
   bool shrink(std::size_t first, std::size_t end);
   template <class Take>
