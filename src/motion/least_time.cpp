@@ -12,11 +12,45 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double square(double x) { return x * x; }
 
-/// ṡ² and its derivative at a part of a cell, by its Bézier ordinates.
-PathSpeed within(const PathSpeed& left, double m, const PathSpeed& right, double part) {
-  const double rest = 1 - part;
-  return {rest * rest * left.b + 2 * part * rest * m + part * part * right.b, rest * left.d + part * right.d};
+/// Bernstein polynomials at the places.
+constexpr auto weights = [] {
+  std::array<std::array<double, TimedPath::places>, 3> w{};
+  for (std::size_t p = 0; p < TimedPath::places; ++p) {
+    const double part = TimedPath::part[p], rest = 1 - part;
+    w[0][p] = rest * rest, w[1][p] = 2 * part * rest, w[2][p] = part * part;
+  }
+  return w;
+}();
+
+/// Value at the places of what is linear in the ordinates.
+template <class Rows, class Ordinates>
+std::array<double, TimedPath::places> at_places(const Rows& rows, const Ordinates& o) {
+  std::array<double, TimedPath::places> at;
+  for (std::size_t p = 0; p < TimedPath::places; ++p) at[p] = rows[0][p] * o[0] + rows[1][p] * o[1] + rows[2][p] * o[2];
+  return at;
 }
+
+/// Gradient and Hessian of −Σ log(1 − x²) by the ordinates, at each place by itself: so the places are calculated side by side.
+struct Sums {
+  using Places = std::array<double, TimedPath::places>;
+  std::array<Places, 9> at{};  // gradient 0 1 2, Hessian 00 01 02 11 12 22
+
+  void take(const Places& x, const std::array<Places, 3>& by) {
+    for (std::size_t p = 0; p < TimedPath::places; ++p) {
+      const double inverse = 1 / (1 - x[p] * x[p]), slope = 2 * x[p] * inverse, bend = 2 * inverse + slope * slope;
+      const double b0 = by[0][p], b1 = by[1][p], b2 = by[2][p];
+      at[0][p] += slope * b0, at[1][p] += slope * b1, at[2][p] += slope * b2;
+      at[3][p] += bend * b0 * b0, at[4][p] += bend * b0 * b1, at[5][p] += bend * b0 * b2;
+      at[6][p] += bend * b1 * b1, at[7][p] += bend * b1 * b2, at[8][p] += bend * b2 * b2;
+    }
+  }
+  std::array<double, 9> over_places() const {
+    std::array<double, 9> sums{};
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      for (const double x : at[i]) sums[i] += x;
+    return sums;
+  }
+};
 
 /// Sum of logarithms, one for many factors.
 class Logs {
@@ -59,36 +93,71 @@ void LeastTime::number_variables() {
 void LeastTime::prepare() {
   const TimedPath& path = *path_;
   n_ = path.cells();
-  knots_.assign(n_ + 1, {});
-  for (std::size_t k = 1; k < n_; ++k) {
-    const double before = path.h[k - 1], behind = path.h[k], sum = before + behind;
-    knots_[k] = {behind / sum, before / sum, 2 / sum};
-  }
-  knots_[n_] = {1, 0, 0};  // crawling
-  inverse_a_.resize(path.axes);
-  inverse_j_.resize(path.axes);
-  for (std::size_t a = 0; a < path.axes; ++a) {
-    inverse_a_[a] = 1 / (margin * path.acceleration[a]);
-    inverse_j_[a] = 1 / (margin * path.jerk[a]);
-  }
   number_variables();
-  m_.assign(n_ + 1, 0);
+  m_.assign(n_, 0);
   if (first_given_) m_[0] = ends_.from.b + ends_.from.d * path.h[0] / 2;
   for (std::vector<double>* const all : {&y_, &trial_, &step_}) all->assign(variables_, 0);
-  std::vector<double> most = path.most;
-  if (!ends_.to_stop) most[n_ - 1] = std::min(most[n_ - 1], ends_.crawl);
+  find_mixes();
+  find_limits();
   cap_.assign(variables_, infinite);
-  for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k)
-    cap_[variable_[k]] = std::min(cap_[variable_[k]], most[k] / scale_[k]);
+  for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
+    const double most = k + 1 == n_ && !ends_.to_stop ? std::min(path.most[k], ends_.crawl) : path.most[k];
+    cap_[variable_[k]] = std::min(cap_[variable_[k]], most / scale_[k]);
+  }
   if (ends_.from_stop) keep_stop(0);
   if (ends_.to_stop) keep_stop(n_ - 1);
+}
+
+/// b at a knot lies on the line between the middle ordinates of its two cells; at a turn it is 0, and crawling it stays as it is.
+void LeastTime::find_mixes() {
+  mixes_.assign(n_, {});
+  for (std::size_t k = 0; k < n_; ++k) {
+    const std::size_t first = first_variable(k);
+    const auto add = [&](Mix& mix, std::size_t cell, double part) {
+      if (cell == 0 && first_given_) mix.given += part * m_[0];
+      else mix.by[variable_[cell] - first] += part * scale_[cell];
+    };
+    const auto knot = [&](Mix& mix, std::size_t left) {
+      const double before = path_->h[left], behind = path_->h[left + 1];
+      add(mix, left, behind / (before + behind));
+      add(mix, left + 1, before / (before + behind));
+    };
+    if (k > 0 && !turns_behind(k - 1)) knot(mixes_[k][0], k - 1);
+    if (k == 0 && first_given_) mixes_[k][0].given = ends_.from.b;
+    if (turns_behind(k)) continue;
+    if (k + 1 < n_) knot(mixes_[k][1], k);
+    else add(mixes_[k][1], k, 1);
+  }
+}
+
+void LeastTime::find_limits() {
+  const TimedPath& path = *path_;
+  limits_.resize(n_ * path.axes);
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double h = path.h[k];
+    const Three q{2 / (h * h), -4 / (h * h), 2 / (h * h)};  // b″
+    for (std::size_t p = 0; p < places; ++p) {
+      const double part = TimedPath::part[p];
+      const Three d{-2 * (1 - part) / h, 2 * (1 - 2 * part) / h, 2 * part / h};  // b′
+      for (std::size_t a = 0; a < path.axes; ++a) {
+        const std::size_t i = (k * places + p) * path.axes + a;
+        const double x1 = path.x1[i], x2 = path.x2[i], x3 = path.x3[i];
+        const double by_a = 1 / (margin * path.acceleration[a]), by_j = 1 / (margin * path.jerk[a]);
+        AxisLimits& limits = limits_[k * path.axes + a];
+        for (std::size_t o = 0; o < 3; ++o) {
+          limits.acceleration[o][p] = by_a * (x1 / 2 * d[o] + x2 * weights[o][p]);
+          limits.jerk[o][p] = by_j * (x1 / 2 * q[o] + 1.5 * x2 * d[o] + x3 * weights[o][p]);
+        }
+      }
+    }
+  }
 }
 
 /// Jerk in the cell beside a stop, s⃛ = 2/9 b₁^(3/2) / h², as a limit of its variable: its middle is a third of b₁.
 void LeastTime::keep_stop(std::size_t cell) {
   double most = infinite;  // of b₁
   for (std::size_t a = 0; a < path_->axes; ++a) {
-    const double way = std::fabs(path_->x1[(cell * TimedPath::places + 1) * path_->axes + a]) * inverse_j_[a];
+    const double way = std::fabs(path_->x1[(cell * places + 1) * path_->axes + a]) / (margin * path_->jerk[a]);
     if (way > 0) most = std::min(most, std::cbrt(square(4.5 * square(path_->h[cell]) / way)));
   }
   double& cap = cap_[variable_[cell]];
@@ -99,52 +168,14 @@ void LeastTime::spread(const std::vector<double>& y) {
   for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) m_[k] = scale_[k] * y[variable_[k]];
 }
 
-PathSpeed LeastTime::start_of(std::size_t cell) const {
-  if (cell == 0) return ends_.from_stop ? PathSpeed{} : ends_.from;
-  if (turns_behind(cell - 1)) return {0, 2 * m_[cell] / path_->h[cell]};
-  const Knot& at = knots_[cell];
-  return {at.left * m_[cell - 1] + at.right * m_[cell], at.slope * (m_[cell] - m_[cell - 1])};
-}
-
-PathSpeed LeastTime::end_of(std::size_t cell) const {
-  if (turns_behind(cell)) return {0, -2 * m_[cell] / path_->h[cell]};
-  const Knot& at = knots_[cell + 1];
-  return {at.left * m_[cell] + at.right * m_[cell + 1], at.slope * (m_[cell + 1] - m_[cell])};
-}
-
-LeastTime::By LeastTime::by_start(std::size_t cell, std::size_t first) const {
-  By by;
-  if (cell == 0) return by;
-  const std::size_t here = variable_[cell] - first;
-  if (turns_behind(cell - 1)) {
-    by.d[here] = 2 * scale_[cell] / path_->h[cell];
-    return by;
-  }
-  const Knot& at = knots_[cell];
-  by.b[here] += at.right * scale_[cell];
-  by.d[here] += at.slope * scale_[cell];
-  if (cell == 1 && first_given_) return by;
-  const std::size_t before = variable_[cell - 1] - first;
-  by.b[before] += at.left * scale_[cell - 1];
-  by.d[before] -= at.slope * scale_[cell - 1];
-  return by;
-}
-
-LeastTime::By LeastTime::by_end(std::size_t cell, std::size_t first) const {
-  By by;
-  const bool given = cell == 0 && first_given_;
-  const std::size_t here = given ? 0 : variable_[cell] - first;
-  if (turns_behind(cell)) {
-    if (!given) by.d[here] = -2 * scale_[cell] / path_->h[cell];
-    return by;
-  }
-  const Knot& at = knots_[cell + 1];
-  if (!given) by.b[here] += at.left * scale_[cell], by.d[here] -= at.slope * scale_[cell];
-  if (cell + 1 == n_) return by;
-  const std::size_t behind = variable_[cell + 1] - first;
-  by.b[behind] += at.right * scale_[cell + 1];
-  by.d[behind] += at.slope * scale_[cell + 1];
-  return by;
+LeastTime::Ordinates LeastTime::ordinates(std::size_t cell) const {
+  const auto knot = [&](std::size_t left) {
+    if (turns_behind(left)) return 0.0;
+    const double before = path_->h[left], behind = path_->h[left + 1];
+    return (behind * m_[left] + before * m_[left + 1]) / (before + behind);
+  };
+  const double start = cell > 0 ? knot(cell - 1) : first_given_ ? ends_.from.b : 0;
+  return {start, m_[cell], cell + 1 < n_ ? knot(cell) : turns_behind(cell) ? 0 : m_[cell]};
 }
 
 double LeastTime::time() const {
@@ -155,8 +186,6 @@ double LeastTime::time() const {
 
 /// T − μ Σ log(slack); infinite where a limit is not kept. A limit |x| ≤ 1 has the slack 1 − x². Leaves m_ as it is for y.
 double LeastTime::barrier(const std::vector<double>& y, double mu) {
-  const TimedPath& path = *path_;
-  const std::size_t axes = path.axes;
   Logs logs;
   for (std::size_t v = 0; v < variables_; ++v) {
     if (!(y[v] > 0) || !(y[v] < cap_[v])) return infinite;
@@ -165,65 +194,61 @@ double LeastTime::barrier(const std::vector<double>& y, double mu) {
   spread(y);
   for (std::size_t k = 0; k < n_; ++k) {
     if (is_stop_cell(k)) continue;
-    const PathSpeed left = start_of(k), right = end_of(k);
-    const double q = (right.d - left.d) / path.h[k];
-    for (std::size_t place = 0; place < TimedPath::places; ++place) {
-      const PathSpeed at = within(left, m_[k], right, TimedPath::part[place]);
-      const std::size_t i = (k * TimedPath::places + place) * axes;
-      for (std::size_t a = 0; a < axes; ++a) {
-        const double x1 = path.x1[i + a] / 2, x2 = path.x2[i + a];
-        const double acceleration = (x1 * at.d + x2 * at.b) * inverse_a_[a];
-        const double jerk = (x1 * q + 1.5 * x2 * at.d + path.x3[i + a] * at.b) * inverse_j_[a];
-        const double slack = 1 - square(acceleration), jerk_slack = 1 - at.b * square(jerk);
-        if (!(slack > 0) || !(jerk_slack > 0)) return infinite;
-        logs.take(slack * jerk_slack);
+    const Ordinates o = ordinates(k);
+    const Places b = at_places(weights, o);
+    for (std::size_t a = 0; a < path_->axes; ++a) {
+      const AxisLimits& limits = limits_[k * path_->axes + a];
+      const Places acceleration = at_places(limits.acceleration, o), jerk = at_places(limits.jerk, o);
+      double least = 1, product = 1;
+      for (std::size_t p = 0; p < places; ++p) {
+        const double slack = 1 - acceleration[p] * acceleration[p], jerk_slack = 1 - b[p] * jerk[p] * jerk[p];
+        least = std::min(least, std::min(slack, jerk_slack));
+        product *= slack * jerk_slack;
       }
+      if (!(least > 0)) return infinite;
+      logs.take(product);
     }
   }
   return time() - mu * logs.sum();
 }
 
-/// A limit |part| ≤ 1 with the derivatives `by`.
-void LeastTime::add(std::size_t first, const Three& by, double part, double mu) {
-  const double slack = 1 / (1 - part * part), slope = mu * 2 * part * slack, bend = mu * 2 * slack + slope * slope / mu;
-  for (std::size_t i = 0; i < 3; ++i) gradient_[first + i] += slope * by[i];
-  h0_[first] += bend * by[0] * by[0];
-  h0_[first + 1] += bend * by[1] * by[1];
-  h0_[first + 2] += bend * by[2] * by[2];
-  h1_[first] += bend * by[0] * by[1];
-  h1_[first + 1] += bend * by[1] * by[2];
-  h2_[first] += bend * by[0] * by[2];
-}
-
-/// The limits within a cell.
+/// The limits within a cell: their gradient and Hessian by its ordinates, then by the variables.
 void LeastTime::add_cell(std::size_t cell, double mu) {
-  const bool given = cell == 0 && first_given_;
-  const std::size_t first = cell <= 1 && first_given_ ? 0 : variable_[cell > 0 ? cell - 1 : 0];
-  const By start = by_start(cell, first), stop = by_end(cell, first);
-  const PathSpeed left = start_of(cell), right = end_of(cell);
-  const double h = path_->h[cell], q = (right.d - left.d) / h;
-  for (std::size_t place = 0; place < TimedPath::places; ++place) {
-    const PathSpeed at = within(left, m_[cell], right, TimedPath::part[place]);
-    const double part = TimedPath::part[place], rest = 1 - part, root = std::sqrt(at.b), half = at.b > 0 ? 0.5 / root : 0;
-    By by;
-    for (std::size_t j = 0; j < 3; ++j) {
-      by.b[j] = rest * rest * start.b[j] + part * part * stop.b[j];
-      by.d[j] = rest * start.d[j] + part * stop.d[j];
+  const Ordinates o = ordinates(cell);
+  const Places b = at_places(weights, o);
+  Places root, half;
+  for (std::size_t p = 0; p < places; ++p) root[p] = std::sqrt(b[p]), half[p] = b[p] > 0 ? 0.5 / root[p] : 0;
+  Sums sums;
+  for (std::size_t a = 0; a < path_->axes; ++a) {
+    const AxisLimits& limits = limits_[cell * path_->axes + a];
+    sums.take(at_places(limits.acceleration, o), limits.acceleration);
+    const Places jerk = at_places(limits.jerk, o);
+    std::array<Places, 3> by;
+    Places part;
+    for (std::size_t p = 0; p < places; ++p) {
+      part[p] = root[p] * jerk[p];
+      for (std::size_t i = 0; i < 3; ++i) by[i][p] = root[p] * limits.jerk[i][p] + half[p] * jerk[p] * weights[i][p];
     }
-    if (!given) by.b[variable_[cell] - first] += 2 * part * rest * scale_[cell];
-    for (std::size_t a = 0; a < path_->axes; ++a) {
-      const std::size_t i = (cell * TimedPath::places + place) * path_->axes + a;
-      const double x1 = path_->x1[i] / 2, x2 = path_->x2[i], x3 = path_->x3[i];
-      const double jerk = (x1 * q + 1.5 * x2 * at.d + x3 * at.b) * inverse_j_[a];
-      Three by_a{}, by_j{};
-      for (std::size_t j = 0; j < 3; ++j) {
-        by_a[j] = (x1 * by.d[j] + x2 * by.b[j]) * inverse_a_[a];
-        by_j[j] = root * (x1 * (stop.d[j] - start.d[j]) / h + 1.5 * x2 * by.d[j] + x3 * by.b[j]) * inverse_j_[a] + half * jerk * by.b[j];
-      }
-      add(first, by_a, (x1 * at.d + x2 * at.b) * inverse_a_[a], mu);
-      add(first, by_j, root * jerk, mu);
-    }
+    sums.take(part, by);
   }
+  const std::array<double, 9> sum = sums.over_places();
+  const Three gradient{sum[0], sum[1], sum[2]};
+  const std::array<Three, 3> h{{{sum[3], sum[4], sum[5]}, {sum[4], sum[6], sum[7]}, {sum[5], sum[7], sum[8]}}};
+  // ordinates by variables
+  const std::size_t first = first_variable(cell);
+  std::array<Three, 3> by{mixes_[cell][0].by, {}, mixes_[cell][1].by};
+  if (!(cell == 0 && first_given_)) by[1][variable_[cell] - first] = scale_[cell];
+  std::array<Three, 3> hb{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t v = 0; v < 3; ++v) hb[i][v] = mu * (h[i][0] * by[0][v] + h[i][1] * by[1][v] + h[i][2] * by[2][v]);
+  const auto product = [&](std::size_t v, std::size_t w) { return by[0][v] * hb[0][w] + by[1][v] * hb[1][w] + by[2][v] * hb[2][w]; };
+  for (std::size_t v = 0; v < 3; ++v) {
+    gradient_[first + v] += mu * (gradient[0] * by[0][v] + gradient[1] * by[1][v] + gradient[2] * by[2][v]);
+    h0_[first + v] += product(v, v);
+  }
+  h1_[first] += product(0, 1);
+  h1_[first + 1] += product(1, 2);
+  h2_[first] += product(0, 2);
 }
 
 /// Gradient and Hessian of the barrier at y_; m_ is that of y_.
@@ -316,7 +341,7 @@ bool LeastTime::first_guess() {
 
 bool LeastTime::solve(const TimedPath& path, const Ends& ends) {
   constexpr double smaller = 0.2;      // μ, when its point is near
-  constexpr double accurate = 2e-3;    // of the time: what μ may cost
+  constexpr double accurate = 5e-4;    // of the time: what μ may cost
   constexpr double near_enough = 0.3;  // of what μ may cost: what the next step promises
   constexpr int most_steps = 150;      // 25 to 45 are needed
   path_ = &path;
@@ -336,7 +361,11 @@ bool LeastTime::solve(const TimedPath& path, const Ends& ends) {
     mu = std::min(mu, now / conditions) * smaller;
   }
   speeds_.resize(n_);
-  for (std::size_t k = 0; k < n_; ++k) speeds_[k] = {start_of(k), is_stop_cell(k) && k > 0 ? PathSpeed{} : end_of(k)};
+  for (std::size_t k = 0; k < n_; ++k) {
+    const Ordinates o = ordinates(k);
+    speeds_[k] = {{o[0], 2 * (o[1] - o[0]) / path.h[k]}, {o[2], 2 * (o[2] - o[1]) / path.h[k]}};
+    if (is_stop_cell(k)) (k == 0 ? speeds_[k].start : speeds_[k].end) = {};
+  }
   return true;
 }
 

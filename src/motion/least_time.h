@@ -69,33 +69,36 @@ class LeastTime {
   int steps() const { return steps_; }
 
  private:
-  /// A knot's b = left m_(k−1) + right m_k, b′ = slope (m_k − m_(k−1)).
-  struct Knot {
-    double left = 0, right = 0, slope = 0;
-  };
-  /// By the three variables that a cell's limits depend on.
+  static constexpr std::size_t places = TimedPath::places;
   using Three = std::array<double, 3>;
-  /// Derivatives of b and b′.
-  struct By {
-    Three b{}, d{};
+  using Places = std::array<double, places>;
+  /// b in a cell by its Bézier ordinates: at the start, the middle one, at the end.
+  using Ordinates = Three;
+  /// What an axis' limits come to at the places of a cell, linear in the ordinates: acceleration / A and jerk / (J √b).
+  struct AxisLimits {
+    std::array<Places, 3> acceleration, jerk;
+  };
+  /// An ordinate as a sum of variables: of those before, of and behind its cell.
+  struct Mix {
+    double given = 0;
+    Three by{};
   };
 
   void prepare();
   void number_variables();
+  void find_mixes();
+  void find_limits();
   void keep_stop(std::size_t cell);
   bool first_guess();
   void spread(const std::vector<double>& y);
-  PathSpeed start_of(std::size_t cell) const;
-  PathSpeed end_of(std::size_t cell) const;
-  By by_start(std::size_t cell, std::size_t first) const;
-  By by_end(std::size_t cell, std::size_t first) const;
+  Ordinates ordinates(std::size_t cell) const;
   bool turns_behind(std::size_t cell) const { return path_->turns[cell] != 0; }
   bool is_stop_cell(std::size_t cell) const { return (cell == 0 && ends_.from_stop) || (cell + 1 == n_ && ends_.to_stop); }
+  std::size_t first_variable(std::size_t cell) const { return variable_[cell > 0 ? cell - 1 : 0]; }
   double time() const;
   double barrier(const std::vector<double>& y, double mu);
   void derivatives(double mu);
   void add_cell(std::size_t cell, double mu);
-  void add(std::size_t first, const Three& by, double part, double mu);
   bool newton_step();
   double line_search(double value, double mu);
 
@@ -106,8 +109,8 @@ class LeastTime {
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
   bool first_given_ = false;  // the first cell follows from the start
-  std::vector<double> inverse_a_, inverse_j_;  // 1/A, 1/J of each axis
-  std::vector<Knot> knots_;
+  std::vector<AxisLimits> limits_;          // cell * axes + axis
+  std::vector<std::array<Mix, 2>> mixes_;  // of each cell's first and last ordinate
   std::vector<double> cap_;
   std::vector<double> m_;                                           // of the cells
   std::vector<double> y_, trial_, step_, gradient_, h0_, h1_, h2_;  // of the variables; h: the Hessian's diagonals
