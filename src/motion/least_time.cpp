@@ -322,21 +322,72 @@ double LeastTime::line_search(double value, double mu) {
 
 /// A speed that obeys all limits: an earlier solution that crawls on behind its end, or one so low that all limits are far away.
 bool LeastTime::first_guess() {
+  constexpr double slowing = 0.9;  // of b, from cell to cell
   if (!ends_.guess.empty()) {
-    for (std::size_t k = n_; k-- > (first_given_ ? 1 : 0);)
-      y_[variable_[k]] = (k < ends_.guess.size() ? ends_.guess[k] : ends_.guess.back()) / scale_[k];
-    if (std::isfinite(barrier(y_, 0))) return true;
+    const double slow = ends_.guess.back();
+    for (const double floor : {slow, slow / 10, ends_.crawl / 1e4}) {
+      double m = slow;
+      std::vector<double>& y = y_;
+      for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
+        m = k < ends_.guess.size() ? ends_.guess[k] : std::max(floor, m * slowing);
+        y[variable_[k]] = m / scale_[k];
+      }
+      if (std::isfinite(barrier(y_, 0))) return true;
+    }
   }
   if (!ends_.from_stop) return false;
-  double least = infinite;
-  for (std::size_t v = 0; v < variables_; ++v) least = std::min(least, cap_[v]);
+  find_envelope();
   constexpr int most_tries = 60;
-  for (int tries = 0; tries < most_tries; ++tries) {
-    least /= 4;
-    std::fill(y_.begin(), y_.end(), least);
-    if (std::isfinite(barrier(y_, 0))) return true;
+  double part = 0.5;
+  for (int tries = 0; tries < most_tries; ++tries, part /= 2) {
+    for (std::size_t k = n_; k-- > 0;) y_[variable_[k]] = part * std::min(m_[k] / scale_[k], cap_[variable_[k]]);
+    std::copy(y_.begin(), y_.end(), trial_.begin());
+    if (std::isfinite(barrier(trial_, 0))) return true;
+    find_envelope();
   }
   return false;
+}
+
+/// What a cell allows by itself, ṡ².
+double LeastTime::alone(const TimedPath& path, std::size_t cell) {
+  constexpr double none = 1e-12;  // a derivative of this size limits nothing
+  double most = path.most[cell];
+  for (std::size_t p = 0; p < places; ++p)
+    for (std::size_t a = 0; a < path.axes; ++a) {
+      const std::size_t i = (cell * places + p) * path.axes + a;
+      most = std::min(most, path.acceleration[a] / std::max(std::fabs(path.x2[i]), none));
+      most = std::min(most, std::cbrt(square(path.jerk[a] / std::max(std::fabs(path.x3[i]), none))));
+    }
+  return most;
+}
+
+double LeastTime::slowest(const TimedPath& path) {
+  double least = infinite;
+  for (std::size_t k = 0; k < path.cells(); ++k) least = std::min(least, alone(path, k));
+  return least;
+}
+
+/// About how fast the path may be passed, into m_: by what each cell allows by itself, and by how soon jerk lets it get there.
+void LeastTime::find_envelope() {
+  double soonest = infinite;  // d b^(3/4) / ds with constant jerk from rest: b = (6^(4/3)/4) j^(2/3) s^(4/3)
+  for (std::size_t a = 0; a < path_->axes; ++a) soonest = std::min(soonest, 2.12 * std::sqrt(path_->jerk[a]));
+  double reached = 0;  // b^(3/4)
+  for (std::size_t k = 0; k < n_; ++k) {
+    const double most = alone(*path_, k);
+    reached = k > 0 && turns_behind(k - 1) ? 0 : reached;
+    reached = std::min(std::pow(most, 0.75), reached + soonest * path_->h[k]);
+    m_[k] = reached;
+  }
+  reached = ends_.to_stop ? 0 : m_[n_ - 1];
+  for (std::size_t k = n_; k-- > 0;) {
+    if (turns_behind(k)) reached = 0;
+    m_[k] = reached = std::min(m_[k], reached + soonest * path_->h[k]);
+  }
+  constexpr int rounds = 8;
+  for (int round = 0; round < rounds; ++round)  // its corners are rounded
+    for (std::size_t k = 1; k + 1 < n_; ++k)
+      if (!turns_behind(k) && !turns_behind(k - 1)) m_[k] = (m_[k - 1] + 2 * m_[k] + m_[k + 1]) / 4;
+  for (double& m : m_) m = std::pow(m, 4.0 / 3);
 }
 
 bool LeastTime::solve(const TimedPath& path, const Ends& ends) {

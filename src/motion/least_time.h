@@ -68,6 +68,9 @@ class LeastTime {
   const std::vector<double>& middles() const { return m_; }
   int steps() const { return steps_; }
 
+  /// The least ṡ² that any cell allows by itself, whatever its neighbours do.
+  static double slowest(const TimedPath& path);
+
  private:
   static constexpr std::size_t places = TimedPath::places;
   using Three = std::array<double, 3>;
@@ -90,6 +93,8 @@ class LeastTime {
   void find_limits();
   void keep_stop(std::size_t cell);
   bool first_guess();
+  void find_envelope();
+  static double alone(const TimedPath& path, std::size_t cell);
   void spread(const std::vector<double>& y);
   Ordinates ordinates(std::size_t cell) const;
   bool turns_behind(std::size_t cell) const { return path_->turns[cell] != 0; }

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t planned_at = 512;    // pieces: so many come in before the next plan
 constexpr std::size_t least_window = 600;  // cells
 constexpr std::size_t most_window = 6000;  // cells: then some are handed out though the window's end may have slowed them
-constexpr double crawl = 0.2;              // mm/s: behind the window's end; every corner can be passed so
+constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: behind the window's end
 constexpr double growth = 0.2;             // of the cells, by their distance from what made them small
 constexpr double longest_s = 0.01;         // of a cell, at the commanded speed
 constexpr double fastest = 1e12;           // mm²/s²: no limit of ṡ², in numbers that can be calculated with
@@ -198,7 +198,7 @@ std::size_t Planner::sure_cells() const {
 
 void Planner::solve(bool last) {
   ends_.to_stop = last;
-  ends_.crawl = crawl * crawl;
+  ends_.crawl = crawl_of_slowest * least_.slowest(cells_);
   if (cells_.cells() < 4 || !least_.solve(cells_, ends_)) return cell_by_cell();
   if (last) return hand_out(cells_.cells());
   const std::size_t all = cells_.cells(), sure = sure_cells();
