@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-constexpr double margin = 0.99;  // of acceleration and jerk: between the places they are looked at they are a little higher
+constexpr double margin = 0.99, jerk_margin = 0.975;  // of the limits: between the places they are looked at they are a little exceeded
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double square(double x) { return x * x; }
@@ -142,7 +142,7 @@ void LeastTime::find_limits() {
       for (std::size_t a = 0; a < path.axes; ++a) {
         const std::size_t i = (k * places + p) * path.axes + a;
         const double x1 = path.x1[i], x2 = path.x2[i], x3 = path.x3[i];
-        const double by_a = 1 / (margin * path.acceleration[a]), by_j = 1 / (margin * path.jerk[a]);
+        const double by_a = 1 / (margin * path.acceleration[a]), by_j = 1 / (jerk_margin * path.jerk[a]);
         AxisLimits& limits = limits_[k * path.axes + a];
         for (std::size_t o = 0; o < 3; ++o) {
           limits.acceleration[o][p] = by_a * (x1 / 2 * d[o] + x2 * weights[o][p]);
@@ -157,7 +157,7 @@ void LeastTime::find_limits() {
 void LeastTime::keep_stop(std::size_t cell) {
   double most = infinite;  // of b₁
   for (std::size_t a = 0; a < path_->axes; ++a) {
-    const double way = std::fabs(path_->x1[(cell * places + 1) * path_->axes + a]) / (margin * path_->jerk[a]);
+    const double way = std::fabs(path_->x1[(cell * places + 1) * path_->axes + a]) / (jerk_margin * path_->jerk[a]);
     if (way > 0) most = std::min(most, std::cbrt(square(4.5 * square(path_->h[cell]) / way)));
   }
   double& cap = cap_[variable_[cell]];

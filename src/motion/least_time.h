@@ -11,9 +11,9 @@
 //
 // b is told by its middle Bézier ordinate m in each cell:  b(knot k) = (h_k m_(k−1) + h_(k−1) m_k) / (h_(k−1) + h_k). In a cell beside a
 // stop the motion is s = j t³/6, that is b ~ s^(4/3). Where the path turns back on itself the axes stand for an instant, but go on
-// accelerating the same way: b = 0, b′ changes its sign, m/h is the same on both sides. The problem is solved by an interior-point method: Newton steps on
-// T − μ Σ log(slack), μ → 0, with a Hessian of five diagonals; every iterate obeys all limits. b as the unknown: Verscheure et al. 2009,
-// IEEE TAC 54(10); the jerk, which is not convex in b, is kept by the barrier itself and its bend left out of the Hessian.
+// accelerating the same way: b = 0, b′ changes its sign, m/h is the same on both sides. The problem is solved by an interior-point method:
+// Newton steps on T − μ Σ log(slack), μ → 0, with a Hessian of five diagonals; every iterate obeys all limits. b as the unknown: Verscheure
+// et al. 2009, IEEE TAC 54(10); the jerk, which is not convex in b, is kept by the barrier itself and its bend left out of the Hessian.
 
 #include <array>
 #include <cstddef>
@@ -113,8 +113,8 @@ class LeastTime {
   std::size_t variables_ = 0;  // m of a cell = scale * its variable; those beside stops and turns have their neighbour's
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
-  bool first_given_ = false;  // the first cell follows from the start
-  std::vector<AxisLimits> limits_;          // cell * axes + axis
+  bool first_given_ = false;               // the first cell follows from the start
+  std::vector<AxisLimits> limits_;         // cell * axes + axis
   std::vector<std::array<Mix, 2>> mixes_;  // of each cell's first and last ordinate
   std::vector<double> cap_;
   std::vector<double> m_;                                           // of the cells

@@ -127,6 +127,7 @@ double Planner::size_at(double s, std::size_t piece, bool last) const {
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
     const double w = path_.width(i), small = path_.turns_back(i) ? rest : w / SoftCorner::cells;
+    if (small == 0) return;  // straight on
     size = std::min(size, small + growth * std::max(0.0, std::fabs(s - path_.at(i)) - w));
   };
   for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);

@@ -87,7 +87,7 @@ double SmoothPath::moved(double s, std::size_t around) const {
 /// Makes roundings narrower where they move the path too far. False: none does.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-9;  // relative: of an even split that meets the tolerance exactly
-  constexpr double aim = 0.99;       // of the tolerance, so that few rounds do
+  constexpr double aim = 0.999;      // of the tolerance, so that the rounds come to an end
   bool any = false;
   factor_.assign(at_.size(), 1);
   for (std::size_t i = first; i < end; ++i) {
@@ -100,7 +100,7 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
     }
     if (most <= tolerance_[i] * (1 + rounding)) continue;
     any = true;
-    const double less = std::sqrt(aim * tolerance_[i] / most);
+    const double less = std::cbrt(aim * tolerance_[i] / most);  // several corners bear it together
     corners_near(at_[i], i, 2 * widest, [&](std::size_t k) {
       if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + flank) factor_[k] = std::min(factor_[k], less);
     });
@@ -117,16 +117,16 @@ void SmoothPath::settle(bool last) {
   for (std::size_t i = first; i-- > 0 && edge == 0 && at_[first] - at_[i] < widest;)
     if (turns_back(i)) edge = at_[i];
   for (std::size_t i = first; i + 1 < vertices; ++i) {
-    width_[i] = std::min(widest, at_[i] - edge);
+    width_[i] = turn_[i] > straight_bend ? std::min(widest, at_[i] - edge) : 0;
     if (turns_back(i)) width_[i] = 0, edge = at_[i];
-    else if (turn_[i] > straight_bend) width_[i] = std::min(width_[i], tolerance_[i] / (SoftCorner::of(turn_[i]).highest() * turn_[i]));
+    else if (width_[i] > 0) width_[i] = std::min(width_[i], tolerance_[i] / (SoftCorner::of(turn_[i]).highest() * turn_[i]));
   }
   edge = last ? at_.back() : at_.back() + widest;
   for (std::size_t i = vertices - 1; i-- > first;) {
     width_[i] = std::min(width_[i], edge - at_[i]);
     if (turns_back(i)) edge = at_[i];
   }
-  constexpr int most_rounds = 30;  // a chain needs three to eight
+  constexpr int most_rounds = 200;  // a chain needs ten to thirty
   first = std::max<std::size_t>(done_, 1);
   while (first > 1 && at_[std::min(done_, vertices - 1)] - at_[first] < 2 * widest) --first;
   for (int round = 0; round < most_rounds && shrink(first, vertices - 1); ++round) {
