@@ -87,6 +87,7 @@ double SmoothPath::moved(double s, std::size_t around) const {
 /// Makes roundings narrower where they move the path too far. False: none does.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-9;  // relative: of an even split that meets the tolerance exactly
+  constexpr double gently = 0.2;     // in small steps, so that those that matter most stay widest
   constexpr double aim = 0.999;      // of the tolerance, so that the rounds come to an end
   bool any = false;
   factor_.assign(at_.size(), 1);
@@ -100,7 +101,7 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
     }
     if (most <= tolerance_[i] * (1 + rounding)) continue;
     any = true;
-    const double less = std::cbrt(aim * tolerance_[i] / most);  // several corners bear it together
+    const double less = std::pow(aim * tolerance_[i] / most, gently);  // several corners bear it together
     corners_near(at_[i], i, 2 * widest, [&](std::size_t k) {
       if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + flank) factor_[k] = std::min(factor_[k], less);
     });
