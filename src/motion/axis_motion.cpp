@@ -83,7 +83,8 @@ void AxisMotion::take(const Motion& motion, const MotionTime& programmed, std::u
   const bool rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = motion.tolerance > 0 ? motion.tolerance : tolerance_;
-  const double rounding = stops ? tol::exact_path : tolerance;
+  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
+  const double junction = exact_ ? 0 : tolerance;
   const int pieces = Curve(roles_, position_.work, motion).pieces(chord_of_tolerance * rounding);
   const auto point = [&](int i) { return path.at(static_cast<double>(i) / pieces); };
   double length = 0;
@@ -97,7 +98,7 @@ void AxisMotion::take(const Motion& motion, const MotionTime& programmed, std::u
   }
   const double feed = programmed.seconds > 0 ? length / programmed.seconds : unlimited_feed;
   const std::uint64_t tag = Spent{rapid ? Spent::On::rapid : Spent::On::cutting, line}.tag();
-  for (int i = 1; i <= pieces; ++i) planner_.line_to(point(i).data(), feed, i == 1 && exact_ ? 0 : rounding, tag);
+  for (int i = 1; i <= pieces; ++i) planner_.line_to(point(i).data(), feed, i == 1 ? junction : rounding, i > 1, tag);
   exact_ = stops;
   if (stops) planner_.stop();
 }

@@ -16,6 +16,7 @@ constexpr std::size_t least_window = 600;  // cells
 constexpr std::size_t most_window = 6000;  // cells: then some are handed out though the window's end may have slowed them
 constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: behind the window's end
 constexpr double growth = 0.2;             // of the cells, by their distance from what made them small
+constexpr double corner_part = 1.0 / SoftCorner::cells;
 constexpr double longest_s = 0.01;         // of a cell, at the commanded speed
 constexpr double fastest = 1e12;           // mm²/s²: no limit of ṡ², in numbers that can be calculated with
 
@@ -65,10 +66,10 @@ bool Planner::turns(const double* to) const {
   return bend > square(straight);
 }
 
-void Planner::line_to(const double* to, double feed, double tolerance, std::uint64_t tag) {
+void Planner::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag) {
   if (tolerance <= 0 && turns(to)) stop();
   const std::size_t before = path_.pieces();
-  path_.line_to(to, feed, tolerance, tag);
+  path_.line_to(to, feed, tolerance, on_curve, tag);
   if (path_.pieces() == before) return;
   double squares = 0;
   for (std::size_t a = 0; a < cells_.axes; ++a) squares += square(to[a] - at_[a]);
@@ -118,20 +119,46 @@ void Planner::straight_line() {
   sink_(out_);
 }
 
-/// Size of a cell at a length: small at corners, turns and stops, growing away from them.
-double Planner::size_at(double s, std::size_t piece, bool last) const {
+/// Size of a cell at a length: small at corners, turns and stops, growing away from them. `curve_part`: of a rounding's width, of those
+/// between the chords of a curve.
+double Planner::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   double size = longest_s * path_.feed(piece);
   const double rest = 0.01 * std::min(1.0, path_.ends() - path_.begins());  // beside a stop: a part of the way that a ramp takes
   size = std::min(size, rest + growth * s);
   if (last) size = std::min(size, rest + growth * (path_.ends() - s));
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
-    const double w = path_.width(i), small = path_.turns_back(i) ? rest : w / SoftCorner::cells;
+    const double w = path_.width(i), small = path_.turns_back(i) ? rest : w * (path_.on_curve(i) ? curve_part : corner_part);
     if (small == 0) return;  // straight on
     size = std::min(size, small + growth * std::max(0.0, std::fabs(s - path_.at(i)) - w));
   };
   for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);
   for (std::size_t i = piece + 1; i < path_.pieces() && path_.at(i) - s < reach; ++i) take(i);
+  return size;
+}
+
+/// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
+bool Planner::is_even(double h) const {
+  constexpr double uneven = 0.003;      // of the curvature
+  constexpr double unimportant = 0.001;  // of the acceleration that the axis may have
+  Knot middle, end;
+  const std::size_t half = path_.piece_at(cut_ + h / 2, piece_), far = path_.piece_at(cut_ + h, half);
+  path_.evaluate(cut_ + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
+  path_.evaluate(cut_ + h, far, end.x.data(), end.x1.data(), end.x2.data());
+  double off = 0, most = 0, allowed = fastest;
+  for (std::size_t a = 0; a < cells_.axes; ++a) {
+    off = std::max(off, std::fabs(middle.x2[a] - (knot_.x2[a] + end.x2[a]) / 2));
+    most = std::max({most, std::fabs(knot_.x2[a]), std::fabs(middle.x2[a]), std::fabs(end.x2[a])});
+    allowed = std::min(allowed, unimportant * limits_.acceleration[a]);
+  }
+  return off <= std::max(uneven * most, allowed / square(path_.feed(piece_)));
+}
+
+double Planner::next_size(bool last) const {
+  constexpr double wide = 0.33;
+  double size = size_at(cut_, piece_, last, wide);
+  const double least = size_at(cut_, piece_, last, corner_part);
+  while (size > least && (cut_ + size > path_.ends() || !is_even(size))) size = std::max(least, size / 2);
   return size;
 }
 
@@ -180,7 +207,7 @@ void Planner::cut_cells(bool last) {
   for (std::size_t turn = piece_ + 1; cut_ < settled;) {
     while (turn < path_.pieces() && (path_.at(turn) <= cut_ || !path_.turns_back(turn))) ++turn;
     const bool known = turn < path_.pieces();
-    const double end = known ? path_.at(turn) : path_.ends(), size = size_at(cut_, piece_, last);
+    const double end = known ? path_.at(turn) : path_.ends(), size = next_size(last);
     const bool at_end = (known || last) && cut_ + rest * size >= end;
     const double to = at_end ? end : cut_ + size;
     if (to > settled) break;

@@ -33,8 +33,8 @@ class Planner {
   /// Where the axes stand. Before anything else, and where they were moved by something else while they stood.
   void begin(const double* at);
   /// A straight piece. `feed`: mm/s along it, `tolerance`: of the corner at its beginning, mm; 0: exactly through it, so it stops there.
-  /// `tag`: comes out with its cells.
-  void line_to(const double* to, double feed, double tolerance, std::uint64_t tag);
+  /// `on_curve`: that corner is one of a chain of chords of a curve. `tag`: comes out with its cells.
+  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
   /// The axes come to rest; all is handed out.
   void stop();
 
@@ -45,7 +45,9 @@ class Planner {
   bool turns(const double* to) const;
   void plan(bool last);
   void cut_cells(bool last);
-  double size_at(double s, std::size_t piece, bool last) const;
+  double size_at(double s, std::size_t piece, bool last, double curve_part) const;
+  bool is_even(double h) const;
+  double next_size(bool last) const;
   void add_cell(double from, double to, bool turns);
   void set_knot(double s, std::size_t piece);
   void solve(bool last);

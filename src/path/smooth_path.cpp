@@ -23,11 +23,12 @@ void SmoothPath::begin(const double* at) {
   length_.clear();
   feed_.clear();
   tag_.clear();
+  on_curve_.assign(1, 0);
   done_ = 1;
   settled_ = 0;
 }
 
-void SmoothPath::line_to(const double* to, double feed, double tolerance, std::uint64_t tag) {
+void SmoothPath::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag) {
   const std::size_t last = pieces() * axes_;
   double squares = 0;
   for (std::size_t a = 0; a < axes_; ++a) squares += (to[a] - point_[last + a]) * (to[a] - point_[last + a]);
@@ -42,6 +43,7 @@ void SmoothPath::line_to(const double* to, double feed, double tolerance, std::u
     }
     turn_.back() = std::sqrt(squares);
     tolerance_.back() = tolerance;
+    on_curve_.back() = on_curve ? 1 : 0;
   }
   point_.insert(point_.end(), to, to + axes_);
   bend_.insert(bend_.end(), axes_, 0);
@@ -50,6 +52,7 @@ void SmoothPath::line_to(const double* to, double feed, double tolerance, std::u
   length_.push_back(length);
   feed_.push_back(feed);
   tag_.push_back(tag);
+  on_curve_.push_back(0);
 }
 
 std::size_t SmoothPath::piece_at(double s, std::size_t from) const {
@@ -73,7 +76,7 @@ void SmoothPath::corners_near(double s, std::size_t around, double reach, const 
 /// How far the roundings move the path at s, mm.
 double SmoothPath::moved(double s, std::size_t around) const {
   std::array<double, max_axes> sum{};
-  corners_near(s, around, widest, [&](std::size_t i) {
+  corners_near(s, around, reach_, [&](std::size_t i) {
     const double away = std::fabs(s - at_[i]);
     if (away >= width_[i]) return;
     const double g = width_[i] * SoftCorner::of(turn_[i]).at(away / width_[i]).g;
@@ -87,7 +90,7 @@ double SmoothPath::moved(double s, std::size_t around) const {
 /// Makes roundings narrower where they move the path too far. False: none does.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-9;  // relative: of an even split that meets the tolerance exactly
-  constexpr double gently = 0.2;     // in small steps, so that those that matter most stay widest
+  constexpr double far_off = 1.3;    // of the tolerance; nearer it goes in small steps, so that what matters most stays widest
   constexpr double aim = 0.999;      // of the tolerance, so that the rounds come to an end
   bool any = false;
   factor_.assign(at_.size(), 1);
@@ -101,14 +104,21 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
     }
     if (most <= tolerance_[i] * (1 + rounding)) continue;
     any = true;
-    const double less = std::pow(aim * tolerance_[i] / most, gently);  // several corners bear it together
-    corners_near(at_[i], i, 2 * widest, [&](std::size_t k) {
+    const double less = std::pow(aim * tolerance_[i] / most, most > far_off * tolerance_[i] ? 0.5 : 0.2);  // several corners bear it together
+    corners_near(at_[i], i, 2 * reach_, [&](std::size_t k) {
       if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + flank) factor_[k] = std::min(factor_[k], less);
     });
   }
   if (any)
     for (std::size_t i = done_; i < at_.size(); ++i) width_[i] *= factor_[i];
   return any;
+}
+
+/// A chain of chords of a circle is moved by curvature · w² · second_moment.
+double SmoothPath::width_on_curve(std::size_t vertex) const {
+  constexpr double used = 0.9;  // of the tolerance: the rest is for where the curve begins and ends
+  const double length = (length_[vertex - 1] + length_[vertex]) / 2;
+  return std::sqrt(used * tolerance_[vertex] * length / (SoftCorner::of(turn_[vertex]).second_moment() * turn_[vertex]));
 }
 
 void SmoothPath::settle(bool last) {
@@ -120,6 +130,7 @@ void SmoothPath::settle(bool last) {
   for (std::size_t i = first; i + 1 < vertices; ++i) {
     width_[i] = turn_[i] > straight_bend ? std::min(widest, at_[i] - edge) : 0;
     if (turns_back(i)) width_[i] = 0, edge = at_[i];
+    else if (width_[i] > 0 && on_curve(i)) width_[i] = std::min(width_[i], width_on_curve(i));
     else if (width_[i] > 0) width_[i] = std::min(width_[i], tolerance_[i] / (SoftCorner::of(turn_[i]).highest() * turn_[i]));
   }
   edge = last ? at_.back() : at_.back() + widest;
@@ -127,6 +138,7 @@ void SmoothPath::settle(bool last) {
     width_[i] = std::min(width_[i], edge - at_[i]);
     if (turns_back(i)) edge = at_[i];
   }
+  reach_ = *std::max_element(width_.begin(), width_.end());
   constexpr int most_rounds = 200;  // a chain needs ten to thirty
   first = std::max<std::size_t>(done_, 1);
   while (first > 1 && at_[std::min(done_, vertices - 1)] - at_[first] < 2 * widest) --first;
@@ -144,6 +156,7 @@ void SmoothPath::forget(double before) {
   for (std::vector<double>* const of_axes : {&point_, &bend_, &direction_}) cut(*of_axes, drop * axes_);
   for (std::vector<double>* const one : {&turn_, &at_, &width_, &tolerance_, &length_, &feed_}) cut(*one, drop);
   cut(tag_, drop);
+  cut(on_curve_, drop);
   done_ -= std::min(done_, drop);
 }
 
@@ -154,7 +167,7 @@ void SmoothPath::evaluate(double s, std::size_t piece, double* x, double* x1, do
     x[a] = point_[piece * axes_ + a] + along * x1[a];
     x2[a] = 0;
   }
-  corners_near(s, piece, widest, [&](std::size_t i) {
+  corners_near(s, piece, reach_, [&](std::size_t i) {
     const double w = width_[i], offset = s - at_[i], away = std::fabs(offset);
     if (away >= w) return;
     const SoftCorner::Shape shape = SoftCorner::of(turn_[i]).at(away / w);

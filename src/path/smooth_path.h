@@ -18,8 +18,8 @@ class SmoothPath {
   void begin(const double* at);
 
   /// A straight piece, if it has a length. `feed`: the greatest speed, mm/s. `tolerance`: how far the corner at its beginning may be
-  /// rounded, mm; more than 0, as a corner that may not be rounded is an end of the path. `tag`: the caller's own.
-  void line_to(const double* to, double feed, double tolerance, std::uint64_t tag);
+  /// rounded, mm; more than 0, as a corner that may not be rounded is an end of the path. `on_curve`: that corner is one of a chain of chords. `tag`: the caller's own.
+  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
 
   /// Finds how wide the corners are rounded. Those near the end wait, but if this is all (`last`).
   ///   law  at no length is the path further from the straight pieces than the tolerance of the corners around
@@ -39,6 +39,7 @@ class SmoothPath {
   double width(std::size_t vertex) const { return width_[vertex]; }
   /// The path turns back on itself there: a vertex without rounding, which none other reaches over.
   bool turns_back(std::size_t vertex) const { return turn_[vertex] > turning_back; }
+  bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }
   double feed(std::size_t piece) const { return feed_[piece]; }
   std::uint64_t tag(std::size_t piece) const { return tag_[piece]; }
   /// The piece that holds a length, looked for from `from` on.
@@ -53,6 +54,7 @@ class SmoothPath {
 
  private:
   static constexpr double turning_back = 2 - 1e-9;  // |Δu|
+  double width_on_curve(std::size_t vertex) const;
   double moved(double s, std::size_t around) const;
   bool shrink(std::size_t first, std::size_t end);
   template <class Take>
@@ -68,7 +70,9 @@ class SmoothPath {
   std::vector<double> direction_;  // of each piece
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;
+  std::vector<char> on_curve_;  // of each vertex
   std::vector<double> factor_;  // of each vertex, while it settles
+  double reach_ = 0;  // the widest rounding
   std::size_t done_ = 0;        // vertices before are settled
   double settled_ = 0;
 };

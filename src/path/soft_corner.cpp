@@ -46,6 +46,9 @@ SoftCorner::SoftCorner(bool sharp) {
   }
   const auto lowest = std::min_element(g_.begin(), g_.end());
   highest_ = std::max(g_[0], -*lowest);
+  double area = 0;
+  for (std::size_t i = 0; i < pieces; ++i) area += h * (g_[i] + g_[i + 1]);
+  second_moment_ = std::fabs(area);
   flank_ = h * static_cast<double>(lowest - g_.begin());
 }
 

@@ -27,6 +27,7 @@ class SoftCorner {
   Shape at(double r) const;
 
   double highest() const { return highest_; }  // greatest |g|, for w = 1
+  double second_moment() const { return second_moment_; }  // |∫ g|: how far a curve of curvature 1 is moved, for w = 1
   double flank() const { return flank_; }      // where it swings out most
   static constexpr int cells = 16;             // as many equal ones to a side show its shape
 
@@ -35,7 +36,7 @@ class SoftCorner {
 
   static constexpr int pieces = 32;  // k is straight in each: g‴ is constant there
   std::array<double, pieces + 2> k_{}, slope_{}, g_{};
-  double highest_ = 0, flank_ = 0;
+  double highest_ = 0, flank_ = 0, second_moment_ = 0;
 };
 
 }  // namespace kadr
