@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-constexpr double margin = 0.99, jerk_margin = 0.975;  // of the limits: between the places they are looked at they are a little exceeded
+constexpr double margin = 0.99, jerk_margin = 0.985;  // of the limits: between the places they are looked at they are a little exceeded
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double square(double x) { return x * x; }

@@ -1,7 +1,7 @@
 #pragma once
 // The least time along a given path: path speed as a function of path length, so that no axis exceeds its acceleration and jerk.
 //
-//   path          x(s), cut into cells; x′, x″ (continuous) and x‴ are known at four places of each
+//   path          x(s), cut into cells; x′, x″ (continuous) and x‴ are known at five places of each
 //   path speed    b(s) = ṡ²; in each cell a quadratic polynomial, b and b′ continuous:
 //                   s̈ = b′/2,   s⃛ = √b · b″/2
 //   speed         b ≤ most
@@ -31,8 +31,8 @@ struct TimedPath {
   std::vector<double> x1, x2, x3;          // x′, x″, x‴ in each cell at its places: (cell * places + place) * axes + axis
 
   /// Where the limits are looked at: at the ends of a cell and between.
-  static constexpr std::size_t places = 4;
-  static constexpr std::array<double, places> part = {0, 0.2764, 0.7236, 1};
+  static constexpr std::size_t places = 5;
+  static constexpr std::array<double, places> part = {0, 0.1727, 0.5, 0.8273, 1};
 
   std::size_t cells() const { return h.size(); }
   void clear();

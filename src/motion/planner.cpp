@@ -17,8 +17,8 @@ constexpr std::size_t most_window = 6000;  // cells: then some are handed out th
 constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: behind the window's end
 constexpr double growth = 0.2;             // of the cells, by their distance from what made them small
 constexpr double corner_part = 1.0 / SoftCorner::cells;
-constexpr double longest_s = 0.01;         // of a cell, at the commanded speed
-constexpr double fastest = 1e12;           // mm²/s²: no limit of ṡ², in numbers that can be calculated with
+constexpr double longest_s = 0.01;  // of a cell, at the commanded speed
+constexpr double fastest = 1e12;    // mm²/s²: no limit of ṡ², in numbers that can be calculated with
 
 double square(double x) { return x * x; }
 
@@ -139,7 +139,7 @@ double Planner::size_at(double s, std::size_t piece, bool last, double curve_par
 
 /// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
 bool Planner::is_even(double h) const {
-  constexpr double uneven = 0.003;      // of the curvature
+  constexpr double uneven = 0.003;       // of the curvature
   constexpr double unimportant = 0.001;  // of the acceleration that the axis may have
   Knot middle, end;
   const std::size_t half = path_.piece_at(cut_ + h / 2, piece_), far = path_.piece_at(cut_ + h, half);
@@ -155,7 +155,7 @@ bool Planner::is_even(double h) const {
 }
 
 double Planner::next_size(bool last) const {
-  constexpr double wide = 0.33;
+  constexpr double wide = 0.2;
   double size = size_at(cut_, piece_, last, wide);
   const double least = size_at(cut_, piece_, last, corner_part);
   while (size > least && (cut_ + size > path_.ends() || !is_even(size))) size = std::max(least, size / 2);

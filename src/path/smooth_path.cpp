@@ -104,7 +104,8 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
     }
     if (most <= tolerance_[i] * (1 + rounding)) continue;
     any = true;
-    const double less = std::pow(aim * tolerance_[i] / most, most > far_off * tolerance_[i] ? 0.5 : 0.2);  // several corners bear it together
+    const double less =
+        std::pow(aim * tolerance_[i] / most, most > far_off * tolerance_[i] ? 0.5 : 0.2);  // several corners bear it together
     corners_near(at_[i], i, 2 * reach_, [&](std::size_t k) {
       if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + flank) factor_[k] = std::min(factor_[k], less);
     });

@@ -18,7 +18,8 @@ class SmoothPath {
   void begin(const double* at);
 
   /// A straight piece, if it has a length. `feed`: the greatest speed, mm/s. `tolerance`: how far the corner at its beginning may be
-  /// rounded, mm; more than 0, as a corner that may not be rounded is an end of the path. `on_curve`: that corner is one of a chain of chords. `tag`: the caller's own.
+  /// rounded, mm; more than 0, as a corner that may not be rounded is an end of the path. `on_curve`: that corner is one of a chain of
+  /// chords. `tag`: the caller's own.
   void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
 
   /// Finds how wide the corners are rounded. Those near the end wait, but if this is all (`last`).
@@ -72,7 +73,7 @@ class SmoothPath {
   std::vector<std::uint64_t> tag_;
   std::vector<char> on_curve_;  // of each vertex
   std::vector<double> factor_;  // of each vertex, while it settles
-  double reach_ = 0;  // the widest rounding
+  double reach_ = 0;            // the widest rounding
   std::size_t done_ = 0;        // vertices before are settled
   double settled_ = 0;
 };

@@ -26,10 +26,10 @@ class SoftCorner {
   };
   Shape at(double r) const;
 
-  double highest() const { return highest_; }  // greatest |g|, for w = 1
+  double highest() const { return highest_; }              // greatest |g|, for w = 1
   double second_moment() const { return second_moment_; }  // |∫ g|: how far a curve of curvature 1 is moved, for w = 1
-  double flank() const { return flank_; }      // where it swings out most
-  static constexpr int cells = 16;             // as many equal ones to a side show its shape
+  double flank() const { return flank_; }                  // where it swings out most
+  static constexpr int cells = 16;                         // as many equal ones to a side show its shape
 
  private:
   explicit SoftCorner(bool sharp);
