@@ -13,6 +13,7 @@ inline constexpr double tangential = 1e-6;     // radians: two elements meet wit
 inline constexpr double circular = 0.05;       // mm: a circle's arc whose radii differ by what a program's decimals and N1339 leave
 inline constexpr double least_radius = 1e-3;   // mm: the controls' least increment; speed in the middle of a spiral is that at this radius
 inline constexpr double least_speed = 1e-6;    // mm/s: a motion that limits would stop goes on; no program has such a feed
+inline constexpr double exact_path = 5e-4;     // mm: an arc followed exactly, half the least increment of the controls
 inline constexpr double level = same_point;    // mm: two levels of a cycle closer than this are one
 
 // Area milling (path/area). The path is made of exact lines and arcs; polygons serve only to find out which, and to measure areas.

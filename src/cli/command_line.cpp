@@ -66,6 +66,8 @@ void add_run(CLI::App& app, Commands& c) {
   run->add_option("--state", c.options.state, "file that keeps offsets, #500-#999, tool life, parameters from run to run (nct)");
   run->add_option("--files", c.options.limits.files,
                   "folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: here)");
+  run->add_option("--samples", c.options.samples, "positions of the axes at the servo rate as CSV, to a file or - for stdout");
+  run->add_option("--rate", c.options.rate, "of the samples, Hz")->check(CLI::Range(1.0, 1e6))->capture_default_str();
   run->add_option("--plot", c.options.plot, "draw the path: a file .svg or .png");
   run->footer(run_examples);
 }

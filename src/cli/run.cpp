@@ -11,29 +11,31 @@
 #include "cli/progress.h"
 #include "cli/state.h"
 #include "config/state_json.h"
+#include "motion/axis_motion.h"
 #include "motion/look_ahead.h"
 #include "out/alarm_print.h"
 #include "out/plot.h"
+#include "out/samples.h"
 #include "out/summary.h"
 #include "out/trace.h"
 
 namespace kadr::cli {
 namespace {
 
-/// A file for the trace; closes it unless it is stdout.
-class TraceFile {
+/// A file to be written; closes it unless it is stdout.
+class OutFile {
  public:
-  explicit TraceFile(const std::string& name) {
+  explicit OutFile(const std::string& name) {
     if (name.empty()) return;
     file_ = name == "-" ? stdout : std::fopen(name.c_str(), "wb");
     if (file_ == nullptr) complain(fmt::format("{}: {}", name, std::strerror(errno)));
     failed_ = file_ == nullptr;
   }
-  ~TraceFile() {
+  ~OutFile() {
     if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   }
-  TraceFile(const TraceFile&) = delete;
-  TraceFile& operator=(const TraceFile&) = delete;
+  OutFile(const OutFile&) = delete;
+  OutFile& operator=(const OutFile&) = delete;
   std::FILE* get() const { return file_; }
   bool failed() const { return failed_; }
 
@@ -48,6 +50,46 @@ bool plot_name_is_known(const std::string& name) {
   return false;
 }
 
+/// The axes' motion in time, and its samples.
+class Sampled {
+ public:
+  Sampled(std::FILE* file, const Channel& channel, const Job& job, const ToolPosition& stand, double rate)
+      : roles_(AxisRoles::of(channel.control->axes(), channel.control->rotary())),
+        position_(stand),
+        estimate_(roles_, rates_of(job.profile, channel.setup, channel.control->axes())),
+        writer_(file, channel.control->axes(), rate),
+        motion_(roles_, motion_limits(job.profile, channel.setup, channel.control->axes()), job.profile.tolerance, stand,
+                [this](const TimedCells& cells) { writer_.take(cells); }) {
+    estimate_.spindle(channel.setup.spindle().rpm);
+  }
+
+  /// An action of the program, behind the machine.
+  void take(const Action& action) {
+    const TimeSplit before = estimate_.split();
+    MotionTime time;
+    if (const auto* const motion = std::get_if<Motion>(&action.what))
+      time = estimate_.motion(*motion, Curve(roles_, position_.work, *motion));
+    else estimate_.other(action);
+    position_.take(action);
+    const TimeSplit& now = estimate_.split();
+    motion_.take(action, time, now.dwell + now.tool_change - before.dwell - before.tool_change);
+  }
+
+  /// The axes come to rest. False: not all could be written.
+  bool finish() {
+    motion_.finish();
+    writer_.finish();
+    return writer_.ok();
+  }
+
+ private:
+  AxisRoles roles_;
+  ToolPosition position_;
+  TimeEstimate estimate_;  // by programmed feeds
+  SampleWriter writer_;
+  AxisMotion motion_;
+};
+
 /// What looks at one channel.
 struct View {
   View(const Channel& channel, const Rates& rates, const ToolPosition& stand)
@@ -58,12 +100,19 @@ struct View {
   std::optional<TraceWriter> trace;
   std::optional<LookAhead> look_ahead;  // where something limits the speed
   std::optional<Plot> plot;             // of the program's own channel
+  std::unique_ptr<Sampled> sampled;     // of the program's own channel
   double waited = 0;                    // s
+};
+
+/// Where what is asked for goes.
+struct OutFiles {
+  std::FILE* trace = nullptr;
+  std::FILE* samples = nullptr;
 };
 
 class RunCommand {
  public:
-  RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, std::FILE* trace)
+  RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, const OutFiles& files)
       : options_(options), job_(job), lang_(language(options)), channels_(channels), progress_(options.quiet) {
     for (const Channel& channel : channels) {
       const Ending start = channel.control->ending();
@@ -72,10 +121,12 @@ class RunCommand {
       const Rates rates = rates_of(job.profile, channel.setup, axes);
       View& view = *views_.emplace_back(std::make_unique<View>(channel, rates, stand));
       const AxisMask rotary = channel.control->rotary();
-      if (trace != nullptr) view.trace.emplace(trace, axes, rotary, stand, channel.setup.points);
+      if (files.trace != nullptr) view.trace.emplace(files.trace, axes, rotary, stand, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
       if (channels.size() == 1) look_ahead(view, channel, rates, stand);
-      if (!options.plot.empty() && channel.number == job.setup.channel) view.plot.emplace(axes, rotary, stand);
+      if (channel.number != job.setup.channel) continue;
+      if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
+      if (files.samples != nullptr) view.sampled = std::make_unique<Sampled>(files.samples, channel, job, stand, options.rate);
     }
   }
 
@@ -83,6 +134,7 @@ class RunCommand {
     const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
     bool written = write_last_lines(stopped);
     if (!options_.plot.empty()) written = draw() && written;
+    if (!options_.samples.empty()) written = finish_samples() && written;
     if (!options_.quiet) print_summary();
     if (!written) return wrong_usage;
     return std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); }) ? alarms : ok;
@@ -134,11 +186,12 @@ class RunCommand {
   Stopped run_alone() {
     View& view = *views_.front();
     Outlets outlets = outlets_of(view);
-    outlets.works_long = view.trace || view.plot;
+    outlets.works_long = view.trace || view.plot || view.sampled;
     if (options_.quiet && !outlets.works_long) outlets.action = [&view](const Action& action) { view.statistics.take_time(action); };
     else
       outlets.action = [&view](const Action& action) {
         show(view, action);
+        if (view.sampled) view.sampled->take(action);
         if (view.plot) view.plot->take(action);
       };
     Stopped stopped = carry_out(*channels_.front().control, job_, outlets);
@@ -161,6 +214,7 @@ class RunCommand {
       outlets.own.back().action = [&view, &together, i](const Action& action) {
         const double at = together->now(i);
         together->show(i, at, action, view.statistics.take(action));
+        if (view.sampled) view.sampled->take(action);
         if (view.plot) view.plot->take(action);
       };
     }
@@ -187,6 +241,16 @@ class RunCommand {
       else trace.finish(ending, more);
       if (trace.ok()) continue;
       complain(fmt::format("{}: {}", options_.trace, std::strerror(errno)));
+      return false;
+    }
+    return true;
+  }
+
+  bool finish_samples() {
+    for (const auto& view : views_) {
+      if (!view->sampled) continue;
+      if (view->sampled->finish()) continue;
+      complain(fmt::format("{}: {}", options_.samples, std::strerror(errno)));
       return false;
     }
     return true;
@@ -244,8 +308,8 @@ int run(const Options& options) {
   if (!options.state.empty() && !(state_file = open_state(options.state, *job))) return wrong_usage;
   auto program = open_program(*job);
   if (!program) return wrong_usage;
-  TraceFile trace_file(options.trace);
-  if (trace_file.failed()) return wrong_usage;
+  OutFile trace_file(options.trace), samples_file(options.samples);
+  if (trace_file.failed() || samples_file.failed()) return wrong_usage;
   RunLimits limits = options.limits;
   limits.writes_files = true;
   auto channels = make_channels(*job, std::move(*program), limits);
@@ -253,7 +317,7 @@ int run(const Options& options) {
   std::string state_fault;
   if (state_file) save_changes(*state_file, own_channel(*channels, *job), state_fault);
   catch_interrupts();
-  const Exit exit = RunCommand(options, *job, *channels, trace_file.get()).run();
+  const Exit exit = RunCommand(options, *job, *channels, {trace_file.get(), samples_file.get()}).run();
   return state_fault.empty() ? exit : wrong_usage;
 }
 

@@ -37,9 +37,13 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
   const toml::table* const row = node.as_table();
   if (row == nullptr) return Failed(place(file, node) + "axis " + name + " must be a table: { rapid = …, limits = [least, most] }");
   AxisProfile axis;
-  if (auto done = known_keys(file, *row, {"rapid", "limits"}); !done) return Failed(done.error());
+  if (auto done = known_keys(file, *row, {"rapid", "limits", "acceleration", "jerk"}); !done) return Failed(done.error());
   if (auto done = positive(file, *row, "rapid", axis.rapid); !done) return Failed(done.error());
+  if (auto done = positive(file, *row, "acceleration", axis.acceleration); !done) return Failed(done.error());
+  if (auto done = positive(file, *row, "jerk", axis.jerk); !done) return Failed(done.error());
   if (axis.rapid == 0) return Failed(place(file, node) + "the rapid rate of axis " + name + " must be above zero");
+  if (axis.acceleration == 0 || axis.jerk == 0)
+    return Failed(place(file, node) + "acceleration and jerk of axis " + name + " must be above zero");
   const toml::node* const limits = row->get("limits");
   if (limits == nullptr) return axis;
   const toml::array* const pair = limits->as_array();
@@ -53,7 +57,8 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
 
 tl::expected<MachineProfile, std::string> profile_of(const std::string& file, const toml::table& table) {
   MachineProfile profile;
-  if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "axes"}); !done) return Failed(done.error());
+  if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "axes"}); !done)
+    return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
   if (profile.id.empty()) return Failed(file + ": id is missing");
   if (const toml::table* const name = table["name"].as_table()) {
@@ -63,6 +68,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
   }
   if (auto done = positive(file, table, "tool_change", profile.tool_change_s); !done) return Failed(done.error());
   if (auto done = positive(file, table, "spindle_start", profile.spindle_start_s); !done) return Failed(done.error());
+  if (auto done = positive(file, table, "tolerance", profile.tolerance); !done) return Failed(done.error());
   const toml::table* const axes = table["axes"].as_table();
   if (axes == nullptr) return Failed(file + ": [axes] is missing");
   for (const auto& [name, node] : *axes) {

@@ -11,6 +11,8 @@ struct AxisProfile {
   double rapid = 10000;   // mm/min or degrees/min
   double least = -1e300;  // machine coordinate, mm or degrees
   double most = 1e300;
+  double acceleration = 500;  // mm/s² or degrees/s²; for sampling and time where nobody states one
+  double jerk = 10000;        // mm/s³ or degrees/s³
 };
 
 struct MachineProfile {
@@ -20,6 +22,7 @@ struct MachineProfile {
   std::map<std::string, AxisProfile> axes;  // by name; others: AxisProfile{}
   double tool_change_s = 10;
   double spindle_start_s = 0;
+  double tolerance = 0.01;  // mm: how far a corner may be rounded where the program does not say
 };
 
 /// `name`: built-in id, or a file that ends with .toml.

@@ -1,0 +1,304 @@
+#include "motion/planner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "control/action.h"
+#include "path/soft_corner.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t planned_at = 512;    // pieces: so many come in before the next plan
+constexpr std::size_t least_window = 600;  // cells
+constexpr std::size_t most_window = 6000;  // cells: then some are handed out though the window's end may have slowed them
+constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: behind the window's end
+constexpr double growth = 0.2;             // of the cells, by their distance from what made them small
+constexpr double corner_part = 1.0 / SoftCorner::cells;
+constexpr double longest_s = 0.01;  // of a cell, at the commanded speed
+constexpr double fastest = 1e12;    // mm²/s²: no limit of ṡ², in numbers that can be calculated with
+
+double square(double x) { return x * x; }
+
+/// The polynomial of the fifth degree with position and two derivatives given at 0 and h.
+void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to, double h, double* c) {
+  const double way = to[0] - from[0] - h * (from[1] + h * from[2] / 2);
+  const double slope = to[1] - from[1] - h * from[2], bend = to[2] - from[2];
+  c[0] = from[0];
+  c[1] = from[1];
+  c[2] = from[2] / 2;
+  c[3] = (10 * way - h * (4 * slope - h * bend / 2)) / (h * h * h);
+  c[4] = (-15 * way + h * (7 * slope - h * bend)) / (h * h * h * h);
+  c[5] = (6 * way - h * (3 * slope - h * bend / 2)) / (h * h * h * h * h);
+}
+
+}  // namespace
+
+Planner::Planner(MotionLimits limits, Sink sink) : limits_(std::move(limits)), sink_(std::move(sink)), path_(limits_.speed.size()) {
+  cells_.axes = out_.axes = limits_.speed.size();
+  cells_.acceleration = limits_.acceleration;
+  cells_.jerk = limits_.jerk;
+}
+
+void Planner::begin(const double* at) {
+  at_.assign(at, at + cells_.axes);
+  way_.clear();
+  path_.begin(at);
+  cells_.clear();
+  shapes_.clear();
+  tags_.clear();
+  cut_ = 0;
+  has_knot_ = false;
+  piece_ = fresh_ = 0;
+  ends_ = {};
+}
+
+/// The next piece goes another way than the last.
+bool Planner::turns(const double* to) const {
+  constexpr double straight = 1e-9;  // |Δu|
+  if (way_.empty()) return false;
+  double squares = 0, bend = 0;
+  for (std::size_t a = 0; a < cells_.axes; ++a) squares += square(to[a] - at_[a]);
+  const double length = std::sqrt(squares);
+  for (std::size_t a = 0; a < cells_.axes; ++a) bend += square((to[a] - at_[a]) / length - way_[a]);
+  return bend > square(straight);
+}
+
+void Planner::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag) {
+  if (tolerance <= 0 && turns(to)) stop();
+  const std::size_t before = path_.pieces();
+  path_.line_to(to, feed, tolerance, on_curve, tag);
+  if (path_.pieces() == before) return;
+  double squares = 0;
+  for (std::size_t a = 0; a < cells_.axes; ++a) squares += square(to[a] - at_[a]);
+  way_.resize(cells_.axes);
+  for (std::size_t a = 0; a < cells_.axes; ++a) way_[a] = (to[a] - at_[a]) / std::sqrt(squares);
+  at_.assign(to, to + cells_.axes);
+  if (++fresh_ >= planned_at) plan(false);
+}
+
+void Planner::stop() {
+  if (!path_.empty()) plan(true);
+  const std::vector<double> at = at_;
+  begin(at.data());
+}
+
+void Planner::plan(bool last) {
+  fresh_ = 0;
+  if (last && cells_.cells() == 0 && ends_.from_stop && path_.is_one_line()) return straight_line();
+  path_.settle(last);
+  cut_cells(last);
+  if (last || cells_.cells() >= least_window) solve(last);
+}
+
+LineLimits Planner::limits_along(const double* way, double feed) const {
+  LineLimits line{feed, fastest, fastest};
+  for (std::size_t a = 0; a < cells_.axes; ++a) {
+    if (way[a] == 0) continue;
+    line.speed = std::min(line.speed, limits_.speed[a] / std::fabs(way[a]));
+    line.acceleration = std::min(line.acceleration, limits_.acceleration[a] / std::fabs(way[a]));
+    line.jerk = std::min(line.jerk, limits_.jerk[a] / std::fabs(way[a]));
+  }
+  return line;
+}
+
+void Planner::straight_line() {
+  std::array<double, max_axes> x{}, way{}, x2{};
+  path_.evaluate(0, 0, x.data(), way.data(), x2.data());
+  out_.clear();
+  rest_to_rest(path_.ends(), limits_along(way.data(), path_.feed(0)), out_.laws);
+  double s = 0;
+  std::size_t piece = 0;
+  for (const TimeLaw& law : out_.laws) {
+    for (std::size_t a = 0; a < cells_.axes; ++a) out_.path.insert(out_.path.end(), {x[a] + s * way[a], way[a], 0, 0, 0, 0});
+    out_.tags.push_back(path_.tag(piece = path_.piece_at(s, piece)));
+    s += law.length;
+  }
+  sink_(out_);
+}
+
+/// Size of a cell at a length: small at corners, turns and stops, growing away from them. `curve_part`: of a rounding's width, of those
+/// between the chords of a curve.
+double Planner::size_at(double s, std::size_t piece, bool last, double curve_part) const {
+  double size = longest_s * path_.feed(piece);
+  const double rest = 0.01 * std::min(1.0, path_.ends() - path_.begins());  // beside a stop: a part of the way that a ramp takes
+  size = std::min(size, rest + growth * s);
+  if (last) size = std::min(size, rest + growth * (path_.ends() - s));
+  const double reach = SmoothPath::widest + size / growth;
+  const auto take = [&](std::size_t i) {
+    const double w = path_.width(i), small = path_.turns_back(i) ? rest : w * (path_.on_curve(i) ? curve_part : corner_part);
+    if (small == 0) return;  // straight on
+    size = std::min(size, small + growth * std::max(0.0, std::fabs(s - path_.at(i)) - w));
+  };
+  for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);
+  for (std::size_t i = piece + 1; i < path_.pieces() && path_.at(i) - s < reach; ++i) take(i);
+  return size;
+}
+
+/// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
+bool Planner::is_even(double h) const {
+  constexpr double uneven = 0.003;       // of the curvature
+  constexpr double unimportant = 0.001;  // of the acceleration that the axis may have
+  Knot middle, end;
+  const std::size_t half = path_.piece_at(cut_ + h / 2, piece_), far = path_.piece_at(cut_ + h, half);
+  path_.evaluate(cut_ + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
+  path_.evaluate(cut_ + h, far, end.x.data(), end.x1.data(), end.x2.data());
+  double off = 0, most = 0, allowed = fastest;
+  for (std::size_t a = 0; a < cells_.axes; ++a) {
+    off = std::max(off, std::fabs(middle.x2[a] - (knot_.x2[a] + end.x2[a]) / 2));
+    most = std::max({most, std::fabs(knot_.x2[a]), std::fabs(middle.x2[a]), std::fabs(end.x2[a])});
+    allowed = std::min(allowed, unimportant * limits_.acceleration[a]);
+  }
+  return off <= std::max(uneven * most, allowed / square(path_.feed(piece_)));
+}
+
+double Planner::next_size(bool last) const {
+  constexpr double wide = 0.2;
+  double size = size_at(cut_, piece_, last, wide);
+  const double least = size_at(cut_, piece_, last, corner_part);
+  while (size > least && (cut_ + size > path_.ends() || !is_even(size))) size = std::max(least, size / 2);
+  return size;
+}
+
+void Planner::set_knot(double s, std::size_t piece) { path_.evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
+
+void Planner::add_cell(double from, double to, bool turns) {
+  const std::size_t axes = cells_.axes, shape = shapes_.size();
+  const double h = to - from;
+  const Knot start = knot_;
+  tags_.push_back(path_.tag(piece_));
+  double feed = path_.feed(piece_);
+  for (std::size_t i = piece_; i + 1 < path_.pieces() && path_.at(i + 1) < to; ++i) feed = std::min(feed, path_.feed(i + 1));
+  const std::size_t next = path_.piece_at(to, piece_);
+  set_knot(to, turns ? next - 1 : next);
+  piece_ = next;
+  shapes_.resize(shape + axes * TimedCells::terms);
+  for (std::size_t a = 0; a < axes; ++a)
+    quintic({start.x[a], start.x1[a], start.x2[a]}, {knot_.x[a], knot_.x1[a], knot_.x2[a]}, h,
+            shapes_.data() + shape + a * TimedCells::terms);
+  double most = fastest;
+  for (const double part : TimedPath::part) {
+    const double s = part * h;
+    double squares = 0;
+    for (std::size_t a = 0; a < axes; ++a) {
+      const double* const c = shapes_.data() + shape + a * TimedCells::terms;
+      const double x1 = c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * 5 * c[5])));
+      cells_.x1.push_back(x1);
+      cells_.x2.push_back(2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * 20 * c[5])));
+      cells_.x3.push_back(6 * c[3] + s * (24 * c[4] + s * 60 * c[5]));
+      if (x1 != 0) most = std::min(most, square(limits_.speed[a] / x1));
+      squares += square(x1);
+    }
+    most = std::min(most, square(feed) / squares);
+  }
+  cells_.h.push_back(h);
+  cells_.most.push_back(most);
+  cells_.turns.push_back(turns ? 1 : 0);
+  if (turns) set_knot(to, next);
+}
+
+void Planner::cut_cells(bool last) {
+  if (!has_knot_) set_knot(cut_, piece_ = path_.piece_at(cut_, 0));
+  has_knot_ = true;
+  constexpr double rest = 1.5;  // cells: what is left before an end becomes one
+  const double settled = path_.settled();
+  for (std::size_t turn = piece_ + 1; cut_ < settled;) {
+    while (turn < path_.pieces() && (path_.at(turn) <= cut_ || !path_.turns_back(turn))) ++turn;
+    const bool known = turn < path_.pieces();
+    const double end = known ? path_.at(turn) : path_.ends(), size = next_size(last);
+    const bool at_end = (known || last) && cut_ + rest * size >= end;
+    const double to = at_end ? end : cut_ + size;
+    if (to > settled) break;
+    add_cell(cut_, to, at_end && known);
+    cut_ = to;
+  }
+}
+
+/// How many cells of a solution that ends crawling are as they will be: up to the last speed that the end has not lowered.
+std::size_t Planner::sure_cells() const {
+  const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
+  std::size_t cell = cells_.cells();
+  while (cell > 1 && speeds[cell - 1].start.b >= speeds[cell - 1].end.b) --cell;
+  return cell;
+}
+
+void Planner::solve(bool last) {
+  ends_.to_stop = last;
+  ends_.crawl = crawl_of_slowest * least_.slowest(cells_);
+  if (cells_.cells() < 4 || !least_.solve(cells_, ends_)) return cell_by_cell();
+  if (last) return hand_out(cells_.cells());
+  const std::size_t all = cells_.cells(), sure = sure_cells();
+  if (sure >= all / 3) hand_out(sure - sure / 8);
+  else if (all > most_window) hand_out(all / 3);
+}
+
+/// The first cells go out; the path begins anew behind them.
+void Planner::hand_out(std::size_t count) {
+  const std::size_t axes = cells_.axes, all = cells_.cells();
+  const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
+  out_.clear();
+  for (std::size_t k = 0; k < count; ++k) {
+    const PathSpeed from = speeds[k].start, to = speeds[k].end;
+    const double h = cells_.h[k], q = (to.d - from.d) / h;
+    if (k == 0 && ends_.from_stop) out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(to.b), false));
+    else if (k + 1 == all && ends_.to_stop) out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(from.b), true));
+    else out_.laws.push_back(TimeLaw::of_squares(h, std::sqrt(from.b), from.d / 2, q / 2));
+  }
+  out_.path.assign(shapes_.begin(), shapes_.begin() + static_cast<std::ptrdiff_t>(count * axes * TimedCells::terms));
+  out_.tags.assign(tags_.begin(), tags_.begin() + static_cast<std::ptrdiff_t>(count));
+  sink_(out_);
+  if (count == all) return;
+  ends_.from_stop = false;
+  ends_.from = speeds[count].start;
+  const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
+  ends_.guess.assign(least_.middles().begin() + static_cast<std::ptrdiff_t>(count),
+                     least_.middles().begin() + static_cast<std::ptrdiff_t>(all));
+  cut(tags_, count);
+  cut(cells_.h, count);
+  cut(cells_.most, count);
+  cut(cells_.turns, count);
+  for (std::vector<double>* const of_places : {&cells_.x1, &cells_.x2, &cells_.x3}) cut(*of_places, count * TimedPath::places * axes);
+  cut(shapes_, count * axes * TimedCells::terms);
+  double left = 0;
+  for (const double h : cells_.h) left += h;
+  const std::size_t before = path_.pieces();
+  path_.forget(cut_ - left);
+  piece_ -= before - path_.pieces();
+}
+
+/// No speed was found: the cells one after the other, as straight lines with a stop behind each.
+void Planner::cell_by_cell() {
+  ++failures_;
+  const std::size_t axes = cells_.axes, row = axes * TimedCells::terms;
+  out_.clear();
+  for (std::size_t k = 0; k < cells_.cells(); ++k) {
+    std::array<double, max_axes> from{}, to{}, way{};
+    TimedCells cell{axes,
+                    {},
+                    {},
+                    {shapes_.begin() + static_cast<std::ptrdiff_t>(k * row), shapes_.begin() + static_cast<std::ptrdiff_t>((k + 1) * row)}};
+    cell.position(0, 0, from.data());
+    cell.position(0, cells_.h[k], to.data());
+    double squares = 0;
+    for (std::size_t a = 0; a < axes; ++a) squares += square(to[a] - from[a]);
+    const double length = std::sqrt(squares);
+    if (!(length > 0)) continue;
+    for (std::size_t a = 0; a < axes; ++a) way[a] = (to[a] - from[a]) / length;
+    const std::size_t before = out_.laws.size();
+    rest_to_rest(length, limits_along(way.data(), std::sqrt(cells_.most[k])), out_.laws);
+    double s = 0;
+    for (std::size_t i = before; i < out_.laws.size(); s += out_.laws[i++].length) {
+      for (std::size_t a = 0; a < axes; ++a) out_.path.insert(out_.path.end(), {from[a] + s * way[a], way[a], 0, 0, 0, 0});
+      out_.tags.push_back(tags_[k]);
+    }
+  }
+  sink_(out_);
+  cells_.clear();
+  shapes_.clear();
+  tags_.clear();
+  ends_ = {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,83 @@
+#pragma once
+// Planner: a path of straight pieces and stops → positions in time, with the least time that the axes' limits and the path's
+// tolerances allow (mode `optimal` of a machine profile; the controls of old had nothing like it). Constant memory: it plans a
+// window of the path, hands out what later pieces cannot change any more, and goes on from there.
+//
+//   pieces ─path/smooth_path─▶ smooth curve ─cells─▶ motion/least_time ─▶ TimedCells
+//
+// Ahead of what is handed out: at most the way to stop, plus some hundred pieces.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "control/action.h"
+#include "motion/least_time.h"
+#include "motion/rest_to_rest.h"
+#include "motion/timed_cells.h"
+#include "path/smooth_path.h"
+
+namespace kadr {
+
+/// Limits of each axis: mm/s, mm/s², mm/s³ (of rotary ones degrees); all above 0 and finite.
+struct MotionLimits {
+  std::vector<double> speed, acceleration, jerk;
+};
+
+class Planner {
+ public:
+  using Sink = std::function<void(const TimedCells&)>;
+  Planner(MotionLimits limits, Sink sink);
+
+  /// Where the axes stand. Before anything else, and where they were moved by something else while they stood.
+  void begin(const double* at);
+  /// A straight piece. `feed`: mm/s along it, `tolerance`: of the corner at its beginning, mm; 0: exactly through it, so it stops there.
+  /// `on_curve`: that corner is one of a chain of chords of a curve. `tag`: comes out with its cells.
+  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
+  /// The axes come to rest; all is handed out.
+  void stop();
+
+  /// Stretches for which no speed was found, planned cell by cell with a stop behind each: none are known.
+  std::size_t failures() const { return failures_; }
+
+ private:
+  bool turns(const double* to) const;
+  void plan(bool last);
+  void cut_cells(bool last);
+  double size_at(double s, std::size_t piece, bool last, double curve_part) const;
+  bool is_even(double h) const;
+  double next_size(bool last) const;
+  void add_cell(double from, double to, bool turns);
+  void set_knot(double s, std::size_t piece);
+  void solve(bool last);
+  void hand_out(std::size_t cells);
+  void straight_line();
+  void cell_by_cell();
+  LineLimits limits_along(const double* way, double feed) const;
+  std::size_t sure_cells() const;
+
+  MotionLimits limits_;
+  Sink sink_;
+  SmoothPath path_;
+  std::vector<double> at_;   // the end of the last piece
+  std::vector<double> way_;  // of the last piece: its unit vector; empty: none yet
+  std::size_t fresh_ = 0;    // pieces since the last plan
+
+  // cells not yet handed out
+  TimedPath cells_;
+  std::vector<double> shapes_;  // their polynomials
+  std::vector<std::uint64_t> tags_;
+  struct Knot {
+    std::array<double, max_axes> x{}, x1{}, x2{};
+  } knot_;  // the last one
+  bool has_knot_ = false;
+  double cut_ = 0;         // length at the last knot
+  std::size_t piece_ = 0;  // that holds it
+  LeastTime least_;
+  LeastTime::Ends ends_;
+  TimedCells out_;
+  std::size_t failures_ = 0;
+};
+
+}  // namespace kadr

@@ -1,0 +1,42 @@
+#pragma once
+// TimedCells: a stretch of path with its time: what a planner hands on, what positions are sampled from.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace kadr {
+
+/// How far along a cell after a time: from 0 to `length` in `seconds`.
+struct TimeLaw {
+  double seconds = 0, length = 0;  // mm
+  bool by_time = true;             // s = v t + a t²/2 + j t³/6; else by the way gone: s̈ = a + j s
+  double v = 0, a = 0, j = 0;
+
+  double way(double t) const;
+  double speed(double t) const;
+
+  /// With a given jerk, mm/s³, for a time.
+  static TimeLaw of_jerk(double seconds, double v, double a, double j);
+  /// ṡ² = v² + 2 a s + j s² until `length`; greater than 0 all along.
+  static TimeLaw of_squares(double length, double v, double a, double j);
+  /// From rest to the speed `v` at `length` with constant jerk; `reversed`: from there to rest.
+  static TimeLaw from_rest(double length, double v, bool reversed);
+};
+
+/// Cells in a row, each with the polynomial of its path.
+struct TimedCells {
+  static constexpr std::size_t terms = 6;
+
+  std::size_t axes = 0;
+  std::vector<TimeLaw> laws;
+  std::vector<std::uint64_t> tags;  // of the piece where each begins: the caller's own
+  std::vector<double> path;         // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
+
+  void clear() { laws.clear(), tags.clear(), path.clear(); }
+  /// Axis positions at a way along a cell.
+  void position(std::size_t cell, double way, double* x) const;
+  double seconds() const;
+};
+
+}  // namespace kadr

@@ -1,0 +1,185 @@
+#include "path/smooth_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "control/action.h"
+#include "path/soft_corner.h"
+
+namespace kadr {
+namespace {
+
+constexpr double shortest = 1e-9;        // mm: a shorter piece has no direction worth the name
+constexpr double straight_bend = 1e-12;  // |Δu| of pieces that go on straight but for rounding
+
+}  // namespace
+
+void SmoothPath::begin(const double* at) {
+  point_.assign(at, at + axes_);
+  bend_.assign(axes_, 0);
+  for (std::vector<double>* const of_vertices : {&turn_, &at_, &width_, &tolerance_}) of_vertices->assign(1, 0);
+  direction_.clear();
+  length_.clear();
+  feed_.clear();
+  tag_.clear();
+  on_curve_.assign(1, 0);
+  done_ = 1;
+  settled_ = 0;
+}
+
+void SmoothPath::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag) {
+  const std::size_t last = pieces() * axes_;
+  double squares = 0;
+  for (std::size_t a = 0; a < axes_; ++a) squares += (to[a] - point_[last + a]) * (to[a] - point_[last + a]);
+  const double length = std::sqrt(squares);
+  if (!(length > shortest)) return;
+  for (std::size_t a = 0; a < axes_; ++a) direction_.push_back((to[a] - point_[last + a]) / length);
+  if (!length_.empty()) {
+    squares = 0;
+    for (std::size_t a = 0; a < axes_; ++a) {
+      bend_[last + a] = direction_[last + a] - direction_[last - axes_ + a];
+      squares += bend_[last + a] * bend_[last + a];
+    }
+    turn_.back() = std::sqrt(squares);
+    tolerance_.back() = tolerance;
+    on_curve_.back() = on_curve ? 1 : 0;
+  }
+  point_.insert(point_.end(), to, to + axes_);
+  bend_.insert(bend_.end(), axes_, 0);
+  for (std::vector<double>* const of_vertices : {&turn_, &width_, &tolerance_}) of_vertices->push_back(0);
+  at_.push_back(at_.back() + length);
+  length_.push_back(length);
+  feed_.push_back(feed);
+  tag_.push_back(tag);
+  on_curve_.push_back(0);
+}
+
+std::size_t SmoothPath::piece_at(double s, std::size_t from) const {
+  while (from + 1 < length_.size() && at_[from + 1] <= s) ++from;
+  return from;
+}
+
+bool SmoothPath::is_one_line() const {
+  for (std::size_t i = 1; i < length_.size(); ++i)
+    if (turn_[i] > straight_bend || feed_[i] != feed_[0]) return false;
+  return !length_.empty();
+}
+
+/// The inner vertices within `reach` of s; `around`: the piece that holds it.
+template <class Take>
+void SmoothPath::corners_near(double s, std::size_t around, double reach, const Take& take) const {
+  for (std::size_t i = around + 1; i-- > 1 && s - at_[i] < reach;) take(i);
+  for (std::size_t i = around + 1; i + 1 < at_.size() && at_[i] - s < reach; ++i) take(i);
+}
+
+/// How far the roundings move the path at s, mm.
+double SmoothPath::moved(double s, std::size_t around) const {
+  std::array<double, max_axes> sum{};
+  corners_near(s, around, reach_, [&](std::size_t i) {
+    const double away = std::fabs(s - at_[i]);
+    if (away >= width_[i]) return;
+    const double g = width_[i] * SoftCorner::of(turn_[i]).at(away / width_[i]).g;
+    for (std::size_t a = 0; a < axes_; ++a) sum[a] += bend_[i * axes_ + a] * g;
+  });
+  double squares = 0;
+  for (std::size_t a = 0; a < axes_; ++a) squares += sum[a] * sum[a];
+  return std::sqrt(squares);
+}
+
+/// Makes roundings narrower where they move the path too far. False: none does.
+bool SmoothPath::shrink(std::size_t first, std::size_t end) {
+  constexpr double rounding = 1e-9;  // relative: of an even split that meets the tolerance exactly
+  constexpr double far_off = 1.3;    // of the tolerance; nearer it goes in small steps, so that what matters most stays widest
+  constexpr double aim = 0.999;      // of the tolerance, so that the rounds come to an end
+  bool any = false;
+  factor_.assign(at_.size(), 1);
+  for (std::size_t i = first; i < end; ++i) {
+    const double flank = SoftCorner::of(turn_[i]).flank() * width_[i];
+    double most = moved(at_[i], i);
+    for (const double side : {-flank, flank}) {
+      std::size_t around = i;
+      while (around > 0 && at_[around] > at_[i] + side) --around;
+      most = std::max(most, moved(at_[i] + side, piece_at(at_[i] + side, around)));
+    }
+    if (most <= tolerance_[i] * (1 + rounding)) continue;
+    any = true;
+    const double less =
+        std::pow(aim * tolerance_[i] / most, most > far_off * tolerance_[i] ? 0.5 : 0.2);  // several corners bear it together
+    corners_near(at_[i], i, 2 * reach_, [&](std::size_t k) {
+      if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + flank) factor_[k] = std::min(factor_[k], less);
+    });
+  }
+  if (any)
+    for (std::size_t i = done_; i < at_.size(); ++i) width_[i] *= factor_[i];
+  return any;
+}
+
+/// A chain of chords of a circle is moved by curvature · w² · second_moment.
+double SmoothPath::width_on_curve(std::size_t vertex) const {
+  constexpr double used = 0.9;  // of the tolerance: the rest is for where the curve begins and ends
+  const double length = (length_[vertex - 1] + length_[vertex]) / 2;
+  return std::sqrt(used * tolerance_[vertex] * length / (SoftCorner::of(turn_[vertex]).second_moment() * turn_[vertex]));
+}
+
+void SmoothPath::settle(bool last) {
+  const std::size_t vertices = at_.size();
+  std::size_t first = std::max<std::size_t>(done_, 1);
+  double edge = 0;  // the last length that no rounding reaches over
+  for (std::size_t i = first; i-- > 0 && edge == 0 && at_[first] - at_[i] < widest;)
+    if (turns_back(i)) edge = at_[i];
+  for (std::size_t i = first; i + 1 < vertices; ++i) {
+    width_[i] = turn_[i] > straight_bend ? std::min(widest, at_[i] - edge) : 0;
+    if (turns_back(i)) width_[i] = 0, edge = at_[i];
+    else if (width_[i] > 0 && on_curve(i)) width_[i] = std::min(width_[i], width_on_curve(i));
+    else if (width_[i] > 0) width_[i] = std::min(width_[i], tolerance_[i] / (SoftCorner::of(turn_[i]).highest() * turn_[i]));
+  }
+  edge = last ? at_.back() : at_.back() + widest;
+  for (std::size_t i = vertices - 1; i-- > first;) {
+    width_[i] = std::min(width_[i], edge - at_[i]);
+    if (turns_back(i)) edge = at_[i];
+  }
+  reach_ = *std::max_element(width_.begin(), width_.end());
+  constexpr int most_rounds = 200;  // a chain needs ten to thirty
+  first = std::max<std::size_t>(done_, 1);
+  while (first > 1 && at_[std::min(done_, vertices - 1)] - at_[first] < 2 * widest) --first;
+  for (int round = 0; round < most_rounds && shrink(first, vertices - 1); ++round) {
+  }
+  settled_ = last ? at_.back() : std::max(settled_, at_.back() - 3 * widest);
+  while (done_ < vertices && (last || at_[done_] < settled_ + widest)) ++done_;
+}
+
+void SmoothPath::forget(double before) {
+  std::size_t drop = 0;
+  while (drop + 1 < length_.size() && at_[drop + 1] < before - 4 * widest) ++drop;
+  if (drop == 0) return;
+  const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
+  for (std::vector<double>* const of_axes : {&point_, &bend_, &direction_}) cut(*of_axes, drop * axes_);
+  for (std::vector<double>* const one : {&turn_, &at_, &width_, &tolerance_, &length_, &feed_}) cut(*one, drop);
+  cut(tag_, drop);
+  cut(on_curve_, drop);
+  done_ -= std::min(done_, drop);
+}
+
+void SmoothPath::evaluate(double s, std::size_t piece, double* x, double* x1, double* x2) const {
+  const double along = s - at_[piece];
+  for (std::size_t a = 0; a < axes_; ++a) {
+    x1[a] = direction_[piece * axes_ + a];
+    x[a] = point_[piece * axes_ + a] + along * x1[a];
+    x2[a] = 0;
+  }
+  corners_near(s, piece, reach_, [&](std::size_t i) {
+    const double w = width_[i], offset = s - at_[i], away = std::fabs(offset);
+    if (away >= w) return;
+    const SoftCorner::Shape shape = SoftCorner::of(turn_[i]).at(away / w);
+    const double g = w * shape.g, g1 = offset > 0 ? -shape.slope : shape.slope, g2 = shape.pulse / w;
+    const double* const bend = bend_.data() + i * axes_;
+    for (std::size_t a = 0; a < axes_; ++a) {
+      x[a] += bend[a] * g;
+      x1[a] += bend[a] * g1;
+      x2[a] += bend[a] * g2;
+    }
+  });
+}
+
+}  // namespace kadr

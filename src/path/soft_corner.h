@@ -1,0 +1,42 @@
+#pragma once
+// SoftCorner: how a corner of a path is rounded so that the third derivative of the path is bounded.
+//
+// At a corner the direction of a path of straight pieces jumps by Δu: its second derivative is a pulse. The pulse is spread over
+// [−w, w] as Δu k(s), which moves the path by Δu g(s), g″ = k. A pulse that also has negative parts lets the path swing out before and
+// behind the corner as far as it cuts the corner: for the same deviation the corner takes a third to a sixth of the jerk.
+//
+//   gentle corner   the speed stays the same while the corner is passed: g‴ = ±c
+//   sharp corner    the speed falls towards the corner and rises behind it, as on a machine whose axes one after the other come
+//                   to rest and start with constant jerk: the same in time, mapped to the path; derived for 90°
+//
+// Both have equal deviation at the corner and where they swing out most. Found as perfect splines (Karlin 1975); our own work.
+
+#include <array>
+
+namespace kadr {
+
+class SoftCorner {
+ public:
+  /// The one for a corner with this |Δu| (0 … 2).
+  static const SoftCorner& of(double bend);
+
+  /// g, g′, g″ at a distance r ≥ 0 from the corner, for w = 1; g is even, g′(r) the value for −r (at +r its negative).
+  struct Shape {
+    double g, slope, pulse;
+  };
+  Shape at(double r) const;
+
+  double highest() const { return highest_; }              // greatest |g|, for w = 1
+  double second_moment() const { return second_moment_; }  // |∫ g|: how far a curve of curvature 1 is moved, for w = 1
+  double flank() const { return flank_; }                  // where it swings out most
+  static constexpr int cells = 16;                         // as many equal ones to a side show its shape
+
+ private:
+  explicit SoftCorner(bool sharp);
+
+  static constexpr int pieces = 32;  // k is straight in each: g‴ is constant there
+  std::array<double, pieces + 2> k_{}, slope_{}, g_{};
+  double highest_ = 0, flank_ = 0, second_moment_ = 0;
+};
+
+}  // namespace kadr

@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+"""Samples obey every limit of the axes, end where the control says, and follow the path within the tolerance.
+
+    run_samples.py --kadr build/kadr [--every 1] [--random 40] [--seed 7]
+
+Programs of tests/golden, tests/cases and tests/corpus_nct, and random ones (short lines, long lines, arcs, reversals), each sampled at
+1 kHz on one machine. Checked from the samples alone:
+  speed, acceleration, jerk   first, second and third differences of each axis
+  end                         the last sample is the machine position of the trace's last line
+  path                        no sample is further from the path than the tolerance; the path: the same program followed exactly
+"""
+import argparse
+import json
+import math
+import random
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+LIMITS = {'speed': 200.0, 'acceleration': 1000.0, 'jerk': 20000.0}  # mm/s, mm/s², mm/s³
+TOLERANCE = 0.02
+OVER = 1.005           # of a limit: differences of samples with nine decimals
+EXACT_PATH = 0.005     # mm: the exact run's own arcs, chords between its samples, THIN
+MOST_S = 30            # longer programs are looked at for so long
+MOST_PATH = 2000       # samples whose way to the path is measured
+THIN = 0.003           # mm: points of the exact run nearer than this are one
+AROUND = 150           # points of the exact run, before and behind, where it is looked for
+TIME_LIMIT_S = 60
+MACHINE = '''id = "test"
+tool_change = 0
+tolerance = {tolerance}
+[axes]
+'''
+
+
+def machine(folder, tolerance):
+    path = Path(folder) / f'machine{tolerance}.toml'
+    row = f'{{ rapid = {LIMITS["speed"] * 60}, acceleration = {LIMITS["acceleration"]}, jerk = {LIMITS["jerk"]} }}\n'
+    path.write_text(MACHINE.format(tolerance=tolerance) + ''.join(f'{axis} = {row}' for axis in 'XYZABCUVW'))
+    return path
+
+
+def programs_of_cases():
+    for path in sorted([*HERE.glob('golden/*/*.json'), *HERE.glob('cases/*/*.json')]):
+        case = json.loads(path.read_text(encoding='utf-8'))
+        setup = dict(case.get('setup', {}))
+        text = case.get('program')
+        if not isinstance(text, str) or 'channels' in setup or case.get('programs') or case.get('files'):
+            continue
+        setup.pop('machine', None)
+        setup.pop('override', None)
+        yield path.stem, case['control'], setup, text
+
+
+def random_programs(choose, count):
+    for i in range(count):
+        kind = choose.choice(('short', 'long', 'arcs', 'noise', 'back'))
+        lines, x, y, a = [f'G21 G90 G17 G64\nG0 X0 Y0 Z5\nG1 Z0 F{choose.choice((300, 1500, 4000, 9000))}'], 0.0, 0.0, 0.0
+        for n in range(choose.randint(3, 120)):
+            if kind == 'arcs':
+                r = choose.uniform(0.3, 12)
+                x += 2 * r
+                lines.append(f'G{choose.choice((2, 3))} X{x:.3f} Y{y:.3f} I{r:.3f} J0')
+                continue
+            step = {'short': choose.uniform(0.02, 0.4), 'long': choose.uniform(1, 60), 'noise': choose.uniform(0.001, 5),
+                    'back': choose.uniform(0.5, 20)}[kind]
+            a = a + math.pi if kind == 'back' and choose.random() < 0.6 else a + choose.gauss(0, 0.1 if kind == 'short' else 1.2)
+            x, y = x + step * math.cos(a), y + step * math.sin(a)
+            z = f' Z{choose.uniform(-1, 1):.3f}' if choose.random() < 0.2 else ''
+            lines.append(f'G{0 if choose.random() < 0.05 else 1} X{x:.4f} Y{y:.4f}{z}' + (f' F{choose.randint(200, 9000)}' if choose.random() < .1 else ''))
+        yield f'random {i} {kind}', 'mach3', {}, '\n'.join(lines) + '\nM30\n'
+
+
+def sampled(kadr, folder, profile, control, setup, program):
+    command = [kadr, 'run', program, '--control', control, '--setup', setup, '--machine', profile, '--samples', '-', '--quiet']
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=TIME_LIMIT_S)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(f'status {done.returncode}')
+    lines = done.stdout.decode('ascii').split('\n')
+    return lines[0].split(',')[1:], [tuple(map(float, line.split(','))) for line in lines[1:] if line]
+
+
+def differences(axis):
+    return [b - a for a, b in zip(axis, axis[1:])]
+
+
+def limits_broken(names, rows):
+    if len(rows) < 3:
+        return []
+    period = rows[1][0] - rows[0][0]
+    broken = []
+    for k, name in enumerate(names, 1):
+        values = [row[k] for row in rows[:-1]]  # the last one is the end itself, less than a period on
+        if min(values) == max(values):
+            continue
+        for limit, most in LIMITS.items():
+            values = [d / period for d in differences(values)]
+            at = max(range(len(values)), key=lambda i: abs(values[i]), default=None)
+            if at is not None and abs(values[at]) > most * OVER:
+                broken.append(f'{limit} of {name} {values[at]:.1f} at {rows[at][0]:.3f} s')
+    return broken
+
+
+def distance(p, a, b):
+    way = [q - r for q, r in zip(b, a)]
+    square = sum(w * w for w in way)
+    part = 0 if square == 0 else max(0, min(1, sum(w * (q - r) for w, q, r in zip(way, p, a)) / square))
+    return math.sqrt(sum((q - r - part * w) ** 2 for w, q, r in zip(way, p, a)))
+
+
+def furthest(rows, exact):
+    """Greatest distance of a sample from the exact path, looked for around where the last one was near."""
+    path = [exact[0][1:]]
+    for row in exact:
+        if math.dist(row[1:], path[-1]) > THIN:
+            path.append(row[1:])
+    near, worst = 0, (0, 0)
+    for row in rows[:MOST_PATH]:
+        found = [(distance(row[1:], path[i], path[i + 1]), i) for i in range(max(0, near - AROUND), min(len(path) - 1, near + AROUND))]
+        if not found:
+            continue
+        best = min(found)[0]
+        close = [i for d, i in found if d <= best + 1e-3]  # where the path comes back on itself: rather on than back
+        near = min((i for i in close if i >= near), default=max(close))
+        if best > worst[0]:
+            worst = (best, row[0])
+    return worst
+
+
+def check(kadr, folder, item):
+    number, (name, control, setup, text) = item
+    base = Path(folder) / str(number)
+    program, setup_file = base.with_suffix('.nc'), base.with_suffix('.json')
+    program.write_text(text, encoding='utf-8')
+    setup_file.write_text(json.dumps(setup), encoding='utf-8')
+    faults = []
+    try:
+        names, rows = sampled(kadr, folder, machine(folder, TOLERANCE), control, setup_file, program)
+        _, exact = sampled(kadr, folder, machine(folder, 0), control, setup_file, program)
+    except (RuntimeError, subprocess.TimeoutExpired) as failed:
+        return name, [str(failed)], 0
+    if not rows:
+        return name, [], 0
+    faults += limits_broken(names, rows)
+    faults += ['exact: ' + fault for fault in limits_broken(names, exact)]
+    trace = subprocess.run([kadr, 'run', program, '--control', control, '--setup', setup_file, '--trace', '-', '--quiet'],
+                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=TIME_LIMIT_S).stdout.decode('utf-8')
+    last = json.loads(trace.strip().split('\n')[-1])
+    at = last.get('machine_position', {})
+    for axis, value in zip(names, rows[-1][1:]):
+        if axis in at and abs(at[axis] - value) > 1e-6:
+            faults.append(f'ends at {axis} {value}, the control at {at[axis]}')
+    away, when = furthest(rows, exact)
+    allowed = max(TOLERANCE, 0.1 if 'G64 P0.1' in text else 0) + EXACT_PATH
+    if away > allowed:
+        faults.append(f'{away:.4f} mm from the path at {when:.3f} s')
+    return name, faults, len(rows)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('--kadr', required=True)
+    parser.add_argument('--every', type=int, default=1)
+    parser.add_argument('--random', type=int, default=40)
+    parser.add_argument('--seed', type=int, default=7)
+    parser.add_argument('--only', default='')
+    options = parser.parse_args()
+    every = [*programs_of_cases()][::options.every] + [*random_programs(random.Random(options.seed), options.random)]
+    every = [item for item in every if options.only in item[0]]
+    sampled_any = failed = 0
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
+        for name, faults, rows in pool.map(lambda item: check(options.kadr, folder, item), enumerate(every)):
+            sampled_any += rows > 0
+            failed += bool(faults)
+            if faults:
+                print(f'FAIL {name}: ' + '; '.join(faults[:4]))
+    print(f'{len(every)} programs, {sampled_any} with motion, {failed} failed')
+    return 1 if failed or sampled_any == 0 else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
