@@ -1,26 +1,19 @@
+// The interior-point method: barrier, Newton steps, line search.
+
 #include "motion/least_time.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "motion/least_time_places.h"
+
 namespace kadr {
 namespace {
 
-constexpr double margin = 0.99, jerk_margin = 0.985;  // of the limits: between the places they are looked at they are a little exceeded
+using least_time::weights;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-double square(double x) { return x * x; }
-
-/// Bernstein polynomials at the places.
-constexpr auto weights = [] {
-  std::array<std::array<double, TimedPath::places>, 3> w{};
-  for (std::size_t p = 0; p < TimedPath::places; ++p) {
-    const double part = TimedPath::part[p], rest = 1 - part;
-    w[0][p] = rest * rest, w[1][p] = 2 * part * rest, w[2][p] = part * part;
-  }
-  return w;
-}();
 
 /// Value at the places of what is linear in the ordinates.
 template <class Rows, class Ordinates>
@@ -66,103 +59,6 @@ class Logs {
 };
 
 }  // namespace
-
-void TimedPath::clear() {
-  for (std::vector<double>* const all : {&h, &most, &x1, &x2, &x3}) all->clear();
-  turns.clear();
-}
-
-/// A cell beside a stop has b = b₁ (σ/h)^(4/3), so that at its inner knot b′ = 4/3 b₁/h: its middle is a third of b₁.
-void LeastTime::number_variables() {
-  const std::vector<double>& h = path_->h;
-  variable_.assign(n_, 0);
-  scale_.assign(n_, 1);
-  first_given_ = !ends_.from_stop;
-  std::size_t count = 0;
-  for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
-    variable_[k] = count;
-    const bool front = k == 0, back = k + 2 == n_ && ends_.to_stop;
-    if (k + 1 < n_ && turns_behind(k)) scale_[k + 1] = scale_[k] * h[k + 1] / h[k];
-    else if (!front && !back) ++count;
-    if (front && !turns_behind(k)) scale_[0] = 1.0 / 3 / (1 + 2.0 / 3 * h[1] / h[0]);
-    if (back && !turns_behind(k)) scale_[n_ - 1] = scale_[k] / 3 / (1 + 2.0 / 3 * h[n_ - 2] / h[n_ - 1]);
-  }
-  variables_ = variable_[n_ - 1] + 1;
-}
-
-void LeastTime::prepare() {
-  const TimedPath& path = *path_;
-  n_ = path.cells();
-  number_variables();
-  m_.assign(n_, 0);
-  if (first_given_) m_[0] = ends_.from.b + ends_.from.d * path.h[0] / 2;
-  for (std::vector<double>* const all : {&y_, &trial_, &step_}) all->assign(variables_, 0);
-  find_mixes();
-  find_limits();
-  cap_.assign(variables_, infinite);
-  for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
-    const double most = k + 1 == n_ && !ends_.to_stop ? std::min(path.most[k], ends_.crawl) : path.most[k];
-    cap_[variable_[k]] = std::min(cap_[variable_[k]], most / scale_[k]);
-  }
-  if (ends_.from_stop) keep_stop(0);
-  if (ends_.to_stop) keep_stop(n_ - 1);
-}
-
-/// b at a knot lies on the line between the middle ordinates of its two cells; at a turn it is 0, and crawling it stays as it is.
-void LeastTime::find_mixes() {
-  mixes_.assign(n_, {});
-  for (std::size_t k = 0; k < n_; ++k) {
-    const std::size_t first = first_variable(k);
-    const auto add = [&](Mix& mix, std::size_t cell, double part) {
-      if (cell == 0 && first_given_) mix.given += part * m_[0];
-      else mix.by[variable_[cell] - first] += part * scale_[cell];
-    };
-    const auto knot = [&](Mix& mix, std::size_t left) {
-      const double before = path_->h[left], behind = path_->h[left + 1];
-      add(mix, left, behind / (before + behind));
-      add(mix, left + 1, before / (before + behind));
-    };
-    if (k > 0 && !turns_behind(k - 1)) knot(mixes_[k][0], k - 1);
-    if (k == 0 && first_given_) mixes_[k][0].given = ends_.from.b;
-    if (turns_behind(k)) continue;
-    if (k + 1 < n_) knot(mixes_[k][1], k);
-    else add(mixes_[k][1], k, 1);
-  }
-}
-
-void LeastTime::find_limits() {
-  const TimedPath& path = *path_;
-  limits_.resize(n_ * path.axes);
-  for (std::size_t k = 0; k < n_; ++k) {
-    const double h = path.h[k];
-    const Three q{2 / (h * h), -4 / (h * h), 2 / (h * h)};  // b″
-    for (std::size_t p = 0; p < places; ++p) {
-      const double part = TimedPath::part[p];
-      const Three d{-2 * (1 - part) / h, 2 * (1 - 2 * part) / h, 2 * part / h};  // b′
-      for (std::size_t a = 0; a < path.axes; ++a) {
-        const std::size_t i = (k * places + p) * path.axes + a;
-        const double x1 = path.x1[i], x2 = path.x2[i], x3 = path.x3[i];
-        const double by_a = 1 / (margin * path.acceleration[a]), by_j = 1 / (jerk_margin * path.jerk[a]);
-        AxisLimits& limits = limits_[k * path.axes + a];
-        for (std::size_t o = 0; o < 3; ++o) {
-          limits.acceleration[o][p] = by_a * (x1 / 2 * d[o] + x2 * weights[o][p]);
-          limits.jerk[o][p] = by_j * (x1 / 2 * q[o] + 1.5 * x2 * d[o] + x3 * weights[o][p]);
-        }
-      }
-    }
-  }
-}
-
-/// Jerk in the cell beside a stop, s⃛ = 2/9 b₁^(3/2) / h², as a limit of its variable: its middle is a third of b₁.
-void LeastTime::keep_stop(std::size_t cell) {
-  double most = infinite;  // of b₁
-  for (std::size_t a = 0; a < path_->axes; ++a) {
-    const double way = std::fabs(path_->x1[(cell * places + 1) * path_->axes + a]) / (jerk_margin * path_->jerk[a]);
-    if (way > 0) most = std::min(most, std::cbrt(square(4.5 * square(path_->h[cell]) / way)));
-  }
-  double& cap = cap_[variable_[cell]];
-  cap = std::min(cap, most / (3 * scale_[cell]));
-}
 
 void LeastTime::spread(const std::vector<double>& y) {
   for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) m_[k] = scale_[k] * y[variable_[k]];
@@ -346,48 +242,6 @@ bool LeastTime::first_guess() {
     find_envelope();
   }
   return false;
-}
-
-/// What a cell allows by itself, ṡ².
-double LeastTime::alone(const TimedPath& path, std::size_t cell) {
-  constexpr double none = 1e-12;  // a derivative of this size limits nothing
-  double most = path.most[cell];
-  for (std::size_t p = 0; p < places; ++p)
-    for (std::size_t a = 0; a < path.axes; ++a) {
-      const std::size_t i = (cell * places + p) * path.axes + a;
-      most = std::min(most, path.acceleration[a] / std::max(std::fabs(path.x2[i]), none));
-      most = std::min(most, std::cbrt(square(path.jerk[a] / std::max(std::fabs(path.x3[i]), none))));
-    }
-  return most;
-}
-
-double LeastTime::slowest(const TimedPath& path) {
-  double least = infinite;
-  for (std::size_t k = 0; k < path.cells(); ++k) least = std::min(least, alone(path, k));
-  return least;
-}
-
-/// About how fast the path may be passed, into m_: by what each cell allows by itself, and by how soon jerk lets it get there.
-void LeastTime::find_envelope() {
-  double soonest = infinite;  // d b^(3/4) / ds with constant jerk from rest: b = (6^(4/3)/4) j^(2/3) s^(4/3)
-  for (std::size_t a = 0; a < path_->axes; ++a) soonest = std::min(soonest, 2.12 * std::sqrt(path_->jerk[a]));
-  double reached = 0;  // b^(3/4)
-  for (std::size_t k = 0; k < n_; ++k) {
-    const double most = alone(*path_, k);
-    reached = k > 0 && turns_behind(k - 1) ? 0 : reached;
-    reached = std::min(std::pow(most, 0.75), reached + soonest * path_->h[k]);
-    m_[k] = reached;
-  }
-  reached = ends_.to_stop ? 0 : m_[n_ - 1];
-  for (std::size_t k = n_; k-- > 0;) {
-    if (turns_behind(k)) reached = 0;
-    m_[k] = reached = std::min(m_[k], reached + soonest * path_->h[k]);
-  }
-  constexpr int rounds = 8;
-  for (int round = 0; round < rounds; ++round)  // its corners are rounded
-    for (std::size_t k = 1; k + 1 < n_; ++k)
-      if (!turns_behind(k) && !turns_behind(k - 1)) m_[k] = (m_[k - 1] + 2 * m_[k] + m_[k + 1]) / 4;
-  for (double& m : m_) m = std::pow(m, 4.0 / 3);
 }
 
 bool LeastTime::solve(const TimedPath& path, const Ends& ends) {

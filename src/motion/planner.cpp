@@ -119,8 +119,8 @@ void Planner::straight_line() {
   sink_(out_);
 }
 
-/// Size of a cell at a length: small at corners, turns and stops, growing away from them. `curve_part`: of a rounding's width, of those
-/// between the chords of a curve.
+/// Size of a cell at a length: small at corners, turns, stops and changes of feed, growing away from them. `curve_part`: of a rounding's
+/// width, of those between the chords of a curve.
 double Planner::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   double size = longest_s * path_.feed(piece);
   const double rest = 0.01 * std::min(1.0, path_.ends() - path_.begins());  // beside a stop: a part of the way that a ramp takes
@@ -128,9 +128,9 @@ double Planner::size_at(double s, std::size_t piece, bool last, double curve_par
   if (last) size = std::min(size, rest + growth * (path_.ends() - s));
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
-    const double w = path_.width(i), small = path_.turns_back(i) ? rest : w * (path_.on_curve(i) ? curve_part : corner_part);
-    if (small == 0) return;  // straight on
-    size = std::min(size, small + growth * std::max(0.0, std::fabs(s - path_.at(i)) - w));
+    const double w = path_.width(i), away = std::fabs(s - path_.at(i));
+    if (path_.turns_back(i) || path_.feed(i) != path_.feed(i - 1)) size = std::min(size, rest + growth * away);
+    if (w > 0) size = std::min(size, w * (path_.on_curve(i) ? curve_part : corner_part) + growth * std::max(0.0, away - w));
   };
   for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);
   for (std::size_t i = piece + 1; i < path_.pieces() && path_.at(i) - s < reach; ++i) take(i);
