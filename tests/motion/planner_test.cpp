@@ -153,22 +153,24 @@ TEST(Planner, AWindowMuchShorterThanThePathCostsNoTime) {
   expect_within_limits(run);
 }
 
-std::vector<Piece> random_pieces() {
+/// Of one tolerance, or of several.
+std::vector<Piece> random_pieces(bool mixed) {
   std::vector<Piece> pieces;
   Point at{};
   const int kind = *rc::gen::inRange(0, 3), count = *rc::gen::inRange(2, 60);
   double heading = 0;
+  const double tolerance = *rc::gen::element(0.005, 0.02, 0.1);
   for (int i = 0; i < count; ++i) {
     const double step = kind == 0 ? *rc::gen::inRange(10, 500) * 1e-3 : *rc::gen::inRange(1, 400) * 0.1;
     heading += kind == 0 ? *rc::gen::inRange(-100, 101) * 2e-3 : *rc::gen::inRange(0, 361) * 3.14159265358979323846 / 180;
     at = {at[0] + step * std::cos(heading), at[1] + step * std::sin(heading), at[2] + (*rc::gen::inRange(0, 5) == 0 ? 0.3 : 0.0)};
-    pieces.push_back({at, *rc::gen::inRange(1, 200) * 1.0, *rc::gen::element(0.005, 0.02, 0.1)});
+    pieces.push_back({at, *rc::gen::inRange(1, 200) * 1.0, mixed ? *rc::gen::element(0.005, 0.02, 0.1) : tolerance});
   }
   return pieces;
 }
 
 RC_GTEST_PROP(PlannerProperty, ObeysEveryLimitAndFollowsThePath, ()) {
-  const std::vector<Piece> pieces = random_pieces();
+  const std::vector<Piece> pieces = random_pieces(true);
   const Planned run = planned(pieces);
   constexpr double over = 1.002;
   RC_ASSERT(run.failures == 0U);
@@ -181,9 +183,11 @@ RC_GTEST_PROP(PlannerProperty, ObeysEveryLimitAndFollowsThePath, ()) {
   for (std::size_t a = 0; a < 3; ++a) RC_ASSERT(std::fabs(run.end[a] - pieces.back().to[a]) < 1e-9);
 }
 
-// Not bit by bit: the cells lie elsewhere, and of several good speeds another may be found.
+// Not bit by bit: the cells lie elsewhere, and of several good speeds another may be found; tiny paths differ most.
+constexpr double some = 0.07;  // s
+
 RC_GTEST_PROP(PlannerProperty, ASplitLineTakesTheSameTime, ()) {
-  std::vector<Piece> pieces = random_pieces(), split;
+  std::vector<Piece> pieces = random_pieces(false), split;
   Point from{};
   for (const Piece& piece : pieces) {
     const double part = *rc::gen::inRange(1, 100) * 0.01;
@@ -194,16 +198,16 @@ RC_GTEST_PROP(PlannerProperty, ASplitLineTakesTheSameTime, ()) {
     from = piece.to;
   }
   const double one = planned(pieces).seconds, two = planned(split).seconds;
-  RC_ASSERT(std::fabs(one - two) <= 0.05 * one);
+  RC_ASSERT(std::fabs(one - two) <= 0.05 * one + some);
 }
 
 RC_GTEST_PROP(PlannerProperty, BackwardsItTakesTheSameTime, ()) {
-  const std::vector<Piece> pieces = random_pieces();
+  const std::vector<Piece> pieces = random_pieces(false);
   std::vector<Piece> back;
   for (std::size_t i = pieces.size(); i-- > 0;)
     back.push_back({i > 0 ? pieces[i - 1].to : Point{}, pieces[i].feed, i + 1 < pieces.size() ? pieces[i + 1].tolerance : 0.01});
   const double one = planned(pieces).seconds, two = planned(back, pieces.back().to).seconds;
-  RC_ASSERT(std::fabs(one - two) <= 0.08 * one);
+  RC_ASSERT(std::fabs(one - two) <= 0.05 * one + some);
 }
 
 }  // namespace
