@@ -92,8 +92,8 @@ double LeastTime::barrier(const std::vector<double>& y, double mu) {
     if (is_stop_cell(k)) continue;
     const Ordinates o = ordinates(k);
     const Places b = at_places(weights, o);
-    for (std::size_t a = 0; a < path_->axes; ++a) {
-      const AxisLimits& limits = limits_[k * path_->axes + a];
+    for (std::size_t row = 0; row < moving_.size(); ++row) {
+      const AxisLimits& limits = limits_[k * moving_.size() + row];
       const Places acceleration = at_places(limits.acceleration, o), jerk = at_places(limits.jerk, o);
       double least = 1, product = 1;
       for (std::size_t p = 0; p < places; ++p) {
@@ -115,8 +115,8 @@ void LeastTime::add_cell(std::size_t cell, double mu) {
   Places root, half;
   for (std::size_t p = 0; p < places; ++p) root[p] = std::sqrt(b[p]), half[p] = b[p] > 0 ? 0.5 / root[p] : 0;
   Sums sums;
-  for (std::size_t a = 0; a < path_->axes; ++a) {
-    const AxisLimits& limits = limits_[cell * path_->axes + a];
+  for (std::size_t row = 0; row < moving_.size(); ++row) {
+    const AxisLimits& limits = limits_[cell * moving_.size() + row];
     sums.take(at_places(limits.acceleration, o), limits.acceleration);
     const Places jerk = at_places(limits.jerk, o);
     std::array<Places, 3> by;

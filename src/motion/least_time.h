@@ -90,6 +90,7 @@ class LeastTime {
   void prepare();
   void number_variables();
   void find_mixes();
+  void find_moving();
   void find_limits();
   void keep_stop(std::size_t cell);
   bool first_guess();
@@ -114,7 +115,8 @@ class LeastTime {
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
   bool first_given_ = false;               // the first cell follows from the start
-  std::vector<AxisLimits> limits_;         // cell * axes + axis
+  std::vector<std::size_t> moving_;        // axes
+  std::vector<AxisLimits> limits_;         // cell * moving axes + place among them
   std::vector<std::array<Mix, 2>> mixes_;  // of each cell's first and last ordinate
   std::vector<double> cap_;
   std::vector<double> m_;                                           // of the cells

@@ -86,20 +86,30 @@ void LeastTime::find_mixes() {
   }
 }
 
+void LeastTime::find_moving() {
+  moving_.clear();
+  for (std::size_t a = 0; a < path_->axes; ++a) {
+    bool moves = false;
+    for (std::size_t i = a; i < path_->x1.size(); i += path_->axes) moves = moves || path_->x1[i] != 0 || path_->x2[i] != 0;
+    if (moves) moving_.push_back(a);
+  }
+}
+
 void LeastTime::find_limits() {
   const TimedPath& path = *path_;
-  limits_.resize(n_ * path.axes);
+  find_moving();
+  limits_.resize(n_ * moving_.size());
   for (std::size_t k = 0; k < n_; ++k) {
     const double h = path.h[k];
     const Three q{2 / (h * h), -4 / (h * h), 2 / (h * h)};  // b″
     for (std::size_t p = 0; p < places; ++p) {
       const double part = TimedPath::part[p];
       const Three d{-2 * (1 - part) / h, 2 * (1 - 2 * part) / h, 2 * part / h};  // b′
-      for (std::size_t a = 0; a < path.axes; ++a) {
-        const std::size_t i = (k * places + p) * path.axes + a;
+      for (std::size_t row = 0; row < moving_.size(); ++row) {
+        const std::size_t a = moving_[row], i = (k * places + p) * path.axes + a;
         const double x1 = path.x1[i], x2 = path.x2[i], x3 = path.x3[i];
         const double by_a = 1 / (margin * path.acceleration[a]), by_j = 1 / (jerk_margin * path.jerk[a]);
-        AxisLimits& limits = limits_[k * path.axes + a];
+        AxisLimits& limits = limits_[k * moving_.size() + row];
         for (std::size_t o = 0; o < 3; ++o) {
           limits.acceleration[o][p] = by_a * (x1 / 2 * d[o] + x2 * weights[o][p]);
           limits.jerk[o][p] = by_j * (x1 / 2 * q[o] + 1.5 * x2 * d[o] + x3 * weights[o][p]);
