@@ -119,6 +119,12 @@ void Planner::straight_line() {
   sink_(out_);
 }
 
+bool Planner::feed_changes(std::size_t vertex) const {
+  constexpr double same = 1e-6;  // relative: the feed is the way divided by its time
+  const double before = path_.feed(vertex - 1), behind = path_.feed(vertex);
+  return std::fabs(before - behind) > same * (before + behind);
+}
+
 /// Size of a cell at a length: small at corners, turns, stops and changes of feed, growing away from them. `curve_part`: of a rounding's
 /// width, of those between the chords of a curve.
 double Planner::size_at(double s, std::size_t piece, bool last, double curve_part) const {
@@ -129,7 +135,7 @@ double Planner::size_at(double s, std::size_t piece, bool last, double curve_par
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
     const double w = path_.width(i), away = std::fabs(s - path_.at(i));
-    if (path_.turns_back(i) || path_.feed(i) != path_.feed(i - 1)) size = std::min(size, rest + growth * away);
+    if (path_.turns_back(i) || feed_changes(i)) size = std::min(size, rest + growth * away);
     if (w > 0) size = std::min(size, w * (path_.on_curve(i) ? curve_part : corner_part) + growth * std::max(0.0, away - w));
   };
   for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);

@@ -47,6 +47,7 @@ class Planner {
   void cut_cells(bool last);
   double size_at(double s, std::size_t piece, bool last, double curve_part) const;
   bool is_even(double h) const;
+  bool feed_changes(std::size_t vertex) const;
   double next_size(bool last) const;
   void add_cell(double from, double to, bool turns);
   void set_knot(double s, std::size_t piece);

@@ -11,6 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr double shortest = 1e-9;        // mm: a shorter piece has no direction worth the name
+constexpr double same_feed = 1e-6;       // relative: rounding of a way divided by its time
 constexpr double straight_bend = 1e-12;  // |Δu| of pieces that go on straight but for rounding
 
 }  // namespace
@@ -62,7 +63,7 @@ std::size_t SmoothPath::piece_at(double s, std::size_t from) const {
 
 bool SmoothPath::is_one_line() const {
   for (std::size_t i = 1; i < length_.size(); ++i)
-    if (turn_[i] > straight_bend || feed_[i] != feed_[0]) return false;
+    if (turn_[i] > straight_bend || std::fabs(feed_[i] - feed_[0]) > same_feed * feed_[0]) return false;
   return !length_.empty();
 }
 
