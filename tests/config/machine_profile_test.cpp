@@ -31,7 +31,7 @@ TEST(machine_profile, built_in_ones_load) {
 
 TEST(machine_profile, unknown_names_the_known) {
   EXPECT_EQ(load_machine("lathe").error(),
-            "no machine 'lathe'; there are: generic, mach3-router, s2c42-mill, or a file of your own (NAME.toml)");
+            "no machine 'lathe'; there are: generic, linuxcnc-sim, mach3-router, nct-vmc, s2c42-mill, or a file of your own (NAME.toml)");
   EXPECT_EQ(load_machine("/nowhere.toml").error(), "/nowhere.toml: cannot be read");
 }
 
