@@ -77,7 +77,7 @@ def random_programs(choose, count):
 
 def sampled(kadr, folder, profile, control, setup, program):
     command = [kadr, 'run', program, '--control', control, '--setup', setup, '--machine', profile, '--samples', '-', '--quiet']
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=TIME_LIMIT_S)
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=folder, timeout=TIME_LIMIT_S)
     if done.returncode not in (0, 1):
         return [], []  # it needs files beside it
     lines = done.stdout.decode('ascii').split('\n')
@@ -148,7 +148,7 @@ def check(kadr, folder, item):
     faults += limits_broken(names, rows)
     faults += ['exact: ' + fault for fault in limits_broken(names, exact)]
     trace = subprocess.run([kadr, 'run', program, '--control', control, '--setup', setup_file, '--trace', '-', '--quiet'],
-                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=TIME_LIMIT_S).stdout.decode('utf-8')
+                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=folder, timeout=TIME_LIMIT_S).stdout.decode('utf-8')
     last = json.loads(trace.strip().split('\n')[-1])
     at = last.get('machine_position', {})
     for axis, value in zip(names, rows[-1][1:]):
@@ -169,11 +169,12 @@ def main():
     parser.add_argument('--seed', type=int, default=7)
     parser.add_argument('--only', default='')
     options = parser.parse_args()
+    kadr = str(Path(options.kadr).resolve())
     every = [*programs_of_cases()][::options.every] + [*random_programs(random.Random(options.seed), options.random)]
     every = [item for item in every if options.only in item[0]]
     sampled_any = failed = 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
-        for name, faults, rows in pool.map(lambda item: check(options.kadr, folder, item), enumerate(every)):
+        for name, faults, rows in pool.map(lambda item: check(kadr, folder, item), enumerate(every)):
             sampled_any += rows > 0
             failed += bool(faults)
             if faults:
