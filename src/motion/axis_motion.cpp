@@ -10,7 +10,6 @@
 namespace kadr {
 namespace {
 
-constexpr double least_speed = 1e-3;            // mm/min: where the override is 0
 constexpr double shortest_rise = 1e-3;          // s, of acceleration that rises at once: one servo period
 constexpr double unlimited_acceleration = 1e6;  // mm/s²: 100 g
 constexpr double unlimited_feed = 1e6;          // mm/s
@@ -36,7 +35,9 @@ bool needs_rest(const Action& action) {
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
   constexpr double per_second = 1.0 / 60;
   MotionLimits limits;
-  const Rates rates = rates_of(profile, setup, axes);
+  Setup at_full_rate = setup;  // the override slows rapid motions (their programmed time), not what the axes can do
+  at_full_rate.rapid_override = 100;
+  const Rates rates = rates_of(profile, at_full_rate, axes);
   for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
     const auto found = profile.axes.find(axes[i]);
     const AxisProfile own = found == profile.axes.end() ? AxisProfile{} : found->second;
@@ -48,7 +49,7 @@ MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, co
       jerk = acceleration / std::max(rising, shortest_rise);
     }
     if (stated != nullptr && stated->no_acceleration) acceleration = unlimited_acceleration, jerk = acceleration / shortest_rise;
-    limits.speed.push_back(std::max(rates.rapid[i], least_speed) * per_second);
+    limits.speed.push_back(rates.rapid[i] * per_second);
     limits.acceleration.push_back(acceleration);
     limits.jerk.push_back(jerk);
   }
