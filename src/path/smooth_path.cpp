@@ -88,27 +88,52 @@ double SmoothPath::moved(double s, std::size_t around) const {
   return std::sqrt(squares);
 }
 
-/// Makes roundings narrower where they move the path too far. False: none does.
+/// How far the roundings move the path to one side of a vertex at most, mm: looked at in places as dense as its own rounding asks for where
+/// that is felt, but not beyond a vertex that asks for as much, and in some between there and half the way to the next vertex.
+double SmoothPath::moved_beside(std::size_t vertex, int side) const {
+  constexpr int places = 6;   // from the vertex to where it swings out
+  constexpr int farther = 4;  // behind that
+  const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
+  const std::size_t beside = side < 0 ? vertex - 1 : vertex;
+  std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = beside;
+  double most = 0;
+  for (int k = 1; k <= places + 1; ++k) {
+    const double s = at_[vertex] + side * k * step;
+    while (side * (s - at_[next]) > 0 && next > 0 && next + 1 < at_.size() && width_[next] > 2 * width_[vertex])
+      side < 0 ? (--next, --piece) : (++next, ++piece);
+    if (side * (s - at_[next]) > 0) break;
+    most = std::max(most, moved(s, piece));
+  }
+  const double behind = std::min(length_[beside] / 2, reach_) - felt;
+  for (int k = 1; k <= farther && behind > 0; ++k) most = std::max(most, moved(at_[vertex] + side * (felt + k * behind / farther), beside));
+  return most;
+}
+
+/// Another rounding is felt where this one is.
+bool SmoothPath::overlaps(std::size_t vertex) const {
+  bool any = false;
+  corners_near(at_[vertex], vertex, width_[vertex] + reach_,
+               [&](std::size_t k) { any = any || (k != vertex && std::fabs(at_[k] - at_[vertex]) < width_[k] + width_[vertex]); });
+  return any;
+}
+
+/// Makes roundings narrower where they move the path further than the tolerance. False: none does.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-9;  // relative: of an even split that meets the tolerance exactly
   constexpr double far_off = 1.3;    // of the tolerance; nearer it goes in small steps, so that what matters most stays widest
-  constexpr double aim = 0.999;      // of the tolerance, so that the rounds come to an end
+  constexpr double between = 0.99;   // of the tolerance: the rest is for what lies between the places looked at
+  constexpr double aim = 0.999;      // of that, so that the rounds come to an end
   bool any = false;
   factor_.assign(at_.size(), 1);
   for (std::size_t i = first; i < end; ++i) {
-    const double flank = SoftCorner::of(turn_[i]).flank() * width_[i];
-    double most = moved(at_[i], i);
-    for (const double side : {-flank, flank}) {
-      std::size_t around = i;
-      while (around > 0 && at_[around] > at_[i] + side) --around;
-      most = std::max(most, moved(at_[i] + side, piece_at(at_[i] + side, around)));
-    }
-    if (most <= tolerance_[i] * (1 + rounding)) continue;
+    if (!overlaps(i)) continue;  // alone it is as wide as the tolerance allows
+    const double most = std::max({moved(at_[i], i), moved_beside(i, -1), moved_beside(i, 1)}), allowed = between * tolerance_[i];
+    if (most <= allowed * (1 + rounding)) continue;
     any = true;
-    const double less =
-        std::pow(aim * tolerance_[i] / most, most > far_off * tolerance_[i] ? 0.5 : 0.2);  // several corners bear it together
+    const double less = std::pow(aim * allowed / most, most > far_off * allowed ? 0.5 : 0.2);  // several corners bear it together
+    const double far = width_[i];
     corners_near(at_[i], i, 2 * reach_, [&](std::size_t k) {
-      if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + flank) factor_[k] = std::min(factor_[k], less);
+      if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + far) factor_[k] = std::min(factor_[k], less);
     });
   }
   if (any)
@@ -142,8 +167,6 @@ void SmoothPath::settle(bool last) {
   }
   reach_ = *std::max_element(width_.begin(), width_.end());
   constexpr int most_rounds = 200;  // a chain needs ten to thirty
-  first = std::max<std::size_t>(done_, 1);
-  while (first > 1 && at_[std::min(done_, vertices - 1)] - at_[first] < 2 * widest) --first;
   for (int round = 0; round < most_rounds && shrink(first, vertices - 1); ++round) {
   }
   settled_ = last ? at_.back() : std::max(settled_, at_.back() - 3 * widest);

@@ -57,6 +57,8 @@ class SmoothPath {
   static constexpr double turning_back = 2 - 1e-9;  // |Δu|
   double width_on_curve(std::size_t vertex) const;
   double moved(double s, std::size_t around) const;
+  double moved_beside(std::size_t vertex, int side) const;
+  bool overlaps(std::size_t vertex) const;
   bool shrink(std::size_t first, std::size_t end);
   template <class Take>
   void corners_near(double s, std::size_t around, double reach, const Take& take) const;

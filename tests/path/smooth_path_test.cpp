@@ -1,0 +1,63 @@
+// The rounded path: how far it is from its straight pieces.
+
+#include "path/smooth_path.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+struct Corner {
+  double x, y, tolerance;
+};
+
+/// The furthest that any place is moved, of the greatest tolerance of the corners that are felt there.
+double most_moved(const std::vector<Corner>& corners) {
+  SmoothPath path(2);
+  const double start[2] = {0, 0};
+  path.begin(start);
+  for (const Corner& corner : corners) path.line_to(&corner.x, 100, corner.tolerance, false, 0);
+  path.settle(true);
+  double worst = 0;
+  std::size_t piece = 0;
+  for (double s = 0; s < path.ends(); s += 0.002) {
+    piece = path.piece_at(s, piece);
+    double at[2], slope[2], bend[2], tolerance = 0;
+    path.evaluate(s, piece, at, slope, bend);
+    const Corner from = piece > 0 ? corners[piece - 1] : Corner{0, 0, 0}, to = corners[piece];
+    const double part = (s - path.at(piece)) / (path.at(piece + 1) - path.at(piece));
+    const double moved = std::hypot(from.x + part * (to.x - from.x) - at[0], from.y + part * (to.y - from.y) - at[1]);
+    for (std::size_t i = 1; i < corners.size(); ++i)
+      if (std::fabs(path.at(i) - s) < path.width(i)) tolerance = std::max(tolerance, corners[i].tolerance);
+    worst = std::max(worst, moved > 1e-12 ? moved / tolerance : 0);
+  }
+  return worst;
+}
+
+TEST(SmoothPath, ACornerAloneUsesItsTolerance) { EXPECT_NEAR(most_moved({{30, 0, 0.02}, {30, 30, 0.02}}), 1, 1e-3); }
+
+// A gentle corner close to a sharp one: what moves the path most lies behind both.
+TEST(SmoothPath, AWideRoundingBesideANarrowOneStaysWithin) {
+  EXPECT_LE(most_moved({{3, 0, 0.005}, {3.004, 0.0097, 0.005}, {3.3, 1.32, 0.005}, {5, 1.2, 0.005}, {5, 4, 0.005}}), 1.001);
+}
+
+RC_GTEST_PROP(SmoothPathProperty, StaysWithinTheTolerance, ()) {
+  const int kind = *rc::gen::inRange(0, 3), count = *rc::gen::inRange(2, 40);
+  const bool mixed = *rc::gen::arbitrary<bool>();
+  const double one = *rc::gen::element(0.005, 0.02, 0.1);
+  std::vector<Corner> corners;
+  double x = 0, y = 0, heading = 0;
+  for (int i = 0; i < count; ++i) {
+    const double step = *rc::gen::inRange(10, kind == 0 ? 500 : kind == 1 ? 20000 : 3000) * 1e-3;
+    heading += kind == 0 ? *rc::gen::inRange(-100, 101) * 2e-3 : *rc::gen::inRange(0, 361) * 3.14159265358979323846 / 180;
+    x += step * std::cos(heading), y += step * std::sin(heading);
+    corners.push_back({x, y, mixed ? *rc::gen::element(0.005, 0.02, 0.1) : one});
+  }
+  RC_ASSERT(most_moved(corners) <= 1.01);  // looked at in places only: docs/planner.md
+}
+
+}  // namespace
+}  // namespace kadr
