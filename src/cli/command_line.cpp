@@ -1,6 +1,8 @@
 #include "cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 
 #include "config/control_file.h"
 
@@ -58,6 +60,33 @@ void program_options(CLI::App& app, Options& o) {
   language_option(app, o.lang);
 }
 
+/// `SECONDS:PERCENT`, as in 2.5:50.
+OverrideChange override_change(const std::string& text) {
+  const char* const end = text.data() + text.size();
+  OverrideChange change;
+  const auto time = std::from_chars(text.data(), end, change.seconds);
+  const bool colon = time.ec == std::errc() && time.ptr != end && *time.ptr == ':';
+  double percent = 0;
+  const auto share = std::from_chars(colon ? time.ptr + 1 : end, end, percent);
+  if (!colon || share.ec != std::errc() || share.ptr != end || !(change.seconds >= 0) || !(percent >= 0 && percent <= 100))
+    throw CLI::ValidationError("--override", text + ": want SECONDS:PERCENT, PERCENT from 0 (feed hold) to 100");
+  change.share = percent / 100;
+  return change;
+}
+
+void sample_options(CLI::App& run, Options& o) {
+  run.add_option("--samples", o.samples, "positions of the axes at the servo rate as CSV, to a file or - for stdout");
+  run.add_option("--rate", o.rate, "of the samples, Hz")->check(CLI::Range(1.0, 1e6))->capture_default_str();
+  run.add_option_function<std::vector<std::string>>(
+         "--override",
+         [&o](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) o.overrides.push_back(override_change(text));
+           std::stable_sort(o.overrides.begin(), o.overrides.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+         },
+         "of the samples' speed, from times on: SECONDS:PERCENT,… (0: feed hold)")
+      ->delimiter(',');
+}
+
 void add_run(CLI::App& app, Commands& c) {
   CLI::App* const run = app.add_subcommand("run", "carry a program out: summary, trace, picture");
   run->add_option("PROGRAM", c.options.programs, "the part program (- for standard input)")->required()->expected(1);
@@ -66,8 +95,7 @@ void add_run(CLI::App& app, Commands& c) {
   run->add_option("--state", c.options.state, "file that keeps offsets, #500-#999, tool life, parameters from run to run (nct)");
   run->add_option("--files", c.options.limits.files,
                   "folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: here)");
-  run->add_option("--samples", c.options.samples, "positions of the axes at the servo rate as CSV, to a file or - for stdout");
-  run->add_option("--rate", c.options.rate, "of the samples, Hz")->check(CLI::Range(1.0, 1e6))->capture_default_str();
+  sample_options(*run, c.options);
   run->add_option("--plot", c.options.plot, "draw the path: a file .svg or .png");
   run->footer(run_examples);
 }

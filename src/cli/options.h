@@ -6,6 +6,7 @@
 
 #include "config/alarm_texts.h"
 #include "control/control.h"
+#include "motion/override_change.h"
 
 namespace kadr::cli {
 
@@ -18,10 +19,11 @@ struct Options {
   std::string machine;  // empty: generic
   std::string setup;
   std::string encoding;
-  std::string trace;            // file, "-": stdout
-  std::string plot;             // .svg or .png
-  std::string samples;          // file, "-": stdout
-  double rate = 1000;           // of the samples, Hz
+  std::string trace;    // file, "-": stdout
+  std::string plot;     // .svg or .png
+  std::string samples;  // file, "-": stdout
+  double rate = 1000;   // of the samples, Hz
+  std::vector<OverrideChange> overrides;
   std::string state;            // file that keeps what survives power-off; empty: nothing is kept
   std::string lang;             // "ru", "en"; empty: by LANG
   std::string format = "text";  // of check: text, json, sarif

@@ -53,12 +53,13 @@ bool plot_name_is_known(const std::string& name) {
 /// The axes' motion in time, and its samples.
 class Sampled {
  public:
-  Sampled(std::FILE* file, const Channel& channel, const Job& job, const ToolPosition& stand, double rate)
+  Sampled(std::FILE* file, const Channel& channel, const Job& job, const ToolPosition& stand, const Options& options)
       : roles_(AxisRoles::of(channel.control->axes(), channel.control->rotary())),
         position_(stand),
         estimate_(roles_, rates_of(job.profile, channel.setup, channel.control->axes())),
-        writer_(file, channel.control->axes(), rate),
-        motion_(roles_, motion_limits(job.profile, channel.setup, channel.control->axes()), job.profile.tolerance, stand,
+        limits_(motion_limits(job.profile, channel.setup, channel.control->axes())),
+        writer_(file, channel.control->axes(), limits_, options.rate, options.overrides),
+        motion_(roles_, limits_, job.profile.tolerance, stand,
                 [this](const TimedCells& cells) { writer_.take(cells); }) {
     estimate_.spindle(channel.setup.spindle().rpm);
   }
@@ -86,6 +87,7 @@ class Sampled {
   AxisRoles roles_;
   ToolPosition position_;
   TimeEstimate estimate_;  // by programmed feeds
+  MotionLimits limits_;
   SampleWriter writer_;
   AxisMotion motion_;
 };
@@ -126,7 +128,7 @@ class RunCommand {
       if (channels.size() == 1) look_ahead(view, channel, rates, stand);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (files.samples != nullptr) view.sampled = std::make_unique<Sampled>(files.samples, channel, job, stand, options.rate);
+      if (files.samples != nullptr) view.sampled = std::make_unique<Sampled>(files.samples, channel, job, stand, options);
     }
   }
 

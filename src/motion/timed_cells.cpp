@@ -37,6 +37,13 @@ double TimeLaw::speed(double t) const {
   return v * (1 + j * g.c) + a * g.s;
 }
 
+TimeLaw::Instant TimeLaw::at(double t) const {
+  if (by_time) return {way(t), speed(t), a + j * t, j};
+  const Growth g = growth(j, t);
+  const double s = v * g.s + a * g.c, now = v * (1 + j * g.c) + a * g.s;
+  return {s, now, a + j * s, j * now};
+}
+
 TimeLaw TimeLaw::of_jerk(double seconds, double v, double a, double j) {
   TimeLaw law{seconds, 0, true, v, a, j};
   law.length = law.way(seconds);

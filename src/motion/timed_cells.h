@@ -15,6 +15,11 @@ struct TimeLaw {
 
   double way(double t) const;
   double speed(double t) const;
+  /// Way and its derivatives by time: mm, mm/s, mm/s², mm/s³.
+  struct Instant {
+    double s, v, a, j;
+  };
+  Instant at(double t) const;
 
   /// With a given jerk, mm/s³, for a time.
   static TimeLaw of_jerk(double seconds, double v, double a, double j);

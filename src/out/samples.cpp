@@ -4,30 +4,57 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace kadr {
 
-SampleWriter::SampleWriter(std::FILE* file, const std::vector<std::string>& axes, double rate)
-    : file_(file), axes_(std::min(axes.size(), max_axes)), period_(1 / rate), decimals_(rate <= 2000 ? 9 : 12), sampler_(rate) {
+SampleWriter::SampleWriter(std::FILE* file, const std::vector<std::string>& axes, MotionLimits limits, double rate,
+                           std::vector<OverrideChange> changes)
+    : file_(file),
+      axes_(std::min(axes.size(), max_axes)),
+      period_(1 / rate),
+      decimals_(rate <= 2000 ? 9 : 12),
+      playback_(std::move(limits), rate),
+      changes_(std::move(changes)) {
   text_ = "t";
   for (std::size_t a = 0; a < axes_; ++a) text_ += "," + axes[a];
   text_ += "\n";
 }
 
-void SampleWriter::write(std::uint64_t number, const Axes& at) {
+void SampleWriter::write(const double* at) {
   constexpr std::size_t chunk = 1 << 16;
-  fmt::format_to(std::back_inserter(text_), "{:.6f}", static_cast<double>(number) * period_);
+  fmt::format_to(std::back_inserter(text_), "{:.6f}", static_cast<double>(instant_) * period_);
   for (std::size_t a = 0; a < axes_; ++a) fmt::format_to(std::back_inserter(text_), ",{:.{}f}", at[a], decimals_);
   text_ += '\n';
   if (text_.size() >= chunk) flush();
 }
 
+/// One instant. False: it stands, and nothing more will happen.
+bool SampleWriter::play() {
+  for (; changed_ < changes_.size() && changes_[changed_].seconds <= static_cast<double>(instant_) * period_; ++changed_)
+    playback_.override_to(changes_[changed_].share);
+  if (changed_ == changes_.size() && playback_.is_held()) return false;
+  Axes at;
+  if (playback_.fill(at.data(), 1) == 0) return false;
+  write(at.data());
+  ++instant_;
+  return true;
+}
+
 void SampleWriter::take(const TimedCells& cells) {
-  sampler_.take(cells, [this](std::uint64_t number, const Axes& at) { write(number, at); });
+  constexpr double enough = 3 * Playback::reserve;  // ahead: it never brakes for want of cells
+  for (std::size_t offered = 0; offered < cells.laws.size();) {
+    offered += playback_.offer(cells, offered);
+    while ((offered < cells.laws.size() || playback_.ahead() > enough) && play()) {
+    }
+    if (playback_.is_held() && changed_ == changes_.size()) return;
+  }
 }
 
 void SampleWriter::finish() {
-  sampler_.finish([this](std::uint64_t number, const Axes& at) { write(number, at); });
+  playback_.finish();
+  while (!playback_.done() && play()) {
+  }
   flush();
   ok_ = ok_ && std::fflush(file_) == 0;
 }

@@ -1,0 +1,164 @@
+#include "motion/playback.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kadr {
+namespace {
+
+constexpr int tries_an_instant = 100;  // instants of the next ramp looked at in one of the clock: some µs
+constexpr double longer = 1.3;         // the next ramp to be tried
+constexpr double longest = 20;         // s, of a ramp: longer ones are no answer; then from the shortest again
+constexpr double rounding = 1 + 1e-9;  // of limits
+constexpr double least_ramp = 4;       // periods
+
+}  // namespace
+
+Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
+    : limits_(std::move(limits)), period_(1 / rate), ring_(limits_.speed.size(), cells) {}
+
+/// One instant further. False: there are not so many cells; the cursor is then at the end of the last.
+bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const {
+  double left = period_;  // s of the clock
+  double way = ramp.passed(on_ramp + period_) - ramp.passed(on_ramp);
+  const bool held = ramp.at(on_ramp + period_).share <= 0;
+  while (!is_over(at)) {
+    const TimeLaw& law = ring_.law(at.cell);
+    const double rest = law.seconds - at.t;
+    const bool stands = law.length == 0;
+    const double step = stands ? (held ? 0 : left) : way;
+    if (step < rest) return at.t += step, true;
+    const double part = step > 0 ? rest / step : 0;
+    left -= part * left, way -= part * way;
+    ++at.cell, at.t = 0;
+  }
+  return left <= 0;
+}
+
+void Playback::position(const Cursor& at, double* x) const {
+  Cursor place = at;
+  if (is_over(at)) --place.cell, place.t = ring_.law(place.cell).seconds;
+  const TimeLaw& law = ring_.law(place.cell);
+  const double s = is_over(at) ? law.length : law.way(place.t);
+  for (std::size_t a = 0; a < ring_.axes(); ++a) {
+    const double* const c = ring_.path(place.cell, a);
+    x[a] = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
+  }
+}
+
+/// No axis exceeds at this pace what it may, or what the plan itself asks of it.
+bool Playback::is_allowed(const Cursor& at, const Pace& pace) const {
+  if (pace.share < 0 || pace.share > rounding) return false;
+  if (is_over(at)) return true;
+  const TimeLaw& law = ring_.law(at.cell);
+  const TimeLaw::Instant i = law.at(at.t);
+  for (std::size_t a = 0; a < ring_.axes(); ++a) {
+    const double* const c = ring_.path(at.cell, a);
+    const double x1 = c[1] + i.s * (2 * c[2] + i.s * (3 * c[3] + i.s * (4 * c[4] + i.s * 5 * c[5])));
+    const double x2 = 2 * c[2] + i.s * (6 * c[3] + i.s * (12 * c[4] + i.s * 20 * c[5]));
+    const double x3 = 6 * c[3] + i.s * (24 * c[4] + i.s * 60 * c[5]);
+    const double speed = x1 * i.v, acceleration = x2 * i.v * i.v + x1 * i.a;
+    const double jerk = x3 * i.v * i.v * i.v + 3 * x2 * i.v * i.a + x1 * i.j;
+    const double now = pace.share * pace.share * acceleration + pace.rate * speed;
+    const double change = pace.share * (pace.share * pace.share * jerk + 3 * pace.rate * acceleration) + pace.bend * speed;
+    if (std::fabs(now) > rounding * std::max(limits_.acceleration[a], std::fabs(acceleration))) return false;
+    if (std::fabs(change) > rounding * std::max(limits_.jerk[a], std::fabs(jerk))) return false;
+  }
+  return true;
+}
+
+/// What a ramp takes at least, by the speed and limits of the axes here, s.
+double Playback::shortest() const {
+  double seconds = least_ramp * period_;
+  if (is_over(at_)) return seconds;
+  const TimeLaw& law = ring_.law(at_.cell);
+  const TimeLaw::Instant i = law.at(at_.t);
+  const double change = std::fabs(goal_ - share());
+  constexpr double most_rate = 1.875, most_bend = 5.77;  // of a ramp from 0 to 1 in 1 s
+  for (std::size_t a = 0; a < ring_.axes(); ++a) {
+    const double* const c = ring_.path(at_.cell, a);
+    const double speed = change * std::fabs(i.v * (c[1] + i.s * (2 * c[2] + i.s * (3 * c[3] + i.s * (4 * c[4] + i.s * 5 * c[5])))));
+    seconds = std::max({seconds, most_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / limits_.jerk[a])});
+  }
+  return std::min(seconds, longest);
+}
+
+/// Begins to try a ramp of so many seconds, from the instant at which it will have been tried.
+void Playback::try_ramp(double seconds) {
+  const auto lead = static_cast<std::uint64_t>(std::ceil(seconds / period_ / tries_an_instant)) + 2;
+  probe_ = at_;
+  double on_ramp = on_ramp_;
+  for (std::uint64_t i = 0; i < lead; ++i, on_ramp += period_) advance(probe_, ramp_, on_ramp);
+  next_ = OverrideRamp(ramp_.at(on_ramp), goal_, seconds);
+  begins_ = instant_ + lead;
+  on_next_ = 0;
+  trying_ = true;
+  tried_ = false;
+}
+
+void Playback::go_on_trying() {
+  for (int i = 0; i < tries_an_instant; ++i) {
+    if (on_next_ > next_.seconds()) {
+      tried_ = true;
+      return;
+    }
+    const bool there = advance(probe_, next_, on_next_) || ring_.finished();
+    on_next_ += period_;
+    if (is_allowed(probe_, next_.at(on_next_)) && there) continue;
+    const double seconds = longer * next_.seconds();
+    return try_ramp(seconds < longest ? seconds : shortest());
+  }
+}
+
+/// Sees to the share that is wanted.
+void Playback::steer() {
+  const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (goal_ > 0 ? 1 : 2);
+  const double wanted = scarce ? 0 : wanted_.load(std::memory_order_relaxed);
+  if (wanted != goal_) {
+    goal_ = wanted;
+    try_ramp(shortest());
+  }
+  if (trying_ && !tried_) go_on_trying();
+  if (!trying_ || instant_ < begins_) return;
+  if (!tried_) return try_ramp(next_.seconds());
+  ramp_ = next_;
+  on_ramp_ = 0;
+  trying_ = tried_ = false;
+}
+
+void Playback::step() {
+  steer();
+  const Cursor before = at_;
+  if (!advance(at_, ramp_, on_ramp_) && !ring_.finished()) {
+    at_ = before;
+    ++starved_;
+  }
+  on_ramp_ += period_;
+  ++instant_;
+  for (std::uint64_t cell = before.cell; cell < at_.cell; ++cell) played_ += ring_.law(cell).seconds;
+  ring_.release(at_.cell > 0 ? at_.cell - 1 : 0);
+}
+
+std::size_t Playback::fill(double* positions, std::size_t count) {
+  if (!started_) {
+    const double share = wanted_.load(std::memory_order_relaxed);
+    if (ring_.end() == 0) {
+      done_ = ring_.finished();
+      return 0;
+    }
+    ramp_ = OverrideRamp(goal_ = share);
+  }
+  std::size_t rows = 0;
+  while (rows < count && !done_) {
+    if (started_) step();
+    started_ = true;
+    done_ = ring_.finished() && is_over(at_);
+    position(at_, positions + rows * ring_.axes());
+    tag_ = ring_.tag(is_over(at_) ? at_.cell - 1 : at_.cell);
+    ++rows;
+  }
+  return rows;
+}
+
+}  // namespace kadr
