@@ -19,6 +19,8 @@ class OverrideRamp {
   OverrideRamp(Pace from, double to, double seconds);
 
   double seconds() const { return seconds_; }
+  /// The share behind it.
+  double end() const { return end_; }
   Pace at(double t) const;
   /// Time on the plan that has passed after t: ∫ share.
   double passed(double t) const;

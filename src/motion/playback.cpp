@@ -7,11 +7,12 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 100;  // instants of the next ramp looked at in one of the clock: some µs
-constexpr double longer = 1.3;         // the next ramp to be tried
-constexpr double longest = 20;         // s, of a ramp: longer ones are no answer; then from the shortest again
-constexpr double rounding = 1 + 1e-9;  // of limits
-constexpr double least_ramp = 4;       // periods
+constexpr int tries_an_instant = 100;   // instants of the next ramp looked at in one of the clock: some µs
+constexpr double longer = 1.3;          // the next ramp to be tried
+constexpr double longest = 20;          // s, of a ramp: longer ones are no answer; then from the shortest again
+constexpr double rounding = 1 + 1e-9;   // of limits
+constexpr double least_change = 0.001;  // of the share, for want of cells
+constexpr double least_ramp = 4;        // periods
 
 }  // namespace
 
@@ -68,13 +69,13 @@ bool Playback::is_allowed(const Cursor& at, const Pace& pace) const {
   return true;
 }
 
-/// What a ramp takes at least, by the speed and limits of the axes here, s.
-double Playback::shortest() const {
+/// What a ramp to a share takes at least, by the speed and limits of the axes here, s.
+double Playback::shortest(double target) const {
   double seconds = least_ramp * period_;
   if (is_over(at_)) return seconds;
   const TimeLaw& law = ring_.law(at_.cell);
   const TimeLaw::Instant i = law.at(at_.t);
-  const double change = std::fabs(goal_ - share());
+  const double change = std::fabs(target - share());
   constexpr double most_rate = 1.875, most_bend = 5.77;  // of a ramp from 0 to 1 in 1 s
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(at_.cell, a);
@@ -84,13 +85,13 @@ double Playback::shortest() const {
   return std::min(seconds, longest);
 }
 
-/// Begins to try a ramp of so many seconds, from the instant at which it will have been tried.
-void Playback::try_ramp(double seconds) {
+/// Begins to try a ramp to a share, of so many seconds, from the instant at which it will have been tried.
+void Playback::try_ramp(double target, double seconds) {
   const auto lead = static_cast<std::uint64_t>(std::ceil(seconds / period_ / tries_an_instant)) + 2;
   probe_ = at_;
   double on_ramp = on_ramp_;
   for (std::uint64_t i = 0; i < lead; ++i, on_ramp += period_) advance(probe_, ramp_, on_ramp);
-  next_ = OverrideRamp(ramp_.at(on_ramp), goal_, seconds);
+  next_ = OverrideRamp(ramp_.at(on_ramp), target, seconds);
   begins_ = instant_ + lead;
   on_next_ = 0;
   trying_ = true;
@@ -103,11 +104,16 @@ void Playback::go_on_trying() {
       tried_ = true;
       return;
     }
-    const bool there = advance(probe_, next_, on_next_) || ring_.finished();
+    const bool known = advance(probe_, next_, on_next_) || ring_.finished();
     on_next_ += period_;
-    if (is_allowed(probe_, next_.at(on_next_)) && there) continue;
+    if (!known) {  // a smaller change that fits into what is known; from there on another
+      const double from = next_.at(0).share, change = (next_.end() - from) / 2;
+      const double target = std::fabs(change) > least_change ? from + change : goal_;
+      return try_ramp(target, shortest(target));
+    }
+    if (is_allowed(probe_, next_.at(on_next_))) continue;
     const double seconds = longer * next_.seconds();
-    return try_ramp(seconds < longest ? seconds : shortest());
+    return try_ramp(next_.end(), seconds < longest ? seconds : shortest(next_.end()));
   }
 }
 
@@ -115,13 +121,13 @@ void Playback::go_on_trying() {
 void Playback::steer() {
   const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (goal_ > 0 ? 1 : 2);
   const double wanted = scarce ? 0 : wanted_.load(std::memory_order_relaxed);
-  if (wanted != goal_) {
+  if (wanted != goal_ || (!trying_ && on_ramp_ >= ramp_.seconds() && ramp_.end() != goal_)) {
     goal_ = wanted;
-    try_ramp(shortest());
+    try_ramp(goal_, shortest(goal_));
   }
   if (trying_ && !tried_) go_on_trying();
   if (!trying_ || instant_ < begins_) return;
-  if (!tried_) return try_ramp(next_.seconds());
+  if (!tried_) return try_ramp(next_.end(), next_.seconds());
   ramp_ = next_;
   on_ramp_ = 0;
   trying_ = tried_ = false;

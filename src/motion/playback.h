@@ -68,9 +68,9 @@ class Playback {
   bool is_allowed(const Cursor& at, const Pace& pace) const;
   void step();
   void steer();
-  void try_ramp(double seconds);
+  void try_ramp(double target, double seconds);
   void go_on_trying();
-  double shortest() const;
+  double shortest(double target) const;
 
   MotionLimits limits_;
   double period_;
@@ -86,7 +86,7 @@ class Playback {
 
   // the next one
   bool trying_ = false, tried_ = false;  // tried_: it may be taken
-  double goal_ = 1;                      // the share after it, or that in force
+  double goal_ = 1;                      // the share it is all about, or that in force
   OverrideRamp next_{1};
   std::uint64_t begins_ = 0;  // instant
   Cursor probe_;

@@ -152,6 +152,17 @@ TEST(Playback, AnOverrideDoesNotLengthenAPauseAFeedHoldDoes) {
   EXPECT_NEAR(static_cast<double>(played(pause, {{100, 0}, {300, 1}}).points.size()), 701, 12);
 }
 
+// So few cells are known that no whole ramp fits into them: it goes step by step.
+TEST(Playback, ATinyRingSlowsButNeverStops) {
+  const TimedCells plan = planned(corner);
+  const Played run = played(plan, {{50, 0}, {300, 1}}, 1, 24);
+  EXPECT_LT(run.points.size(), too_many);
+  EXPECT_EQ(run.starved, 0U);
+  EXPECT_NEAR(run.points.back()[1], 25, 1e-12);
+  EXPECT_LE(run.acceleration, acceleration * 1.001);
+  EXPECT_LE(run.jerk, jerk * 1.001);
+}
+
 TEST(Playback, NothingPlannedEndsAtOnce) {
   Playback playback(limits(), rate);
   Point row;

@@ -1,0 +1,71 @@
+// How long one call of the servo clock takes: Playback::fill for one instant, with a change of the override every 0.1 s.
+//
+//     build/bench/bench/servo_time [SEGMENTS=20000] [RATE=1000]
+//
+// A freeform pass of short segments (limits of machines/linuxcnc-sim) is planned as fast as the clock needs it, then played. Prints the
+// percentiles of the times of a call in µs, and the seconds of motion that a second of processor time gives, planned and played.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "motion/playback.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int segments = argc > 1 ? std::atoi(argv[1]) : 20000;
+  const double rate = argc > 2 ? std::atof(argv[2]) : 1000;
+  const kadr::MotionLimits limits{{200, 200, 200}, {1000, 1000, 1000}, {20000, 20000, 20000}};
+  kadr::Playback playback(limits, rate);
+  std::vector<double> times;
+  std::array<double, 3> row{};
+  double planning = 0, planned = 0;
+  const auto play = [&](bool all) {
+    while (!playback.done() && (all || playback.ahead() > 3 * kadr::Playback::reserve)) {
+      const auto change_every = static_cast<std::size_t>(0.1 * rate);
+      if (times.size() % change_every == 0) playback.override_to(0.1 * static_cast<double>(times.size() / change_every * 7 % 11));
+      const auto start = Clock::now();
+      if (playback.fill(row.data(), 1) == 0) break;
+      times.push_back(since(start) * 1e6);
+    }
+  };
+  double outside = 0;
+  kadr::Planner planner(limits, [&](const kadr::TimedCells& cells) {
+    const auto start = Clock::now();
+    planned += cells.seconds();
+    for (std::size_t offered = 0; offered < cells.laws.size(); play(false)) offered += playback.offer(cells, offered);
+    outside += since(start);
+  });
+  planner.begin(row.data());
+  const auto start = Clock::now();
+  for (int i = 1; i <= segments; ++i) {
+    const double x = 0.3 * i;
+    const std::array<double, 3> to{x, 0.5 * std::sin(x / 7), std::sin(x / 5) + 0.3 * std::sin(x / 1.7)};
+    planner.line_to(to.data(), 80, 0.01, false, static_cast<std::uint64_t>(i));
+  }
+  planner.stop();
+  planning = since(start) - outside;
+  playback.finish();
+  playback.override_to(1);
+  const auto played_at = Clock::now();
+  play(true);
+  outside += since(played_at);
+  std::sort(times.begin(), times.end());
+  const auto percentile = [&](double share) { return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))]; };
+  fmt::print("{} segments, {:.1f} s of motion, {} calls at {} Hz\n", segments, planned, times.size(), rate);
+  fmt::print("time of a call, µs: median {:.2f}, 99 % {:.2f}, 99.99 % {:.2f}, greatest {:.1f}\n", percentile(0.5), percentile(0.99),
+             percentile(0.9999), times.back());
+  fmt::print("planning {:.0f} segments/s, {:.0f} times real time; planned and played {:.0f} segments/s, {:.0f} times real time\n",
+             segments / planning, planned / planning, segments / (planning + outside), planned / (planning + outside));
+}
