@@ -8,14 +8,13 @@
 #include <cstring>
 
 #include "cli/channels.h"
+#include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/state.h"
 #include "config/state_json.h"
-#include "motion/axis_motion.h"
 #include "motion/look_ahead.h"
 #include "out/alarm_print.h"
 #include "out/plot.h"
-#include "out/samples.h"
 #include "out/summary.h"
 #include "out/trace.h"
 
@@ -50,46 +49,6 @@ bool plot_name_is_known(const std::string& name) {
   return false;
 }
 
-/// The axes' motion in time, and its samples.
-class Sampled {
- public:
-  Sampled(std::FILE* file, const Channel& channel, const Job& job, const ToolPosition& stand, double rate)
-      : roles_(AxisRoles::of(channel.control->axes(), channel.control->rotary())),
-        position_(stand),
-        estimate_(roles_, rates_of(job.profile, channel.setup, channel.control->axes())),
-        writer_(file, channel.control->axes(), rate),
-        motion_(roles_, motion_limits(job.profile, channel.setup, channel.control->axes()), job.profile.tolerance, stand,
-                [this](const TimedCells& cells) { writer_.take(cells); }) {
-    estimate_.spindle(channel.setup.spindle().rpm);
-  }
-
-  /// An action of the program, behind the machine.
-  void take(const Action& action) {
-    const TimeSplit before = estimate_.split();
-    MotionTime time;
-    if (const auto* const motion = std::get_if<Motion>(&action.what))
-      time = estimate_.motion(*motion, Curve(roles_, position_.work, *motion));
-    else estimate_.other(action);
-    position_.take(action);
-    const TimeSplit& now = estimate_.split();
-    motion_.take(action, time, now.dwell + now.tool_change - before.dwell - before.tool_change);
-  }
-
-  /// The axes come to rest. False: not all could be written.
-  bool finish() {
-    motion_.finish();
-    writer_.finish();
-    return writer_.ok();
-  }
-
- private:
-  AxisRoles roles_;
-  ToolPosition position_;
-  TimeEstimate estimate_;  // by programmed feeds
-  SampleWriter writer_;
-  AxisMotion motion_;
-};
-
 /// What looks at one channel.
 struct View {
   View(const Channel& channel, const Rates& rates, const ToolPosition& stand)
@@ -100,7 +59,7 @@ struct View {
   std::optional<TraceWriter> trace;
   std::optional<LookAhead> look_ahead;  // where something limits the speed
   std::optional<Plot> plot;             // of the program's own channel
-  std::unique_ptr<Sampled> sampled;     // of the program's own channel
+  std::unique_ptr<Planned> planned;     // of the program's own channel
   double waited = 0;                    // s
 };
 
@@ -126,7 +85,9 @@ class RunCommand {
       if (channels.size() == 1) look_ahead(view, channel, rates, stand);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (files.samples != nullptr) view.sampled = std::make_unique<Sampled>(files.samples, channel, job, stand, options.rate);
+      if (files.samples == nullptr) continue;
+      view.planned = std::make_unique<Planned>(channel, job, stand);
+      view.planned->write_samples(files.samples, options.rate);
     }
   }
 
@@ -186,12 +147,12 @@ class RunCommand {
   Stopped run_alone() {
     View& view = *views_.front();
     Outlets outlets = outlets_of(view);
-    outlets.works_long = view.trace || view.plot || view.sampled;
+    outlets.works_long = view.trace || view.plot || view.planned;
     if (options_.quiet && !outlets.works_long) outlets.action = [&view](const Action& action) { view.statistics.take_time(action); };
     else
       outlets.action = [&view](const Action& action) {
         show(view, action);
-        if (view.sampled) view.sampled->take(action);
+        if (view.planned) view.planned->take(action);
         if (view.plot) view.plot->take(action);
       };
     Stopped stopped = carry_out(*channels_.front().control, job_, outlets);
@@ -214,7 +175,7 @@ class RunCommand {
       outlets.own.back().action = [&view, &together, i](const Action& action) {
         const double at = together->now(i);
         together->show(i, at, action, view.statistics.take(action));
-        if (view.sampled) view.sampled->take(action);
+        if (view.planned) view.planned->take(action);
         if (view.plot) view.plot->take(action);
       };
     }
@@ -248,8 +209,8 @@ class RunCommand {
 
   bool finish_samples() {
     for (const auto& view : views_) {
-      if (!view->sampled) continue;
-      if (view->sampled->finish()) continue;
+      if (!view->planned) continue;
+      if (view->planned->finish()) continue;
       complain(fmt::format("{}: {}", options_.samples, std::strerror(errno)));
       return false;
     }

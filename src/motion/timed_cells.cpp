@@ -37,6 +37,15 @@ double TimeLaw::speed(double t) const {
   return v * (1 + j * g.c) + a * g.s;
 }
 
+TimeLaw::State TimeLaw::at(double part) const {
+  if (by_time) {
+    const double t = part * seconds;
+    return {way(t), v + t * (a + t * j / 2), a + j * t, j};
+  }
+  const double s = part * length, squared = std::max(0.0, v * v + s * (2 * a + j * s)), rate = std::sqrt(squared);
+  return {s, rate, a + j * s, j * rate};
+}
+
 TimeLaw TimeLaw::of_jerk(double seconds, double v, double a, double j) {
   TimeLaw law{seconds, 0, true, v, a, j};
   law.length = law.way(seconds);
