@@ -22,6 +22,8 @@ struct Options {
   std::string plot;             // .svg or .png
   std::string samples;          // file, "-": stdout
   double rate = 1000;           // of the samples, Hz
+  std::string plot_speed;       // .svg or .png
+  bool why = false;             // the lines that lose most time
   std::string state;            // file that keeps what survives power-off; empty: nothing is kept
   std::string lang;             // "ru", "en"; empty: by LANG
   std::string format = "text";  // of check: text, json, sarif

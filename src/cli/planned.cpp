@@ -1,5 +1,9 @@
 #include "cli/planned.h"
 
+#include <filesystem>
+
+#include "out/lost_time_text.h"
+
 namespace kadr::cli {
 
 Planned::Planned(const Channel& channel, const Job& job, const ToolPosition& stand)
@@ -7,15 +11,18 @@ Planned::Planned(const Channel& channel, const Job& job, const ToolPosition& sta
       axes_(channel.control->axes()),
       position_(stand),
       estimate_(roles_, rates_of(job.profile, channel.setup, axes_)),
-      motion_(roles_, motion_limits(job.profile, channel.setup, axes_), job.profile.tolerance, stand,
-              [this](const TimedCells& cells) { see(cells); }) {
+      limits_(motion_limits(job.profile, channel.setup, axes_)),
+      motion_(roles_, limits_, job.profile.tolerance, stand, [this](const TimedCells& cells) { see(cells); }) {
   estimate_.spindle(channel.setup.spindle().rpm);
 }
 
 void Planned::write_samples(std::FILE* file, double rate) { writer_.emplace(file, axes_, rate); }
 
 void Planned::see(const TimedCells& cells) {
+  time_.take(cells, limits_);
   if (writer_) writer_->take(cells);
+  if (lost_time_) lost_time_->take(cells);
+  if (record_) record_->take(cells);
 }
 
 void Planned::take(const Action& action) {
@@ -34,6 +41,21 @@ bool Planned::finish() {
   if (!writer_) return true;
   writer_->finish();
   return writer_->ok();
+}
+
+std::string Planned::why(const Control& control, Lang lang) const {
+  constexpr std::size_t rows_shown = 10;
+  std::vector<LostTimeRow> rows;
+  std::map<std::uint16_t, std::set<std::uint32_t>> lines;
+  for (const LostTime::Place& place : lost_time_->worst(rows_shown)) {
+    lines[place.file].insert(place.line);
+    rows.push_back({place, place.file == 0 ? "" : std::filesystem::path(control.file_name(place.file)).filename().string(), ""});
+  }
+  for (const auto& [file, wanted] : lines)
+    for (const auto& [line, text] : control.texts_of(wanted, file))
+      for (LostTimeRow& row : rows)
+        if (row.place.file == file && row.place.line == line) row.block = text;
+  return lost_time_text(rows, lost_time_->all(), axes_, lang);
 }
 
 }  // namespace kadr::cli

@@ -5,7 +5,10 @@
 
 #include "cli/channels.h"
 #include "motion/axis_motion.h"
+#include "motion/lost_time.h"
+#include "motion/planned_time.h"
 #include "out/samples.h"
+#include "out/speed_page.h"
 
 namespace kadr::cli {
 
@@ -19,11 +22,25 @@ class Planned {
   /// Positions at `rate` Hz; the file stays the caller's.
   void write_samples(std::FILE* file, double rate);
 
+  /// Finds the lines that lose most time.
+  void ask_why() { lost_time_.emplace(limits_); }
+
+  /// Keeps what draw_speed() draws.
+  void record_speed() { record_.emplace(limits_); }
+
   /// An action of the program, behind the machine.
   void take(const Action& action);
 
   /// The axes come to rest. False: not all could be written.
   bool finish();
+
+  const PlannedTime& time() const { return time_; }
+  /// Where ask_why() was called, after finish(): the table. `control`: that carried the program out.
+  std::string why(const Control& control, Lang lang) const;
+  /// Where record_speed() was called, after finish(). Returns an error sentence.
+  tl::expected<void, std::string> draw_speed(const std::string& file, const PlotTitle& title) const {
+    return draw_speed_page(file, *record_, axes_, title);
+  }
 
  private:
   void see(const TimedCells& cells);
@@ -32,7 +49,11 @@ class Planned {
   std::vector<std::string> axes_;
   ToolPosition position_;
   TimeEstimate estimate_;  // by programmed feeds
+  MotionLimits limits_;
+  PlannedTime time_;
   std::optional<SampleWriter> writer_;
+  std::optional<LostTime> lost_time_;
+  std::optional<SpeedRecord> record_;
   AxisMotion motion_;
 };
 

@@ -14,6 +14,7 @@
 #include "config/state_json.h"
 #include "motion/look_ahead.h"
 #include "out/alarm_print.h"
+#include "out/page_file.h"
 #include "out/plot.h"
 #include "out/summary.h"
 #include "out/trace.h"
@@ -43,11 +44,14 @@ class OutFile {
   bool failed_ = false;
 };
 
-bool plot_name_is_known(const std::string& name) {
-  if (name.empty() || name.ends_with(".svg") || name.ends_with(".png")) return true;
-  complain(fmt::format("--plot {}: the name must end in .svg or .png", name));
+bool plot_name_is_known(const char* option, const std::string& name) {
+  if (name.empty() || is_page_name(name)) return true;
+  complain(fmt::format("{} {}: the name must end in .svg or .png", option, name));
   return false;
 }
+
+/// Whether somebody looks at the axes in time.
+bool needs_planner(const Options& options) { return !options.samples.empty() || options.why || !options.plot_speed.empty(); }
 
 /// What looks at one channel.
 struct View {
@@ -85,18 +89,20 @@ class RunCommand {
       if (channels.size() == 1) look_ahead(view, channel, rates, stand);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (files.samples == nullptr) continue;
-      view.planned = std::make_unique<Planned>(channel, job, stand);
-      view.planned->write_samples(files.samples, options.rate);
+      if (needs_planner(options)) view.planned = std::make_unique<Planned>(channel, job, stand);
+      if (files.samples != nullptr) view.planned->write_samples(files.samples, options.rate);
+      if (!options.plot_speed.empty()) view.planned->record_speed();
+      if (options.why) view.planned->ask_why();
     }
   }
 
   Exit run() {
     const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
     bool written = write_last_lines(stopped);
-    if (!options_.plot.empty()) written = draw() && written;
-    if (!options_.samples.empty()) written = finish_samples() && written;
+    if (needs_planner(options_)) written = finish_planned() && written;
+    written = draw() && written;
     if (!options_.quiet) print_summary();
+    if (options_.why) print_why();
     if (!written) return wrong_usage;
     return std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); }) ? alarms : ok;
   }
@@ -207,7 +213,7 @@ class RunCommand {
     return true;
   }
 
-  bool finish_samples() {
+  bool finish_planned() {
     for (const auto& view : views_) {
       if (!view->planned) continue;
       if (view->planned->finish()) continue;
@@ -218,22 +224,37 @@ class RunCommand {
   }
 
   bool draw() {
+    const PlotTitle title{job_.file, lang_ == Lang::ru ? job_.def->name.ru : job_.def->name.en, lang_};
+    tl::expected<void, std::string> drawn;
     for (const auto& view : views_) {
-      if (!view->plot) continue;
-      const auto drawn = view->plot->write(options_.plot, {job_.file, lang_ == Lang::ru ? job_.def->name.ru : job_.def->name.en, lang_});
-      if (!drawn) complain(drawn.error());
-      return drawn.has_value();
+      if (view->plot) drawn = view->plot->write(options_.plot, title);
+      if (drawn && view->planned && !options_.plot_speed.empty()) drawn = view->planned->draw_speed(options_.plot_speed, title);
+      if (!drawn) return complain(drawn.error()), false;
     }
     return true;
   }
 
+  std::string summary_of(std::size_t i) const {
+    const View& view = *views_[i];
+    return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? &view.planned->time() : nullptr);
+  }
+
+  /// Of several channels: the program's own, as the samples.
+  void print_why() const {
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      if (!views_[i]->planned) continue;
+      if (channels_.size() > 1) fmt::print("{}", channel_heading(channels_[i].number, lang_));
+      fmt::print("{}", views_[i]->planned->why(*channels_[i].control, lang_));
+    }
+  }
+
   void print_summary() const {
-    if (channels_.size() == 1) return fmt::print("{}", views_.front()->statistics.text(channels_.front().control->blocks(), lang_));
+    if (channels_.size() == 1) return fmt::print("{}", summary_of(0));
     std::vector<ChannelTime> times;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const View& view = *views_[i];
       times.push_back({channels_[i].number, view.statistics.time().total(), view.waited});
-      fmt::print("{}{}\n", channel_heading(channels_[i].number, lang_), view.statistics.text(channels_[i].control->blocks(), lang_));
+      fmt::print("{}{}\n", channel_heading(channels_[i].number, lang_), summary_of(i));
     }
     fmt::print("{}", channels_text(times, lang_));
   }
@@ -262,7 +283,7 @@ void save_changes(StateFile& file, Control& control, std::string& fault) {
 
 int run(const Options& options) {
   const std::string& file = options.programs.front();
-  if (!plot_name_is_known(options.plot)) return wrong_usage;
+  if (!plot_name_is_known("--plot", options.plot) || !plot_name_is_known("--plot-speed", options.plot_speed)) return wrong_usage;
   auto job = make_job(options, file);
   if (!job) return wrong_usage;
   std::optional<StateFile> state_file;

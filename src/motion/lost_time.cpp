@@ -51,18 +51,22 @@ void LostTime::take(const TimedCells& cells) {
     row.place.rapid = Spent::of(source.tag).on == Spent::On::rapid;
     row.place.seconds += seconds;
     row.place.at_feed += at_feed;
+    all_ += seconds - at_feed;
     const LimitedBy by = limited_by(cells, k, limits_);
     row.by[static_cast<std::size_t>(by.limit) * max_axes + by.axis] += seconds - at_feed;
   }
 }
 
 std::vector<LostTime::Place> LostTime::worst(std::size_t count) const {
+  constexpr double accurate = 1e-3;  // of the time: the planner is within half of it (motion/least_time)
+  constexpr double shown = 5e-4;     // s: less would be shown as nothing
   std::vector<Place> places;
   for (const Row& row : rows_) {
+    if (row.place.lost() < std::max(shown, accurate * row.place.seconds)) continue;
     Place& place = places.emplace_back(row.place);
     const auto most = static_cast<std::size_t>(std::max_element(row.by.begin(), row.by.end()) - row.by.begin());
     place.by = {static_cast<Limit>(most / max_axes), static_cast<std::uint8_t>(most % max_axes)};
-    place.by_part = place.lost() > 0 ? std::min(1.0, row.by[most] / place.lost()) : 0;
+    place.by_part = std::min(1.0, row.by[most] / place.lost());
   }
   std::sort(places.begin(), places.end(), is_worse);
   if (places.size() > count) places.resize(count);

@@ -29,9 +29,11 @@ class LostTime {
   void take(const TimedCells& cells);
 
   /// The `count` places that lost most, the worst first; of equal ones the first line. Pauses lose nothing, nor do motions whose time by
-  /// feed is unknown.
+  /// feed is unknown, nor places that lost less than the planner itself is off.
   ///   law  exact where the program has no more lines than the table; else a line that lost little each time may count its last times only
   std::vector<Place> worst(std::size_t count) const;
+  /// s lost in all lines.
+  double all() const { return all_; }
 
  private:
   struct Row {
@@ -47,6 +49,7 @@ class LostTime {
   std::unordered_map<std::uint64_t, std::size_t> index_;  // by file and line
   std::uint64_t last_ = ~std::uint64_t{0};
   std::size_t at_ = 0;  // the row of the last
+  double all_ = 0;
 };
 
 }  // namespace kadr

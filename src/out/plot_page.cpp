@@ -1,11 +1,10 @@
 #include "out/plot_page.h"
 
-#include <cairo-svg.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
+#include "out/page_file.h"
 #include "out/plot_view.h"
 
 namespace kadr {
@@ -37,11 +36,6 @@ constexpr Words russian = {"УЧПУ",
                            "мм"};
 
 const Words& words(Lang lang) { return lang == Lang::ru ? russian : english; }
-
-std::string name_of_file(const std::string& path) {
-  const std::size_t slash = path.find_last_of("/\\");
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
 
 void draw_title(Canvas& canvas, const PlotScene& scene) {
   const Words& w = words(scene.title.lang);
@@ -101,11 +95,12 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
   draw_plane(canvas, {left, top + plan + side + 16, planes_width, side}, View::yz, scene, box);
 }
 
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-
-std::string failure(const std::string& file, cairo_status_t status) { return file + ": " + cairo_status_to_string(status); }
-
 }  // namespace
+
+std::string name_of_file(const std::string& path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
 
 Box shown_box(const PlotScene& scene) {
   const Box& all = scene.path.box();
@@ -134,22 +129,7 @@ Box shown_box(const PlotScene& scene) {
 }
 
 tl::expected<void, std::string> draw_page(const std::string& file, const PlotScene& scene) {
-  const bool svg = file.ends_with(".svg") || file.ends_with(".SVG"), png = file.ends_with(".png") || file.ends_with(".PNG");
-  if (!svg && !png) return tl::unexpected(file + ": a plot is .svg or .png");
-  constexpr double sharp = 1.5;  // pixels a unit of the page
-  const Surface surface(svg ? cairo_svg_surface_create(file.c_str(), page_width, page_height)
-                            : cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(page_width * sharp), int(page_height * sharp)),
-                        cairo_surface_destroy);
-  if (png) cairo_surface_set_device_scale(surface.get(), sharp, sharp);
-  {
-    Canvas canvas(surface.get());
-    draw_all(canvas, scene);
-  }
-  cairo_status_t status = cairo_surface_status(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS && png) status = cairo_surface_write_to_png(surface.get(), file.c_str());
-  if (svg) cairo_surface_finish(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface.get());
-  return status == CAIRO_STATUS_SUCCESS ? tl::expected<void, std::string>() : tl::unexpected(failure(file, status));
+  return write_page(file, page_width, page_height, [&](Canvas& canvas) { draw_all(canvas, scene); });
 }
 
 }  // namespace kadr
