@@ -69,6 +69,8 @@ void add_run(CLI::App& app, Commands& c) {
   run->add_option("--samples", c.options.samples, "positions of the axes at the servo rate as CSV, to a file or - for stdout");
   run->add_option("--rate", c.options.rate, "of the samples, Hz")->check(CLI::Range(1.0, 1e6))->capture_default_str();
   run->add_option("--plot", c.options.plot, "draw the path: a file .svg or .png");
+  run->add_option("--colour,--color", c.options.colour, "of the path in --plot: by speed, or by the limit that slows it")
+      ->check(CLI::IsMember({"speed", "limit"}));
   run->add_option("--plot-speed", c.options.plot_speed, "draw speed, acceleration and jerk over the time: a file .svg or .png");
   run->add_flag("--why", c.options.why, "the ten lines that lose most time against their feed, and the limit that costs it");
   run->footer(run_examples);

@@ -22,6 +22,7 @@ struct Options {
   std::string plot;             // .svg or .png
   std::string samples;          // file, "-": stdout
   double rate = 1000;           // of the samples, Hz
+  std::string colour;           // of the plot: speed, limit; empty: by the kind of motion
   std::string plot_speed;       // .svg or .png
   bool why = false;             // the lines that lose most time
   std::string state;            // file that keeps what survives power-off; empty: nothing is kept

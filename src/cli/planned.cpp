@@ -18,11 +18,17 @@ Planned::Planned(const Channel& channel, const Job& job, const ToolPosition& sta
 
 void Planned::write_samples(std::FILE* file, double rate) { writer_.emplace(file, axes_, rate); }
 
+void Planned::colour(Plot& plot) {
+  coloured_ = &plot;
+  motion_.on_motion = [&plot](double way) { plot.shaded().set_end(way); };
+}
+
 void Planned::see(const TimedCells& cells) {
   time_.take(cells, limits_);
   if (writer_) writer_->take(cells);
   if (lost_time_) lost_time_->take(cells);
   if (record_) record_->take(cells);
+  if (coloured_ != nullptr) coloured_->take(cells, limits_);
 }
 
 void Planned::take(const Action& action) {
@@ -38,6 +44,7 @@ void Planned::take(const Action& action) {
 
 bool Planned::finish() {
   motion_.finish();
+  if (coloured_ != nullptr) coloured_->finish_cells();
   if (!writer_) return true;
   writer_->finish();
   return writer_->ok();

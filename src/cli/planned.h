@@ -28,6 +28,9 @@ class Planned {
   /// Keeps what draw_speed() draws.
   void record_speed() { record_.emplace(limits_); }
 
+  /// Colours a picture that takes each action before take(); it must outlive this.
+  void colour(Plot& plot);
+
   /// An action of the program, behind the machine.
   void take(const Action& action);
 
@@ -54,6 +57,7 @@ class Planned {
   std::optional<SampleWriter> writer_;
   std::optional<LostTime> lost_time_;
   std::optional<SpeedRecord> record_;
+  Plot* coloured_ = nullptr;
   AxisMotion motion_;
 };
 

@@ -51,7 +51,9 @@ bool plot_name_is_known(const char* option, const std::string& name) {
 }
 
 /// Whether somebody looks at the axes in time.
-bool needs_planner(const Options& options) { return !options.samples.empty() || options.why || !options.plot_speed.empty(); }
+bool needs_planner(const Options& options) {
+  return !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
+}
 
 /// What looks at one channel.
 struct View {
@@ -92,6 +94,10 @@ class RunCommand {
       if (needs_planner(options)) view.planned = std::make_unique<Planned>(channel, job, stand);
       if (files.samples != nullptr) view.planned->write_samples(files.samples, options.rate);
       if (!options.plot_speed.empty()) view.planned->record_speed();
+      if (!options.colour.empty()) {
+        view.plot->colour_by(options.colour == "speed" ? PlotColour::speed : PlotColour::limit);
+        view.planned->colour(*view.plot);
+      }
       if (options.why) view.planned->ask_why();
     }
   }
@@ -131,6 +137,12 @@ class RunCommand {
     if (!is_motion) view.statistics.take(action);
   }
 
+  /// Whoever draws, before who times what is drawn.
+  static void look(View& view, const Action& action) {
+    if (view.plot) view.plot->take(action);
+    if (view.planned) view.planned->take(action);
+  }
+
   /// The outlets of one channel, without its actions.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
@@ -158,8 +170,7 @@ class RunCommand {
     else
       outlets.action = [&view](const Action& action) {
         show(view, action);
-        if (view.planned) view.planned->take(action);
-        if (view.plot) view.plot->take(action);
+        look(view, action);
       };
     Stopped stopped = carry_out(*channels_.front().control, job_, outlets);
     if (view.look_ahead) view.look_ahead->finish();
@@ -181,8 +192,7 @@ class RunCommand {
       outlets.own.back().action = [&view, &together, i](const Action& action) {
         const double at = together->now(i);
         together->show(i, at, action, view.statistics.take(action));
-        if (view.planned) view.planned->take(action);
-        if (view.plot) view.plot->take(action);
+        look(view, action);
       };
     }
     together = std::make_unique<Channels>(channels_, job_, outlets);
@@ -284,6 +294,8 @@ void save_changes(StateFile& file, Control& control, std::string& fault) {
 int run(const Options& options) {
   const std::string& file = options.programs.front();
   if (!plot_name_is_known("--plot", options.plot) || !plot_name_is_known("--plot-speed", options.plot_speed)) return wrong_usage;
+  if (!options.colour.empty() && options.plot.empty())
+    return complain("--colour: of the path in --plot FILE, which is missing"), wrong_usage;
   auto job = make_job(options, file);
   if (!job) return wrong_usage;
   std::optional<StateFile> state_file;

@@ -97,6 +97,8 @@ void AxisMotion::take(const Motion& motion, const MotionTime& programmed, const 
     length += std::sqrt(squares);
     last = to;
   }
+  way_ += length;
+  if (on_motion) on_motion(way_);
   const double feed = programmed.seconds > 0 ? length / programmed.seconds : unlimited_feed;
   const std::uint64_t tag = Spent{rapid ? Spent::On::rapid : Spent::On::cutting, origin.line, origin.file}.tag();
   for (int i = 1; i <= pieces; ++i) planner_.line_to(point(i).data(), feed, i == 1 ? junction : rounding, i > 1, tag);

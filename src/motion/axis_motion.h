@@ -32,6 +32,9 @@ class AxisMotion {
   /// `tolerance`: mm, of corners for which the program states none.
   AxisMotion(const AxisRoles& roles, MotionLimits limits, double tolerance, const ToolPosition& start, Planner::Sink sink);
 
+  /// Called for each motion before it is planned, with the way of all motions up to its end: mm of what the cells' lengths add up to.
+  std::function<void(double way)> on_motion;
+
   /// An action, with its time by programmed feed: TimeEstimate or Statistics.
   void take(const Action& action, const MotionTime& programmed, double pause);
   /// The axes come to rest.
@@ -46,6 +49,7 @@ class AxisMotion {
   AxisRoles roles_;
   double tolerance_;
   ToolPosition position_;
+  double way_ = 0;     // of all motions
   bool exact_ = true;  // the last motion ended exactly: no rounding behind it
   Planner::Sink sink_;
   Planner planner_;

@@ -6,12 +6,14 @@ namespace kadr {
 
 void SpeedRecord::Column::take(const Column& later) {
   if (!later.seen) return;
+  if (later.acceleration.part > acceleration.part) acceleration = later.acceleration;
+  if (later.jerk.part > jerk.part) jerk = later.jerk;
+  if (seen && later.on > on) return;
+  if (!seen || later.on < on) least = later.least, most = later.most, feed = later.feed;
   seen = true;
   least = std::min(least, later.least);
   most = std::max(most, later.most);
   feed = std::max(feed, later.feed);
-  if (later.acceleration.part > acceleration.part) acceleration = later.acceleration;
-  if (later.jerk.part > jerk.part) jerk = later.jerk;
   on = later.on;
   line = later.line;
 }
@@ -39,6 +41,7 @@ void SpeedRecord::take_cell(const TimedCells& cells, std::size_t cell) {
       if (!(law.seconds > 0)) continue;
       const double part = law.by_time ? t / law.seconds : std::min(1.0, law.way(t) / law.length);
       const LimitShares shares = shares_at(cells, cell, part, limits_);
+      if (spent.on == Spent::On::rapid) rapid_ = std::max(rapid_, shares.speed);
       columns_[i].take({shares.speed, shares.speed, source.feed < unlimited_feed ? source.feed : 0, shares.of_acceleration, shares.of_jerk,
                         spent.on, spent.line, true});
     }

@@ -12,13 +12,14 @@ namespace kadr {
 
 class SpeedRecord {
  public:
-  /// A stretch of time.
+  /// A stretch of time. Where it is spent on several things, speed, feed, line and `on` are those of the cutting; without it of the rapid
+  /// motion, else of the pause.
   struct Column {
     double least = std::numeric_limits<double>::infinity();  // path speed, mm/s
     double most = 0;
     double feed = 0;                            // commanded, the greatest; 0: the axes stand, or no time is known
     LimitShares::Share acceleration{}, jerk{};  // the greatest
-    Spent::On on = Spent::On::cutting;          // what its end is spent on
+    Spent::On on = Spent::On::cutting;          // what it is spent on
     std::uint32_t line = 0;                     // … and for which line
     bool seen = false;
 
@@ -35,6 +36,8 @@ class SpeedRecord {
   double width() const { return width_; }
   /// s, of all.
   double seconds() const { return now_; }
+  /// mm/s, the greatest of rapid motion.
+  double rapid() const { return rapid_; }
 
  private:
   void take_cell(const TimedCells& cells, std::size_t cell);
@@ -45,6 +48,7 @@ class SpeedRecord {
   std::vector<Column> columns_;
   double width_ = 1e-3;
   double now_ = 0;
+  double rapid_ = 0;
 };
 
 }  // namespace kadr

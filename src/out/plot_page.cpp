@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "out/limit_text.h"
 #include "out/page_file.h"
 #include "out/plot_view.h"
 
@@ -17,23 +18,16 @@ constexpr double reach = 0.25;    // rapid motion is shown as far as this part o
 constexpr double least_size = 1;  // mm
 
 struct Words {
-  const char *control, *nothing, *rapid, *feed, *arc, *plunge, *contour, *zero, *thinned, *size, *unit;
+  const char *control, *nothing, *rapid, *feed, *arc, *plunge, *contour, *zero, *thinned, *size, *unit, *speed;
 };
 constexpr Words english = {"control", "no motion", "rapid",
                            "feed",    "arc",       "plunge",
                            "contour", "work zero", "thinned: of {} points, those closer than {} mm are left out",
-                           "cutting", "mm"};
-constexpr Words russian = {"УЧПУ",
-                           "нет движений",
-                           "быстрый ход",
-                           "рабочая подача",
-                           "дуга",
-                           "врезание",
-                           "контур",
-                           "нуль детали",
-                           "прорежено: из {} точек не показаны те, что ближе {} мм",
-                           "резание",
-                           "мм"};
+                           "cutting", "mm",        "speed, mm/min:"};
+constexpr Words russian = {"УЧПУ",           "нет движений", "быстрый ход",
+                           "рабочая подача", "дуга",         "врезание",
+                           "контур",         "нуль детали",  "прорежено: из {} точек не показаны те, что ближе {} мм",
+                           "резание",        "мм",           "скорость, мм/мин:"};
 
 const Words& words(Lang lang) { return lang == Lang::ru ? russian : english; }
 
@@ -47,6 +41,33 @@ void draw_title(Canvas& canvas, const PlotScene& scene) {
   }
   canvas.text({margin, 64}, line, {14, colour(0x5B6775), Align::left, false});
   canvas.text({page_width - margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
+}
+
+/// The scale of speeds, or the limits that occur; from x on.
+///   returns  where it ends
+double draw_shade_legend(Canvas& canvas, const PlotScene& scene, double x, double y) {
+  const TextStyle style{13, colour(0x20262E), Align::left, false}, number{12, colour(0x20262E), Align::centre, false};
+  const ShadeScale& shades = scene.shades;
+  if (shades.by() == PlotColour::limit) {
+    for (std::size_t step = 0; step < shades.steps(); ++step) {
+      if (!shades.occurs(step)) continue;
+      const char* const name = limit_name(static_cast<Limit>(step), scene.title.lang);
+      canvas.line({x, y - 4}, {x + 32, y - 4}, shades.ink(step), 3);
+      canvas.text({x + 40, y}, name, style);
+      x += 40 + canvas.text_width(name, style) + 26;
+    }
+    return x;
+  }
+  constexpr double step_width = 14, ticks = 4, bar = 9;
+  const char* const name = words(scene.title.lang).speed;
+  canvas.text({x, y}, name, style);
+  x += canvas.text_width(name, style) + 22;
+  const double width = step_width * double(shades.steps());
+  for (std::size_t step = 0; step < shades.steps(); ++step)
+    canvas.fill({x + double(step) * step_width, y - 18, step_width + 0.5, bar}, shades.ink(step));
+  for (double tick = 0; tick <= ticks; ++tick)
+    canvas.text({x + width * tick / ticks, y + 5}, number_text(shades.top() * tick / ticks, 0), number);
+  return x + width + 40;
 }
 
 void draw_legend(Canvas& canvas, const PlotScene& scene) {
@@ -64,9 +85,13 @@ void draw_legend(Canvas& canvas, const PlotScene& scene) {
     x += 40 + canvas.text_width(name, style) + 26;
   };
   entry(Stroke::rapid, w.rapid);
-  entry(Stroke::feed, w.feed);
-  entry(Stroke::arc, w.arc);
-  entry(Stroke::plunge, w.plunge);
+  if (scene.shades.by() == PlotColour::stroke) {
+    entry(Stroke::feed, w.feed);
+    entry(Stroke::arc, w.arc);
+    entry(Stroke::plunge, w.plunge);
+  } else {
+    x = draw_shade_legend(canvas, scene, x, y);
+  }
   if (!scene.contour.points().empty()) entry(Stroke::contour, w.contour);
   canvas.zero_mark({x + 10, y - 4}, 6, style.ink);
   canvas.text({x + 24, y}, w.zero, style);

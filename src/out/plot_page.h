@@ -13,6 +13,7 @@ struct PlotScene {
   const PlotPath& contour;  // as programmed, where the tool runs beside it; may be empty
   const std::vector<Vec3>& zeros;
   const PlotTitle& title;
+  ShadeScale shades;
 };
 
 /// Without its folder.

@@ -16,7 +16,7 @@ namespace {
 using On = Spent::On;
 using Column = SpeedRecord::Column;
 
-constexpr double page_width = 1600, page_height = 940, margin = 28, left = 96, top = 112;
+constexpr double page_width = 1600, page_height = 984, margin = 28, left = 96, top = 112;
 constexpr double speed_height = 400, share_height = 130, gap = 42, ribbon_height = 12;
 constexpr double per_minute = 60;
 constexpr Colour paper = colour(0xFBFCFD), grid = colour(0xE4E9EF), edge = colour(0xC3CCD6), ink = colour(0x20262E),
@@ -93,10 +93,9 @@ class SpeedPage {
     constexpr double room = 1.1, most_feed = 4;  // of the speed reached: a feed far above it is not shown
     double cutting = 0, feed = 0;
     for (const Column& c : columns_) {
-      if (c.on == On::rapid) rapid_ = std::max(rapid_, c.most);
       if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed = std::max(feed, c.feed);
     }
-    top_speed_ = room * per_minute * (cutting > 0 ? std::max(cutting, std::min(feed, most_feed * cutting)) : rapid_);
+    top_speed_ = room * per_minute * (cutting > 0 ? std::max(cutting, std::min(feed, most_feed * cutting)) : record_.rapid());
     if (!(top_speed_ > 0)) top_speed_ = 1;
   }
 
@@ -175,8 +174,8 @@ class SpeedPage {
         });
     canvas.unclip();
     canvas.frame(area, edge, 1);
-    if (rapid_ * per_minute > top_speed_)
-      canvas.text({area.right(), area.y - 9}, fmt::format(fmt::runtime(words_.beyond), number_text(rapid_ * per_minute, 0)),
+    if (record_.rapid() * per_minute > top_speed_)
+      canvas.text({area.right(), area.y - 9}, fmt::format(fmt::runtime(words_.beyond), number_text(record_.rapid() * per_minute, 0)),
                   {13, colour(0xB04A00), Align::right, false});
   }
 
@@ -265,7 +264,6 @@ class SpeedPage {
   const std::vector<std::string>& axes_;
   const PlotTitle& title_;
   const Words& words_;
-  double rapid_ = 0;      // the greatest, mm/s
   double top_speed_ = 1;  // of the picture, mm/min
 };
 
