@@ -18,16 +18,34 @@ constexpr double reach = 0.25;    // rapid motion is shown as far as this part o
 constexpr double least_size = 1;  // mm
 
 struct Words {
-  const char *control, *nothing, *rapid, *feed, *arc, *plunge, *contour, *zero, *thinned, *size, *unit, *speed;
+  const char *control, *nothing, *rapid, *feed, *arc, *plunge, *contour, *zero, *thinned, *size, *unit, *speed, *limits;
 };
-constexpr Words english = {"control", "no motion", "rapid",
-                           "feed",    "arc",       "plunge",
-                           "contour", "work zero", "thinned: of {} points, those closer than {} mm are left out",
-                           "cutting", "mm",        "speed, mm/min:"};
-constexpr Words russian = {"УЧПУ",           "нет движений", "быстрый ход",
-                           "рабочая подача", "дуга",         "врезание",
-                           "контур",         "нуль детали",  "прорежено: из {} точек не показаны те, что ближе {} мм",
-                           "резание",        "мм",           "скорость, мм/мин:"};
+constexpr Words english = {"control",
+                           "no motion",
+                           "rapid",
+                           "feed",
+                           "arc",
+                           "plunge",
+                           "contour",
+                           "work zero",
+                           "thinned: of {} points, those closer than {} mm are left out",
+                           "cutting",
+                           "mm",
+                           "speed (least time), mm/min:",
+                           "limited (least time) by"};
+constexpr Words russian = {"УЧПУ",
+                           "нет движений",
+                           "быстрый ход",
+                           "рабочая подача",
+                           "дуга",
+                           "врезание",
+                           "контур",
+                           "нуль детали",
+                           "прорежено: из {} точек не показаны те, что ближе {} мм",
+                           "резание",
+                           "мм",
+                           "скорость (мин. время), мм/мин:",
+                           "ограничение (мин. время):"};
 
 const Words& words(Lang lang) { return lang == Lang::ru ? russian : english; }
 
@@ -49,6 +67,8 @@ double draw_shade_legend(Canvas& canvas, const PlotScene& scene, double x, doubl
   const TextStyle style{13, colour(0x20262E), Align::left, false}, number{12, colour(0x20262E), Align::centre, false};
   const ShadeScale& shades = scene.shades;
   if (shades.by() == PlotColour::limit) {
+    canvas.text({x, y}, words(scene.title.lang).limits, style);
+    x += canvas.text_width(words(scene.title.lang).limits, style) + 16;
     for (std::size_t step = 0; step < shades.steps(); ++step) {
       if (!shades.occurs(step)) continue;
       const char* const name = limit_name(static_cast<Limit>(step), scene.title.lang);

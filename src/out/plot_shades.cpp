@@ -17,7 +17,7 @@ constexpr std::size_t speed_steps = 24;
 /// From standing to the fastest: what is slow stands out.
 constexpr std::array<unsigned, 6> speed_inks = {0xB2182B, 0xE08214, 0x9A9A1F, 0x1B9E77, 0x2166AC, 0x3B1F8F};
 /// In the order of Limit.
-constexpr std::array<unsigned, limit_count> limit_inks = {0xB9C2CC, 0xD55E00, 0xCC79A7, 0x009E73, 0xE69F00, 0x0072B2, 0x000000};
+constexpr std::array<unsigned, limit_count> limit_inks = {0x009E73, 0xD55E00, 0xCC79A7, 0x6A3D9A, 0xE69F00, 0x0072B2, 0x000000};
 
 Colour between(unsigned a, unsigned b, double part) {
   const Colour from = colour(a), to = colour(b);

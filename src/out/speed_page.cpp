@@ -219,7 +219,7 @@ class SpeedPage {
       if (columns_[i].seen)
         canvas.text({x, y + 37}, fmt::format("{} {}", words_.line, columns_[i].line), {11, faint_ink, Align::centre, false});
     }
-    canvas.text({left - 20, y + 20}, minutes ? words_.minutes : words_.seconds, {12, ink, Align::right, true});
+    canvas.text({left - 28, y + 20}, minutes ? words_.minutes : words_.seconds, {12, ink, Align::right, true});
   }
 
   static double round_minutes(double least) {
