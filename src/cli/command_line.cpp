@@ -97,6 +97,10 @@ void add_run(CLI::App& app, Commands& c) {
                   "folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: here)");
   sample_options(*run, c.options);
   run->add_option("--plot", c.options.plot, "draw the path: a file .svg or .png");
+  run->add_option("--colour,--color", c.options.colour, "of the path in --plot: by speed, or by the limit that slows it")
+      ->check(CLI::IsMember({"speed", "limit"}));
+  run->add_option("--plot-speed", c.options.plot_speed, "draw speed, acceleration and jerk over the time: a file .svg or .png");
+  run->add_flag("--why", c.options.why, "the ten lines that lose most time against their feed, and the limit that costs it");
   run->footer(run_examples);
 }
 

@@ -8,14 +8,14 @@
 #include <cstring>
 
 #include "cli/channels.h"
+#include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/state.h"
 #include "config/state_json.h"
-#include "motion/axis_motion.h"
 #include "motion/look_ahead.h"
 #include "out/alarm_print.h"
+#include "out/page_file.h"
 #include "out/plot.h"
-#include "out/samples.h"
 #include "out/summary.h"
 #include "out/trace.h"
 
@@ -44,53 +44,16 @@ class OutFile {
   bool failed_ = false;
 };
 
-bool plot_name_is_known(const std::string& name) {
-  if (name.empty() || name.ends_with(".svg") || name.ends_with(".png")) return true;
-  complain(fmt::format("--plot {}: the name must end in .svg or .png", name));
+bool plot_name_is_known(const char* option, const std::string& name) {
+  if (name.empty() || is_page_name(name)) return true;
+  complain(fmt::format("{} {}: the name must end in .svg or .png", option, name));
   return false;
 }
 
-/// The axes' motion in time, and its samples.
-class Sampled {
- public:
-  Sampled(std::FILE* file, const Channel& channel, const Job& job, const ToolPosition& stand, const Options& options)
-      : roles_(AxisRoles::of(channel.control->axes(), channel.control->rotary())),
-        position_(stand),
-        estimate_(roles_, rates_of(job.profile, channel.setup, channel.control->axes())),
-        limits_(motion_limits(job.profile, channel.setup, channel.control->axes())),
-        writer_(file, channel.control->axes(), limits_, options.rate, options.overrides),
-        motion_(roles_, limits_, job.profile.tolerance, stand,
-                [this](const TimedCells& cells) { writer_.take(cells); }) {
-    estimate_.spindle(channel.setup.spindle().rpm);
-  }
-
-  /// An action of the program, behind the machine.
-  void take(const Action& action) {
-    const TimeSplit before = estimate_.split();
-    MotionTime time;
-    if (const auto* const motion = std::get_if<Motion>(&action.what))
-      time = estimate_.motion(*motion, Curve(roles_, position_.work, *motion));
-    else estimate_.other(action);
-    position_.take(action);
-    const TimeSplit& now = estimate_.split();
-    motion_.take(action, time, now.dwell + now.tool_change - before.dwell - before.tool_change);
-  }
-
-  /// The axes come to rest. False: not all could be written.
-  bool finish() {
-    motion_.finish();
-    writer_.finish();
-    return writer_.ok();
-  }
-
- private:
-  AxisRoles roles_;
-  ToolPosition position_;
-  TimeEstimate estimate_;  // by programmed feeds
-  MotionLimits limits_;
-  SampleWriter writer_;
-  AxisMotion motion_;
-};
+/// Whether somebody looks at the axes in time.
+bool needs_planner(const Options& options) {
+  return !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
+}
 
 /// What looks at one channel.
 struct View {
@@ -102,7 +65,7 @@ struct View {
   std::optional<TraceWriter> trace;
   std::optional<LookAhead> look_ahead;  // where something limits the speed
   std::optional<Plot> plot;             // of the program's own channel
-  std::unique_ptr<Sampled> sampled;     // of the program's own channel
+  std::unique_ptr<Planned> planned;     // of the program's own channel
   double waited = 0;                    // s
 };
 
@@ -128,16 +91,24 @@ class RunCommand {
       if (channels.size() == 1) look_ahead(view, channel, rates, stand);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (files.samples != nullptr) view.sampled = std::make_unique<Sampled>(files.samples, channel, job, stand, options);
+      if (needs_planner(options)) view.planned = std::make_unique<Planned>(channel, job, stand);
+      if (files.samples != nullptr) view.planned->write_samples(files.samples, options.rate, options.overrides);
+      if (!options.plot_speed.empty()) view.planned->record_speed();
+      if (!options.colour.empty()) {
+        view.plot->colour_by(options.colour == "speed" ? PlotColour::speed : PlotColour::limit);
+        view.planned->colour(*view.plot);
+      }
+      if (options.why) view.planned->ask_why();
     }
   }
 
   Exit run() {
     const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
     bool written = write_last_lines(stopped);
-    if (!options_.plot.empty()) written = draw() && written;
-    if (!options_.samples.empty()) written = finish_samples() && written;
+    if (needs_planner(options_)) written = finish_planned() && written;
+    written = draw() && written;
     if (!options_.quiet) print_summary();
+    if (options_.why) print_why();
     if (!written) return wrong_usage;
     return std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); }) ? alarms : ok;
   }
@@ -166,6 +137,12 @@ class RunCommand {
     if (!is_motion) view.statistics.take(action);
   }
 
+  /// Whoever draws, before who times what is drawn.
+  static void look(View& view, const Action& action) {
+    if (view.plot) view.plot->take(action);
+    if (view.planned) view.planned->take(action);
+  }
+
   /// The outlets of one channel, without its actions.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
@@ -188,13 +165,12 @@ class RunCommand {
   Stopped run_alone() {
     View& view = *views_.front();
     Outlets outlets = outlets_of(view);
-    outlets.works_long = view.trace || view.plot || view.sampled;
+    outlets.works_long = view.trace || view.plot || view.planned;
     if (options_.quiet && !outlets.works_long) outlets.action = [&view](const Action& action) { view.statistics.take_time(action); };
     else
       outlets.action = [&view](const Action& action) {
         show(view, action);
-        if (view.sampled) view.sampled->take(action);
-        if (view.plot) view.plot->take(action);
+        look(view, action);
       };
     Stopped stopped = carry_out(*channels_.front().control, job_, outlets);
     if (view.look_ahead) view.look_ahead->finish();
@@ -216,8 +192,7 @@ class RunCommand {
       outlets.own.back().action = [&view, &together, i](const Action& action) {
         const double at = together->now(i);
         together->show(i, at, action, view.statistics.take(action));
-        if (view.sampled) view.sampled->take(action);
-        if (view.plot) view.plot->take(action);
+        look(view, action);
       };
     }
     together = std::make_unique<Channels>(channels_, job_, outlets);
@@ -248,10 +223,10 @@ class RunCommand {
     return true;
   }
 
-  bool finish_samples() {
+  bool finish_planned() {
     for (const auto& view : views_) {
-      if (!view->sampled) continue;
-      if (view->sampled->finish()) continue;
+      if (!view->planned) continue;
+      if (view->planned->finish()) continue;
       complain(fmt::format("{}: {}", options_.samples, std::strerror(errno)));
       return false;
     }
@@ -259,22 +234,37 @@ class RunCommand {
   }
 
   bool draw() {
+    const PlotTitle title{job_.file, lang_ == Lang::ru ? job_.def->name.ru : job_.def->name.en, lang_};
+    tl::expected<void, std::string> drawn;
     for (const auto& view : views_) {
-      if (!view->plot) continue;
-      const auto drawn = view->plot->write(options_.plot, {job_.file, lang_ == Lang::ru ? job_.def->name.ru : job_.def->name.en, lang_});
-      if (!drawn) complain(drawn.error());
-      return drawn.has_value();
+      if (view->plot) drawn = view->plot->write(options_.plot, title);
+      if (drawn && view->planned && !options_.plot_speed.empty()) drawn = view->planned->draw_speed(options_.plot_speed, title);
+      if (!drawn) return complain(drawn.error()), false;
     }
     return true;
   }
 
+  std::string summary_of(std::size_t i) const {
+    const View& view = *views_[i];
+    return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? &view.planned->time() : nullptr);
+  }
+
+  /// Of several channels: the program's own, as the samples.
+  void print_why() const {
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      if (!views_[i]->planned) continue;
+      if (channels_.size() > 1) fmt::print("{}", channel_heading(channels_[i].number, lang_));
+      fmt::print("{}", views_[i]->planned->why(*channels_[i].control, lang_));
+    }
+  }
+
   void print_summary() const {
-    if (channels_.size() == 1) return fmt::print("{}", views_.front()->statistics.text(channels_.front().control->blocks(), lang_));
+    if (channels_.size() == 1) return fmt::print("{}", summary_of(0));
     std::vector<ChannelTime> times;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const View& view = *views_[i];
       times.push_back({channels_[i].number, view.statistics.time().total(), view.waited});
-      fmt::print("{}{}\n", channel_heading(channels_[i].number, lang_), view.statistics.text(channels_[i].control->blocks(), lang_));
+      fmt::print("{}{}\n", channel_heading(channels_[i].number, lang_), summary_of(i));
     }
     fmt::print("{}", channels_text(times, lang_));
   }
@@ -303,7 +293,9 @@ void save_changes(StateFile& file, Control& control, std::string& fault) {
 
 int run(const Options& options) {
   const std::string& file = options.programs.front();
-  if (!plot_name_is_known(options.plot)) return wrong_usage;
+  if (!plot_name_is_known("--plot", options.plot) || !plot_name_is_known("--plot-speed", options.plot_speed)) return wrong_usage;
+  if (!options.colour.empty() && options.plot.empty())
+    return complain("--colour: of the path in --plot FILE, which is missing"), wrong_usage;
   auto job = make_job(options, file);
   if (!job) return wrong_usage;
   std::optional<StateFile> state_file;

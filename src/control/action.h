@@ -25,6 +25,7 @@ struct Origin {
   bool main_block = false;        // ':' instead of N
   std::uint8_t block_digits = 0;  // as written, zeros included
   std::uint8_t depth = 0;         // calls around it
+  std::uint16_t file = 0;         // that the line stands in: 0 the program, others: Control::file_name()
 };
 
 enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };

@@ -116,6 +116,10 @@ std::optional<RunState> Control::run_state() const {
   if (!machinery_->nct) return std::nullopt;
   return machinery_->nct->run_state(*machinery_);
 }
+std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const {
+  return machinery_->flow.file(file).texts_of(lines);
+}
+const std::string& Control::file_name(std::uint16_t file) const { return machinery_->flow.file(file).path(); }
 Ending Control::ending() const { return machinery_->ending(); }
 std::uint64_t Control::blocks() const { return machinery_->flow.blocks(); }
 std::uint64_t Control::bytes_read() const { return machinery_->flow.bytes_read(); }

@@ -2,8 +2,10 @@
 // Control: the interpreter. Block → Action, with everything a control remembers. The door of this room.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "config/control_def.h"
@@ -115,6 +117,12 @@ class Control {
 
   /// After the run, for people who check: the subprograms never called, read but not carried out; their faults go to `on_fault`.
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
+
+  /// Lines of the program or, by Origin::file, of another file that it called, UTF-8 by their numbers; those that cannot be read are
+  /// missing. After the run; passes through the file once.
+  std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const;
+  /// Path of the program or of another file.
+  const std::string& file_name(std::uint16_t file) const;
 
   Ending ending() const;
   std::uint64_t blocks() const;      // carried out

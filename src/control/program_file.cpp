@@ -169,4 +169,17 @@ void ProgramFile::find_loops() {
     if (loops_[i].fault == AlarmId::count) loops_[i].fault = AlarmId::do_without_end;
 }
 
+std::map<std::uint32_t, std::string> ProgramFile::texts_of(const std::set<std::uint32_t>& lines) const {
+  std::map<std::uint32_t, std::string> texts;
+  const BlockReader decoder(source_, grammar_, reader_.encoding());
+  LineReader reader(source_);
+  Line line;
+  for (auto wanted = lines.begin(); wanted != lines.end() && reader.next(line);) {
+    if (line.number != *wanted) continue;
+    Span all;
+    texts[*wanted++] = decoder.shown(line.bytes, all);
+  }
+  return texts;
+}
+
 }  // namespace kadr

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -49,6 +50,9 @@ class ProgramFile {
   /// The loop whose DO, or END, stands at `position`.
   const Loop* loop_from(Position position);
   const Loop* loop_to(Position position);
+
+  /// Lines as UTF-8 by their numbers; those that are not there are missing. One pass through the file.
+  std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines) const;
 
   const std::string& path() const { return path_; }
   const BlockReader& reader() const { return reader_; }

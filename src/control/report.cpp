@@ -83,6 +83,7 @@ Origin Machinery::origin_of_block() const {
   o.has_block = block->has_number;
   o.main_block = block->main_block;
   o.block_digits = block->number_digits;
+  o.file = flow.reader();
   o.depth = static_cast<std::uint8_t>(std::min<std::size_t>(flow.depth(), 255));
   return o;
 }

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double shortest_rise = 1e-3;          // s, of acceleration that rises at once: one servo period
 constexpr double unlimited_acceleration = 1e6;  // mm/s²: 100 g
-constexpr double unlimited_feed = 1e6;          // mm/s
 constexpr double chord_of_tolerance = 0.04;     // an arc as chords a tenth as long as the roundings of their corners are wide
 
 /// The setup's entry of the axis, else the one for all axes.
@@ -64,22 +63,23 @@ AxisMotion::AxisMotion(const AxisRoles& roles, MotionLimits limits, double toler
 void AxisMotion::wait(double seconds, Spent spent) {
   planner_.stop();
   if (!(seconds > 0)) return;
-  TimedCells still{roles_.count, {TimeLaw{seconds, 0, true, 0, 0, 0}}, {spent.tag()}, {}};
+  TimedCells still{roles_.count, {TimeLaw{seconds, 0, true, 0, 0, 0}}, {{spent.tag()}}, {}};
   for (std::size_t a = 0; a < roles_.count; ++a) still.path.insert(still.path.end(), {position_.machine[a], 0, 0, 0, 0, 0});
   sink_(still);
 }
 
 void AxisMotion::take(const Action& action, const MotionTime& programmed, double pause) {
   if (const auto* const motion = std::get_if<Motion>(&action.what)) {
-    take(*motion, programmed, action.origin.line);
+    take(*motion, programmed, action.origin);
   } else if (pause > 0 || needs_rest(action)) {
-    wait(pause, {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line});
+    wait(pause,
+         {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line, action.origin.file});
     exact_ = true;
   }
   position_.take(action);
 }
 
-void AxisMotion::take(const Motion& motion, const MotionTime& programmed, std::uint32_t line) {
+void AxisMotion::take(const Motion& motion, const MotionTime& programmed, const Origin& origin) {
   const MachinePath path(roles_, position_, motion);
   const bool rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
@@ -97,8 +97,10 @@ void AxisMotion::take(const Motion& motion, const MotionTime& programmed, std::u
     length += std::sqrt(squares);
     last = to;
   }
+  way_ += length;
+  if (on_motion) on_motion(way_);
   const double feed = programmed.seconds > 0 ? length / programmed.seconds : unlimited_feed;
-  const std::uint64_t tag = Spent{rapid ? Spent::On::rapid : Spent::On::cutting, line}.tag();
+  const std::uint64_t tag = Spent{rapid ? Spent::On::rapid : Spent::On::cutting, origin.line, origin.file}.tag();
   for (int i = 1; i <= pieces; ++i) planner_.line_to(point(i).data(), feed, i == 1 ? junction : rounding, i > 1, tag);
   exact_ = stops;
   if (stops) planner_.stop();

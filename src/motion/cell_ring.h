@@ -27,7 +27,7 @@ class CellRing {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t slot = (end + k) % size_, from = first + k;
       laws_[slot] = cells.laws[from];
-      tags_[slot] = cells.tags[from];
+      tags_[slot] = cells.sources[from].tag;
       std::copy_n(cells.path.begin() + static_cast<std::ptrdiff_t>(from * row), row,
                   path_.begin() + static_cast<std::ptrdiff_t>(slot * row));
       seconds += cells.laws[from].seconds;

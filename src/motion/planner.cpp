@@ -48,7 +48,7 @@ void Planner::begin(const double* at) {
   path_.begin(at);
   cells_.clear();
   shapes_.clear();
-  tags_.clear();
+  sources_.clear();
   cut_ = 0;
   has_knot_ = false;
   piece_ = fresh_ = 0;
@@ -113,7 +113,8 @@ void Planner::straight_line() {
   std::size_t piece = 0;
   for (const TimeLaw& law : out_.laws) {
     for (std::size_t a = 0; a < cells_.axes; ++a) out_.path.insert(out_.path.end(), {x[a] + s * way[a], way[a], 0, 0, 0, 0});
-    out_.tags.push_back(path_.tag(piece = path_.piece_at(s, piece)));
+    piece = path_.piece_at(s, piece);
+    out_.sources.push_back({path_.tag(piece), path_.feed(piece), Bend::none});
     s += law.length;
   }
   sink_(out_);
@@ -170,13 +171,28 @@ double Planner::next_size(bool last) const {
 
 void Planner::set_knot(double s, std::size_t piece) { path_.evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
 
+/// Of the roundings that reach into a cell the tightest one.
+Bend Planner::bend_at(double from, double to) const {
+  Bend bend = Bend::none;
+  double tightest = 0;
+  const auto take = [&](std::size_t i) {
+    const double w = path_.width(i);
+    if (w <= 0 || path_.at(i) - w >= to || path_.at(i) + w <= from || path_.turn(i) <= tightest * w) return;
+    tightest = path_.turn(i) / w;
+    bend = path_.on_curve(i) ? Bend::curve : Bend::corner;
+  };
+  for (std::size_t i = piece_ + 1; i-- > 1 && from - path_.at(i) < SmoothPath::widest;) take(i);
+  for (std::size_t i = piece_ + 1; i < path_.pieces() && path_.at(i) - to < SmoothPath::widest; ++i) take(i);
+  return bend;
+}
+
 void Planner::add_cell(double from, double to, bool turns) {
   const std::size_t axes = cells_.axes, shape = shapes_.size();
   const double h = to - from;
   const Knot start = knot_;
-  tags_.push_back(path_.tag(piece_));
   double feed = path_.feed(piece_);
   for (std::size_t i = piece_; i + 1 < path_.pieces() && path_.at(i + 1) < to; ++i) feed = std::min(feed, path_.feed(i + 1));
+  sources_.push_back({path_.tag(piece_), feed, bend_at(from, to)});
   const std::size_t next = path_.piece_at(to, piece_);
   set_knot(to, turns ? next - 1 : next);
   piece_ = next;
@@ -253,7 +269,7 @@ void Planner::hand_out(std::size_t count) {
     else out_.laws.push_back(TimeLaw::of_squares(h, std::sqrt(from.b), from.d / 2, q / 2));
   }
   out_.path.assign(shapes_.begin(), shapes_.begin() + static_cast<std::ptrdiff_t>(count * axes * TimedCells::terms));
-  out_.tags.assign(tags_.begin(), tags_.begin() + static_cast<std::ptrdiff_t>(count));
+  out_.sources.assign(sources_.begin(), sources_.begin() + static_cast<std::ptrdiff_t>(count));
   sink_(out_);
   if (count == all) return;
   ends_.from_stop = false;
@@ -261,7 +277,7 @@ void Planner::hand_out(std::size_t count) {
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
   ends_.guess.assign(least_.middles().begin() + static_cast<std::ptrdiff_t>(count),
                      least_.middles().begin() + static_cast<std::ptrdiff_t>(all));
-  cut(tags_, count);
+  cut(sources_, count);
   cut(cells_.h, count);
   cut(cells_.most, count);
   cut(cells_.turns, count);
@@ -297,13 +313,13 @@ void Planner::cell_by_cell() {
     double s = 0;
     for (std::size_t i = before; i < out_.laws.size(); s += out_.laws[i++].length) {
       for (std::size_t a = 0; a < axes; ++a) out_.path.insert(out_.path.end(), {from[a] + s * way[a], way[a], 0, 0, 0, 0});
-      out_.tags.push_back(tags_[k]);
+      out_.sources.push_back(sources_[k]);
     }
   }
   sink_(out_);
   cells_.clear();
   shapes_.clear();
-  tags_.clear();
+  sources_.clear();
   ends_ = {};
 }
 

@@ -49,6 +49,7 @@ class Planner {
   bool is_even(double h) const;
   bool feed_changes(std::size_t vertex) const;
   double next_size(bool last) const;
+  Bend bend_at(double from, double to) const;
   void add_cell(double from, double to, bool turns);
   void set_knot(double s, std::size_t piece);
   void solve(bool last);
@@ -68,7 +69,7 @@ class Planner {
   // cells not yet handed out
   TimedPath cells_;
   std::vector<double> shapes_;  // their polynomials
-  std::vector<std::uint64_t> tags_;
+  std::vector<CellSource> sources_;
   struct Knot {
     std::array<double, max_axes> x{}, x1{}, x2{};
   } knot_;  // the last one

@@ -53,14 +53,14 @@ bool Playback::is_allowed(const Cursor& at, const Pace& pace) const {
   if (pace.share < 0 || pace.share > rounding) return false;
   if (is_over(at)) return true;
   const TimeLaw& law = ring_.law(at.cell);
-  const TimeLaw::Instant i = law.at(at.t);
+  const TimeLaw::State i = law.after(at.t);
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(at.cell, a);
-    const double x1 = c[1] + i.s * (2 * c[2] + i.s * (3 * c[3] + i.s * (4 * c[4] + i.s * 5 * c[5])));
-    const double x2 = 2 * c[2] + i.s * (6 * c[3] + i.s * (12 * c[4] + i.s * 20 * c[5]));
-    const double x3 = 6 * c[3] + i.s * (24 * c[4] + i.s * 60 * c[5]);
-    const double speed = x1 * i.v, acceleration = x2 * i.v * i.v + x1 * i.a;
-    const double jerk = x3 * i.v * i.v * i.v + 3 * x2 * i.v * i.a + x1 * i.j;
+    const double x1 = c[1] + i.way * (2 * c[2] + i.way * (3 * c[3] + i.way * (4 * c[4] + i.way * 5 * c[5])));
+    const double x2 = 2 * c[2] + i.way * (6 * c[3] + i.way * (12 * c[4] + i.way * 20 * c[5]));
+    const double x3 = 6 * c[3] + i.way * (24 * c[4] + i.way * 60 * c[5]);
+    const double speed = x1 * i.speed, acceleration = x2 * i.speed * i.speed + x1 * i.acceleration;
+    const double jerk = x3 * i.speed * i.speed * i.speed + 3 * x2 * i.speed * i.acceleration + x1 * i.jerk;
     const double now = pace.share * pace.share * acceleration + pace.rate * speed;
     const double change = pace.share * (pace.share * pace.share * jerk + 3 * pace.rate * acceleration) + pace.bend * speed;
     if (std::fabs(now) > rounding * std::max(limits_.acceleration[a], std::fabs(acceleration))) return false;
@@ -74,12 +74,13 @@ double Playback::shortest(double target) const {
   double seconds = least_ramp * period_;
   if (is_over(at_)) return seconds;
   const TimeLaw& law = ring_.law(at_.cell);
-  const TimeLaw::Instant i = law.at(at_.t);
+  const TimeLaw::State i = law.after(at_.t);
   const double change = std::fabs(target - share());
   constexpr double most_rate = 1.875, most_bend = 5.77;  // of a ramp from 0 to 1 in 1 s
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(at_.cell, a);
-    const double speed = change * std::fabs(i.v * (c[1] + i.s * (2 * c[2] + i.s * (3 * c[3] + i.s * (4 * c[4] + i.s * 5 * c[5])))));
+    const double speed =
+        change * std::fabs(i.speed * (c[1] + i.way * (2 * c[2] + i.way * (3 * c[3] + i.way * (4 * c[4] + i.way * 5 * c[5])))));
     seconds = std::max({seconds, most_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / limits_.jerk[a])});
   }
   return std::min(seconds, longest);

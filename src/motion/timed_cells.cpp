@@ -37,11 +37,20 @@ double TimeLaw::speed(double t) const {
   return v * (1 + j * g.c) + a * g.s;
 }
 
-TimeLaw::Instant TimeLaw::at(double t) const {
+TimeLaw::State TimeLaw::after(double t) const {
   if (by_time) return {way(t), speed(t), a + j * t, j};
   const Growth g = growth(j, t);
   const double s = v * g.s + a * g.c, now = v * (1 + j * g.c) + a * g.s;
   return {s, now, a + j * s, j * now};
+}
+
+TimeLaw::State TimeLaw::at(double part) const {
+  if (by_time) {
+    const double t = part * seconds;
+    return {way(t), v + t * (a + t * j / 2), a + j * t, j};
+  }
+  const double s = part * length, squared = std::max(0.0, v * v + s * (2 * a + j * s)), rate = std::sqrt(squared);
+  return {s, rate, a + j * s, j * rate};
 }
 
 TimeLaw TimeLaw::of_jerk(double seconds, double v, double a, double j) {

@@ -15,11 +15,13 @@ struct TimeLaw {
 
   double way(double t) const;
   double speed(double t) const;
-  /// Way and its derivatives by time: mm, mm/s, mm/s², mm/s³.
-  struct Instant {
-    double s, v, a, j;
+  /// Along the path: mm, mm/s, mm/s², mm/s³.
+  struct State {
+    double way = 0, speed = 0, acceleration = 0, jerk = 0;
   };
-  Instant at(double t) const;
+  State after(double t) const;
+  /// At a part of it: of the time, or where it goes by the way of that.
+  State at(double part) const;
 
   /// With a given jerk, mm/s³, for a time.
   static TimeLaw of_jerk(double seconds, double v, double a, double j);
@@ -29,16 +31,30 @@ struct TimeLaw {
   static TimeLaw from_rest(double length, double v, bool reversed);
 };
 
+/// How the path bends there.
+enum class Bend : std::uint8_t {
+  none,    // straight
+  corner,  // within the rounding of a corner
+  curve,   // within that between two chords of a curve
+};
+
+/// What a cell was made of.
+struct CellSource {
+  std::uint64_t tag = 0;  // of the piece where it begins: the caller's own
+  double feed = 0;        // mm/s, the greatest speed commanded; 0: the axes stand
+  Bend bend = Bend::none;
+};
+
 /// Cells in a row, each with the polynomial of its path.
 struct TimedCells {
   static constexpr std::size_t terms = 6;
 
   std::size_t axes = 0;
   std::vector<TimeLaw> laws;
-  std::vector<std::uint64_t> tags;  // of the piece where each begins: the caller's own
-  std::vector<double> path;         // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
+  std::vector<CellSource> sources;
+  std::vector<double> path;  // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
 
-  void clear() { laws.clear(), tags.clear(), path.clear(); }
+  void clear() { laws.clear(), sources.clear(), path.clear(); }
   /// Axis positions at a way along a cell.
   void position(std::size_t cell, double way, double* x) const;
   double seconds() const;

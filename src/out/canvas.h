@@ -61,6 +61,8 @@ class Canvas {
   void pen(Colour ink, double width);
   void move_to(Vec2 p) { cairo_move_to(cairo_, p.x, p.y); }
   void line_to(Vec2 p) { cairo_line_to(cairo_, p.x, p.y); }
+  /// Closes the path and fills it.
+  void fill_path() { cairo_fill(cairo_); }
   void stroke() { cairo_stroke(cairo_); }
 
  private:

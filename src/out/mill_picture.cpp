@@ -1,13 +1,11 @@
 #include "out/mill_picture.h"
 
-#include <cairo-svg.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "base/tolerance.h"
 #include "out/canvas.h"
+#include "out/page_file.h"
 #include "path/area/polygon.h"
 
 namespace kadr {
@@ -149,28 +147,11 @@ class Drawing {
   double scale_ = 1, height_ = 0;
 };
 
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-
 }  // namespace
 
 tl::expected<void, std::string> draw_milling(const std::string& file, const MillPicture& picture) {
-  const bool svg = file.ends_with(".svg"), png = file.ends_with(".png");
-  if (!svg && !png) return tl::unexpected(file + ": a plot is .svg or .png");
   const Drawing drawing(picture);
-  constexpr double sharp = 1.5;  // pixels a unit of the page
-  const Surface surface(svg ? cairo_svg_surface_create(file.c_str(), page_width, drawing.height())
-                            : cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(page_width * sharp), int(drawing.height() * sharp)),
-                        cairo_surface_destroy);
-  if (png) cairo_surface_set_device_scale(surface.get(), sharp, sharp);
-  {
-    Canvas canvas(surface.get());
-    drawing.draw(canvas);
-  }
-  cairo_status_t status = cairo_surface_status(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS && png) status = cairo_surface_write_to_png(surface.get(), file.c_str());
-  if (svg) cairo_surface_finish(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface.get());
-  return status == CAIRO_STATUS_SUCCESS ? tl::expected<void, std::string>() : tl::unexpected(file + ": " + cairo_status_to_string(status));
+  return write_page(file, page_width, drawing.height(), [&](Canvas& canvas) { drawing.draw(canvas); });
 }
 
 }  // namespace kadr

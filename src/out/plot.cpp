@@ -38,6 +38,7 @@ void Plot::take_frame(const FrameChange& frame) {
 /// The work system of the first cut is the picture's: what was drawn on the way there moves into it.
 void Plot::take_reference() {
   path_.move_all(-1.0 * shift_);
+  if (shaded_) shaded_->move_all(-1.0 * shift_);
   first_origin_ = first_origin_ + shift_;
   shift_ = {};
 }
@@ -57,7 +58,8 @@ void Plot::take_motion(const Motion& motion) {
     if (zeros_.empty()) take_reference();
     mark_zero();
   }
-  draw(path_, position_, motion, shift_, stroke);
+  if (shaded_) shaded_->wait(motion, position_, shift_, stroke);
+  else draw(path_, position_, motion, shift_, stroke);
   position_.take(motion);
 }
 
@@ -96,7 +98,7 @@ void Plot::take(const Action& action) {
 tl::expected<void, std::string> Plot::write(const std::string& file, const PlotTitle& title) const {
   PlotPath contour = contour_;
   contour.move_all(-1.0 * first_origin_);
-  return draw_page(file, {path_, contour, zeros_, title});
+  return draw_page(file, {path_, contour, zeros_, title, ShadeScale(colour_, path_)});
 }
 
 }  // namespace kadr

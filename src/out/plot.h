@@ -4,7 +4,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "out/plot_path.h"
+#include "out/plot_shades.h"
 
 namespace kadr {
 
@@ -24,6 +24,13 @@ class Plot {
   /// An action as programmed, before cutter radius compensation: contours are drawn beside the tool's path.
   void take_programmed(const Action& action);
 
+  /// From now on motions wait for their cells, and are coloured by these.
+  void colour_by(PlotColour by) { shaded_.emplace(roles_, by), colour_ = by; }
+  ShadedMotions& shaded() { return *shaded_; }
+  void take(const TimedCells& cells, const MotionLimits& limits) { shaded_->take(cells, limits, path_); }
+  /// No cells come any more.
+  void finish_cells() { shaded_->finish(path_); }
+
   /// Draws; the ending of the name (.svg, .png) says which.
   ///   returns  an error sentence
   tl::expected<void, std::string> write(const std::string& file, const PlotTitle& title) const;
@@ -42,6 +49,8 @@ class Plot {
   AxisRoles roles_;
   ToolPosition position_;
   PlotPath path_;
+  std::optional<ShadedMotions> shaded_;
+  PlotColour colour_ = PlotColour::stroke;
   Vec3 first_origin_;
   Vec3 shift_;  // origin now − first origin
   bool origin_known_ = false;

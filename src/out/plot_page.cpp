@@ -1,11 +1,11 @@
 #include "out/plot_page.h"
 
-#include <cairo-svg.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 
+#include "out/limit_text.h"
+#include "out/page_file.h"
 #include "out/plot_view.h"
 
 namespace kadr {
@@ -18,12 +18,21 @@ constexpr double reach = 0.25;    // rapid motion is shown as far as this part o
 constexpr double least_size = 1;  // mm
 
 struct Words {
-  const char *control, *nothing, *rapid, *feed, *arc, *plunge, *contour, *zero, *thinned, *size, *unit;
+  const char *control, *nothing, *rapid, *feed, *arc, *plunge, *contour, *zero, *thinned, *size, *unit, *speed, *limits;
 };
-constexpr Words english = {"control", "no motion", "rapid",
-                           "feed",    "arc",       "plunge",
-                           "contour", "work zero", "thinned: of {} points, those closer than {} mm are left out",
-                           "cutting", "mm"};
+constexpr Words english = {"control",
+                           "no motion",
+                           "rapid",
+                           "feed",
+                           "arc",
+                           "plunge",
+                           "contour",
+                           "work zero",
+                           "thinned: of {} points, those closer than {} mm are left out",
+                           "cutting",
+                           "mm",
+                           "speed (least time), mm/min:",
+                           "limited (least time) by"};
 constexpr Words russian = {"УЧПУ",
                            "нет движений",
                            "быстрый ход",
@@ -34,14 +43,11 @@ constexpr Words russian = {"УЧПУ",
                            "нуль детали",
                            "прорежено: из {} точек не показаны те, что ближе {} мм",
                            "резание",
-                           "мм"};
+                           "мм",
+                           "скорость (мин. время), мм/мин:",
+                           "ограничение (мин. время):"};
 
 const Words& words(Lang lang) { return lang == Lang::ru ? russian : english; }
-
-std::string name_of_file(const std::string& path) {
-  const std::size_t slash = path.find_last_of("/\\");
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
 
 void draw_title(Canvas& canvas, const PlotScene& scene) {
   const Words& w = words(scene.title.lang);
@@ -53,6 +59,35 @@ void draw_title(Canvas& canvas, const PlotScene& scene) {
   }
   canvas.text({margin, 64}, line, {14, colour(0x5B6775), Align::left, false});
   canvas.text({page_width - margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
+}
+
+/// The scale of speeds, or the limits that occur; from x on.
+///   returns  where it ends
+double draw_shade_legend(Canvas& canvas, const PlotScene& scene, double x, double y) {
+  const TextStyle style{13, colour(0x20262E), Align::left, false}, number{12, colour(0x20262E), Align::centre, false};
+  const ShadeScale& shades = scene.shades;
+  if (shades.by() == PlotColour::limit) {
+    canvas.text({x, y}, words(scene.title.lang).limits, style);
+    x += canvas.text_width(words(scene.title.lang).limits, style) + 16;
+    for (std::size_t step = 0; step < shades.steps(); ++step) {
+      if (!shades.occurs(step)) continue;
+      const char* const name = limit_name(static_cast<Limit>(step), scene.title.lang);
+      canvas.line({x, y - 4}, {x + 32, y - 4}, shades.ink(step), 3);
+      canvas.text({x + 40, y}, name, style);
+      x += 40 + canvas.text_width(name, style) + 26;
+    }
+    return x;
+  }
+  constexpr double step_width = 14, ticks = 4, bar = 9;
+  const char* const name = words(scene.title.lang).speed;
+  canvas.text({x, y}, name, style);
+  x += canvas.text_width(name, style) + 22;
+  const double width = step_width * double(shades.steps());
+  for (std::size_t step = 0; step < shades.steps(); ++step)
+    canvas.fill({x + double(step) * step_width, y - 18, step_width + 0.5, bar}, shades.ink(step));
+  for (double tick = 0; tick <= ticks; ++tick)
+    canvas.text({x + width * tick / ticks, y + 5}, number_text(shades.top() * tick / ticks, 0), number);
+  return x + width + 40;
 }
 
 void draw_legend(Canvas& canvas, const PlotScene& scene) {
@@ -70,9 +105,13 @@ void draw_legend(Canvas& canvas, const PlotScene& scene) {
     x += 40 + canvas.text_width(name, style) + 26;
   };
   entry(Stroke::rapid, w.rapid);
-  entry(Stroke::feed, w.feed);
-  entry(Stroke::arc, w.arc);
-  entry(Stroke::plunge, w.plunge);
+  if (scene.shades.by() == PlotColour::stroke) {
+    entry(Stroke::feed, w.feed);
+    entry(Stroke::arc, w.arc);
+    entry(Stroke::plunge, w.plunge);
+  } else {
+    x = draw_shade_legend(canvas, scene, x, y);
+  }
   if (!scene.contour.points().empty()) entry(Stroke::contour, w.contour);
   canvas.zero_mark({x + 10, y - 4}, 6, style.ink);
   canvas.text({x + 24, y}, w.zero, style);
@@ -101,11 +140,12 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
   draw_plane(canvas, {left, top + plan + side + 16, planes_width, side}, View::yz, scene, box);
 }
 
-using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
-
-std::string failure(const std::string& file, cairo_status_t status) { return file + ": " + cairo_status_to_string(status); }
-
 }  // namespace
+
+std::string name_of_file(const std::string& path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
 
 Box shown_box(const PlotScene& scene) {
   const Box& all = scene.path.box();
@@ -134,22 +174,7 @@ Box shown_box(const PlotScene& scene) {
 }
 
 tl::expected<void, std::string> draw_page(const std::string& file, const PlotScene& scene) {
-  const bool svg = file.ends_with(".svg") || file.ends_with(".SVG"), png = file.ends_with(".png") || file.ends_with(".PNG");
-  if (!svg && !png) return tl::unexpected(file + ": a plot is .svg or .png");
-  constexpr double sharp = 1.5;  // pixels a unit of the page
-  const Surface surface(svg ? cairo_svg_surface_create(file.c_str(), page_width, page_height)
-                            : cairo_image_surface_create(CAIRO_FORMAT_RGB24, int(page_width * sharp), int(page_height * sharp)),
-                        cairo_surface_destroy);
-  if (png) cairo_surface_set_device_scale(surface.get(), sharp, sharp);
-  {
-    Canvas canvas(surface.get());
-    draw_all(canvas, scene);
-  }
-  cairo_status_t status = cairo_surface_status(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS && png) status = cairo_surface_write_to_png(surface.get(), file.c_str());
-  if (svg) cairo_surface_finish(surface.get());
-  if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface.get());
-  return status == CAIRO_STATUS_SUCCESS ? tl::expected<void, std::string>() : tl::unexpected(failure(file, status));
+  return write_page(file, page_width, page_height, [&](Canvas& canvas) { draw_all(canvas, scene); });
 }
 
 }  // namespace kadr

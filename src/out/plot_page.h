@@ -13,7 +13,11 @@ struct PlotScene {
   const PlotPath& contour;  // as programmed, where the tool runs beside it; may be empty
   const std::vector<Vec3>& zeros;
   const PlotTitle& title;
+  ShadeScale shades;
 };
+
+/// Without its folder.
+std::string name_of_file(const std::string& path);
 
 tl::expected<void, std::string> draw_page(const std::string& file, const PlotScene& scene);
 

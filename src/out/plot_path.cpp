@@ -16,7 +16,7 @@ void PlotPath::start(Vec3 at) {
   pending_ = true;
 }
 
-void PlotPath::go(Vec3 to, Stroke stroke) {
+void PlotPath::go(Vec3 to, Stroke stroke, float shade) {
   if (pending_ && points_.empty()) keep(last_);
   box_.take(last_.at);
   box_.take(to);
@@ -27,7 +27,7 @@ void PlotPath::go(Vec3 to, Stroke stroke) {
   ++seen_;
   // A point left out before a change of stroke would show the wrong corner.
   if (pending_ && stroke != last_.stroke && !points_.empty() && distance(points_.back().at, last_.at) > tolerance_ / 4) keep(last_);
-  last_ = {to, stroke};
+  last_ = {to, stroke, shade};
   pending_ = tolerance_ > 0 && !points_.empty() && distance(points_.back().at, to) < tolerance_;
   if (!pending_) keep(last_);
 }

@@ -15,6 +15,7 @@ enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour };  // plun
 struct PlotPoint {
   Vec3 at;
   Stroke stroke;
+  float shade = 0;  // where the path is coloured: out/plot_shades
 };
 
 class PlotPath {
@@ -23,7 +24,7 @@ class PlotPath {
   explicit PlotPath(std::size_t most = 100'000) : most_(most) {}
 
   void start(Vec3 at);
-  void go(Vec3 to, Stroke stroke);
+  void go(Vec3 to, Stroke stroke, float shade = 0);
   /// Every point so far moves by that much.
   void move_all(Vec3 by);
 

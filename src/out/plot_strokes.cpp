@@ -46,22 +46,39 @@ class Pencil {
   int drawn_ = 0;
 };
 
-void draw_lines(Canvas& canvas, View view, const ViewScale& scale, const PlotPath& path, Stroke wanted) {
-  const StrokeStyle style = style_of(wanted, path.points().size());
-  canvas.pen(style.ink, style.width);
-  if (style.dashed) canvas.dashes(5, 4);
+/// The pieces of the path that `is_wanted` picks, with the pen as it is.
+template <class Wanted>
+void draw_pieces(Canvas& canvas, View view, const ViewScale& scale, const PlotPath& path, const Wanted& is_wanted) {
   Pencil pencil(canvas);
   const auto& points = path.points();
   Vec2 from;
   for (std::size_t i = 0; i < points.size() + (path.has_pending() ? 1 : 0); ++i) {
     const PlotPoint point = i < points.size() ? points[i] : path.pending();
     const Vec2 to = within_reach(scale.page(projected(view, point.at)));
-    if (i > 0 && is_line(point.stroke, wanted)) pencil.segment(from, to);
+    if (i > 0 && is_wanted(point)) pencil.segment(from, to);
     else pencil.lift();
     from = to;
   }
   pencil.lift();
+}
+
+void draw_lines(Canvas& canvas, View view, const ViewScale& scale, const PlotPath& path, Stroke wanted) {
+  const StrokeStyle style = style_of(wanted, path.points().size());
+  canvas.pen(style.ink, style.width);
+  if (style.dashed) canvas.dashes(5, 4);
+  draw_pieces(canvas, view, scale, path, [wanted](const PlotPoint& point) { return is_line(point.stroke, wanted); });
   canvas.solid();
+}
+
+/// All cutting, step by step of the scale.
+void draw_shaded(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene) {
+  constexpr double width = 1.8;
+  for (std::size_t step = 0; step < scene.shades.steps(); ++step) {
+    if (!scene.shades.occurs(step)) continue;
+    canvas.pen(scene.shades.ink(step), width);
+    draw_pieces(canvas, view, scale, scene.path,
+                [&](const PlotPoint& point) { return point.stroke != Stroke::rapid && scene.shades.step_of(point.shade) == step; });
+  }
 }
 
 /// Straight down is a point when seen from above: a ring each, as long as they can be told apart.
@@ -79,10 +96,12 @@ void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) 
 
 }  // namespace
 
-void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotPath& path, const PlotPath& contour) {
-  draw_lines(canvas, view, scale, contour, Stroke::contour);
-  for (const Stroke stroke : {Stroke::rapid, Stroke::feed, Stroke::arc}) draw_lines(canvas, view, scale, path, stroke);
-  if (view == View::xy) draw_plunges(canvas, scale, path);
+void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene) {
+  draw_lines(canvas, view, scale, scene.contour, Stroke::contour);
+  draw_lines(canvas, view, scale, scene.path, Stroke::rapid);
+  if (scene.shades.by() != PlotColour::stroke) return draw_shaded(canvas, view, scale, scene);
+  for (const Stroke stroke : {Stroke::feed, Stroke::arc}) draw_lines(canvas, view, scale, scene.path, stroke);
+  if (view == View::xy) draw_plunges(canvas, scale, scene.path);
 }
 
 }  // namespace kadr

@@ -149,7 +149,7 @@ void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& sc
   canvas.fill(field, paper);
   draw_grid(canvas, field, view, scale);
   canvas.clip(field);
-  draw_strokes(canvas, view, scale, scene.path, scene.contour);
+  draw_strokes(canvas, view, scale, scene);
   draw_zeros(canvas, view, scale, scene.zeros);
   canvas.unclip();
   canvas.frame(field, edge, 1);
@@ -162,7 +162,7 @@ void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, co
   canvas.clip(area);
   const Box& room = scene.path.cutting_box().empty ? box : scene.path.cutting_box();
   draw_floor(canvas, scale, room);
-  draw_strokes(canvas, View::isometric, scale, scene.path, scene.contour);
+  draw_strokes(canvas, View::isometric, scale, scene);
   draw_zeros(canvas, View::isometric, scale, scene.zeros);
   draw_sizes(canvas, scale, room);
   canvas.unclip();

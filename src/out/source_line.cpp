@@ -42,6 +42,17 @@ std::uint32_t characters_before(std::string_view text, std::size_t bytes) {
   return static_cast<std::uint32_t>(std::count_if(before.begin(), before.end(), [](char c) { return !continues(c); }));
 }
 
+std::string shortened_line(std::string_view line, std::size_t most) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = std::min(line.find_first_not_of(blanks), line.size());
+  line = line.substr(first, line.find_last_not_of(blanks) + 1 - first);
+  const std::vector<std::string_view> all = characters(line);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i) text += all[i] == "\t" ? " " : shown(all[i]);
+  if (all.size() > most) text += clipped;
+  return text;
+}
+
 std::string marked_line(std::string_view line, Span place) {
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
   const std::vector<std::string_view> all = characters(line);

@@ -15,6 +15,7 @@ struct Words {
   const char *path, *cutting, *rapid, *cutting_box, *box;
   const char *time, *dwell, *tool_change, *unknown;
   std::array<const char*, 3> basis;  // by TimeBasis
+  const char *least_time, *least_basis, *speeding_up, *slowing_down;
   const char *tools, *alarms, *warnings;
 };
 
@@ -35,6 +36,10 @@ constexpr Words english = {"blocks",
                            "motions without a time (no feed, or the spindle stands)",
                            {"from programmed feeds and rapid rates, without acceleration",
                             "as the control limits the speed, without acceleration", "as the control limits the speed, with acceleration"},
+                           "least time",
+                           "by Kadr's planner, within speed, acceleration and jerk of the axes",
+                           "speeding up",
+                           "slowing down",
                            "tools",
                            "alarms",
                            "warnings"};
@@ -56,6 +61,10 @@ constexpr Words russian = {
     "движений без времени (нет подачи или шпиндель стоит)",
     {"по программным подачам и быстрым ходам станка, без разгонов", "с ограничениями скорости устройства ЧПУ, без разгонов",
      "с ограничениями скорости устройства ЧПУ, с разгонами"},
+    "мин. время",
+    "по планировщику Kadr, в пределах скорости, ускорения и рывка осей",
+    "разгон",
+    "торможение",
     "инструменты",
     "ошибок",
     "предупреждений"};
@@ -76,6 +85,22 @@ std::string box_text(const Box& box) {
     return fmt::format("{} {} … {}", axis, number_text(least, 3), number_text(most, 3));
   };
   return range('X', box.least.x, box.most.x) + "   " + range('Y', box.least.y, box.most.y) + "   " + range('Z', box.least.z, box.most.z);
+}
+
+std::string split_text(const Words& w, double cutting, double rapid, double dwell, double tool_change) {
+  return fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(cutting + rapid + dwell + tool_change), w.cutting,
+                     duration_text(cutting), w.rapid, duration_text(rapid), w.dwell, duration_text(dwell), w.tool_change,
+                     duration_text(tool_change));
+}
+
+/// The time of the planner of least time (docs/planner.md).
+std::string planned_text(const Words& w, const PlannedTime& t) {
+  const auto ramps = [&](const char* name, const PlannedTime::Share& share) {
+    return fmt::format("{} {} {}, {} {}", name, w.speeding_up, duration_text(share.speeding_up), w.slowing_down,
+                       duration_text(share.slowing_down));
+  };
+  return line(w.least_time, split_text(w, t.cutting.all, t.rapid.all, t.dwell, t.tool_change)) + line("", w.least_basis) +
+         line("", ramps(w.cutting, t.cutting) + "; " + ramps(w.rapid, t.rapid));
 }
 
 }  // namespace
@@ -150,7 +175,7 @@ void Statistics::lengthen(const Motion& motion, double longer) {
   if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
 }
 
-std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
+std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime* planned) const {
   const Words& w = lang == Lang::ru ? russian : english;
   const TimeSplit& t = estimate_.split();
   std::string text = line(w.blocks, fmt::format("{}", blocks));
@@ -161,10 +186,9 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang) const {
   text += line(w.path, fmt::format("{} {}, {} {}", w.cutting, number_text(cutting_mm_, 3), w.rapid, number_text(rapid_mm_, 3)));
   if (!cutting_box_.empty) text += line(w.cutting_box, box_text(cutting_box_));
   if (const Box all = box(); !all.empty) text += line(w.box, box_text(all));
-  text +=
-      line(w.time, fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(t.total()), w.cutting, duration_text(t.cutting), w.rapid,
-                               duration_text(t.rapid), w.dwell, duration_text(t.dwell), w.tool_change, duration_text(t.tool_change)));
+  text += line(w.time, split_text(w, t.cutting, t.rapid, t.dwell, t.tool_change));
   text += line("", w.basis[static_cast<std::size_t>(basis_)]);
+  if (planned != nullptr) text += planned_text(w, *planned);
   if (t.unknown > 0) text += line("", fmt::format("{}: {}", w.unknown, t.unknown));
   if (!tools_.empty()) {
     std::string tools;

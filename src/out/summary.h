@@ -7,6 +7,7 @@
 
 #include "config/alarm_texts.h"
 #include "motion/estimate.h"
+#include "motion/planned_time.h"
 
 namespace kadr {
 
@@ -48,8 +49,8 @@ class Statistics {
   void lengthen(const Motion& motion, double longer);
   void count(Severity severity) { ++(severity == Severity::alarm ? alarms_ : warnings_); }
 
-  /// The summary, lines ending in '\n'.
-  std::string text(std::uint64_t blocks, Lang lang) const;
+  /// The summary, lines ending in '\n'. `planned`: beside its time that of the planner of least time, if it ran.
+  std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr) const;
 
   struct ToolUse {
     std::uint32_t tool;

@@ -38,6 +38,8 @@ class SmoothPath {
 
   double at(std::size_t vertex) const { return at_[vertex]; }
   double width(std::size_t vertex) const { return width_[vertex]; }
+  /// |Δu|: 0 straight on, 2 back.
+  double turn(std::size_t vertex) const { return turn_[vertex]; }
   /// The path turns back on itself there: a vertex without rounding, which none other reaches over.
   bool turns_back(std::size_t vertex) const { return turn_[vertex] > turning_back; }
   bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }

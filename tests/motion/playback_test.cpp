@@ -31,7 +31,7 @@ TimedCells planned(const std::vector<Piece>& pieces) {
   all.axes = axes;
   Planner planner(limits(), [&](const TimedCells& cells) {
     all.laws.insert(all.laws.end(), cells.laws.begin(), cells.laws.end());
-    all.tags.insert(all.tags.end(), cells.tags.begin(), cells.tags.end());
+    all.sources.insert(all.sources.end(), cells.sources.begin(), cells.sources.end());
     all.path.insert(all.path.end(), cells.path.begin(), cells.path.end());
   });
   const Point start{};
@@ -147,7 +147,7 @@ TEST(Playback, AFeedHoldStopsAndAResumeGoesOn) {
 }
 
 TEST(Playback, AnOverrideDoesNotLengthenAPauseAFeedHoldDoes) {
-  const TimedCells pause{axes, {TimeLaw{0.5, 0, true, 0, 0, 0}}, {7}, std::vector<double>(axes * TimedCells::terms, 0.0)};
+  const TimedCells pause{axes, {TimeLaw{0.5, 0, true, 0, 0, 0}}, {{7, 0, Bend::none}}, std::vector<double>(axes * TimedCells::terms, 0.0)};
   EXPECT_EQ(played(pause, {{0, 0.25}}).points.size(), 501U);
   EXPECT_NEAR(static_cast<double>(played(pause, {{100, 0}, {300, 1}}).points.size()), 701, 12);
 }
@@ -231,7 +231,7 @@ RC_GTEST_PROP(PlaybackProperty, ItBrakesWhenCellsComeTooLate, ()) {
     for (; offered < plan.laws.size() && sent < due; ++offered) {
       sent += plan.laws[offered].seconds;
       some.laws.push_back(plan.laws[offered]);
-      some.tags.push_back(0);
+      some.sources.emplace_back();
       const auto from = plan.path.begin() + static_cast<std::ptrdiff_t>(offered * axes * TimedCells::terms);
       some.path.insert(some.path.end(), from, from + axes * TimedCells::terms);
     }

@@ -1,0 +1,64 @@
+#pragma once
+// Planned: one channel's axes in time by the planner of least time (docs/planner.md), and whoever looks at it.
+
+#include <cstdio>
+
+#include "cli/channels.h"
+#include "motion/axis_motion.h"
+#include "motion/lost_time.h"
+#include "motion/planned_time.h"
+#include "out/samples.h"
+#include "out/speed_page.h"
+
+namespace kadr::cli {
+
+class Planned {
+ public:
+  /// `stand`: where the axes stand at the start.
+  Planned(const Channel& channel, const Job& job, const ToolPosition& stand);
+  Planned(const Planned&) = delete;  // the planner calls it back
+  Planned& operator=(const Planned&) = delete;
+
+  /// Positions at `rate` Hz, under these overrides; the file stays the caller's.
+  void write_samples(std::FILE* file, double rate, const std::vector<OverrideChange>& changes);
+
+  /// Finds the lines that lose most time.
+  void ask_why() { lost_time_.emplace(limits_); }
+
+  /// Keeps what draw_speed() draws.
+  void record_speed() { record_.emplace(limits_); }
+
+  /// Colours a picture that takes each action before take(); it must outlive this.
+  void colour(Plot& plot);
+
+  /// An action of the program, behind the machine.
+  void take(const Action& action);
+
+  /// The axes come to rest. False: not all could be written.
+  bool finish();
+
+  const PlannedTime& time() const { return time_; }
+  /// Where ask_why() was called, after finish(): the table. `control`: that carried the program out.
+  std::string why(const Control& control, Lang lang) const;
+  /// Where record_speed() was called, after finish(). Returns an error sentence.
+  tl::expected<void, std::string> draw_speed(const std::string& file, const PlotTitle& title) const {
+    return draw_speed_page(file, *record_, axes_, title);
+  }
+
+ private:
+  void see(const TimedCells& cells);
+
+  AxisRoles roles_;
+  std::vector<std::string> axes_;
+  ToolPosition position_;
+  TimeEstimate estimate_;  // by programmed feeds
+  MotionLimits limits_;
+  PlannedTime time_;
+  std::optional<SampleWriter> writer_;
+  std::optional<LostTime> lost_time_;
+  std::optional<SpeedRecord> record_;
+  Plot* coloured_ = nullptr;
+  AxisMotion motion_;
+};
+
+}  // namespace kadr::cli

@@ -1,0 +1,19 @@
+#pragma once
+// A page into a file: SVG or PNG.
+
+#include <functional>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace kadr {
+
+class Canvas;
+
+/// The ending of the name (.svg, .png) says which. `width`, `height`: of the page, in its units.
+///   returns  an error sentence
+tl::expected<void, std::string> write_page(const std::string& file, double width, double height, const std::function<void(Canvas&)>& draw);
+
+/// The name ends in one of those.
+bool is_page_name(const std::string& file);
+
+}  // namespace kadr

@@ -1,0 +1,77 @@
+#pragma once
+// A path coloured by its speed or by what limits it (kadr run --colour): motions wait until the planner of least time has timed them, then
+// they are drawn piece by piece, each with its shade. What waits is bounded by the planner's window.
+
+#include <deque>
+
+#include "motion/limited_by.h"
+#include "out/plot_path.h"
+#include "path/curve.h"
+
+namespace kadr {
+
+struct Colour;
+
+/// What the colour of a path means. A shade: of `speed` mm/min, of `limit` the number of the Limit.
+enum class PlotColour : std::uint8_t { stroke, speed, limit };
+
+class ShadedMotions {
+ public:
+  ShadedMotions(const AxisRoles& roles, PlotColour by) : roles_(roles), by_(by) {}
+
+  /// A motion from where the tool stands; `shift`: work coordinates → picture.
+  void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke);
+  /// The way of all motions together up to the end of the one that came last, mm; before its cells come.
+  void set_end(double way) { waiting_.back().ends = way; }
+  /// The motions that wait, and what of them is drawn, move by that much in the picture.
+  void move_all(Vec3 by);
+
+  void take(const TimedCells& cells, const MotionLimits& limits, PlotPath& path);
+  /// What is left: nothing but what rounding has left over.
+  void finish(PlotPath& path);
+
+ private:
+  struct Waiting {
+    Motion motion;
+    ToolPosition from;
+    Vec3 shift;
+    Stroke stroke;
+    double ends;
+  };
+  void draw_to(double way, float shade, PlotPath& path);
+  void draw_part(const Waiting& motion, double from, double to, float shade, PlotPath& path);
+  void keep(PlotPoint point, bool may_replace, PlotPath& path);
+  void let_go(PlotPath& path);
+
+  AxisRoles roles_;
+  PlotColour by_;
+  std::deque<Waiting> waiting_;
+  double gone_ = 0;    // mm, of all cells
+  double begins_ = 0;  // the first that waits
+  double drawn_ = 0;   // part of it
+  PlotPoint held_{};   // not yet in the path: the next may go on in the same line and shade
+  bool holds_ = false;
+};
+
+/// How shades become colours: steps of a scale.
+class ShadeScale {
+ public:
+  /// Of the cutting of a path.
+  ShadeScale(PlotColour by, const PlotPath& path);
+
+  PlotColour by() const { return by_; }
+  std::size_t steps() const;
+  std::size_t step_of(float shade) const;
+  Colour ink(std::size_t step) const;
+  /// Some of the path has this step.
+  bool occurs(std::size_t step) const { return (occurs_ >> step & 1U) != 0; }
+  /// Of speeds: the end of the scale, mm/min.
+  double top() const { return top_; }
+
+ private:
+  PlotColour by_;
+  double top_ = 1;
+  std::uint32_t occurs_ = 0;
+};
+
+}  // namespace kadr

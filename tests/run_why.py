@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""What a user sees of the planner of least time (docs/planner.md): `kadr run` with --why, --plot-speed and --plot --colour.
+
+    run_why.py --kadr build/kadr
+
+Expectations are calculated by hand, on machines/linuxcnc-sim: 200 mm/s, 1000 mm/s², 20,000 mm/s³. A line from rest to rest at the speed v
+takes v/a + a/j longer than by its feed where v ≥ a²/j = 50 mm/s, else 2·√(v/j). Its four phases of jerk, a/j each, lose half of their
+time, 0.1 s (less where the speed is not reached); the rest is lost by the acceleration.
+"""
+import argparse
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+TIME_LIMIT_S = 60
+
+# line, time, by feed, lost, by, block
+PROGRAM = '''G21 G90 G17 G61
+G1 X200 F6000
+G0 Y50
+G1 Z-10 F600
+G4 P0.5
+M98 P100 L3
+M30
+O100
+G91 G1 X20 F6000
+G90 G1 Y50
+G91 G1 Y20 F3000
+G90 G1 Y50 F12000
+M99
+'''
+ROWS_EN = '''9 (3 times) 1.050 0.600 0.450 jerk, X 67 % G91 G1 X20 F6000
+11 (3 times) 1.500 1.200 0.300 jerk, Y 100 % G91 G1 Y20 F3000
+3 0.500 0.250 0.250 acceleration, Y 60 % G0 Y50
+2 2.150 2.000 0.150 jerk, X 67 % G1 X200 F6000
+4 1.045 1.000 0.045 jerk, Z 100 % G1 Z-10 F600'''.splitlines()
+# 20 mm at 200 mm/s: two ramps of 10 mm; a/2 (√(T² + 4 L/a) − T) = 118.6 mm/s is reached, T = 0.05 s; 2 (0.1186 + 0.05) s instead of 0.1 s
+FAST_ROW = r'12 \(3 times\) 1.01[12] 0.300 0.71[12] \S+ Y \d+ % G90 G1 Y50 F12000'
+
+SLOW, FASTER = (0xB2, 0x18, 0x2B), (0xE0, 0x82, 0x14)
+SLOWEST = tuple(a + (b - a) * 5 * 0.5 / 24 for a, b in zip(SLOW, FASTER))  # the middle of the first of 24 steps over 5 spans
+INK = {'corner': (0xD5, 0x5E, 0x00), 'feed': (0x00, 0x9E, 0x73), 'acceleration': (0xE6, 0x9F, 0x00), 'curve': (0xCC, 0x79, 0xA7),
+       'slow': SLOWEST, 'axis X': (0xD5, 0x5E, 0x00), 'axis Y': (0x00, 0x9E, 0x73), 'axis Z': (0x6A, 0x3D, 0x9A),
+       'commanded': (0xE6, 0x9F, 0x00), 'dwell': (0xF0, 0xC9, 0x3A), 'rapid': (0x7A, 0x87, 0x94)}
+
+
+class Bench:
+    def __init__(self, kadr, folder):
+        self.kadr, self.folder, self.passed, self.failed = kadr, Path(folder), 0, 0
+
+    def check(self, name, good, why=''):
+        if good:
+            self.passed += 1
+        else:
+            self.failed += 1
+            print(f'FAILED {name}: {why}')
+
+    def run(self, program, *options, control='mach3', setup=None):
+        (self.folder / 'p.nc').write_text(program, encoding='utf-8')
+        (self.folder / 'setup.json').write_text(json.dumps(setup or {}), encoding='utf-8')
+        command = [self.kadr, 'run', 'p.nc', '--control', control, '--machine', 'linuxcnc-sim', '--setup', 'setup.json', *options]
+        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=TIME_LIMIT_S)
+
+    def svg(self, program, *options):
+        """How often each ink stands in the picture; None: there is none."""
+        file = self.folder / 'out.svg'
+        file.unlink(missing_ok=True)
+        done = self.run(program, '-q', *[o.replace('OUT', 'out.svg') for o in options])
+        if done.returncode != 0 or not file.exists():
+            return None
+        text = file.read_text()
+        return {name: len(re.findall('rgb' + re.escape('(') + ', ?'.join(percent(c) for c in rgb), text)) for name, rgb in INK.items()}
+
+
+def percent(part):
+    """As Cairo writes it: 100 or 82.745098, maybe without the last digits."""
+    return re.escape(f'{int(part / 255 * 1e5) / 1e3:g}') + '[0-9]*%'
+
+
+def rows_of(text):
+    lines = [' '.join(line.split()) for line in text.splitlines()]
+    head = next((i for i, line in enumerate(lines) if line.startswith(('line time', 'строка время'))), None)
+    return [] if head is None else lines[head + 1:-1]
+
+
+def tables(bench):
+    done = bench.run(PROGRAM, '--why', '--lang', 'en')
+    rows = rows_of(done.stdout)
+    bench.check('the fastest line loses most', len(rows) == 6 and re.fullmatch(FAST_ROW, rows[0]), rows[:1])
+    for row in ROWS_EN:
+        bench.check('row ' + row, row in rows, rows)
+    bench.check('the worst first', [r for r in rows if r in ROWS_EN] == ROWS_EN, rows)
+    bench.check('pauses lose nothing', not any('G4' in r for r in rows), rows)
+    ru = bench.run(PROGRAM, '--why', '--lang', 'ru').stdout
+    words = (('jerk', 'рывок'), ('acceleration', 'ускорение'), ('times', 'раз'))
+    for row in ROWS_EN:
+        for en, word in words:
+            row = row.replace(en, word)
+        bench.check('Russian row ' + row, row in rows_of(ru), rows_of(ru))
+    bench.check('Russian heading', 'потери времени' in ru and 'мин. время' in ru, ru)
+    # dwell 0.5 s; G0 Y50 0.5 s, all of it ramps
+    bench.check('time split', re.search(r'least time +\S+ \(cutting \S+, rapid 0:00.5, dwell 0:00.5, tool change 0:00.0\)', done.stdout), done.stdout)
+    bench.check('ramps', re.search(r'rapid speeding up 0:00.[23], slowing down 0:00.[23]', done.stdout), done.stdout)
+    quiet = bench.run(PROGRAM, '--why', '-q', '--lang', 'en').stdout
+    bench.check('quiet: the table alone', quiet.startswith('lost time') and rows_of(quiet) == rows, quiet)
+    plain = bench.run(PROGRAM, '--lang', 'en').stdout
+    bench.check('without the planner as ever', 'least time' not in plain and plain.count('\n') + 3 == done.stdout[:done.stdout.index('lost time')].count('\n'), plain)
+
+
+def other_files(bench):
+    """A line of a called file is shown with that file's name and text, not with the program's line of that number."""
+    (bench.folder / 'O7000.nc').write_text('%O7000\n(SUB)\nG1 Y200 F6000\nM99\n%\n')
+    done = bench.run('%O1\nM98 P7000\nG1 X100 F6000\nM30\n%\n', '--why', '-q', '--lang', 'en', control='nct')
+    rows = rows_of(done.stdout)
+    bench.check('file of the line', any(r.startswith('O7000.nc:3 2.') and r.endswith('G1 Y200 F6000') for r in rows), done.stdout + done.stderr)
+    bench.check('the same line of the program', any(r.startswith('3 1.') and r.endswith('G1 X100 F6000') for r in rows), done.stdout)
+
+
+def bad_input(bench):
+    for options in (('--plot-speed', 'x.pdf'), ('--plot', 'x'), ('--colour', 'speed'), ('--plot', 'x.svg', '--colour', 'green')):
+        done = bench.run(PROGRAM, '-q', *options)
+        bench.check(f'wrong usage {options}', done.returncode == 2 and done.stderr, done)
+    done = bench.run('G61 G21 G90\nG1 X200 F6000\nG1 Y10 Q!\n', '--why', '--lang', 'en')
+    bench.check('alarm: what ran', done.returncode == 1 and rows_of(done.stdout) == ['2 2.150 2.000 0.150 jerk, X 67 % G1 X200 F6000'], done)
+    for empty in ('', '\n', 'M30\n'):
+        done = bench.run(empty, '--why', '-q', '--lang', 'en', '--plot-speed', 'e.svg', '--plot', 'f.png', '--colour', 'limit')
+        bench.check('empty', done.returncode in (0, 1) and 'nothing' in done.stdout and (bench.folder / 'e.svg').exists(), done)
+    done = bench.run('G61 G21 G90\nG1 X200 F6000\nG0 Y50\nM30\n', '--why', '--lang', 'en', '--plot-speed', 'n.png', setup={'override': {'feed': 0}})
+    bench.check('never ends', done.returncode == 0 and [r.split()[0] for r in rows_of(done.stdout)] == ['3'], done)
+
+
+def channels(bench):
+    other = 'O2\nG1 X50 F600\nM30\n'
+    done = bench.run('O1\nG61 G1 X200 F6000\nM30\n', '--why', '--lang', 'en', control='nct', setup={'channels': {'2': {'axes': ['X', 'Z'], 'program': other}}})
+    tail = done.stdout[done.stdout.index('lost time') - len('channel 1\n'):] if 'lost time' in done.stdout else ''
+    bench.check('channels: the own one', tail.startswith('channel 1\nlost time') and len(rows_of(tail)) == 1 and 'X200' in tail, done.stdout + done.stderr)
+
+
+def pictures(bench):
+    corner = 'G21 G90 G17 G64 P0.02\nG1 X40 F6000\nG1 Y40\nM30\n'
+    inks = bench.svg(corner, '--plot', 'OUT', '--colour', 'limit') or {}
+    bench.check('limit: corner and feed', inks.get('corner', 0) > 4 and inks.get('feed', 0) > 4 and inks['curve'] == 0, inks)
+    inks = bench.svg('G21 G90 G17 G61\nG1 X40 F6000\nM30\n', '--plot', 'OUT', '--colour', 'limit') or {}
+    bench.check('limit: no corner', inks.get('corner') == 0 and inks.get('feed', 0) > 4, inks)
+    inks = bench.svg(corner, '--plot', 'OUT', '--colour', 'speed') or {}
+    bench.check('speed: it stands somewhere', inks.get('slow', 0) > 4 and inks['feed'] == 0, inks)
+    inks = bench.svg(corner, '--plot', 'OUT') or {}
+    bench.check('without colours as ever', inks.get('slow') == 0, inks)
+    inks = bench.svg('G21 G90 G61\nG1 X40 F6000\nG4 P1\nG1 Y9\nM30\n', '--plot-speed', 'OUT') or {}
+    bench.check('speed page: X and Y', inks.get('axis X', 0) >= 2 and inks['axis Y'] >= 2 and inks['axis Z'] == 0, inks)
+    bench.check('speed page: feed and dwell', inks.get('commanded', 0) >= 2 and inks['dwell'] >= 2, inks)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--kadr', required=True)
+    kadr = str(Path(parser.parse_args().kadr).resolve())
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(kadr, folder)
+        for part in (tables, other_files, bad_input, channels, pictures):
+            part(bench)
+    print(f'{bench.passed} passed, {bench.failed} failed')
+    return 1 if bench.failed or not bench.passed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
