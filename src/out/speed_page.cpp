@@ -41,7 +41,7 @@ constexpr Words english = {"control",
                            "s",
                            "min:s",
                            "nearest axis:",
-                           "rapid goes beyond the picture, up to {} mm/min",
+                           "{}: beyond the picture, up to {} mm/min",
                            {"cutting", "rapid", "dwell", "tool change"}};
 constexpr Words russian = {"УЧПУ",
                            "мин. время",
@@ -55,7 +55,7 @@ constexpr Words russian = {"УЧПУ",
                            "с",
                            "мин:с",
                            "ближайшая ось:",
-                           "быстрый ход выходит за рисунок, до {} мм/мин",
+                           "{}: за пределами рисунка, до {} мм/мин",
                            {"резание", "быстрый ход", "выдержка", "смена инструмента"}};
 
 Colour ink_of(On on) { return colour(inks_of_time[static_cast<std::size_t>(on)]); }
@@ -91,11 +91,11 @@ class SpeedPage {
   /// Rapid motion is shown as far as the cutting's scale goes.
   void find_top_speed() {
     constexpr double room = 1.1, most_feed = 4;  // of the speed reached: a feed far above it is not shown
-    double cutting = 0, feed = 0;
+    double cutting = 0;
     for (const Column& c : columns_) {
-      if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed = std::max(feed, c.feed);
+      if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed_ = std::max(feed_, c.feed);
     }
-    top_speed_ = room * per_minute * (cutting > 0 ? std::max(cutting, std::min(feed, most_feed * cutting)) : record_.rapid());
+    top_speed_ = room * per_minute * (cutting > 0 ? std::max(cutting, std::min(feed_, most_feed * cutting)) : record_.rapid());
     if (!(top_speed_ > 0)) top_speed_ = 1;
   }
 
@@ -174,9 +174,15 @@ class SpeedPage {
         });
     canvas.unclip();
     canvas.frame(area, edge, 1);
-    if (record_.rapid() * per_minute > top_speed_)
-      canvas.text({area.right(), area.y - 9}, fmt::format(fmt::runtime(words_.beyond), number_text(record_.rapid() * per_minute, 0)),
-                  {13, colour(0xB04A00), Align::right, false});
+    std::string beyond;
+    const auto note = [&](const char* name, double speed) {
+      if (speed * per_minute <= top_speed_) return;
+      beyond += beyond.empty() ? "" : "     ";
+      beyond += fmt::format(fmt::runtime(words_.beyond), name, number_text(speed * per_minute, 0));
+    };
+    note(words_.spent[static_cast<std::size_t>(On::rapid)], record_.rapid());
+    note(words_.feed, feed_);
+    canvas.text({area.right(), area.y - 9}, beyond, {13, colour(0xB04A00), Align::right, false});
   }
 
   void draw_shares(Canvas& canvas, const Area& area, const char* heading, LimitShares::Share Column::*share) const {
@@ -264,6 +270,7 @@ class SpeedPage {
   const std::vector<std::string>& axes_;
   const PlotTitle& title_;
   const Words& words_;
+  double feed_ = 0;       // the greatest commanded, mm/s
   double top_speed_ = 1;  // of the picture, mm/min
 };
 
