@@ -7,9 +7,10 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 100;   // instants of the next ramp looked at in one of the clock: some µs
+constexpr int tries_an_instant = 40;    // instants of the next ramp looked at in one of the clock: some µs
 constexpr double longer = 1.3;          // the next ramp to be tried
 constexpr double longest = 20;          // s, of a ramp: longer ones are no answer; then from the shortest again
+constexpr double jerk_share = 0.95;     // of the limit: between two instants the plan's own jerk may be greater
 constexpr double rounding = 1 + 1e-9;   // of limits
 constexpr double least_change = 0.001;  // of the share, for want of cells
 constexpr double least_ramp = 4;        // periods
@@ -64,7 +65,7 @@ bool Playback::is_allowed(const Cursor& at, const Pace& pace) const {
     const double now = pace.share * pace.share * acceleration + pace.rate * speed;
     const double change = pace.share * (pace.share * pace.share * jerk + 3 * pace.rate * acceleration) + pace.bend * speed;
     if (std::fabs(now) > rounding * std::max(limits_.acceleration[a], std::fabs(acceleration))) return false;
-    if (std::fabs(change) > rounding * std::max(limits_.jerk[a], std::fabs(jerk))) return false;
+    if (std::fabs(change) > rounding * std::max(jerk_share * limits_.jerk[a], std::fabs(jerk))) return false;
   }
   return true;
 }
@@ -81,7 +82,8 @@ double Playback::shortest(double target) const {
     const double* const c = ring_.path(at_.cell, a);
     const double speed =
         change * std::fabs(i.speed * (c[1] + i.way * (2 * c[2] + i.way * (3 * c[3] + i.way * (4 * c[4] + i.way * 5 * c[5])))));
-    seconds = std::max({seconds, most_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / limits_.jerk[a])});
+    seconds =
+        std::max({seconds, most_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / (jerk_share * limits_.jerk[a]))});
   }
   return std::min(seconds, longest);
 }
