@@ -50,6 +50,12 @@ bool plot_name_is_known(const std::string& name) {
   return false;
 }
 
+/// A control with threads moves axes in step with the spindle: its samples tell the angle.
+SpindleColumn spindle_column(const ControlDef& def) {
+  const bool threads = std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
+  return threads ? SpindleColumn::last : SpindleColumn::none;
+}
+
 /// The axes' motion in time, and its samples.
 class Sampled {
  public:
@@ -57,10 +63,11 @@ class Sampled {
       : roles_(AxisRoles::of(channel.control->axes(), channel.control->rotary())),
         position_(stand),
         estimate_(roles_, rates_of(job.profile, channel.setup, channel.control->axes())),
-        writer_(file, channel.control->axes(), rate),
+        writer_(file, channel.control->axes(), rate, spindle_column(*job.def)),
         motion_(roles_, motion_limits(job.profile, channel.setup, channel.control->axes()), job.profile.tolerance, stand,
                 [this](const TimedCells& cells) { writer_.take(cells); }) {
     estimate_.spindle(channel.setup.spindle().rpm);
+    motion_.spindle(channel.setup.spindle());
   }
 
   /// An action of the program, behind the machine.

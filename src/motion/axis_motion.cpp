@@ -30,6 +30,12 @@ bool needs_rest(const Action& action) {
          std::holds_alternative<Spindle>(action.what) || std::holds_alternative<MachineFunction>(action.what);
 }
 
+double distance(const Axes& from, const Axes& to) {
+  double squares = 0;
+  for (std::size_t a = 0; a < max_axes; ++a) squares += (to[a] - from[a]) * (to[a] - from[a]);
+  return std::sqrt(squares);
+}
+
 }  // namespace
 
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
@@ -56,32 +62,96 @@ MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, co
   return limits;
 }
 
-AxisMotion::AxisMotion(const AxisRoles& roles, MotionLimits limits, double tolerance, const ToolPosition& start, Planner::Sink sink)
-    : roles_(roles), tolerance_(tolerance), position_(start), sink_(sink), planner_(std::move(limits), std::move(sink)) {
+AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink)
+    : roles_(roles),
+      tolerance_(tolerance),
+      position_(start),
+      sink_(std::move(sink)),
+      planner_(limits, [this](TimedCells& cells) { hand_out(cells); }),
+      threads_(limits) {
   planner_.begin(position_.machine.data());
+  threads_.begin(position_.machine);
 }
 
-void AxisMotion::wait(double seconds, Spent spent) {
+void AxisMotion::hand_out(TimedCells& cells) {
+  spindle_.tell(cells);
+  sink_(cells);
+}
+
+void AxisMotion::rest() {
+  cut_threads();
   planner_.stop();
+}
+
+void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
   if (!(seconds > 0)) return;
-  TimedCells still{roles_.count, {TimeLaw{seconds, 0, true, 0, 0, 0}}, {spent.tag()}, {}};
-  for (std::size_t a = 0; a < roles_.count; ++a) still.path.insert(still.path.end(), {position_.machine[a], 0, 0, 0, 0, 0});
-  sink_(still);
+  TimedCells still{roles_.count, {TimeLaw{seconds, 0, true, 0, 0, 0}}, {spent.tag() | spindle_.mark()}, {}};
+  for (std::size_t a = 0; a < roles_.count; ++a) still.path.insert(still.path.end(), {at[a], 0, 0, 0, 0, 0});
+  hand_out(still);
 }
 
 void AxisMotion::take(const Action& action, const MotionTime& programmed, double pause) {
   if (const auto* const motion = std::get_if<Motion>(&action.what)) {
     take(*motion, programmed, action.origin.line);
   } else if (pause > 0 || needs_rest(action)) {
-    wait(pause, {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line});
+    rest();
+    stand(position_.machine, pause,
+          {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line});
     exact_ = true;
+  } else if (std::holds_alternative<Speed>(action.what)) {
+    cut_threads();
   }
+  spindle_.take(action);
   position_.take(action);
 }
 
 void AxisMotion::take(const Motion& motion, const MotionTime& programmed, std::uint32_t line) {
-  const MachinePath path(roles_, position_, motion);
   const bool rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
+  const Spent spent{rapid ? Spent::On::rapid : Spent::On::cutting, line};
+  if (motion.kind == MotionKind::thread && programmed.seconds > 0 && Curve(roles_, position_.work, motion).straight())
+    return add_thread(motion, programmed, spent);
+  cut_threads();
+  const bool taps = motion.detail && motion.detail->turn;
+  if (!taps) return cut(motion, programmed, spent);
+  rest();
+  const double way = distance(position_.machine, motion.machine);
+  if (way > 0) spindle_.couple(*motion.detail->turn / way);
+  cut(motion, programmed, spent);
+  rest();
+  exact_ = true;
+  spindle_.release();
+}
+
+/// Several in a row go on without a stop; only the first waits for the spindle (nct 4.4).
+void AxisMotion::add_thread(const Motion& motion, const MotionTime& programmed, Spent spent) {
+  const bool anew = motion.detail->start_angle.has_value();
+  if (anew || threads_.full()) cut_threads();
+  if (threads_.empty()) {
+    planner_.stop();
+    threads_.begin(position_.machine);
+    thread_spent_ = spent;
+    if (anew) thread_angle_ = *motion.detail->start_angle;
+  }
+  threads_.add(MachinePath(roles_, position_, motion).end(), programmed.seconds, spent.tag() | spindle_.mark());
+  if (motion.exact) cut_threads();
+}
+
+/// Where threads had to end before the last one (another speed, a function, too many) the next goes on in the same groove.
+void AxisMotion::cut_threads() {
+  if (threads_.empty()) return;
+  const Axes end = threads_.end();
+  stand(threads_.start(), spindle_.seconds_to(thread_angle_, threads_.ramp() / 2), thread_spent_);
+  TimedCells cells = threads_.cells();
+  hand_out(cells);
+  constexpr double turn = 360;
+  thread_angle_ = std::fmod(thread_angle_ + spindle_.rate() * threads_.seconds(), turn);
+  planner_.begin(end.data());
+  threads_.begin(end);
+  exact_ = true;
+}
+
+void AxisMotion::cut(const Motion& motion, const MotionTime& programmed, Spent spent) {
+  const MachinePath path(roles_, position_, motion);
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = motion.tolerance > 0 ? motion.tolerance : tolerance_;
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
@@ -92,13 +162,11 @@ void AxisMotion::take(const Motion& motion, const MotionTime& programmed, std::u
   Axes last = position_.machine;
   for (int i = 1; i <= pieces; ++i) {
     const Axes to = point(i);
-    double squares = 0;
-    for (std::size_t a = 0; a < roles_.count; ++a) squares += (to[a] - last[a]) * (to[a] - last[a]);
-    length += std::sqrt(squares);
+    length += distance(last, to);
     last = to;
   }
   const double feed = programmed.seconds > 0 ? length / programmed.seconds : unlimited_feed;
-  const std::uint64_t tag = Spent{rapid ? Spent::On::rapid : Spent::On::cutting, line}.tag();
+  const std::uint64_t tag = spent.tag() | spindle_.mark();
   for (int i = 1; i <= pieces; ++i) planner_.line_to(point(i).data(), feed, i == 1 ? junction : rounding, i > 1, tag);
   exact_ = stops;
   if (stops) planner_.stop();

@@ -1,11 +1,13 @@
 #pragma once
 // AxisMotion: Actions → the axes' motion in time, by the Planner: what a motion's curve is in machine coordinates, where the axes
-// stand still, what a pause lasts.
+// stand still, what a pause lasts. Threads and rigid tapping go in step with the spindle, of which the angle comes along.
 
 #include "config/machine_profile.h"
 #include "config/setup.h"
 #include "motion/estimate.h"
 #include "motion/planner.h"
+#include "motion/spindle_clock.h"
+#include "motion/thread_chain.h"
 
 namespace kadr {
 
@@ -24,18 +26,28 @@ struct Spent {
 class AxisMotion {
  public:
   /// `tolerance`: mm, of corners for which the program states none.
-  AxisMotion(const AxisRoles& roles, MotionLimits limits, double tolerance, const ToolPosition& start, Planner::Sink sink);
+  AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink);
+  AxisMotion(const AxisMotion&) = delete;  // the planner points back to it
+  AxisMotion& operator=(const AxisMotion&) = delete;
+
+  /// How the main spindle turns at the start.
+  void spindle(const SpindleSetup& setup) { spindle_.start(setup); }
 
   /// An action, with its time by programmed feed: TimeEstimate or Statistics.
   void take(const Action& action, const MotionTime& programmed, double pause);
   /// The axes come to rest.
-  void finish() { planner_.stop(); }
+  void finish() { rest(); }
 
   std::size_t failures() const { return planner_.failures(); }
 
  private:
   void take(const Motion& motion, const MotionTime& programmed, std::uint32_t line);
-  void wait(double seconds, Spent spent);
+  void cut(const Motion& motion, const MotionTime& programmed, Spent spent);
+  void add_thread(const Motion& motion, const MotionTime& programmed, Spent spent);
+  void cut_threads();
+  void rest();
+  void stand(const Axes& at, double seconds, Spent spent);
+  void hand_out(TimedCells& cells);
 
   AxisRoles roles_;
   double tolerance_;
@@ -43,6 +55,10 @@ class AxisMotion {
   bool exact_ = true;  // the last motion ended exactly: no rounding behind it
   Planner::Sink sink_;
   Planner planner_;
+  SpindleClock spindle_;
+  ThreadChain threads_;      // not yet cut
+  Spent thread_spent_;       // of the first of them
+  double thread_angle_ = 0;  // of the spindle where the next thread begins, degrees since a zero pulse
 };
 
 }  // namespace kadr

@@ -24,6 +24,13 @@ struct TimeLaw {
   static TimeLaw from_rest(double length, double v, bool reversed);
 };
 
+/// The spindle's angle along a cell, running degrees: over the time, or with the way of the axes (rigid tapping).
+struct SpindleTurn {
+  double angle = 0, per_second = 0, per_mm = 0;
+
+  double at(double t, double way) const { return angle + per_second * t + per_mm * way; }
+};
+
 /// Cells in a row, each with the polynomial of its path.
 struct TimedCells {
   static constexpr std::size_t terms = 6;
@@ -33,7 +40,9 @@ struct TimedCells {
   std::vector<std::uint64_t> tags;  // of the piece where each begins: the caller's own
   std::vector<double> path;         // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
 
-  void clear() { laws.clear(), tags.clear(), path.clear(); }
+  std::vector<SpindleTurn> spindle{};  // of each cell; empty: nobody has told
+
+  void clear() { laws.clear(), tags.clear(), path.clear(), spindle.clear(); }
   /// Axis positions at a way along a cell.
   void position(std::size_t cell, double way, double* x) const;
   double seconds() const;
