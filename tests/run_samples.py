@@ -8,6 +8,7 @@ Programs of tests/golden, tests/cases and tests/corpus_nct, and random ones (sho
   speed, acceleration, jerk   first, second and third differences of each axis
   end                         the last sample is the machine position of the trace's last line
   path                        no sample is further from the path than the tolerance; the path: the same program followed exactly
+  surface                     polar and cylindrical interpolation: path and feed in the programmed plane, the rotary axis' own limit
   spindle                     threads and rigid tapping: where the axis is, and how far the spindle has turned, go together
 """
 import argparse
@@ -31,6 +32,9 @@ THIN = 0.003           # mm: points of the exact run nearer than this are one
 AROUND = 150           # points of the exact run, before and behind, where it is looked for
 STANDS = 1e-4          # mm: at rest at the ends of a chain of threads
 IN_STEP = 1e-6         # mm, degrees: rounding of nine decimals, and of what is reckoned from them
+NEAR_CORNER = 2        # mm
+OVER_IN_CORNER = 1.03  # of the feed in a plane: roundings are made in the axes' own
+SLOW = 0.15            # of the samples: at corners, the start and the end
 TIME_LIMIT_S = 60
 ROTARY = 'ABC'         # may roll over: they end on the same place of the turn
 MACHINE = '''id = "test"
@@ -74,6 +78,56 @@ SPINDLE_PROGRAMS = {  # nct 4.4, 18.1.9, 19.B
     'tap': (TAPS, 'G84.2 X10 Z-8 R2 P0.5 F625 S500\nX20\nM30'),
     'tap left': (TAPS, 'G84.3 X10 Z-8 R2 P0.5 F625 S500 Q3\nM30'),
 }
+
+
+POLAR = {'axes': ['X', 'Z', 'C'], 'start': {'X': 50}, 'parameters': {'N0106.C#1': 1, 'N0305.C': 3600}}
+CYLINDER = {'axes': ['X', 'Y', 'Z', 'A'], 'start': {'Z': 100}, 'parameters': {'N0106.A#1': 1}}
+SURFACE_PROGRAMS = {  # nct 4.5, 4.6: setup, radius of the cylinder or 0, feed, contour in the plane
+    'polar near the centre': (POLAR, 0, 1000, [(50, 1), (-50, 1)]),
+    'polar contour': (POLAR, 0, 1000, [(50, 10), (30, 40), (-20, 30), (-35, -10), (20, -20), (50, 0)]),
+    'polar outside': ({**POLAR, 'start': {'X': 150}}, 0, 3000, [(150, 100), (-100, 100), (-100, -50)]),
+    'cylinder': (CYLINDER, 28.65, 1500, [(0, 0), (-20, 15), (-20, 30), (10, 45.5), (0, 0)]),
+    'cylinder large': (CYLINDER, 120, 3000, [(0, 10), (-20, 150), (-80, 30.5), (0, 0)]),
+}
+
+
+def surface_programs():
+    for name, (setup, radius, feed, contour) in SURFACE_PROGRAMS.items():
+        second = 'C' if radius == 0 else 'A'
+        if radius:
+            lines = [f'G90 G17 G0 X{contour[0][0]} A0', f'G7.1 A{radius}', f'G1 A{math.degrees(contour[0][1] / radius)} F{feed}']
+            lines += [f'X{x} A{math.degrees(w / radius):.9f}' for x, w in contour[1:]] + ['G7.1 A0']
+        else:
+            lines = [f'G90 G17 G0 X{setup["start"]["X"]} C0', 'G12.1', f'G1 X{contour[0][0]} C{contour[0][1]} F{feed}']
+            lines += [f'X{x} {second}{w}' for x, w in contour[1:]] + ['G13.1']
+        yield f'surface {name}', 'nct', setup, '\n'.join(lines) + '\nM30'
+
+
+def off_surface(name, names, rows):
+    setup, radius, feed, contour = SURFACE_PROGRAMS[name.removeprefix('surface ')]
+    x, rotary = names.index('X') + 1, names.index('C' if radius == 0 else 'A') + 1
+    def flat(row):
+        angle = math.radians(row[rotary])
+        return (row[x] * math.cos(angle), row[x] * math.sin(angle)) if radius == 0 else (row[x], radius * angle)
+    plane = [flat(row) for row in rows]
+    begin = min(range(len(plane)), key=lambda i: math.dist(plane[i], contour[0]))
+    faults, speeds, most = [], [], 0
+    for i in range(begin, len(rows) - 2):
+        away = min(distance(plane[i], a, b) for a, b in zip(contour, contour[1:]))
+        if away > TOLERANCE + EXACT_PATH:
+            faults.append(f'{away:.4f} mm off the contour at {rows[i][0]:.3f} s')
+        speeds.append(math.dist(plane[i], plane[i + 1]) / (rows[i + 1][0] - rows[i][0]) * 60)
+        corner = min(math.dist(plane[i], point) for point in contour) < NEAR_CORNER
+        if speeds[-1] > feed * (OVER_IN_CORNER if corner else OVER):
+            faults.append(f'{speeds[-1]:.1f} mm/min at {rows[i][0]:.3f} s')
+        most = max(most, abs(rows[i + 1][rotary] - rows[i][rotary]) / (rows[i + 1][0] - rows[i][0]) * 60)
+    limit = setup['parameters'].get('N0305.C', math.inf)
+    if most > limit * OVER:
+        faults.append(f'the rotary axis at {most:.1f} degrees/min')
+    slow = sum(speed < 0.95 * feed for speed in speeds) / len(speeds)
+    if most < 0.95 * limit and slow > SLOW:
+        faults.append(f'{100 * slow:.0f} % of the samples are slow')
+    return faults
 
 
 def spindle_programs():
@@ -259,6 +313,8 @@ def check(kadr, folder, item):
     allowed = max(TOLERANCE, 0.1 if 'G64 P0.1' in text else 0) + EXACT_PATH
     if away > allowed:
         faults.append(f'{away:.4f} mm from the path at {when:.3f} s')
+    if name.startswith('surface'):
+        faults += off_surface(name, names, rows)
     if name.startswith('spindle'):
         faults += out_of_step(actions, names, rows, spindle)
     return name, faults, len(rows)
@@ -273,7 +329,7 @@ def main():
     parser.add_argument('--only', default='')
     options = parser.parse_args()
     kadr = str(Path(options.kadr).resolve())
-    every = [*programs_of_cases()][::options.every] + [*spindle_programs()] + [*random_programs(random.Random(options.seed), options.random)]
+    every = [*programs_of_cases()][::options.every] + [*spindle_programs(), *surface_programs()] + [*random_programs(random.Random(options.seed), options.random)]
     every = [item for item in every if options.only in item[0]]
     sampled_any = failed = 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/tolerance.h"
-#include "path/machine_path.h"
+#include "motion/pace.h"
 
 namespace kadr {
 namespace {
@@ -34,6 +34,16 @@ double distance(const Axes& from, const Axes& to) {
   double squares = 0;
   for (std::size_t a = 0; a < max_axes; ++a) squares += (to[a] - from[a]) * (to[a] - from[a]);
   return std::sqrt(squares);
+}
+
+/// A degree of the rotary axis of a surface moves the tool by more than a mm where the radius is above 180/π: the tolerance is as much
+/// less.
+double degrees_for_mm(const Curve& curve, const Motion& motion) {
+  if (curve.surface() == PathSurface::plane) return 1;
+  const MotionDetail& detail = *motion.detail;
+  const double radius =
+      curve.surface() == PathSurface::cylinder ? detail.radius : std::max(length(detail.flat_from), length(detail.flat_to));
+  return 1 / std::max(1.0, radius * rad_per_deg);
 }
 
 }  // namespace
@@ -69,6 +79,7 @@ AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, doubl
       sink_(std::move(sink)),
       planner_(limits, [this](TimedCells& cells) { hand_out(cells); }),
       threads_(limits) {
+  for (std::size_t a = 0; a < limits.speed.size(); ++a) rapid_[a] = limits.speed[a] * 60;
   planner_.begin(position_.machine.data());
   threads_.begin(position_.machine);
 }
@@ -150,24 +161,44 @@ void AxisMotion::cut_threads() {
   exact_ = true;
 }
 
+/// The speed of each piece of a motion, mm/s between its ends; the last one counts for all that follow.
+std::vector<double> AxisMotion::feeds(const Curve& curve, const MachinePath& path, const Motion& motion, const MotionTime& programmed,
+                                      int pieces) const {
+  if (!(programmed.seconds > 0)) return {unlimited_feed};
+  std::vector<double> ways, minutes;
+  double length = 0, sum = 0;
+  Axes last = path.start();
+  const Pace pace(roles_, curve, motion, programmed.feed, rapid_);
+  const bool even = curve.surface() == PathSurface::plane;
+  for (int i = 1; i <= pieces; ++i) {
+    const Axes to = path.at(static_cast<double>(i) / pieces);
+    const double way = distance(last, to);
+    length += way;
+    last = to;
+    if (even) continue;
+    ways.push_back(way);
+    minutes.push_back(pace.minutes(static_cast<double>(i - 1) / pieces, static_cast<double>(i) / pieces));
+    sum += minutes.back();
+  }
+  if (even || !(sum > 0)) return {length / programmed.seconds};
+  for (std::size_t i = 0; i < ways.size(); ++i) ways[i] *= sum / (minutes[i] * programmed.seconds);
+  return ways;
+}
+
 void AxisMotion::cut(const Motion& motion, const MotionTime& programmed, Spent spent) {
   const MachinePath path(roles_, position_, motion);
+  const Curve curve(roles_, position_.work, motion);
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
-  const double tolerance = motion.tolerance > 0 ? motion.tolerance : tolerance_;
+  const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
   const double junction = exact_ ? 0 : tolerance;
-  const int pieces = Curve(roles_, position_.work, motion).pieces(chord_of_tolerance * rounding);
-  const auto point = [&](int i) { return path.at(static_cast<double>(i) / pieces); };
-  double length = 0;
-  Axes last = position_.machine;
-  for (int i = 1; i <= pieces; ++i) {
-    const Axes to = point(i);
-    length += distance(last, to);
-    last = to;
-  }
-  const double feed = programmed.seconds > 0 ? length / programmed.seconds : unlimited_feed;
+  const int pieces = curve.pieces(chord_of_tolerance * rounding);
+  const std::vector<double> speeds = feeds(curve, path, motion, programmed, pieces);
   const std::uint64_t tag = spent.tag() | spindle_.mark();
-  for (int i = 1; i <= pieces; ++i) planner_.line_to(point(i).data(), feed, i == 1 ? junction : rounding, i > 1, tag);
+  for (int i = 1; i <= pieces; ++i) {
+    const double feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];
+    planner_.line_to(path.at(static_cast<double>(i) / pieces).data(), feed, i == 1 ? junction : rounding, i > 1, tag);
+  }
   exact_ = stops;
   if (stops) planner_.stop();
 }

@@ -8,6 +8,7 @@
 #include "motion/planner.h"
 #include "motion/spindle_clock.h"
 #include "motion/thread_chain.h"
+#include "path/machine_path.h"
 
 namespace kadr {
 
@@ -43,6 +44,8 @@ class AxisMotion {
  private:
   void take(const Motion& motion, const MotionTime& programmed, std::uint32_t line);
   void cut(const Motion& motion, const MotionTime& programmed, Spent spent);
+  std::vector<double> feeds(const Curve& curve, const MachinePath& path, const Motion& motion, const MotionTime& programmed,
+                            int pieces) const;
   void add_thread(const Motion& motion, const MotionTime& programmed, Spent spent);
   void cut_threads();
   void rest();
@@ -51,6 +54,7 @@ class AxisMotion {
 
   AxisRoles roles_;
   double tolerance_;
+  Axes rapid_{};  // mm/min or degrees/min
   ToolPosition position_;
   bool exact_ = true;  // the last motion ended exactly: no rounding behind it
   Planner::Sink sink_;
