@@ -9,6 +9,7 @@ Programs of tests/golden, tests/cases and tests/corpus_nct, and random ones (sho
   end                         the last sample is the machine position of the trace's last line
   path                        no sample is further from the path than the tolerance; the path: the same program followed exactly
   surface                     polar and cylindrical interpolation: path and feed in the programmed plane, the rotary axis' own limit
+  smoothing                   G5.1 Q2 within N3104 of the programmed chords and through their ends, Q3 within N3106
   spindle                     threads and rigid tapping: where the axis is, and how far the spindle has turned, go together
 """
 import argparse
@@ -101,6 +102,41 @@ def surface_programs():
             lines = [f'G90 G17 G0 X{setup["start"]["X"]} C0', 'G12.1', f'G1 X{contour[0][0]} C{contour[0][1]} F{feed}']
             lines += [f'X{x} {second}{w}' for x, w in contour[1:]] + ['G13.1']
         yield f'surface {name}', 'nct', setup, '\n'.join(lines) + '\nM30'
+
+
+WAVE = [(x / 2, 5 * math.sin(x / 16)) for x in range(0, 120)]
+SMOOTH_PROGRAMS = {  # nct 4.7: Q, its tolerance, mm; N3100 to N3102; points
+    'q2': (2, 0.02, (5, 0, 20), WAVE),
+    'q2 large turns': (2, 0.2, (5, 0, 80), [(x, (x % 3) * 0.4) for x in range(0, 60)]),
+    'q3': (3, 0.02, (5, 0, 20), WAVE),
+    'q3 large': (3, 0.2, (50, 0, 100), [(x, (x % 3) * 0.7) for x in range(0, 60)]),
+    'q3 corners': (3, 0.05, (50, 0, 30), [(0, 0), (10, 0), (20, 1), (30, 3), (30, 20), (31, 30), (10, 30)]),
+}
+
+
+def smooth_programs():
+    for name, (q, tolerance, (longest, shortest, angle), points) in SMOOTH_PROGRAMS.items():
+        setup = {'parameters': {'N3100': longest, 'N3101': shortest, 'N3102': angle, 'N3104' if q == 2 else 'N3106': tolerance}}
+        lines = [f'G90 G0 X{points[0][0]} Y{points[0][1]:.4f}', f'G5.1 Q{q} X0 Y0', 'G1 F4000']
+        lines += [f'X{x} Y{y:.4f}' for x, y in points[1:]] + ['G5.1 Q0', 'M30']
+        yield f'smoothing {name}', 'nct', setup, '\n'.join(lines)
+
+
+def off_chords(name, rows):
+    """Of the run on a machine that rounds nothing by itself."""
+    q, tolerance, _, points = SMOOTH_PROGRAMS[name.removeprefix('smoothing ')]
+    points = [(x, round(y, 4)) for x, y in points]
+    begin = min(range(len(rows)), key=lambda i: math.dist(rows[i][1:3], points[0]))
+    path = [row[1:3] for row in rows[begin:]]
+    away = max(min(distance(p, a, b) for a, b in zip(points, points[1:])) for p in path)
+    faults = [f'{away:.4f} mm off the chords'] if away > tolerance + EXACT_PATH / 5 else []
+    if away < tolerance / 50:
+        faults.append(f'only {away:.5f} mm off the chords: not smoothed')
+    if q == 2:
+        missed = max(min(distance(p, a, b) for a, b in zip(path, path[1:]) if math.dist(a, p) < 1) for p in points)
+        if missed > EXACT_PATH / 5:
+            faults.append(f'{missed:.4f} mm beside a programmed point')
+    return faults
 
 
 def off_surface(name, names, rows):
@@ -313,6 +349,8 @@ def check(kadr, folder, item):
     allowed = max(TOLERANCE, 0.1 if 'G64 P0.1' in text else 0) + EXACT_PATH
     if away > allowed:
         faults.append(f'{away:.4f} mm from the path at {when:.3f} s')
+    if name.startswith('smoothing'):
+        faults += off_chords(name, exact)
     if name.startswith('surface'):
         faults += off_surface(name, names, rows)
     if name.startswith('spindle'):
@@ -329,7 +367,7 @@ def main():
     parser.add_argument('--only', default='')
     options = parser.parse_args()
     kadr = str(Path(options.kadr).resolve())
-    every = [*programs_of_cases()][::options.every] + [*spindle_programs(), *surface_programs()] + [*random_programs(random.Random(options.seed), options.random)]
+    every = [*programs_of_cases()][::options.every] + [*spindle_programs(), *surface_programs(), *smooth_programs()] + [*random_programs(random.Random(options.seed), options.random)]
     every = [item for item in every if options.only in item[0]]
     sampled_any = failed = 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:

@@ -67,7 +67,7 @@ class Sampled {
         motion_(roles_, motion_limits(job.profile, channel.setup, channel.control->axes()), job.profile.tolerance, stand,
                 [this](const TimedCells& cells) { writer_.take(cells); }) {
     estimate_.spindle(channel.setup.spindle().rpm);
-    motion_.spindle(channel.setup.spindle());
+    motion_.start(channel.setup, channel.control->axes());
   }
 
   /// An action of the program, behind the machine.

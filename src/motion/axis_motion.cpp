@@ -78,10 +78,18 @@ AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, doubl
       position_(start),
       sink_(std::move(sink)),
       planner_(limits, [this](TimedCells& cells) { hand_out(cells); }),
+      line_([this](const Axes& to, double feed, double corner, bool on_curve, std::uint64_t tag) {
+        planner_.line_to(to.data(), feed, corner, on_curve, tag);
+      }),
       threads_(limits) {
   for (std::size_t a = 0; a < limits.speed.size(); ++a) rapid_[a] = limits.speed[a] * 60;
   planner_.begin(position_.machine.data());
   threads_.begin(position_.machine);
+}
+
+void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes) {
+  spindle_.start(setup.spindle());
+  smoothing_ = Smoothing(smoothing_rules(setup, axes));
 }
 
 void AxisMotion::hand_out(TimedCells& cells) {
@@ -91,6 +99,7 @@ void AxisMotion::hand_out(TimedCells& cells) {
 
 void AxisMotion::rest() {
   cut_threads();
+  end_smoothing();
   planner_.stop();
 }
 
@@ -102,9 +111,9 @@ void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
 }
 
 void AxisMotion::take(const Action& action, const MotionTime& programmed, double pause) {
-  if (const auto* const motion = std::get_if<Motion>(&action.what)) {
-    take(*motion, programmed, action.origin.line);
-  } else if (pause > 0 || needs_rest(action)) {
+  if (const auto* const motion = std::get_if<Motion>(&action.what)) return take(*motion, programmed, action.origin.line);
+  end_smoothing();
+  if (pause > 0 || needs_rest(action)) {
     rest();
     stand(position_.machine, pause,
           {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line});
@@ -119,11 +128,19 @@ void AxisMotion::take(const Action& action, const MotionTime& programmed, double
 void AxisMotion::take(const Motion& motion, const MotionTime& programmed, std::uint32_t line) {
   const bool rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
   const Spent spent{rapid ? Spent::On::rapid : Spent::On::cutting, line};
-  if (motion.kind == MotionKind::thread && programmed.seconds > 0 && Curve(roles_, position_.work, motion).straight())
-    return add_thread(motion, programmed, spent);
-  cut_threads();
-  const bool taps = motion.detail && motion.detail->turn;
-  if (!taps) return cut(motion, programmed, spent);
+  const bool line_in_time = programmed.seconds > 0 && Curve(roles_, position_.work, motion).straight();
+  const bool thread = motion.kind == MotionKind::thread && line_in_time, smooths = motion.smoothing != 0 && line_in_time;
+  if (!thread) cut_threads();
+  if (!smooths) end_smoothing();
+  if (thread) add_thread(motion, programmed, spent);
+  else if (smooths) smooth(motion, programmed, spent);
+  else if (motion.detail && motion.detail->turn) tap(motion, programmed, spent);
+  else cut(motion, programmed, spent);
+  position_.take(motion);
+}
+
+/// The spindle turns with the axis (nct 18.1.9).
+void AxisMotion::tap(const Motion& motion, const MotionTime& programmed, Spent spent) {
   rest();
   const double way = distance(position_.machine, motion.machine);
   if (way > 0) spindle_.couple(*motion.detail->turn / way);
@@ -132,6 +149,15 @@ void AxisMotion::take(const Motion& motion, const MotionTime& programmed, std::u
   exact_ = true;
   spindle_.release();
 }
+
+void AxisMotion::smooth(const Motion& motion, const MotionTime& programmed, Spent spent) {
+  const Axes& from = position_.machine;
+  const double feed = distance(from, motion.machine) / programmed.seconds;
+  smoothing_.take({from, motion.machine, feed, exact_ ? 0 : tolerance_, spent.tag() | spindle_.mark(), motion.smoothing}, line_);
+  exact_ = false;
+}
+
+void AxisMotion::end_smoothing() { smoothing_.finish(line_); }
 
 /// Several in a row go on without a stop; only the first waits for the spindle (nct 4.4).
 void AxisMotion::add_thread(const Motion& motion, const MotionTime& programmed, Spent spent) {

@@ -6,6 +6,7 @@
 #include "config/setup.h"
 #include "motion/estimate.h"
 #include "motion/planner.h"
+#include "motion/smoothing.h"
 #include "motion/spindle_clock.h"
 #include "motion/thread_chain.h"
 #include "path/machine_path.h"
@@ -31,8 +32,8 @@ class AxisMotion {
   AxisMotion(const AxisMotion&) = delete;  // the planner points back to it
   AxisMotion& operator=(const AxisMotion&) = delete;
 
-  /// How the main spindle turns at the start.
-  void spindle(const SpindleSetup& setup) { spindle_.start(setup); }
+  /// How the main spindle turns at the start, and the parameters of smoothing.
+  void start(const Setup& setup, const std::vector<std::string>& axes);
 
   /// An action, with its time by programmed feed: TimeEstimate or Statistics.
   void take(const Action& action, const MotionTime& programmed, double pause);
@@ -46,6 +47,9 @@ class AxisMotion {
   void cut(const Motion& motion, const MotionTime& programmed, Spent spent);
   std::vector<double> feeds(const Curve& curve, const MachinePath& path, const Motion& motion, const MotionTime& programmed,
                             int pieces) const;
+  void tap(const Motion& motion, const MotionTime& programmed, Spent spent);
+  void smooth(const Motion& motion, const MotionTime& programmed, Spent spent);
+  void end_smoothing();
   void add_thread(const Motion& motion, const MotionTime& programmed, Spent spent);
   void cut_threads();
   void rest();
@@ -60,6 +64,8 @@ class AxisMotion {
   Planner::Sink sink_;
   Planner planner_;
   SpindleClock spindle_;
+  Smoothing smoothing_;
+  Smoothing::Line line_;     // to the planner
   ThreadChain threads_;      // not yet cut
   Spent thread_spent_;       // of the first of them
   double thread_angle_ = 0;  // of the spindle where the next thread begins, degrees since a zero pulse

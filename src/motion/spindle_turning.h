@@ -19,7 +19,7 @@ struct SpindleTurning {
     rpm = spindle.rpm;
     reversed = spindle.dir == SpindleDir::ccw;
   }
-  void take(const Speed& speed) { rpm = speed.surface ? 0 : speed.value; }
+  void take(const Speed& speed) { rpm = speed.surface ? speed.rpm : speed.value; }
 };
 
 }  // namespace kadr
