@@ -130,7 +130,7 @@ class RunCommand {
       const AxisMask rotary = channel.control->rotary();
       if (files.trace != nullptr) view.trace.emplace(files.trace, axes, rotary, stand, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
-      if (channels.size() == 1) look_ahead(view, channel, rates, stand);
+      if (channels.size() == 1) look_ahead(view, channel, rates, stand, job.profile.tolerance);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
       if (files.samples != nullptr) view.sampled = std::make_unique<Sampled>(files.samples, channel, job, stand, options.rate);
@@ -149,10 +149,11 @@ class RunCommand {
 
  private:
   /// Several channels wait for each other by their programmed times: their speeds are not planned.
-  static void look_ahead(View& view, const Channel& channel, const Rates& rates, const ToolPosition& stand) {
+  static void look_ahead(View& view, const Channel& channel, const Rates& rates, const ToolPosition& stand, double tolerance) {
     const Control& control = *channel.control;
     SpeedRules rules = speed_rules(channel.setup, control.axes());
     if (control.has_machine_parameters()) obey_parameters(rules, channel.setup, control.axes());
+    else rules.blend = tolerance;  // INFERRED: of all that state no limit at corners
     if (!rules.in_force) return;
     view.statistics.count_by(rules.accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
     view.look_ahead.emplace(AxisRoles::of(control.axes(), control.rotary()), rules, rates.rapid, stand,
