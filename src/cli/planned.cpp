@@ -14,15 +14,14 @@ Planned::Planned(const Channel& channel, const Job& job, const ToolPosition& sta
       limits_(motion_limits(job.profile, channel.setup, axes_)),
       motion_(roles_, limits_, job.profile.tolerance, stand, [this](const TimedCells& cells) { see(cells); }) {
   estimate_.spindle(channel.setup.spindle().rpm);
+  motion_.start(channel.setup, axes_);
 }
 
-void Planned::write_samples(std::FILE* file, double rate, const std::vector<OverrideChange>& changes) {
-  writer_.emplace(file, axes_, limits_, rate, changes);
-}
+void Planned::write_samples(std::FILE* file, const SampleOptions& options) { writer_.emplace(file, axes_, limits_, options); }
 
 void Planned::colour(Plot& plot) {
   coloured_ = &plot;
-  motion_.on_motion = [&plot](double way) { plot.shaded().set_end(way); };
+  motion_.on_motion = [&plot](std::uint64_t number, double way) { plot.shaded().set_motion(number, way); };
 }
 
 void Planned::see(const TimedCells& cells) {

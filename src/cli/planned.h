@@ -19,8 +19,8 @@ class Planned {
   Planned(const Planned&) = delete;  // the planner calls it back
   Planned& operator=(const Planned&) = delete;
 
-  /// Positions at `rate` Hz, under these overrides; the file stays the caller's.
-  void write_samples(std::FILE* file, double rate, const std::vector<OverrideChange>& changes);
+  /// The file stays the caller's.
+  void write_samples(std::FILE* file, const SampleOptions& options);
 
   /// Finds the lines that lose most time.
   void ask_why() { lost_time_.emplace(limits_); }

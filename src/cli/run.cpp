@@ -55,6 +55,11 @@ bool needs_planner(const Options& options) {
   return !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
 }
 
+/// A control with threads moves axes in step with the spindle.
+bool has_threads(const ControlDef& def) {
+  return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
+}
+
 /// What looks at one channel.
 struct View {
   View(const Channel& channel, const Rates& rates, const ToolPosition& stand)
@@ -88,11 +93,11 @@ class RunCommand {
       const AxisMask rotary = channel.control->rotary();
       if (files.trace != nullptr) view.trace.emplace(files.trace, axes, rotary, stand, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
-      if (channels.size() == 1) look_ahead(view, channel, rates, stand);
+      if (channels.size() == 1) look_ahead(view, channel, rates, stand, job.profile.tolerance);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
       if (needs_planner(options)) view.planned = std::make_unique<Planned>(channel, job, stand);
-      if (files.samples != nullptr) view.planned->write_samples(files.samples, options.rate, options.overrides);
+      if (files.samples != nullptr) view.planned->write_samples(files.samples, {options.rate, options.overrides, has_threads(*job.def)});
       if (!options.plot_speed.empty()) view.planned->record_speed();
       if (!options.colour.empty()) {
         view.plot->colour_by(options.colour == "speed" ? PlotColour::speed : PlotColour::limit);
@@ -115,10 +120,11 @@ class RunCommand {
 
  private:
   /// Several channels wait for each other by their programmed times: their speeds are not planned.
-  static void look_ahead(View& view, const Channel& channel, const Rates& rates, const ToolPosition& stand) {
+  static void look_ahead(View& view, const Channel& channel, const Rates& rates, const ToolPosition& stand, double tolerance) {
     const Control& control = *channel.control;
     SpeedRules rules = speed_rules(channel.setup, control.axes());
     if (control.has_machine_parameters()) obey_parameters(rules, channel.setup, control.axes());
+    else rules.blend = tolerance;  // INFERRED: of all that state no limit at corners
     if (!rules.in_force) return;
     view.statistics.count_by(rules.accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
     view.look_ahead.emplace(AxisRoles::of(control.axes(), control.rotary()), rules, rates.rapid, stand,

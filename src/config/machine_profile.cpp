@@ -33,6 +33,17 @@ Done positive(const std::string& file, const toml::table& table, std::string_vie
   return {};
 }
 
+/// `planner`, if the key is there.
+Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to) {
+  const toml::node* const node = table.get("planner");
+  if (node == nullptr) return {};
+  const auto word = node->value<std::string_view>();
+  if (word == "control") to = PlannerMode::control;
+  else if (word == "optimal") to = PlannerMode::optimal;
+  else return Failed(place(file, *node) + "'planner' must be \"control\" or \"optimal\"");
+  return {};
+}
+
 tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const std::string& name, const toml::node& node) {
   const toml::table* const row = node.as_table();
   if (row == nullptr) return Failed(place(file, node) + "axis " + name + " must be a table: { rapid = …, limits = [least, most] }");
@@ -57,7 +68,7 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
 
 tl::expected<MachineProfile, std::string> profile_of(const std::string& file, const toml::table& table) {
   MachineProfile profile;
-  if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "axes"}); !done)
+  if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes"}); !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
   if (profile.id.empty()) return Failed(file + ": id is missing");
@@ -69,6 +80,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
   if (auto done = positive(file, table, "tool_change", profile.tool_change_s); !done) return Failed(done.error());
   if (auto done = positive(file, table, "spindle_start", profile.spindle_start_s); !done) return Failed(done.error());
   if (auto done = positive(file, table, "tolerance", profile.tolerance); !done) return Failed(done.error());
+  if (auto done = mode_of(file, table, profile.planner); !done) return Failed(done.error());
   const toml::table* const axes = table["axes"].as_table();
   if (axes == nullptr) return Failed(file + ": [axes] is missing");
   for (const auto& [name, node] : *axes) {

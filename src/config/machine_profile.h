@@ -1,6 +1,7 @@
 #pragma once
 // machines/*.toml: what a machine can do. Times and limits only; the control does not know it.
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <tl/expected.hpp>
@@ -15,6 +16,9 @@ struct AxisProfile {
   double jerk = 10000;        // mm/s³ or degrees/s³
 };
 
+/// Whose speed counts for the machine: that which the control of old makes (docs/motion.md), or the least time (docs/planner.md).
+enum class PlannerMode : std::uint8_t { control, optimal };
+
 struct MachineProfile {
   std::string id = "generic";
   std::string name_en = "generic three-axis mill";
@@ -23,6 +27,7 @@ struct MachineProfile {
   double tool_change_s = 10;
   double spindle_start_s = 0;
   double tolerance = 0.01;  // mm: how far a corner may be rounded where the program does not say
+  PlannerMode planner = PlannerMode::control;
 };
 
 /// `name`: built-in id, or a file that ends with .toml.

@@ -136,6 +136,7 @@ struct Motion {
   double turns = 0;                               // swept angle / 360, positive; the radius changes linearly with the angle
   double feed = 0;                                // as commanded, in `unit`
   double tolerance = 0;                           // mm; how far the path may be rounded in constant-velocity mode; 0: not stated
+  std::uint8_t smoothing = 0;                     // Q of G5.1 in force for it: 2 smooth, 3 fine (nct 4.7); 0: none
   std::int8_t side = 0;                           // of the path that the tool is on: +1 left, -1 right; 0: no compensation
   SideStep side_step = SideStep::none;            //
   CornerJoin join_corner = CornerJoin::extended;  // with the next motion
@@ -164,6 +165,7 @@ struct Speed {
   bool surface;
   std::uint8_t number = 1;  // of the spindle
   std::uint8_t range = 0;   // gear range that follows from it; 0: none
+  double rpm = 0;           // of a speed at the surface: what it makes where it is commanded
 };
 enum class Coolant : std::uint8_t { off, mist, flood };
 struct CoolantSwitch {

@@ -53,6 +53,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
   motion.tolerance = modal.blend_tolerance;
   motion.join = 0;
+  motion.smoothing = 0;
   motion.side = 0;
   motion.side_step = SideStep::none;
   motion.tool_radius = 0;

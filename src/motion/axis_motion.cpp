@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/tolerance.h"
-#include "path/machine_path.h"
+#include "motion/pace.h"
 
 namespace kadr {
 namespace {
@@ -27,6 +27,22 @@ bool needs_rest(const Action& action) {
   return std::holds_alternative<Dwell>(action.what) || std::holds_alternative<Stop>(action.what) ||
          std::holds_alternative<ToolChange>(action.what) || std::holds_alternative<Sync>(action.what) ||
          std::holds_alternative<Spindle>(action.what) || std::holds_alternative<MachineFunction>(action.what);
+}
+
+double distance(const Axes& from, const Axes& to) {
+  double squares = 0;
+  for (std::size_t a = 0; a < max_axes; ++a) squares += (to[a] - from[a]) * (to[a] - from[a]);
+  return std::sqrt(squares);
+}
+
+/// A degree of the rotary axis of a surface moves the tool by more than a mm where the radius is above 180/π: the tolerance is as much
+/// less.
+double degrees_for_mm(const Curve& curve, const Motion& motion) {
+  if (curve.surface() == PathSurface::plane) return 1;
+  const MotionDetail& detail = *motion.detail;
+  const double radius =
+      curve.surface() == PathSurface::cylinder ? detail.radius : std::max(length(detail.flat_from), length(detail.flat_to));
+  return 1 / std::max(1.0, radius * rad_per_deg);
 }
 
 }  // namespace
@@ -55,53 +71,182 @@ MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, co
   return limits;
 }
 
-AxisMotion::AxisMotion(const AxisRoles& roles, MotionLimits limits, double tolerance, const ToolPosition& start, Planner::Sink sink)
-    : roles_(roles), tolerance_(tolerance), position_(start), sink_(sink), planner_(std::move(limits), std::move(sink)) {
+AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink)
+    : roles_(roles),
+      tolerance_(tolerance),
+      position_(start),
+      sink_(std::move(sink)),
+      planner_(limits, [this](TimedCells& cells) { hand_out(cells); }),
+      line_([this](const Axes& to, double feed, double corner, bool on_curve, std::uint64_t tag) {
+        planner_.line_to(to.data(), feed, corner, on_curve, tag);
+      }),
+      threads_(limits) {
+  for (std::size_t a = 0; a < limits.speed.size(); ++a) rapid_[a] = limits.speed[a] * 60;
   planner_.begin(position_.machine.data());
+  threads_.begin(position_.machine);
 }
 
-void AxisMotion::wait(double seconds, Spent spent) {
+void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes) {
+  spindle_.start(setup.spindle());
+  smoothing_ = Smoothing(smoothing_rules(setup, axes));
+}
+
+/// What is planned from here on belongs to this motion: the tag of its cells until they are handed out.
+std::uint64_t AxisMotion::record(Spent spent) {
+  records_.push_back({++motions_, spent.tag(), spindle_.per_second()});
+  return motions_;
+}
+
+/// Numbers of records become what is told of them.
+void AxisMotion::hand_out(TimedCells& cells) {
+  cells.spindle.clear();
+  for (std::size_t k = 0; k < cells.laws.size(); ++k) {
+    CellSource& source = cells.sources[k];
+    while (records_.front().motion < source.tag) records_.pop_front();
+    const Record& record = records_.front();
+    source.tag = record.spent;
+    source.motion = record.motion;
+    cells.spindle.push_back(spindle_.turn(record.spindle, cells.laws[k]));
+  }
+  sink_(cells);
+}
+
+void AxisMotion::rest() {
+  cut_threads();
+  end_smoothing();
   planner_.stop();
+}
+
+void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
   if (!(seconds > 0)) return;
   TimedCells still{roles_.count, {TimeLaw{seconds, 0, true, 0, 0, 0}}, {{spent.tag()}}, {}};
-  for (std::size_t a = 0; a < roles_.count; ++a) still.path.insert(still.path.end(), {position_.machine[a], 0, 0, 0, 0, 0});
+  for (std::size_t a = 0; a < roles_.count; ++a) still.path.insert(still.path.end(), {at[a], 0, 0, 0, 0, 0});
+  still.spindle.push_back(spindle_.turn(spindle_.per_second(), still.laws[0]));
   sink_(still);
 }
 
 void AxisMotion::take(const Action& action, const MotionTime& programmed, double pause) {
-  if (const auto* const motion = std::get_if<Motion>(&action.what)) {
-    take(*motion, programmed, action.origin);
-  } else if (pause > 0 || needs_rest(action)) {
-    wait(pause,
-         {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line, action.origin.file});
+  if (const auto* const motion = std::get_if<Motion>(&action.what)) return take(*motion, programmed, action.origin);
+  end_smoothing();
+  if (pause > 0 || needs_rest(action)) {
+    rest();
+    stand(position_.machine, pause,
+          {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line, action.origin.file});
     exact_ = true;
+  } else if (std::holds_alternative<Speed>(action.what)) {
+    cut_threads();
   }
+  spindle_.take(action);
   position_.take(action);
 }
 
 void AxisMotion::take(const Motion& motion, const MotionTime& programmed, const Origin& origin) {
-  const MachinePath path(roles_, position_, motion);
   const bool rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
+  const Spent spent{rapid ? Spent::On::rapid : Spent::On::cutting, origin.line, origin.file};
+  const bool line_in_time = programmed.seconds > 0 && Curve(roles_, position_.work, motion).straight();
+  const bool thread = motion.kind == MotionKind::thread && line_in_time, smooths = motion.smoothing != 0 && line_in_time;
+  const bool taps = motion.detail && motion.detail->turn;
+  if (!thread) cut_threads();
+  if (!smooths) end_smoothing();
+  if (taps) couple(motion);
+  if (thread) add_thread(motion, programmed, spent);
+  else if (smooths) smooth(motion, programmed, record(spent));
+  else cut(motion, programmed, record(spent));
+  if (taps) release();
+  position_.take(motion);
+}
+
+/// The spindle turns with the axis (nct 18.1.9).
+void AxisMotion::couple(const Motion& motion) {
+  rest();
+  const double way = distance(position_.machine, motion.machine);
+  if (way > 0) spindle_.couple(*motion.detail->turn / way);
+}
+
+void AxisMotion::release() {
+  rest();
+  exact_ = true;
+  spindle_.release();
+}
+
+void AxisMotion::smooth(const Motion& motion, const MotionTime& programmed, std::uint64_t number) {
+  const Axes& from = position_.machine;
+  const double way = distance(from, motion.machine);
+  if (on_motion) on_motion(number, way);
+  smoothing_.take({from, motion.machine, way / programmed.seconds, exact_ ? 0 : tolerance_, number, motion.smoothing}, line_);
+  exact_ = false;
+}
+
+void AxisMotion::end_smoothing() { smoothing_.finish(line_); }
+
+/// Several in a row go on without a stop; only the first waits for the spindle (nct 4.4).
+void AxisMotion::add_thread(const Motion& motion, const MotionTime& programmed, Spent spent) {
+  const bool anew = motion.detail->start_angle.has_value();
+  if (anew || threads_.full()) cut_threads();
+  if (threads_.empty()) {
+    planner_.stop();
+    threads_.begin(position_.machine);
+    thread_spent_ = spent;
+    if (anew) thread_angle_ = *motion.detail->start_angle;
+  }
+  const Axes end = MachinePath(roles_, position_, motion).end();
+  const std::uint64_t number = record(spent);
+  if (on_motion) on_motion(number, distance(position_.machine, end));
+  threads_.add(end, programmed.seconds, number);
+  if (motion.exact) cut_threads();
+}
+
+/// Where threads had to end before the last one (another speed, a function, too many) the next goes on in the same groove.
+void AxisMotion::cut_threads() {
+  if (threads_.empty()) return;
+  const Axes end = threads_.end();
+  stand(threads_.start(), spindle_.seconds_to(thread_angle_, threads_.ramp() / 2), thread_spent_);
+  TimedCells cells = threads_.cells();
+  hand_out(cells);
+  constexpr double turn = 360;
+  thread_angle_ = std::fmod(thread_angle_ + std::fabs(spindle_.per_second()) * threads_.seconds(), turn);
+  planner_.begin(end.data());
+  threads_.begin(end);
+  exact_ = true;
+}
+
+AxisMotion::Feeds AxisMotion::feeds(const Curve& curve, const MachinePath& path, const Motion& motion, const MotionTime& programmed,
+                                    int pieces) const {
+  std::vector<double> ways, minutes;
+  double length = 0, sum = 0;
+  Axes last = path.start();
+  const Pace pace(roles_, curve, motion, programmed.feed, rapid_);
+  const bool even = curve.surface() == PathSurface::plane;
+  for (int i = 1; i <= pieces; ++i) {
+    const Axes to = path.at(static_cast<double>(i) / pieces);
+    const double way = distance(last, to);
+    length += way;
+    last = to;
+    if (even || !(programmed.seconds > 0)) continue;
+    ways.push_back(way);
+    minutes.push_back(pace.minutes(static_cast<double>(i - 1) / pieces, static_cast<double>(i) / pieces));
+    sum += minutes.back();
+  }
+  if (!(programmed.seconds > 0)) return {length, {unlimited_feed}};
+  if (even || !(sum > 0)) return {length, {length / programmed.seconds}};
+  for (std::size_t i = 0; i < ways.size(); ++i) ways[i] *= sum / (minutes[i] * programmed.seconds);
+  return {length, ways};
+}
+
+void AxisMotion::cut(const Motion& motion, const MotionTime& programmed, std::uint64_t number) {
+  const MachinePath path(roles_, position_, motion);
+  const Curve curve(roles_, position_.work, motion);
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
-  const double tolerance = motion.tolerance > 0 ? motion.tolerance : tolerance_;
+  const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
   const double junction = exact_ ? 0 : tolerance;
-  const int pieces = Curve(roles_, position_.work, motion).pieces(chord_of_tolerance * rounding);
-  const auto point = [&](int i) { return path.at(static_cast<double>(i) / pieces); };
-  double length = 0;
-  Axes last = position_.machine;
+  const int pieces = curve.pieces(chord_of_tolerance * rounding);
+  const auto [length, speeds] = feeds(curve, path, motion, programmed, pieces);
+  if (on_motion) on_motion(number, length);
   for (int i = 1; i <= pieces; ++i) {
-    const Axes to = point(i);
-    double squares = 0;
-    for (std::size_t a = 0; a < roles_.count; ++a) squares += (to[a] - last[a]) * (to[a] - last[a]);
-    length += std::sqrt(squares);
-    last = to;
+    const double feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];
+    planner_.line_to(path.at(static_cast<double>(i) / pieces).data(), feed, i == 1 ? junction : rounding, i > 1, number);
   }
-  way_ += length;
-  if (on_motion) on_motion(way_);
-  const double feed = programmed.seconds > 0 ? length / programmed.seconds : unlimited_feed;
-  const std::uint64_t tag = Spent{rapid ? Spent::On::rapid : Spent::On::cutting, origin.line, origin.file}.tag();
-  for (int i = 1; i <= pieces; ++i) planner_.line_to(point(i).data(), feed, i == 1 ? junction : rounding, i > 1, tag);
   exact_ = stops;
   if (stops) planner_.stop();
 }

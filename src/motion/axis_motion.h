@@ -1,11 +1,18 @@
 #pragma once
 // AxisMotion: Actions → the axes' motion in time, by the Planner: what a motion's curve is in machine coordinates, where the axes
-// stand still, what a pause lasts.
+// stand still, what a pause lasts. Threads and rigid tapping go in step with the spindle, of which the angle comes along.
+
+#include <deque>
+#include <functional>
 
 #include "config/machine_profile.h"
 #include "config/setup.h"
 #include "motion/estimate.h"
 #include "motion/planner.h"
+#include "motion/smoothing.h"
+#include "motion/spindle_clock.h"
+#include "motion/thread_chain.h"
+#include "path/machine_path.h"
 
 namespace kadr {
 
@@ -30,29 +37,64 @@ inline constexpr double unlimited_feed = 1e6;
 class AxisMotion {
  public:
   /// `tolerance`: mm, of corners for which the program states none.
-  AxisMotion(const AxisRoles& roles, MotionLimits limits, double tolerance, const ToolPosition& start, Planner::Sink sink);
+  AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink);
+  AxisMotion(const AxisMotion&) = delete;  // the planner points back to it
+  AxisMotion& operator=(const AxisMotion&) = delete;
 
-  /// Called for each motion before it is planned, with the way of all motions up to its end: mm of what the cells' lengths add up to.
-  std::function<void(double way)> on_motion;
+  /// How the main spindle turns at the start, and the parameters of smoothing.
+  void start(const Setup& setup, const std::vector<std::string>& axes);
+
+  /// Called for each motion before it is planned: its number, CellSource::motion of its cells, and mm of what their lengths about add up
+  /// to.
+  std::function<void(std::uint64_t number, double way)> on_motion;
 
   /// An action, with its time by programmed feed: TimeEstimate or Statistics.
   void take(const Action& action, const MotionTime& programmed, double pause);
   /// The axes come to rest.
-  void finish() { planner_.stop(); }
+  void finish() { rest(); }
 
   std::size_t failures() const { return planner_.failures(); }
 
  private:
+  /// A motion of which cells are still to come.
+  struct Record {
+    std::uint64_t motion, spent;
+    double spindle;  // degrees a second
+  };
+  /// The way of a motion, mm, and the speed of each of its pieces, mm/s between its ends; the last one counts for all that follow.
+  struct Feeds {
+    double length;
+    std::vector<double> speeds;
+  };
+  std::uint64_t record(Spent spent);
   void take(const Motion& motion, const MotionTime& programmed, const Origin& origin);
-  void wait(double seconds, Spent spent);
+  void cut(const Motion& motion, const MotionTime& programmed, std::uint64_t number);
+  Feeds feeds(const Curve& curve, const MachinePath& path, const Motion& motion, const MotionTime& programmed, int pieces) const;
+  void couple(const Motion& motion);
+  void release();
+  void smooth(const Motion& motion, const MotionTime& programmed, std::uint64_t number);
+  void end_smoothing();
+  void add_thread(const Motion& motion, const MotionTime& programmed, Spent spent);
+  void cut_threads();
+  void rest();
+  void stand(const Axes& at, double seconds, Spent spent);
+  void hand_out(TimedCells& cells);
 
   AxisRoles roles_;
   double tolerance_;
+  Axes rapid_{};  // mm/min or degrees/min
   ToolPosition position_;
-  double way_ = 0;     // of all motions
+  std::deque<Record> records_;
+  std::uint64_t motions_ = 0;
   bool exact_ = true;  // the last motion ended exactly: no rounding behind it
   Planner::Sink sink_;
   Planner planner_;
+  SpindleClock spindle_;
+  Smoothing smoothing_;
+  Smoothing::Line line_;     // to the planner
+  ThreadChain threads_;      // not yet cut
+  Spent thread_spent_;       // of the first of them
+  double thread_angle_ = 0;  // of the spindle where the next thread begins, degrees since a zero pulse
 };
 
 }  // namespace kadr

@@ -139,6 +139,13 @@ double junction_speed(const SpeedRules& rules, const PathShape& before, const Pa
   return std::min(corner, speed_in_bend(rules.arc_step, change(before.end_bend, after.start_bend)));
 }
 
+double blend_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after, double tolerance) {
+  const Axes turn = change(before.end, after.start);
+  const double by_speed = 1 / slowest(rules.acceleration, turn);  // t/v
+  if (size(turn) <= tol::tangential || !(by_speed > 0)) return unlimited;
+  return std::sqrt(std::min(8 * tolerance / size(turn), std::min(before.length, after.length)) / by_speed);
+}
+
 Axes bend_between(const PathShape& before, const PathShape& after) {
   if (!before.line || !after.line) return {};
   Axes all = change(before.end, after.start);

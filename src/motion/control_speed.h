@@ -34,6 +34,12 @@ double block_speed(const SpeedRules& rules, const Motion& motion, const PathShap
 /// blocks' own.
 double junction_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after);
 
+/// The highest speed with which a corner may be passed in constant-velocity mode (Mach3 G64). INFERRED, no manual of such a control
+/// says more than that the next motion begins while the last slows down: with Δu the change of direction, the axes change their speeds
+/// evenly within t = v·max |Δu_i|/A_i; meanwhile the path leaves the corner by v·|Δu|·t/8, at most `tolerance`, and each motion gives
+/// half of its way to its corners.
+double blend_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after, double tolerance);
+
 /// du/ds by axis where two lines meet, 1/mm; zero if they are not two lines. INFERRED (7.2): κ = 2·(u2 − u1)/(L1 + L2).
 Axes bend_between(const PathShape& before, const PathShape& after);
 

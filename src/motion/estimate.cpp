@@ -46,7 +46,7 @@ std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& 
 
 TimeEstimate::TimeEstimate(const AxisRoles& roles, const Rates& rates) : roles_(roles), rates_(rates) {}
 
-TimeEstimate::Turning& TimeEstimate::spindle_of(std::size_t number) {
+SpindleTurning& TimeEstimate::spindle_of(std::size_t number) {
   if (number >= spindles_.size()) spindles_.resize(number + 1);
   return spindles_[number];
 }
@@ -112,13 +112,12 @@ void TimeEstimate::other(const Action& action) {
   if (const auto* dwell = std::get_if<Dwell>(&action.what)) {
     split_.dwell += dwell->seconds;
   } else if (const auto* spindle = std::get_if<Spindle>(&action.what)) {
-    Turning& turning = spindle_of(spindle->number);
-    const bool starts = spindle->dir == SpindleDir::cw || spindle->dir == SpindleDir::ccw;
-    if (starts && !(turning.on && turning.rpm > 0)) split_.tool_change += rates_.spindle_start_s;
-    turning.on = starts;
-    if (starts) turning.rpm = spindle->rpm;
+    SpindleTurning& turning = spindle_of(spindle->number);
+    const bool stood = !(turning.now() > 0);
+    turning.take(*spindle);
+    if (turning.on && stood) split_.tool_change += rates_.spindle_start_s;
   } else if (const auto* speed = std::get_if<Speed>(&action.what)) {
-    spindle_of(speed->number).rpm = speed->surface ? 0 : speed->value;
+    spindle_of(speed->number).take(*speed);
   } else if (const auto* couple = std::get_if<Couple>(&action.what)) {
     feed_ratio_ = couple->feeds_by_slave ? std::abs(couple->ratio) : 1;
   } else if (std::holds_alternative<Uncouple>(action.what)) {

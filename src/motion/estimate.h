@@ -5,6 +5,7 @@
 
 #include "config/machine_profile.h"
 #include "config/setup.h"
+#include "motion/spindle_turning.h"
 #include "path/curve.h"
 
 namespace kadr {
@@ -63,13 +64,9 @@ class TimeEstimate {
   const TimeSplit& split() const { return split_; }
 
  private:
-  struct Turning {
-    double rpm = 0;  // commanded
-    bool on = true;  // the setup may say that it stands: then rpm is 0
-  };
   double& share_of(const Motion& motion);
-  Turning& spindle_of(std::size_t number);
-  double turning_rpm() const { return spindles_[1].on ? spindles_[1].rpm : 0; }
+  SpindleTurning& spindle_of(std::size_t number);
+  double turning_rpm() const { return spindles_[1].now(); }
   double feed_rpm() const { return turning_rpm() * feed_ratio_; }
   double rapid_minutes(const Curve& curve) const;
   double thread_minutes(const Motion& motion, const Curve& curve) const;
@@ -78,8 +75,8 @@ class TimeEstimate {
   AxisRoles roles_;
   Rates rates_;
   TimeSplit split_;
-  double feed_ratio_ = 1;                                    // feed per revolution: of a gearbox's slave for one of the spindle
-  std::vector<Turning> spindles_ = std::vector<Turning>(2);  // by number; 0 is none
+  double feed_ratio_ = 1;  // feed per revolution: of a gearbox's slave for one of the spindle
+  std::vector<SpindleTurning> spindles_ = std::vector<SpindleTurning>(2);  // by number; 0 is none
 };
 
 }  // namespace kadr

@@ -117,6 +117,10 @@ void LookAhead::join(Open& next) {
     next.enter = std::min(junction_speed(rules_, before.shape, next.shape), speed_in_bend(rules_.normal, next.bend));
     limit_step(&next, next.bend);
   }
+  if (rules_.blend) {
+    const double stated = next.motion().tolerance;
+    next.enter = std::min(next.enter, blend_speed(rules_, before.shape, next.shape, stated > 0 ? stated : *rules_.blend));
+  }
   double slow_from = before.shape.length;
   if (is_slow_corner(rules_, before.motion(), before.shape, next.motion(), next.shape)) {
     if (before.motion().corner_speed == CornerSpeed::inner_slower) slow_from = std::max(slow_from - rules_.inner_before, 0.0);

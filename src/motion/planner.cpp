@@ -121,7 +121,9 @@ void Planner::straight_line() {
 }
 
 bool Planner::feed_changes(std::size_t vertex) const {
-  constexpr double same = 1e-6;  // relative: the feed is the way divided by its time
+  constexpr double of_way = 1e-6,
+                   on_surface = 0.05;  // relative: the feed is the way divided by its time; on a surface it changes all along
+  const double same = path_.on_curve(vertex) ? on_surface : of_way;
   const double before = path_.feed(vertex - 1), behind = path_.feed(vertex);
   return std::fabs(before - behind) > same * (before + behind);
 }

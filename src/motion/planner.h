@@ -27,7 +27,7 @@ struct MotionLimits {
 
 class Planner {
  public:
-  using Sink = std::function<void(const TimedCells&)>;
+  using Sink = std::function<void(TimedCells&)>;  // it may add what it knows
   Planner(MotionLimits limits, Sink sink);
 
   /// Where the axes stand. Before anything else, and where they were moved by something else while they stood.

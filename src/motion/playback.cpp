@@ -38,15 +38,17 @@ bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) con
   return left <= 0;
 }
 
-void Playback::position(const Cursor& at, double* x) const {
-  Cursor place = at;
-  if (is_over(at)) --place.cell, place.t = ring_.law(place.cell).seconds;
-  const TimeLaw& law = ring_.law(place.cell);
-  const double s = is_over(at) ? law.length : law.way(place.t);
+void Playback::show(const Cursor& at, double* x) {
+  const bool over = is_over(at);
+  const std::uint64_t cell = over ? at.cell - 1 : at.cell;
+  const TimeLaw& law = ring_.law(cell);
+  const double t = over ? law.seconds : at.t, s = over ? law.length : law.way(t);
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
-    const double* const c = ring_.path(place.cell, a);
+    const double* const c = ring_.path(cell, a);
     x[a] = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
   }
+  tag_ = ring_.tag(cell);
+  spindle_ = ring_.spindle(cell).at(t, s);
 }
 
 /// No axis exceeds at this pace what it may, or what the plan itself asks of it.
@@ -163,8 +165,7 @@ std::size_t Playback::fill(double* positions, std::size_t count) {
     if (started_) step();
     started_ = true;
     done_ = ring_.finished() && is_over(at_);
-    position(at_, positions + rows * ring_.axes());
-    tag_ = ring_.tag(is_over(at_) ? at_.cell - 1 : at_.cell);
+    show(at_, positions + rows * ring_.axes());
     ++rows;
   }
   return rows;

@@ -49,6 +49,8 @@ class Playback {
   bool is_held() const { return started_ && ramp_.at(on_ramp_).share <= 0 && goal_ <= 0 && wanted_.load(std::memory_order_relaxed) <= 0; }
   /// The tag of the cell of the last instant.
   std::uint64_t tag() const { return tag_; }
+  /// The spindle's angle at the last instant, degrees, as planned: where an override slows the axes it slows the spindle with them.
+  double spindle() const { return spindle_; }
   /// s on the plan that can still be played without more cells.
   double ahead() const { return ring_.offered() - played_ - at_.t; }
   /// Less than this ahead, s on the plan, and it brakes.
@@ -64,7 +66,7 @@ class Playback {
   };
   bool is_over(const Cursor& at) const { return at.cell >= ring_.end(); }
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const;
-  void position(const Cursor& at, double* x) const;
+  void show(const Cursor& at, double* x);
   bool is_allowed(const Cursor& at, const Pace& pace) const;
   void step();
   void steer();
@@ -82,6 +84,7 @@ class Playback {
   double on_ramp_ = 0;    // s since it began
   double played_ = 0;     // s, of the cells that are through
   std::uint64_t instant_ = 0, tag_ = 0, starved_ = 0;
+  double spindle_ = 0;
   bool started_ = false, done_ = false;
 
   // the next one

@@ -22,12 +22,12 @@ double over_motion(const Curve& curve, const F& minutes_per_part) {
 
 double rotary_rate(const Curve& curve, double part) { return std::abs(curve.polar_rates(part).rotary); }
 
+}  // namespace
+
 double minutes_per_part(const Curve& curve, const PolarFeed& limits, double part) {
   const double free = curve.rate(limits.along, part) / limits.feed;
   return limits.rotary_most > 0 ? std::max(free, rotary_rate(curve, part) / limits.rotary_most) : free;
 }
-
-}  // namespace
 
 double feed_at(const Curve& curve, const PolarFeed& limits, double part) {
   const double way = curve.rate(limits.along, part);
@@ -45,14 +45,16 @@ double minutes(const Curve& curve, const PolarFeed& limits) {
   return over_motion(curve, [&](double part) { return minutes_per_part(curve, limits, part); });
 }
 
+double rapid_minutes_per_part(const Curve& curve, const AxisRoles& roles, const Axes& rapid, double part) {
+  const Axes rates = curve.rates(part);
+  double slowest = 0;
+  for (std::size_t i = 0; i < roles.count; ++i)
+    if (rates[i] != 0) slowest = std::max(slowest, std::abs(rates[i]) / rapid[i]);
+  return slowest;
+}
+
 double rapid_minutes(const Curve& curve, const AxisRoles& roles, const Axes& rapid) {
-  return over_motion(curve, [&](double part) {
-    const Axes rates = curve.rates(part);
-    double slowest = 0;
-    for (std::size_t i = 0; i < roles.count; ++i)
-      if (rates[i] != 0) slowest = std::max(slowest, std::abs(rates[i]) / rapid[i]);
-    return slowest;
-  });
+  return over_motion(curve, [&](double part) { return rapid_minutes_per_part(curve, roles, rapid, part); });
 }
 
 }  // namespace kadr

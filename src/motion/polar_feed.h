@@ -16,6 +16,9 @@ struct PolarFeed {
 /// The feed in force at a part of the motion, mm/min.
 double feed_at(const Curve& curve, const PolarFeed& limits, double part);
 
+/// Its time per part there.
+double minutes_per_part(const Curve& curve, const PolarFeed& limits, double part);
+
 /// The highest feed along the motion.
 double highest_feed(const Curve& curve, const PolarFeed& limits);
 
@@ -24,5 +27,8 @@ double minutes(const Curve& curve, const PolarFeed& limits);
 
 /// Time of a rapid motion along the path: each axis at most at its rapid rate (mm/min, degrees/min).
 double rapid_minutes(const Curve& curve, const AxisRoles& roles, const Axes& rapid);
+
+/// Its time per part at a part.
+double rapid_minutes_per_part(const Curve& curve, const AxisRoles& roles, const Axes& rapid, double part);
 
 }  // namespace kadr

@@ -3,6 +3,7 @@
 // parameters (NCT 4.1, 6.2–6.4, 7) theirs. What nobody stated is off: infinite, or false.
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct SpeedRules {
   double inner_before = 0, inner_after = 0;    // N1407 DecDist, N1408 AccDist, mm
   bool overlaps_rapids = false;                // N0421 ROL
   double overlap_from = 1;                     // N0422 Rapid Reduct. Ratio: part of the deceleration after which the next one starts
+  std::optional<double>
+      blend;                 // mm: how far a corner may be rounded while one motion slows down and the next speeds up; not stated: no limit
   bool frames_stop = false;  // another zero, tool length or work area empties the buffer (nct 13.3): the axes stand (7.0.2)
 
   /// Some axis needs time to change its speed.

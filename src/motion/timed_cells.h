@@ -43,6 +43,14 @@ struct CellSource {
   std::uint64_t tag = 0;  // of the piece where it begins: the caller's own
   double feed = 0;        // mm/s, the greatest speed commanded; 0: the axes stand
   Bend bend = Bend::none;
+  std::uint64_t motion = 0;  // that it begins in, counted by AxisMotion; 0: the planner has not told
+};
+
+/// The spindle's angle along a cell, running degrees: over the time, or with the way of the axes (rigid tapping).
+struct SpindleTurn {
+  double angle = 0, per_second = 0, per_mm = 0;
+
+  double at(double t, double way) const { return angle + per_second * t + per_mm * way; }
 };
 
 /// Cells in a row, each with the polynomial of its path.
@@ -52,9 +60,10 @@ struct TimedCells {
   std::size_t axes = 0;
   std::vector<TimeLaw> laws;
   std::vector<CellSource> sources;
-  std::vector<double> path;  // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
+  std::vector<double> path;            // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
+  std::vector<SpindleTurn> spindle{};  // of each cell; empty: nobody has told
 
-  void clear() { laws.clear(), sources.clear(), path.clear(); }
+  void clear() { laws.clear(), sources.clear(), path.clear(), spindle.clear(); }
   /// Axis positions at a way along a cell.
   void position(std::size_t cell, double way, double* x) const;
   double seconds() const;

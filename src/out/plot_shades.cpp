@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "out/canvas.h"
 #include "out/plot_view.h"
@@ -28,7 +27,7 @@ Colour between(unsigned a, unsigned b, double part) {
 }  // namespace
 
 void ShadedMotions::wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke) {
-  waiting_.push_back({motion, from, shift, stroke, std::numeric_limits<double>::infinity()});
+  waiting_.push_back({motion, from, shift, stroke, 0, 0});
 }
 
 void ShadedMotions::move_all(Vec3 by) {
@@ -41,6 +40,8 @@ void ShadedMotions::take(const TimedCells& cells, const MotionLimits& limits, Pl
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
     const TimeLaw& law = cells.laws[k];
     if (!(law.length > 0)) continue;
+    while (!waiting_.empty() && waiting_.front().number < cells.sources[k].motion) draw_rest(held_.shade, path);
+    if (waiting_.empty() || waiting_.front().number > cells.sources[k].motion) continue;
     const double from = law.at(0).speed, to = law.at(1).speed;
     const bool by_speed = by_ == PlotColour::speed;
     const int pieces = by_speed ? std::max(1, static_cast<int>(finest * std::fabs(to - from) / std::max(from, to))) : 1;
@@ -54,22 +55,21 @@ void ShadedMotions::take(const TimedCells& cells, const MotionLimits& limits, Pl
   }
 }
 
+/// Up to a way from the beginning of the first that waits; what is left of it when the cells of the next come is drawn then.
 void ShadedMotions::draw_to(double way, float shade, PlotPath& path) {
-  constexpr double rounding = 1e-9;  // mm
-  while (!waiting_.empty()) {
-    const Waiting& motion = waiting_.front();
-    if (motion.ends > way + rounding) {
-      const double part = std::clamp((way - begins_) / (motion.ends - begins_), drawn_, 1.0);
-      draw_part(motion, drawn_, part, shade, path);
-      drawn_ = part;
-      return;
-    }
-    draw_part(motion, drawn_, 1, shade, path);
-    let_go(path);
-    begins_ = motion.ends;
-    drawn_ = 0;
-    waiting_.pop_front();
-  }
+  const Waiting& motion = waiting_.front();
+  const double part = motion.way > 0 ? std::clamp(way / motion.way, drawn_, 1.0) : 1;
+  draw_part(motion, drawn_, part, shade, path);
+  drawn_ = part;
+}
+
+/// A cell may reach into the next motion.
+void ShadedMotions::draw_rest(float shade, PlotPath& path) {
+  if (drawn_ < 1) draw_part(waiting_.front(), drawn_, 1, shade, path);
+  let_go(path);
+  gone_ = std::max(0.0, gone_ - waiting_.front().way);
+  drawn_ = 0;
+  waiting_.pop_front();
 }
 
 void ShadedMotions::draw_part(const Waiting& motion, double from, double to, float shade, PlotPath& path) {
@@ -93,7 +93,9 @@ void ShadedMotions::let_go(PlotPath& path) {
   holds_ = false;
 }
 
-void ShadedMotions::finish(PlotPath& path) { draw_to(std::numeric_limits<double>::infinity(), held_.shade, path); }
+void ShadedMotions::finish(PlotPath& path) {
+  while (!waiting_.empty()) draw_rest(held_.shade, path);
+}
 
 ShadeScale::ShadeScale(PlotColour by, const PlotPath& path) : by_(by) {
   double most = 0;

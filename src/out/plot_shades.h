@@ -21,8 +21,11 @@ class ShadedMotions {
 
   /// A motion from where the tool stands; `shift`: work coordinates → picture.
   void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke);
-  /// The way of all motions together up to the end of the one that came last, mm; before its cells come.
-  void set_end(double way) { waiting_.back().ends = way; }
+  /// Of the one that came last, before its cells come: its number, CellSource::motion, and the way of its cells, mm, about.
+  void set_motion(std::uint64_t number, double way) {
+    waiting_.back().number = number;
+    waiting_.back().way = way;
+  }
   /// The motions that wait, and what of them is drawn, move by that much in the picture.
   void move_all(Vec3 by);
 
@@ -36,9 +39,11 @@ class ShadedMotions {
     ToolPosition from;
     Vec3 shift;
     Stroke stroke;
-    double ends;
+    std::uint64_t number;
+    double way;
   };
   void draw_to(double way, float shade, PlotPath& path);
+  void draw_rest(float shade, PlotPath& path);
   void draw_part(const Waiting& motion, double from, double to, float shade, PlotPath& path);
   void keep(PlotPoint point, bool may_replace, PlotPath& path);
   void let_go(PlotPath& path);
@@ -46,10 +51,9 @@ class ShadedMotions {
   AxisRoles roles_;
   PlotColour by_;
   std::deque<Waiting> waiting_;
-  double gone_ = 0;    // mm, of all cells
-  double begins_ = 0;  // the first that waits
-  double drawn_ = 0;   // part of it
-  PlotPoint held_{};   // not yet in the path: the next may go on in the same line and shade
+  double gone_ = 0;   // mm, of the first that waits
+  double drawn_ = 0;  // part of it
+  PlotPoint held_{};  // not yet in the path: the next may go on in the same line and shade
   bool holds_ = false;
 };
 

@@ -8,32 +8,32 @@
 
 namespace kadr {
 
-SampleWriter::SampleWriter(std::FILE* file, const std::vector<std::string>& axes, MotionLimits limits, double rate,
-                           std::vector<OverrideChange> changes)
+SampleWriter::SampleWriter(std::FILE* file, const std::vector<std::string>& axes, MotionLimits limits, SampleOptions options)
     : file_(file),
       axes_(std::min(axes.size(), max_axes)),
-      period_(1 / rate),
-      decimals_(rate <= 2000 ? 9 : 12),
-      playback_(std::move(limits), rate),
-      changes_(std::move(changes)) {
+      period_(1 / options.rate),
+      decimals_(options.rate <= 2000 ? 9 : 12),
+      playback_(std::move(limits), options.rate),
+      options_(std::move(options)) {
   text_ = "t";
   for (std::size_t a = 0; a < axes_; ++a) text_ += "," + axes[a];
-  text_ += "\n";
+  text_ += options_.spindle ? ",spindle\n" : "\n";
 }
 
 void SampleWriter::write(const double* at) {
   constexpr std::size_t chunk = 1 << 16;
   fmt::format_to(std::back_inserter(text_), "{:.6f}", static_cast<double>(instant_) * period_);
   for (std::size_t a = 0; a < axes_; ++a) fmt::format_to(std::back_inserter(text_), ",{:.{}f}", at[a], decimals_);
+  if (options_.spindle) fmt::format_to(std::back_inserter(text_), ",{:.{}f}", playback_.spindle(), decimals_);
   text_ += '\n';
   if (text_.size() >= chunk) flush();
 }
 
 /// One instant. False: it stands, and nothing more will happen.
 bool SampleWriter::play() {
-  for (; changed_ < changes_.size() && changes_[changed_].seconds <= static_cast<double>(instant_) * period_; ++changed_)
-    playback_.override_to(changes_[changed_].share);
-  if (changed_ == changes_.size() && playback_.is_held()) return false;
+  for (; changed_ < options_.changes.size() && options_.changes[changed_].seconds <= static_cast<double>(instant_) * period_; ++changed_)
+    playback_.override_to(options_.changes[changed_].share);
+  if (changed_ == options_.changes.size() && playback_.is_held()) return false;
   Axes at;
   if (playback_.fill(at.data(), 1) == 0) return false;
   write(at.data());
@@ -47,7 +47,7 @@ void SampleWriter::take(const TimedCells& cells) {
     offered += playback_.offer(cells, offered);
     while ((offered < cells.laws.size() || playback_.ahead() > enough) && play()) {
     }
-    if (playback_.is_held() && changed_ == changes_.size()) return;
+    if (playback_.is_held() && changed_ == options_.changes.size()) return;
   }
 }
 

@@ -40,6 +40,15 @@ TEST(machine_profile, mistakes_have_a_line) {
   EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { limits = [2, 1] }"), ":3: limits of axis X must be [least, most]");
   EXPECT_EQ(refusal("id = 'a'\ntool_change = -1\n[axes]"), ":2: 'tool_change' must be a number, not below zero");
   EXPECT_EQ(refusal("id = 'a'"), ": [axes] is missing");
+  EXPECT_EQ(refusal("id = 'a'\nplanner = 'fast'\n[axes]"), ":2: 'planner' must be \"control\" or \"optimal\"");
+  EXPECT_EQ(refusal("id = 'a'\nplanner = 1\n[axes]"), ":2: 'planner' must be \"control\" or \"optimal\"");
+}
+
+TEST(machine_profile, planner_is_the_controls_if_nobody_says) {
+  EXPECT_EQ(load_machine("generic")->planner, PlannerMode::control);
+  const auto file = std::filesystem::temp_directory_path() / "kadr_machine_profile_planner_test.toml";
+  std::ofstream(file) << "id = 'a'\nplanner = 'optimal'\n[axes]";
+  EXPECT_EQ(load_machine(file.string())->planner, PlannerMode::optimal);
 }
 
 }  // namespace

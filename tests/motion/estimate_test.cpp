@@ -167,5 +167,15 @@ TEST(estimate, each_spindle_for_itself) {
   EXPECT_DOUBLE_EQ(estimate.motion(m, Curve(roles, from, m)).seconds, 60);  // of spindle 1
 }
 
+// nct 11.5: a feed per revolution under G96, by the speed that the control made of it where it was commanded.
+TEST(estimate, surface_speed) {
+  TimeEstimate estimate(roles, rates_of(MachineProfile{}, kadr::Setup{}, names));
+  estimate.other({{}, Speed{120, true, 1, 0, 500}});
+  Motion m = straight(feed, {100, 0, 0}, 0.1);
+  m.unit = FeedUnit::mm_per_rev;
+  const Axes from{};
+  EXPECT_DOUBLE_EQ(estimate.motion(m, Curve(roles, from, m)).seconds, 120);
+}
+
 }  // namespace
 }  // namespace kadr

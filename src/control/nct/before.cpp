@@ -9,6 +9,7 @@ void Nct::begin_block() {
   before_.words = state.words;
   before_.in_thread = in_thread;
   before_.thread_lead = thread_lead;
+  before_.smoothed = smoothed;
   before_.surface_angle = surface_angle;
   before_.side_step = state.side_step;
   before_.compensates = state.compensates;
@@ -40,6 +41,7 @@ void Nct::take_back(const Machinery& m) {
   state.words = before_.words;
   in_thread = before_.in_thread;
   thread_lead = before_.thread_lead;
+  smoothed = before_.smoothed;
   surface_angle = before_.surface_angle;
   state.side_step = before_.side_step;
   state.compensates = before_.compensates;

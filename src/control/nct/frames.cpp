@@ -89,6 +89,18 @@ double inch_feed(const Machinery& m, const Motion& motion, const Axes& from) {
   return feed * std::sqrt((linear + rotary) / (linear / (mm_per_inch * mm_per_inch) + rotary));
 }
 
+namespace {
+
+/// Only G1, with G40, G64 and G80 (4.7).
+std::uint8_t smoothing_of(const Machinery& m, const Motion& motion) {
+  const AxisMask smoothed = m.nct->smoothed != 0 ? m.nct->smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
+  const bool alone = m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane && m.modal.motion == MotionMode::linear;
+  const bool continues = motion.corner_speed == CornerSpeed::limited && (motion.named & ~smoothed) == 0;
+  return motion.kind == MotionKind::feed && alone && continues ? m.modal.smoothing : std::uint8_t{0};
+}
+
+}  // namespace
+
 void note_motion(Machinery& m, Motion& motion) {
   Nct& nct = *m.nct;
   nct.moved = true;
@@ -102,6 +114,7 @@ void note_motion(Machinery& m, Motion& motion) {
   if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // 6.3.4
   else if (m.modal.rows[nct.stop_group] == nct.slowing) motion.corner_speed = CornerSpeed::inner_slower;
   if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;
+  if (m.modal.smoothing > 1 && !stops) motion.smoothing = smoothing_of(m, motion);
   if (nct.rolled != 0) {
     MotionDetail& detail = detail_of(m, motion);
     detail.rolled = nct.rolled;

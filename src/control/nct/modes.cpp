@@ -17,13 +17,19 @@ Status polar_data_on(Machinery& m, const Call&) {
 
 Status polar_data_off(Machinery& m, const Call&) { return m.modal.polar_data = false, Status(); }
 
-/// G5.1 Q (4.7): the mode is kept; smoothing itself belongs to motion. Axis words name the axes, nothing moves.
+/// G5.1 Q (4.7): the mode is kept; smoothing itself belongs to motion. Axis words name the axes, nothing moves. INFERRED: a motion of
+/// other axes than those named, or of a rotary one, is not smoothed.
 Status smoothing(Machinery& m, const Call& call) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const auto q = m.whole('Q', 0, 3);
   if (!q) return fail(q.error());
   if (*q >= 2 && m.modal.feed_mode != FeedMode::per_minute) return fail(alarm(AlarmId::not_together, call.where, call.row->code, "G95"));
   m.modal.smoothing = static_cast<std::uint8_t>(*q);
+  m.nct->smoothed = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const char letter = m.block->words[i].address;
+    if (letter != 0 && (m.letters.axes & letter_bit(letter)) != 0) m.nct->smoothed |= AxisMask{1} << m.def.address(letter).axis;
+  }
   return {};
 }
 

@@ -100,6 +100,7 @@ struct Before {
   ModalWords words;
   bool in_thread = false;
   double thread_lead = 0, surface_angle = 0;
+  AxisMask smoothed = 0;
   SideStep side_step = SideStep::none;
   bool compensates = false;
   std::vector<std::pair<int, double>> commons;  // #191 … #199, set by bound letters
@@ -212,6 +213,7 @@ class Nct {
   bool stops_reading = false;  // it empties the buffer
   bool in_thread = false;      // the motion before was a thread too
   double thread_lead = 0;      // mm
+  AxisMask smoothed = 0;       // axes that G5.1 has named; 0: all linear ones
   std::vector<PendingCall> pending;
   int spindle_by_p = 0;          // S1500 P2: number of the spindle; 0: none
   bool absolute_block = false;   // its axis words are absolute even with G91 (17.3)

@@ -123,7 +123,7 @@ Status spindle_word(Machinery& m, const Call& call) {
   const int named = m.def.address(call.word->address).number;
   if (m.modal.surface_speed && named == 0) {
     nct.state.surface_speed = m.modal.inch ? value * nct::mm_per_foot / nct::mm_per_m : value;
-    m.emit(Speed{nct.state.surface_speed, true, static_cast<std::uint8_t>(nct.state.main_spindle), 0});
+    m.emit(Speed{nct.state.surface_speed, true, static_cast<std::uint8_t>(nct.state.main_spindle), 0, nct.css_rpm(m)});
     return {};
   }
   const int number = nct::spindle_of_block(m);

@@ -1,0 +1,31 @@
+#pragma once
+// Pace: how the time of a motion is shared by its pieces where the axes do not go as the feed counts: in polar interpolation, whose
+// feed is that in the programmed plane and whose rotary axis has a limit (NCT 4.5), and in cylindrical, on the unrolled surface (4.6).
+
+#include "motion/polar_feed.h"
+#include "path/axis_roles.h"
+
+namespace kadr {
+
+/// A view of a curve: it must outlive this.
+class Pace {
+ public:
+  ///   feed   mm/min along what the motion's feed counts along; 0: rapid
+  ///   rapid  of each axis, mm/min or degrees/min
+  Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid);
+
+  /// Time between two parts, near enough to share out what the whole motion takes (Simpson's rule).
+  ///   law  the rotary axis of polar interpolation keeps its limit
+  double minutes(double from, double to) const;
+
+ private:
+  double minutes_per_part(double part) const;
+
+  const AxisRoles& roles_;
+  const Curve& curve_;
+  PolarFeed limits_;
+  std::size_t rotary_;
+  Axes rapid_;
+};
+
+}  // namespace kadr

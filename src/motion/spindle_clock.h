@@ -1,0 +1,43 @@
+#pragma once
+// SpindleClock: the angle of the main spindle over the time of the axes' motion. Commands reach it when they are read, motions when
+// they are handed out, later: what is planned keeps the rate at which the spindle turned when it was read.
+
+#include "config/setup.h"
+#include "control/action.h"
+#include "motion/spindle_turning.h"
+#include "motion/timed_cells.h"
+
+namespace kadr {
+
+class SpindleClock {
+ public:
+  /// As TimeEstimate: with the speed that the setup states.
+  void start(const SpindleSetup& setup);
+
+  /// A command to spindle 1. Where its angle is commanded (M19, positioning) it is there at once: INFERRED, the controls state no time.
+  ///   pre  of all but a Speed: what was planned before has been handed out
+  void take(const Action& action);
+
+  /// From here on it turns with the axes, until released; then it stands (nct 18.1.9).
+  ///   pre  what was planned before has been handed out
+  void couple(double degrees_per_mm);
+  void release() { per_mm_ = 0; }
+
+  /// Degrees a second, clockwise, as last commanded.
+  double per_second() const;
+
+  /// The angle along a cell that is handed out, in order, at the rate that it was planned with.
+  SpindleTurn turn(double per_second, const TimeLaw& law);
+
+  /// Waiting time for a motion that takes `ahead` s until it is in step, so that the spindle then has turned by `angle` degrees.
+  ///   law  it begins behind a zero pulse (nct 4.4), and the angle counts from a zero pulse
+  ///   pre  the spindle turns
+  double seconds_to(double angle, double ahead) const;
+
+ private:
+  SpindleTurning turning_;
+  double angle_ = 0;   // at the end of what was handed out, degrees
+  double per_mm_ = 0;  // coupled; else 0
+};
+
+}  // namespace kadr

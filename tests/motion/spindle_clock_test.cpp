@@ -1,0 +1,62 @@
+// motion/spindle_clock: the spindle's angle over time. NCT 4.4, 18.1.9.
+
+#include "motion/spindle_clock.h"
+
+#include <gtest/gtest.h>
+
+namespace kadr {
+namespace {
+
+Action act(const Spindle& spindle) { return {{}, spindle}; }
+Action act(const Speed& speed) { return {{}, speed}; }
+
+/// For a time in which the axes stand.
+TimeLaw still(double seconds) { return {seconds, 0, true, 0, 0, 0}; }
+
+TEST(spindle_clock, turns_by_its_commands) {
+  SpindleClock clock;
+  clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
+  EXPECT_EQ(clock.turn(clock.per_second(), still(0.5)).at(0.5, 0), 180);
+  clock.take(act(Spindle{SpindleDir::ccw, 60, 1, {}, {}}));
+  clock.take(act(Spindle{SpindleDir::cw, 999, 2, {}, {}}));  // another one
+  EXPECT_EQ(clock.turn(clock.per_second(), still(1)).at(1, 0), -180);
+  clock.take(act(Spindle{SpindleDir::orient, 0, 1, {}, {}}));
+  EXPECT_EQ(clock.turn(clock.per_second(), still(1)).at(1, 0), 0);
+}
+
+// S while the axes move: what was planned before goes at the old speed.
+TEST(spindle_clock, a_new_speed_counts_from_what_is_planned_behind_it) {
+  SpindleClock clock;
+  clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
+  const double before = clock.per_second();
+  clock.take(act(Speed{300, false}));
+  clock.take(act(Speed{120, false}));
+  EXPECT_EQ(clock.turn(before, still(1)).per_second, 360);
+  const SpindleTurn behind = clock.turn(clock.per_second(), still(1));
+  EXPECT_EQ(behind.per_second, 720);
+  EXPECT_EQ(behind.angle, 360);
+}
+
+// 4.4: the zero pulse, then Q; the ramp begins behind the pulse.
+TEST(spindle_clock, waits_for_the_pulse_and_the_angle) {
+  SpindleClock clock;
+  clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
+  EXPECT_NEAR(clock.seconds_to(90, 0), 0.25, 1e-12);
+  EXPECT_NEAR(clock.seconds_to(90, 0.1), 0.15, 1e-12);
+  EXPECT_NEAR(clock.seconds_to(0, 0.1), 0.9, 1e-12);
+  EXPECT_NEAR(clock.seconds_to(0, 1.1), 0.9, 1e-12);
+  clock.turn(clock.per_second(), still(0.25));
+  EXPECT_NEAR(clock.seconds_to(90, 0), 1, 1e-12);
+}
+
+TEST(spindle_clock, coupled_it_goes_with_the_axis) {
+  SpindleClock clock;
+  clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
+  clock.couple(-36);
+  EXPECT_EQ(clock.turn(clock.per_second(), {1, 10, true, 10, 0, 0}).at(0.5, 5), -180);
+  clock.release();
+  EXPECT_EQ(clock.turn(clock.per_second(), still(1)).at(1, 0), -360);
+}
+
+}  // namespace
+}  // namespace kadr
