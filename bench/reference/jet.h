@@ -42,8 +42,7 @@ struct Jet {
     Jet z(1 / value);
     for (std::size_t i = 0; i < N; ++i) {
       z.by[i] = -by[i] * z.value * z.value;
-      for (std::size_t j = 0; j < N; ++j)
-        z.bend[i][j] = (-bend[i][j] + 2 * by[i] * by[j] * z.value) * z.value * z.value;
+      for (std::size_t j = 0; j < N; ++j) z.bend[i][j] = (-bend[i][j] + 2 * by[i] * by[j] * z.value) * z.value * z.value;
     }
     return z;
   }

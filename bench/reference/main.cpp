@@ -78,9 +78,10 @@ int run(const Asked& asked) {
   for (const Stretch& stretch : all.stretches) measure(stretch, all.limits, asked, sums);
   const auto shares = [](const Shares& s) { return fmt::format(R"([{:.5f},{:.5f},{:.5f}])", s.speed, s.acceleration, s.jerk); };
   fmt::print(R"({{"kadr":{:.5f},"one_window":{:.5f},"reference":{:.5f},"cells":{},"intervals":{},"shares":{},"shares_reference":{},)"
-             R"("starts":{},"steps":{}}})" "\n",
-             sums.kadr, sums.window, sums.reference, sums.cells, sums.intervals, shares(sums.of_kadr), shares(sums.of_reference), sums.starts,
-             sums.steps);
+             R"("starts":{},"steps":{}}})"
+             "\n",
+             sums.kadr, sums.window, sums.reference, sums.cells, sums.intervals, shares(sums.of_kadr), shares(sums.of_reference),
+             sums.starts, sums.steps);
   return 0;
 }
 

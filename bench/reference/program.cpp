@@ -72,8 +72,7 @@ Planned planned(const std::string& file, const Machine& machine) {
   TimeEstimate estimate(roles, rates_of(profile, Setup{}, control.axes()));
   std::map<std::uint64_t, double> feeds;
   Collector collector(feeds);
-  AxisMotion motion(roles, limits, machine.tolerance, position,
-                    [&](const TimedCells& cells) { collector.take(cells); });
+  AxisMotion motion(roles, limits, machine.tolerance, position, [&](const TimedCells& cells) { collector.take(cells); });
   ActionBatch batch;
   for (auto state = Control::State::running; state == Control::State::running;) {
     state = control.run(batch);

@@ -182,13 +182,16 @@ class Programme : public Ipopt::TNLP {
 }  // namespace
 
 std::optional<Found> with_jerk(const Grid& grid, const MotionLimits& limits, const PathMotion& start, double most_seconds) {
+  constexpr Index most_steps = 1000;  // 30 to 60 are needed
+  constexpr Number tolerance = 1e-5;  // of the mean interval's time: each limit costs at most so much
+  constexpr Number first_mu = 1e-2;   // so far from the limits that no start binds it
   const Ipopt::SmartPtr<Programme> programme = new Programme(grid, limits, start);
   Ipopt::IpoptApplication solver(false);
-  solver.Options()->SetIntegerValue("print_level", std::getenv("VERBOSE") ? 5 : 0);
+  solver.Options()->SetIntegerValue("print_level", 0);
   solver.Options()->SetStringValue("sb", "yes");
-  solver.Options()->SetIntegerValue("max_iter", 1000);
-  solver.Options()->SetNumericValue("tol", 1e-5);
-  solver.Options()->SetNumericValue("mu_init", 1e-2);
+  solver.Options()->SetIntegerValue("max_iter", most_steps);
+  solver.Options()->SetNumericValue("tol", tolerance);
+  solver.Options()->SetNumericValue("mu_init", first_mu);
   solver.Options()->SetNumericValue("max_cpu_time", most_seconds);
   if (solver.Initialize() != Ipopt::Solve_Succeeded) return std::nullopt;
   solver.OptimizeTNLP(GetRawPtr(programme));
