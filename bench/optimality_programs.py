@@ -8,6 +8,7 @@ def line(x=None, y=None, z=None):
 
 def surface():
     """A freeform surface, there and back in rows of segments of 0.5 mm."""
+    yield 'G0 X-5'
     for row in range(8):
         y = row * 0.5
         steps = range(61) if row % 2 == 0 else range(60, -1, -1)
@@ -28,6 +29,8 @@ LETTERS = {  # strokes: points, 'ccw' and 'cw' with radius before a point: an ar
 
 
 def engraving():
+    yield 'G0 X5'
+    yield 'G0 Y-5'
     for row, text in enumerate(('KADR', 'ROADS', '3D3SK', 'SOAR3')):
         for column, letter in enumerate(text):
             for stroke in LETTERS[letter]:

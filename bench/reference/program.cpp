@@ -14,7 +14,8 @@
 namespace kadr::reference {
 namespace {
 
-constexpr double standing = 1e-9;  // mm/s
+constexpr double standing = 1e-9;       // mm/s
+constexpr double without_force = 1e-3;  // mm/s²
 
 MachineProfile profile_of(const Machine& machine, const std::vector<std::string>& axes) {
   MachineProfile profile;
@@ -39,7 +40,7 @@ class Collector {
     for (std::size_t k = 0; k < cells.laws.size(); ++k) {
       const TimeLaw& law = cells.laws[k];
       if (!(law.length > 0)) continue;
-      if (law.speed(0) < standing) stretches_.emplace_back().cells.axes = cells.axes;
+      if (law.speed(0) < standing) begin(cells.axes);
       Stretch& to = stretches_.back();
       const double feed = feeds_.at(cells.tags[k]);
       if (!to.feed.empty()) to.feed.back() = std::min(to.feed.back(), feed);  // a cell that ends in the next piece
@@ -49,6 +50,15 @@ class Collector {
       to.feed.push_back(feed);
     }
   }
+  void begin(std::size_t axes) {
+    if (!stretches_.empty()) {
+      const TimeLaw& last = stretches_.back().cells.laws.back();
+      if (std::fabs(last.a + last.j * (last.by_time ? last.seconds : last.length)) > without_force)
+        throw std::runtime_error("the path turns back on itself: the axes stand, but do not rest");
+    }
+    stretches_.emplace_back().cells.axes = axes;
+  }
+
   std::vector<Stretch>& stretches() { return stretches_; }
 
  private:
