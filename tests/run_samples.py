@@ -42,10 +42,12 @@ tolerance = {tolerance}
 
 
 def machine(folder, tolerance):
-    path = Path(folder) / f'machine{tolerance}.toml'
+    return Path(folder) / f'machine{tolerance}.toml'
+
+
+def write_machine(folder, tolerance):
     row = f'{{ rapid = {LIMITS["speed"] * 60}, acceleration = {LIMITS["acceleration"]}, jerk = {LIMITS["jerk"]} }}\n'
-    path.write_text(MACHINE.format(tolerance=tolerance) + ''.join(f'{axis} = {row}' for axis in 'XYZABCUVW'))
-    return path
+    machine(folder, tolerance).write_text(MACHINE.format(tolerance=tolerance) + ''.join(f'{axis} = {row}' for axis in 'XYZABCUVW'))
 
 
 def programs_of_cases():
@@ -213,6 +215,8 @@ def main():
     sampled_any = failed = 0
     greatest = Greatest()
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
+        for tolerance in TOLERANCE, 0:
+            write_machine(folder, tolerance)
         for name, faults, rows, found in pool.map(lambda item: check(kadr, folder, options.rate, item), enumerate(every)):
             sampled_any += rows > 0
             failed += bool(faults)
