@@ -30,9 +30,9 @@ struct TimedPath {
   std::vector<char> turns;                 // the path turns back behind this cell
   std::vector<double> x1, x2, x3;          // x′, x″, x‴ in each cell at its places: (cell * places + place) * axes + axis
 
-  /// Where the limits are looked at: at the ends of a cell and between.
+  /// Where the limits are looked at: at the ends of a cell and between, where the jerk of its polynomial is greatest.
   static constexpr std::size_t places = 5;
-  static constexpr std::array<double, places> part = {0, 0.1727, 0.5, 0.8273, 1};
+  static constexpr std::array<double, places> part = {0, 0.28, 0.5, 0.72, 1};
 
   std::size_t cells() const { return h.size(); }
   void clear();

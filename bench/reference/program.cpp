@@ -1,0 +1,107 @@
+// A program → the planner's cells, cut at the rests.
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "config/control_file.h"
+#include "control/control.h"
+#include "motion/axis_motion.h"
+#include "stretch.h"
+
+namespace kadr::reference {
+namespace {
+
+constexpr double standing = 1e-9;       // mm/s
+constexpr double without_force = 1e-3;  // mm/s²
+
+MachineProfile profile_of(const Machine& machine, const std::vector<std::string>& axes) {
+  MachineProfile profile;
+  for (const std::string& axis : axes) {
+    AxisProfile& own = profile.axes[axis];
+    own.rapid = machine.speed * 60;
+    own.acceleration = machine.acceleration;
+    own.jerk = machine.jerk;
+  }
+  profile.tool_change_s = 0;
+  profile.tolerance = machine.tolerance;
+  return profile;
+}
+
+/// Cells as they come → stretches.
+class Collector {
+ public:
+  explicit Collector(const std::map<std::uint64_t, double>& feeds) : feeds_(feeds) {}
+
+  void take(const TimedCells& cells) {
+    const std::size_t row = cells.axes * TimedCells::terms;
+    for (std::size_t k = 0; k < cells.laws.size(); ++k) {
+      const TimeLaw& law = cells.laws[k];
+      if (!(law.length > 0)) continue;
+      if (law.speed(0) < standing) begin(cells.axes);
+      Stretch& to = stretches_.back();
+      const double feed = feeds_.at(cells.tags[k]);
+      if (!to.feed.empty()) to.feed.back() = std::min(to.feed.back(), feed);  // a cell that ends in the next piece
+      to.cells.laws.push_back(law);
+      to.cells.path.insert(to.cells.path.end(), cells.path.begin() + static_cast<std::ptrdiff_t>(k * row),
+                           cells.path.begin() + static_cast<std::ptrdiff_t>((k + 1) * row));
+      to.feed.push_back(feed);
+    }
+  }
+  void begin(std::size_t axes) {
+    if (!stretches_.empty()) {
+      const TimeLaw& last = stretches_.back().cells.laws.back();
+      if (std::fabs(last.a + last.j * (last.by_time ? last.seconds : last.length)) > without_force)
+        throw std::runtime_error("the path turns back on itself: the axes stand, but do not rest");
+    }
+    stretches_.emplace_back().cells.axes = axes;
+  }
+
+  std::vector<Stretch>& stretches() { return stretches_; }
+
+ private:
+  const std::map<std::uint64_t, double>& feeds_;
+  std::vector<Stretch> stretches_;
+};
+
+}  // namespace
+
+Planned planned(const std::string& file, const Machine& machine) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  if (!in) throw std::runtime_error(file + ": cannot be read");
+  static const ControlDef def = *load_control("mach3");
+  Control control(def, Setup{}, Program{file, text_source(text.str()), Encoding::utf8}, RunLimits{});
+  const AxisRoles roles = AxisRoles::of(control.axes(), control.rotary());
+  const MachineProfile profile = profile_of(machine, control.axes());
+  const MotionLimits limits = motion_limits(profile, Setup{}, control.axes());
+  ToolPosition position{control.ending().position, control.ending().machine_position};
+  TimeEstimate estimate(roles, rates_of(profile, Setup{}, control.axes()));
+  std::map<std::uint64_t, double> feeds;
+  Collector collector(feeds);
+  AxisMotion motion(roles, limits, machine.tolerance, position, [&](const TimedCells& cells) { collector.take(cells); });
+  ActionBatch batch;
+  for (auto state = Control::State::running; state == Control::State::running;) {
+    state = control.run(batch);
+    if (state != Control::State::running && state != Control::State::ended) throw std::runtime_error(file + ": it stops");
+    for (const Action& action : batch) {
+      MotionTime time;
+      if (const auto* const moved = std::get_if<Motion>(&action.what)) {
+        time = estimate.motion(*moved, Curve(roles, position.work, *moved));
+        const bool rapid = moved->kind == MotionKind::rapid;
+        if (time.seconds > 0)
+          feeds[Spent{rapid ? Spent::On::rapid : Spent::On::cutting, action.origin.line}.tag()] = time.length / time.seconds;
+      }
+      position.take(action);
+      motion.take(action, time, 0);
+    }
+  }
+  motion.finish();
+  if (motion.failures() > 0) throw std::runtime_error(file + ": the planner found no speed");
+  return {limits, std::move(collector.stretches())};
+}
+
+}  // namespace kadr::reference

@@ -1,0 +1,68 @@
+#pragma once
+// Stretch: what the planner made of a program between two rests: the path as it follows it, and its time. A reference solver is given the
+// same path and the same limits.
+
+#include <string>
+#include <vector>
+
+#include "motion/planner.h"
+
+namespace kadr::reference {
+
+struct Stretch {
+  TimedCells cells;
+  std::vector<double> feed;  // greatest speed along the path in each cell, mm/s
+};
+
+/// The path at a place: derivatives by its length, and the greatest ṡ² that feed and axes allow there, mm²/s².
+struct Place {
+  std::array<double, max_axes> x1{}, x2{}, x3{};
+  double most = 0;
+};
+Place place(const Stretch& stretch, const MotionLimits& limits, std::size_t cell, double way);
+
+/// Cuts a stretch into intervals, each within one cell.
+struct Grid {
+  std::vector<double> h;          // mm
+  std::vector<Place> start, end;  // of each interval
+  std::vector<std::size_t> cell;
+  std::vector<double> from;  // its start, mm into the cell
+
+  std::size_t intervals() const { return h.size(); }
+  double most(std::size_t knot) const;
+};
+/// `parts` intervals a cell, and none longer than `longest` of the whole.
+Grid grid_of(const Stretch& stretch, const MotionLimits& limits, int parts, double longest);
+
+/// Path speed and its derivative by time at the knots of a grid, and the time of each interval.
+struct PathMotion {
+  std::vector<double> v, a, seconds;
+  double total() const;
+};
+/// What the planner made of it.
+PathMotion motion_of(const Stretch& stretch, const Grid& grid);
+
+/// The greatest share of a limit that is used anywhere.
+struct Shares {
+  double speed = 0, acceleration = 0, jerk = 0;
+  void take(const Place& at, const MotionLimits& limits, double v, double a, double j);
+};
+Shares shares_planned(const Stretch& stretch, const MotionLimits& limits);
+/// Of a motion with constant path jerk in each interval.
+Shares shares_of(const Stretch& stretch, const MotionLimits& limits, const Grid& grid, const PathMotion& motion);
+
+/// The time of the whole stretch, planned by motion/least_time as one window; the planner's own if that is one straight line.
+double seconds_as_one_window(const Stretch& stretch, const MotionLimits& limits);
+
+/// Reads a program of the control mach3 and plans its motion on a machine with these limits.
+///   throws  std::runtime_error: alarms, files that cannot be read, paths that turn back on themselves
+struct Machine {
+  double speed = 200, acceleration = 1000, jerk = 20000, tolerance = 0.01;
+};
+struct Planned {
+  MotionLimits limits;
+  std::vector<Stretch> stretches;
+};
+Planned planned(const std::string& file, const Machine& machine);
+
+}  // namespace kadr::reference
