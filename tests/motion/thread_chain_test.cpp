@@ -25,14 +25,15 @@ ThreadChain chain_of(const std::vector<Leg>& legs) {
   return chain;
 }
 
-/// The value of a cell's polynomial or one of its derivatives.
+/// The value of a cell's polynomial or one of its derivatives by the time; it is gone along evenly.
 double value(const TimedCells& cells, std::size_t cell, std::size_t axis, double t, int derivative) {
   const double* const c = cells.path.data() + (cell * cells.axes + axis) * TimedCells::terms;
+  const double v = cells.laws[cell].v, s = v * t;
   switch (derivative) {
-    case 0: return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
-    case 1: return c[1] + t * (2 * c[2] + t * 3 * c[3]);
-    case 2: return 2 * c[2] + t * 6 * c[3];
-    default: return 6 * c[3];
+    case 0: return c[0] + s * (c[1] + s * (c[2] + s * c[3]));
+    case 1: return v * (c[1] + s * (2 * c[2] + s * 3 * c[3]));
+    case 2: return v * v * (2 * c[2] + s * 6 * c[3]);
+    default: return v * v * v * 6 * c[3];
   }
 }
 
