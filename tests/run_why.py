@@ -58,10 +58,10 @@ class Bench:
             self.failed += 1
             print(f'FAILED {name}: {why}')
 
-    def run(self, program, *options, control='mach3', setup=None):
+    def run(self, program, *options, control='mach3', machine='linuxcnc-sim', setup=None):
         (self.folder / 'p.nc').write_text(program, encoding='utf-8')
         (self.folder / 'setup.json').write_text(json.dumps(setup or {}), encoding='utf-8')
-        command = [self.kadr, 'run', 'p.nc', '--control', control, '--machine', 'linuxcnc-sim', '--setup', 'setup.json', *options]
+        command = [self.kadr, 'run', 'p.nc', '--control', control, '--machine', machine, '--setup', 'setup.json', *options]
         return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=TIME_LIMIT_S)
 
     def svg(self, program, *options):
@@ -108,6 +108,34 @@ def tables(bench):
     bench.check('quiet: the table alone', quiet.startswith('lost time') and rows_of(quiet) == rows, quiet)
     plain = bench.run(PROGRAM, '--lang', 'en').stdout
     bench.check('without the planner as ever', 'least time' not in plain and plain.count('\n') + 3 == done.stdout[:done.stdout.index('lost time')].count('\n'), plain)
+
+
+def mode(bench):
+    """X200 at 100 mm/s from rest to rest takes 2.15 s, two of it as programmed; planner = "optimal": the first is the machine's time."""
+    rows = ''.join(f'{axis} = {{ rapid = 12000, acceleration = 1000, jerk = 20000 }}\n' for axis in 'XYZ')
+    machine = 'id = "m"\ntool_change = 0\nPLANNER\n[axes]\n' + rows
+    for planner, time, other in (('planner = "optimal"', '2.2', 'from programmed'), ('planner = "control"', '2.0', "Kadr's planner"), ('', '2.0', "Kadr's planner")):
+        (bench.folder / 'm.toml').write_text(machine.replace('PLANNER', planner))
+        text = bench.run('G61 G21 G90\nG1 X200 F6000\nM30\n', '--lang', 'en', machine='m.toml').stdout
+        bench.check(f'mode {planner}', re.search(rf'^time +0:0{time} ', text, re.M) and other not in text and 'least time' not in text, text)
+
+
+def overrides(bench):
+    """100 mm/s along X. The half from the start: twice as long. A feed hold of 1 s; the axes stand meanwhile."""
+    program = 'G61 G21 G90\nG1 X100 F6000\nM30\n'
+
+    def samples(*options):
+        done = bench.run(program, '-q', '--samples', '-', *options)
+        return [tuple(map(float, row.split(','))) for row in done.stdout.splitlines()[1:]]
+
+    plain, half, held = samples(), samples('--override', '0:50'), samples('--override', '0.5:0,1.5:100')
+    bench.check('plain', abs(plain[-1][0] - 1.15) < 0.002 and plain[-1][1] == 100, plain[-1])
+    bench.check('half', abs(half[-1][0] - 2.3) < 0.003 and half[-1][1] == 100, half[-1])
+    bench.check('hold', plain[-1][0] + 0.95 < held[-1][0] < plain[-1][0] + 1.3 and held[-1][1] == 100, held[-1])
+    bench.check('stands', held[900][1] == held[1499][1] < held[1600][1], held[900])
+    bench.check('for ever', 0.5 < samples('--override', '0.5:0')[-1][0] < 0.8, '')
+    for wrong in ('1', '1:101', '-1:50', '1:x', ':5', '1:nan'):
+        bench.check(f'wrong usage {wrong}', bench.run(program, '-q', f'--override={wrong}').returncode == 2, wrong)
 
 
 def other_files(bench):
@@ -160,7 +188,7 @@ def main():
     kadr = str(Path(parser.parse_args().kadr).resolve())
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(kadr, folder)
-        for part in (tables, other_files, bad_input, channels, pictures):
+        for part in (tables, mode, overrides, other_files, bad_input, channels, pictures):
             part(bench)
     print(f'{bench.passed} passed, {bench.failed} failed')
     return 1 if bench.failed or not bench.passed else 0

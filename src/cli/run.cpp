@@ -51,8 +51,9 @@ bool plot_name_is_known(const char* option, const std::string& name) {
 }
 
 /// Whether somebody looks at the axes in time.
-bool needs_planner(const Options& options) {
-  return !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
+bool needs_planner(const Options& options, const MachineProfile& profile) {
+  const bool counts = profile.planner == PlannerMode::optimal && !options.quiet;
+  return counts || !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
 }
 
 /// A control with threads moves axes in step with the spindle.
@@ -96,7 +97,7 @@ class RunCommand {
       if (channels.size() == 1) look_ahead(view, channel, rates, stand, job.profile.tolerance);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (needs_planner(options)) view.planned = std::make_unique<Planned>(channel, job, stand);
+      if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand);
       if (files.samples != nullptr) view.planned->write_samples(files.samples, {options.rate, options.overrides, has_threads(*job.def)});
       if (!options.plot_speed.empty()) view.planned->record_speed();
       if (!options.colour.empty()) {
@@ -110,7 +111,7 @@ class RunCommand {
   Exit run() {
     const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
     bool written = write_last_lines(stopped);
-    if (needs_planner(options_)) written = finish_planned() && written;
+    if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
     if (!options_.quiet) print_summary();
     if (options_.why) print_why();
@@ -252,7 +253,8 @@ class RunCommand {
 
   std::string summary_of(std::size_t i) const {
     const View& view = *views_[i];
-    return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? &view.planned->time() : nullptr);
+    return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? &view.planned->time() : nullptr,
+                                job_.profile.planner);
   }
 
   /// Of several channels: the program's own, as the samples.

@@ -94,12 +94,12 @@ std::string split_text(const Words& w, double cutting, double rapid, double dwel
 }
 
 /// The time of the planner of least time (docs/planner.md).
-std::string planned_text(const Words& w, const PlannedTime& t) {
+std::string planned_text(const Words& w, const char* heading, const PlannedTime& t) {
   const auto ramps = [&](const char* name, const PlannedTime::Share& share) {
     return fmt::format("{} {} {}, {} {}", name, w.speeding_up, duration_text(share.speeding_up), w.slowing_down,
                        duration_text(share.slowing_down));
   };
-  return line(w.least_time, split_text(w, t.cutting.all, t.rapid.all, t.dwell, t.tool_change)) + line("", w.least_basis) +
+  return line(heading, split_text(w, t.cutting.all, t.rapid.all, t.dwell, t.tool_change)) + line("", w.least_basis) +
          line("", ramps(w.cutting, t.cutting) + "; " + ramps(w.rapid, t.rapid));
 }
 
@@ -175,7 +175,7 @@ void Statistics::lengthen(const Motion& motion, double longer) {
   if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
 }
 
-std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime* planned) const {
+std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime* planned, PlannerMode counts) const {
   const Words& w = lang == Lang::ru ? russian : english;
   const TimeSplit& t = estimate_.split();
   std::string text = line(w.blocks, fmt::format("{}", blocks));
@@ -186,9 +186,12 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime*
   text += line(w.path, fmt::format("{} {}, {} {}", w.cutting, number_text(cutting_mm_, 3), w.rapid, number_text(rapid_mm_, 3)));
   if (!cutting_box_.empty) text += line(w.cutting_box, box_text(cutting_box_));
   if (const Box all = box(); !all.empty) text += line(w.box, box_text(all));
-  text += line(w.time, split_text(w, t.cutting, t.rapid, t.dwell, t.tool_change));
-  text += line("", w.basis[static_cast<std::size_t>(basis_)]);
-  if (planned != nullptr) text += planned_text(w, *planned);
+  const bool planned_counts = planned != nullptr && counts == PlannerMode::optimal;
+  if (!planned_counts) {
+    text += line(w.time, split_text(w, t.cutting, t.rapid, t.dwell, t.tool_change));
+    text += line("", w.basis[static_cast<std::size_t>(basis_)]);
+  }
+  if (planned != nullptr) text += planned_text(w, planned_counts ? w.time : w.least_time, *planned);
   if (t.unknown > 0) text += line("", fmt::format("{}: {}", w.unknown, t.unknown));
   if (!tools_.empty()) {
     std::string tools;

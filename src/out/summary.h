@@ -49,8 +49,9 @@ class Statistics {
   void lengthen(const Motion& motion, double longer);
   void count(Severity severity) { ++(severity == Severity::alarm ? alarms_ : warnings_); }
 
-  /// The summary, lines ending in '\n'. `planned`: beside its time that of the planner of least time, if it ran.
-  std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr) const;
+  /// The summary, lines ending in '\n'. `planned`: the time by the planner of least time, if it ran: beside that of the control, or for it,
+  /// as it counts for the machine.
+  std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr, PlannerMode counts = PlannerMode::control) const;
 
   struct ToolUse {
     std::uint32_t tool;
