@@ -43,11 +43,9 @@ bool SampleWriter::play() {
 
 void SampleWriter::take(const TimedCells& cells) {
   constexpr double enough = 3 * Playback::reserve;  // ahead: it never brakes for want of cells
-  for (std::size_t offered = 0; offered < cells.laws.size();) {
-    offered += playback_.offer(cells, offered);
-    while ((offered < cells.laws.size() || playback_.ahead() > enough) && play()) {
-    }
-    if (playback_.is_held() && changed_ == options_.changes.size()) return;
+  std::size_t offered = playback_.offer(cells, 0);
+  while (offered < cells.laws.size() && play()) offered += playback_.offer(cells, offered);
+  while (playback_.ahead() > enough && play()) {
   }
 }
 

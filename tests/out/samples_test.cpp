@@ -1,0 +1,67 @@
+// The CSV of positions at the servo rate.
+
+#include "out/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace kadr {
+namespace {
+
+constexpr double speed = 100;  // mm/s
+
+/// Along X at an even speed, in so many cells of one duration.
+TimedCells even(std::size_t count, double seconds) {
+  TimedCells cells;
+  cells.axes = 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double way = speed * seconds;
+    cells.laws.push_back({seconds, way, true, speed, 0, 0});
+    cells.sources.emplace_back();
+    cells.path.insert(cells.path.end(), {static_cast<double>(k) * way, 1, 0, 0, 0, 0});
+  }
+  return cells;
+}
+
+std::string samples_of(const TimedCells& cells, const SampleOptions& options) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+  SampleWriter writer(file.get(), {"X"}, {{200}, {1000}, {20000}}, options);
+  writer.take(cells);
+  writer.finish();
+  EXPECT_TRUE(writer.ok());
+  std::rewind(file.get());
+  std::string text(1 << 20, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  return text;
+}
+
+TEST(samples, a_row_an_instant_and_the_end) {
+  EXPECT_EQ(samples_of(even(1, 0.0025), {}),
+            "t,X\n0.000000,0.000000000\n0.001000,0.100000000\n0.002000,0.200000000\n0.003000,0.250000000\n");
+}
+
+TEST(samples, the_spindle_is_the_last_column) {
+  TimedCells cells = even(1, 0.001);
+  cells.spindle.push_back({90, 360, 0});
+  EXPECT_EQ(samples_of(cells, {1000, {}, true}), "t,X,spindle\n0.000000,0.000000000,90.000000000\n0.001000,0.100000000,90.360000000\n");
+}
+
+// More cells at once than are kept, all together shorter than what should be ahead.
+TEST(samples, of_many_tiny_cells) {
+  const std::string text = samples_of(even(40000, 1e-5), {});
+  EXPECT_NEAR(static_cast<double>(std::count(text.begin(), text.end(), '\n')), 1 + 401, 1);  // the sum of 40,000 durations is rounded
+  EXPECT_TRUE(text.ends_with(",40.000000000\n")) << text.substr(text.size() - 60);
+}
+
+// Held for ever: to the last position that it came to.
+TEST(samples, a_hold_without_end) {
+  const std::string text = samples_of(even(40000, 1e-5), {1000, {{0.1, 0}}});
+  const auto rows = std::count(text.begin(), text.end(), '\n');
+  EXPECT_GT(rows, 150);
+  EXPECT_LT(rows, 400);
+}
+
+}  // namespace
+}  // namespace kadr
