@@ -74,17 +74,13 @@ void overlay(AlarmText& row, const AlarmText& own) {
 tl::expected<AlarmTexts, std::string> AlarmTexts::load(const ControlDef* def) {
   AlarmTexts texts;
   const std::string file(file_name);
-  try {
-    const toml::table table = toml::parse(toml_tools::embedded_text(file_name).value_or(""), file);
-    for (const auto& [name, node] : table) {
-      const AlarmId id = alarm_named(name.str());
-      if (id == AlarmId::count || !node.is_table()) return Failed(place(file, node) + "no alarm '" + std::string(name.str()) + "'");
-      auto row = row_of(*node.as_table());
-      if (!row) return Failed(row.error());
-      texts.rows_[static_cast<std::size_t>(id)] = std::move(*row);
-    }
-  } catch (const toml::parse_error& error) {
-    return Failed(file + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+  const toml::table table = toml_tools::embedded_table(file_name).value();
+  for (const auto& [name, node] : table) {
+    const AlarmId id = alarm_named(name.str());
+    if (id == AlarmId::count || !node.is_table()) return Failed(place(file, node) + "no alarm '" + std::string(name.str()) + "'");
+    auto row = row_of(*node.as_table());
+    if (!row) return Failed(row.error());
+    texts.rows_[static_cast<std::size_t>(id)] = std::move(*row);
   }
   if (def != nullptr)
     for (const auto& [id, own] : def->alarms) overlay(texts.rows_[static_cast<std::size_t>(id)], own);

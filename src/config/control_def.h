@@ -241,7 +241,7 @@ struct ControlDef {
 
   static constexpr std::int32_t most_tenths = 100'000;       // G9999.9, M9999.9: codes with a row
   static constexpr std::int32_t most_codes = 1'000'000'000;  // M99999999: codes at all
-  std::vector<std::int16_t> g_rows;                          // by tenth → row, -1: unknown
+  std::vector<std::int16_t> g_rows;                          // by tenth → row, -1: unknown; up to the last code
   std::vector<std::int16_t> m_rows;
   std::int32_t m_user_from = -1;  // other M codes that go to the machine (free functions, macros M100…)
   std::int32_t m_user_to = -1;

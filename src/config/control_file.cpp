@@ -7,10 +7,20 @@
 namespace kadr {
 namespace {
 
+using Table = tl::expected<toml::table, std::string>;
+
+/// A built-in file as its table, which is read fast, or as its text, whose nodes know their lines.
+enum class From : std::uint8_t { table, text };
+
+std::optional<Table> built_in(const std::string& file, From from) {
+  if (from == From::table) return toml_tools::embedded_table(file);
+  const auto text = toml_tools::embedded_text(file);
+  return text ? std::optional(toml_tools::parsed(*text, file)) : std::nullopt;
+}
+
 /// The table of a file with what it extends laid under it; `lineage` collects the ids below.
-tl::expected<toml::table, std::string> merged(std::string_view text, const std::string& file, std::vector<std::string>& lineage) {
+Table merged(Table table, const std::string& file, From from, std::vector<std::string>& lineage) {
   constexpr std::size_t deepest = 8;  // a file that extends itself would never end
-  auto table = toml_tools::parsed(text, file);
   if (!table) return table;
   const auto base = (*table)["extends"].value<std::string>();
   if (!base) return table;
@@ -18,15 +28,15 @@ tl::expected<toml::table, std::string> merged(std::string_view text, const std::
   if (lineage.size() == deepest) return Failed(file + ": extends itself");
   lineage.push_back(*base);
   std::string name = "controls/" + *base + ".toml";
-  const auto base_text = toml_tools::embedded_text(name);
-  std::optional<std::string> own_text;
-  if (!base_text) {
+  auto base_table = built_in(name, from);
+  if (!base_table) {
     const auto slash = file.rfind('/');
     name = (slash == std::string::npos || base->starts_with('/') ? std::string() : file.substr(0, slash + 1)) + *base;
-    own_text = toml_tools::read_text(name);
-    if (!own_text) return Failed(file + ": extends '" + *base + "': no such control");
+    const auto text = toml_tools::read_text(name);
+    if (!text) return Failed(file + ": extends '" + *base + "': no such control");
+    base_table = toml_tools::parsed(*text, name);
   }
-  auto under = merged(base_text ? *base_text : std::string_view(*own_text), name, lineage);
+  auto under = merged(std::move(*base_table), name, from, lineage);
   if (!under) return under;
   toml_tools::merge(*under, std::move(*table));
   return under;
@@ -38,21 +48,20 @@ bool is_control(std::string_view name) { return name != "alarms" && !is_paramete
 }  // namespace
 
 std::int32_t ControlDef::row_of(char letter, std::int32_t tenth) const {
-  if (tenth >= 0 && tenth < most_tenths) {
-    const std::int16_t row = (letter == 'G' ? g_rows : m_rows)[static_cast<std::size_t>(tenth)];
-    if (row >= 0) return row;
-  }
+  const std::vector<std::int16_t>& rows = letter == 'G' ? g_rows : m_rows;
+  const auto at = static_cast<std::size_t>(tenth);  // negative: beyond every row
+  if (at < rows.size() && rows[at] >= 0) return rows[at];
   if (letter == 'M' && m_user_row >= 0 && tenth >= m_user_from && tenth <= m_user_to && tenth % 10 == 0) return m_user_row;
   return -1;
 }
 
 namespace {
 
-tl::expected<ControlDef, std::string> parse(std::string_view toml, const std::string& file, ParametersBeside parameters) {
+tl::expected<ControlDef, std::string> load(Table own, const std::string& file, From from) {
   std::vector<std::string> lineage;
-  auto table = merged(toml, file, lineage);
+  auto table = merged(std::move(own), file, from, lineage);
   if (!table) return Failed(table.error());
-  auto def = ControlLoader(*table, file, parameters).load();
+  auto def = ControlLoader(*table, file).load();
   if (def) def->lineage = std::move(lineage);
   return def;
 }
@@ -60,7 +69,7 @@ tl::expected<ControlDef, std::string> parse(std::string_view toml, const std::st
 }  // namespace
 
 tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file) {
-  return parse(toml, file, ParametersBeside());
+  return load(toml_tools::parsed(toml, file), file, From::text);
 }
 
 tl::expected<ControlDef, std::string> load_control(const std::string& name) {
@@ -70,13 +79,14 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
     return parse_control(*text, name);
   }
   const std::string file = "controls/" + name + ".toml";
-  const auto text = toml_tools::embedded_text(file);
-  if (!text || !is_control(name)) {
+  auto table = is_control(name) ? built_in(file, From::table) : std::nullopt;
+  if (!table) {
     std::string known;
     for (const std::string& id : built_in_controls()) known += (known.empty() ? "" : ", ") + id;
     return Failed("no control '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)");
   }
-  return parse(*text, file, ParametersBeside(name));
+  auto def = load(std::move(*table), file, From::table);
+  return def ? def : load(*built_in(file, From::text), file, From::text);
 }
 
 std::vector<std::string> built_in_controls() {

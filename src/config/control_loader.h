@@ -25,8 +25,7 @@ inline constexpr std::uint32_t most_variables = first_unwritten_variable;
 
 class ControlLoader {
  public:
-  ControlLoader(const toml::table& file, std::string name, ParametersBeside& beside)
-      : file_(file), name_(std::move(name)), beside_(beside) {}
+  ControlLoader(const toml::table& file, std::string name) : file_(file), name_(std::move(name)) {}
   tl::expected<ControlDef, std::string> load();
 
  private:
@@ -77,7 +76,6 @@ class ControlLoader {
   void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
   const toml::table& file_;
   std::string name_;
-  ParametersBeside& beside_;
   ControlDef def_;
   std::map<char, std::uint8_t> most_codes_;
   std::vector<std::string> initial_;

@@ -120,6 +120,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
     if (c.cycle == 0) return Failed(place(name_, row) + "no [cycle." + c.code + "]");
   }
   auto& index = letter == 'G' ? def_.g_rows : def_.m_rows;
+  if (index.size() <= static_cast<std::size_t>(c.tenth)) index.resize(static_cast<std::size_t>(c.tenth) + 1, -1);
   if (index[static_cast<std::size_t>(c.tenth)] >= 0)
     return Failed(place(name_, row) + c.code + " has a row already (the same code with other digits)");
   index[static_cast<std::size_t>(c.tenth)] = static_cast<std::int16_t>(def_.codes.size());
@@ -210,7 +211,7 @@ Done ControlLoader::initial_codes() {
 Done ControlLoader::parameters() {
   const toml::node* const name = file_.get("parameters");
   if (name == nullptr) return {};
-  auto rows = beside_.take(name->value_or(std::string()));
+  auto rows = load_parameters(name->value_or(std::string()));
   if (!rows) return Failed(place(name_, *name) + rows.error());
   def_.parameters = std::move(*rows);
   return {};

@@ -53,8 +53,6 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   KADR_LOAD(addresses());
   KADR_LOAD(groups());
   KADR_LOAD(cycles());
-  def_.g_rows.assign(ControlDef::most_tenths, -1);
-  def_.m_rows.assign(ControlDef::most_tenths, -1);
   KADR_LOAD(codes("g", 'G'));
   KADR_LOAD(codes("m", 'M'));
   KADR_LOAD(initial_codes());

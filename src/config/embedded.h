@@ -1,5 +1,5 @@
 #pragma once
-// The built-in files (controls/, machines/), embedded by dev/embed.cmake.
+// The built-in files (controls/, machines/, macros/), embedded by dev/embed.cpp.
 
 #include <span>
 #include <string_view>
@@ -9,6 +9,7 @@ namespace kadr {
 struct EmbeddedFile {
   std::string_view name;  // "controls/s2c42.toml"
   std::string_view text;
+  std::string_view table;  // of a TOML file: for unpacked()
 };
 
 std::span<const EmbeddedFile> embedded_files();

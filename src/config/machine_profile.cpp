@@ -92,11 +92,8 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
 }
 
 tl::expected<MachineProfile, std::string> parse(std::string_view text, const std::string& file) {
-  try {
-    return profile_of(file, toml::parse(text, file));
-  } catch (const toml::parse_error& error) {
-    return Failed(file + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
-  }
+  const auto table = toml_tools::parsed(text, file);
+  return table ? profile_of(file, *table) : Failed(table.error());
 }
 
 }  // namespace

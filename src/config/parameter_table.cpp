@@ -122,15 +122,11 @@ class RowReader {
   std::string fault_;
 };
 
-}  // namespace
+using Rows = tl::expected<std::vector<ParameterRow>, std::string>;
 
-bool is_parameter_table(std::string_view name) { return name.ends_with("-parameters"); }
-
-tl::expected<std::vector<ParameterRow>, std::string> parse_parameters(std::string_view toml, const std::string& file) {
-  const auto table = toml_tools::parsed(toml, file);
-  if (!table) return Failed(table.error());
+Rows rows_of(const toml::table& table, const std::string& file) {
   std::vector<ParameterRow> rows;
-  for (const auto& [key, node] : *table) {
+  for (const auto& [key, node] : table) {
     if (!node.is_table()) return Failed(place(file, node) + "a parameter is a table");
     RowReader reader(file, *node.as_table());
     rows.push_back(reader.row(key.str()));
@@ -141,19 +137,21 @@ tl::expected<std::vector<ParameterRow>, std::string> parse_parameters(std::strin
   return rows;
 }
 
-tl::expected<std::vector<ParameterRow>, std::string> load_parameters(const std::string& name) {
+}  // namespace
+
+bool is_parameter_table(std::string_view name) { return name.ends_with("-parameters"); }
+
+Rows parse_parameters(std::string_view toml, const std::string& file) {
+  const auto table = toml_tools::parsed(toml, file);
+  return table ? rows_of(*table, file) : Failed(table.error());
+}
+
+Rows load_parameters(const std::string& name) {
   const std::string file = "controls/" + name + ".toml";
   const auto text = is_parameter_table(name) ? toml_tools::embedded_text(file) : std::nullopt;
   if (!text) return Failed("no table of parameters '" + name + "'");
-  return parse_parameters(*text, file);
-}
-
-ParametersBeside::ParametersBeside(const std::string& control) : name_(control + "-parameters") {
-  if (toml_tools::embedded_text("controls/" + name_ + ".toml")) rows_ = std::async(load_parameters, name_);
-}
-
-ParametersBeside::Rows ParametersBeside::take(const std::string& name) {
-  return rows_.valid() && name == name_ ? rows_.get() : load_parameters(name);
+  auto rows = rows_of(toml_tools::embedded_table(file).value(), file);
+  return rows ? rows : parse_parameters(*text, file);  // the text knows the line of the fault
 }
 
 }  // namespace kadr

@@ -2,7 +2,6 @@
 // controls/NAME-parameters.toml → rows of parameters (nct 24). Such a table belongs to a control (`parameters = "NAME-parameters"` of its
 // file) and is none itself.
 
-#include <future>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -22,19 +21,5 @@ tl::expected<std::vector<ParameterRow>, std::string> load_parameters(const std::
 
 /// The same from TOML text; `file` names it in messages.
 tl::expected<std::vector<ParameterRow>, std::string> parse_parameters(std::string_view toml, const std::string& file);
-
-/// The table of a built-in control is read while its file is: both are long.
-class ParametersBeside {
- public:
-  using Rows = tl::expected<std::vector<ParameterRow>, std::string>;
-  ParametersBeside() = default;  // nothing is read beside
-  explicit ParametersBeside(const std::string& control);
-  /// The table of that name, as load_parameters() gives it; once.
-  Rows take(const std::string& name);
-
- private:
-  std::string name_;
-  std::future<Rows> rows_;
-};
 
 }  // namespace kadr

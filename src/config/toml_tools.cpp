@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "config/embedded.h"
+#include "config/packed_toml.h"
 
 namespace kadr::toml_tools {
 
@@ -15,10 +16,24 @@ std::optional<std::string> read_text(const std::string& path) {
   return std::move(text).str();
 }
 
-std::optional<std::string_view> embedded_text(std::string_view name) {
+namespace {
+
+const EmbeddedFile* embedded(std::string_view name) {
   for (const EmbeddedFile& file : embedded_files())
-    if (file.name == name) return file.text;
-  return std::nullopt;
+    if (file.name == name) return &file;
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<std::string_view> embedded_text(std::string_view name) {
+  const EmbeddedFile* const file = embedded(name);
+  return file == nullptr ? std::nullopt : std::optional(file->text);
+}
+
+std::optional<toml::table> embedded_table(std::string_view name) {
+  const EmbeddedFile* const file = embedded(name);
+  return file == nullptr ? std::nullopt : std::optional(unpacked(file->table));
 }
 
 tl::expected<toml::table, std::string> parsed(std::string_view text, const std::string& file) {
@@ -39,7 +54,8 @@ void merge(toml::table& under, toml::table&& over) {
 
 std::string place(const std::string& file, const toml::node& node) {
   const toml::source_path_ptr& path = node.source().path;  // of the file it extends, it may be
-  return (path ? *path : file) + ":" + std::to_string(node.source().begin.line) + ": ";
+  const auto line = node.source().begin.line;
+  return (path ? *path : file) + ":" + (line == 0 ? "" : std::to_string(line) + ":") + " ";
 }
 
 std::string place(const std::string& file, const toml::table& row, std::string_view key) {

@@ -16,6 +16,9 @@ namespace kadr::toml_tools {
 std::optional<std::string> read_text(const std::string& path);
 std::optional<std::string_view> embedded_text(std::string_view name);
 
+/// Table of a built-in TOML file; its nodes do not know their places.
+std::optional<toml::table> embedded_table(std::string_view name);
+
 /// TOML text; `file` names it in messages.
 ///   returns  an error sentence with file and line if it is no TOML
 tl::expected<toml::table, std::string> parsed(std::string_view text, const std::string& file);

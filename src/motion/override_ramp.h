@@ -7,7 +7,7 @@
 namespace kadr {
 
 /// Share of the planned speed (0: feed hold, 1: as planned) with its first two derivatives by time, 1/s and 1/s².
-struct Pace {
+struct OverrideShare {
   double share = 1, rate = 0, bend = 0;
 };
 
@@ -16,12 +16,12 @@ class OverrideRamp {
   /// Nothing changes.
   explicit OverrideRamp(double share) : end_(share) { c_[0] = share; }
   /// From `from` to the share `to` in `seconds` > 0: the polynomial of the fifth degree that ends without rate and bend.
-  OverrideRamp(Pace from, double to, double seconds);
+  OverrideRamp(OverrideShare from, double to, double seconds);
 
   double seconds() const { return seconds_; }
   /// The share behind it.
   double end() const { return end_; }
-  Pace at(double t) const;
+  OverrideShare at(double t) const;
   /// Time on the plan that has passed after t: ∫ share.
   double passed(double t) const;
 

@@ -52,7 +52,7 @@ void Playback::show(const Cursor& at, double* x) {
 }
 
 /// No axis exceeds at this pace what it may, or what the plan itself asks of it.
-bool Playback::is_allowed(const Cursor& at, const Pace& pace) const {
+bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
   if (pace.share < 0 || pace.share > rounding) return false;
   if (is_over(at)) return true;
   const TimeLaw& law = ring_.law(at.cell);

@@ -67,7 +67,7 @@ class Playback {
   bool is_over(const Cursor& at) const { return at.cell >= ring_.end(); }
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const;
   void show(const Cursor& at, double* x);
-  bool is_allowed(const Cursor& at, const Pace& pace) const;
+  bool is_allowed(const Cursor& at, const OverrideShare& pace) const;
   void step();
   void steer();
   void try_ramp(double target, double seconds);

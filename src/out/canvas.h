@@ -1,12 +1,11 @@
 #pragma once
 // Canvas: the few strokes and texts that a plot needs, over Cairo.
 
-#include <cairo.h>
-
 #include <string>
 #include <string_view>
 
 #include "base/vec.h"
+#include "out/cairo_library.h"
 
 namespace kadr {
 
@@ -39,16 +38,16 @@ struct TextStyle {
 /// Draws on a surface that it does not own.
 class Canvas {
  public:
-  explicit Canvas(cairo_surface_t* surface) : cairo_(cairo_create(surface)) {}
+  Canvas(const Cairo& library, cairo_surface_t* surface) : lib_(library), cairo_(lib_.create(surface)) {}
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
-  ~Canvas() { cairo_destroy(cairo_); }
+  ~Canvas() { lib_.destroy(cairo_); }
 
   void fill(const Area& area, Colour ink);
   void frame(const Area& area, Colour ink, double width = 1);
   void line(Vec2 a, Vec2 b, Colour ink, double width = 1);
   void dashes(double on, double off);
-  void solid() { cairo_set_dash(cairo_, nullptr, 0, 0); }
+  void solid() { lib_.set_dash(cairo_, nullptr, 0, 0); }
   void text(Vec2 at, std::string_view text, const TextStyle& style);
   double text_width(std::string_view text, const TextStyle& style);
   void ring(Vec2 centre, double radius, Colour ink, double width);
@@ -56,17 +55,18 @@ class Canvas {
   void arrow(Vec2 from, Vec2 to, Colour ink, double width);
 
   void clip(const Area& area);
-  void unclip() { cairo_restore(cairo_); }
+  void unclip() { lib_.restore(cairo_); }
 
   void pen(Colour ink, double width);
-  void move_to(Vec2 p) { cairo_move_to(cairo_, p.x, p.y); }
-  void line_to(Vec2 p) { cairo_line_to(cairo_, p.x, p.y); }
+  void move_to(Vec2 p) { lib_.move_to(cairo_, p.x, p.y); }
+  void line_to(Vec2 p) { lib_.line_to(cairo_, p.x, p.y); }
   /// Closes the path and fills it.
-  void fill_path() { cairo_fill(cairo_); }
-  void stroke() { cairo_stroke(cairo_); }
+  void fill_path() { lib_.fill(cairo_); }
+  void stroke() { lib_.stroke(cairo_); }
 
  private:
   void font(const TextStyle& style);
+  const Cairo& lib_;
   cairo_t* cairo_;
 };
 

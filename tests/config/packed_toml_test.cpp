@@ -1,0 +1,52 @@
+#include "config/packed_toml.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include "config/embedded.h"
+
+namespace kadr {
+namespace {
+
+TEST(PackedToml, BuiltInTablesAreThoseOfTheTexts) {
+  int files = 0;
+  for (const EmbeddedFile& file : embedded_files()) {
+    if (!file.name.ends_with(".toml")) continue;
+    ++files;
+    EXPECT_TRUE(toml::parse(file.text) == unpacked(file.table)) << file.name;
+  }
+  EXPECT_GT(files, 8);
+}
+
+TEST(PackedToml, EveryKindComesBack) {
+  const toml::table table = toml::parse(R"(
+    empty = ""
+    text = "кадр"
+    least = -9223372036854775808
+    most = 9223372036854775807
+    numbers = [0, 127, 128, -1, 0.1, -0.0, 1e300, inf]
+    truth = [true, false]
+    none = []
+    nothing = {}
+    deep = { a = [{ b = { c = [[1], []] } }] }
+  )");
+  EXPECT_TRUE(unpacked(packed(table)) == table);
+}
+
+TEST(PackedToml, ADateIsRefused) { EXPECT_THROW((void)packed(toml::parse("day = 2026-11-22")), std::invalid_argument); }
+
+RC_GTEST_PROP(PackedToml, RandomTablesComeBack, (const std::map<std::string, std::vector<std::int64_t>>& rows, double real)) {
+  toml::table table;
+  for (const auto& [key, numbers] : rows) {
+    toml::array list;
+    for (const std::int64_t n : numbers) list.push_back(n);
+    table.insert_or_assign(key, toml::table{{"list", std::move(list)}, {key, key}, {"real", real}});
+  }
+  RC_ASSERT(unpacked(packed(table)) == table);
+}
+
+}  // namespace
+}  // namespace kadr
