@@ -83,8 +83,7 @@ struct Count {
 /// What is found goes to the collector of its channel.
 Outlets outlets_of(Collector& collector, Progress& progress) {
   const auto take = [&collector](const AlarmReport& report) { return collector.take(report); };
-  return {[](const Action&) {}, [take](const AlarmReport& report) { (void)take(report); }, take,
-          [&progress](const Control& control) { progress.show(control); }};
+  return {[](const Action&) {}, [take](const AlarmReport& report) { (void)take(report); }, take, &progress};
 }
 
 Checked check_file(const Options& options, const std::string& file, Count& count, std::vector<Finding>& findings) {

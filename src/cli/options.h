@@ -19,10 +19,10 @@ struct Options {
   std::string machine;  // empty: generic
   std::string setup;
   std::string encoding;
-  std::string trace;            // file, "-": stdout
-  std::string plot;             // .svg or .png
-  std::string samples;          // file, "-": stdout
-  double rate = 1000;           // of the samples, Hz
+  std::string trace;    // file, "-": stdout
+  std::string plot;     // .svg or .png
+  std::string samples;  // file, "-": stdout
+  double rate = 1000;   // of the samples, Hz
   std::vector<OverrideChange> overrides;
   std::string colour;           // of the plot: speed, limit; empty: by the kind of motion
   std::string plot_speed;       // .svg or .png

@@ -205,7 +205,7 @@ Carrier::Step Carrier::step() {
     (void)outlets_.alarm(report);
     return stop(report);
   }
-  if (outlets_.batch && ++steps_ % shown_each == 0) outlets_.batch(settled());
+  if (outlets_.progress != nullptr && ++steps_ % shown_each == 0 && outlets_.progress->is_due()) outlets_.progress->show(settled());
   return state == Control::State::waiting ? Step::waiting : Step::running;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/run_ahead.h"
 #include "config/machine_profile.h"
 #include "machine/plc.h"
@@ -52,7 +53,7 @@ struct Outlets {
   std::function<void(const AlarmReport&)> warning;
   /// An alarm; true: go on with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  std::function<void(const Control&)> batch{};      // now and then: progress
+  Progress* progress = nullptr;                     // looked at now and then
   std::function<VirtualTime()> time{};              // of the actions so far; missing: counted here, if somebody asks
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
   bool works_long = false;                          // on each action: writes or draws it

@@ -21,11 +21,15 @@ Progress::~Progress() {
   if (shown_) fmt::print(stderr, "\r{:{}}\r", "", width + 40);
 }
 
-void Progress::show(const Control& control) {
-  if (!on_) return;
+bool Progress::is_due() const {
+  if (!on_) return false;
   const auto now = Clock::now();
-  if (now - start_ < first_after || now - last_ < again_after || control.bytes() == 0) return;
-  last_ = now;
+  return now - start_ >= first_after && now - last_ >= again_after;
+}
+
+void Progress::show(const Control& control) {
+  last_ = Clock::now();
+  if (control.bytes() == 0) return;
   shown_ = true;
   const double part = std::min(1.0, static_cast<double>(control.bytes_read()) / static_cast<double>(control.bytes()));
   const int full = static_cast<int>(part * width);

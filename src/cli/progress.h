@@ -11,6 +11,8 @@ class Progress {
  public:
   explicit Progress(bool quiet);
   ~Progress();
+  /// Something is to be shown; nothing off a terminal.
+  bool is_due() const;
   void show(const Control& control);
 
  private:

@@ -159,7 +159,7 @@ class RunCommand {
     return {{},
             say,
             [say](const AlarmReport& report) { return say(report), false; },
-            [this](const Control& c) { progress_.show(c); },
+            &progress_,
             [&view] { return virtual_time(view.statistics.time()); },
             programmed_of(view)};
   }

@@ -8,10 +8,11 @@
 namespace kadr::cli {
 namespace {
 
-/// Waits until `done`: looks for a while, as mostly the other side is nearly ready, then sleeps until `changes` does.
+/// Waits until `done`: looks for a while, as mostly the other side is nearly ready, then sleeps until `changes` does. To be woken takes
+/// as long as three batches, in a virtual machine longer.
 template <class Value, class Done>
 void wait_for(const std::atomic<Value>& changes, const Done& done) {
-  constexpr int most_looks = 1000;  // some tens of microseconds
+  constexpr int most_looks = 20'000;  // less than a millisecond
   for (int look = 0;; ++look) {
     const Value seen = changes.load(std::memory_order_acquire);
     if (done()) return;

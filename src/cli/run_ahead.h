@@ -46,7 +46,7 @@ class RunAhead {
   bool keep(const AlarmReport& warning);
 
  private:
-  static constexpr std::uint64_t depth = 4;
+  static constexpr std::uint64_t depth = 16;
 
   void begin_thread();
   void work();

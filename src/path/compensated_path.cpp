@@ -202,14 +202,14 @@ void RadiusCompensation::watch_way(const Held& held, Vec2 end_vector) {
   ContourSpan known;
   if (is_arc(m.kind) == held.element.is_arc && lies_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))
     known = {held.number - (regular_start_ ? 1 : 0), held.number + (held.regular ? 1 : 0)};
-  if (is_arc(m.kind)) watch_.path(PlanePiece::arc(from, to, m.center, turns), radius, held.origin, known);
-  else if (length(to - from) > tol::same_point) watch_.path(PlanePiece::line(from, to), radius, held.origin, known);
+  if (is_arc(m.kind)) watch_.path([&] { return PlanePiece::arc(from, to, m.center, turns); }, radius, held.origin, known);
+  else if (length(to - from) > tol::same_point) watch_.path([&] { return PlanePiece::line(from, to); }, radius, held.origin, known);
 }
 
 void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known) {
   const Vec2 point = in_plane(stand_.work);
   if (like.kind == MotionKind::rapid || length(to - from) <= tol::same_point) return;
-  watch_.path(PlanePiece::line(point + from, point + to), like.tool_radius, origin, known);
+  watch_.path([&] { return PlanePiece::line(point + from, point + to); }, like.tool_radius, origin, known);
 }
 
 void RadiusCompensation::end_watch() {

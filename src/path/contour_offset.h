@@ -17,11 +17,11 @@ inline Vec2 left_of(Vec2 v) { return {-v.y, v.x}; }
 /// A line or an arc of the programmed contour.
 struct ContourElement {
   Vec2 from, to;
-  Vec2 start, end;  // unit tangents; of an arc whose radius changes those of the circles through its ends (15.5.2)
-  bool is_arc = false;
+  Vec2 start, end;   // unit tangents; of an arc whose radius changes those of the circles through its ends (15.5.2)
   Vec2 center;       // of an arc
   double turns = 0;  // of an arc: swept angle / 360, counter-clockwise positive
   double start_radius = 0, end_radius = 0;
+  bool is_arc = false;
 
   /// `from` and `to` must differ.
   static ContourElement line(Vec2 from, Vec2 to);
@@ -35,12 +35,12 @@ inline Vec2 side_normal(Vec2 tangent, double side) { return side * left_of(tange
 
 /// The line or circle that the tool's centre follows beside an element, seen from one of its ends.
 struct OffsetElement {
-  bool is_arc = false;
-  Vec2 normal;  // of a line: the offset is `distance` along it
+  Vec2 normal;   // of a line: the offset is `distance` along it
+  Vec2 tangent;  // of a line
+  Vec2 center;   // of a circle
   double distance = 0;
-  Vec2 tangent;       // of a line
-  Vec2 center;        // of a circle
   double radius = 0;  // negative: the tool is larger than the arc it stands in
+  bool is_arc = false;
 };
 OffsetElement offset_at_end(const ContourElement& element, double radius, double side);
 OffsetElement offset_at_start(const ContourElement& element, double radius, double side);

@@ -14,14 +14,6 @@ bool overlap(const Box2& a, const Box2& b) {
 
 }  // namespace
 
-const ContourWatch::Seen& ContourWatch::Ring::add(const PlanePiece& piece, double radius, const Origin& origin) {
-  const std::size_t i = count % at.size(), group = i / group_size;
-  at[i] = {piece, radius, origin, count++};
-  if (i % group_size == 0) boxes[group] = piece.box;
-  else boxes[group].take(piece.box.least), boxes[group].take(piece.box.most);
-  return at[i];
-}
-
 template <class Found>
 void ContourWatch::Ring::near(const PlanePiece& piece, double distance, const Found& found) const {
   const std::uint64_t filled = std::min<std::uint64_t>(count, at.size());
@@ -36,15 +28,14 @@ void ContourWatch::Ring::near(const PlanePiece& piece, double distance, const Fo
 }
 
 std::uint64_t ContourWatch::contour(const ContourElement& element, double radius, const Origin& origin) {
-  const Seen& seen = contour_.add(PlanePiece::of(element), radius, origin);
+  const Seen& seen = contour_.add([&] { return PlanePiece::of(element); }, radius, origin);
   path_.near(seen.piece, radius, [&](const Seen& path) { compare(seen, path); });
   return seen.number;
 }
 
-void ContourWatch::path(const PlanePiece& way, double radius, const Origin& origin, ContourSpan known) {
-  const Seen& seen = path_.add(way, radius, origin);
-  contour_.near(seen.piece, radius, [&](const Seen& contour) {
-    if (contour.number < known.first || contour.number > known.last) compare(contour, seen);
+void ContourWatch::compare_path(const Seen& path, ContourSpan known) {
+  contour_.near(path.piece, path.radius, [&](const Seen& contour) {
+    if (contour.number < known.first || contour.number > known.last) compare(contour, path);
   });
 }
 

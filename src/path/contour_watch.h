@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "base/made_in.h"
 #include "control/action.h"
 #include "path/plane_distance.h"
 
@@ -27,8 +28,11 @@ class ContourWatch {
   /// A piece of the programmed contour. `radius`: of the tool, mm.
   ///   returns  its number
   std::uint64_t contour(const ContourElement& element, double radius, const Origin& origin);
-  /// A piece of the way of the tool's centre.
-  void path(const PlanePiece& way, double radius, const Origin& origin, ContourSpan known);
+  /// A piece of the way of the tool's centre: `way` returns it.
+  template <class Make>
+  void path(const Make& way, double radius, const Origin& origin, ContourSpan known) {
+    compare_path(path_.add(way, radius, origin), known);
+  }
   /// The contour is over: the deepest cut, if there was one deeper than tol::same_point. Forgets all.
   ///   law  a way that is nowhere nearer to the last `reach` pieces, or those of the next `reach`, than the radius gives none
   std::optional<ContourCut> end();
@@ -49,15 +53,30 @@ class ContourWatch {
     std::array<Seen, group_size * groups> at;
     std::array<Box2, groups> boxes;
     std::uint64_t count = 0;
-    const Seen& add(const PlanePiece& piece, double radius, const Origin& origin);
+    template <class Make>
+    const Seen& add(const Make& piece, double radius, const Origin& origin);
     /// Calls back with those whose boxes come nearer to that of `piece` than `distance`.
     template <class Found>
     void near(const PlanePiece& piece, double distance, const Found& found) const;
   };
+  void compare_path(const Seen& path, ContourSpan known);
   void compare(const Seen& contour, const Seen& path);
 
   Ring contour_, path_;
   ContourCut worst_;
 };
+
+template <class Make>
+const ContourWatch::Seen& ContourWatch::Ring::add(const Make& piece, double radius, const Origin& origin) {
+  const std::size_t i = count % at.size(), group = i / group_size;
+  made_in(at[i].piece, piece);
+  at[i].radius = radius;
+  at[i].origin = origin;
+  at[i].number = count++;
+  const Box2& box = at[i].piece.box;
+  if (i % group_size == 0) boxes[group] = box;
+  else boxes[group].take(box.least), boxes[group].take(box.most);
+  return at[i];
+}
 
 }  // namespace kadr

@@ -5,27 +5,40 @@
 
 namespace kadr {
 
+namespace {
+
+AxisMask followers_of(const MotionDetail* detail) {
+  AxisMask axes = 0;
+  if (detail != nullptr)
+    for (const Follower& follower : detail->followers) axes |= AxisMask{1} << follower.axis;
+  return axes;
+}
+
+}  // namespace
+
 Curve::Curve(const AxisRoles& roles, const Axes& from, const Motion& motion)
-    : roles_(roles), from_(from), motion_(motion), arc_(is_arc(motion.kind)) {
-  if (motion.detail) {
-    surface_ = motion.detail->surface;
-    rolled_ = motion.detail->rolled;
-    for (const Follower& follower : motion.detail->followers) following_ |= AxisMask{1} << follower.axis;
-  }
-  if (straight()) return;
-  first_ = motion.first;
-  second_ = motion.second;
+    : roles_(roles),
+      from_(from),
+      motion_(motion),
+      arc_(is_arc(motion.kind)),
+      surface_(motion.detail ? motion.detail->surface : PathSurface::plane),
+      rolled_(motion.detail ? motion.detail->rolled : 0),
+      following_(followers_of(motion.detail.get())),
+      first_(motion.first),
+      second_(motion.second),
+      flat_(plane_path()) {}
+
+/// From the members before it; made in its place.
+FlatPath Curve::plane_path() const {
+  if (straight()) return FlatPath();
   const bool flat = surface_ == PathSurface::plane;
-  const Vec2 start = flat ? Vec2{from[first_], from[second_]} : motion.detail->flat_from;
-  const Vec2 end = flat ? Vec2{motion.to[first_], motion.to[second_]} : motion.detail->flat_to;
-  if (!arc_) {
-    flat_ = FlatPath::line(start, end);
-    return;
-  }
-  Vec2 center = motion.center;
+  const Vec2 start = flat ? Vec2{from_[first_], from_[second_]} : motion_.detail->flat_from;
+  const Vec2 end = flat ? Vec2{motion_.to[first_], motion_.to[second_]} : motion_.detail->flat_to;
+  if (!arc_) return FlatPath::line(start, end);
+  Vec2 center = motion_.center;
   if (surface_ == PathSurface::cylinder)  // stands in axis units
-    center = start + Vec2{(center.x - from[first_]) / unit(first_), (center.y - from[second_]) / unit(second_)};
-  flat_ = FlatPath::arc(start, end, center, motion.kind == MotionKind::arc_ccw ? motion.turns : -motion.turns);
+    center = start + Vec2{(center.x - from_[first_]) / unit(first_), (center.y - from_[second_]) / unit(second_)};
+  return FlatPath::arc(start, end, center, motion_.kind == MotionKind::arc_ccw ? motion_.turns : -motion_.turns);
 }
 
 /// Axis units per mm of the unrolled surface: of a cylinder's rotary axis degrees per mm.

@@ -78,6 +78,7 @@ class Curve {
   AxisMask plane_axes() const { return straight() ? 0 : AxisMask{1} << first_ | AxisMask{1} << second_; }
   AxisMask all_axes() const { return (AxisMask{1} << roles_.count) - 1; }
   AxisMask own_axes() const { return all_axes() & ~following_; }
+  FlatPath plane_path() const;
   double squares(AxisMask axes) const;
   double rise(FeedAlong along) const;
   PolarPath polar() const;

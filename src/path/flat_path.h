@@ -65,13 +65,13 @@ class FlatPath {
   double radius(double part) const { return radius_ + radius_change_ * part; }
   double absolute_deg(double part, double radius_at) const;
 
-  bool arc_ = false;
   Vec2 from_, to_;
   Vec2 center_;
   Vec2 arm_;              // centre → start; its direction alone, if the radius there is 0
   double sweep_deg_ = 0;  // counter-clockwise positive
   double radius_ = 0;
   double radius_change_ = 0;  // at the end, against the start
+  bool arc_ = false;
 };
 
 }  // namespace kadr

@@ -9,12 +9,12 @@ namespace kadr {
 /// A line or an arc, ready for measuring.
 struct PlanePiece {
   Vec2 from, to;
-  bool is_arc = false;
   Vec2 center;
+  Box2 box;
   double turns = 0;   // swept angle / 360, counter-clockwise positive
   double radius = 0;  // of an arc: the mean of those at its ends
   double slack = 0;   // mm, by which the radius changes along it
-  Box2 box;
+  bool is_arc = false;
   static PlanePiece of(const ContourElement& element) {
     return element.is_arc ? arc(element.from, element.to, element.center, element.turns) : line(element.from, element.to);
   }

@@ -153,7 +153,8 @@ void RadiusCompensation::outside_contour(Action& action) {
 
 void RadiusCompensation::contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
-  const ContourElement element = element_of(m);
+  ContourElement& element = held(count_).element;  // of the place it will be held at
+  made_in(element, [&] { return element_of(m); });
   if (element.start == Vec2{}) {
     const double way = length(in_plane(m.to) - in_plane(at_.work));
     return fault(alarm(AlarmId::compensation_entry_short, {}, way, m.tool_radius), action.origin);
@@ -187,7 +188,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   Held& now = held(count_++);
   now.motion = std::move(std::get<Motion>(action.what));
   now.origin = action.origin;
-  now.element = element;
+  if (&now.element != &element) now.element = element;  // blocks between have been dropped
   now.start_vector = start_vector;
   now.end.count = 0;
   now.rejoins = now.regular = false;
