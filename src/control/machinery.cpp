@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/made_in.h"
 #include "base/tolerance.h"
 #include "control/nct/blocks.h"
 #include "control/nct/calls.h"
@@ -67,7 +68,7 @@ Control::State Machinery::run(ActionBatch& to) {
       flow.end();
       return Control::State::ended;
     }
-    if (!flow.in_body()) origin = origin_of_block();
+    if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
     if (got && nct && !reads_clock && !block->no_clock && !block->code.empty()) {
       if (may_read_clock()) {
         reads_clock = each_block = again_ = true;

@@ -32,18 +32,18 @@ ProgramFile::ProgramFile(std::string path, std::shared_ptr<ByteSource> source, c
 
 Result<BlockReader::Got> ProgramFile::next(Block*& block) {
   if (keeps_) {
-    if (KeptBlock* const kept = kept_at(place_); kept != nullptr) [[likely]] {
+    if (KeptBlock* const kept = kept_at(position()); kept != nullptr) [[likely]] {
       last_ = kept;
-      place_ = kept->next;
+      seek(kept->next);
       block = &kept->block;
       return BlockReader::Got::block;
     }
   }
-  if (reader_.position() != place_) reader_.seek(place_);
-  const Position at = place_;
+  if (moved_ && reader_.position() != elsewhere_) reader_.seek(elsewhere_);
+  moved_ = false;
+  const Position at = keeps_ ? reader_.position() : Position();
   block = &in_hand_;
   auto got = reader_.next(in_hand_);
-  place_ = reader_.position();
   if (keeps_ && got && *got == BlockReader::Got::block && kept_.size() < most_kept) block = keep(at);
   else last_ = nullptr;
   return got;
@@ -71,7 +71,7 @@ Block* ProgramFile::keep(Position at) {
   entry->text = in_hand_.text;
   entry->block.text = entry->text;
   entry->block.kept = true;
-  entry->next = place_;
+  entry->next = reader_.position();
   Block* const block = &entry->block;
   last_ = entry.get();
   kept_.emplace(at.offset, std::move(entry));

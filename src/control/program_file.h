@@ -40,8 +40,11 @@ class ProgramFile {
 
   /// The next block; `block` points at it until the next call. Where blocks are kept it may be one read before.
   Result<BlockReader::Got> next(Block*& block);
-  void seek(Position position) { place_ = position; }
-  Position position() const { return place_; }
+  void seek(Position position) {
+    elsewhere_ = position;
+    moved_ = true;
+  }
+  Position position() const { return moved_ ? elsewhere_ : reader_.position(); }
   /// From now on blocks are kept: they will be read again.
   void keep_blocks() { keeps_ = true; }
 
@@ -75,7 +78,8 @@ class ProgramFile {
   BlockReader reader_;
   std::unique_ptr<BlockReader> scanner_;  // reads in other places: the block in hand keeps its text
   Block in_hand_;
-  Position place_;
+  Position elsewhere_;  // where the next block begins …
+  bool moved_ = false;  // … if that is not where the reader is
   bool keeps_ = false;
   KeptBlock* last_ = nullptr;                                            // handed out last
   std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by offset: one block a line

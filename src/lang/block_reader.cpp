@@ -47,20 +47,21 @@ void BlockReader::seek(Position position) {
 
 Result<BlockReader::Got> BlockReader::next(Block& block) {
   for (;;) {
+    Position here = position_;  // goes on in registers: what is stored in parts is not read back as one
     if (!in_line_) {
       if (!lines_.next(line_)) {
         position_ = {lines_.offset(), line_.number + 1, 0};
         return Got::end;
       }
-      const std::uint32_t nth_wanted = position_.offset == line_.offset ? position_.nth : 0;
-      KADR_TRY(begin_line(block, nth_wanted));
+      here = {line_.offset, line_.number, here.offset == line_.offset ? here.nth : 0};
+      KADR_TRY(begin_line(block, here.nth));
     }
     block.clear();
-    block.position = position_;
+    block.position = here;
     const bool was_first = rest_ == 0;
     const Status status = lex_line(block);
     in_line_ = rest_ < text_.size();
-    position_ = in_line_ ? Position{line_.offset, line_.number, position_.nth + 1} : Position{lines_.offset(), line_.number + 1, 0};
+    position_ = in_line_ ? Position{line_.offset, line_.number, here.nth + 1} : Position{lines_.offset(), line_.number + 1, 0};
     if (was_first && line_.too_long) return fail(alarm(AlarmId::line_too_long, {0, 1}, double{limits::line_bytes}));
     if (!status) return fail(status.error());
     if (!block.empty() || block.has_number || !block.comments.empty() || !block.warnings.empty()) return Got::block;
@@ -69,15 +70,14 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
 
 /// Takes a new line in hand; passes over the blocks before `nth` when a jump goes into its middle.
 Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
-  text_ = line_.bytes;
+  text_ = {line_.bytes.data(), line_.bytes.size()};
   rest_ = 0;
   is_text_ = false;
-  position_ = {line_.offset, line_.number, 0};
   if (encoding_ == Encoding::iso7 || expects_high_bytes_) {
     const Status decoded = decode_line();
     if (!decoded && encoding_ == Encoding::iso7) {  // elsewhere the damage may lie in a comment: lex_line finds out
       block.clear();
-      block.position = position_;
+      block.position = {line_.offset, line_.number, 0};
       block.text = text_;
       block.where = {0, static_cast<std::uint32_t>(text_.size())};
       in_line_ = false;
@@ -89,7 +89,6 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
     block.clear();
     (void)lex_line(block);
   }
-  position_.nth = nth;
   return {};
 }
 
@@ -173,7 +172,7 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
   line_.bytes = joined_;
   line_.number = next.number;
   line_.offset = offset;
-  text_ = line_.bytes;
+  text_ = {line_.bytes.data(), line_.bytes.size()};
   is_text_ = false;
   block.clear();
   return was_text ? decode_line() : Status();
