@@ -141,13 +141,14 @@ double seconds_as_one_window(const Stretch& stretch, const MotionLimits& limits)
   for (std::size_t k = 0; k < stretch.cells.laws.size(); ++k) {
     const double h = stretch.cells.laws[k].length;
     double most = std::numeric_limits<double>::infinity();
-    for (const double part : TimedPath::part) {
-      const Place at = place(stretch, limits, k, part * h);
-      most = std::min(most, at.most);
-      path.x1.insert(path.x1.end(), at.x1.begin(), at.x1.begin() + static_cast<std::ptrdiff_t>(path.axes));
-      path.x2.insert(path.x2.end(), at.x2.begin(), at.x2.begin() + static_cast<std::ptrdiff_t>(path.axes));
-      path.x3.insert(path.x3.end(), at.x3.begin(), at.x3.begin() + static_cast<std::ptrdiff_t>(path.axes));
-    }
+    std::vector<Place> places;
+    for (const double part : TimedPath::part) most = std::min(most, places.emplace_back(place(stretch, limits, k, part * h)).most);
+    for (std::size_t a = 0; a < path.axes; ++a)
+      for (const Place& at : places) {
+        path.x1.push_back(at.x1[a]);
+        path.x2.push_back(at.x2[a]);
+        path.x3.push_back(at.x3[a]);
+      }
     path.h.push_back(h);
     path.most.push_back(most);
     path.turns.push_back(0);

@@ -1,7 +1,7 @@
 #pragma once
 // The least time along a given path: path speed as a function of path length, so that no axis exceeds its acceleration and jerk.
 //
-//   path          x(s), cut into cells; x′, x″ (continuous) and x‴ are known at five places of each
+//   path          x(s), cut into cells; x′, x″ (continuous) and x‴ are known at eight places of each
 //   path speed    b(s) = ṡ²; in each cell a quadratic polynomial, b and b′ continuous:
 //                   s̈ = b′/2,   s⃛ = √b · b″/2
 //   speed         b ≤ most
@@ -17,7 +17,10 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
+
+#include "motion/lanes.h"
 
 namespace kadr {
 
@@ -28,11 +31,11 @@ struct TimedPath {
   std::vector<double> h;                   // length of each cell, mm
   std::vector<double> most;                // greatest ṡ² in each cell, mm²/s²
   std::vector<char> turns;                 // the path turns back behind this cell
-  std::vector<double> x1, x2, x3;          // x′, x″, x‴ in each cell at its places: (cell * places + place) * axes + axis
+  std::vector<double> x1, x2, x3;          // x′, x″, x‴ in each cell at its places: (cell * axes + axis) * places + place
 
-  /// Where the limits are looked at: at the ends of a cell and between, where the jerk of its polynomial is greatest.
-  static constexpr std::size_t places = 5;
-  static constexpr std::array<double, places> part = {0, 0.28, 0.5, 0.72, 1};
+  /// Where the limits are looked at: at the ends of a cell and between, denser where the jerk of its polynomial is greatest.
+  static constexpr std::size_t places = lanes;
+  static constexpr std::array<double, places> part = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
 
   std::size_t cells() const { return h.size(); }
   void clear();
@@ -74,12 +77,22 @@ class LeastTime {
  private:
   static constexpr std::size_t places = TimedPath::places;
   using Three = std::array<double, 3>;
-  using Places = std::array<double, places>;
   /// b in a cell by its Bézier ordinates: at the start, the middle one, at the end.
   using Ordinates = Three;
-  /// What an axis' limits come to at the places of a cell, linear in the ordinates: acceleration / A and jerk / (J √b).
-  struct AxisLimits {
-    std::array<Places, 3> acceleration, jerk;
+  /// An axis that moves, and what its acceleration and jerk are divided by.
+  struct Moving {
+    std::size_t axis = 0;
+    double by_acceleration = 0, by_jerk = 0;
+  };
+  class Logs;
+  /// T and Σ log(slack).
+  struct Height {
+    double time, logs;
+    double at(double mu) const { return time - mu * logs; }
+  };
+  /// The Hessian, a matrix of five diagonals: the middle one, the next, the last.
+  struct Diagonals {
+    std::vector<double> h0, h1, h2;
   };
   /// An ordinate as a sum of variables: of those before, of and behind its cell.
   struct Mix {
@@ -91,22 +104,32 @@ class LeastTime {
   void number_variables();
   void find_mixes();
   void find_moving();
-  void find_limits();
   void keep_stop(std::size_t cell);
   bool first_guess();
   void find_envelope();
   static double alone(const TimedPath& path, std::size_t cell);
   void spread(const std::vector<double>& y);
   Ordinates ordinates(std::size_t cell) const;
+  std::size_t at_places(std::size_t cell, const Moving& moving) const { return (cell * path_->axes + moving.axis) * places; }
   bool turns_behind(std::size_t cell) const { return path_->turns[cell] != 0; }
   bool is_stop_cell(std::size_t cell) const { return (cell == 0 && ends_.from_stop) || (cell + 1 == n_ && ends_.to_stop); }
   std::size_t first_variable(std::size_t cell) const { return variable_[cell > 0 ? cell - 1 : 0]; }
   double time() const;
-  double barrier(const std::vector<double>& y, double mu);
+  Height height(const std::vector<double>& y);
+  bool is_within(const std::vector<double>& y) { return height(y).time < std::numeric_limits<double>::infinity(); }
   void derivatives(double mu);
-  void add_cell(std::size_t cell, double mu);
+  template <class Lanes>
+  KADR_LANES bool add_logs(Logs& logs) const;
+  template <class Lanes>
+  KADR_LANES void add_cell(std::size_t cell, double mu);
   bool newton_step();
-  double line_search(double value, double mu);
+  bool stiffen(double mu, bool first);
+  template <class Lanes>
+  KADR_LANES bool stiffen_cell(std::size_t cell, double mu);
+  void add_hessian(std::size_t cell, double scale, const std::array<Three, 3>& h);
+  Three step_in(std::size_t cell) const;
+  void by_variables(std::size_t cell, std::array<Three, 3>& by) const;
+  double line_search(double mu);
 
   const TimedPath* path_ = nullptr;
   Ends ends_;
@@ -114,13 +137,15 @@ class LeastTime {
   std::size_t variables_ = 0;  // m of a cell = scale * its variable; those beside stops and turns have their neighbour's
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
-  bool first_given_ = false;               // the first cell follows from the start
-  std::vector<std::size_t> moving_;        // axes
-  std::vector<AxisLimits> limits_;         // cell * moving axes + place among them
+  bool first_given_ = false;  // the first cell follows from the start
+  std::vector<Moving> moving_;
   std::vector<std::array<Mix, 2>> mixes_;  // of each cell's first and last ordinate
   std::vector<double> cap_;
-  std::vector<double> m_;                                           // of the cells
-  std::vector<double> y_, trial_, step_, gradient_, h0_, h1_, h2_;  // of the variables; h: the Hessian's diagonals
+  std::vector<double> m_;                            // of the cells
+  std::vector<double> y_, trial_, step_, gradient_;  // of the variables
+  Diagonals hessian_, factors_;                      // factors: L D Lᵀ
+  std::vector<char> broken_, was_broken_;            // groups of cells in which the step breaks a limit
+  Height height_{};                                  // of y_
   std::vector<CellSpeeds> speeds_;
   int steps_ = 0;
 };

@@ -5,12 +5,9 @@
 #include <limits>
 
 #include "motion/least_time.h"
-#include "motion/least_time_places.h"
 
 namespace kadr {
 namespace {
-
-using least_time::weights;
 
 constexpr double margin = 0.99, jerk_margin = 0.975;  // of the limits: between the places they are looked at they are a little exceeded
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -50,7 +47,7 @@ void LeastTime::prepare() {
   if (first_given_) m_[0] = ends_.from.b + ends_.from.d * path.h[0] / 2;
   for (std::vector<double>* const all : {&y_, &trial_, &step_}) all->assign(variables_, 0);
   find_mixes();
-  find_limits();
+  find_moving();
   cap_.assign(variables_, infinite);
   // b in a cell lies between its middle and those of its neighbours, so a middle obeys the neighbours' limits too
   for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
@@ -87,45 +84,32 @@ void LeastTime::find_mixes() {
 }
 
 void LeastTime::find_moving() {
-  moving_.clear();
-  for (std::size_t a = 0; a < path_->axes; ++a) {
-    bool moves = false;
-    for (std::size_t i = a; i < path_->x1.size(); i += path_->axes) moves = moves || path_->x1[i] != 0 || path_->x2[i] != 0;
-    if (moves) moving_.push_back(a);
-  }
-}
-
-void LeastTime::find_limits() {
   const TimedPath& path = *path_;
-  find_moving();
-  limits_.resize(n_ * moving_.size());
-  for (std::size_t k = 0; k < n_; ++k) {
-    const double h = path.h[k];
-    const Three q{2 / (h * h), -4 / (h * h), 2 / (h * h)};  // b″
-    for (std::size_t p = 0; p < places; ++p) {
-      const double part = TimedPath::part[p];
-      const Three d{-2 * (1 - part) / h, 2 * (1 - 2 * part) / h, 2 * part / h};  // b′
-      for (std::size_t row = 0; row < moving_.size(); ++row) {
-        const std::size_t a = moving_[row], i = (k * places + p) * path.axes + a;
-        const double x1 = path.x1[i], x2 = path.x2[i], x3 = path.x3[i];
-        const double by_a = 1 / (margin * path.acceleration[a]), by_j = 1 / (jerk_margin * path.jerk[a]);
-        AxisLimits& limits = limits_[k * moving_.size() + row];
-        for (std::size_t o = 0; o < 3; ++o) {
-          limits.acceleration[o][p] = by_a * (x1 / 2 * d[o] + x2 * weights[o][p]);
-          limits.jerk[o][p] = by_j * (x1 / 2 * q[o] + 1.5 * x2 * d[o] + x3 * weights[o][p]);
-        }
-      }
-    }
+  moving_.clear();
+  for (std::size_t a = 0; a < path.axes; ++a) {
+    bool moves = false;
+    for (std::size_t k = 0; k < n_; ++k)
+      for (std::size_t i = (k * path.axes + a) * places, end = i + places; i < end; ++i)
+        moves = moves || path.x1[i] != 0 || path.x2[i] != 0;
+    if (moves) moving_.push_back({a, 1 / (margin * path.acceleration[a]), 1 / (jerk_margin * path.jerk[a])});
   }
 }
 
-/// Jerk in the cell beside a stop, s⃛ = 2/9 b₁^(3/2) / h², as a limit of its variable: its middle is a third of b₁.
+/// In the cell beside a stop, at the part τ of it from there: b = b₁ τ^(4/3), so ṡ s̈ = ±2/3 τ b₁^(3/2) / h, s⃛ = 2/9 b₁^(3/2) / h². What
+/// that comes to as a limit of its variable: its middle is a third of b₁.
 void LeastTime::keep_stop(std::size_t cell) {
-  double most = infinite;  // of b₁
-  for (std::size_t a = 0; a < path_->axes; ++a) {
-    const double way = std::fabs(path_->x1[(cell * places + 1) * path_->axes + a]) / (jerk_margin * path_->jerk[a]);
-    if (way > 0) most = std::min(most, std::cbrt(square(4.5 * square(path_->h[cell]) / way)));
-  }
+  const TimedPath& path = *path_;
+  const double h = path.h[cell], ahead = cell == 0 ? 1 : -1;  // the stop is before it, or behind
+  double most = infinite;                                     // of b₁
+  for (std::size_t a = 0; a < path.axes; ++a)
+    for (std::size_t p = 0; p < places; ++p) {
+      const std::size_t i = (cell * path.axes + a) * places + p;
+      const double part = cell == 0 ? TimedPath::part[p] : 1 - TimedPath::part[p];
+      const double jerk = 2.0 / 9 * path.x1[i] / (h * h) + ahead * 2 * path.x2[i] * part / h + path.x3[i] * square(part);
+      const double acceleration = ahead * 2.0 / 3 * path.x1[i] / h * std::cbrt(part) + path.x2[i] * part * std::cbrt(part);
+      if (jerk != 0) most = std::min(most, std::cbrt(square(jerk_margin * path.jerk[a] / jerk)));
+      if (acceleration != 0) most = std::min(most, margin * path.acceleration[a] / std::fabs(acceleration));
+    }
   double& cap = cap_[variable_[cell]];
   cap = std::min(cap, most / (3 * scale_[cell]));
 }
@@ -134,9 +118,8 @@ void LeastTime::keep_stop(std::size_t cell) {
 double LeastTime::alone(const TimedPath& path, std::size_t cell) {
   constexpr double none = 1e-12;  // a derivative of this size limits nothing
   double most = path.most[cell];
-  for (std::size_t p = 0; p < places; ++p)
-    for (std::size_t a = 0; a < path.axes; ++a) {
-      const std::size_t i = (cell * places + p) * path.axes + a;
+  for (std::size_t a = 0; a < path.axes; ++a)
+    for (std::size_t i = (cell * path.axes + a) * places, end = i + places; i < end; ++i) {
       most = std::min(most, path.acceleration[a] / std::max(std::fabs(path.x2[i]), none));
       most = std::min(most, std::cbrt(square(path.jerk[a] / std::max(std::fabs(path.x3[i]), none))));
     }

@@ -203,20 +203,20 @@ void Planner::add_cell(double from, double to, bool turns) {
     quintic({start.x[a], start.x1[a], start.x2[a]}, {knot_.x[a], knot_.x1[a], knot_.x2[a]}, h,
             shapes_.data() + shape + a * TimedCells::terms);
   double most = fastest;
-  for (const double part : TimedPath::part) {
-    const double s = part * h;
-    double squares = 0;
-    for (std::size_t a = 0; a < axes; ++a) {
-      const double* const c = shapes_.data() + shape + a * TimedCells::terms;
+  std::array<double, TimedPath::places> squares{};
+  for (std::size_t a = 0; a < axes; ++a) {
+    const double* const c = shapes_.data() + shape + a * TimedCells::terms;
+    for (std::size_t p = 0; p < TimedPath::places; ++p) {
+      const double s = TimedPath::part[p] * h;
       const double x1 = c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * 5 * c[5])));
       cells_.x1.push_back(x1);
       cells_.x2.push_back(2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * 20 * c[5])));
       cells_.x3.push_back(6 * c[3] + s * (24 * c[4] + s * 60 * c[5]));
       if (x1 != 0) most = std::min(most, square(limits_.speed[a] / x1));
-      squares += square(x1);
+      squares[p] += square(x1);
     }
-    most = std::min(most, square(feed) / squares);
   }
+  for (const double way : squares) most = std::min(most, square(feed) / way);
   cells_.h.push_back(h);
   cells_.most.push_back(most);
   cells_.turns.push_back(turns ? 1 : 0);

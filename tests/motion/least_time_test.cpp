@@ -59,7 +59,7 @@ TEST_P(ALine, TakesTheTimeOfTheClosedForm) {
   ASSERT_TRUE(solver.solve(path, {}));
   const double exact = closed_form(length, {speed, 1000, 20000}), found = seconds(path, solver);
   EXPECT_GE(found, exact * (1 - 1e-9));  // nothing is faster
-  EXPECT_LE(found, exact * 1.025);       // the limits' margins, and the cells
+  EXPECT_LE(found, exact * 1.026);       // the limits' margins (0.9 %), and the cells
 }
 
 INSTANTIATE_TEST_SUITE_P(Lines, ALine,

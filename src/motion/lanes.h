@@ -1,0 +1,96 @@
+#pragma once
+// Eight numbers that are calculated side by side: in the registers of every processor, or in wider ones where it has them.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+// Functions that take or hand back vectors are taken into their callers: no rules of calling apply.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace kadr {
+
+inline constexpr std::size_t lanes = 8;
+
+// Functions of lanes are taken into those that call them, so that they are compiled for the same processor.
+#define KADR_LANES [[gnu::always_inline]] inline
+
+using Pair = double __attribute__((vector_size(16)));
+using Four = double __attribute__((vector_size(32)));
+
+/// Where `sign` is above 0 that of `then`, else that of `otherwise`.
+template <class V>
+KADR_LANES V where_positive(const V& sign, const V& then, const V& otherwise) {
+  return sign > 0 ? then : otherwise;
+}
+KADR_LANES Pair root_of(const Pair& x) { return Pair{std::sqrt(x[0]), std::sqrt(x[1])}; }
+KADR_LANES Four root_of(const Four& x) { return Four{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])}; }
+KADR_LANES double sum_of(const Pair& x) { return x[0] + x[1]; }
+KADR_LANES double sum_of(const Four& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
+KADR_LANES double product_of(const Pair& x) { return x[0] * x[1]; }
+KADR_LANES double product_of(const Four& x) { return (x[0] * x[2]) * (x[1] * x[3]); }
+KADR_LANES double least_of(const Pair& x) { return std::min(x[0], x[1]); }
+KADR_LANES double least_of(const Four& x) { return std::min(std::min(x[0], x[2]), std::min(x[1], x[3])); }
+
+/// Twice as many numbers, in two halves: a vector wider than the registers is taken to pieces and put together in memory.
+template <class Half>
+struct Doubled {
+  Half low = {}, high = {};
+
+  Doubled() = default;
+  KADR_LANES Doubled(const Half& l, const Half& h) : low(l), high(h) {}
+  /// From an address of any alignment.
+  KADR_LANES explicit Doubled(const double* from) {
+    std::memcpy(static_cast<void*>(&low), from, sizeof low);
+    std::memcpy(static_cast<void*>(&high), from + sizeof low / sizeof *from, sizeof high);
+  }
+
+  KADR_LANES friend Doubled operator+(const Doubled& x, const Doubled& y) { return {x.low + y.low, x.high + y.high}; }
+  KADR_LANES friend Doubled operator-(const Doubled& x, const Doubled& y) { return {x.low - y.low, x.high - y.high}; }
+  KADR_LANES friend Doubled operator*(const Doubled& x, const Doubled& y) { return {x.low * y.low, x.high * y.high}; }
+  KADR_LANES friend Doubled operator/(const Doubled& x, const Doubled& y) { return {x.low / y.low, x.high / y.high}; }
+  KADR_LANES friend Doubled operator+(double x, const Doubled& y) { return {x + y.low, x + y.high}; }
+  KADR_LANES friend Doubled operator-(double x, const Doubled& y) { return {x - y.low, x - y.high}; }
+  KADR_LANES friend Doubled operator*(double x, const Doubled& y) { return {x * y.low, x * y.high}; }
+  KADR_LANES friend Doubled operator/(double x, const Doubled& y) { return {x / y.low, x / y.high}; }
+  KADR_LANES friend Doubled operator*(const Doubled& x, double y) { return y * x; }
+  KADR_LANES friend Doubled operator-(const Doubled& x, double y) { return {x.low - y, x.high - y}; }
+  KADR_LANES friend Doubled operator-(const Doubled& x) { return {-x.low, -x.high}; }
+  KADR_LANES Doubled& operator+=(const Doubled& y) { return *this = *this + y; }
+  KADR_LANES friend Doubled where_positive(const Doubled& sign, const Doubled& then, const Doubled& otherwise) {
+    return {where_positive(sign.low, then.low, otherwise.low), where_positive(sign.high, then.high, otherwise.high)};
+  }
+  KADR_LANES friend Doubled root_of(const Doubled& x) { return {root_of(x.low), root_of(x.high)}; }
+  // The same to the last bit for both kinds: ((0+4)+(2+6)) + ((1+5)+(3+7)).
+  KADR_LANES friend double sum_of(const Doubled& x) { return sum_of(x.low + x.high); }
+  KADR_LANES friend double product_of(const Doubled& x) { return product_of(x.low * x.high); }
+  KADR_LANES friend double least_of(const Doubled& x) { return least_of(where_positive(x.high - x.low, x.low, x.high)); }
+  KADR_LANES friend double greatest_of(const Doubled& x) { return -least_of(-x); }
+};
+
+using NarrowLanes = Doubled<Doubled<Pair>>;
+using WideLanes = Doubled<Four>;
+
+// WideLanes live within one function: how such a vector lies in memory is not the same for all processors.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+template <class Work>
+[[gnu::target("avx2")]] auto with_wide_lanes(const Work& work) {
+  return work(WideLanes());
+}
+
+/// Does `work`, an [[gnu::always_inline]] function of the kind of lanes to be used, the same for all kinds to the last bit
+/// (-ffp-contract=off).
+template <class Work>
+auto side_by_side(const Work& work) {
+  static const bool are_wide = __builtin_cpu_supports("avx2") != 0;
+  return are_wide ? with_wide_lanes(work) : work(NarrowLanes());
+}
+#else
+template <class Work>
+auto side_by_side(const Work& work) {
+  return work(NarrowLanes());
+}
+#endif
+
+}  // namespace kadr
