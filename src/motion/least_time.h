@@ -76,6 +76,7 @@ class LeastTime {
 
  private:
   static constexpr std::size_t places = TimedPath::places;
+  static constexpr std::size_t beyond = 2;  // a cell may name variables behind the last; derivatives and steps of these are 0
   using Three = std::array<double, 3>;
   /// b in a cell by its Bézier ordinates: at the start, the middle one, at the end.
   using Ordinates = Three;

@@ -205,7 +205,6 @@ void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Thr
 
 /// Gradient and Hessian of the barrier at y_; m_ is that of y_.
 void LeastTime::derivatives(double mu) {
-  constexpr std::size_t beyond = 2;  // a cell's limits may name variables that are none; their derivatives are 0
   for (std::vector<double>* const all : {&gradient_, &hessian_.h0, &hessian_.h1, &hessian_.h2}) all->assign(variables_ + beyond, 0);
   for (std::size_t v = 0; v < variables_; ++v) {
     const double slack = 1 / (cap_[v] - y_[v]);

@@ -45,7 +45,8 @@ void LeastTime::prepare() {
   number_variables();
   m_.assign(n_, 0);
   if (first_given_) m_[0] = ends_.from.b + ends_.from.d * path.h[0] / 2;
-  for (std::vector<double>* const all : {&y_, &trial_, &step_}) all->assign(variables_, 0);
+  for (std::vector<double>* const all : {&y_, &trial_}) all->assign(variables_, 0);
+  step_.assign(variables_ + beyond, 0);
   find_mixes();
   find_moving();
   cap_.assign(variables_, infinite);
