@@ -7,21 +7,24 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 40;    // instants of the next ramp looked at in one of the clock: some µs
-constexpr double longer = 1.3;          // the next ramp to be tried
-constexpr double longest = 20;          // s, of a ramp: longer ones are no answer; then from the shortest again
-constexpr double jerk_share = 0.95;     // of the limit: between two instants the plan's own jerk may be greater
-constexpr double rounding = 1 + 1e-9;   // of limits
-constexpr double least_change = 0.001;  // of the share, for want of cells
-constexpr double least_ramp = 4;        // periods
+constexpr int tries_an_instant = 25;     // instants of the next ramp looked at in one of the clock: some µs
+constexpr double longer = 1.3;           // the next ramp to be tried
+constexpr double longest = 20;           // s, of a ramp: longer ones are no answer; then from the shortest again
+constexpr double a_little_more = 0.005;  // of the jerk: where no ramp obeyed its limit;
+constexpr double most_over = 0.015;      //   at most
+constexpr double rounding = 1 + 1e-9;    // of limits
+constexpr double least_change = 0.001;   // of the share, for want of cells
+constexpr double least_ramp = 4;         // periods
 
 }  // namespace
 
 Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
     : limits_(std::move(limits)), period_(1 / rate), ring_(limits_.speed.size(), cells) {}
 
-/// One instant further. False: there are not so many cells; the cursor is then at the end of the last.
-bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const {
+/// One instant further; `crossed(end)` is told of each cell that ends on the way, and the time on the ramp then.
+///   returns  false: there are not so many cells; the cursor is then at the end of the last
+template <class Crossed>
+bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, const Crossed& crossed) const {
   double left = period_;  // s of the clock
   double way = ramp.passed(on_ramp + period_) - ramp.passed(on_ramp);
   const bool held = ramp.at(on_ramp + period_).share <= 0;
@@ -33,9 +36,14 @@ bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) con
     if (step < rest) return at.t += step, true;
     const double part = step > 0 ? rest / step : 0;
     left -= part * left, way -= part * way;
+    crossed(Cursor{at.cell, law.seconds}, on_ramp + period_ - left);
     ++at.cell, at.t = 0;
   }
   return left <= 0;
+}
+
+bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const {
+  return advance(at, ramp, on_ramp, [](const Cursor&, double) {});
 }
 
 void Playback::show(const Cursor& at, double* x) {
@@ -67,7 +75,7 @@ bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
     const double now = pace.share * pace.share * acceleration + pace.rate * speed;
     const double change = pace.share * (pace.share * pace.share * jerk + 3 * pace.rate * acceleration) + pace.bend * speed;
     if (std::fabs(now) > rounding * std::max(limits_.acceleration[a], std::fabs(acceleration))) return false;
-    if (std::fabs(change) > rounding * std::max(jerk_share * limits_.jerk[a], std::fabs(jerk))) return false;
+    if (std::fabs(change) > (rounding + over_) * std::max(limits_.jerk[a], std::fabs(jerk))) return false;
   }
   return true;
 }
@@ -84,8 +92,7 @@ double Playback::shortest(double target) const {
     const double* const c = ring_.path(at_.cell, a);
     const double speed =
         change * std::fabs(i.speed * (c[1] + i.way * (2 * c[2] + i.way * (3 * c[3] + i.way * (4 * c[4] + i.way * 5 * c[5])))));
-    seconds =
-        std::max({seconds, most_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / (jerk_share * limits_.jerk[a]))});
+    seconds = std::max({seconds, most_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / limits_.jerk[a])});
   }
   return std::min(seconds, longest);
 }
@@ -103,22 +110,36 @@ void Playback::try_ramp(double target, double seconds) {
   tried_ = false;
 }
 
+/// From the shortest again.
+void Playback::exceed_a_little() {
+  over_ = std::min(over_ + a_little_more, most_over);
+  try_ramp(next_.end(), shortest(next_.end()));
+}
+
+/// The limits are looked at at the instants and, as jerk jumps there, at both sides of each cell's end.
 void Playback::go_on_trying() {
+  bool allowed = true;
+  const auto look = [&](const Cursor& end, double on_ramp) {
+    const OverrideShare pace = next_.at(on_ramp);
+    allowed = allowed && is_allowed(end, pace) && is_allowed({end.cell + 1, 0}, pace);
+  };
   for (int i = 0; i < tries_an_instant; ++i) {
     if (on_next_ > next_.seconds()) {
       tried_ = true;
       return;
     }
-    const bool known = advance(probe_, next_, on_next_) || ring_.finished();
+    const bool known = advance(probe_, next_, on_next_, look) || ring_.finished();
     on_next_ += period_;
-    if (!known) {  // a smaller change that fits into what is known; from there on another
+    if (!known) {  // somewhat more jerk, or a smaller change that fits into what is known; from there on another
+      if (next_.end() <= 0 && over_ < most_over) return exceed_a_little();
       const double from = next_.at(0).share, change = (next_.end() - from) / 2;
       const double target = std::fabs(change) > least_change ? from + change : goal_;
       return try_ramp(target, shortest(target));
     }
-    if (is_allowed(probe_, next_.at(on_next_))) continue;
+    if (allowed && is_allowed(probe_, next_.at(on_next_))) continue;
     const double seconds = longer * next_.seconds();
-    return try_ramp(next_.end(), seconds < longest ? seconds : shortest(next_.end()));
+    if (seconds >= longest) return exceed_a_little();
+    return try_ramp(next_.end(), seconds);
   }
 }
 
@@ -128,13 +149,14 @@ void Playback::steer() {
   const double wanted = scarce ? 0 : wanted_.load(std::memory_order_relaxed);
   if (wanted != goal_ || (!trying_ && on_ramp_ >= ramp_.seconds() && ramp_.end() != goal_)) {
     goal_ = wanted;
+    over_ = 0;
     try_ramp(goal_, shortest(goal_));
   }
   if (trying_ && !tried_) go_on_trying();
   if (!trying_ || instant_ < begins_) return;
   if (!tried_) return try_ramp(next_.end(), next_.seconds());
   ramp_ = next_;
-  on_ramp_ = 0;
+  on_ramp_ = over_ = 0;
   trying_ = tried_ = false;
 }
 

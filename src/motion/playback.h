@@ -6,8 +6,8 @@
 //
 // An override o lets time on the plan run at o times its rate: the path stays, speed falls with o, acceleration with o², jerk with o³.
 // Between two overrides the rate follows an OverrideRamp. Before one is taken it is tried out in all instants of the servo clock that it
-// will last: where an axis would exceed its acceleration or jerk, a longer one is tried. A share of the trying is done at each instant, so
-// that none takes long. A pause of the program is not lengthened by an override, but by a feed hold.
+// will last, and at the ends of the cells between: where an axis would exceed its acceleration or jerk, a longer one is tried. A share of
+// the trying is done at each instant, so that none takes long. A pause of the program is not lengthened by an override, but by a feed hold.
 //
 // If cells come too late it brakes by itself and goes on when there are enough.
 
@@ -65,12 +65,15 @@ class Playback {
     double t = 0;  // s into it
   };
   bool is_over(const Cursor& at) const { return at.cell >= ring_.end(); }
+  template <class Crossed>
+  bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, const Crossed& crossed) const;
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const;
   void show(const Cursor& at, double* x);
   bool is_allowed(const Cursor& at, const OverrideShare& pace) const;
   void step();
   void steer();
   void try_ramp(double target, double seconds);
+  void exceed_a_little();
   void go_on_trying();
   double shortest(double target) const;
 
@@ -94,6 +97,7 @@ class Playback {
   std::uint64_t begins_ = 0;  // instant
   Cursor probe_;
   double on_next_ = 0;  // s, of the probe on the next ramp
+  double over_ = 0;     // share of the jerk limits that it may exceed them by: a feed hold must come to pass
 };
 
 }  // namespace kadr

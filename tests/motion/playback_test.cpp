@@ -152,6 +152,18 @@ TEST(Playback, AnOverrideDoesNotLengthenAPauseAFeedHoldDoes) {
   EXPECT_NEAR(static_cast<double>(played(pause, {{100, 0}, {300, 1}}).points.size()), 701, 12);
 }
 
+// Where a cell ends the plan's jerk jumps, here from +19,700 to −10,000 mm/s³ a moment after an instant: a ramp that is allowed at the
+// instants only has 24,300 there.
+TEST(Playback, ARampKeepsTheJerkWhereThePlansOwnJumps) {
+  const TimedCells plan = planned({{{0.037301733035709911, -0.0072512559279498297, 0}, 35, 0.01},
+                                   {{0.11112567225939744, -0.035376440327297157, 0}, 41, 0.1},
+                                   {{0.12898463838856999, -0.046424396192391276, 0.3}, 36, 0.1},
+                                   {{0.18797657848151295, -0.095911273281884701, 0.6}, 5, 0.01},
+                                   {{0.20942938542861966, -0.12228885986766183, 0.9}, 9, 0.01},
+                                   {{0.25293900071420661, -0.19992849779636562, 0.9}, 23, 0.01}});
+  EXPECT_LE(played(plan, {{3, 0.8}}).jerk, jerk * 1.01);
+}
+
 // So few cells are known that no whole ramp fits into them: it goes step by step.
 TEST(Playback, ATinyRingSlowsButNeverStops) {
   const TimedCells plan = planned(corner);
