@@ -11,6 +11,8 @@ Checked from the samples alone, and the greatest of each told:
   surface                     polar and cylindrical interpolation: path and feed in the programmed plane, the rotary axis' own limit
   smoothing                   G5.1 Q2 within N3104 of the programmed chords and through their ends, Q3 within N3106
   spindle                     threads and rigid tapping: where the axis is, and how far the spindle has turned, go together
+  turning                     feed per revolution with a constant surface speed
+  overrides                   all but path, surface and smoothing again with feed holds and overrides on the way
 """
 import argparse
 import json
@@ -26,6 +28,8 @@ HERE = Path(__file__).resolve().parent
 LIMITS = {'speed': 200.0, 'acceleration': 1000.0, 'jerk': 20000.0}  # mm/s, mm/s², mm/s³
 TOLERANCE = 0.02
 OVER = 1.005           # of a limit: differences of samples with nine decimals
+OVER_CHANGED = 1.02    # while the override changes: the plan's own jerk between those places, and a ramp that nothing else would let be
+OVERRIDES = '0.05:40,0.7:0,0.9:70,1.2:20,1.6:100,2.5:0,2.9:30,4:100'  # s, %
 OVER_FAST = 1.04       # beyond 1 kHz the jerk between the places where the planner looks at it is seen too: 3.5 % at most are known
 FAST = 2000            # Hz
 EXACT_PATH = 0.005     # mm: the exact run's own arcs, chords between its samples, THIN
@@ -85,6 +89,34 @@ SPINDLE_PROGRAMS = {  # nct 4.4, 18.1.9, 19.B
     'tap': (TAPS, 'G84.2 X10 Z-8 R2 P0.5 F625 S500\nX20\nM30'),
     'tap left': (TAPS, 'G84.3 X10 Z-8 R2 P0.5 F625 S500 Q3\nM30'),
 }
+
+
+TURNING = {'start': {'X': 50}, 'modal': ['G18', 'G90', 'G95']}
+TURNING_PROGRAMS = {  # nct 11.5: every feed is 0.2 mm/rev
+    'facing': (TURNING, 'G92 S3000\nG96 S200 P1 M3\nG1 X0 F0.2\nM30'),
+    'profile': (TURNING, 'G92 S2500\nG96 S250 P1 M4\nG1 Z-10 F0.2\nX40 Z-30\nG2 X20 Z-50 R20\nG1 X5\nM30'),
+}
+
+
+def turning_programs():
+    for name, (setup, text) in TURNING_PROGRAMS.items():
+        yield f'turning {name}', 'nct', setup, text
+
+
+def off_feed(names, rows, spindle):
+    """Where the axes are neither speeding up nor slowing down much, a turn takes them 0.2 mm, nearly: along a motion speeds are kept within 2 %, and lower beside the ends of its pieces."""
+    checked = 0
+    ways = [(math.dist(a[1:], b[1:]), (t - s) / 360) for a, b, s, t in zip(rows, rows[1:], spindle, spindle[1:])]
+    for i in range(100, len(ways) - 100, 20):
+        way, turns = (sum(abs(w[k]) for w in ways[i:i + 20]) for k in (0, 1))
+        around = [sum(w[0] for w in ways[k:k + 20]) for k in (i - 80, i - 40, i + 40, i + 80)]
+        if turns == 0 or max(around) > 1.03 * way or min(around) < 0.97 * way:
+            continue
+        checked += 1
+        if abs(way / turns / 0.2 - 1) > 0.03:
+            yield f'{way / turns:.4f} mm/rev at {rows[i][0]:.3f} s'
+    if checked < 100:
+        yield f'only {checked} places with an even speed'
 
 
 POLAR = {'axes': ['X', 'Z', 'C'], 'start': {'X': 50}, 'parameters': {'N0106.C#1': 1, 'N0305.C': 3600}}
@@ -196,8 +228,8 @@ def random_programs(choose, count):
         yield f'random {i} {kind}', 'mach3', {}, '\n'.join(lines) + '\nM30\n'
 
 
-def sampled(kadr, folder, profile, control, setup, program, rate):
-    command = [kadr, 'run', program, '--control', control, '--setup', setup, '--machine', profile, '--samples', '-', '--quiet', '--rate', str(rate)]
+def sampled(kadr, folder, profile, control, setup, program, rate, *more):
+    command = [kadr, 'run', program, '--control', control, '--setup', setup, '--machine', profile, '--samples', '-', '--quiet', '--rate', str(rate), *more]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=folder, timeout=TIME_LIMIT_S)
     if done.returncode not in (0, 1):
         return [], [], []  # it needs files beside it
@@ -369,19 +401,21 @@ def check(kadr, folder, rate, item):
     try:
         names, rows, spindle = sampled(kadr, folder, machine(folder, TOLERANCE), control, setup_file, program, rate)
         _, exact, _ = sampled(kadr, folder, machine(folder, 0), control, setup_file, program, rate)
+        _, changed, turned = sampled(kadr, folder, machine(folder, TOLERANCE), control, setup_file, program, rate, '--override', OVERRIDES)
     except (RuntimeError, subprocess.TimeoutExpired) as failed:
         return name, [str(failed)], 0, greatest
     if not rows:
         return name, [], 0, greatest
-    for how, sampled_rows in ('', rows), ('exact: ', exact):
+    for how, sampled_rows in ('', rows), ('exact: ', exact), ('overrides: ', changed):
         for share, limit, axis, when in used(names, sampled_rows):
             greatest.take(f'share of {limit}', share, f'{how}{axis} at {when:.3f} s')
-            if share > (OVER if rate < FAST else OVER_FAST):
+            if share > (OVER_FAST if rate >= FAST else OVER_CHANGED if sampled_rows is changed else OVER):
                 faults.append(f'{how}{limit} of {axis} {share:.4f} of its limit at {when:.3f} s')
     trace = subprocess.run([kadr, 'run', program, '--control', control, '--setup', setup_file, '--trace', '-', '--quiet'],
                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=folder, timeout=TIME_LIMIT_S).stdout.decode('utf-8')
     actions = [json.loads(line) for line in trace.strip().split('\n')]
-    faults += end_faults(names, rows[-1][1:], actions[-1].get('machine_position', {}), greatest)
+    for sampled_rows in rows, changed:
+        faults += end_faults(names, sampled_rows[-1][1:], actions[-1].get('machine_position', {}), greatest)
     every = max(1, round(rate / PATH_RATE))
     away, when = furthest(rows[::every], exact)
     tolerance = max(TOLERANCE, 0.1 if 'G64 P0.1' in text else 0)
@@ -392,8 +426,11 @@ def check(kadr, folder, rate, item):
         faults += off_chords(name, exact)
     if name.startswith('surface'):
         faults += off_surface(name, names, rows)
+    if name.startswith('turning'):
+        faults += off_feed(names, rows, spindle)
     if name.startswith('spindle'):
         faults += out_of_step(actions, names, rows, spindle)
+        faults += [f'overrides: {fault}' for fault in out_of_step(actions, names, changed, turned)]
     return name, faults, len(rows), greatest
 
 
@@ -407,7 +444,7 @@ def main():
     parser.add_argument('--only', default='')
     options = parser.parse_args()
     kadr = str(Path(options.kadr).resolve())
-    every = [*programs_of_cases()][::options.every] + [*spindle_programs(), *surface_programs(), *smooth_programs()] + [*random_programs(random.Random(options.seed), options.random)]
+    every = [*programs_of_cases()][::options.every] + [*spindle_programs(), *surface_programs(), *smooth_programs(), *turning_programs()] + [*random_programs(random.Random(options.seed), options.random)]
     every = [item for item in every if options.only in item[0]]
     sampled_any = failed = 0
     greatest = Greatest()

@@ -13,6 +13,7 @@
 #include "base/alarm.h"
 #include "base/span.h"
 #include "base/vec.h"
+#include "control/surface_speed.h"
 
 namespace kadr {
 
@@ -129,7 +130,8 @@ struct Motion {
   FeedUnit unit = FeedUnit::mm_per_min;
   FeedAlong along = FeedAlong::path;
   bool exact = false;                             // exact stop at its end
-  bool own_override = false;                      // feed override counts as 100 % (tapping, threads)
+  bool own_override = false;                      // feed and spindle override count as 100 % (tapping, threads, G23, M49)
+  bool no_hold = false;                           // nor does the operator's feed stop act (nct 6.3.4)
   bool in_position = false;                       // at its end the axes must come into position (nct 4.1.1, 6.3)
   AxisMask named = 0;                             // axes whose position it gives anew
   Vec2 center;                                    // of an arc: of its first and second axis, work coordinates
@@ -270,7 +272,7 @@ struct FrameChange {
 struct Action {
   Origin origin;
   std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
-               FrameChange, Sync, ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>
+               FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>
       what;
 };
 

@@ -43,7 +43,8 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.first = static_cast<std::uint8_t>(modal.axes.first);
   motion.second = static_cast<std::uint8_t>(modal.axes.second);
   motion.along = FeedAlong::path;
-  motion.own_override = motion.in_position = false;
+  motion.own_override = !modal.override_enabled || (modal.override_permission & feed_permission) == 0;
+  motion.no_hold = motion.in_position = false;
   motion.detail.reset();
   motion.named = named;
   for (std::size_t a = 0; a < axis_count; ++a) {  // the others stay 0

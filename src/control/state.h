@@ -40,6 +40,8 @@ enum class ContourPhase : std::uint8_t {
 enum class MotionMode : std::uint8_t { none, rapid, linear, arc_cw, arc_ccw, cycle };
 enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
+inline constexpr std::uint8_t feed_permission = 1;  // bit of Modal::override_permission
+
 /// What stays in force from block to block. `rows` names the code of each group; the fields say what it means.
 struct Modal {
   std::array<std::int16_t, most_groups> rows;  // row of ControlDef::codes in force, -1: none
@@ -63,7 +65,7 @@ struct Modal {
   bool flood = false;
   bool override_enabled = true;
   bool feed_known = false;
-  std::uint8_t override_permission = 3;  // 1 feed, 2 spindle
+  std::uint8_t override_permission = 3;  // feed_permission, 2 spindle
   std::uint8_t work_zero = 0;            // 0: none
   std::uint32_t fixture = 1;
   std::uint32_t offset_number = 0;  // D

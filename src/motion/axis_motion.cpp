@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/tolerance.h"
-#include "motion/pace.h"
 
 namespace kadr {
 namespace {
@@ -87,14 +86,33 @@ AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, doubl
 }
 
 void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes) {
-  spindle_.start(setup.spindle());
+  spindle_.start(setup.spindle(), setup.spindle_override / 100);
   smoothing_ = Smoothing(smoothing_rules(setup, axes));
 }
 
 /// What is planned from here on belongs to this motion: the tag of its cells until they are handed out.
-std::uint64_t AxisMotion::record(Spent spent) {
-  records_.push_back({++motions_, spent.tag(), spindle_.per_second()});
+std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& motion) {
+  Record record{++motions_, spent.tag(), switches, spindle_.turning(), motion.own_override ? 1 : spindle_.override_part(), 0};
+  SurfaceSpeed& surface = record.spindle.surface;
+  if (surface.on && surface.axis < max_axes) record.shift = motion.to[surface.axis] - motion.machine[surface.axis];
+  if (spent.on == Spent::On::rapid) {  // nct 11.5.1: at once as fast as at its end
+    record.spindle.arrive(motion.to);
+    surface.on = false;
+  }
+  records_.push_back(record);
   return motions_;
+}
+
+/// Degrees a second; with a constant surface speed that in the middle of the cell.
+double AxisMotion::spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell) {
+  const SpindleTurning& spindle = record.spindle;
+  Axes work{};
+  if (spindle.surface.on && spindle.surface.axis < cells.axes) {
+    Axes at{};
+    cells.position(cell, cells.laws[cell].length / 2, at.data());
+    work[spindle.surface.axis] = at[spindle.surface.axis] + record.shift;
+  }
+  return record.spindle_part * spindle.degrees(spindle.at(work));
 }
 
 /// Numbers of records become what is told of them.
@@ -106,7 +124,8 @@ void AxisMotion::hand_out(TimedCells& cells) {
     const Record& record = records_.front();
     source.tag = record.spent;
     source.motion = record.motion;
-    cells.spindle.push_back(spindle_.turn(record.spindle, cells.laws[k]));
+    source.switches = record.switches;
+    cells.spindle.push_back(spindle_.turn(spindle_rate(record, cells, k), cells.laws[k]));
   }
   sink_(cells);
 }
@@ -117,11 +136,16 @@ void AxisMotion::rest() {
   planner_.stop();
 }
 
-void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
-  if (!(seconds > 0)) return;
+TimedCells AxisMotion::standing(const Axes& at, double seconds, Spent spent, double spindle) {
   TimedCells still{roles_.count, {TimeLaw{seconds, 0, true, 0, 0, 0}}, {{spent.tag()}}, {}};
   for (std::size_t a = 0; a < roles_.count; ++a) still.path.insert(still.path.end(), {at[a], 0, 0, 0, 0, 0});
-  still.spindle.push_back(spindle_.turn(spindle_.per_second(), still.laws[0]));
+  still.spindle.push_back(spindle_.turn(spindle, still.laws[0]));
+  return still;
+}
+
+void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
+  if (!(seconds > 0)) return;
+  TimedCells still = standing(at, seconds, spent, spindle_.overridden());
   sink_(still);
 }
 
@@ -146,13 +170,15 @@ void AxisMotion::take(const Motion& motion, const MotionTime& programmed, const 
   const bool line_in_time = programmed.seconds > 0 && Curve(roles_, position_.work, motion).straight();
   const bool thread = motion.kind == MotionKind::thread && line_in_time, smooths = motion.smoothing != 0 && line_in_time;
   const bool taps = motion.detail && motion.detail->turn;
+  const Switches switches{rapid || !motion.own_override, !motion.no_hold};
   if (!thread) cut_threads();
   if (!smooths) end_smoothing();
   if (taps) couple(motion);
   if (thread) add_thread(motion, programmed, spent);
-  else if (smooths) smooth(motion, programmed, record(spent));
-  else cut(motion, programmed, record(spent));
+  else if (smooths) smooth(motion, programmed, record(spent, switches, motion));
+  else cut(motion, programmed, record(spent, switches, motion));
   if (taps) release();
+  spindle_.arrive(motion.to);
   position_.take(motion);
 }
 
@@ -190,17 +216,27 @@ void AxisMotion::add_thread(const Motion& motion, const MotionTime& programmed, 
     if (anew) thread_angle_ = *motion.detail->start_angle;
   }
   const Axes end = MachinePath(roles_, position_, motion).end();
-  const std::uint64_t number = record(spent);
+  const std::uint64_t number = record(spent, {false, false}, motion);
   if (on_motion) on_motion(number, distance(position_.machine, end));
   threads_.add(end, programmed.seconds, number);
   if (motion.exact) cut_threads();
+}
+
+/// The axes stand until the first thread may begin (nct 4.4); there is such a cell even where nothing is to be waited for, as an override
+/// may have let the axes come later.
+void AxisMotion::wait_for_spindle() {
+  const double seconds = spindle_.seconds_to(thread_angle_, threads_.ramp() / 2);
+  TimedCells still = standing(threads_.start(), seconds, thread_spent_, spindle_.per_second());
+  still.sources[0].switches = {false, false};
+  still.spindle[0].awaited = true;
+  sink_(still);
 }
 
 /// Where threads had to end before the last one (another speed, a function, too many) the next goes on in the same groove.
 void AxisMotion::cut_threads() {
   if (threads_.empty()) return;
   const Axes end = threads_.end();
-  stand(threads_.start(), spindle_.seconds_to(thread_angle_, threads_.ramp() / 2), thread_spent_);
+  wait_for_spindle();
   TimedCells cells = threads_.cells();
   hand_out(cells);
   constexpr double turn = 360;
@@ -210,13 +246,11 @@ void AxisMotion::cut_threads() {
   exact_ = true;
 }
 
-AxisMotion::Feeds AxisMotion::feeds(const Curve& curve, const MachinePath& path, const Motion& motion, const MotionTime& programmed,
-                                    int pieces) const {
+AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) {
   std::vector<double> ways, minutes;
   double length = 0, sum = 0;
   Axes last = path.start();
-  const Pace pace(roles_, curve, motion, programmed.feed, rapid_);
-  const bool even = curve.surface() == PathSurface::plane;
+  const bool even = pace.is_even();
   for (int i = 1; i <= pieces; ++i) {
     const Axes to = path.at(static_cast<double>(i) / pieces);
     const double way = distance(last, to);
@@ -240,8 +274,9 @@ void AxisMotion::cut(const Motion& motion, const MotionTime& programmed, std::ui
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
   const double junction = exact_ ? 0 : tolerance;
-  const int pieces = curve.pieces(chord_of_tolerance * rounding);
-  const auto [length, speeds] = feeds(curve, path, motion, programmed, pieces);
+  const Pace pace(roles_, curve, motion, programmed.feed, rapid_, spindle_.turning());
+  const int pieces = std::max(curve.pieces(chord_of_tolerance * rounding), pace.pieces());
+  const auto [length, speeds] = feeds(pace, path, programmed, pieces);
   if (on_motion) on_motion(number, length);
   for (int i = 1; i <= pieces; ++i) {
     const double feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];

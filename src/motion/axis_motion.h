@@ -8,6 +8,7 @@
 #include "config/machine_profile.h"
 #include "config/setup.h"
 #include "motion/estimate.h"
+#include "motion/pace.h"
 #include "motion/planner.h"
 #include "motion/smoothing.h"
 #include "motion/spindle_clock.h"
@@ -59,24 +60,30 @@ class AxisMotion {
   /// A motion of which cells are still to come.
   struct Record {
     std::uint64_t motion, spent;
-    double spindle;  // degrees a second
+    Switches switches;
+    SpindleTurning spindle;
+    double spindle_part;  // override / 100
+    double shift;         // work coordinate less machine coordinate, of the axis that tells the surface speed, mm
   };
   /// The way of a motion, mm, and the speed of each of its pieces, mm/s between its ends; the last one counts for all that follow.
   struct Feeds {
     double length;
     std::vector<double> speeds;
   };
-  std::uint64_t record(Spent spent);
+  std::uint64_t record(Spent spent, Switches switches, const Motion& motion);
+  static double spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell);
   void take(const Motion& motion, const MotionTime& programmed, const Origin& origin);
   void cut(const Motion& motion, const MotionTime& programmed, std::uint64_t number);
-  Feeds feeds(const Curve& curve, const MachinePath& path, const Motion& motion, const MotionTime& programmed, int pieces) const;
+  static Feeds feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces);
   void couple(const Motion& motion);
   void release();
   void smooth(const Motion& motion, const MotionTime& programmed, std::uint64_t number);
   void end_smoothing();
   void add_thread(const Motion& motion, const MotionTime& programmed, Spent spent);
   void cut_threads();
+  void wait_for_spindle();
   void rest();
+  TimedCells standing(const Axes& at, double seconds, Spent spent, double spindle);
   void stand(const Axes& at, double seconds, Spent spent);
   void hand_out(TimedCells& cells);
 

@@ -14,7 +14,7 @@ namespace kadr {
 class CellRing {
  public:
   CellRing(std::size_t axes, std::size_t cells)
-      : axes_(axes), size_(cells), laws_(cells), tags_(cells), spindle_(cells), path_(cells * axes * TimedCells::terms) {}
+      : axes_(axes), size_(cells), laws_(cells), tags_(cells), switches_(cells), spindle_(cells), path_(cells * axes * TimedCells::terms) {}
 
   // who writes
 
@@ -28,6 +28,7 @@ class CellRing {
       const std::size_t slot = (end + k) % size_, from = first + k;
       laws_[slot] = cells.laws[from];
       tags_[slot] = cells.sources[from].tag;
+      switches_[slot] = cells.sources[from].switches;
       if (!cells.spindle.empty()) spindle_[slot] = cells.spindle[from];
       std::copy_n(cells.path.begin() + static_cast<std::ptrdiff_t>(from * row), row,
                   path_.begin() + static_cast<std::ptrdiff_t>(slot * row));
@@ -54,6 +55,7 @@ class CellRing {
   std::size_t axes() const { return axes_; }
   const TimeLaw& law(std::uint64_t cell) const { return laws_[cell % size_]; }
   std::uint64_t tag(std::uint64_t cell) const { return tags_[cell % size_]; }
+  Switches switches(std::uint64_t cell) const { return switches_[cell % size_]; }
   const SpindleTurn& spindle(std::uint64_t cell) const { return spindle_[cell % size_]; }
   /// The polynomial of an axis, `TimedCells::terms` coefficients.
   const double* path(std::uint64_t cell, std::size_t axis) const {
@@ -64,6 +66,7 @@ class CellRing {
   std::size_t axes_, size_;
   std::vector<TimeLaw> laws_;
   std::vector<std::uint64_t> tags_;
+  std::vector<Switches> switches_;
   std::vector<SpindleTurn> spindle_;
   std::vector<double> path_;
   std::atomic<std::uint64_t> begin_{0}, end_{0};

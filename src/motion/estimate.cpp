@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/integral.h"
 #include "motion/polar_feed.h"
 
 namespace kadr {
@@ -32,7 +33,12 @@ bool exact_times(const Setup& setup, const std::vector<std::string>& axes) {
 }  // namespace
 
 Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
-  Rates rates{{}, setup.feed_override / 100, profile.tool_change_s, profile.spindle_start_s, exact_times(setup, axes)};
+  Rates rates{{},
+              setup.feed_override / 100,
+              setup.spindle_override / 100,
+              profile.tool_change_s,
+              profile.spindle_start_s,
+              exact_times(setup, axes)};
   for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i)
     rates.rapid[i] = std::min(setup.rapid_override, 100.0) / 100 *
                      of_setup(setup, axes[i], &AxisLimits::rapid).value_or(profile_of(profile, axes[i]).rapid);
@@ -73,16 +79,29 @@ double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) co
   return longest == 0 ? 0 : longest / (*motion.detail->lead * turning_rpm());
 }
 
+/// By a feed, mm/rev, of a spindle that turns by where the tool is (nct 11.5).
+double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, double feed) const {
+  constexpr double error = 1e-9;  // relative
+  const SpindleTurning& spindle = spindles_[1];
+  return integral([&](double part) { return curve.rate(motion.along, part) / (feed * spindle.at(curve.at(part))); }, 0, 1, error);
+}
+
 double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
-  const double override_part = motion.own_override ? 1 : rates_.feed_part;
+  const double override_part = motion.own_override ? 1 : rates_.feed_part, spindle_part = motion.own_override ? 1 : rates_.spindle_part;
   const bool measured = time.length > 0 && curve.measures_path(motion.along);
   const double way = measured ? time.length : curve.length(motion.along);
   if (motion.unit == FeedUnit::per_min) {
     time.feed = way * motion.feed * override_part;
     return 1 / (motion.feed * override_part);
   }
-  time.feed = motion.feed * override_part * (motion.unit == FeedUnit::mm_per_rev ? feed_rpm() : 1);
+  const bool per_rev = motion.unit == FeedUnit::mm_per_rev;
+  time.feed = motion.feed * override_part * (per_rev ? feed_rpm() * spindle_part : 1);
   if (way == 0) return 0;
+  if (per_rev && spindles_[1].surface.on && curve.surface() == PathSurface::plane) {
+    const double minutes = turning_minutes(motion, curve, motion.feed * override_part * spindle_part * feed_ratio_);
+    time.feed = way / minutes;
+    return minutes;
+  }
   if (curve.surface() == PathSurface::polar) return minutes(curve, {time.feed, motion.detail->rotary_most, motion.along});
   return way / time.feed;
 }
@@ -93,6 +112,7 @@ MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve) {
   MotionTime time;
   time.length = curve.length();
   const double minutes = rapid ? rapid_minutes(curve) : thread ? thread_minutes(motion, curve) : feed_minutes(motion, curve, time);
+  if (spindles_[1].surface.on) spindles_[1].arrive(curve.at(1));
   if (!std::isfinite(minutes)) {
     ++split_.unknown;
     return time;
@@ -118,6 +138,8 @@ void TimeEstimate::other(const Action& action) {
     if (turning.on && stood) split_.tool_change += rates_.spindle_start_s;
   } else if (const auto* speed = std::get_if<Speed>(&action.what)) {
     spindle_of(speed->number).take(*speed);
+  } else if (const auto* law = std::get_if<SurfaceSpeed>(&action.what)) {
+    spindle_of(law->number).surface = *law;
   } else if (const auto* couple = std::get_if<Couple>(&action.what)) {
     feed_ratio_ = couple->feeds_by_slave ? std::abs(couple->ratio) : 1;
   } else if (std::holds_alternative<Uncouple>(action.what)) {

@@ -12,8 +12,9 @@ namespace kadr {
 
 /// How fast the machine is, resolved per axis.
 struct Rates {
-  Axes rapid{};          // mm/min or degrees/min, override included
-  double feed_part = 1;  // feed override / 100
+  Axes rapid{};             // mm/min or degrees/min, override included
+  double feed_part = 1;     // feed override / 100
+  double spindle_part = 1;  // spindle override / 100
   double tool_change_s = 0;
   double spindle_start_s = 0;
   bool exact_times = false;  // the axes take no time to speed up: the estimate is the truth
@@ -71,6 +72,7 @@ class TimeEstimate {
   double rapid_minutes(const Curve& curve) const;
   double thread_minutes(const Motion& motion, const Curve& curve) const;
   double feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const;
+  double turning_minutes(const Motion& motion, const Curve& curve, double feed) const;
 
   AxisRoles roles_;
   Rates rates_;

@@ -16,7 +16,7 @@ bool stops(const Action& action, const SpeedRules& rules) {
   if (frame) return rules.frames_stop;
   if (const auto* const text = std::get_if<Message>(&action.what)) return text->asks;
   return !std::holds_alternative<ContourBreak>(action.what) && !std::holds_alternative<ContourCorner>(action.what) &&
-         !std::holds_alternative<ContourCheck>(action.what);
+         !std::holds_alternative<ContourCheck>(action.what) && !std::holds_alternative<SurfaceSpeed>(action.what);
 }
 
 /// The spindle or the rotation centre says how fast it is, or it has no end.

@@ -1,8 +1,10 @@
 #pragma once
 // Pace: how the time of a motion is shared by its pieces where the axes do not go as the feed counts: in polar interpolation, whose
-// feed is that in the programmed plane and whose rotary axis has a limit (NCT 4.5), and in cylindrical, on the unrolled surface (4.6).
+// feed is that in the programmed plane and whose rotary axis has a limit (NCT 4.5), in cylindrical, on the unrolled surface (4.6), and at a
+// feed per revolution of a spindle that turns by where the tool is (11.5).
 
 #include "motion/polar_feed.h"
+#include "motion/spindle_turning.h"
 #include "path/axis_roles.h"
 
 namespace kadr {
@@ -12,7 +14,12 @@ class Pace {
  public:
   ///   feed   mm/min along what the motion's feed counts along; 0: rapid
   ///   rapid  of each axis, mm/min or degrees/min
-  Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid);
+  Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid, const SpindleTurning& spindle);
+
+  /// All along the path the axes go as the feed counts.
+  bool is_even() const { return curve_.surface() == PathSurface::plane && !by_spindle_; }
+  /// Equal pieces in each of which the feed changes little.
+  int pieces() const;
 
   /// Time between two parts, near enough to share out what the whole motion takes (Simpson's rule).
   ///   law  the rotary axis of polar interpolation keeps its limit
@@ -26,6 +33,8 @@ class Pace {
   PolarFeed limits_;
   std::size_t rotary_;
   Axes rapid_;
+  const SpindleTurning& spindle_;
+  bool by_spindle_;
 };
 
 }  // namespace kadr

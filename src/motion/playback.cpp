@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace kadr {
@@ -21,13 +22,14 @@ constexpr double least_ramp = 4;         // periods
 Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
     : limits_(std::move(limits)), period_(1 / rate), ring_(limits_.speed.size(), cells) {}
 
-/// One instant further; `crossed(end)` is told of each cell that ends on the way, and the time on the ramp then.
+/// One instant further; `crossed(end, time on the ramp)` is told of each cell that ends on the way. It may return seconds that the next
+/// one, in which the axes stand, is to be put off; the share is 1 from there on.
 ///   returns  false: there are not so many cells; the cursor is then at the end of the last
 template <class Crossed>
-bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, const Crossed& crossed) const {
+bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, Crossed&& crossed) const {
   double left = period_;  // s of the clock
   double way = ramp.passed(on_ramp + period_) - ramp.passed(on_ramp);
-  const bool held = ramp.at(on_ramp + period_).share <= 0;
+  bool held = ramp.at(on_ramp + period_).share <= 0;
   while (!is_over(at)) {
     const TimeLaw& law = ring_.law(at.cell);
     const double rest = law.seconds - at.t;
@@ -36,14 +38,15 @@ bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, con
     if (step < rest) return at.t += step, true;
     const double part = step > 0 ? rest / step : 0;
     left -= part * left, way -= part * way;
-    crossed(Cursor{at.cell, law.seconds}, on_ramp + period_ - left);
+    const std::optional<double> wait = crossed(Cursor{at.cell, law.seconds}, on_ramp + period_ - left);
     ++at.cell, at.t = 0;
+    if (wait) at.t = -*wait, way = left, held = false;
   }
   return left <= 0;
 }
 
 bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const {
-  return advance(at, ramp, on_ramp, [](const Cursor&, double) {});
+  return advance(at, ramp, on_ramp, [](const Cursor&, double) { return std::nullopt; });
 }
 
 void Playback::show(const Cursor& at, double* x) {
@@ -56,7 +59,7 @@ void Playback::show(const Cursor& at, double* x) {
     x[a] = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
   }
   tag_ = ring_.tag(cell);
-  spindle_ = ring_.spindle(cell).at(t, s);
+  spindle_ = ring_.spindle(cell).at(t, s) + slip_;
 }
 
 /// No axis exceeds at this pace what it may, or what the plan itself asks of it.
@@ -119,9 +122,10 @@ void Playback::exceed_a_little() {
 /// The limits are looked at at the instants and, as jerk jumps there, at both sides of each cell's end.
 void Playback::go_on_trying() {
   bool allowed = true;
-  const auto look = [&](const Cursor& end, double on_ramp) {
+  const auto look = [&](const Cursor& end, double on_ramp) -> std::optional<double> {
     const OverrideShare pace = next_.at(on_ramp);
     allowed = allowed && is_allowed(end, pace) && is_allowed({end.cell + 1, 0}, pace);
+    return std::nullopt;
   };
   for (int i = 0; i < tries_an_instant; ++i) {
     if (on_next_ > next_.seconds()) {
@@ -131,7 +135,8 @@ void Playback::go_on_trying() {
     const bool known = advance(probe_, next_, on_next_, look) || ring_.finished();
     on_next_ += period_;
     if (!known) {  // somewhat more jerk, or a smaller change that fits into what is known; from there on another
-      if (next_.end() <= 0 && over_ < most_over) return exceed_a_little();
+      const bool fits = shortest(0) * share() < 2 * ahead();
+      if (next_.end() <= 0 && over_ < most_over && fits) return exceed_a_little();
       const double from = next_.at(0).share, change = (next_.end() - from) / 2;
       const double target = std::fabs(change) > least_change ? from + change : goal_;
       return try_ramp(target, shortest(target));
@@ -143,10 +148,20 @@ void Playback::go_on_trying() {
   }
 }
 
+/// The share that the operator asks for, as far as the switches act here.
+double Playback::asked() {
+  const double wanted = wanted_.load(std::memory_order_relaxed);
+  if (wanted > 0) last_override_ = wanted;
+  if (is_over(at_)) return wanted;
+  const Switches switches = ring_.switches(at_.cell);
+  if (wanted <= 0 && switches.hold) return 0;
+  return switches.feed_override ? last_override_ : 1;
+}
+
 /// Sees to the share that is wanted.
 void Playback::steer() {
   const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (goal_ > 0 ? 1 : 2);
-  const double wanted = scarce ? 0 : wanted_.load(std::memory_order_relaxed);
+  const double wanted = scarce ? 0 : asked();
   if (wanted != goal_ || (!trying_ && on_ramp_ >= ramp_.seconds() && ramp_.end() != goal_)) {
     goal_ = wanted;
     over_ = 0;
@@ -160,14 +175,58 @@ void Playback::steer() {
   trying_ = tried_ = false;
 }
 
+/// A cell begins at whose end the axes go in step with the spindle: how much longer it must turn, s.
+double Playback::wait_for_spindle(std::uint64_t cell) {
+  constexpr double turn = 360, same = 1e-6;  // degrees
+  const double rate = ring_.spindle(cell).per_second, turns = std::round(slip_ / turn);
+  if (rate == 0 || std::fabs(slip_ - turn * turns) < same) return slip_ = turn * turns, 0;
+  const double aim = turn * (rate > 0 ? std::ceil(slip_ / turn) : std::floor(slip_ / turn));
+  const double wait = (aim - slip_) / rate;
+  return slip_ = aim, wait;
+}
+
+/// One instant further, axes and spindle.
+bool Playback::go_on() {
+  constexpr double turn = 360;
+  const bool as_planned = on_ramp_ >= ramp_.seconds() && ramp_.end() == 1;
+  const double begins = on_ramp_;
+  double on_plan = at_.t, on_clock = begins, over = 0;  // s; where the cell was begun
+  bool in_step = false;
+  const auto turns_on = [&](const Cursor& to, double clock) {  // it turns by the clock, not by the plan
+    if (!as_planned && !in_step) over += ring_.spindle(to.cell).per_second * ((clock - on_clock) - (to.t - on_plan));
+  };
+  const bool known = advance(at_, ramp_, begins, [&](const Cursor& end, double clock) -> std::optional<double> {
+    turns_on(end, clock);
+    on_plan = 0, on_clock = clock;
+    if (end.cell + 1 >= ring_.end()) return std::nullopt;
+    const SpindleTurn& next = ring_.spindle(end.cell + 1);
+    if (next.absolute) slip_ = turn * std::round((slip_ + over) / turn), over = 0;
+    if (!next.awaited) return std::nullopt;
+    slip_ += over, over = 0;
+    in_step = true;
+    return wait_for_spindle(end.cell + 1);
+  });
+  if (!is_over(at_)) turns_on(at_, begins + period_);
+  if (!known && !ring_.finished()) return false;
+  slip_ += over;
+  on_ramp_ += period_;
+  if (in_step) {
+    ramp_ = OverrideRamp(goal_ = 1);
+    on_ramp_ = 0;
+    trying_ = tried_ = false;
+  }
+  return true;
+}
+
 void Playback::step() {
   steer();
   const Cursor before = at_;
-  if (!advance(at_, ramp_, on_ramp_) && !ring_.finished()) {
-    at_ = before;
+  const double slip = slip_;
+  if (!go_on()) {
+    at_ = before, slip_ = slip;
+    on_ramp_ += period_;
     ++starved_;
   }
-  on_ramp_ += period_;
   ++instant_;
   for (std::uint64_t cell = before.cell; cell < at_.cell; ++cell) played_ += ring_.law(cell).seconds;
   ring_.release(at_.cell > 0 ? at_.cell - 1 : 0);
@@ -175,7 +234,7 @@ void Playback::step() {
 
 std::size_t Playback::fill(double* positions, std::size_t count) {
   if (!started_) {
-    const double share = wanted_.load(std::memory_order_relaxed);
+    const double share = asked();
     if (ring_.end() == 0) {
       done_ = ring_.finished();
       return 0;

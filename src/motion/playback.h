@@ -8,6 +8,8 @@
 // Between two overrides the rate follows an OverrideRamp. Before one is taken it is tried out in all instants of the servo clock that it
 // will last, and at the ends of the cells between: where an axis would exceed its acceleration or jerk, a longer one is tried. A share of
 // the trying is done at each instant, so that none takes long. A pause of the program is not lengthened by an override, but by a feed hold.
+// Where the switches do not act (threads, G63: CellSource::switches) the share is 1 again as soon as a ramp allows; a thread, before which
+// the axes stand, begins at 1. The spindle goes on turning by the clock whatever the axes do; before a thread they wait for its angle.
 //
 // If cells come too late it brakes by itself and goes on when there are enough.
 
@@ -49,7 +51,7 @@ class Playback {
   bool is_held() const { return started_ && ramp_.at(on_ramp_).share <= 0 && goal_ <= 0 && wanted_.load(std::memory_order_relaxed) <= 0; }
   /// The tag of the cell of the last instant.
   std::uint64_t tag() const { return tag_; }
-  /// The spindle's angle at the last instant, degrees, as planned: where an override slows the axes it slows the spindle with them.
+  /// The spindle's angle at the last instant, degrees.
   double spindle() const { return spindle_; }
   /// s on the plan that can still be played without more cells.
   double ahead() const { return ring_.offered() - played_ - at_.t; }
@@ -66,10 +68,13 @@ class Playback {
   };
   bool is_over(const Cursor& at) const { return at.cell >= ring_.end(); }
   template <class Crossed>
-  bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, const Crossed& crossed) const;
+  bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, Crossed&& crossed) const;
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const;
   void show(const Cursor& at, double* x);
   bool is_allowed(const Cursor& at, const OverrideShare& pace) const;
+  double asked();
+  double wait_for_spindle(std::uint64_t cell);
+  bool go_on();
   void step();
   void steer();
   void try_ramp(double target, double seconds);
@@ -87,7 +92,8 @@ class Playback {
   double on_ramp_ = 0;    // s since it began
   double played_ = 0;     // s, of the cells that are through
   std::uint64_t instant_ = 0, tag_ = 0, starved_ = 0;
-  double spindle_ = 0;
+  double spindle_ = 0, slip_ = 0;  // degrees; slip: beyond the planned angle
+  double last_override_ = 1;       // above 0
   bool started_ = false, done_ = false;
 
   // the next one

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kadr {
 namespace {
 
 constexpr double full_turn = 360;
-constexpr double per_second_of_rpm = full_turn / 60;
 
 }  // namespace
 
-void SpindleClock::start(const SpindleSetup& setup) {
+void SpindleClock::start(const SpindleSetup& setup, double override_part) {
+  override_part_ = override_part;
   turning_.rpm = setup.rpm;
   turning_.reversed = setup.dir == "ccw";
   angle_ = setup.angle.value_or(0);
@@ -20,10 +21,12 @@ void SpindleClock::start(const SpindleSetup& setup) {
 void SpindleClock::take(const Action& action) {
   if (const auto* const speed = std::get_if<Speed>(&action.what)) {
     if (speed->number == 1) turning_.take(*speed);
+  } else if (const auto* const law = std::get_if<SurfaceSpeed>(&action.what)) {
+    if (law->number == 1) turning_.surface = *law;
   } else if (const auto* const spindle = std::get_if<Spindle>(&action.what)) {
     if (spindle->number != 1) return;
     turning_.take(*spindle);
-    if (spindle->dir == SpindleDir::orient) angle_ = full_turn * std::ceil(angle_ / full_turn);
+    if (spindle->dir == SpindleDir::orient) angle_ = full_turn * std::ceil(angle_ / full_turn), absolute_ = true;
     if (spindle->dir == SpindleDir::position) angle_ += spindle->turn.value_or(0);
   }
 }
@@ -33,10 +36,8 @@ void SpindleClock::couple(double degrees_per_mm) {
   turning_.on = false;
 }
 
-double SpindleClock::per_second() const { return turning_.now() * per_second_of_rpm * (turning_.reversed ? -1 : 1); }
-
 SpindleTurn SpindleClock::turn(double per_second, const TimeLaw& law) {
-  const SpindleTurn now{angle_, per_second, per_mm_};
+  const SpindleTurn now{angle_, per_second, per_mm_, false, std::exchange(absolute_, false)};
   angle_ = now.at(law.seconds, law.length);
   return now;
 }

@@ -12,7 +12,8 @@ namespace kadr {
 class SpindleClock {
  public:
   /// As TimeEstimate: with the speed that the setup states.
-  void start(const SpindleSetup& setup);
+  ///   override_part  spindle override / 100
+  void start(const SpindleSetup& setup, double override_part = 1);
 
   /// A command to spindle 1. Where its angle is commanded (M19, positioning) it is there at once: INFERRED, the controls state no time.
   ///   pre  of all but a Speed: what was planned before has been handed out
@@ -23,8 +24,14 @@ class SpindleClock {
   void couple(double degrees_per_mm);
   void release() { per_mm_ = 0; }
 
-  /// Degrees a second, clockwise, as last commanded.
-  double per_second() const;
+  /// A motion ends there, work coordinates: with a constant surface speed that tells how fast it turns from there on.
+  void arrive(const Axes& work) { turning_.arrive(work); }
+
+  /// Degrees a second, clockwise, as last commanded: threads know no override.
+  double per_second() const { return turning_.degrees(turning_.now()); }
+  double overridden() const { return override_part_ * per_second(); }
+  double override_part() const { return override_part_; }
+  const SpindleTurning& turning() const { return turning_; }
 
   /// The angle along a cell that is handed out, in order, at the rate that it was planned with.
   SpindleTurn turn(double per_second, const TimeLaw& law);
@@ -36,8 +43,10 @@ class SpindleClock {
 
  private:
   SpindleTurning turning_;
-  double angle_ = 0;   // at the end of what was handed out, degrees
-  double per_mm_ = 0;  // coupled; else 0
+  double override_part_ = 1;
+  double angle_ = 0;       // at the end of what was handed out, degrees
+  double per_mm_ = 0;      // coupled; else 0
+  bool absolute_ = false;  // it was commanded to an angle
 };
 
 }  // namespace kadr

@@ -1,6 +1,5 @@
 #pragma once
-// SpindleTurning: how a spindle turns, by what is commanded of it. INFERRED: it takes its speed at once, and any surface speed makes
-// the speed that the control counted where it was commanded.
+// SpindleTurning: how a spindle turns, by what is commanded of it. INFERRED: it takes its speed at once.
 
 #include "control/action.h"
 
@@ -11,7 +10,21 @@ struct SpindleTurning {
   bool on = true;         // the setup may say that it stands: then rpm is 0
   bool reversed = false;  // counter-clockwise (M4)
 
+  SurfaceSpeed surface{};  // of the main spindle
+
   double now() const { return on ? rpm : 0; }
+  /// Where the tool is there, work coordinates.
+  double at(const Axes& work) const { return on && surface.on ? surface.rpm(work, rpm) : now(); }
+  /// A motion ends there.
+  void arrive(const Axes& work) {
+    if (surface.on) rpm = surface.rpm(work, rpm);
+  }
+
+  /// Degrees a second, clockwise.
+  double degrees(double at_rpm) const {
+    constexpr double per_second_of_rpm = 360.0 / 60;
+    return at_rpm * per_second_of_rpm * (reversed ? -1 : 1);
+  }
 
   void take(const Spindle& spindle) {
     on = spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw;

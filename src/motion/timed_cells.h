@@ -38,17 +38,26 @@ enum class Bend : std::uint8_t {
   curve,   // within that between two chords of a curve
 };
 
+/// Which of the operator's switches act there.
+struct Switches {
+  bool feed_override = true, hold = true;
+};
+
 /// What a cell was made of.
 struct CellSource {
   std::uint64_t tag = 0;  // of the piece where it begins: the caller's own
   double feed = 0;        // mm/s, the greatest speed commanded; 0: the axes stand
   Bend bend = Bend::none;
   std::uint64_t motion = 0;  // that it begins in, counted by AxisMotion; 0: the planner has not told
+  Switches switches{};
 };
 
 /// The spindle's angle along a cell, running degrees: over the time, or with the way of the axes (rigid tapping).
 struct SpindleTurn {
   double angle = 0, per_second = 0, per_mm = 0;
+  bool awaited =
+      false;  // at the cell's end the axes go in step with it: they stand until the angle, but for whole turns, is the planned one
+  bool absolute = false;  // the angle was commanded: where it begins, it is the planned one but for whole turns
 
   double at(double t, double way) const { return angle + per_second * t + per_mm * way; }
 };

@@ -34,6 +34,7 @@ std::string place(const ToolPlace& at) {
 struct Fields {
   std::string operator()(const Motion&) const { return {}; }
   std::string operator()(const FrameChange&) const { return {}; }
+  std::string operator()(const SurfaceSpeed&) const { return {}; }
   std::string operator()(const ZoneChange&) const { return {}; }
   std::string operator()(const ContourBreak&) const { return {}; }
   std::string operator()(const ContourCorner&) const { return {}; }

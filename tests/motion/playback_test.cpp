@@ -175,6 +175,66 @@ TEST(Playback, ATinyRingSlowsButNeverStops) {
   EXPECT_LE(run.jerk, jerk * 1.001);
 }
 
+TEST(Playback, WhereNoSwitchActsNothingChanges) {
+  TimedCells plan = planned(corner);
+  const Played as_planned = played(plan, {});
+  for (CellSource& source : plan.sources) source.switches = {false, false};
+  EXPECT_EQ(played(plan, {{0, 0.3}, {100, 0}, {300, 0.5}}).points, as_planned.points);
+}
+
+TEST(Playback, AFeedHoldActsWhereTheOverrideDoesNot) {
+  TimedCells plan = planned(corner);
+  const std::size_t instants = played(plan, {}).points.size();
+  for (CellSource& source : plan.sources) source.switches = {false, true};
+  EXPECT_EQ(played(plan, {{0, 0.3}}).points.size(), instants);
+  EXPECT_GT(played(plan, {{0, 0.3}, {100, 0}, {900, 0.3}}).points.size(), instants + 700);
+}
+
+TEST(Playback, TheOverrideActsWhereAFeedHoldDoesNot) {
+  TimedCells plan = planned(corner);
+  for (CellSource& source : plan.sources) source.switches = {true, false};
+  EXPECT_EQ(played(plan, {{0, 0.3}, {100, 0}}).points, played(plan, {{0, 0.3}}).points);
+}
+
+// 10 mm, a wait for the spindle, 20 mm in step with it: 37 degrees each mm, the rate unchanged all along. What held up the first is
+// made good by the wait.
+TEST(Playback, TheAxesWaitForTheSpindlesAngle) {
+  constexpr double rate_of_spindle = -1850, waits = 0.02;  // degrees/s, s
+  TimedCells plan;
+  plan.axes = 1;
+  const auto add = [&](const TimeLaw& law, double from, double angle, bool awaited, bool acts) {
+    plan.laws.push_back(law);
+    plan.sources.push_back({0, 0, Bend::none, 0, {acts, acts}});
+    plan.path.insert(plan.path.end(), {from, 1, 0, 0, 0, 0});
+    plan.spindle.push_back({angle, rate_of_spindle, 0, awaited, false});
+  };
+  const double way = jerk * 0.1 * 0.1 * 0.1 / 6, fast = jerk * 0.1 * 0.1 / 2;  // of a ramp of 0.1 s
+  add(TimeLaw::of_jerk(0.1, 0, 0, jerk / 2), 0, 0, false, true);
+  add(TimeLaw::of_jerk(0.1, fast / 2, jerk * 0.05, -jerk / 2), way / 2, rate_of_spindle * 0.1, false, true);
+  add(TimeLaw::of_jerk(waits, 0, 0, 0), 10, rate_of_spindle * 0.2, true, false);
+  add(TimeLaw::of_jerk(0.2, 50, 0, 0), 10, rate_of_spindle * (0.2 + waits), false, false);
+  for (const double share : {1.0, 0.9, 0.41, 0.05}) {
+    Playback playback(MotionLimits{{speed}, {acceleration}, {jerk}}, rate);
+    playback.offer(plan, 0);
+    playback.finish();
+    playback.override_to(share);
+    double x = 0;
+    int in_step = 0;
+    for (double last = 0; !playback.done();) {
+      ASSERT_EQ(playback.fill(&x, 1), 1U);
+      if (last != 0 && !playback.done()) {
+        EXPECT_NEAR(playback.spindle() - last, rate_of_spindle / rate, 1e-9);
+      }
+      last = playback.spindle();
+      if (!(x > 10) || playback.done()) continue;
+      const double planned = rate_of_spindle * (0.2 + waits) - 37 * (x - 10);
+      EXPECT_NEAR(std::remainder(playback.spindle() - planned, 360), 0, 1e-9) << share << " at " << x;
+      ++in_step;
+    }
+    EXPECT_GT(in_step, 198);
+  }
+}
+
 TEST(Playback, NothingPlannedEndsAtOnce) {
   Playback playback(limits(), rate);
   Point row;

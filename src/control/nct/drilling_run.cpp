@@ -271,7 +271,7 @@ Status DrillingRun::feed(Machinery& m, double level, double percent) {
   KADR_TRY(m.straight(MotionKind::feed, to, 1u << job_.axis));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.feed *= percent / 100;
-  motion.own_override = motion.own_override || job_.code == 740 || job_.code == 840;  // 18.2
+  if (job_.code == 740 || job_.code == 840) motion.own_override = motion.no_hold = true;  // 18.2
   return {};
 }
 

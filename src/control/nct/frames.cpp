@@ -105,12 +105,13 @@ void note_motion(Machinery& m, Motion& motion) {
   Nct& nct = *m.nct;
   nct.moved = true;
   if (motion.kind != MotionKind::thread) nct.in_thread = false;
-  motion.along = FeedAlong::all_axes;           // 4.2: millimetres and degrees alike
-  constexpr std::uint32_t m_ov = 2, m_est = 4;  // #3004: override and stop as in G63; exact stop suppressed (23.1.10, 6.3.4)
+  motion.along = FeedAlong::all_axes;                      // 4.2: millimetres and degrees alike
+  constexpr std::uint32_t m_fhd = 1, m_ov = 2, m_est = 4;  // #3004: no stop; override and stop as in G63; no exact stop (23.1.10, 6.3.4)
   if ((nct.control_2 & m_est) != 0) motion.exact = false;
   const bool stops = (m.block_exact || m.modal.exact) && (nct.control_2 & m_est) == 0;
   motion.in_position = stops || (motion.kind == MotionKind::rapid && nct.settings.in_position_check);
   motion.own_override = (nct.control_2 & m_ov) != 0 || m.modal.rows[nct.stop_group] == nct.inhibiting;
+  motion.no_hold = motion.own_override || (nct.control_2 & m_fhd) != 0;
   if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // 6.3.4
   else if (m.modal.rows[nct.stop_group] == nct.slowing) motion.corner_speed = CornerSpeed::inner_slower;
   if (m.modal.smoothing != 0) motion.join = nct.settings.accuracy;

@@ -71,7 +71,7 @@ Status thread(Machinery& m, const Call& call) {
   const bool first = !m.nct->in_thread;
   KADR_TRY(m.straight(MotionKind::thread, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
-  motion.own_override = true;
+  motion.own_override = motion.no_hold = true;
   motion.unit = FeedUnit::mm_per_rev;
   motion.feed = lead;
   MotionDetail& detail = nct::detail_of(m, motion);

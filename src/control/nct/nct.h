@@ -173,6 +173,9 @@ class Nct {
   const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
   /// Speed of the main spindle now, rev/min; 0 if it stands.
   double spindle_rpm(const Machinery& m) const;
+  /// What G96, G97 make of the main spindle's speed (11.5); said where anything of it changes.
+  SurfaceSpeed surface_speed(const Machinery& m) const;
+  void tell_surface_speed(Machinery& m) const;
   double css_rpm(const Machinery& m) const;
 
   /// Tool lengths by axis before the block.

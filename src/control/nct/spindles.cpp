@@ -91,18 +91,21 @@ Status loop_closed(const Machinery& m, int number, Span where) {
 
 }  // namespace
 
-double Nct::css_rpm(const Machinery& m) const {
-  double diameter = 0;
+SurfaceSpeed Nct::surface_speed(const Machinery& m) const {
+  SurfaceSpeed law{m.modal.surface_speed, static_cast<std::uint8_t>(state.main_spindle), SurfaceSpeed::no_axis, state.surface_speed, 0, 0};
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (m.def.axis_numbers[a] == state.css_axis) diameter = 2 * std::fabs(m.position.work[a]);
+    if (m.def.axis_numbers[a] == state.css_axis) law.axis = static_cast<std::uint8_t>(a);
   const auto [least, most] = limits_of(*this, state.main_spindle);
-  constexpr double no_limit = 1e300;
-  double rpm = diameter > 0 ? mm_per_m * state.surface_speed / (pi * diameter) : no_limit;
-  rpm = std::max({rpm, settings.css_least, least});
-  if (state.css_most > 0) rpm = std::min(rpm, state.css_most);
-  rpm = std::min(rpm, most);
-  return rpm < no_limit ? rpm : spindle(state.main_spindle).rpm;  // INFERRED: at the centre without any limit
+  law.least = std::max(settings.css_least, least);
+  law.most = state.css_most > 0 ? std::min(state.css_most, most) : most;
+  return law;
 }
+
+void Nct::tell_surface_speed(Machinery& m) const {
+  if (m.batch != nullptr) m.emit(surface_speed(m));
+}
+
+double Nct::css_rpm(const Machinery& m) const { return surface_speed(m).rpm(m.position.work, spindle(state.main_spindle).rpm); }
 
 double Nct::spindle_rpm(const Machinery& m) const {
   const SpindleState& s = spindle(state.main_spindle);
@@ -124,6 +127,7 @@ Status spindle_word(Machinery& m, const Call& call) {
   if (m.modal.surface_speed && named == 0) {
     nct.state.surface_speed = m.modal.inch ? value * nct::mm_per_foot / nct::mm_per_m : value;
     m.emit(Speed{nct.state.surface_speed, true, static_cast<std::uint8_t>(nct.state.main_spindle), 0, nct.css_rpm(m)});
+    nct.tell_surface_speed(m);
     return {};
   }
   const int number = nct::spindle_of_block(m);
@@ -169,6 +173,7 @@ Status gear_range(Machinery& m, const Call& call) {
   nct::SpindleState& s = m.nct->spindle(number);
   s.range = call.row->arg;
   m.emit(MachineFunction{static_cast<std::uint32_t>(call.word->code / 10), {}, {}, static_cast<std::uint8_t>(number)});
+  if (m.modal.surface_speed) m.nct->tell_surface_speed(m);
   const double rpm = nct::limited(*m.nct, number, s.rpm);
   if (rpm != s.rpm && !m.modal.surface_speed && !nct::has_spindle_word(m)) {
     s.rpm = rpm;
@@ -204,6 +209,7 @@ Status css_on(Machinery& m, const Call&) {
     m.nct->state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;
+  m.nct->tell_surface_speed(m);
   return {};
 }
 
@@ -214,6 +220,7 @@ Status css_off(Machinery& m, const Call&) {
     if (s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw) s.rpm = m.nct->css_rpm(m);
   }
   m.modal.surface_speed = false;
+  m.nct->tell_surface_speed(m);
   return {};
 }
 

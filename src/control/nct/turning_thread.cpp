@@ -18,7 +18,7 @@ Status cut_thread(Machinery& m, Vec2 to, double lead, double angle) {
   KADR_TRY(go(m, MotionKind::thread, to));
   if (m.batch->size() == before) return {};
   Motion& motion = std::get<Motion>(m.batch->back().what);
-  motion.own_override = true;
+  motion.own_override = motion.no_hold = true;
   motion.unit = FeedUnit::mm_per_rev;
   motion.feed = lead;
   MotionDetail& detail = detail_of(m, motion);

@@ -111,7 +111,10 @@ Status local_system(Machinery& m, const Call& call) {
 
 /// G92 (10.2.6): the tool point gets the given coordinates in every work system; G52 of these axes is gone. S: 11.5.2.
 Status new_system(Machinery& m, const Call& call) {
-  if (m.has('S')) m.nct->state.css_most = m.value('S');
+  if (m.has('S')) {
+    m.nct->state.css_most = m.value('S');
+    if (m.modal.surface_speed) m.nct->tell_surface_speed(m);
+  }
   if (!m.has_axis_words()) {
     if (m.has('S')) return {};
     return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));

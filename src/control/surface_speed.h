@@ -1,0 +1,42 @@
+#pragma once
+// SurfaceSpeed: constant surface speed of a spindle (nct 11.5): it turns by where an axis stands,
+//   n = min(max(1000 v / (π D), least), most)      D = 2 |position in the work coordinate system|
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/vec.h"
+
+namespace kadr {
+
+struct SurfaceSpeed {
+  bool on = false;          // else the spindle keeps the speed that it has
+  std::uint8_t number = 1;  // of the spindle
+  std::uint8_t axis = 0;    // index of the axis whose position is the radius
+  double metres = 0;        // a minute
+  double least = 0;         // rev/min
+  double most = no_limit;
+
+  static constexpr double no_limit = 1e300;
+  static constexpr std::uint8_t no_axis = 255;  // the parameter names none: as at the centre
+
+  /// mm from the axis, where it turns as fast.
+  double radius(double rpm) const { return mm_per_m * metres / (2 * pi * rpm); }
+
+  /// rev/min at a place in work coordinates.
+  double rpm(const Axes& work) const {
+    const double diameter = axis < work.size() ? 2 * std::fabs(work[axis]) : 0;
+    return std::min(std::max(diameter > 0 ? mm_per_m * metres / (pi * diameter) : no_limit, least), most);
+  }
+  /// INFERRED: at the centre without any limit it stays at `before`.
+  double rpm(const Axes& work, double before) const {
+    const double now = rpm(work);
+    return now < no_limit ? now : before;
+  }
+
+ private:
+  static constexpr double mm_per_m = 1000;
+};
+
+}  // namespace kadr
