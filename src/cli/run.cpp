@@ -94,7 +94,7 @@ class RunCommand {
       const AxisMask rotary = channel.control->rotary();
       if (files.trace != nullptr) view.trace.emplace(files.trace, axes, rotary, stand, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
-      if (channels.size() == 1) look_ahead(view, channel, rates, stand, job.profile.tolerance);
+      if (channels.size() == 1) look_ahead(view, channel, rates, stand, job.profile);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
       if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand);
@@ -121,11 +121,11 @@ class RunCommand {
 
  private:
   /// Several channels wait for each other by their programmed times: their speeds are not planned.
-  static void look_ahead(View& view, const Channel& channel, const Rates& rates, const ToolPosition& stand, double tolerance) {
+  static void look_ahead(View& view, const Channel& channel, const Rates& rates, const ToolPosition& stand, const MachineProfile& profile) {
     const Control& control = *channel.control;
-    SpeedRules rules = speed_rules(channel.setup, control.axes());
+    SpeedRules rules = speed_rules(channel.setup, control.axes(), profile);
     if (control.has_machine_parameters()) obey_parameters(rules, channel.setup, control.axes());
-    else rules.blend = tolerance;  // INFERRED: of all that state no limit at corners
+    else rules.blend = profile.tolerance;  // INFERRED: of all that state no limit at corners
     if (!rules.in_force) return;
     view.statistics.count_by(rules.accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
     view.look_ahead.emplace(AxisRoles::of(control.axes(), control.rotary()), rules, rates.rapid, stand,

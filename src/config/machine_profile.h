@@ -16,8 +16,9 @@ struct AxisProfile {
   double jerk = 10000;        // mm/s³ or degrees/s³
 };
 
-/// Whose speed counts for the machine: that which the control of old makes (docs/motion.md), or the least time (docs/planner.md).
-enum class PlannerMode : std::uint8_t { control, optimal };
+/// Whose speed counts for the machine: the programmed feeds and rapid rates, as far as the setup states no accelerations; that which the
+/// control of old makes with the machine's accelerations (docs/motion.md); or the least time (docs/planner.md).
+enum class PlannerMode : std::uint8_t { programmed, control, optimal };
 
 struct MachineProfile {
   std::string id = "generic";
@@ -27,7 +28,7 @@ struct MachineProfile {
   double tool_change_s = 10;
   double spindle_start_s = 0;
   double tolerance = 0.01;  // mm: how far a corner may be rounded where the program does not say
-  PlannerMode planner = PlannerMode::control;
+  PlannerMode planner = PlannerMode::programmed;
 };
 
 /// `name`: built-in id, or a file that ends with .toml.

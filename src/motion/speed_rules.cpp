@@ -18,7 +18,7 @@ struct AxisAcceleration {
 };
 
 /// The one place that says where accelerations come from.
-AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis) {
+AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis, const MachineProfile& profile) {
   AxisAcceleration found;
   for (const std::string& name : {std::string("*"), axis}) {  // the axis' own last
     const auto row = setup.machine.find(name);
@@ -28,7 +28,10 @@ AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis) {
     if (limits.acceleration) found = {true, *limits.acceleration, found.build_up};
     if (limits.jerk_time) found.build_up = *limits.jerk_time;
   }
-  return found;
+  if (found.stated || profile.planner != PlannerMode::control) return found;
+  const auto row = profile.axes.find(axis);
+  const AxisProfile own = row == profile.axes.end() ? AxisProfile{} : row->second;
+  return {true, own.acceleration, found.build_up > 0 ? found.build_up : own.acceleration / own.jerk};
 }
 
 bool limits_something(const Axes& axes) {
@@ -47,10 +50,10 @@ void obey_axis(SpeedRules& rules, const SetupParameters& given, std::size_t axis
 
 bool SpeedRules::accelerates() const { return limits_something(acceleration); }
 
-SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes) {
+SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes, const MachineProfile& profile) {
   SpeedRules rules;
   for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a) {
-    const AxisAcceleration own = acceleration_of(setup, axes[a]);
+    const AxisAcceleration own = acceleration_of(setup, axes[a], profile);
     if (own.stated) rules.stated |= AxisMask{1} << a;
     rules.acceleration[a] = own.most;
     rules.build_up[a] = own.build_up;

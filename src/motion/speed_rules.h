@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "config/machine_profile.h"
 #include "config/setup.h"
 
 namespace kadr {
@@ -52,9 +53,10 @@ struct SpeedRules {
   bool accelerates() const;
 };
 
-/// The accelerations that the set-up states, by axis or for all ("*"): `acceleration`, `jerk_time`.
-/// INFERRED: of an axis about which it says nothing they have no limit, if it says something of another.
-SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes);
+/// The accelerations that the set-up states, by axis or for all ("*"): `acceleration`, `jerk_time`; of axes about which it says nothing
+/// those of a machine whose speed the control makes (PlannerMode::control), built up by its jerk.
+/// INFERRED: otherwise they have no limit, if the set-up says something of another axis.
+SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes, const MachineProfile& profile = {});
 
 /// Adds what the parameters of the set-up say, for a control that has them. Without accelerations and without a parameter that
 /// limits something nothing comes into force.

@@ -51,7 +51,8 @@ class Statistics {
 
   /// The summary, lines ending in '\n'. `planned`: the time by the planner of least time, if it ran: beside that of the control, or for it,
   /// as it counts for the machine.
-  std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr, PlannerMode counts = PlannerMode::control) const;
+  std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr,
+                   PlannerMode counts = PlannerMode::programmed) const;
 
   struct ToolUse {
     std::uint32_t tool;

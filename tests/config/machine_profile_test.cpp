@@ -44,8 +44,9 @@ TEST(machine_profile, mistakes_have_a_line) {
   EXPECT_EQ(refusal("id = 'a'\nplanner = 1\n[axes]"), ":2: 'planner' must be \"control\" or \"optimal\"");
 }
 
-TEST(machine_profile, planner_is_the_controls_if_nobody_says) {
-  EXPECT_EQ(load_machine("generic")->planner, PlannerMode::control);
+TEST(machine_profile, the_programmed_speed_counts_if_nobody_says_whose) {
+  EXPECT_EQ(load_machine("generic")->planner, PlannerMode::programmed);
+  EXPECT_EQ(load_machine("nct-vmc")->planner, PlannerMode::control);
   const auto file = std::filesystem::temp_directory_path() / "kadr_machine_profile_planner_test.toml";
   std::ofstream(file) << "id = 'a'\nplanner = 'optimal'\n[axes]";
   EXPECT_EQ(load_machine(file.string())->planner, PlannerMode::optimal);

@@ -38,6 +38,23 @@ TEST(speed_rules, accelerations_by_axis_or_for_all) {
   EXPECT_EQ(rules_of(R"({"machine":{"X":{"acceleration":1000}}})").stated, 1U);
 }
 
+TEST(speed_rules, accelerations_of_a_machine_whose_speed_the_control_makes) {
+  MachineProfile profile;
+  profile.axes["X"] = {10000, -1e300, 1e300, 400, 8000};
+  const auto setup = parse_setup(R"({"machine":{"C":{"acceleration":90,"jerk_time":0.2},"Y":{"acceleration":null}}})");
+  EXPECT_EQ(speed_rules(*setup, names, profile).stated, 6U);
+  profile.planner = PlannerMode::control;
+  const SpeedRules rules = speed_rules(*setup, names, profile);
+  EXPECT_EQ(rules.stated, 7U);
+  EXPECT_EQ(rules.acceleration[0], 400);
+  EXPECT_EQ(rules.build_up[0], 400.0 / 8000);
+  EXPECT_EQ(rules.acceleration[1], unlimited);
+  EXPECT_EQ(rules.acceleration[2], 90);
+  EXPECT_EQ(rules.build_up[2], 0.2);
+  profile.planner = PlannerMode::optimal;
+  EXPECT_EQ(speed_rules(*setup, names, profile).stated, 6U);
+}
+
 TEST(speed_rules, without_limit_the_rules_hold_but_nothing_accelerates) {
   const SpeedRules rules = rules_of(R"({"machine":{"*":{"acceleration":null}}})");
   EXPECT_TRUE(rules.in_force);
