@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "control/action.h"
 #include "path/soft_corner.h"
@@ -78,9 +79,10 @@ void SmoothPath::corners_near(double s, std::size_t around, double reach, const 
 double SmoothPath::moved(double s, std::size_t around) const {
   std::array<double, max_axes> sum{};
   corners_near(s, around, reach_, [&](std::size_t i) {
-    const double away = std::fabs(s - at_[i]);
-    if (away >= width_[i]) return;
-    const double g = width_[i] * SoftCorner::of(turn_[i]).at(away / width_[i]).g;
+    const Rounding& rounding = roundings_[i];
+    const double part = std::fabs(s - at_[i]) * rounding.inverse;
+    if (!(part < 1)) return;
+    const double g = width_[i] * rounding.shape->height(part);
     for (std::size_t a = 0; a < axes_; ++a) sum[a] += bend_[i * axes_ + a] * g;
   });
   double squares = 0;
@@ -117,6 +119,14 @@ bool SmoothPath::overlaps(std::size_t vertex) const {
   return any;
 }
 
+void SmoothPath::look_at_roundings() {
+  roundings_.resize(at_.size());
+  for (std::size_t i = 0; i < at_.size(); ++i) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    roundings_[i] = {width_[i] > 0 ? 1 / width_[i] : none, &SoftCorner::of(turn_[i])};
+  }
+}
+
 /// Makes roundings narrower where they move the path further than the tolerance. False: none does.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-9;  // relative: of an even split that meets the tolerance exactly
@@ -124,6 +134,7 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   constexpr double between = 0.99;   // of the tolerance: the rest is for what lies between the places looked at
   constexpr double aim = 0.999;      // of that, so that the rounds come to an end
   bool any = false;
+  look_at_roundings();
   factor_.assign(at_.size(), 1);
   for (std::size_t i = first; i < end; ++i) {
     if (!overlaps(i)) continue;  // alone it is as wide as the tolerance allows

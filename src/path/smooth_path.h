@@ -9,6 +9,8 @@
 
 namespace kadr {
 
+class SoftCorner;
+
 class SmoothPath {
  public:
   explicit SmoothPath(std::size_t axes) : axes_(axes) {}
@@ -61,6 +63,7 @@ class SmoothPath {
   double moved(double s, std::size_t around) const;
   double moved_beside(std::size_t vertex, int side) const;
   bool overlaps(std::size_t vertex) const;
+  void look_at_roundings();
   bool shrink(std::size_t first, std::size_t end);
   template <class Take>
   void corners_near(double s, std::size_t around, double reach, const Take& take) const;
@@ -76,9 +79,14 @@ class SmoothPath {
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;
   std::vector<char> on_curve_;  // of each vertex
-  std::vector<double> factor_;  // of each vertex, while it settles
-  double reach_ = 0;            // the widest rounding
-  std::size_t done_ = 0;        // vertices before are settled
+  struct Rounding {             // of a vertex
+    double inverse = 0;         // of its width
+    const SoftCorner* shape = nullptr;
+  };
+  std::vector<Rounding> roundings_;  // while it settles, of all vertices
+  std::vector<double> factor_;       // likewise
+  double reach_ = 0;                 // the widest rounding
+  std::size_t done_ = 0;             // vertices before are settled
   double settled_ = 0;
 };
 

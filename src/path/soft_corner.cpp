@@ -44,6 +44,7 @@ SoftCorner::SoftCorner(bool sharp) {
     slope_[i] = slope_[i + 1] + h * (k_[i] + k_[i + 1]) / 2;
     g_[i] = g_[i + 1] + h * slope_[i + 1] + h * h * (k_[i] / 6 + k_[i + 1] / 3);
   }
+  for (std::size_t i = 0; i < pieces; ++i) cubic_[i] = {g_[i], -h * slope_[i], h * h * k_[i] / 2, h * h * (k_[i + 1] - k_[i]) / 6};
   const auto lowest = std::min_element(g_.begin(), g_.end());
   highest_ = std::max(g_[0], -*lowest);
   double area = 0;
@@ -62,7 +63,7 @@ SoftCorner::Shape SoftCorner::at(double r) const {
   if (!(place < pieces)) return {0, 0, 0};
   const auto i = static_cast<std::size_t>(place);
   const double h = (place - static_cast<double>(i)) / pieces, third = (k_[i + 1] - k_[i]) * pieces;
-  return {g_[i] - h * slope_[i] + h * h * (k_[i] / 2 + third * h / 6), slope_[i] - h * (k_[i] + third * h / 2), k_[i] + third * h};
+  return {height(r), slope_[i] - h * (k_[i] + third * h / 2), k_[i] + third * h};
 }
 
 }  // namespace kadr

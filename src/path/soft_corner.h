@@ -12,6 +12,7 @@
 // Both have equal deviation at the corner and where they swing out most. Found as perfect splines (Karlin 1975); our own work.
 
 #include <array>
+#include <cstddef>
 
 namespace kadr {
 
@@ -25,6 +26,15 @@ class SoftCorner {
     double g, slope, pulse;
   };
   Shape at(double r) const;
+  /// g alone.
+  ///   pre  r < 1
+  double height(double r) const {
+    const double place = r * pieces;
+    const auto i = static_cast<std::size_t>(place);
+    const double h = place - static_cast<double>(i);
+    const std::array<double, 4>& c = cubic_[i];
+    return c[0] + h * (c[1] + h * (c[2] + h * c[3]));
+  }
 
   double highest() const { return highest_; }              // greatest |g|, for w = 1
   double second_moment() const { return second_moment_; }  // |∫ g|: how far a curve of curvature 1 is moved, for w = 1
@@ -36,6 +46,7 @@ class SoftCorner {
 
   static constexpr int pieces = 32;  // k is straight in each: g‴ is constant there
   std::array<double, pieces + 2> k_{}, slope_{}, g_{};
+  std::array<std::array<double, 4>, pieces + 1> cubic_{};  // g in each piece by the part of it
   double highest_ = 0, flank_ = 0, second_moment_ = 0;
 };
 
