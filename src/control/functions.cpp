@@ -72,8 +72,18 @@ Status millimetre(Machinery& m, const Call& call) { return set_unit(m, call, fal
 Status feed_inverse_time(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
 Status feed_per_minute(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::per_minute); }
 Status feed_per_revolution(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::per_revolution); }
-Status surface_speed(Machinery& m, const Call&) { return m.modal.surface_speed = true, Status(); }
-Status spindle_rpm(Machinery& m, const Call&) { return m.modal.surface_speed = false, Status(); }
+Status surface_speed(Machinery& m, const Call&) {
+  m.modal.surface_speed = true;
+  m.emit(m.surface_speed());
+  return {};
+}
+/// The spindle keeps the speed that it has.
+Status spindle_rpm(Machinery& m, const Call&) {
+  if (m.modal.surface_speed) m.modal.rpm = m.surface_speed().rpm(m.position.work, m.modal.rpm);
+  m.modal.surface_speed = false;
+  m.emit(m.surface_speed());
+  return {};
+}
 Status exact_stop_block(Machinery& m, const Call&) { return m.block_exact = true, Status(); }
 Status exact_stop_mode(Machinery& m, const Call&) {
   m.modal.exact = true;

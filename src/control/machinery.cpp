@@ -37,7 +37,7 @@ Control::State Machinery::run(ActionBatch& to) {
   if (first_frames_) {
     first_frames_ = false;
     emit(frame_change());
-    if (nct && modal.surface_speed) nct->tell_surface_speed(*this);
+    if (modal.surface_speed) emit(surface_speed());
   }
   while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
     if (waiting.meeting) return Control::State::waiting;

@@ -126,6 +126,8 @@ class Machinery {
   /// The same, and the tool's coordinates in the new frame (the machine stands).
   void change_frames();
   FrameChange frame_change() const;
+  /// What G96, G97 make of the speed of the main spindle (nct 11.5); of controls but NCT by X as a radius (spec/gost 4; INFERRED: X).
+  SurfaceSpeed surface_speed() const;
   double radius_in_force() const;
   /// An offset is about to be written: an alarm later in the block brings it back.
   void keep_offset(std::uint32_t number) { kept_offset_ = {number, tables.offsets[number]}; }

@@ -1,5 +1,6 @@
 // Straight motions and frames: programmed point → work → machine, and the Motion that goes there.
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -162,6 +163,13 @@ void Machinery::set_feed(Motion& motion) {
 double Machinery::radius_in_force() const {
   if (modal.radius_by_word >= 0) return modal.radius_by_word;
   return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].whole_radius() : 0.0;
+}
+
+SurfaceSpeed Machinery::surface_speed() const {
+  if (nct) return nct->surface_speed(*this);
+  const auto x = std::find(axis_names.begin(), axis_names.end(), "X");
+  const bool there = x != axis_names.end();
+  return {modal.surface_speed, 1, there ? static_cast<std::uint8_t>(x - axis_names.begin()) : SurfaceSpeed::no_axis, modal.rpm};
 }
 
 FrameChange Machinery::frame_change() const { return {frames.origin, frames.length, position.work, frames.rotation, frames.shift}; }

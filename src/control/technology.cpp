@@ -15,7 +15,7 @@ bool turns_spindle(const Machinery& m) {
 Status turn_spindle(Machinery& m, SpindleDir dir, Span where) {
   if (dir != SpindleDir::orient && m.modal.rpm == 0) m.warn(warning(AlarmId::speed_missing, where));
   m.modal.spindle = dir;
-  m.emit(Spindle{dir, m.modal.rpm});
+  m.emit(Spindle{dir, m.modal.surface_speed ? m.surface_speed().rpm(m.position.work, m.modal.rpm) : m.modal.rpm});
   return {};
 }
 
@@ -64,7 +64,9 @@ Status speed_word(Machinery& m, const Call& call) {
     return {};
   }
   m.modal.rpm = rpm;
-  if (!turns_spindle(m)) m.emit(Speed{rpm, m.modal.surface_speed});
+  const SurfaceSpeed surface = m.surface_speed();
+  if (!turns_spindle(m)) m.emit(Speed{rpm, surface.on, 1, 0, surface.on ? surface.rpm(m.position.work, rpm) : 0});
+  if (surface.on) m.emit(surface);
   return {};
 }
 
