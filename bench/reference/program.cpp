@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 
@@ -33,8 +32,6 @@ MachineProfile profile_of(const Machine& machine, const std::vector<std::string>
 /// Cells as they come → stretches.
 class Collector {
  public:
-  explicit Collector(const std::map<std::uint64_t, double>& feeds) : feeds_(feeds) {}
-
   void take(const TimedCells& cells) {
     const std::size_t row = cells.axes * TimedCells::terms;
     for (std::size_t k = 0; k < cells.laws.size(); ++k) {
@@ -42,12 +39,10 @@ class Collector {
       if (!(law.length > 0)) continue;
       if (law.speed(0) < standing) begin(cells.axes);
       Stretch& to = stretches_.back();
-      const double feed = feeds_.at(cells.tags[k]);
-      if (!to.feed.empty()) to.feed.back() = std::min(to.feed.back(), feed);  // a cell that ends in the next piece
       to.cells.laws.push_back(law);
       to.cells.path.insert(to.cells.path.end(), cells.path.begin() + static_cast<std::ptrdiff_t>(k * row),
                            cells.path.begin() + static_cast<std::ptrdiff_t>((k + 1) * row));
-      to.feed.push_back(feed);
+      to.feed.push_back(cells.sources[k].feed);
     }
   }
   void begin(std::size_t axes) {
@@ -62,7 +57,6 @@ class Collector {
   std::vector<Stretch>& stretches() { return stretches_; }
 
  private:
-  const std::map<std::uint64_t, double>& feeds_;
   std::vector<Stretch> stretches_;
 };
 
@@ -80,8 +74,7 @@ Planned planned(const std::string& file, const Machine& machine) {
   const MotionLimits limits = motion_limits(profile, Setup{}, control.axes());
   ToolPosition position{control.ending().position, control.ending().machine_position};
   TimeEstimate estimate(roles, rates_of(profile, Setup{}, control.axes()));
-  std::map<std::uint64_t, double> feeds;
-  Collector collector(feeds);
+  Collector collector;
   AxisMotion motion(roles, limits, machine.tolerance, position, [&](const TimedCells& cells) { collector.take(cells); });
   ActionBatch batch;
   for (auto state = Control::State::running; state == Control::State::running;) {
@@ -89,12 +82,7 @@ Planned planned(const std::string& file, const Machine& machine) {
     if (state != Control::State::running && state != Control::State::ended) throw std::runtime_error(file + ": it stops");
     for (const Action& action : batch) {
       MotionTime time;
-      if (const auto* const moved = std::get_if<Motion>(&action.what)) {
-        time = estimate.motion(*moved, Curve(roles, position.work, *moved));
-        const bool rapid = moved->kind == MotionKind::rapid;
-        if (time.seconds > 0)
-          feeds[Spent{rapid ? Spent::On::rapid : Spent::On::cutting, action.origin.line}.tag()] = time.length / time.seconds;
-      }
+      if (const auto* const moved = std::get_if<Motion>(&action.what)) time = estimate.motion(*moved, Curve(roles, position.work, *moved));
       position.take(action);
       motion.take(action, time, 0);
     }
