@@ -1,6 +1,8 @@
 #pragma once
 // SpindleTurning: how a spindle turns, by what is commanded of it. INFERRED: it takes its speed at once.
 
+#include <algorithm>
+
 #include "control/action.h"
 
 namespace kadr {
@@ -14,10 +16,10 @@ struct SpindleTurning {
 
   double now() const { return on ? rpm : 0; }
   /// Where the tool is there, work coordinates.
-  double at(const Axes& work) const { return on && surface.on ? surface.rpm(work, rpm) : now(); }
+  double at(const Axes& work) const { return on && surface.on ? by_surface(work) : now(); }
   /// A motion ends there.
   void arrive(const Axes& work) {
-    if (surface.on) rpm = surface.rpm(work, rpm);
+    if (surface.on) rpm = by_surface(work);
   }
 
   /// Degrees a second, clockwise.
@@ -33,6 +35,11 @@ struct SpindleTurning {
     reversed = spindle.dir == SpindleDir::ccw;
   }
   void take(const Speed& speed) { rpm = speed.surface ? speed.rpm : speed.value; }
+
+ private:
+  /// INFERRED: towards the centre none turns faster than this, though nobody states a limit.
+  static constexpr double fastest = 1e5;  // rev/min
+  double by_surface(const Axes& work) const { return std::min(surface.rpm(work, rpm), fastest); }
 };
 
 }  // namespace kadr

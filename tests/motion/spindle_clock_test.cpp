@@ -49,6 +49,21 @@ TEST(spindle_clock, waits_for_the_pulse_and_the_angle) {
   EXPECT_NEAR(clock.seconds_to(90, 0), 1, 1e-12);
 }
 
+// 11.5: 200 m/min; at the centre the last speed, near it no more than a spindle can.
+TEST(spindle_turning, by_the_speed_at_the_surface) {
+  SpindleTurning turning;
+  turning.rpm = 500;
+  turning.surface = {true, 1, 0, 200};
+  EXPECT_NEAR(turning.at({50}), 636.6198, 1e-4);
+  EXPECT_EQ(turning.at({-1e-6}), 1e5);
+  EXPECT_EQ(turning.at({0}), 500);
+  turning.arrive({25});
+  turning.surface.on = false;
+  EXPECT_NEAR(turning.at({50}), 1273.2395, 1e-4);
+  turning.on = false;
+  EXPECT_EQ(turning.at({50}), 0);
+}
+
 TEST(spindle_clock, coupled_it_goes_with_the_axis) {
   SpindleClock clock;
   clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));
