@@ -11,7 +11,7 @@
 namespace {
 
 constexpr const char* program = "%\nN1 G90 G0 X1 Y2 Z3 F100 S100 M3\nN2 G1 X5 T1 D1 H1 L1\nN3 G2 X1 I1 J1 R1\nN4 M2\n";
-constexpr kadr::RunLimits few_passes{200, 2};
+const kadr::RunLimits few_passes{200, 2};
 constexpr int most_batches = 50;
 
 void try_out(const kadr::ControlDef& def) {

@@ -55,14 +55,14 @@ const std::vector<Action> manual = {  // 4.7, golden 04-42
 const Axes manual_start{25.42, 47.87, 0};
 
 TEST(compression, the_manuals_example) {
-  for (const std::size_t size : {1, 2, 3, 6})
+  for (const std::size_t size : {1U, 2U, 3U, 6U})
     EXPECT_EQ(lines(compressed(manual, size, manual_start)), (std::vector<std::uint32_t>{2500, 2530, 2550})) << size;
 }
 
 TEST(compression, something_else_lets_the_rest_out) {
   std::vector<Action> all(manual.begin(), manual.begin() + 3);
   all.push_back(action(straight(rapid, {0, 0, 0}), 7));
-  for (const std::size_t size : {1, 2, 4}) {
+  for (const std::size_t size : {1U, 2U, 4U}) {
     const auto out = compressed(all, size, manual_start);
     EXPECT_EQ(lines(out), (std::vector<std::uint32_t>{2500, 2520, 7})) << size;
     EXPECT_EQ(std::get<Motion>(out[1].what).to[0], 25.437);
@@ -115,7 +115,7 @@ TEST(compression, single_block_stops_behind_the_joined_motion) {  // 4.7
     stop.origin.line = a.origin.line + 1;
     all.push_back(stop);
   }
-  for (const std::size_t size : {1, 2, 3, 12})
+  for (const std::size_t size : {1U, 2U, 3U, 12U})
     EXPECT_EQ(lines(compressed(all, size, manual_start)), (std::vector<std::uint32_t>{2500, 2501, 2530, 2531, 2550, 2551})) << size;
 }
 

@@ -155,7 +155,7 @@ std::vector<Carriers::Run> Carriers::runs(const Polygon& corners, bool closed) c
       run.carrier = left.front();
       if (done + run.count == chords) break;
       const auto [a, b] = ends(done + run.count);
-      std::erase_if(left, [&](std::uint32_t i) { return !carries(all_[i], a, b); });
+      std::erase_if(left, [&, from = a, to = b](std::uint32_t i) { return !carries(all_[i], from, to); });
       if (!left.empty()) ++run.count;
     }
     done += run.count;
