@@ -128,10 +128,20 @@ bool Planner::feed_changes(std::size_t vertex) const {
   return std::fabs(before - behind) > same * (before + behind);
 }
 
-/// Size of a cell at a length: small at corners, turns, stops and changes of feed, growing away from them. `curve_part`: of a rounding's
+/// Longer than any ramp to a speed lasts, s: farther from the ends of a piece it is passed evenly.
+double Planner::ramp_s(double speed) const {
+  double seconds = 0;
+  for (std::size_t a = 0; a < cells_.axes; ++a)
+    seconds = std::max(seconds, speed / limits_.acceleration[a] + limits_.acceleration[a] / limits_.jerk[a]);
+  return seconds;
+}
+
+/// Size of a cell at a length: small at corners, turns, stops and changes of feed, growing away from them; no longer than is
+/// passed in longest_s, but in the middle of a long piece. `curve_part`: of a rounding's
 /// width, of those between the chords of a curve.
 double Planner::size_at(double s, std::size_t piece, bool last, double curve_part) const {
-  double size = longest_s * path_.feed(piece);
+  const double feed = path_.feed(piece), nearest = std::min(s - path_.at(piece), path_.at(piece + 1) - s);
+  double size = longest_s * feed + growth * std::max(0.0, nearest - feed * ramp_s(feed));
   const double rest = 0.01 * std::min(1.0, path_.ends() - path_.begins());  // beside a stop: a part of the way that a ramp takes
   size = std::min(size, rest + growth * s);
   if (last) size = std::min(size, rest + growth * (path_.ends() - s));

@@ -45,6 +45,7 @@ class Planner {
   bool turns(const double* to) const;
   void plan(bool last);
   void cut_cells(bool last);
+  double ramp_s(double speed) const;
   double size_at(double s, std::size_t piece, bool last, double curve_part) const;
   bool is_even(double h) const;
   bool feed_changes(std::size_t vertex) const;

@@ -145,6 +145,23 @@ TEST(Planner, AChainOfShortLinesIsNotSlowedByItsCorners) {
   expect_within_limits(run);
 }
 
+// 200 m at 0.5 mm/s: as few cells as of any other line, not one for each 0.01 s.
+TEST(Planner, AVeryLongSlowLineTakesFewCells) {
+  std::size_t cells = 0;
+  double seconds = 0;
+  Planner planner({{speed, speed, speed}, {acceleration, acceleration, acceleration}, {jerk, jerk, jerk}}, [&](const TimedCells& timed) {
+    cells += timed.laws.size();
+    seconds += timed.seconds();
+  });
+  planner.begin(Point{}.data());
+  planner.line_to(Point{1e5, 0, 0}.data(), 0.5, 0.01, false, 0);
+  planner.line_to(Point{1e5, 1e5, 0}.data(), 0.5, 0.01, false, 0);
+  planner.stop();
+  EXPECT_LT(cells, 1000U);
+  EXPECT_NEAR(seconds / 4e5, 1, 1e-3);
+  EXPECT_EQ(planner.failures(), 0U);
+}
+
 TEST(Planner, AWindowMuchShorterThanThePathCostsNoTime) {
   std::vector<Piece> chain;
   for (int i = 1; i <= 20000; ++i) chain.push_back({{i * 0.05, 0.2 * std::sin(i * 0.01), 0}, 80, 0.01});
