@@ -203,7 +203,7 @@ class RunCommand {
       };
     }
     together = std::make_unique<Channels>(channels_, job_, outlets);
-    const std::vector<Stopped> stopped = together->run();
+    std::vector<Stopped> stopped = together->run();
     for (std::size_t i = 0; i < channels_.size(); ++i) views_[i]->waited = together->waited(i);
     if (views_[writes]->trace) views_[writes]->trace->flush();
     return stopped;
