@@ -72,12 +72,13 @@ def commented(program):
 
 def outcome(kadr, folder, name, commands, control, setup, program):
     """What is said and done, without the comments."""
-    path, said = folder / name, []
+    path, own, said = folder / name, folder / f'{name}.files', []
+    own.mkdir()  # for what the program writes: others write files of the same name meanwhile
     path.write_text(program, encoding='utf-8')
     (folder / f'{name}.json').write_text(json.dumps(setup), encoding='utf-8')
     for command in commands:
         made = subprocess.run([kadr, command[0], path, '--control', control, '--setup', folder / f'{name}.json', *command[1:]],
-                              capture_output=True, text=True, timeout=TIME_LIMIT_S, cwd=folder)
+                              capture_output=True, text=True, timeout=TIME_LIMIT_S, cwd=own)
         said.append(made.returncode)
         said += [MARK.sub('', text.replace(COMMENT, '').replace(name, '')) for text in (made.stdout, made.stderr)]
     return said
