@@ -345,7 +345,7 @@ def check_alarms(table):
         check_keys(row, ALARM_KEYS, where)
         check_text(row | ({"ru": "текст программы"} if name in TEXT_OF_THE_PROGRAM else {}), where, manual=False)
         check_text({"en": row.get("hint_en", ""), "ru": row.get("hint_ru", "")}, f"{where} hint", manual=False)
-        check(row.get("severity", "alarm") in ("alarm", "warning"), f"{where}: severity")
+        check(row.get("severity", "alarm") in ("alarm", "warning", "note"), f"{where}: severity")
         args = row.get("args", -1)
         check(0 <= args <= 3, f"{where}: args 0 to 3")
         for key in ("en", "ru"):

@@ -23,7 +23,8 @@ std::string_view name_of(AlarmId id);
 /// The id of that name, or AlarmId::count.
 AlarmId alarm_named(std::string_view name);
 
-enum class Severity : std::uint8_t { alarm, warning };
+/// A note is what a user wants to know, but nothing is wrong: it does not count.
+enum class Severity : std::uint8_t { alarm, warning, note };
 
 /// One argument of an alarm's text: a number, or a short piece of text (longer ones are cut, at a whole character).
 class AlarmArg {
@@ -64,6 +65,12 @@ template <class... Args>
 Alarm warning(AlarmId id, Span where, Args... args) {
   static_assert(sizeof...(Args) <= 3);
   return {id, Severity::warning, sizeof...(Args), where, {AlarmArg(args)...}};
+}
+
+template <class... Args>
+Alarm note(AlarmId id, Span where, Args... args) {
+  static_assert(sizeof...(Args) <= 3);
+  return {id, Severity::note, sizeof...(Args), where, {AlarmArg(args)...}};
 }
 
 }  // namespace kadr

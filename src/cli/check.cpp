@@ -54,7 +54,7 @@ class Collector {
     const bool begins_again = report.alarm.id == AlarmId::endless_program && report.alarm.args[1].text() == restart_mark;
     if (begins_again && one_pass) return false;
     if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
-    ++(report.alarm.severity == Severity::alarm ? faults : warnings);
+    if (report.alarm.severity != Severity::note) ++(report.alarm.severity == Severity::alarm ? faults : warnings);
     findings_.push_back(finding_of(report, job_.texts(), language(options_)));
     if (options_.format == "text") fmt::print(stderr, "{}", alarm_text(report, job_.texts(), language(options_)));
     const bool fatal = report.alarm.id == AlarmId::endless_program || report.alarm.id == AlarmId::interrupted;

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "base/stop.h"
 #include "config/control_def.h"
 #include "config/setup.h"
 #include "config/state_file.h"
@@ -25,6 +26,7 @@ struct RunLimits {
   std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
   bool writes_files = false;                   // FOPEN, POPEN of nct; false: as far as can be known without writing
   std::string files = ".";                     // folder of the program memory, outside of which nothing is written
+  StopToken stop;                              // asked for at least each block
 };
 
 struct Program {

@@ -14,6 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* severity_word(Severity severity, Lang lang) {
+  if (severity == Severity::note) return lang == Lang::ru ? "примечание" : "note";
   if (severity == Severity::warning) return lang == Lang::ru ? "предупреждение" : "warning";
   return lang == Lang::ru ? "ошибка" : "alarm";
 }
@@ -53,7 +54,7 @@ Json result_json(const Finding& finding, std::size_t rule) {
   const Json place = {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(finding.file)}}}, {"region", region}}}};
   return {{"ruleId", name_of(finding.id)},
           {"ruleIndex", rule},
-          {"level", finding.severity == Severity::alarm ? "error" : "warning"},
+          {"level", finding.severity == Severity::alarm ? "error" : severity_word(finding.severity, Lang::en)},
           {"message", {{"text", finding.text}}},
           {"locations", Json::array({place})}};
 }

@@ -47,7 +47,9 @@ class Statistics {
   void count_by(TimeBasis basis) { basis_ = basis; }
   ///   longer  than it was counted the motion taken before takes, s. Of all motions before an action that changes the tool.
   void lengthen(const Motion& motion, double longer);
-  void count(Severity severity) { ++(severity == Severity::alarm ? alarms_ : warnings_); }
+  void count(Severity severity) {
+    if (severity != Severity::note) ++(severity == Severity::alarm ? alarms_ : warnings_);
+  }
 
   /// The summary, lines ending in '\n'. `planned`: the time by the planner of least time, if it ran: beside that of the control, or for it,
   /// as it counts for the machine.
