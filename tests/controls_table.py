@@ -58,7 +58,8 @@ ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "w
 CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "from",
                          "to"}
 GROUP_KEYS = {"modal", "initial", "en", "ru"}
-CYCLE_KEYS = TEXT_KEYS | {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off"}
+CYCLE_KEYS = TEXT_KEYS | {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "printed",
+                          "parameters"}
 VARIABLE_KEYS = TEXT_KEYS | {"from", "count", "stride", "repeat", "is", "ranges", "symbol", "first", "arg", "bit", "of", "access", "works"}
 FIRST_UNWRITTEN = 1_000_000  # first_unwritten_variable of control_def.h
 OWN_ALARM_KEYS = {"number", "en", "ru", "hint_en", "hint_ru"}

@@ -80,6 +80,11 @@
   X(compensation_two_blocks) X(compensation_closing) X(compensation_zero)                    \
   /* pocket cycle (spec/correctors 3) */                                                     \
   X(pocket_tool_missing) X(pocket_tool_large) X(pocket_corner) X(pocket_too_long)            \
+  X(pocket_above_solid) X(corrector_not_set)                                                 \
+  /* what the instruction of the 2С42 demands; programs and tapes of the old controls */      \
+  X(reference_again) X(reference_late) X(plane_without_stop) X(return_not_alone)             \
+  X(length_beside_radius) X(subprogram_shadowed) X(code_digits) X(program_number_place)      \
+  X(tape_reversed)                                                                           \
   /* automatic geometry (nct 17) */                                                          \
   X(chamfer_and_rounding) X(corner_illegal) X(corner_too_large) X(contour_no_intersection)   \
   X(intersection_needs_side) X(angle_meets_not) X(angle_alone)                              \

@@ -47,7 +47,11 @@ std::vector<std::string> files_of(const std::vector<std::string>& names) {
 /// Takes the faults of one program, each once however often its block is carried out.
 class Collector {
  public:
-  Collector(const Job& job, const Options& options, std::vector<Finding>& findings) : job_(job), options_(options), findings_(findings) {}
+  using Seen = std::set<std::tuple<std::uint32_t, std::uint32_t, AlarmId>>;
+
+  /// `seen`: of the file so far; what several programs of a tape have in common is told once.
+  Collector(const Job& job, const Options& options, std::vector<Finding>& findings, Seen& seen)
+      : job_(job), options_(options), findings_(findings), seen_(seen) {}
 
   bool take(AlarmReport report) {
     // A main program that begins again (M99, M47) is no fault: one pass is looked at.
@@ -70,7 +74,7 @@ class Collector {
   const Job& job_;
   const Options& options_;
   std::vector<Finding>& findings_;
-  std::set<std::tuple<std::uint32_t, std::uint32_t, AlarmId>> seen_;
+  Seen& seen_;
   std::size_t again_ = 0;
 };
 
@@ -86,9 +90,8 @@ Outlets outlets_of(Collector& collector, Progress& progress) {
   return {[](const Action&) {}, [take](const AlarmReport& report) { (void)take(report); }, take, &progress};
 }
 
-Checked check_file(const Options& options, const std::string& file, Count& count, std::vector<Finding>& findings) {
-  auto job = make_job(options, file);
-  if (!job) return Checked::unreadable;
+Checked check_program(const Options& options, const std::optional<Job>& job, Count& count, std::vector<Finding>& findings,
+                      std::deque<Collector::Seen>& seen) {
   auto program = open_program(*job);
   if (!program) return Checked::unreadable;
   RunLimits limits = options.limits;
@@ -101,7 +104,8 @@ Checked check_file(const Options& options, const std::string& file, Count& count
   ChannelOutlets outlets;
   outlets.stop_together = false;
   for (std::size_t i = 0; i < channels->size(); ++i) {
-    collectors.emplace_back(*job, options, findings);
+    if (seen.size() <= i) seen.emplace_back();
+    collectors.emplace_back(*job, options, findings, seen[i]);
     collectors.back().one_pass = one_pass;
     outlets.own.push_back(outlets_of(collectors.back(), progress));
   }
@@ -119,6 +123,20 @@ Checked check_file(const Options& options, const std::string& file, Count& count
     clean = clean && collectors[i].faults == 0;
   }
   return clean ? Checked::clean : Checked::faulty;
+}
+
+/// Every program of the file, if it is a tape with several and none is named.
+Checked check_file(const Options& options, const std::string& file, Count& count, std::vector<Finding>& findings) {
+  auto job = make_job(options, file);
+  if (!job) return Checked::unreadable;
+  const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
+  std::deque<Collector::Seen> seen;
+  Checked worst = Checked::clean;
+  for (std::size_t i = 0; i < programs && !interrupted(); ++i) {
+    if (programs > 1) job->program_index = i;
+    worst = std::max(worst, check_program(options, job, count, findings, seen));
+  }
+  return worst;
 }
 
 void print_count(const Options& options, std::size_t files, Count count) {

@@ -33,7 +33,8 @@ constexpr const char* tape_examples =
     "Examples:\n"
     "  kadr tape encode flange.nc flange.tape     text to rows with even parity\n"
     "  kadr tape decode flange.tape               rows to text; parity errors by row on stderr\n"
-    "Exit status: 0 all well, 1 parity errors or a character that has no code, 2 wrong usage.";
+    "  kadr tape encode part.nc part.tape --code eia   rows of EIA RS-244, odd parity\n"
+    "Exit status: 0 all well, 1 parity errors, a tape that lies wrongly or a character that has no code, 2 wrong usage.";
 
 constexpr const char* mill_examples =
     "Examples:\n"
@@ -51,7 +52,9 @@ void program_options(CLI::App& app, Options& o) {
   app.add_option("--control", o.control, "control: an id of `kadr controls`, or a file NAME.toml (default: guessed from the text)");
   app.add_option("--machine", o.machine, "machine profile: an id or a file NAME.toml (default: generic)");
   app.add_option("--setup", o.setup, "state before the start: a JSON file");
-  app.add_option("--encoding", o.encoding, "of the text: utf-8, cp1251, koi8-r, cp866, iso7 (default: detected)");
+  app.add_option("--encoding", o.encoding, "of the text: utf-8, cp1251, koi8-r, cp866, iso7, eia (default: detected)");
+  app.add_option("--program", o.program, "number of the program on a tape with several (default: the first; check: all)")
+      ->check(CLI::Range(1, 999999999));
   app.add_option("--skip", o.skip, "skip switches that are on, 1 to 9")->check(CLI::Range(1, 9));
   app.add_flag("--optional-stop", o.optional_stop, "stop at M01");
   app.add_option("--max-blocks", o.limits.repeated_blocks, "stop a program that repeats more blocks than this")->capture_default_str();
@@ -126,12 +129,14 @@ void add_explain(CLI::App& app, Commands& c) {
 }
 
 void add_tape(CLI::App& app, Commands& c) {
-  CLI::App* const tape = app.add_subcommand("tape", "punched tape: rows of ISO-7 with even parity, and text");
+  CLI::App* const tape = app.add_subcommand("tape", "punched tape: rows of ISO-7 with even parity or of EIA RS-244, and text");
   tape->require_subcommand(1);
   for (const bool decode : {true, false}) {
     CLI::App* const sub = tape->add_subcommand(decode ? "decode" : "encode", decode ? "rows to text" : "text to rows");
     sub->add_option("INPUT", c.tape.input, "file, or - for stdin")->required();
     sub->add_option("OUTPUT", c.tape.output, "file, or - for stdout (default)");
+    sub->add_option("--code", c.tape.code, decode ? "of the tape: iso or eia (default: detected)" : "of the tape: iso (default) or eia")
+        ->check(CLI::IsMember({"iso", "eia"}));
     language_option(*sub, c.tape.lang);
     if (!decode) {
       sub->add_option("--encoding", c.tape.encoding, "of the text: utf-8, cp1251, koi8-r, cp866 (default: detected)");

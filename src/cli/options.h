@@ -31,6 +31,7 @@ struct Options {
   std::string lang;             // "ru", "en"; empty: by LANG
   std::string format = "text";  // of check: text, json, sarif
   std::vector<int> skip;        // switches that are on
+  std::uint32_t program = 0;    // number of one on a tape with several; 0: the first, of check all
   bool optional_stop = false;
   bool quiet = false;
   RunLimits limits;
@@ -55,6 +56,7 @@ int list_controls(const std::string& lang);
 
 struct TapeOptions {
   bool decode = true;
+  std::string code;  // iso, eia; empty: as the rows say, to be written iso
   std::string input, output;
   std::string encoding;      // of the text
   std::size_t leader = 100;  // rows of blank tape

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -9,6 +10,7 @@
 
 #include "config/control_file.h"
 #include "config/guess.h"
+#include "lang/several_programs.h"
 
 namespace kadr::cli {
 namespace {
@@ -67,6 +69,8 @@ std::optional<Job> make_job(const Options& options, const std::string& file) {
   Job job;
   job.file = file;
   job.setup_file = options.setup;
+  job.ru = language(options) == Lang::ru;
+  job.program = options.program;
   const auto id = control_of(options, file);
   if (!id) return std::nullopt;
   auto def = load_control(*id);
@@ -85,9 +89,45 @@ std::optional<Job> make_job(const Options& options, const std::string& file) {
   job.setup.optional_stop = job.setup.optional_stop || options.optional_stop;
   if (!options.encoding.empty()) {
     job.encoding = encoding_named(options.encoding);
-    if (!job.encoding) return complain(fmt::format("no encoding '{}': utf-8, cp1251, koi8-r, cp866, iso7", options.encoding)), std::nullopt;
+    if (!job.encoding)
+      return complain(fmt::format("no encoding '{}': utf-8, cp1251, koi8-r, cp866, iso7, eia", options.encoding)), std::nullopt;
   }
   return job;
+}
+
+namespace {
+
+/// What the file's first bytes are, where nobody says it.
+std::optional<Encoding> encoding_of(const Job& job, const std::shared_ptr<ByteSource>& source) {
+  return job.encoding ? job.encoding : detect_encoding(LineReader(source).sample());
+}
+
+/// Empty where the file holds one program: without a second sign % it need not be read for more.
+TapeContents programs_of(const Job& job, const std::shared_ptr<ByteSource>& source) {
+  if (!job.def->grammar.percent_number) return {};
+  const auto encoding = encoding_of(job, source);
+  if (count_program_signs(*source, encoding) < 2 && job.program == 0) return {};
+  return contents_of(source, job.def->grammar, encoding);
+}
+
+/// The numbers of its programs, for a person.
+std::string numbers_of(const TapeContents& contents) {
+  if (contents.programs.size() < 2)
+    return contents.programs.empty() || contents.programs[0].number == 0 ? "%" : std::to_string(contents.programs[0].number);
+  std::string text;
+  for (std::size_t i = 0; i < contents.programs.size(); ++i) {
+    const std::uint32_t number = contents.programs[i].number;
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", number != 0 ? std::to_string(number) : "%");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::size_t count_programs(const Job& job) {
+  const std::shared_ptr<ByteSource> source = open_file(job.file);
+  if (!source || job.file == "-") return 1;
+  return std::max<std::size_t>(programs_of(job, source).programs.size(), 1);
 }
 
 std::optional<Program> open_program(const Job& job) {
@@ -96,6 +136,24 @@ std::optional<Program> open_program(const Job& job) {
     complain(fmt::format("{}: {}", job.file, std::strerror(errno)));
     return std::nullopt;
   }
+  if (!job.def->grammar.percent_number && job.program == 0) return program;
+  const std::shared_ptr<ByteSource> source = std::move(program.source);
+  const TapeContents contents = programs_of(job, source);
+  std::optional<std::size_t> index = job.program_index;
+  if (job.program != 0) {
+    index = program_numbered(contents, job.program);
+    if (!index) {
+      complain(job.ru ? fmt::format("{}: программы {} нет; есть: {}", job.file, job.program, numbers_of(contents))
+                      : fmt::format("{}: no program {}; there are: {}", job.file, job.program, numbers_of(contents)));
+      return std::nullopt;
+    }
+  } else if (contents.programs.size() > 1 && !index) {
+    complain(job.ru ? fmt::format("{}: на ленте программы {}; отрабатывается первая, иначе: --program", job.file, numbers_of(contents))
+                    : fmt::format("{}: holds the programs {}; the first is run, otherwise: --program", job.file, numbers_of(contents)));
+    index = 0;
+  }
+  if (index && *index < contents.programs.size()) program.source = only_program(source, contents, *index, encoding_of(job, source));
+  else program.source = whole_file(source);
   return program;
 }
 

@@ -25,6 +25,9 @@ struct Job {
   MachineProfile profile;
   Setup setup;
   std::optional<Encoding> encoding;
+  bool ru = false;                           // messages in Russian
+  std::uint32_t program = 0;                 // number of one on a tape with several
+  std::optional<std::size_t> program_index;  // … or its place there, from 0
 
   /// Read when the first alarm is to be told: a run without one need not wait for them.
   const AlarmTexts& texts() const;
@@ -37,8 +40,11 @@ struct Job {
 ///   returns  nothing, if something is missing or wrong (exit status 2)
 std::optional<Job> make_job(const Options& options, const std::string& file);
 
-/// Opens the program; complains if it cannot be read.
+/// Opens the program, the one that the job names of a tape with several; complains if it cannot be read or is not there.
 std::optional<Program> open_program(const Job& job);
+
+/// Programs of the file: 1, or more on a tape (spec/gost 1); of a file that cannot be read 1.
+std::size_t count_programs(const Job& job);
 
 /// Virtual time since the start, s.
 struct VirtualTime {

@@ -4,21 +4,42 @@
 
 #include "cli/files.h"
 #include "cli/options.h"
+#include "lang/eia.h"
 #include "lang/encoding.h"
-#include "lang/tape.h"
+#include "lang/tape_side.h"
 
 namespace kadr::cli {
 namespace {
 
 constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
 
+/// How the tape lies, in words.
+const char* lie_in_words(TapeLie lie, bool ru) {
+  switch (lie) {
+    case TapeLie::wrong_end: return ru ? "считана с конца: образ перевёрнут" : "read from its wrong end: turned";
+    case TapeLie::wrong_side: return ru ? "считана не той стороной: дорожки переставлены" : "read from its wrong side: turned over";
+    default: return ru ? "считана с конца и не той стороной: образ перевёрнут" : "read from its wrong end and side: turned";
+  }
+}
+
 int decode(const TapeOptions& options, const std::string& rows, bool ru) {
-  const TapeText text = decode_tape(rows);
-  for (const TapeFault& fault : text.faults)
-    complain(ru ? fmt::format("{}: строка {}: нечётное число отверстий (байт {:03o})", options.input, fault.row, fault.byte)
-                : fmt::format("{}: row {}: parity error (byte {:03o})", options.input, fault.row, fault.byte));
+  TapeLook look = look_at_tape(rows).value_or(TapeLook());
+  if (!options.code.empty()) look.code = options.code == "eia" ? TapeCode::eia : TapeCode::iso;
+  const bool lies = look.lie != TapeLie::right;
+  if (lies) complain(fmt::format(fmt::runtime(ru ? "{}: лента {}" : "{}: the tape was {}"), options.input, lie_in_words(look.lie, ru)));
+  const TapeText text = decode_tape(lies ? turned(rows, look.lie) : rows, look.code);
+  const bool odd = look.code == TapeCode::eia;
+  for (const TapeFault& fault : text.faults) {
+    const bool parity = odd != has_odd_parity(fault.byte);
+    const char* const what = !parity ? (ru ? "нет такого кода EIA" : "no code of EIA")
+                             : !ru   ? "parity error"
+                             : odd   ? "чётное число отверстий"
+                                     : "нечётное число отверстий";
+    complain(fmt::format(fmt::runtime(ru ? "{}: строка {}: {} (байт {:03o})" : "{}: row {}: {} (byte {:03o})"), options.input, fault.row,
+                         what, fault.byte));
+  }
   if (!write_all(options.output, text.text)) return wrong_usage;
-  return text.faults.empty() ? ok : alarms;
+  return text.faults.empty() && !lies ? ok : alarms;
 }
 
 int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
@@ -29,13 +50,15 @@ int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
     return complain(fmt::format("{}: byte {}: not text in {}", options.input, decoded.error().where.begin + 1,
                                 name_of(encoding.value_or(Encoding::utf8)))),
            alarms;
-  const auto rows = encode_tape(text, options.leader);
+  const TapeCode code = options.code == "eia" ? TapeCode::eia : TapeCode::iso;
+  const char* const name = code == TapeCode::eia ? "EIA" : "ISO-7";
+  const auto rows = encode_tape(text, options.leader, code);
   if (!rows) {
     const Span at = rows.error().where;
     complain(
-        ru ? fmt::format("{}: символ '{}' (байт {}) не пробить в коде ISO-7", options.input, text.substr(at.begin, at.end - at.begin),
-                         at.begin + 1)
-           : fmt::format("{}: '{}' (byte {}) has no ISO-7 code", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1));
+        ru ? fmt::format("{}: символ '{}' (байт {}) не пробить в коде {}", options.input, text.substr(at.begin, at.end - at.begin),
+                         at.begin + 1, name)
+           : fmt::format("{}: '{}' (byte {}) has no {} code", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1, name));
     return alarms;
   }
   return write_all(options.output, *rows) ? ok : wrong_usage;

@@ -94,11 +94,13 @@ enum class CycleStep : std::uint8_t {
 std::string_view name_of(CycleStep step);
 
 struct CycleRow {
-  std::string name;               // "G81", "L81"
-  std::uint32_t call_number = 0;  // 81 of L81; 0: called by its code
-  std::vector<CycleStep> steps;   // by steps …
-  std::string body;               // … or as a program in the control's own language
-  std::uint64_t needs = 0;        // letters that must be known (given or sticky)
+  std::string name;                              // "G81", "L81"
+  std::uint32_t call_number = 0;                 // 81 of L81; 0: called by its code
+  std::vector<CycleStep> steps;                  // by steps …
+  std::string body;                              // … or as a program in the control's own language
+  std::string printed;                           // of one by steps: the body as the manual prints it, for people
+  std::vector<std::pair<char, int>> parameters;  // of a permanent subprogram: which word sets which formal parameter
+  std::uint64_t needs = 0;                       // letters that must be known (given or sticky)
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
   bool needs_override_off = false;  // L84 of the 2С42: G23
@@ -202,6 +204,10 @@ struct Behaviour {
   bool ends_reading = true;             // nothing after the end is read (GOST)
   bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
   bool correctors = false;              // axis correctors (spec/correctors)
+  bool musts_checked = false;           // 2С42: warnings where its instruction demands something else
+  bool feed_of_axis = false;            // F right behind an axis' word, others follow: the feed of that axis (GOST 20999-83)
+  bool diameter_by_setup = false;       // the set-up may say which axes are programmed as diameters (spec/gost 5)
+  bool label_is_number = false;         // O0001 right behind % numbers the program (spec/gost 1)
   bool machine_axes = false;            // the axes and their names are the machine's: the set-up says them (nct 2)
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
@@ -224,6 +230,7 @@ struct ControlDef {
   Behaviour behaviour;
   std::vector<std::string> axes;                      // names in order
   std::uint32_t rotary = 0;                           // bit per axis
+  std::uint32_t diameter = 0;                         // axes programmed as diameters
   std::array<std::uint8_t, max_axes> axis_numbers{};  // control-wide, from 1 (nct 2.1)
   std::uint8_t channel = 1;
   std::vector<GroupRow> groups;  // [0] is no group

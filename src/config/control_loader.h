@@ -65,6 +65,7 @@ class ControlLoader {
   Done other_codes(const toml::table& row, char letter);
   std::uint16_t cycle_named(std::string_view name) const;
   Done cycles();
+  Done cycle_parameters(const toml::table& to, CycleRow& cycle) const;
   std::int32_t row_named(const std::string& code) const;
   Done initial_codes();
   Done variables();
@@ -73,6 +74,7 @@ class ControlLoader {
   Done variable(const toml::table& row);
   tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
   Done alarms();
+  static std::map<std::int32_t, double> coded_progression();
   void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
   const toml::table& file_;
   std::string name_;

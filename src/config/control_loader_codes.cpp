@@ -115,9 +115,11 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
       return Failed(place(name_, row, "takes") + "takes: no address " + address_written(static_cast<char>('A' + i)));
   c.text = text_of(row);
   c.manual = row["manual"].value_or(std::string());
-  if (c.function == Function::cycle) {
+  if (c.function == Function::cycle || c.function == Function::permanent_subprogram) {
     c.cycle = cycle_named(c.code);
     if (c.cycle == 0) return Failed(place(name_, row) + "no [cycle." + c.code + "]");
+    if (c.function == Function::permanent_subprogram && def_.cycles[c.cycle - std::size_t{1}].body.empty())
+      return Failed(place(name_, row) + "[cycle." + c.code + "] has no body");
   }
   auto& index = letter == 'G' ? def_.g_rows : def_.m_rows;
   if (index.size() <= static_cast<std::size_t>(c.tenth)) index.resize(static_cast<std::size_t>(c.tenth) + 1, -1);
@@ -157,8 +159,8 @@ Done ControlLoader::cycles() {
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
     if (row == nullptr) return Failed(place(name_, node) + "a cycle is a table");
-    KADR_LOAD(
-        known_keys(*row, {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "en", "ru", "manual"}));
+    KADR_LOAD(known_keys(*row, {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "printed",
+                                "parameters", "en", "ru", "manual"}));
     CycleRow c;
     c.name = std::string(key.str());
     if (c.name[0] == 'L') c.call_number = static_cast<std::uint32_t>(std::atoi(c.name.c_str() + 1));
@@ -170,6 +172,9 @@ Done ControlLoader::cycles() {
       }
     if (const toml::array* const body = (*row)["body"].as_array())
       for (const auto& line : *body) c.body += line.value_or(std::string()) + "\n";
+    if (const toml::array* const printed = (*row)["printed"].as_array())
+      for (const auto& line : *printed) c.printed += line.value_or(std::string()) + "\n";
+    if (const toml::table* const to = (*row)["parameters"].as_table()) KADR_LOAD(cycle_parameters(*to, c));
     if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + "a cycle has steps or a body");
     c.needs = letters((*row)["needs"].value_or(std::string()));
     c.needs_spindle = typed(*row, "needs_spindle", false, "true or false");
@@ -178,6 +183,20 @@ Done ControlLoader::cycles() {
     c.text = text_of(*row);
     c.manual = (*row)["manual"].value_or(std::string());
     def_.cycles.push_back(std::move(c));
+  }
+  return {};
+}
+
+/// `{ X = "R01" }`: the word X of the call sets the formal parameter R01 (spec/correctors 3).
+Done ControlLoader::cycle_parameters(const toml::table& to, CycleRow& cycle) const {
+  const std::string& letters = def_.grammar.long_parameters;
+  for (const auto& [word, node] : to) {
+    const std::string name = node.value_or(std::string());
+    const std::size_t letter = name.empty() ? std::string::npos : letters.find(name[0]);
+    const bool digits = name.size() >= 3 && name.size() <= 4 && name.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (word.str().size() != 1 || letter == std::string::npos || !digits)
+      return Failed(place(name_, node) + "parameters: a letter and the formal parameter that it sets, as in { X = \"R01\" }");
+    cycle.parameters.emplace_back(word.str()[0], static_cast<int>(letter) * parameters_a_letter + std::atoi(name.c_str() + 1));
   }
   return {};
 }
@@ -235,9 +254,28 @@ Done ControlLoader::alarms() {
   return {};
 }
 
+/// `progression = true`: the standard's geometric progression, then the codes that the table names.
 void ControlLoader::code_table(std::string_view key, std::map<std::int32_t, double>& to) const {
-  if (const toml::table* const t = section(key))
-    for (const auto& [code, value] : *t) to[std::atoi(std::string(code.str()).c_str())] = value.value_or(0.0);
+  const toml::table* const t = section(key);
+  if (t == nullptr) return;
+  if ((*t)["progression"].value_or(false)) to = coded_progression();
+  for (const auto& [code, value] : *t)
+    if (code.str() != "progression") to[std::atoi(std::string(code.str()).c_str())] = value.value_or(0.0);
+}
+
+/// INFERRED (spec/gost 3 names the method only; GOST 20999-83 takes the series R20 of GOST 8032): code 00 is the stop, code n the
+/// 20th root of ten to the n: F20 is 10, F40 100, F60 1000. Code 99, the highest speed, is the machine's: its file may name it.
+std::map<std::int32_t, double> ControlLoader::coded_progression() {
+  constexpr double r20[] = {1.00, 1.12, 1.25, 1.40, 1.60, 1.80, 2.00, 2.24, 2.50, 2.80,
+                            3.15, 3.55, 4.00, 4.50, 5.00, 5.60, 6.30, 7.10, 8.00, 9.00};
+  constexpr std::int32_t members = std::size(r20), last = 98;
+  std::map<std::int32_t, double> codes = {{0, 0.0}};
+  double decade = 1;
+  for (std::int32_t code = 1; code <= last; ++code) {
+    if (code % members == 0) decade *= 10;
+    codes[code] = r20[code % members] * decade;
+  }
+  return codes;
 }
 
 }  // namespace kadr

@@ -88,8 +88,9 @@ Done ControlLoader::grammar() {
     if (auto applied = apply_descriptor(def_.descriptor, g); !applied) return Failed(name_ + ": format: " + applied.error());
   const toml::table* const t = section("grammar");
   if (t == nullptr) return {};
-  std::set<std::string_view> known = {"percent_digits", "comment_forbidden", "block_length", "formal_parameter", "parameters_in",
-                                      "most_codes",     "variables",         "label",        "section",          "end_of_block"};
+  std::set<std::string_view> known = {"percent_digits", "comment_forbidden", "block_length",    "formal_parameter",
+                                      "parameters_in",  "most_codes",        "long_parameters", "variables",
+                                      "label",          "section",           "end_of_block"};
   for (const auto& [key, to] : grammar_flags) {
     known.insert(key);
     g.*to = typed(*t, key, g.*to, "true or false");
@@ -102,6 +103,9 @@ Done ControlLoader::grammar() {
   g.variables = whole(*t, "variables", g.variables, most_variables);
   g.parameter_address = first_letter(*t, "formal_parameter");
   g.label_address = first_letter(*t, "label");
+  g.long_parameters = (*t)["long_parameters"].value_or(g.long_parameters);
+  if (!std::all_of(g.long_parameters.begin(), g.long_parameters.end(), is_letter) || g.long_parameters.size() > 3)
+    return Failed(place(name_, *t, "long_parameters") + "long_parameters: at most three letters A to Z");
   g.section_address = first_letter(*t, "section");
   if ((*t)["end_of_block"].value_or(std::string("line")) == "line_only") g.end_of_block = EndOfBlock::line_only;
   for (const char letter : (*t)["parameters_in"].value_or(std::string())) {
@@ -160,6 +164,10 @@ Done ControlLoader::behaviour() {
   flag("ends_reading", b.ends_reading);
   flag("delayed_assignment", b.delayed_assignment);
   flag("correctors", b.correctors);
+  flag("musts_checked", b.musts_checked);
+  flag("feed_of_axis", b.feed_of_axis);
+  flag("label_is_number", b.label_is_number);
+  flag("diameter_by_setup", b.diameter_by_setup);
   flag("machine_axes", b.machine_axes);
   count("call_depth", b.call_depth, 255);
   count("offsets", b.offsets, 9999);
@@ -186,6 +194,12 @@ Done ControlLoader::axes() {
       const int axis = axis_named(name.value_or(std::string()));
       if (axis < 0) return Failed(place(name_, name) + "rotary: no such axis");
       def_.rotary |= 1u << axis;
+    }
+  if (const toml::array* const diameter = (*t)["diameter"].as_array())
+    for (const auto& name : *diameter) {
+      const int axis = axis_named(name.value_or(std::string()));
+      if (axis < 0) return Failed(place(name_, name) + "diameter: no such axis");
+      def_.diameter |= 1u << axis;
     }
   return {};
 }

@@ -91,7 +91,8 @@ namespace kadr {
   X(spindle_code, spindle, false)   X(gear_range, range, false)      X(exchange_tool, tool_change, false) \
   X(interrupt_on, flow, false)      X(interrupt_off, flow, false)    X(call_program, flow, false)        \
   X(return_program, flow, false)                                                                         \
-  X(subprogram_return, flow, false) X(subprogram_end, flow, false)   X(repetition_end, flow, false)
+  X(subprogram_return, flow, false) X(subprogram_end, flow, false)   X(repetition_end, flow, false)     \
+  X(permanent_subprogram, flow, true)
 // clang-format on
 
 enum class Phase : std::uint8_t {

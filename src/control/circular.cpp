@@ -6,6 +6,7 @@
 #include "base/tolerance.h"
 #include "control/arc.h"
 #include "control/contour.h"
+#include "control/correctors/correctors.h"
 #include "control/functions.h"
 #include "control/machinery.h"
 #include "control/nct/arcs.h"
@@ -38,11 +39,11 @@ class Circular {
     AxisMask named = 0;
     Axes end;
     KADR_TRY(m_.target(end, named));
+    const bool corrected = m_.def.behaviour.correctors && m_.has('L');
     const std::uint64_t used =
         m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : std::uint64_t{0});
-    if ((m_.block->letters & used) == 0) return {};  // the code alone: only the mode
-    if (m_.def.behaviour.correctors && m_.has('L'))
-      return fail(alarm(AlarmId::not_together, m_.where('L'), "L", turn_ == Turn::cw ? "G2" : "G3"));
+    if ((m_.block->letters & used) == 0 && !corrected) return {};  // the code alone: only the mode
+    if (corrected) KADR_TRY(correct(named));
     KADR_TRY(arc_beside_contour(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
     const Axes& start = m_.position.programmed;
@@ -57,6 +58,15 @@ class Circular {
   }
 
  private:
+  /// L moves the end point (spec/correctors 1); INFERRED: the centre is where I, J, K say, from the point at which the tool stands.
+  Status correct(AxisMask& named) {
+    const auto corrected = correctors::apply(m_);
+    if (!corrected) return fail(corrected.error());
+    named |= *corrected;
+    m_.position.programmed = m_.transform.to_programmed(m_.position.work);
+    return {};
+  }
+
   Result<PlaneArc> shape(const Axes& start, const Axes& end, Span where) {
     const double tolerance = m_.def.behaviour.arc_radius_difference;
     const Vec2 from = in_plane(start, axes_);

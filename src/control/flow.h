@@ -67,6 +67,11 @@ class Flow {
   Status call_at(std::uint16_t reader, Position start, const CallFrame& frame, Span where);
   /// Where `Onnnn` stands in the main file, if it does, once.
   std::optional<Position> label_of(std::uint32_t number);
+  /// The program has a subprogram of that number.
+  bool has_subprogram(std::uint32_t number) {
+    if (!indexed_) make_index();
+    return labels_.contains(number);
+  }
   /// The file at that path of the program memory, opened once; nothing if it cannot be read.
   std::optional<std::uint16_t> open_program(const std::string& path);
   /// A program that the control brings along (macros/), if there is one of that name.

@@ -35,7 +35,7 @@ Status machine_motion(Machinery& m, MotionKind kind) {
     const Word* const w = m.letters.axis_letter[a] != 0 ? m.word(m.letters.axis_letter[a]) : nullptr;
     if (w == nullptr) continue;
     const bool is_length = m.def.address(w->address).unit == WordUnit::length;
-    to[a] = w->value * (is_length ? m.unit_scale() : 1.0);
+    to[a] = w->value * (is_length ? m.unit_scale() : 1.0) * ((m.modal.diameter >> a & 1u) != 0 ? 0.5 : 1.0);
     named |= 1u << a;
     if (!(std::fabs(to[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w->where, w->address, to[a]));
   }
@@ -169,7 +169,8 @@ Status pole_rapid(Machinery& m, const Call& call) {
   const std::size_t along = turning ? 2 : 0;
   const std::size_t across = turning ? 0 : 1;
   const auto pole_word = [&](std::size_t axis, double old) {
-    return m.has(m.letters.axis_letter[axis]) ? m.length_value(m.letters.axis_letter[axis]) : old;
+    const double scale = (m.modal.diameter >> axis & 1u) != 0 ? 0.5 : 1;
+    return m.has(m.letters.axis_letter[axis]) ? m.length_value(m.letters.axis_letter[axis]) * scale : old;
   };
   m.modal.pole = {pole_word(along, m.modal.pole.x), pole_word(across, m.modal.pole.y)};
   if (m.has('B')) m.modal.polar_radius = m.length_value('B');

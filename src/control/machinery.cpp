@@ -300,11 +300,13 @@ Status Machinery::words() {
   KADR_TRY(plan());
   if (!each_block && changes_little()) take_small_moment();
   else if (each_block || !changes_only_position()) take_moment();
+  const s2c42::BlockBefore before = s2c42::before(*this);
   KADR_TRY(carry_out(*plan_now_));
   if (moment_taken_) {
     KADR_TRY(check_place());
     KADR_TRY(check_zero_kept());
   }
+  if (def.behaviour.musts_checked) s2c42::check_musts(*this, before);
   return nct ? nct::after_block(*this) : Status();
 }
 
@@ -360,35 +362,6 @@ Status Machinery::check_place() const {
 Status Machinery::check_zero_kept() const {
   if (nct || modal.radius_side == 0 || frames.origin == moment_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));
-}
-
-/// '%', sections of subprograms, labels: where a program begins.
-Status Machinery::structure() {
-  switch (block->marker) {
-    case Marker::program_start:
-      if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading) {
-        warn(warning(AlarmId::end_missing, block->where));
-        flow.end();  // the next program of the tape
-      }
-      flow.started = true;
-      skipping_section_ = false;
-      return {};
-    case Marker::section:
-      if (flow.depth() != 0) return fail(alarm(AlarmId::subprogram_end_missing, block->where, double(flow.frames().back().name)));
-      skipping_section_ = true;
-      return {};
-    case Marker::label:
-      if (flow.depth() == 0) flow.pass_label(block->label);
-      return {};
-    default: break;
-  }
-  constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: zeros are not dropped
-  if (skipping_section_ && block->has_number && block->number_digits != digits_of_label)
-    return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
-  if (skipping_section_ || flow.started || block->empty()) return {};
-  flow.started = true;
-  if (!def.grammar.program_start_required) return {};
-  return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
 }
 
 }  // namespace kadr

@@ -14,6 +14,7 @@
 #include "control/flow.h"
 #include "control/nct/waiting.h"
 #include "control/plan.h"
+#include "control/s2c42/musts.h"
 #include "control/shapes.h"
 #include "control/state.h"
 #include "control/variables.h"
@@ -45,6 +46,12 @@ struct PocketCycle {
   bool defined = false;
   double x = 0, y = 0, z = 0, clearance = 0, corner = 0, stepover = 0, direction = 0, pass = 0;
   double feed = 0;  // 0: that in force
+};
+
+/// A pocket that G79 has cut: programmed coordinates.
+struct PocketCut {
+  Vec2 middle, half;
+  double face = 0, floor = 0;
 };
 
 class Machinery {
@@ -110,7 +117,9 @@ class Machinery {
   Status feed_known(Span where);
   /// The motion's feed, unit, exact stop from the modal state.
   void set_feed(Motion& motion);
-  double feed_limited(double feed);
+  double feed_limited(double feed) const;
+  double feed_by_axes(const Motion& motion) const;
+  bool axes_have_feeds() const;
 
   template <class What>
   void emit(What&& what) {
@@ -156,6 +165,9 @@ class Machinery {
   EllipseRun ellipse_run;
   std::unique_ptr<Running> running;  // a cycle of the NCT
   PocketCycle pocket;
+  std::vector<PocketCut> pockets_cut;
+  s2c42::Musts musts;
+  std::vector<bool> correctors_set;       // by number: the set-up names it, or its absence has been told of (spec/correctors 1)
   std::unique_ptr<nct::Nct> nct;          // where the control is an NCT
   std::vector<double> corrector_applied;  // by corrector and axis: what it added last (spec/correctors 1)
   Axes set_position{};                    // G92 / G52 shift (Mach3), mm
@@ -239,6 +251,7 @@ class Machinery {
   bool changes_little() const;
   Status check_place() const;
   Status structure();
+  Span label_place() const;
   Status end_of_file();
   void take_moment();
   void take_small_moment() {
@@ -289,6 +302,7 @@ class Machinery {
   bool start_missing_reported_ = false;
   bool feed_missing_told_ = false;
   bool skipping_section_ = false;
+  std::uint64_t start_block_ = 0;  // number of the block with '%'; 0: none
   // of a block that the machine's logic watches (nct 23.4)
   bool in_interrupt_ = false;        // it belongs to an interrupt macro
   bool again_ = false;               // the block in hand comes once more

@@ -72,7 +72,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
 }
 
 void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
-  if (modal.inch || modal.contour != ContourPhase::off) moved_from = position.work;
+  if (modal.inch || modal.contour != ContourPhase::off || modal.feeds_of_axes != 0) moved_from = position.work;
   named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
     if ((named >> a & 1u) != 0) position.work[a] = work[a];
@@ -105,7 +105,22 @@ Status Machinery::straight(MotionKind kind, const Axes& programmed, AxisMask nam
   }
   Motion& motion = add_motion(kind, named);
   if (kind != MotionKind::rapid && kind != MotionKind::home) set_feed(motion);
+  if (kind == MotionKind::feed && modal.feeds_of_axes != 0) motion.feed = feed_by_axes(motion);
   return {};
+}
+
+/// Along a line on which an axis has a feed of its own (GOST 20999-83). INFERRED: the line stays; the axis, or the others together, that
+/// need the longest time say how fast it is gone.
+double Machinery::feed_by_axes(const Motion& motion) const {
+  double time = 0, rest = 0, all = 0;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    const double way = motion.to[a] - moved_from[a];
+    all += way * way;
+    if ((modal.feeds_of_axes >> a & 1u) != 0) time = std::max(time, std::fabs(way) / modal.axis_feed[a]);
+    else rest += way * way;
+  }
+  if (modal.feed > 0) time = std::max(time, std::sqrt(rest) / modal.feed);
+  return time > 0 ? feed_limited(std::sqrt(all) / time) : motion.feed;
 }
 
 Status Machinery::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
@@ -130,12 +145,22 @@ Status Machinery::feed_known(Span at) {
   }
   if (modal.feed_known && modal.feed > 0) [[likely]]
     return {};
+  if (modal.feeds_of_axes != 0 && axes_have_feeds()) return {};
   if (def.behaviour.feed_required || modal.feed_known) return fail(alarm(AlarmId::feed_missing, at));
   if (!std::exchange(feed_missing_told_, true)) warn(warning(AlarmId::feed_missing, at));
   return {};
 }
 
-double Machinery::feed_limited(double feed) {
+/// Each axis that the block names has a feed of its own.
+bool Machinery::axes_have_feeds() const {
+  const bool arc = modal.motion == MotionMode::arc_cw || modal.motion == MotionMode::arc_ccw;
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (letters.axis_letter[a] != 0 && has(letters.axis_letter[a])) named |= 1u << a;
+  return !arc && named != 0 && (named & ~modal.feeds_of_axes) == 0;
+}
+
+double Machinery::feed_limited(double feed) const {
   const double most = def.behaviour.feed_most;
   return most > 0 && feed > most ? most : feed;  // 2С42 6.5.2: at most 5 m/min
 }

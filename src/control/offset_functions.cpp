@@ -66,7 +66,8 @@ void each_axis_word(const Machinery& m, Use use) {
     const char letter = m.letters.axis_letter[a];
     if (letter == 0 || !m.has(letter)) continue;
     const bool is_length = m.def.address(letter).unit == WordUnit::length;
-    use(a, m.value(letter) * (is_length ? m.unit_scale() : 1.0));
+    const double diameter = (m.modal.diameter >> a & 1u) != 0 ? 0.5 : 1.0;  // spec/gost 5
+    use(a, m.value(letter) * (is_length ? m.unit_scale() : 1.0) * diameter);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "lang/eia.h"
+
 namespace kadr {
 namespace {
 
@@ -173,6 +175,7 @@ std::map<std::uint32_t, std::string> ProgramFile::texts_of(const std::set<std::u
   std::map<std::uint32_t, std::string> texts;
   const BlockReader decoder(source_, grammar_, reader_.encoding());
   LineReader reader(source_);
+  if (reader_.encoding() == Encoding::eia) reader.end_lines_with(static_cast<char>(eia_end_of_block));
   Line line;
   for (auto wanted = lines.begin(); wanted != lines.end() && reader.next(line);) {
     if (line.number != *wanted) continue;

@@ -116,8 +116,8 @@ Ending Machinery::ending() {
   if (nct) nct::add_variables(*this, e, watch_);
   for (std::uint32_t n = 1; !nct && n <= variables.highest() && def.grammar.variables != 0; ++n)
     if (variables.is_set(n)) e.variables.emplace_back("#" + std::to_string(n), *variables.variable(n, {}));
-  for (int i = 0; i < 10; ++i)
-    if (variables.parameter_set(i)) e.variables.emplace_back("R" + std::to_string(i), variables.raw_parameter(i));
+  for (int i = 0; i < variables.parameter_count(); ++i)
+    if (variables.parameter_set(i)) e.variables.emplace_back(variables.name_of_parameter(i), variables.raw_parameter(i));
   for (const std::string& name : watch_) {
     if (nct) break;
     const auto same = [&](const auto& v) { return v.first == name; };

@@ -51,7 +51,9 @@ void Machinery::check_setup(const Setup& setup) {
     if (!setup.tool_table.empty() || !setup.place_table.empty()) note("tool_table");
     if (!setup.channels.empty() || setup.channel != 1) note("channels");
     if (!setup.events.empty() || !setup.signals.empty()) note("events");
-    if (!setup.plane.empty() || !setup.diameter.empty()) note("plane, diameter");
+    if (!setup.plane.empty()) note("plane");
+    if (!setup.diameter.empty() && !def.behaviour.diameter_by_setup) note("diameter");
+    for (const auto& [axis, on] : setup.diameter) axes_known("diameter", {{axis, 0.0}});
     if (setup.single_block) note("single_block");
     if (setup.spindles.size() > 1 || (!setup.spindles.empty() && setup.spindles.begin()->first != 1)) note("spindle");
   }
@@ -82,6 +84,9 @@ void Machinery::read_setup(const Setup& setup) {
   tables.offsets.resize(def.behaviour.offsets + 1);
   tables.correctors.resize(def.behaviour.offsets + 1);
   corrector_applied.resize((def.behaviour.offsets + 1) * 3);
+  correctors_set.resize(tables.correctors.size());
+  for (const auto& [number, mm] : setup.correctors)
+    if (number >= 0 && static_cast<std::size_t>(number) < correctors_set.size()) correctors_set[static_cast<std::size_t>(number)] = true;
   check_setup(setup);
   for (const auto& [number, offset] : setup.offsets)
     if (number >= 0 && static_cast<std::size_t>(number) < tables.offsets.size()) tables.offsets[static_cast<std::size_t>(number)] = offset;
@@ -119,7 +124,7 @@ void Machinery::read_setup(const Setup& setup) {
   for (const auto& [name, value] : setup.variables) {
     if (nct) break;  // Nct::take_setup writes them
     if (!value || name.size() < 2) continue;
-    if (name[0] == 'R' && name[1] >= '0' && name[1] <= '9') variables.set_parameter(name[1] - '0', *value);
+    if (const int parameter = variables.parameter_named(name); parameter >= 0) variables.set_parameter(parameter, *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())
       variables.set_raw(static_cast<std::uint32_t>(n), *value);
   }
@@ -148,6 +153,10 @@ bool Machinery::note_unserved() {
 
 /// Runs the initial code of each group and the set-up's code words like a block, without moving.
 void Machinery::start_modal(const Setup& setup) {
+  if (!nct) modal.diameter = def.diameter;
+  for (std::size_t a = 0; a < axis_count && def.behaviour.diameter_by_setup; ++a)
+    if (const auto found = setup.diameter.find(axis_names[a]); found != setup.diameter.end())
+      modal.diameter = found->second ? modal.diameter | 1u << a : modal.diameter & ~(1u << a);
   static std::function<void(const AlarmReport&)> nobody;
   ActionBatch unseen;
   batch = &unseen;

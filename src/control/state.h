@@ -77,7 +77,10 @@ struct Modal {
   double blend_tolerance = 0;   // G64 P…, mm
   double feed = 0;              // mm/min, mm/rev or 1/min by feed_mode
   double rpm = 0;
-  Vec2 pole;  // polar mode, programmed coordinates
+  double rpm_waiting = -1;     // S without M3, M4: for the next of them (2С42 6.4.3); -1: none
+  Axes axis_feed{};            // F that belongs to one axis (GOST 20999-83) …
+  AxisMask feeds_of_axes = 0;  // … of these
+  Vec2 pole;                   // polar mode, programmed coordinates
   double polar_radius = 0;
   double polar_angle = 0;
   ContourPhase contour = ContourPhase::off;

@@ -1,6 +1,8 @@
 // Feed, spindle, tools, coolant, dwell, stops, messages to the machine.
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "control/functions.h"
 #include "control/nct/nct.h"
@@ -13,6 +15,7 @@ bool turns_spindle(const Machinery& m) {
 }
 
 Status turn_spindle(Machinery& m, SpindleDir dir, Span where) {
+  if (dir != SpindleDir::orient && m.modal.rpm_waiting >= 0) m.modal.rpm = std::exchange(m.modal.rpm_waiting, -1);  // 2С42 6.4.3
   if (dir != SpindleDir::orient && m.modal.rpm == 0) m.warn(warning(AlarmId::speed_missing, where));
   m.modal.spindle = dir;
   m.emit(Spindle{dir, m.modal.surface_speed ? m.surface_speed().rpm(m.position.work, m.modal.rpm) : m.modal.rpm});
@@ -39,21 +42,73 @@ Status dwell_for(Machinery& m, char letter) {
   return {};
 }
 
+/// GOST 20999-83: an F right behind the word of an axis belongs to that axis; behind the last of them it belongs to all that have none.
+///   returns  the axis, or nothing
+std::optional<std::size_t> axis_of_feed(const Machinery& m, const Word& f) {
+  const auto index = static_cast<std::uint32_t>(&f - m.block->words.data());
+  const auto is_axis = [&](std::uint32_t i) { return (m.letters.axes & letter_bit(m.block->words[i].address)) != 0; };
+  if (index == 0 || !is_axis(index - 1)) return std::nullopt;
+  for (std::uint32_t i = index + 1; i < m.block->word_count; ++i)
+    if (is_axis(i)) return static_cast<std::size_t>(m.letters.axis_of[static_cast<std::size_t>(m.block->words[index - 1].address - 'A')]);
+  return std::nullopt;
+}
+
+/// F in the middle of the axes' words; at most one F of the block may belong to all of them.
+Status feed_of_axis(Machinery& m, const Call& call, std::size_t axis, double feed) {
+  const bool arc =
+      m.has_code({Function::arc_cw, Function::arc_ccw}) ||
+      (!m.has_code({Function::rapid, Function::linear}) && (m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw));
+  if (arc)
+    return fail(alarm(AlarmId::not_together, call.where, m.block->text_of(call.where), "G2, G3"));  // INFERRED: an axis has no feed there
+  if (!(feed > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'F', feed));
+  m.modal.axis_feed[axis] = feed;
+  m.modal.feeds_of_axes |= 1u << axis;
+  return {};
+}
+
+/// A second F that belongs to no axis.
+Status only_common_feed(const Machinery& m, const Word& f) {
+  for (std::uint32_t i = 0; &m.block->words[i] != &f; ++i)
+    if (m.block->words[i].address == 'F' && !axis_of_feed(m, m.block->words[i])) return fail(alarm(AlarmId::address_twice, f.where, 'F'));
+  return {};
+}
+
+bool has_feed_of_axis(const Machinery& m) {
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i)
+    if (m.block->words[i].address == 'F' && axis_of_feed(m, m.block->words[i])) return true;
+  return false;
+}
+
+/// The feed of the motion as a whole.
+Status common_feed(Machinery& m, Span where, double value) {
+  const bool is_length = m.modal.feed_mode != FeedMode::inverse_time;
+  double feed = coded(m.def.feed_codes, value);
+  if (!(feed >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'F', value));
+  if (is_length) feed *= m.unit_scale();
+  const double most = m.def.behaviour.feed_most;
+  if (most > 0 && feed > most && m.modal.feed_mode == FeedMode::per_minute) m.warn(warning(AlarmId::feed_limited, where, feed, most));
+  m.modal.feed = feed;
+  m.modal.feed_known = true;
+  if (m.nct) m.nct->thread_lead = 0;
+  return {};
+}
+
+/// F of a control on which it may belong to one axis: until a new one of that axis, or a block with one for all.
+Status gost_feed(Machinery& m, const Call& call) {
+  const double value = call.word->value * m.def.address('F').scale;
+  if (const auto axis = axis_of_feed(m, *call.word)) return feed_of_axis(m, call, *axis, coded(m.def.feed_codes, value));
+  KADR_TRY(only_common_feed(m, *call.word));
+  if (!has_feed_of_axis(m)) m.modal.feeds_of_axes = 0;
+  return common_feed(m, call.where, value);
+}
+
 }  // namespace
 
 namespace functions {
 
 Status feed_word(Machinery& m, const Call& call) {
-  const bool is_length = m.modal.feed_mode != FeedMode::inverse_time;
-  double feed = coded(m.def.feed_codes, m.value('F'));
-  if (!(feed >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'F', m.value('F')));
-  if (is_length) feed *= m.unit_scale();
-  const double most = m.def.behaviour.feed_most;
-  if (most > 0 && feed > most && m.modal.feed_mode == FeedMode::per_minute) m.warn(warning(AlarmId::feed_limited, call.where, feed, most));
-  m.modal.feed = feed;
-  m.modal.feed_known = true;
-  if (m.nct) m.nct->thread_lead = 0;
-  return {};
+  if (m.def.behaviour.feed_of_axis && call.word != nullptr) return gost_feed(m, call);
+  return common_feed(m, call.where, m.value('F'));
 }
 
 Status speed_word(Machinery& m, const Call& call) {
@@ -61,9 +116,11 @@ Status speed_word(Machinery& m, const Call& call) {
   if (!(rpm >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'S', m.value('S')));
   if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {  // 2С42 6.4.3
     m.warn(warning(AlarmId::speed_without_direction, call.where));
+    m.modal.rpm_waiting = rpm;
     return {};
   }
   m.modal.rpm = rpm;
+  m.modal.rpm_waiting = -1;
   const SurfaceSpeed surface = m.surface_speed();
   if (!turns_spindle(m)) m.emit(Speed{rpm, surface.on, 1, 0, surface.on ? surface.rpm(m.position.work, rpm) : 0});
   if (surface.on) m.emit(surface);

@@ -1,5 +1,6 @@
 #include "control/variables.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/tolerance.h"
@@ -9,6 +10,12 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t first_system_variable = 1000;  // below it every number is the program's own
+
+/// R0 to R9, or a thousand of each letter.
+std::size_t parameters_of(const Grammar& grammar) {
+  constexpr std::size_t of_one_digit = 10;
+  return std::max(of_one_digit, grammar.long_parameters.size() * parameters_a_letter);
+}
 
 /// The number of a variable, or 0 if `number` is none.
 std::uint32_t number_of(double number, std::uint32_t highest) {
@@ -20,7 +27,11 @@ std::uint32_t number_of(double number, std::uint32_t highest) {
 }  // namespace
 
 Variables::Variables(const ControlDef& def)
-    : def_(def), values_(def.grammar.macro ? 1 : def.grammar.variables + 1), set_(values_.size()) {}  // nct: nct/macro_variables
+    : def_(def),
+      values_(def.grammar.macro ? 1 : def.grammar.variables + 1),
+      set_(values_.size()),
+      parameters_(parameters_of(def.grammar)),
+      parameters_set_(parameters_.size()) {}  // nct: nct/macro_variables
 
 Result<double> Variables::variable(double number, Span where) const {
   const std::uint32_t n = number_of(number, highest());
@@ -30,8 +41,8 @@ Result<double> Variables::variable(double number, Span where) const {
 }
 
 Result<double> Variables::parameter(int index, Span where) const {
-  if (!parameter_set(index)) return fail(alarm(AlarmId::variable_not_set, where, "R" + std::to_string(index)));
-  return parameters_[index];
+  if (!parameter_set(index)) return fail(alarm(AlarmId::variable_not_set, where, name_of_parameter(index)));
+  return raw_parameter(index);
 }
 
 Status Variables::set(double number, double value, Span where) {
@@ -51,9 +62,25 @@ void Variables::set_raw(std::uint32_t number, double value) {
 }
 
 void Variables::set_parameter(int index, double value) {
-  undo_.push_back({-index - 1, parameters_[index], parameter_set(index)});
-  parameters_[index] = value;
-  parameters_set_ |= 1u << index;
+  undo_.push_back({-index - 1, raw_parameter(index), parameter_set(index)});
+  parameters_[static_cast<std::size_t>(index)] = value;
+  parameters_set_[static_cast<std::size_t>(index)] = true;
+}
+
+std::string Variables::name_of_parameter(int index) const {
+  const std::string& letters = def_.grammar.long_parameters;
+  if (letters.empty()) return "R" + std::to_string(index);
+  const std::string number = std::to_string(index % parameters_a_letter);
+  return letters[static_cast<std::size_t>(index / parameters_a_letter)] + (number.size() < 2 ? "0" + number : number);
+}
+
+int Variables::parameter_named(const std::string& name) const {
+  if (name.size() < 2 || name.find_first_not_of("0123456789", 1) != std::string::npos) return -1;
+  const std::string& letters = def_.grammar.long_parameters;
+  const int number = name.size() <= 4 ? std::atoi(name.c_str() + 1) : -1;
+  if (letters.empty()) return name[0] == 'R' && name.size() == 2 ? number : -1;
+  const std::size_t letter = letters.find(name[0]);
+  return letter == std::string::npos || number < 0 || name.size() < 3 ? -1 : static_cast<int>(letter) * parameters_a_letter + number;
 }
 
 void Variables::undo_block() {
@@ -64,8 +91,8 @@ void Variables::undo_block() {
       set_[static_cast<std::size_t>(old.number)] = old.was_set;
     } else {
       const int index = -old.number - 1;
-      parameters_[index] = old.value;
-      if (!old.was_set) parameters_set_ &= ~(1u << index);
+      parameters_[static_cast<std::size_t>(index)] = old.value;
+      parameters_set_[static_cast<std::size_t>(index)] = old.was_set;
     }
     undo_.pop_back();
   }

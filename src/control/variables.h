@@ -2,6 +2,7 @@
 // #1 … #n of Mach3 (system variables among them), R0 … R9 of the 2С42. What a block writes can be taken back.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -22,12 +23,17 @@ class Variables {
 
   Status set(double number, double value, Span where);
   void set_parameter(int index, double value);
+  /// R5; of several letters R05, P123 (spec/correctors 3).
+  std::string name_of_parameter(int index) const;
+  /// Its index, or -1.
+  int parameter_named(const std::string& name) const;
+  int parameter_count() const { return static_cast<int>(parameters_.size()); }
 
   double raw(std::uint32_t number) const { return number < values_.size() ? values_[number] : 0; }
   void set_raw(std::uint32_t number, double value);
   bool is_set(std::uint32_t number) const { return number < set_.size() && set_[number]; }
   std::uint32_t highest() const { return static_cast<std::uint32_t>(values_.size()) - 1; }
-  bool parameter_set(int index) const { return (parameters_set_ >> index & 1u) != 0; }
+  bool parameter_set(int index) const { return parameters_set_[static_cast<std::size_t>(index)]; }
   double raw_parameter(int index) const { return parameters_[static_cast<std::size_t>(index)]; }
 
   /// First number of the rows of that kind, its `nth` repetition; 0 if the control has none.
@@ -53,8 +59,8 @@ class Variables {
   const ControlDef& def_;
   std::vector<double> values_;
   std::vector<bool> set_;
-  double parameters_[10] = {};
-  std::uint32_t parameters_set_ = 0;
+  std::vector<double> parameters_;
+  std::vector<bool> parameters_set_;
   std::vector<Undo> undo_;
   bool frames_changed_ = false;
 };

@@ -76,7 +76,8 @@ Status Machinery::assign() {
     assigned_.push_back(*value);
   }
   for (std::size_t i = 0; i < block->assignments.size(); ++i) {
-    if (def.grammar.parameter_address != 0) variables.set_parameter(static_cast<int>(assigned_[2 * i]), assigned_[2 * i + 1]);
+    if (def.grammar.parameter_address != 0 || !def.grammar.long_parameters.empty())
+      variables.set_parameter(static_cast<int>(assigned_[2 * i]), assigned_[2 * i + 1]);
     else KADR_TRY(variables.set(assigned_[2 * i], assigned_[2 * i + 1], block->assignments[i].where));
   }
   if (variables.take_frames_changed()) change_frames();

@@ -1,8 +1,11 @@
 #include "lang/block_reader.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "lang/eia.h"
 #include "lang/lexer.h"
+#include "lang/tape_side.h"
 
 namespace kadr {
 namespace {
@@ -17,13 +20,17 @@ bool has_high_bytes(std::string_view bytes) {
 
 BlockReader::BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
     : lines_(std::move(source)), grammar_(grammar), plain_(grammar), encoding_(encoding) {
-  if (encoding_) return;
-  encoding_ = detect_encoding(lines_.sample());
-  guessed_ = encoding_.has_value();
+  if (!encoding_) {
+    encoding_ = detect_encoding(lines_.sample());
+    guessed_ = encoding_.has_value();
+  }
+  if (!encoding_ || !is_tape(*encoding_)) return;
+  if (encoding_ == Encoding::eia) lines_.end_lines_with(static_cast<char>(eia_end_of_block));
+  if (const auto look = look_at_tape(lines_.sample()); look) lie_ = look->lie;
 }
 
 std::string BlockReader::shown(std::string_view text, Span& place) const {
-  if (is_text_ || !has_high_bytes(text)) return std::string(text);
+  if (is_text_ || (encoding() != Encoding::eia && !has_high_bytes(text))) return std::string(text);
   std::string all;
   Span there = {0, 0};
   std::size_t bytes = 1;
@@ -33,6 +40,7 @@ std::string BlockReader::shown(std::string_view text, Span& place) const {
     if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
     if (i == text.size()) break;
     if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);  // a row whose parity is wrong, too
+    else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';            // blank tape: places stay
     else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
   }
   place = there;
@@ -46,6 +54,8 @@ void BlockReader::seek(Position position) {
 }
 
 Result<BlockReader::Got> BlockReader::next(Block& block) {
+  if (lie_ != TapeLie::right) [[unlikely]]
+    return reversed_tape(block);
   for (;;) {
     Position here = position_;  // goes on in registers: what is stored in parts is not read back as one
     if (!in_line_) {
@@ -68,14 +78,23 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
   }
 }
 
+/// A tape put in wrongly holds no blocks: one alarm, then its end.
+Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
+  block.clear();
+  block.text = {};
+  block.where = {};
+  if (std::exchange(lie_told_, true)) return Got::end;
+  return fail(alarm(AlarmId::tape_reversed, {}, name_of(lie_)));
+}
+
 /// Takes a new line in hand; passes over the blocks before `nth` when a jump goes into its middle.
 Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   text_ = {line_.bytes.data(), line_.bytes.size()};
   rest_ = 0;
   is_text_ = false;
-  if (encoding_ == Encoding::iso7 || expects_high_bytes_) {
+  if ((encoding_ && is_tape(*encoding_)) || expects_high_bytes_) {
     const Status decoded = decode_line();
-    if (!decoded && encoding_ == Encoding::iso7) {  // elsewhere the damage may lie in a comment: lex_line finds out
+    if (!decoded && is_tape(encoding())) {  // elsewhere the damage may lie in a comment: lex_line finds out
       block.clear();
       block.position = {line_.offset, line_.number, 0};
       block.text = text_;

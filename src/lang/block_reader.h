@@ -8,6 +8,7 @@
 #include "lang/block.h"
 #include "lang/line_reader.h"
 #include "lang/plain_block.h"
+#include "lang/tape_side.h"
 
 namespace kadr {
 
@@ -33,6 +34,7 @@ class BlockReader {
   std::uint64_t offset() const { return lines_.offset(); }
 
  private:
+  Result<Got> reversed_tape(Block& block);
   Status begin_line(Block& block, std::uint32_t nth);
   Status lex_line(Block& block);
   Status decode_line();
@@ -52,7 +54,9 @@ class BlockReader {
   std::string_view text_;  // the line's text
   std::size_t rest_ = 0;   // where the next block of the line begins
   bool in_line_ = false;
-  bool is_text_ = false;             // text_ is known to be UTF-8
+  bool is_text_ = false;  // text_ is known to be UTF-8
+  TapeLie lie_ = TapeLie::right;
+  bool lie_told_ = false;
   bool expects_high_bytes_ = false;  // a line before needed decoding: so will this one
   Position position_;
 };

@@ -7,7 +7,8 @@
 #include <bit>
 #include <cstring>
 
-#include "lang/tape.h"
+#include "lang/eia.h"
+#include "lang/tape_side.h"
 
 namespace kadr {
 namespace {
@@ -66,6 +67,17 @@ Status append_rows(std::string_view rows, std::string& text) {
     const auto row = static_cast<std::uint8_t>(rows[i]);
     if (!has_even_parity(row)) return fail(alarm(AlarmId::parity_error, byte_at(i), static_cast<double>(i + 1)));
     letters.append(row & 0x7F, text);
+  }
+  return {};
+}
+
+/// Rows of a line in EIA code.
+Status append_eia_rows(std::string_view rows, std::string& text) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = static_cast<std::uint8_t>(rows[i]);
+    const auto character = eia_character(row);
+    if (row != 0 && !character) return fail(alarm(AlarmId::parity_error, byte_at(i), static_cast<double>(i + 1)));
+    if (character && *character != 0) text += *character;
   }
   return {};
 }
@@ -151,24 +163,6 @@ std::uint64_t cost_of(std::string_view sample, Encoding encoding) {
   return cost;
 }
 
-/// Even parity in 19 rows of 20, codes of program text, at least one digit; shorter than eight rows it is chance.
-bool is_tape(std::string_view sample) {
-  std::size_t rows = 0;
-  std::size_t even = 0;
-  std::size_t text = 0;
-  bool digit = false;
-  for (const char byte : sample) {
-    const auto row = static_cast<std::uint8_t>(byte);
-    if (row == 0) continue;
-    const int code = row & 0x7F;
-    ++rows;
-    even += has_even_parity(row) ? 1u : 0u;
-    text += code >= ' ' || (code >= '\t' && code <= '\r') || code == 0x0E || code == 0x0F ? 1u : 0u;
-    digit = digit || (code >= '0' && code <= '9');
-  }
-  return rows >= 8 && digit && even * 20 >= rows * 19 && text * 20 >= rows * 19;
-}
-
 /// Valid UTF-8; a sample ends anywhere, so its last character may be cut.
 bool is_utf8(std::string_view sample) {
   bool any = false;
@@ -227,6 +221,7 @@ std::string_view name_of(Encoding encoding) {
     case Encoding::cp1251: return "cp1251";
     case Encoding::koi8r: return "koi8-r";
     case Encoding::cp866: return "cp866";
+    case Encoding::eia: return "eia";
     case Encoding::iso7: return "iso-7";
   }
   return {};
@@ -243,7 +238,7 @@ std::optional<Encoding> encoding_named(std::string_view name) {
   constexpr Name names[] = {{"utf8", Encoding::utf8},          {"ascii", Encoding::utf8},   {"cp1251", Encoding::cp1251},
                             {"windows1251", Encoding::cp1251}, {"koi8r", Encoding::koi8r},  {"koi8", Encoding::koi8r},
                             {"cp866", Encoding::cp866},        {"ibm866", Encoding::cp866}, {"iso7", Encoding::iso7},
-                            {"tape", Encoding::iso7}};
+                            {"tape", Encoding::iso7},          {"eia", Encoding::eia},      {"rs244", Encoding::eia}};
   for (const Name& row : names)
     if (row.name == plain) return row.encoding;
   return std::nullopt;
@@ -251,7 +246,7 @@ std::optional<Encoding> encoding_named(std::string_view name) {
 
 std::optional<Encoding> detect_encoding(std::string_view sample) {
   if (ascii_run(sample) == sample.size()) return std::nullopt;
-  if (is_tape(sample)) return Encoding::iso7;
+  if (const auto tape = look_at_tape(sample)) return tape->code == TapeCode::eia ? Encoding::eia : Encoding::iso7;
   if (is_utf8(sample) && !is_small_cp866(sample)) return Encoding::utf8;
   auto best = Encoding::cp1251;  // of equals the most frequent stands first
   std::uint64_t least = cost_of(sample, best);
@@ -266,6 +261,7 @@ std::optional<Encoding> detect_encoding(std::string_view sample) {
 
 Status append_utf8(std::string_view bytes, Encoding encoding, std::string& text) {
   if (encoding == Encoding::iso7) return append_rows(bytes, text);
+  if (encoding == Encoding::eia) return append_eia_rows(bytes, text);
   std::size_t i = 0;
   while (true) {
     const std::size_t run = ascii_run(bytes.substr(i));

@@ -16,17 +16,21 @@ enum class Encoding : std::uint8_t {
   cp1251,
   koi8r,
   cp866,
+  eia,   // image of a punched tape in the code EIA RS-244: odd parity, 200 octal ends a block
   iso7,  // image of a punched tape: a byte a row, eighth track even parity; SO/SI switch to Russian letters (KOI-7 Н1)
 };
 
 std::string_view name_of(Encoding encoding);                    // "utf-8", "cp1251", …
 std::optional<Encoding> encoding_named(std::string_view name);  // "koi8-r", "CP866", …
 
-/// The most likely encoding of a sample of program text: a tape image has even parity in (nearly) every row; valid
+/// The most likely encoding of a sample of program text: a tape image is like one of a program (lang/tape_side); valid
 /// UTF-8 is UTF-8 (its last character may be cut), unless it reads as small Russian letters of CP866; among the
 /// one-byte Russian ones the frequencies of pairs of letters decide, so that a single word such as ПС is enough.
 ///   returns  nothing where the sample holds no byte above 127: every one fits
 std::optional<Encoding> detect_encoding(std::string_view sample);
+
+/// A row a byte, each with its parity.
+inline bool is_tape(Encoding encoding) { return encoding == Encoding::iso7 || encoding == Encoding::eia; }
 
 /// Appends one line's `bytes` as UTF-8 to `text`; on an alarm, what stands before the fault.
 ///   alarms  bad_encoding, with the byte that has no meaning; parity_error with the row of the line, counted from 1;

@@ -93,7 +93,10 @@ class Descriptor {
     format.second_number = word.second_number;
     format.parameter = word.parameter;
     if (holds(without_point, letter)) format.point = false;
-    if (holds(codes, letter)) format.code = format.drop_zeros = true;
+    if (holds(codes, letter)) {
+      if (!format.drop_zeros) format.code_digits = format.whole_digits;
+      format.code = format.drop_zeros = true;
+    }
     word = format;
   }
 

@@ -36,6 +36,9 @@ struct AddressName {
   char address = first_name;
 };
 
+/// Formal parameters: R0 to R9 of the 2С42; of several letters with two or three digits, a thousand a letter.
+inline constexpr int parameters_a_letter = 1000;
+
 /// A system variable's name: `#_ABSIO[n]` (nct 23.1.1).
 struct VariableName {
   std::string text;
@@ -56,6 +59,7 @@ struct WordFormat {
   std::uint8_t fraction_digits = 0;  // at most, after the point; with whole_digits 0: free
   std::uint8_t at_most = 1;          // words of this address in a block; 0 = any number
   bool code = false;                 // G and M: the number names a code (leading zeros mean nothing)
+  std::uint8_t code_digits = 0;      // of a code: digits that the format prints, fewer are warned of; 0 = any
   bool second_number = false;        // a second number may follow: `L2 15` (spec/correctors 1)
   bool parameter = false;            // takes a formal parameter: `X+R1`, `Z-1200+R2` (spec/s2c42 3)
   bool increment = false;            // the operator I may stand before the number (nct 5.1)
@@ -84,6 +88,7 @@ struct Grammar {
   bool expressions = false;             // #n, [expr], #n=expr (Mach3)
   bool lower_case = true;               // small letters mean the same
   char parameter_address = 0;           // 'R' where R0..R9 are formal parameters (2С42 6.3.7)
+  std::string long_parameters;          // "RPE": R01, P123 are formal parameters where a sign or = follows (spec/correctors 3)
   char label_address = 0;               // 'O' where Onnnn begins a subprogram (Mach3)
   char section_address = 0;             // 'L' where `L` alone begins a section of subprograms (2С42 6.3.5)
   bool zero_between_slashes = false;    // G92 /2/: the number is a word of address A (2С42, last section)

@@ -137,6 +137,7 @@ class Lexer {
     cursor_.at += bytes;
     cursor_.skip_blanks();
     const WordFormat& format = grammar_.word(letter);
+    if (!grammar_.long_parameters.empty() && words_.assigns_parameter(letter)) return words_.long_parameter(letter, begin);
     if (letter == grammar_.section_address && words_.no_value_follows()) return section(begin);
     if (!format.known && letter > 'Z')
       return fail(alarm(AlarmId::not_available, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));

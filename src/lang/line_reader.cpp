@@ -121,7 +121,7 @@ std::unique_ptr<ByteSource> text_source(std::string text) { return std::make_uni
 LineReader::LineReader(std::shared_ptr<ByteSource> source)
     : source_(std::move(source)), window_(window_bytes, '\0'), next_read_(window_bytes) {
   fill();
-  bare_cr_ = has_bare_cr({window_.data(), filled_});
+  if (has_bare_cr({window_.data(), filled_})) end_of_line_ = '\r';
 }
 
 std::uint64_t LineReader::size() const { return source_->size(); }
@@ -166,12 +166,11 @@ bool LineReader::fill() {
 
 /// Bytes from the window's position to the end of the line, or `none`; fills the window as far as a line may reach.
 std::size_t LineReader::find_end() {
-  const char end_of_line = bare_cr_ ? '\r' : '\n';
   std::size_t searched = 0;
   while (true) {
     const std::size_t there = std::min(filled_ - position_, searched_bytes);
     const char* begin = window_.data() + position_;
-    if (const void* found = std::memchr(begin + searched, end_of_line, there - searched))
+    if (const void* found = std::memchr(begin + searched, end_of_line_, there - searched))
       return static_cast<std::size_t>(static_cast<const char*>(found) - begin);
     searched = there;
     if (there == searched_bytes || !fill()) return none;

@@ -44,6 +44,8 @@ class LineReader {
   bool next(Line& line);
   /// Goes on reading at the beginning of a line seen before.
   void seek(std::uint64_t offset, std::uint32_t number);
+  /// Lines end with that byte: the end of a block on a tape in EIA code. Before the first line is read.
+  void end_lines_with(char byte) { end_of_line_ = byte; }
   /// The first bytes of the file (at most 256 KiB): what encoding and control are guessed from.
   std::string_view sample();
   std::uint64_t size() const;
@@ -67,7 +69,7 @@ class LineReader {
   std::size_t next_read_;  // bytes to ask for: few after a jump, then more
   std::uint32_t line_ = 1;
   bool at_end_ = false;
-  bool bare_cr_ = false;  // lines end with CR alone
+  char end_of_line_ = '\n';  // CR where lines end with CR alone
 };
 
 }  // namespace kadr

@@ -148,7 +148,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
 /// The digits are such as the format asks for.
 bool PlainBlocks::follows(const WordFormat& format, const Digits& digits) {
   constexpr std::uint64_t most_code = 99'999;
-  if (format.code && (digits.fraction > 1 || digits.mantissa > most_code)) return false;
+  if (format.code && (digits.fraction > 1 || digits.mantissa > most_code || digits.whole < format.code_digits)) return false;
   if (format.whole_digits == 0) return true;
   const bool implied = format.implied && !digits.has_point;
   const std::size_t most = format.whole_digits + (implied ? std::size_t{format.fraction_digits} : 0);

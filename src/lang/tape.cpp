@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "lang/eia.h"
 #include "lang/encoding.h"
 
 // The Russian register is KOI-7 Н1: the codes 0x40..0x7E are KOI8-R's letters without their eighth bit, ю а б … ч;
@@ -36,10 +37,15 @@ std::uint8_t russian_code(char32_t letter) {
 /// Writes rows, and the change of register where the letters need it.
 class RowWriter {
  public:
-  explicit RowWriter(std::string& rows) : rows_(rows) {}
+  RowWriter(std::string& rows, TapeCode code) : rows_(rows), code_(code) {}
 
   /// False: the code has no such character.
   bool write(char32_t letter) {
+    if (code_ == TapeCode::eia) {
+      const auto row = eia_row(letter);
+      if (row) rows_ += static_cast<char>(*row);
+      return row.has_value();
+    }
     const std::uint8_t russian = russian_code(letter);
     if (russian == 0 && (letter > 0x7F || leaves_no_character(static_cast<std::uint8_t>(letter)))) return false;
     if ((russian != 0) != russian_) put(russian_ ? shift_in : shift_out);
@@ -52,6 +58,7 @@ class RowWriter {
   void put(std::uint8_t code) { rows_ += static_cast<char>(with_even_parity(code)); }
 
   std::string& rows_;
+  TapeCode code_;
   bool russian_ = false;
 };
 
@@ -101,12 +108,19 @@ void TapeLetters::append(std::uint8_t code, std::string& text) {
   else text += static_cast<char>(code);
 }
 
-TapeText decode_tape(std::string_view rows) {
+TapeText decode_tape(std::string_view rows, TapeCode code) {
   TapeText tape;
   TapeLetters letters;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto row = static_cast<std::uint8_t>(rows[i]);
-    if (has_even_parity(row)) {
+    if (code == TapeCode::eia) {
+      const auto character = eia_character(row);
+      if (row == 0 || (character && *character == 0)) continue;
+      if (character) {
+        tape.text += *character;
+        continue;
+      }
+    } else if (has_even_parity(row)) {
       letters.append(row & 0x7F, tape.text);
       continue;
     }
@@ -116,9 +130,9 @@ TapeText decode_tape(std::string_view rows) {
   return tape;
 }
 
-Result<std::string> encode_tape(std::string_view text, std::size_t leader_rows) {
+Result<std::string> encode_tape(std::string_view text, std::size_t leader_rows, TapeCode code) {
   std::string rows(leader_rows, '\0');
-  RowWriter writer(rows);
+  RowWriter writer(rows, code);
   const bool bare_cr = text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos;
   const char end_of_line = bare_cr ? '\r' : '\n';
   for (std::size_t begin = 0; begin < text.size();) {

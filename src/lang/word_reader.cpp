@@ -7,6 +7,7 @@
 namespace kadr {
 namespace {
 
+constexpr std::size_t least_parameter_digits = 2, most_parameter_digits = 3;  // R01, R123 (spec/correctors 3)
 constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
@@ -47,9 +48,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
       return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
   }
-  if (format.parameter && c == grammar_.parameter_address) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);
-  if (c != '\0' && c == grammar_.parameter_address)
-    return fail(alarm(AlarmId::parameter_not_allowed, span(begin, cursor_.at + 1), w.address));
+  if (format.parameter && parameter_here()) return parameter_sum(w, format, 0, sign == '-' ? '-' : '+', begin);
+  if (parameter_here()) return fail(alarm(AlarmId::parameter_not_allowed, span(begin, cursor_.at + 1), w.address));
   if (format.bare && sign == 0 && c != '#' && c != '[') {
     w.bare = true;
     w.value = 0;
@@ -98,7 +98,8 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
     const std::size_t end = cursor_.at;
     cursor_.skip_blanks();
     const char c = cursor_.peek();
-    if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -read.mantissa : read.mantissa, c, begin);
+    const double constant = format.implied ? read.mantissa : read.value;  // raw digits, as a parameter has them
+    if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -constant : constant, c, begin);
     cursor_.at = end;  // blanks behind the word are no part of it
   }
   if (format.second_number) return second_number(w);
@@ -141,6 +142,10 @@ Status WordReader::code_of(Word& w, std::size_t begin) const {
   if (std::fabs(tenth - nearest) > 1e-9 || nearest < 0 || nearest > 1e9)
     return fail(alarm(AlarmId::code_unknown, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
   w.code = static_cast<std::int32_t>(nearest);
+  const WordFormat& format = grammar_.word(w.address);
+  if (w.digits < format.code_digits && !w.has_point && block_.warnings.size() < limits::block_words)  // spec/gost 3: 3G2 prints G01
+    block_.warnings.push_back(
+        warning(AlarmId::code_digits, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin), double(format.code_digits)));
   return {};
 }
 
@@ -157,7 +162,64 @@ Status WordReader::second_number(Word& w) {
   return {};
 }
 
-// ---- formal parameters (2С42 6.3.7)
+// ---- formal parameters (2С42 6.3.7, spec/correctors 3)
+
+bool WordReader::parameter_here() const {
+  const char c = cursor_.peek();
+  if (c == '\0') return false;
+  return c == grammar_.parameter_address || grammar_.long_parameters.find(c) != std::string::npos;
+}
+
+/// Of the parameter whose letter stands at the cursor: behind it a digit, or two or three.
+Result<double> WordReader::parameter_index() {
+  const std::size_t begin = cursor_.at;
+  const char letter = cursor_.text[cursor_.at++];
+  std::size_t digits = 0;
+  const std::size_t most = letter == grammar_.parameter_address ? 1 : most_parameter_digits;
+  double index = 0;
+  for (; digits < most && is_digit(cursor_.peek()); ++digits) index = index * 10 + (cursor_.text[cursor_.at++] - '0');
+  const std::size_t least = letter == grammar_.parameter_address ? 1 : least_parameter_digits;
+  if (digits < least) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), letter));
+  if (letter == grammar_.parameter_address) return index;
+  return index + parameters_a_letter * static_cast<double>(grammar_.long_parameters.find(letter));
+}
+
+bool WordReader::assigns_parameter(char letter) const {
+  if (grammar_.long_parameters.find(letter) == std::string::npos) return false;
+  Cursor ahead = cursor_;
+  std::size_t digits = 0;
+  for (; digits <= most_parameter_digits && is_digit(ahead.peek()); ++digits) ++ahead.at;
+  if (digits < least_parameter_digits || digits > most_parameter_digits) return false;
+  ahead.skip_blanks();
+  return ahead.peek() == '+' || ahead.peek() == '-' || ahead.peek() == '=';
+}
+
+Status WordReader::long_parameter(char letter, std::size_t begin) {
+  double index = parameters_a_letter * static_cast<double>(grammar_.long_parameters.find(letter));
+  double number = 0;
+  while (is_digit(cursor_.peek())) number = number * 10 + (cursor_.text[cursor_.at++] - '0');
+  index += number;
+  cursor_.skip_blanks();
+  if (cursor_.peek() == '=') ++cursor_.at, cursor_.skip_blanks();
+  const char sign = cursor_.peek();
+  if (sign == '+' || sign == '-') ++cursor_.at, cursor_.skip_blanks();
+  Number read;
+  if ((!is_digit(cursor_.peek()) && cursor_.peek() != '.') || !read_number(cursor_, read))
+    return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), letter));
+  return assign_parameter(index, sign == '-' ? -read.value : read.value, begin);
+}
+
+Status WordReader::assign_parameter(double index, double value, std::size_t begin) {
+  const Span where = span(begin, cursor_.at);
+  for (const Assignment& other : block_.assignments)
+    if (block_.code[other.target.begin].number == index)
+      return fail(alarm(AlarmId::address_twice, where, cursor_.text.substr(begin, cursor_.text.find_first_of("+-= ", begin) - begin)));
+  if (block_.assignments.size() == limits::block_assignments)
+    return fail(alarm(AlarmId::too_many_words, where, double{limits::block_assignments}));
+  const auto target = constant(index, where);
+  block_.assignments.push_back({target, constant(value, where), where});
+  return {};
+}
 
 /// `X+R1`, `Z-1200+R2`: the raw digits are added, then take the unit of the address.
 Status WordReader::parameter_sum(Word& w, const WordFormat& format, double constant, char sign, std::size_t begin) {
@@ -166,16 +228,14 @@ Status WordReader::parameter_sum(Word& w, const WordFormat& format, double const
     ++cursor_.at;
     cursor_.skip_blanks();
   }
-  if (cursor_.peek() != grammar_.parameter_address)
-    return fail(alarm(AlarmId::parameter_not_allowed, span(sign_at, cursor_.at + 1), w.address));
-  ++cursor_.at;
-  if (!is_digit(cursor_.peek())) return fail(alarm(AlarmId::number_missing, span(sign_at, cursor_.at), grammar_.parameter_address));
-  const double index = cursor_.text[cursor_.at++] - '0';
+  if (!parameter_here()) return fail(alarm(AlarmId::parameter_not_allowed, span(sign_at, cursor_.at + 1), w.address));
+  const auto index = parameter_index();
+  if (!index) return fail(index.error());
   Expression e;
   e.begin = static_cast<std::uint16_t>(block_.code.size());
   const Span where = span(begin, cursor_.at);
   block_.code.push_back({Op::number, constant, where});
-  block_.code.push_back({Op::parameter, index, where});
+  block_.code.push_back({Op::parameter, *index, where});
   block_.code.push_back({sign == '-' ? Op::subtract : Op::add, 0, where});
   if (format.implied) block_.code.push_back({Op::scale, powers_of_ten[format.fraction_digits], where});
   e.end = static_cast<std::uint16_t>(block_.code.size());
@@ -197,14 +257,7 @@ Status WordReader::formal_parameter(std::size_t begin) {
     return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.parameter_address));
   if (read.whole_digits > 7)
     return fail(alarm(AlarmId::too_many_digits, span(begin, cursor_.at), grammar_.parameter_address, double(read.whole_digits), 7.0));
-  for (const Assignment& other : block_.assignments)
-    if (block_.code[other.target.begin].number == index)
-      return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), cursor_.text.substr(begin, 2)));
-  const Span where = span(begin, cursor_.at);
-  const auto target = constant(index, where);
-  const auto value = constant(sign == '-' ? -read.mantissa : read.mantissa, where);
-  block_.assignments.push_back({target, value, where});
-  return {};
+  return assign_parameter(index, sign == '-' ? -read.mantissa : read.mantissa, begin);
 }
 
 Expression WordReader::constant(double number, Span where) {

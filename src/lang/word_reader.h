@@ -25,6 +25,10 @@ class WordReader {
   /// `R2+50` sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
   Status formal_parameter(std::size_t begin);
 
+  /// `R01+50.`, `P123=5`: behind the letter at the cursor stand two or three digits, then a sign or '=' (spec/correctors 3).
+  bool assigns_parameter(char letter) const;
+  Status long_parameter(char letter, std::size_t begin);
+
   /// The number behind N or ':'.
   Status block_number(std::size_t begin, const WordFormat& format);
 
@@ -50,6 +54,9 @@ class WordReader {
   Status check_digits(const Word& w, const Number& read, const WordFormat& format, std::size_t begin) const;
   Status code_of(Word& w, std::size_t begin) const;
   Status second_number(Word& w);
+  bool parameter_here() const;
+  Result<double> parameter_index();
+  Status assign_parameter(double index, double value, std::size_t begin);
   Status parameter_sum(Word& w, const WordFormat& format, double constant, char sign, std::size_t begin);
   Expression constant(double number, Span where);
   Span span(std::size_t begin, std::size_t end) const {

@@ -73,7 +73,7 @@ std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang
 
 std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   std::string text = fmt::format("{} {}: {}\n", def.id, row.name, pick(row.text, lang));
-  std::string_view body = row.body;
+  std::string_view body = row.body.empty() ? row.printed : row.body;
   while (!body.empty()) {
     const std::size_t end = body.find('\n');
     text += fmt::format("  {}\n", body.substr(0, end));

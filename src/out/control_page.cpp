@@ -51,11 +51,12 @@ void code_rows(const ControlDef& def, char letter, std::string& page) {
 void cycle_rows(const ControlDef& def, std::string& page) {
   bool bodies = false;
   for (const CycleRow& row : def.cycles) {
-    if (row.body.empty()) continue;
+    const std::string& printed = row.body.empty() ? row.printed : row.body;
+    if (printed.empty()) continue;
     if (!bodies) page += "\n## Cycles\n\n" + head("| cycle | meaning | значение | body |");
     bodies = true;
     std::string body;
-    for (const char c : row.body) body += c == '\n' ? std::string("` · `") : std::string(1, c);
+    for (const char c : printed) body += c == '\n' ? std::string("` · `") : std::string(1, c);
     page += fmt::format("| {} | {} | `{}` |\n", row.name, cells(row.text), body.substr(0, body.size() - std::string("` · `").size()));
   }
 }

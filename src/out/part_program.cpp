@@ -62,11 +62,29 @@ class Words {
   char letter_;
 };
 
+/// Of a coded feed or speed the highest that is not above the one wanted (spec/gost 3); nothing: none is as low.
+std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted) {
+  std::optional<double> best;
+  double most = 0;
+  for (const auto& [code, value] : codes)
+    if (value > most && value <= wanted * (1 + tol::whole_number)) most = value, best = code;
+  return best;
+}
+
+/// As many digits as the format prints (spec/gost 3: 3G2): G01.
+std::string with_digits(const ControlDef& def, const CodeRow& row) {
+  const std::size_t point = std::min(row.code.find('.'), row.code.size());
+  const std::size_t least = def.grammar.word(row.letter).code_digits;
+  std::string code = row.code;
+  if (point - 1 < least) code.insert(1, least - (point - 1), '0');
+  return code;
+}
+
 /// A code that calls a function; of several the first.
 std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<std::pair<Function, int>> functions) {
   for (const auto& [function, arg] : functions)
     for (const CodeRow& row : def.codes)
-      if (row.function == function && (arg < 0 || row.arg == arg) && row.works && row.cycle == 0) return row.code;
+      if (row.function == function && (arg < 0 || row.arg == arg) && row.works && row.cycle == 0) return with_digits(def, row);
   return std::nullopt;
 }
 
@@ -97,6 +115,13 @@ class Writer {
     if (!block.empty()) block += ' ';
     block += word;
   }
+  /// A feed or speed: itself, or the code of the table that stands for it.
+  Status coded(std::string& block, char letter, const std::map<std::int32_t, double>& codes, double value) {
+    if (codes.empty()) return word(block, letter, value);
+    const auto code = code_below(codes, value);
+    if (!code) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
+    return word(block, letter, *code);
+  }
   Status word(std::string& block, char letter, double value) {
     const auto text = Words(def_, letter).word(value);
     if (!text) return fail(text.error());
@@ -122,7 +147,7 @@ class Writer {
       put(tool);
     }
     if (technology_.speed > 0) {
-      KADR_TRY(word(spindle, 'S', technology_.speed));
+      KADR_TRY(coded(spindle, 'S', def_.speed_codes, technology_.speed));
       KADR_TRY(need({{Function::spindle_cw, any}, {Function::spindle_code, 3}}, spindle));
       put(spindle);
     }
@@ -239,7 +264,7 @@ class Writer {
     const double feed = kind == MoveKind::plunge ? technology_.plunge_feed : technology_.feed;
     if (feed == feed_) return {};
     feed_ = feed;
-    return word(block, 'F', feed);
+    return coded(block, 'F', def_.feed_codes, feed);
   }
 
   /// N in steps of ten where they have room; none where they have not and the control needs none.

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/tolerance.h"
 #include "control/correctors/pocket.h"
 #include "control/functions.h"
 
@@ -45,6 +46,22 @@ double tool_radius(const Machinery& m) {
   return std::fabs(stored != 0 ? stored : m.tables.correctors[number]);
 }
 
+/// Coaxial pockets (3, figure b): one whose face lies deeper than another's begins on the floor of a larger one. Elsewhere the rapid down
+/// to the clearance would go into the part, as far as the program shows.
+void warn_above_solid(Machinery& m, Span where, const Axes& middle) {
+  constexpr std::size_t most_pockets = 1000;
+  const PocketCut now = {{middle[0], middle[1]}, {m.pocket.x / 2, m.pocket.y / 2}, middle[2], middle[2] + m.pocket.z};
+  bool deeper = false, begun = false;
+  for (const PocketCut& cut : m.pockets_cut) {
+    deeper = deeper || now.face < cut.face - tol::same_point;
+    const bool inside = std::fabs(now.middle.x - cut.middle.x) + now.half.x <= cut.half.x + tol::same_point &&
+                        std::fabs(now.middle.y - cut.middle.y) + now.half.y <= cut.half.y + tol::same_point;
+    begun = begun || (inside && cut.floor <= now.face + tol::same_point);
+  }
+  if (deeper && !begun) m.warn(warning(AlarmId::pocket_above_solid, where, now.face));
+  if (m.pockets_cut.size() < most_pockets) m.pockets_cut.push_back(now);
+}
+
 }  // namespace
 
 Result<AxisMask> correctors::apply(Machinery& m) {
@@ -54,6 +71,10 @@ Result<AxisMask> correctors::apply(Machinery& m) {
     if (w.address != 'L') continue;
     const auto named = read(m, w);
     if (!named) return fail(named.error());
+    if (!m.correctors_set[named->number]) {  // nobody has set it on the panel: its motion is short by what it should add
+      m.correctors_set[named->number] = true;
+      m.warn(warning(AlarmId::corrector_not_set, w.where, double(named->number)));
+    }
     const double stored = m.tables.correctors[named->number];
     const double counted = m.modal.corrector_sign == 0 ? stored : m.modal.corrector_sign * std::fabs(stored);
     for (std::size_t a = 0; a < corrected_axes; ++a) {
@@ -131,6 +152,7 @@ Status pocket_run(Machinery& m, const Call& call) {
   Axes middle;
   AxisMask named = 0;
   KADR_TRY(m.target(middle, named));
+  warn_above_solid(m, call.where, middle);
   m.running = std::make_unique<correctors::PocketRun>(m.pocket, *rounds, middle);
   return {};
 }

@@ -59,6 +59,7 @@ Status call(Machinery& m, const Call& call) {
   if (times == 0) return fail(alarm(AlarmId::value_out_of_range, w.where, 'L', w.value));
   const CycleRow* const cycle = cycle_of(m.def, name);
   if (cycle != nullptr) {
+    if (m.flow.has_subprogram(name)) warn_of_shadow(m, name, w.where);
     if (cycle->needs_override_off && m.modal.override_permission != 0) return fail(alarm(AlarmId::cycle_override, w.where, cycle->name));
     if (!cycle->body.empty()) {
       m.call_where = w.where;
@@ -83,6 +84,12 @@ Status call(Machinery& m, const Call& call) {
     if (m.modal.rows[g] >= 0 && m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].function == Function::work_zero)
       frame.zero_row = m.modal.rows[g];
   return {};
+}
+
+void note_subprogram(Machinery& m) {
+  constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (6.3.5)
+  const std::uint32_t number = m.block->number / blocks_a_subprogram;
+  if (m.block->has_number && cycle_of(m.def, number) != nullptr) warn_of_shadow(m, number, m.block->number_where);
 }
 
 void restore_zero(Machinery& m, const CallFrame& left) {

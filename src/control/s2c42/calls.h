@@ -9,6 +9,9 @@ namespace kadr::s2c42 {
 ///   alarms  too_few_digits, subprogram_missing, cycle_override, cycle_peck, variable_not_set
 Status call(Machinery& m, const Call& call);
 
+/// The first block of a subprogram of the program: one whose number is a cycle's cannot be called (6.7.1).
+void note_subprogram(Machinery& m);
+
 /// A zero set in a subprogram is undone on return (last section).
 void restore_zero(Machinery& m, const CallFrame& left);
 

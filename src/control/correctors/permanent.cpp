@@ -1,0 +1,19 @@
+// Permanent subprograms of the control in formal parameters (spec/correctors 3): called by a code with a block format of its own.
+
+#include "control/functions.h"
+
+namespace kadr {
+
+/// The words of the block set the parameters that its row names; what is left out keeps its value ("the actual path is set by them").
+Status functions::permanent_subprogram(Machinery& m, const Call& call) {
+  const CycleRow& cycle = m.def.cycles[call.row->cycle - std::size_t{1}];
+  m.call_where = call.where;
+  m.call_text = m.flow.shown(m.block->text, m.call_where);
+  KADR_TRY(m.flow.call_body(cycle, 1, m.origin, call.where));
+  if (m.block->code.empty()) m.variables.begin_block();
+  for (const auto& [letter, parameter] : cycle.parameters)
+    if (m.has(letter)) m.variables.set_parameter(parameter, m.value(letter));
+  return {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,50 @@
+// The signs that structure a file: '%', sections of subprograms, labels.
+
+#include "control/machinery.h"
+#include "control/s2c42/calls.h"
+
+namespace kadr {
+
+/// The letter of the block's label; the whole block where it is written in other letters.
+Span Machinery::label_place() const {
+  const std::size_t from = block->has_number ? block->number_where.end : block->where.begin;
+  const std::size_t at = block->text.find(def.grammar.label_address, from);
+  if (at >= block->where.end) return block->where;
+  return {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + 1)};
+}
+
+/// '%', sections of subprograms, labels: where a program begins.
+Status Machinery::structure() {
+  switch (block->marker) {
+    case Marker::program_start:
+      if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading) {
+        warn(warning(AlarmId::end_missing, block->where));
+        flow.end();  // the next program of the tape
+      }
+      flow.started = true;
+      skipping_section_ = false;
+      start_block_ = flow.blocks();
+      return {};
+    case Marker::section:
+      if (flow.depth() != 0) return fail(alarm(AlarmId::subprogram_end_missing, block->where, double(flow.frames().back().name)));
+      skipping_section_ = true;
+      return {};
+    case Marker::label:
+      if (def.behaviour.label_is_number && flow.blocks() != start_block_ + 1)  // spec/gost 1: `%`, then `O0001`
+        return fail(alarm(AlarmId::program_number_place, label_place(), double(block->label)));
+      flow.started = true;
+      if (flow.depth() == 0) flow.pass_label(block->label);
+      return {};
+    default: break;
+  }
+  constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: zeros are not dropped
+  if (skipping_section_ && block->has_number && block->number_digits != digits_of_label)
+    return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
+  if (skipping_section_ && def.behaviour.musts_checked) s2c42::note_subprogram(*this);
+  if (skipping_section_ || flow.started || block->empty()) return {};
+  flow.started = true;
+  if (!def.grammar.program_start_required) return {};
+  return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
+}
+
+}  // namespace kadr
