@@ -9,6 +9,7 @@
 
 #include "cli/channels.h"
 #include "cli/progress.h"
+#include "cli/stop.h"
 #include "out/alarm_print.h"
 
 namespace kadr::cli {
@@ -83,7 +84,11 @@ struct Count {
 /// What is found goes to the collector of its channel.
 Outlets outlets_of(Collector& collector, Progress& progress) {
   const auto take = [&collector](const AlarmReport& report) { return collector.take(report); };
-  return {[](const Action&) {}, [take](const AlarmReport& report) { (void)take(report); }, take, &progress};
+  return {.action = [](const Action&) {},
+          .warning = [take](const AlarmReport& report) { (void)take(report); },
+          .alarm = take,
+          .progress = &progress,
+          .stop = stop_token()};
 }
 
 Checked check_file(const Options& options, const std::string& file, Count& count, std::vector<Finding>& findings) {
@@ -138,7 +143,6 @@ int check(const Options& options) {
     complain("no program to check there");
     return wrong_usage;
   }
-  catch_interrupts();
   std::vector<Finding> findings;
   Count count;
   std::size_t checked = 0;
@@ -153,7 +157,7 @@ int check(const Options& options) {
   if (options.format == "json") fmt::print("{}", findings_json(findings));
   if (options.format == "sarif") fmt::print("{}", findings_sarif(findings, KADR_VERSION));
   print_count(options, checked, count);
-  return status;
+  return interrupted() ? interrupted_status() : status;
 }
 
 }  // namespace kadr::cli

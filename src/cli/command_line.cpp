@@ -93,8 +93,8 @@ void add_run(CLI::App& app, Commands& c) {
   program_options(*run, c.options);
   run->add_option("--trace", c.options.trace, "every action as a line of JSON, to a file or - for stdout");
   run->add_option("--state", c.options.state, "file that keeps offsets, #500-#999, tool life, parameters from run to run (nct)");
-  run->add_option("--files", c.options.limits.files,
-                  "folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: here)");
+  run->add_option("--files", c.options.files,
+                  "folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: it writes nothing)");
   sample_options(*run, c.options);
   run->add_option("--plot", c.options.plot, "draw the path: a file .svg or .png");
   run->add_option("--colour,--color", c.options.colour, "of the path in --plot: by speed, or by the limit that slows it")

@@ -31,13 +31,4 @@ std::optional<std::string> read_all(const std::string& name, std::size_t most) {
   return text;
 }
 
-bool write_all(const std::string& name, const std::string& text) {
-  if (name.empty() || name == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  std::ofstream file(name, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) complain(fmt::format("{}: {}", name, std::strerror(errno)));
-  return static_cast<bool>(file);
-}
-
 }  // namespace kadr::cli

@@ -1,5 +1,5 @@
 #pragma once
-// Whole files in and out, for commands whose input is small. Complaints go to stderr.
+// Whole files in, for commands whose input is small. Complaints go to stderr.
 
 #include <optional>
 #include <string>
@@ -8,8 +8,5 @@ namespace kadr::cli {
 
 /// The bytes of a file, or of standard input ("-"); nothing if it cannot be read or is longer than `most` bytes.
 std::optional<std::string> read_all(const std::string& name, std::size_t most);
-
-/// To a file, or to standard output ("-" or empty).
-bool write_all(const std::string& name, const std::string& text);
 
 }  // namespace kadr::cli

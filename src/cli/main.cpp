@@ -7,6 +7,8 @@
 #include <exception>
 
 #include "cli/command_line.h"
+#include "cli/outputs.h"
+#include "cli/stop.h"
 
 namespace kadr::cli {
 
@@ -42,20 +44,26 @@ int perform(const CLI::App& app, const Commands& commands) {
   return fmt::print("{}", completion(app, commands.shell)), ok;
 }
 
+/// A command that failed has said so already.
+int printed(int status) { return status == wrong_usage || came_out() ? status : wrong_usage; }
+
 }  // namespace
 }  // namespace kadr::cli
 
 int main(int argc, char** argv) {
   using namespace kadr::cli;
+  survive_closed_pipes();
+  catch_interrupts();
   Commands commands;
+  commands.options.limits.stop = stop_token();
   const auto app = make_app(commands);
   try {
     app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app->exit(error) == 0 ? ok : wrong_usage;
+    return app->exit(error) == 0 ? printed(ok) : wrong_usage;
   }
   try {
-    return perform(*app, commands);
+    return printed(perform(*app, commands));
   } catch (const std::bad_alloc&) {
     complain("out of memory");
   } catch (const std::exception& error) {  // of a library: a bug, but said plainly

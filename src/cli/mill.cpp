@@ -9,10 +9,12 @@
 
 #include "cli/files.h"
 #include "cli/mill_options.h"
+#include "cli/outputs.h"
 #include "config/contour.h"
 #include "config/control_file.h"
 #include "out/alarm_print.h"
 #include "out/mill_picture.h"
+#include "out/page_file.h"
 #include "out/part_program.h"
 #include "path/area/verify.h"
 
@@ -43,9 +45,14 @@ std::string line_of(std::string_view text, std::uint32_t number) {
 class MillCommand {
  public:
   MillCommand(const MillOptions& options, Lang lang, const ControlDef& def, const AlarmTexts& texts)
-      : options_(options), lang_(lang), def_(def), texts_(texts) {}
+      : options_(options), lang_(lang), def_(def), texts_(texts), outputs_(lang) {}
 
   Exit run() {
+    outputs_.reads(options_.contour);
+    if (options_.control.ends_with(".toml")) outputs_.reads(options_.control);
+    outputs_.writes("--output", options_.output.empty() ? "-" : options_.output);
+    outputs_.writes("--plot", options_.plot);
+    if (!outputs_.check()) return wrong_usage;
     const auto text = read_all(options_.contour, limits::contour_bytes);
     if (!text) return wrong_usage;
     const auto job = mill_job(options_);
@@ -56,8 +63,10 @@ class MillCommand {
     if (!path) return say(path.error()), alarms;
     const auto program = written(*path, *shape, *job);
     if (!program) return say(program.error()), alarms;
-    if (!write_all(options_.output, program->text)) return wrong_usage;
+    if (!outputs_.open()) return wrong_usage;
+    std::fwrite(program->text.data(), 1, program->text.size(), outputs_.stream("--output"));  // keep() tells whether all was written
     if (!options_.plot.empty() && !draw(*path, *shape, *job)) return wrong_usage;
+    if (!outputs_.keep()) return wrong_usage;
     if (!options_.quiet) print(*path, *shape, *job, *program);
     return ok;
   }
@@ -132,8 +141,8 @@ class MillCommand {
     const std::string title = options_.contour.substr(slash == std::string::npos ? 0 : slash + 1);
     const std::string subtitle =
         fmt::format("{}   Ø{}   {}", scheme_name(job), number_text(2 * job.radius), ru() ? def_.name.ru : def_.name.en);
-    const auto drawn =
-        draw_milling(options_.plot, {shape.zones, path.path.moves, path.path.holes, job.radius, job.top, title, subtitle, lang_});
+    const auto drawn = draw_milling(*outputs_.file("--plot"),
+                                    {shape.zones, path.path.moves, path.path.holes, job.radius, job.top, title, subtitle, lang_});
     if (!drawn) complain(drawn.error());
     return drawn.has_value();
   }
@@ -188,6 +197,7 @@ class MillCommand {
   Lang lang_;
   const ControlDef& def_;
   const AlarmTexts& texts_;
+  Outputs outputs_;
 };
 
 }  // namespace
@@ -199,10 +209,8 @@ int mill(const MillOptions& options) {
   if (!def) return complain(def.error()), wrong_usage;
   const auto texts = AlarmTexts::load(&*def);
   if (!texts) return complain(texts.error()), wrong_usage;
-  if (!options.plot.empty() && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png"))
-    return complain(fmt::format("--plot {}: the name must end in .svg or .png", options.plot)), wrong_usage;
-  for (const std::string& file : {options.output, options.plot})
-    if (file == options.contour && file != "-") return complain(fmt::format("{}: would be written over the contour", file)), wrong_usage;
+  if (const std::string fault = options.plot.empty() ? "" : page_fault(options.plot); !fault.empty())
+    return complain("--plot " + fault), wrong_usage;
   return MillCommand(options, language(shared), *def, *texts).run();
 }
 

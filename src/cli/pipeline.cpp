@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <utility>
 
@@ -14,9 +13,6 @@ namespace kadr::cli {
 namespace {
 
 constexpr unsigned shown_each = 64;  // batches between two looks at the progress
-
-volatile std::sig_atomic_t interrupt_seen = 0;
-void note_interrupt(int) { interrupt_seen = 1; }
 
 /// The control named, or the one the text looks like: said on stderr.
 std::optional<std::string> control_of(const Options& options, const std::string& file) {
@@ -48,12 +44,6 @@ ContourCorners::Follows behind(Control::State state) {
 }
 
 }  // namespace
-
-void catch_interrupts() {
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
-}
-bool interrupted() { return interrupt_seen != 0; }
 
 const AlarmTexts& Job::texts() const {
   if (texts_) return *texts_;
@@ -200,7 +190,8 @@ Carrier::Step Carrier::step() {
     note_place();
     return Step::ended;
   }
-  if (interrupted()) {
+  if (outlets_.writable && !outlets_.writable()) return Step::stopped;
+  if (outlets_.stop.asked()) {
     const AlarmReport report = settled().report_for(alarm(AlarmId::interrupted, {}), batch_.empty() ? Origin() : batch_.back().origin);
     (void)outlets_.alarm(report);
     return stop(report);

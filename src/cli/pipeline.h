@@ -56,6 +56,8 @@ struct Outlets {
   Progress* progress = nullptr;                     // looked at now and then
   std::function<VirtualTime()> time{};              // of the actions so far; missing: counted here, if somebody asks
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
+  std::function<bool()> writable{};                 // all that was handed over could be written; missing: nothing is written
+  StopToken stop{};                                 // asked behind each batch
   bool works_long = false;                          // on each action: writes or draws it
 };
 
@@ -123,9 +125,5 @@ class Carrier {
 
 /// Carries the program of the only channel out.
 Stopped carry_out(Control& control, const Job& job, const Outlets& outlets);
-
-/// Ctrl-C and SIGTERM ask for the end of the run; what has been done is kept.
-void catch_interrupts();
-bool interrupted();
 
 }  // namespace kadr::cli

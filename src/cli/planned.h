@@ -34,6 +34,10 @@ class Planned {
   /// An action of the program, behind the machine.
   void take(const Action& action);
 
+  /// All samples so far could be written; else the error of the system.
+  bool ok() const { return !writer_ || writer_->ok(); }
+  int error() const { return writer_ ? writer_->error() : 0; }
+
   /// The axes come to rest. False: not all could be written.
   bool finish();
 
@@ -41,7 +45,7 @@ class Planned {
   /// Where ask_why() was called, after finish(): the table. `control`: that carried the program out.
   std::string why(const Control& control, Lang lang) const;
   /// Where record_speed() was called, after finish(). Returns an error sentence.
-  tl::expected<void, std::string> draw_speed(const std::string& file, const PlotTitle& title) const {
+  tl::expected<void, std::string> draw_speed(const ResultFile& file, const PlotTitle& title) const {
     return draw_speed_page(file, *record_, axes_, title);
   }
 

@@ -4,6 +4,7 @@
 
 #include "cli/files.h"
 #include "cli/options.h"
+#include "cli/outputs.h"
 #include "lang/encoding.h"
 #include "lang/tape.h"
 
@@ -12,16 +13,16 @@ namespace {
 
 constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
 
-int decode(const TapeOptions& options, const std::string& rows, bool ru) {
+int decode(const TapeOptions& options, const std::string& rows, std::string& output, bool ru) {
   const TapeText text = decode_tape(rows);
   for (const TapeFault& fault : text.faults)
     complain(ru ? fmt::format("{}: строка {}: нечётное число отверстий (байт {:03o})", options.input, fault.row, fault.byte)
                 : fmt::format("{}: row {}: parity error (byte {:03o})", options.input, fault.row, fault.byte));
-  if (!write_all(options.output, text.text)) return wrong_usage;
+  output = text.text;
   return text.faults.empty() ? ok : alarms;
 }
 
-int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
+int encode(const TapeOptions& options, const std::string& bytes, std::string& output, bool ru) {
   auto encoding = options.encoding.empty() ? detect_encoding(bytes) : encoding_named(options.encoding);
   if (!options.encoding.empty() && !encoding) return complain(fmt::format("no encoding '{}'", options.encoding)), wrong_usage;
   std::string text;
@@ -38,18 +39,28 @@ int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
            : fmt::format("{}: '{}' (byte {}) has no ISO-7 code", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1));
     return alarms;
   }
-  return write_all(options.output, *rows) ? ok : wrong_usage;
+  output = *rows;
+  return ok;
 }
 
 }  // namespace
 
 int tape(const TapeOptions& options) {
-  const auto bytes = read_all(options.input, longest_tape);
-  if (!bytes) return wrong_usage;
   Options shared;
   shared.lang = options.lang;
-  const bool ru = language(shared) == Lang::ru;
-  return options.decode ? decode(options, *bytes, ru) : encode(options, *bytes, ru);
+  const Lang lang = language(shared);
+  Outputs outputs(lang);
+  outputs.reads(options.input);
+  outputs.writes("OUTPUT", options.output.empty() ? "-" : options.output);
+  if (!outputs.check()) return wrong_usage;
+  const auto bytes = read_all(options.input, longest_tape);
+  if (!bytes) return wrong_usage;
+  std::string output;
+  const int status = options.decode ? decode(options, *bytes, output, lang == Lang::ru) : encode(options, *bytes, output, lang == Lang::ru);
+  if (output.empty() && status != ok) return status;
+  if (!outputs.open()) return wrong_usage;
+  std::fwrite(output.data(), 1, output.size(), outputs.stream("OUTPUT"));  // keep() tells whether all was written
+  return outputs.keep() ? status : wrong_usage;
 }
 
 }  // namespace kadr::cli

@@ -119,6 +119,11 @@ std::optional<RunState> Control::run_state() const {
 std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const {
   return machinery_->flow.file(file).texts_of(lines);
 }
+std::vector<std::string> Control::files_read() const { return machinery_->flow.paths(); }
+const WrittenFiles& Control::files_written() const {
+  static const WrittenFiles none;
+  return machinery_->nct ? machinery_->nct->output.files() : none;
+}
 const std::string& Control::file_name(std::uint16_t file) const { return machinery_->flow.file(file).path(); }
 Ending Control::ending() const { return machinery_->ending(); }
 std::uint64_t Control::blocks() const { return machinery_->flow.blocks(); }

@@ -7,7 +7,9 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "base/file_id.h"
 #include "base/stop.h"
 #include "config/control_def.h"
 #include "config/setup.h"
@@ -26,7 +28,8 @@ struct RunLimits {
   std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
   bool writes_files = false;                   // FOPEN, POPEN of nct; false: as far as can be known without writing
   std::string files = ".";                     // folder of the program memory, outside of which nothing is written
-  StopToken stop;                              // asked for at least each block
+  FileSet untouched{};                         // files of the run itself, which no program writes
+  StopToken stop{};                            // asked for at least each block
 };
 
 struct Program {
@@ -34,6 +37,9 @@ struct Program {
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };
+
+/// Files that a program writes (nct 23.2.13): path from the folder of the program memory, bytes.
+using WrittenFiles = std::map<std::string, std::uint64_t>;
 
 class Machinery;     // control/machinery.h
 class SharedMemory;  // control/shared_memory.h
@@ -125,6 +131,10 @@ class Control {
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const;
   /// Path of the program or of another file.
   const std::string& file_name(std::uint16_t file) const;
+  /// Paths of all files that have been read: the program, what it called.
+  std::vector<std::string> files_read() const;
+  /// What the program has written, or would have (RunLimits::writes_files).
+  const WrittenFiles& files_written() const;
 
   Ending ending() const;
   std::uint64_t blocks() const;      // carried out

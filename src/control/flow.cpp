@@ -82,6 +82,13 @@ std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
   return reader;
 }
 
+std::vector<std::string> Flow::paths() const {
+  std::vector<std::string> paths;
+  for (const auto& file : files_)
+    if (file) paths.push_back(file->path());
+  return paths;
+}
+
 std::optional<std::uint16_t> Flow::open_built_in(const std::string& name) {
   const std::string file = "macros/" + name + "." + def_.id;
   if (const auto known = opened_.find(file); known != opened_.end()) return known->second;

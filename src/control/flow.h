@@ -109,6 +109,8 @@ class Flow {
   const std::string& file() const { return files_[reader_ == 1 ? 0 : reader_]->path(); }
   /// By Origin::file: as reader().
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
+  /// Of all files opened, the program first.
+  std::vector<std::string> paths() const;
   const std::string& main_file() const { return files_[0]->path(); }
   std::uint64_t blocks() const { return blocks_; }
   std::uint64_t bytes_read() const { return program().offset(); }

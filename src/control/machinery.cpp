@@ -18,7 +18,7 @@ namespace kadr {
 // NOLINTNEXTLINE(readability-function-size): what it is made of, called in one place
 Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
                      const RunLimits& limits, std::shared_ptr<nct::Commons> commons)
-    : own_def(std::move(own)), def(own_def ? *own_def : control), letters(def), variables(def), flow(def, std::move(program), limits) {
+    : own_def(std::move(own)), def(own_def ? *own_def : control), letters(def), variables(def), flow(def, std::move(program), limits), stop_(limits.stop) {
   modal.rows.fill(-1);
   if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, limits, std::move(commons));
   waiting.known = nct::channels_of(setup);
@@ -39,7 +39,7 @@ Control::State Machinery::run(ActionBatch& to) {
     emit(frame_change());
     if (modal.surface_speed) emit(surface_speed());
   }
-  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
+  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty()) && !stop_.asked()) {
     if (waiting.meeting) return Control::State::waiting;
     if (cycling()) {
       if (const Status status = next_of_cycle(); !status) fail_with(status.error());

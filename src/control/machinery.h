@@ -285,6 +285,7 @@ class Machinery {
   std::vector<double> assigned_;
   std::vector<double> kept_corrections_;                // corrector_applied before the block
   std::pair<std::uint32_t, ToolOffset> kept_offset_{};  // [0] is none
+  StopToken stop_;
   bool stopped_ = false;
   bool start_missing_reported_ = false;
   bool feed_missing_told_ = false;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <iterator>
 #include <utility>
 
@@ -29,8 +30,9 @@ void SampleWriter::write(const double* at) {
   if (text_.size() >= chunk) flush();
 }
 
-/// One instant. False: it stands, and nothing more will happen.
+/// One instant. False: it stands, and nothing more will happen; or nobody could read it.
 bool SampleWriter::play() {
+  if (!ok()) return false;
   for (; changed_ < options_.changes.size() && options_.changes[changed_].seconds <= static_cast<double>(instant_) * period_; ++changed_)
     playback_.override_to(options_.changes[changed_].share);
   if (changed_ == options_.changes.size() && playback_.is_held()) return false;
@@ -54,11 +56,12 @@ void SampleWriter::finish() {
   while (!playback_.done() && play()) {
   }
   flush();
-  ok_ = ok_ && std::fflush(file_) == 0;
 }
 
 void SampleWriter::flush() {
-  ok_ = ok_ && std::fwrite(text_.data(), 1, text_.size(), file_) == text_.size();
+  errno = 0;
+  const bool written = !ok() || (std::fwrite(text_.data(), 1, text_.size(), file_) == text_.size() && std::fflush(file_) == 0);
+  if (!written) error_ = errno != 0 ? errno : EIO;
   text_.clear();
 }
 

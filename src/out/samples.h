@@ -26,7 +26,8 @@ class SampleWriter {
   void take(const TimedCells& cells);
   /// The last position, and all that is buffered. A feed hold without end is one to the last position that was written.
   void finish();
-  bool ok() const { return ok_; }
+  bool ok() const { return error_ == 0; }
+  int error() const { return error_; }  // of the system; 0: none
 
  private:
   bool play();
@@ -42,7 +43,7 @@ class SampleWriter {
   std::size_t changed_ = 0;  // of them are in force
   std::uint64_t instant_ = 0;
   std::string text_;
-  bool ok_ = true;
+  int error_ = 0;
 };
 
 }  // namespace kadr

@@ -123,7 +123,9 @@ Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_
     : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
       parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
       tools(setup, tool_limits(parameters)),
-      output({limits.files, std::uint64_t{1} << 30, limits.writes_files ? OutputWriting::files : OutputWriting::nothing}) {
+      output({.root = limits.files,
+              .writing = limits.writes_files ? OutputWriting::files : OutputWriting::nothing,
+              .untouched = limits.untouched}) {
   if (!parameters.error().empty()) m.start_error = parameters.error();
   const auto group_of = [&](std::int32_t tenth) {
     const std::int32_t row = m.def.row_of('G', tenth);
