@@ -21,6 +21,8 @@ constexpr const char* check_examples =
     "  kadr check programs/                            every program of a folder, every fault\n"
     "  kadr check a.nc b.nc --control gost\n"
     "  kadr check programs/ --format sarif >r.sarif    for an editor or a code host\n"
+    "  kadr check . --exclude 'old/*' --control-for '*.nct=nct' --strict\n"
+    "  kadr check . --format json --output known.json; kadr check . --baseline known.json\n"
     "Exit status: 0 no error, 1 errors found, 2 wrong usage or unreadable file.";
 constexpr const char* explain_examples =
     "Examples:\n"
@@ -111,6 +113,13 @@ void add_check(CLI::App& app, Commands& c) {
   check->add_option("--format", c.options.format, "text, json or sarif")
       ->check(CLI::IsMember({"text", "json", "sarif"}))
       ->capture_default_str();
+  check->add_option("--output", c.options.output, "file for the findings (default: text on stderr, json and sarif on stdout)");
+  check->add_option("--baseline", c.options.baseline, "findings that are known, as --format json wrote them: only new ones are told");
+  check->add_option("--exclude", c.options.exclude,
+                    "in folders, leave out what is like the pattern (* ? [abc]): a path or a name; may be repeated");
+  check->add_option("--control-for", c.options.control_for,
+                    "PATTERN=ID: the control of the files that are like the pattern; may be repeated");
+  check->add_flag("--strict", c.options.strict, "warnings count as errors");
   check->footer(check_examples);
 }
 

@@ -24,14 +24,21 @@ struct Options {
   std::string samples;  // file, "-": stdout
   double rate = 1000;   // of the samples, Hz
   std::vector<OverrideChange> overrides;
-  std::string colour;           // of the plot: speed, limit; empty: by the kind of motion
-  std::string plot_speed;       // .svg or .png
-  bool why = false;             // the lines that lose most time
-  std::string files;            // folder for what the program writes; empty: it writes nothing
-  std::string state;            // file that keeps what survives power-off; empty: nothing is kept
-  std::string lang;             // "ru", "en"; empty: by LANG
-  std::string format = "text";  // of check: text, json, sarif
-  std::vector<int> skip;        // switches that are on
+  std::string colour;      // of the plot: speed, limit; empty: by the kind of motion
+  std::string plot_speed;  // .svg or .png
+  bool why = false;        // the lines that lose most time
+  std::string files;       // folder for what the program writes; empty: it writes nothing
+  std::string state;       // file that keeps what survives power-off; empty: nothing is kept
+  std::string lang;        // "ru", "en"; empty: by LANG
+  // of check
+  std::string format = "text";           // text, json, sarif
+  std::string output;                    // of its findings; empty: text to stderr, others to stdout
+  std::string baseline;                  // known findings: a list as --format json writes it
+  std::vector<std::string> exclude;      // patterns of paths in folders
+  std::vector<std::string> control_for;  // PATTERN=ID
+  bool guesses_silently = false;         // which control: nothing is said of it
+  bool strict = false;                   // warnings count as errors
+  std::vector<int> skip;                 // switches that are on
   bool optional_stop = false;
   bool quiet = false;
   RunLimits limits;

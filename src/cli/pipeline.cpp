@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "cli/program_files.h"
 #include "config/control_file.h"
 #include "config/guess.h"
 
@@ -13,26 +14,6 @@ namespace kadr::cli {
 namespace {
 
 constexpr unsigned shown_each = 64;  // batches between two looks at the progress
-
-/// The control named, or the one the text looks like: said on stderr.
-std::optional<std::string> control_of(const Options& options, const std::string& file) {
-  if (!options.control.empty()) return options.control;
-  auto source = open_file(file);
-  if (!source) {
-    complain(fmt::format("{}: {}", file, std::strerror(errno)));
-    return std::nullopt;
-  }
-  LineReader reader(std::move(source));
-  std::string text;
-  const std::string_view sample = reader.sample();
-  const auto encoding = options.encoding.empty() ? detect_encoding(sample) : encoding_named(options.encoding);
-  if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
-  const Guess guess = guess_control(encoding ? std::string_view(text) : sample);
-  const bool ru = language(options) == Lang::ru;
-  complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
-              : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
-  return guess.control;
-}
 
 /// What the corners of `path` may expect behind a batch.
 ContourCorners::Follows behind(Control::State state) {
@@ -53,13 +34,57 @@ const AlarmTexts& Job::texts() const {
   return *texts_;
 }
 
+namespace {
+
+/// The beginning of a program as text.
+std::optional<std::string> sample_of(const std::string& file, const std::string& encoding_name) {
+  auto source = open_file(file);
+  if (!source) return std::nullopt;
+  LineReader reader(std::move(source));
+  const std::string_view sample = reader.sample();
+  const auto encoding = encoding_name.empty() ? detect_encoding(sample) : encoding_named(encoding_name);
+  std::string text;
+  if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
+  else text = sample;
+  return text;
+}
+
+}  // namespace
+
+std::string control_by_pattern(const Options& options, const std::string& file) {
+  for (const std::string& rule : options.control_for) {
+    const std::size_t equals = rule.rfind('=');
+    if (equals != std::string::npos && is_like(file, rule.substr(0, equals))) return rule.substr(equals + 1);
+  }
+  return options.control;
+}
+
+std::optional<std::string> control_of(const Options& options, const std::string& file) {
+  if (std::string named = control_by_pattern(options, file); !named.empty()) return named;
+  const auto text = sample_of(file, options.encoding);
+  if (!text) return complain(fmt::format("{}: {}", file, std::strerror(errno))), std::nullopt;
+  const Guess guess = guess_control(*text);
+  const bool ru = language(options) == Lang::ru;
+  if (guess.control.empty())
+    complain(ru ? fmt::format("{}: УЧПУ неизвестно ({}); если это УП: --control", file, guess.reason_ru)
+                : fmt::format("{}: unknown, no program of a control that Kadr knows ({}); if it is one: --control", file, guess.reason_en));
+  else if (!options.guesses_silently)
+    complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
+                : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
+  return guess.control;
+}
+
 std::optional<Job> make_job(const Options& options, const std::string& file) {
+  const auto control = control_of(options, file);
+  if (!control || control->empty()) return std::nullopt;
+  return make_job(options, file, *control);
+}
+
+std::optional<Job> make_job(const Options& options, const std::string& file, const std::string& control) {
   Job job;
   job.file = file;
   job.setup_file = options.setup;
-  const auto id = control_of(options, file);
-  if (!id) return std::nullopt;
-  auto def = load_control(*id);
+  auto def = load_control(control);
   if (!def) return complain(def.error()), std::nullopt;
   job.def = std::make_unique<ControlDef>(std::move(*def));
   auto profile = load_machine(options.machine.empty() ? "generic" : options.machine);

@@ -125,7 +125,7 @@ std::string findings_json(const std::vector<Finding>& findings) {
   return dumped(all);
 }
 
-std::string findings_sarif(const std::vector<Finding>& findings, const std::string& version) {
+std::string findings_sarif(const std::vector<Finding>& findings, const Invocation& invocation) {
   Json rules = Json::array(), results = Json::array();
   std::map<AlarmId, std::size_t> known;
   for (const Finding& f : findings) {
@@ -133,8 +133,17 @@ std::string findings_sarif(const std::vector<Finding>& findings, const std::stri
     if (is_new) rules.push_back(rule_json(f));
     results.push_back(result_json(f, rule->second));
   }
-  const Json driver = {{"name", "Kadr"}, {"version", version}, {"rules", rules}};
-  const Json run = {{"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
+  const Json driver = {{"name", "Kadr"}, {"version", invocation.version}, {"rules", rules}};
+  Json notifications = Json::array();
+  for (const auto& [file, reason] : invocation.unreadable) {
+    const Json place = {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(file)}}}}}};
+    notifications.push_back({{"level", "error"}, {"message", {{"text", reason}}}, {"locations", Json::array({place})}});
+  }
+  const Json how = {{"executionSuccessful", invocation.unreadable.empty()},
+                    {"exitCode", invocation.exit_code},
+                    {"toolExecutionNotifications", notifications}};
+  const Json run = {
+      {"tool", {{"driver", driver}}}, {"invocations", Json::array({how})}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
   return dumped({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}});
 }
 
