@@ -142,13 +142,15 @@ double Planner::ramp_s(double speed) const {
 double Planner::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   const double feed = path_.feed(piece), nearest = std::min(s - path_.at(piece), path_.at(piece + 1) - s);
   double size = longest_s * feed + growth * std::max(0.0, nearest - feed * ramp_s(feed));
-  const double rest = 0.01 * std::min(1.0, path_.ends() - path_.begins());  // beside a stop: a part of the way that a ramp takes
-  size = std::min(size, rest + growth * s);
-  if (last) size = std::min(size, rest + growth * (path_.ends() - s));
+  const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };  // beside a stop: a part of the way that a ramp takes
+  const auto rest = [&](std::size_t vertex) { return ramp_part(path_.room(vertex)); };
+  size = std::min(size, rest(0) + growth * s);
+  if (last) size = std::min(size, rest(path_.pieces()) + growth * (path_.ends() - s));
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
     const double w = path_.width(i), away = std::fabs(s - path_.at(i));
-    if (path_.turns_back(i) || feed_changes(i)) size = std::min(size, rest + growth * away);
+    if (path_.turns_back(i)) size = std::min(size, rest(i) + growth * away);
+    else if (feed_changes(i)) size = std::min(size, ramp_part(path_.ends() - path_.begins()) + growth * away);
     if (w > 0) size = std::min(size, w * (path_.on_curve(i) ? curve_part : corner_part) + growth * std::max(0.0, away - w));
   };
   for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);
@@ -209,9 +211,12 @@ void Planner::add_cell(double from, double to, bool turns) {
   set_knot(to, turns ? next - 1 : next);
   piece_ = next;
   shapes_.resize(shape + axes * TimedCells::terms);
-  for (std::size_t a = 0; a < axes; ++a)
-    quintic({start.x[a], start.x1[a], start.x2[a]}, {knot_.x[a], knot_.x1[a], knot_.x2[a]}, h,
-            shapes_.data() + shape + a * TimedCells::terms);
+  const bool straight = sources_.back().bend == Bend::none;
+  for (std::size_t a = 0; a < axes; ++a) {
+    double* const c = shapes_.data() + shape + a * TimedCells::terms;
+    if (straight) c[0] = start.x[a], c[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
+    else quintic({start.x[a], start.x1[a], start.x2[a]}, {knot_.x[a], knot_.x1[a], knot_.x2[a]}, h, c);
+  }
   double most = fastest;
   std::array<double, TimedPath::places> squares{};
   for (std::size_t a = 0; a < axes; ++a) {

@@ -44,6 +44,9 @@ class SmoothPath {
   double turn(std::size_t vertex) const { return turn_[vertex]; }
   /// The path turns back on itself there: a vertex without rounding, which none other reaches over.
   bool turns_back(std::size_t vertex) const { return turn_[vertex] > turning_back; }
+  /// From a vertex where the axes stand for an instant – an end of the path, one where it turns back – to the next such one, whichever is
+  /// nearer: mm, exact below `widest`. Of vertices that are settled.
+  double room(std::size_t vertex) const { return room_[vertex]; }
   bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }
   double feed(std::size_t piece) const { return feed_[piece]; }
   std::uint64_t tag(std::size_t piece) const { return tag_[piece]; }
@@ -75,6 +78,7 @@ class SmoothPath {
   std::vector<double> at_;         // length at each vertex
   std::vector<double> width_;      // of its rounding
   std::vector<double> tolerance_;  // of each vertex
+  std::vector<double> room_;       // of each vertex; where the axes do not stand of no meaning
   std::vector<double> direction_;  // of each piece
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;
