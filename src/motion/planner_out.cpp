@@ -64,7 +64,7 @@ void Planner::hand_on(double from, double to) {
   for (std::size_t k = 1; k < out_.laws.size() && std::isfinite(out_.laws[longest].seconds); ++k)
     if (!(out_.laws[k].seconds <= out_.laws[longest].seconds)) longest = k;
   ended_ = PlanEnd::too_slow;
-  refused_ = {to - from, out_.sources[longest].tag};
+  refused_ = {to - from, out_.sources.empty() ? path_.tag(path_.piece_at(from, 0)) : out_.sources[longest].tag};
 }
 
 /// The first cells go out; the path begins anew behind them.
