@@ -79,6 +79,9 @@ OverrideChange override_change(const std::string& text) {
 void sample_options(CLI::App& run, Options& o) {
   run.add_option("--samples", o.samples, "positions of the axes at the servo rate as CSV, to a file or - for stdout");
   run.add_option("--rate", o.rate, "of the samples, Hz")->check(CLI::Range(1.0, 1e6))->capture_default_str();
+  run.add_option("--max-time", o.max_time, "the samples end after so many seconds (exit status 1); default: a day")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
   run.add_option_function<std::vector<std::string>>(
          "--override",
          [&o](const std::vector<std::string>& texts) {

@@ -6,7 +6,7 @@
 
 #include "config/alarm_texts.h"
 #include "control/control.h"
-#include "motion/override_change.h"
+#include "out/sample_options.h"
 
 namespace kadr::cli {
 
@@ -19,10 +19,11 @@ struct Options {
   std::string machine;  // empty: generic
   std::string setup;
   std::string encoding;
-  std::string trace;    // file, "-": stdout
-  std::string plot;     // .svg or .png
-  std::string samples;  // file, "-": stdout
-  double rate = 1000;   // of the samples, Hz
+  std::string trace;                           // file, "-": stdout
+  std::string plot;                            // .svg or .png
+  std::string samples;                         // file, "-": stdout
+  double rate = 1000;                          // of the samples, Hz
+  double max_time = SampleOptions{}.max_time;  // of the samples, s
   std::vector<OverrideChange> overrides;
   std::string colour;      // of the plot: speed, limit; empty: by the kind of motion
   std::string plot_speed;  // .svg or .png

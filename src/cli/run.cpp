@@ -74,8 +74,9 @@ class RunCommand {
       if (channels.size() == 1) look_ahead(view, channel, rates, stand, job.profile);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand);
-      if (samples != nullptr) view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def)});
+      if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand, options.limits.stop);
+      if (samples != nullptr)
+        view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
       if (!options.plot_speed.empty()) view.planned->record_speed();
       if (!options.colour.empty()) {
         view.plot->colour_by(options.colour == "speed" ? PlotColour::speed : PlotColour::limit);
@@ -93,7 +94,8 @@ class RunCommand {
     if (!options_.quiet) print_summary();
     if (options_.why) print_why();
     if (!written) return wrong_usage;
-    return std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); }) ? alarms : ok;
+    const bool stood = std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); });
+    return stood || plan_failed_ ? alarms : ok;
   }
 
  private:
@@ -210,9 +212,15 @@ class RunCommand {
   }
 
   bool finish_planned() {
-    for (const auto& view : views_) {
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      View* const view = views_[i].get();
       if (!view->planned) continue;
-      if (view->planned->finish()) continue;
+      const bool written = view->planned->finish();
+      for (const AlarmReport& report : view->planned->reports(*channels_[i].control)) {
+        plan_failed_ = plan_failed_ || report.alarm.severity == Severity::alarm;
+        outlets_of(*view).warning(report);
+      }
+      if (written) continue;
       complain(fmt::format("{}: {}", options_.samples, std::strerror(view->planned->error())));
       return false;
     }
@@ -232,8 +240,7 @@ class RunCommand {
 
   std::string summary_of(std::size_t i) const {
     const View& view = *views_[i];
-    return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? &view.planned->time() : nullptr,
-                                job_.profile.planner);
+    return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? view.planned->time() : nullptr, job_.profile.planner);
   }
 
   /// Of several channels: the program's own, as the samples.
@@ -263,6 +270,7 @@ class RunCommand {
   const Outputs& outputs_;
   Progress progress_;
   std::vector<std::unique_ptr<View>> views_;
+  bool plan_failed_ = false;  // there is no plan, or no more of its samples (exit status 1)
 };
 
 Control& own_channel(std::vector<Channel>& channels, const Job& job) {

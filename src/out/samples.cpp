@@ -30,12 +30,20 @@ void SampleWriter::write(const double* at) {
   if (text_.size() >= chunk) flush();
 }
 
-/// One instant. False: it stands, and nothing more will happen; or nobody could read it.
+bool SampleWriter::halted() {
+  if (ended_ != SampleEnd::none) return true;
+  if (options_.stop.asked()) ended_ = SampleEnd::stopped;
+  else if (static_cast<double>(instant_) * period_ > options_.max_time) ended_ = SampleEnd::max_time;
+  return ended_ != SampleEnd::none || !ok();
+}
+
+/// One instant. False: it stands, and nothing more will happen; or nothing more is to be written.
 bool SampleWriter::play() {
   if (!ok()) return false;
   for (; changed_ < options_.changes.size() && options_.changes[changed_].seconds <= static_cast<double>(instant_) * period_; ++changed_)
     playback_.override_to(options_.changes[changed_].share);
   if (changed_ == options_.changes.size() && playback_.is_held()) return false;
+  if (halted()) return false;
   Axes at;
   if (playback_.fill(at.data(), 1) == 0) return false;
   write(at.data());
