@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <tuple>
 
 #include "config/embedded.h"
+#include "config/read_file.h"
 #include "config/toml_tools.h"
 
 namespace kadr {
@@ -23,16 +25,6 @@ Done known_keys(const std::string& file, const toml::table& table, std::initiali
   return {};
 }
 
-/// A number not below zero, if the key is there.
-Done positive(const std::string& file, const toml::table& table, std::string_view key, double& to) {
-  const toml::node* const node = table.get(key);
-  if (node == nullptr) return {};
-  const auto value = node->value<double>();
-  if (!value || !(*value >= 0)) return Failed(place(file, *node) + "'" + std::string(key) + "' must be a number, not below zero");
-  to = *value;
-  return {};
-}
-
 /// `planner`, if the key is there.
 Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to) {
   const toml::node* const node = table.get("planner");
@@ -49,20 +41,11 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
   if (row == nullptr) return Failed(place(file, node) + "axis " + name + " must be a table: { rapid = …, limits = [least, most] }");
   AxisProfile axis;
   if (auto done = known_keys(file, *row, {"rapid", "limits", "acceleration", "jerk"}); !done) return Failed(done.error());
-  if (auto done = positive(file, *row, "rapid", axis.rapid); !done) return Failed(done.error());
-  if (auto done = positive(file, *row, "acceleration", axis.acceleration); !done) return Failed(done.error());
-  if (auto done = positive(file, *row, "jerk", axis.jerk); !done) return Failed(done.error());
-  if (axis.rapid == 0) return Failed(place(file, node) + "the rapid rate of axis " + name + " must be above zero");
-  if (axis.acceleration == 0 || axis.jerk == 0)
-    return Failed(place(file, node) + "acceleration and jerk of axis " + name + " must be above zero");
-  const toml::node* const limits = row->get("limits");
-  if (limits == nullptr) return axis;
-  const toml::array* const pair = limits->as_array();
-  const auto least = pair != nullptr && pair->size() == 2 ? (*pair)[0].value<double>() : std::nullopt;
-  const auto most = pair != nullptr && pair->size() == 2 ? (*pair)[1].value<double>() : std::nullopt;
-  if (!least || !most || !(*least <= *most)) return Failed(place(file, *limits) + "limits of axis " + name + " must be [least, most]");
-  axis.least = *least;
-  axis.most = *most;
+  const std::tuple<const char*, const Range&, double&> numbers[] = {
+      {"rapid", ranges::rate, axis.rapid}, {"acceleration", ranges::acceleration, axis.acceleration}, {"jerk", ranges::jerk, axis.jerk}};
+  for (const auto& [key, range, to] : numbers)
+    if (auto done = toml_tools::number(file, *row, key, range, to); !done) return Failed(done.error());
+  if (auto done = toml_tools::span(file, *row, "limits", ranges::position, axis.least, axis.most); !done) return Failed(done.error());
   return axis;
 }
 
@@ -77,9 +60,11 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
     profile.name_en = text.en;
     profile.name_ru = text.ru;
   }
-  if (auto done = positive(file, table, "tool_change", profile.tool_change_s); !done) return Failed(done.error());
-  if (auto done = positive(file, table, "spindle_start", profile.spindle_start_s); !done) return Failed(done.error());
-  if (auto done = positive(file, table, "tolerance", profile.tolerance); !done) return Failed(done.error());
+  const std::tuple<const char*, const Range&, double&> numbers[] = {{"tool_change", ranges::seconds, profile.tool_change_s},
+                                                                    {"spindle_start", ranges::seconds, profile.spindle_start_s},
+                                                                    {"tolerance", ranges::distance, profile.tolerance}};
+  for (const auto& [key, range, to] : numbers)
+    if (auto done = toml_tools::number(file, table, key, range, to); !done) return Failed(done.error());
   if (auto done = mode_of(file, table, profile.planner); !done) return Failed(done.error());
   const toml::table* const axes = table["axes"].as_table();
   if (axes == nullptr) return Failed(file + ": [axes] is missing");
@@ -100,8 +85,8 @@ tl::expected<MachineProfile, std::string> parse(std::string_view text, const std
 
 tl::expected<MachineProfile, std::string> load_machine(const std::string& name) {
   if (name.ends_with(ending)) {
-    const auto text = toml_tools::read_text(name);
-    if (!text) return Failed(name + ": cannot be read");
+    const auto text = read_file(name);
+    if (!text) return Failed(text.error());
     return parse(*text, name);
   }
   const std::string file = std::string(folder) + name + std::string(ending);
