@@ -6,6 +6,7 @@
 
 #include "config/embedded.h"
 #include "config/read_file.h"
+#include "config/told.h"
 #include "config/toml_tools.h"
 
 namespace kadr {
@@ -21,7 +22,8 @@ constexpr std::string_view ending = ".toml";
 Done known_keys(const std::string& file, const toml::table& table, std::initializer_list<std::string_view> known) {
   for (const auto& [key, node] : table)
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
-      return Failed(place(file, node) + "unknown key '" + std::string(key.str()) + "'");
+      return Failed(place(file, node) +
+                    told("unknown key '" + std::string(key.str()) + "'", "неизвестный ключ «" + std::string(key.str()) + "»"));
   return {};
 }
 
@@ -32,13 +34,17 @@ Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to)
   const auto word = node->value<std::string_view>();
   if (word == "control") to = PlannerMode::control;
   else if (word == "optimal") to = PlannerMode::optimal;
-  else return Failed(place(file, *node) + "'planner' must be \"control\" or \"optimal\"");
+  else
+    return Failed(place(file, *node) +
+                  told("'planner' must be \"control\" or \"optimal\"", "planner: должно быть \"control\" или \"optimal\""));
   return {};
 }
 
 tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const std::string& name, const toml::node& node) {
   const toml::table* const row = node.as_table();
-  if (row == nullptr) return Failed(place(file, node) + "axis " + name + " must be a table: { rapid = …, limits = [least, most] }");
+  if (row == nullptr)
+    return Failed(place(file, node) + told("axis " + name + " must be a table: { rapid = …, limits = [least, most] }",
+                                           "ось " + name + " задаётся таблицей: { rapid = …, limits = [меньшее, большее] }"));
   AxisProfile axis;
   if (auto done = known_keys(file, *row, {"rapid", "limits", "acceleration", "jerk"}); !done) return Failed(done.error());
   const std::tuple<const char*, const Range&, double&> numbers[] = {
@@ -54,7 +60,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
   if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes"}); !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
-  if (profile.id.empty()) return Failed(file + ": id is missing");
+  if (profile.id.empty()) return Failed(file + ": " + told("id is missing", "нет ключа id"));
   if (const toml::table* const name = table["name"].as_table()) {
     const Text text = toml_tools::text_of(*name);
     profile.name_en = text.en;
@@ -67,7 +73,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
     if (auto done = toml_tools::number(file, table, key, range, to); !done) return Failed(done.error());
   if (auto done = mode_of(file, table, profile.planner); !done) return Failed(done.error());
   const toml::table* const axes = table["axes"].as_table();
-  if (axes == nullptr) return Failed(file + ": [axes] is missing");
+  if (axes == nullptr) return Failed(file + ": " + told("[axes] is missing", "нет таблицы [axes]"));
   for (const auto& [name, node] : *axes) {
     auto axis = axis_of(file, std::string(name.str()), node);
     if (!axis) return Failed(axis.error());
@@ -96,7 +102,8 @@ tl::expected<MachineProfile, std::string> load_machine(const std::string& name) 
     if (built_in.name.starts_with(folder))
       known += (known.empty() ? "" : ", ") +
                std::string(built_in.name.substr(folder.size(), built_in.name.size() - folder.size() - ending.size()));
-  return Failed("no machine '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)");
+  return Failed(told("no machine '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)",
+                     "станка «" + name + "» нет; есть: " + known + " или свой файл (ИМЯ.toml)"));
 }
 
 }  // namespace kadr

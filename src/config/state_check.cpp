@@ -140,7 +140,7 @@ tl::expected<StateReport, std::string> recover_state(const std::string& path, co
   if (!content) return tl::unexpected(content.error());
   if (content->rows.empty() && !content->faults.empty())
     return tl::unexpected(path + " " + told("holds nothing that can still be read", "не содержит ничего, что удалось бы прочитать"));
-  const std::string whose = content->control.empty() ? control : content->control;
+  const std::string whose = control.empty() ? content->control : control;
   if (whose.empty())
     return tl::unexpected(path + " " +
                           told("no longer says of which control it is: --control ID", "уже не говорит, какой это системы: --control ID"));

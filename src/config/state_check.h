@@ -20,7 +20,7 @@ struct StateReport {
 tl::expected<StateReport, std::string> check_state(const std::string& path);
 
 /// Writes the sound rows into a new file; the old one stays as it is, and so does whatever has the new name.
-///   control  whose state it is, if the file no longer says; empty: what the file says
+///   control  whose state it is, if the file no longer says, or wrongly; empty: what the file says
 ///   returns  what was found, with the number of rows written; an error sentence if nothing was written
 tl::expected<StateReport, std::string> recover_state(const std::string& path, const std::string& to, const std::string& control);
 

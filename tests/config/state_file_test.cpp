@@ -223,7 +223,8 @@ TEST_F(state_file, rows_of_others) {
             name() + " is damaged: variables #500: its checksum does not fit, it holds 3 (1 more)" + end);
   EXPECT_EQ(after("DELETE FROM state WHERE key = '#501'"),
             name() + " is damaged: the checksum of the whole does not fit: 1 sound rows, 2 were saved" + end);
-  EXPECT_EQ(after("INSERT INTO state SELECT 'magnets', key, value, turn, rows, whole, sum FROM state WHERE key = '#501'").substr(name().size(), 60),
+  EXPECT_EQ(after("INSERT INTO state SELECT 'magnets', key, value, turn, rows, whole, sum FROM state WHERE key = '#501'")
+                .substr(name().size(), 60),
             " is damaged: magnets #501: its checksum does not fit, it hold");
   EXPECT_EQ(after("UPDATE about SET value = 'nbt' WHERE name = 'control'").substr(name().size(), 12), " is damaged:");
   text(sound);
@@ -286,8 +287,7 @@ TEST_F(state_file, newer_versions) {
   EXPECT_EQ(refusal(), name() + " was written by a newer Kadr: its state version is 3, this one reads up to 2");
 }
 
-// Every bit of a small file, one at a time (a bit of each byte here, another one in the next run's place): refused, or the very same
-// values.
+// A bit of each byte of a small file, one at a time: refused, or the very same values. (All bits take minutes.)
 TEST_F(state_file, one_flipped_bit) {
   ASSERT_TRUE(open().save({{{variables, "#500", 1.5},
                             {variables, "#501", -0.1},
@@ -296,10 +296,11 @@ TEST_F(state_file, one_flipped_bit) {
                             {tool_table, "1/T", 4.0}}}));
   const Rows rows = stored();
   const std::string sound = bytes();
-  int refused = 0, same = 0, recovered = 0;
-  for (std::size_t bit = 0; bit < sound.size() * 8; bit += 1 + bit / 8 % 3 * 4) {
+  int refused = 0, same = 0, tried = 0, recovered = 0;
+  for (std::size_t byte = 0; byte < sound.size(); ++byte) {
+    const std::size_t bit = byte * 8 + byte % 8;
     std::string flipped = sound;
-    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    flipped[byte] = static_cast<char>(flipped[byte] ^ (1 << bit % 8));
     for (const auto& entry : fs::directory_iterator(folder_)) fs::remove(entry);
     text(flipped);
     const auto file = StateFile::open(path_, "nct");
@@ -310,15 +311,17 @@ TEST_F(state_file, one_flipped_bit) {
     }
     ++refused;
     ASSERT_EQ(bytes(), flipped) << "bit " << bit;
+    if (refused % 4 != 0) continue;
+    ++tried;
     const auto found = recover_state(path_, folder_ / "new.state", "nct");
     if (found && found->rows + 1 >= rows.size()) ++recovered;
     if (!found) continue;
-    for (const StateRow& row : StateFile::open(folder_ / "new.state", "nct")->load().value().rows)
-      ASSERT_NE(std::find(rows.begin(), rows.end(), row), rows.end()) << "bit " << bit;
+    const Rows kept = StateFile::open(folder_ / "new.state", "nct")->load().value().rows;
+    for (const StateRow& row : kept) ASSERT_NE(std::find(rows.begin(), rows.end(), row), rows.end()) << "bit " << bit;
   }
   EXPECT_GT(refused, 100);
   EXPECT_GT(same, 100);
-  EXPECT_GT(recovered, refused * 8 / 10) << refused;  // all but one row
+  EXPECT_GT(recovered, tried * 8 / 10) << tried;  // all but one row
 }
 
 TEST_F(state_file, cut_off) {
