@@ -37,7 +37,7 @@ TEST(machine_profile, unknown_names_the_known) {
 
 TEST(machine_profile, mistakes_have_a_line) {
   EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { rapd = 1 }"), ":3: unknown key 'rapd'");
-  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { limits = [2, 1] }"), 
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { limits = [2, 1] }"),
             ":3: limits must be [least, most], the second above the first, each a number, -10000000 to 10000000 mm or degrees");
   EXPECT_EQ(refusal("id = 'a'\ntool_change = -1\n[axes]"), ":2: tool_change must be a number, 0 to 86400 s");
   EXPECT_EQ(refusal("id = 'a'"), ": [axes] is missing");

@@ -79,7 +79,7 @@ TEST_F(read_file_of, russian) {
 }
 
 TEST(told_place, columns_count_characters) {
-  EXPECT_EQ(told_place("a.json", "{\n  \"Ось\": ?}", 13), "a.json:2:10: ");
+  EXPECT_EQ(told_place("a.json", "{\n  \"Ось\": ?}", 14), "a.json:2:10: ");
   EXPECT_EQ(told_place("", "?", 0), "line 1, column 1: ");
 }
 
