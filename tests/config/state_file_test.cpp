@@ -224,7 +224,7 @@ TEST_F(state_file, rows_of_others) {
   EXPECT_EQ(after("DELETE FROM state WHERE key = '#501'"),
             name() + " is damaged: the checksum of the whole does not fit: 1 sound rows, 2 were saved" + end);
   EXPECT_EQ(after("INSERT INTO state SELECT 'magnets', key, value, turn, rows, whole, sum FROM state WHERE key = '#501'")
-                .substr(name().size(), 59),
+                .substr(name().size(), 60),
             " is damaged: magnets #501: its checksum does not fit, it hol");
   EXPECT_EQ(after("UPDATE about SET value = 'nbt' WHERE name = 'control'").substr(name().size(), 12), " is damaged:");
   text(sound);
