@@ -37,6 +37,12 @@ constexpr const char* tape_examples =
     "  kadr tape decode flange.tape               rows to text; parity errors by row on stderr\n"
     "Exit status: 0 all well, 1 parity errors or a character that has no code, 2 wrong usage.";
 
+constexpr const char* state_examples =
+    "Examples:\n"
+    "  kadr state check shop.state                    sound, or what is damaged in it\n"
+    "  kadr state recover shop.state --out new.state  what is sound, in a new file; the old one stays as it is\n"
+    "Exit status: 0 sound, 1 damaged, 2 wrong usage, or no state that can be read.";
+
 constexpr const char* mill_examples =
     "Examples:\n"
     "  kadr mill pocket cover.dxf --tool-diameter 10 --depth 12 --pass 4 --control s2c42 --output cover.nc\n"
@@ -155,6 +161,21 @@ void add_tape(CLI::App& app, Commands& c) {
   tape->footer(tape_examples);
 }
 
+void add_state(CLI::App& app, Commands& c) {
+  CLI::App* const state = app.add_subcommand("state", "the file of run --state: is it sound");
+  state->require_subcommand(1);
+  for (const bool recover : {false, true}) {
+    CLI::App* const sub = recover ? state->add_subcommand("recover", "write what is sound into a new file")
+                                  : state->add_subcommand("check", "find every damaged row");
+    sub->add_option("FILE", c.state.file, "state file")->required();
+    language_option(*sub, c.state.lang);
+    if (!recover) continue;
+    sub->add_option("--out", c.state.out, "the new file, which must not be there yet (default: FILE.recovered)");
+    sub->add_option("--control", c.state.control, "whose state it is, where the file no longer says");
+  }
+  state->footer(state_examples);
+}
+
 void geometry_options(CLI::App& app, MillOptions& o) {
   app.add_option("CONTOUR", o.contour, "drawing: DXF, SVG or text (- for standard input)")->required();
   app.add_option("--tool-diameter", o.tool_diameter, "mm")->required();
@@ -212,6 +233,7 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   add_check(*app, c);
   add_explain(*app, c);
   add_tape(*app, c);
+  add_state(*app, c);
   add_mill(*app, c);
   app->add_subcommand("man", "print the manual page (kadr man > kadr.1)");
   CLI::App* const complete = app->add_subcommand("completion", "print the completion script of a shell");

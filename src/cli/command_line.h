@@ -17,6 +17,7 @@ struct Commands {
   Options options;
   ExplainOptions explain;
   TapeOptions tape;
+  StateOptions state;
   MillOptions mill;
   std::string shell;  // of completion
 };

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "cli/options.h"
+#include "config/read_file.h"
 
 namespace kadr::cli {
 
@@ -29,6 +30,13 @@ std::optional<std::string> read_all(const std::string& name, std::size_t most) {
     return std::nullopt;
   }
   return text;
+}
+
+std::optional<std::string> read_small(const std::string& name, std::size_t most) {
+  if (name == "-") return read_all(name, most);
+  auto text = read_file(name, most);
+  if (!text) return complain(text.error()), std::nullopt;
+  return std::move(*text);
 }
 
 }  // namespace kadr::cli

@@ -9,6 +9,7 @@
 #include "cli/command_line.h"
 #include "cli/outputs.h"
 #include "cli/stop.h"
+#include "config/told.h"
 
 namespace kadr::cli {
 
@@ -25,7 +26,17 @@ Lang language(const Options& options) {
 
 namespace {
 
+/// The language that any of the commands was given: one was called.
+Lang language(const Commands& commands) {
+  Options said;
+  for (const std::string* const lang :
+       {&commands.options.lang, &commands.explain.lang, &commands.tape.lang, &commands.state.lang, &commands.mill.lang})
+    if (!lang->empty()) said.lang = *lang;
+  return kadr::cli::language(said);
+}
+
 int perform(const CLI::App& app, const Commands& commands) {
+  tell_in(language(commands));
   if (app.got_subcommand("run")) return run(commands.options);
   if (app.got_subcommand("check")) return check(commands.options);
   if (app.got_subcommand("explain")) return explain(commands.explain);
@@ -34,6 +45,11 @@ int perform(const CLI::App& app, const Commands& commands) {
     TapeOptions options = commands.tape;
     options.decode = app.get_subcommand("tape")->got_subcommand("decode");
     return tape(options);
+  }
+  if (app.got_subcommand("state")) {
+    StateOptions options = commands.state;
+    options.recover = app.get_subcommand("state")->got_subcommand("recover");
+    return state(options);
   }
   if (app.got_subcommand("mill")) {
     MillOptions options = commands.mill;

@@ -53,7 +53,7 @@ class MillCommand {
     outputs_.writes("--output", options_.output.empty() ? "-" : options_.output);
     outputs_.writes("--plot", options_.plot);
     if (!outputs_.check()) return wrong_usage;
-    const auto text = read_all(options_.contour, limits::contour_bytes);
+    const auto text = read_small(options_.contour, limits::contour_bytes);
     if (!text) return wrong_usage;
     const auto job = mill_job(options_);
     if (!job) return say(job.error()), wrong_usage;

@@ -71,6 +71,15 @@ struct TapeOptions {
 };
 int tape(const TapeOptions& options);
 
+struct StateOptions {
+  std::string file;
+  bool recover = false;
+  std::string out;      // of recover; empty: FILE.recovered
+  std::string control;  // of recover, where the file no longer says
+  std::string lang;
+};
+int state(const StateOptions& options);
+
 /// Lengths in mm; what is negative here was not given.
 struct MillOptions {
   std::string task;  // pocket, face, slot

@@ -42,6 +42,8 @@ class ControlLoader {
     if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + std::string(key) + " must be " + std::string(form);
     return otherwise;
   }
+  /// Number of a key within its range; where it is none, load() fails.
+  void ranged(const toml::table& row, std::string_view key, const Range& range, double& to);
   Done grammar();
   char first_letter(const toml::table& t, std::string_view key);
   Done behaviour();
@@ -73,7 +75,7 @@ class ControlLoader {
   Done variable(const toml::table& row);
   tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
   Done alarms();
-  void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
+  void code_table(std::string_view key, std::map<std::int32_t, double>& to);
   const toml::table& file_;
   std::string name_;
   ControlDef def_;

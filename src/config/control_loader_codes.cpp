@@ -6,6 +6,7 @@
 
 #include "config/control_loader.h"
 #include "config/parameter_table.h"
+#include "config/told.h"
 #include "lang/format.h"
 
 namespace kadr {
@@ -235,9 +236,18 @@ Done ControlLoader::alarms() {
   return {};
 }
 
-void ControlLoader::code_table(std::string_view key, std::map<std::int32_t, double>& to) const {
-  if (const toml::table* const t = section(key))
-    for (const auto& [code, value] : *t) to[std::atoi(std::string(code.str()).c_str())] = value.value_or(0.0);
+/// "12" = 400: what a coded feed or speed means.
+void ControlLoader::code_table(std::string_view key, std::map<std::int32_t, double>& to) {
+  constexpr std::size_t most_digits = 8;
+  const toml::table* const t = section(key);
+  if (t == nullptr) return;
+  for (const auto& [code, node] : *t) {
+    const std::string digits(code.str());
+    const bool is_code = !digits.empty() && digits.size() <= most_digits && digits.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_code && bad_value_.empty())
+      bad_value_ = place(name_, node) + told("'" + digits + "' is no code number", "«" + digits + "» — не номер кода");
+    if (is_code) ranged(*t, digits, ranges::feed, to[std::stoi(digits)]);
+  }
 }
 
 }  // namespace kadr

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "config/control_loader.h"
+#include "config/told.h"
 #include "lang/format.h"
 
 namespace kadr {
@@ -74,6 +75,10 @@ std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key,
   return otherwise;
 }
 
+void ControlLoader::ranged(const toml::table& row, std::string_view key, const Range& range, double& to) {
+  if (auto done = toml_tools::number(name_, row, key, range, to); !done && bad_value_.empty()) bad_value_ = done.error();
+}
+
 Done ControlLoader::known_keys(const toml::table& table, std::initializer_list<std::string_view> known) const {
   for (const auto& [key, node] : table)
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
@@ -132,23 +137,23 @@ Done ControlLoader::behaviour() {
     known.insert(key);
     to = typed(*t, key, to, "true or false");
   };
-  const auto number = [&](const char* key, double& to) {
+  const auto number = [&](const char* key, double& to, const Range& range) {
     known.insert(key);
-    to = typed(*t, key, to, "a number");
+    ranged(*t, key, range, to);
   };
   const auto count = [&](const char* key, std::uint32_t& to, std::uint32_t most) {
     known.insert(key);
     to = whole(*t, key, to, most);
   };
   flag("arc_radius_word", b.arc_radius_word);
-  number("arc_radius_difference", b.arc_radius_difference);
+  number("arc_radius_difference", b.arc_radius_difference, ranges::distance);
   flag("helix_by_lead", b.helix_by_lead);
-  number("feed_most", b.feed_most);
+  number("feed_most", b.feed_most, ranges::feed);
   flag("feed_required", b.feed_required);
-  number("reference_feed", b.reference_feed);
-  number("return_chip_break", b.return_chip_break);
-  number("return_near", b.return_near);
-  number("probe_least_distance", b.probe_least_distance);
+  number("reference_feed", b.reference_feed, ranges::feed);
+  number("return_chip_break", b.return_chip_break, ranges::distance);
+  number("return_near", b.return_near, ranges::distance);
+  number("probe_least_distance", b.probe_least_distance, ranges::distance);
   flag("speed_needs_direction", b.speed_needs_direction);
   flag("tool_and_corrector", b.tool_and_corrector);
   flag("contour_entry_tangent", b.contour_entry_tangent);
@@ -259,9 +264,10 @@ Done ControlLoader::address(char letter, const toml::table& row) {
   }
   const std::string unit = row["unit"].value_or(std::string());
   a.unit = unit == "length" ? WordUnit::length : unit == "angle" ? WordUnit::angle : WordUnit::none;
-  a.scale = typed(row, "scale", 1.0, "a number");
-  a.least = typed(row, "least", a.least, "a number");
-  a.most = typed(row, "most", a.most, "a number");
+  ranged(row, "scale", ranges::scale, a.scale);
+  ranged(row, "least", ranges::any, a.least);
+  ranged(row, "most", ranges::any, a.most);
+  if (a.least > a.most) return Failed(place(name_, row, "least") + told("least is above most", "least больше, чем most"));
   a.whole = typed(row, "whole", false, "true or false");
   a.text = text_of(row);
   a.manual = row["manual"].value_or(std::string());

@@ -1,9 +1,9 @@
 #include "config/setup.h"
 
-#include <fstream>
-#include <sstream>
-
+#include "config/json_scan.h"
+#include "config/read_file.h"
 #include "config/setup_reader.h"
+#include "config/told.h"
 
 namespace kadr {
 namespace setup_reader {
@@ -53,7 +53,8 @@ Readers readers_of_state(Setup& s) {
          s.start_in_work = v == "work";
        }},
       {"modal", [&](const Json& v, const std::string& k) { s.modal = list(v, k, word); }},
-      {"feed", [&](const Json& v, const std::string& k) { s.feed = number_or_vacant(v, k); }},
+      {"feed",
+       [&](const Json& v, const std::string& k) { s.feed = v.is_null() ? std::nullopt : std::optional(within(v, k, ranges::feed)); }},
       {"plane", or_null([&](const Json& v, const std::string& k) { plane(v, k, s); })},
       {"diameter", or_null([&](const Json& v, const std::string& k) {
          for (const auto& [axis, on] : table(v, k).items()) s.diameter[axis] = flag(on, k + "." + axis);
@@ -90,26 +91,31 @@ const SpindleSetup& Setup::spindle() const {
   return found == spindles.end() ? stands : found->second;
 }
 
-tl::expected<Setup, std::string> parse_setup(std::string_view json) {
+namespace {
+
+/// `file` begins the sentence about what is no JSON; empty: "line 1, column 2: ".
+tl::expected<Setup, std::string> read_setup(std::string_view json, const std::string& file) {
   using setup_reader::Json;
+  if (std::string fault = told_json_fault(json, file); !fault.empty()) return tl::unexpected(fault);
+  const std::string before = file.empty() ? "" : file + ": ";
   Setup setup;
   try {
     setup_reader::read_table(Json::parse(json), "", setup_reader::readers_of(setup));
   } catch (const setup_reader::Wrong& error) {
-    return tl::unexpected(error.sentence);
-  } catch (const Json::exception& error) {
-    return tl::unexpected("the setup is not JSON: " + std::string(error.what()));
+    return tl::unexpected(before + error.sentence);
+  } catch (const Json::exception&) {  // nothing that told_json_fault() lets pass
+    return tl::unexpected(before + told("this is not JSON", "это не JSON"));
   }
   return setup;
 }
 
+}  // namespace
+
+tl::expected<Setup, std::string> parse_setup(std::string_view json) { return read_setup(json, ""); }
+
 tl::expected<Setup, std::string> load_setup(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return tl::unexpected(file + ": cannot be read");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  auto setup = parse_setup(std::move(text).str());
-  return setup ? setup : tl::unexpected(file + ": " + setup.error());
+  const auto text = read_file(file);
+  return text ? read_setup(*text, file) : tl::unexpected(text.error());
 }
 
 }  // namespace kadr

@@ -43,6 +43,12 @@ double number(const Json& value, const std::string& key) {
   return value.get<double>();
 }
 
+double within(const Json& value, const std::string& key, const Range& range) {
+  const double n = number(value, key);
+  if (!is_within(n, range)) wrong(key, told(range));
+  return n;
+}
+
 int whole(const Json& value, const std::string& key) {
   const double n = number(value, key);
   if (n != std::floor(n) || std::abs(n) > 1e9) wrong(key, "a whole number");
@@ -122,6 +128,10 @@ void read_table(const Json& value, const std::string& inside, const Readers& rea
 
 Reader to_number(double& to) {
   return [&to](const Json& value, const std::string& key) { to = number(value, key); };
+}
+
+Reader to_range(double& to, const Range& range) {
+  return [&to, &range](const Json& value, const std::string& key) { to = within(value, key, range); };
 }
 
 Reader to_count(double& to) {
