@@ -1,7 +1,10 @@
 #include "config/toml_tools.h"
 
+#include <algorithm>
 #include <fstream>
+#include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "config/embedded.h"
 #include "config/packed_toml.h"
@@ -64,5 +67,37 @@ std::string place(const std::string& file, const toml::table& row, std::string_v
 }
 
 Text text_of(const toml::table& row) { return {row["en"].value_or(std::string()), row["ru"].value_or(std::string())}; }
+
+namespace {
+
+/// Letters to be changed, added or left out (Levenshtein).
+std::size_t changes(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t corner = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t kept = corner + (a[i] == b[j] ? 0 : 1);
+      corner = row[j + 1];
+      row[j + 1] = std::min({kept, corner + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names) {
+  constexpr std::size_t longest = 64;  // no key of ours is longer
+  if (word.size() > longest) return {};
+  std::string_view best;
+  std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;
+  for (const std::string_view name : names)
+    if (const std::size_t count = changes(word, name); count < least) {
+      least = count;
+      best = name;
+    }
+  return best;
+}
 
 }  // namespace kadr::toml_tools

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "config/control_def.h"
 
@@ -33,6 +34,9 @@ std::string place(const std::string& file, const toml::node& node);
 std::string place(const std::string& file, const toml::table& row, std::string_view key);
 
 Text text_of(const toml::table& row);
+
+/// The one of `names` that `word` was meant to be, or none: a letter in three may be wrong.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names);
 
 /// Text of a node that must be a string, number or bool; the default where the key is missing.
 template <class T>
