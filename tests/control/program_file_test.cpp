@@ -85,7 +85,7 @@ std::vector<Position> places_of(BlockReader& reader) {
 TEST(BlockNumbers, FindsWhatReadingOnFinds) {
   std::mt19937 random(15);
   int found = 0, missing = 0;
-  for (int run = 0; run < 150; ++run) {
+  for (int run = 0; run < 60; ++run) {
     const std::string text = random_program(random, 1 + random() % 40, 8);
     BlockReader reader = reader_of(text), slow = reader_of(text);
     BlockNumbers index;
@@ -97,8 +97,8 @@ TEST(BlockNumbers, FindsWhatReadingOnFinds) {
         ++(expected ? found : missing);
       }
   }
-  EXPECT_GT(found, 10'000);
-  EXPECT_GT(missing, 1000);
+  EXPECT_GT(found, 3000);
+  EXPECT_GT(missing, 100);
 }
 
 // Several blocks in a line, which the NCT has not and a control that extends it may have.
@@ -125,7 +125,7 @@ TEST(ProgramFile, FindsTheSameWithAndWithoutItsIndex) {
   ProgramFile file("long.nct", text_source(text), nct_grammar(), Encoding::utf8);
   for (int i = 0; i < 150; ++i) {
     const Position from = places[random() % places.size()];
-    const std::uint32_t number = random() % 3010;
+    const auto number = static_cast<std::uint32_t>(random() % 3010);
     ASSERT_EQ(file.find_number(number, from), by_reading(slow, number, from)) << number << " from line " << from.line;
   }
 }
