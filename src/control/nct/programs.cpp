@@ -49,7 +49,8 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 
 /// Within the program memory: the main program's folder, or the one that was given to the run.
 bool is_inside(const Machinery& m, const fs::path& file) {
-  return is_below(file, fs::path(m.flow.main_file()).parent_path()) || is_below(file, m.flow.limits().files);
+  const std::string& given = m.flow.limits().files;
+  return is_below(file, fs::path(m.flow.main_file()).parent_path()) || (!given.empty() && is_below(file, given));
 }
 
 /// Four digits, then eight.
