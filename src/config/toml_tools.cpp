@@ -1,6 +1,9 @@
 #include "config/toml_tools.h"
 
+#include <algorithm>
 #include <array>
+#include <numeric>
+#include <utility>
 
 #include "config/embedded.h"
 #include "config/packed_toml.h"
@@ -104,6 +107,21 @@ tl::unexpected<std::string> must_be(const std::string& file, const toml::node& n
   return tl::unexpected(place(file, node) + std::string(key) + told(" must be ", ": должно быть ") + form);
 }
 
+/// Letters to be changed, added or left out (Levenshtein).
+std::size_t changes(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t corner = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t kept = corner + (a[i] == b[j] ? 0 : 1);
+      corner = row[j + 1];
+      row[j + 1] = std::min({kept, corner + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
 }  // namespace
 
 tl::expected<void, std::string> number(const std::string& file, const toml::table& row, std::string_view key, const Range& range,
@@ -130,6 +148,19 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
   least = *from;
   most = *to;
   return {};
+}
+
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names) {
+  constexpr std::size_t longest = 64;  // no key of ours is longer
+  if (word.size() > longest) return {};
+  std::string_view best;
+  std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;
+  for (const std::string_view name : names)
+    if (const std::size_t count = changes(word, name); count < least) {
+      least = count;
+      best = name;
+    }
+  return best;
 }
 
 }  // namespace kadr::toml_tools

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "config/control_def.h"
 #include "config/range.h"
@@ -42,6 +43,9 @@ tl::expected<void, std::string> number(const std::string& file, const toml::tabl
 /// [least, most], both within the range, the second above the first.
 tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const Range& range,
                                      double& least, double& most);
+
+/// The one of `names` that `word` was meant to be, or none: a letter in three may be wrong.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names);
 
 /// Text of a node that must be a string, number or bool; the default where the key is missing.
 template <class T>

@@ -112,6 +112,7 @@ class Flow {
   /// Of all files opened, the program first.
   std::vector<std::string> paths() const;
   const std::string& main_file() const { return files_[0]->path(); }
+  const RunLimits& limits() const { return limits_; }
   std::uint64_t blocks() const { return blocks_; }
   std::uint64_t bytes_read() const { return program().offset(); }
   std::uint64_t bytes() const { return program().size(); }

@@ -9,7 +9,7 @@ namespace kadr {
 namespace {
 
 constexpr Handler handlers[] = {
-#define KADR_FUNCTION_HANDLER(name, phase, axes) functions::name,
+#define KADR_FUNCTION_HANDLER(name, ...) functions::name,
     KADR_FUNCTIONS(KADR_FUNCTION_HANDLER)
 #undef KADR_FUNCTION_HANDLER
 };

@@ -35,7 +35,7 @@ Status machine_motion(Machinery& m, MotionKind kind) {
     const Word* const w = m.letters.axis_letter[a] != 0 ? m.word(m.letters.axis_letter[a]) : nullptr;
     if (w == nullptr) continue;
     const bool is_length = m.def.address(w->address).unit == WordUnit::length;
-    to[a] = w->value * (is_length ? m.unit_scale() : 1.0);
+    to[a] = m.value(w->address) * (is_length ? m.unit_scale() : 1.0);
     named |= 1u << a;
     if (!(std::fabs(to[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w->where, w->address, to[a]));
   }

@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "config/function_needs.h"
 #include "config/setup.h"
 #include "control/action.h"
 
 namespace kadr {
-
-inline constexpr std::size_t most_groups = 48;
 
 enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
 
