@@ -51,15 +51,14 @@ class Collector {
   Collector(const Job& job, const Options& options, std::vector<Finding>& findings) : job_(job), options_(options), findings_(findings) {}
 
   bool take(AlarmReport report) {
-    // A main program that begins again (M99, M47) is no fault: one pass is looked at.
-    const bool begins_again = report.alarm.id == AlarmId::endless_program && report.alarm.args[1].text() == restart_mark;
-    if (begins_again && one_pass) return false;
+    // One pass is looked at of a main program that begins again (M99, M47), unless --max-passes asks for more.
+    const bool begins_again = report.alarm.id == AlarmId::program_begins_again || report.alarm.id == AlarmId::passes_done;
+    if (begins_again && one_pass) return true;
     if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
     if (report.alarm.severity != Severity::note) ++(report.alarm.severity == Severity::alarm ? faults : warnings);
     findings_.push_back(finding_of(report, job_.texts(), language(options_)));
     if (options_.format == "text") fmt::print(stderr, "{}", alarm_text(report, job_.texts(), language(options_)));
-    const bool fatal = report.alarm.id == AlarmId::endless_program || report.alarm.id == AlarmId::interrupted;
-    return !fatal && faults + warnings < most_faults;
+    return report.alarm.id != AlarmId::interrupted && faults + warnings < most_faults;
   }
 
   std::size_t faults = 0;
