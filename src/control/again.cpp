@@ -41,6 +41,7 @@ bool Machinery::may_have_steered() const {
 void Machinery::go_on() {
   stopped_ = false;
   if (nct) nct->endless.note_fault(*this, may_have_steered());
+  damaged_ = false;
   keep_from_faulty_block();
   if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
   const bool at_end_of_file = report.alarm.where.end == 0;

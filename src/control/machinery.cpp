@@ -82,9 +82,12 @@ Control::State Machinery::run(ActionBatch& to) {
       for (const Alarm& w : block->warnings) warn(w);
       block->warnings.clear();  // of a block that is kept: told once
     }
-    damaged_ = !got;
-    if (got) take_block();
-    else fail_with(got.error());
+    if (got) {
+      take_block();
+    } else {
+      damaged_ = true;
+      fail_with(got.error());
+    }
     if (needs_probe) return Control::State::needs_probe;
   }
   return stopped_ ? Control::State::stopped : Control::State::running;
