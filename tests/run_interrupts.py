@@ -27,14 +27,14 @@ MILL = ('mill', 'pocket', '{file}', '--tool-diameter', '2', '--stepover', '0.02'
 
 # name: text of the program, command
 WORK = {
-    'blocks': ('F1000\nG1 X1\nG1 X0\nM99\n', (*RUN, '--control', 'mach3')),
+    'blocks': ('F1000\nG1 X#1\n#1=[1-#1]\nM99\n', (*RUN, '--control', 'mach3')),
     'goto': ('N1 #1=1\nGOTO 1\n', (*RUN, '--control', 'nct')),
     'while': ('WHILE[1 EQ 1] DO1\nEND1\n', (*RUN, '--control', 'nct')),
     'check-loop': ('N1 #1=#1+1\nGOTO 1\n', ('check', '{file}', '--control', 'nct', '--max-blocks', '1000000000000')),
     'dwell-samples': ('G4 P99999999\nM30\n', (*RUN, '--control', 'mach3', '--samples', '{out}', *OPTIMAL)),
     'turns-why': ('G0 X50 Y200\nF100\n' + 'G2 I10 L9999\n' * 50, (*RUN, '--control', 'nct', '--why', *OPTIMAL)),
     'planner': (''.join(f'G1 X{i % 7} Y{i % 5} F3000\n' for i in range(200_000)), (*RUN, '--control', 'mach3', '--samples', '{out}', *OPTIMAL)),
-    'trace': ('F1000\nG1 X1\nG1 X0\nM99\n', (*RUN, '--control', 'mach3', '--trace', '{out}')),
+    'trace': ('F1000\nG1 X#1\n#1=[1-#1]\nM99\n', (*RUN, '--control', 'mach3', '--trace', '{out}')),
     'mill': ('from 0 0\nline 200 0\nline 200 200\nline 0 200\nclose\n', MILL),
     'standard-input': (None, ('run', '-', '--control', 'mach3')),
 }
@@ -105,7 +105,7 @@ def checks():
         yield f'sigint-{name}', lambda kadr, folder, name=name: interrupt(kadr, folder, name, signal.SIGINT)
     for name in ('blocks', 'dwell-samples'):
         yield f'sigterm-{name}', lambda kadr, folder, name=name: interrupt(kadr, folder, name, signal.SIGTERM)
-    endless = 'F1000\nG1 X1\nG1 X0\nM99\n'
+    endless = 'F1000\nG1 X#1\n#1=[1-#1]\nM99\n'
     for option in ('--trace', '--samples'):
         yield f'pipe{option}', lambda kadr, folder, option=option: leave(kadr, folder, (*RUN, '--control', 'mach3', option, '-'), endless)
 

@@ -57,7 +57,7 @@
   X(magazine_number) X(too_many_m_codes)                                                     \
   /* geometry, cycles, probes (nct 4, 10, 18, 19, 21) */                                     \
   X(thread_definition) X(thread_axes) X(incremental_in_machine) X(plane_illegal)             \
-  X(surface_state) X(surface_start) X(smoothing_length) X(cycle_data_missing)                \
+  X(surface_state) X(surface_start) X(smoothing_length) X(cycle_data_missing) \
   X(probe_state) X(probe_torque) X(probe_torque_axis) X(probe_torque_unknown)                \
   X(probe_window) X(contour_block_missing) X(contour_order) X(contour_shape)                 \
   /* zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */                         \
@@ -90,5 +90,8 @@
   X(tool_does_not_fit) X(mill_stepover) X(mill_too_long) X(mill_wall) X(mill_rapid) X(mill_uncut)          \
   X(mill_read_back) X(word_has_no_room) X(function_has_no_code)                              \
   /* the planner of least time, its samples (docs/planner.md) */                             \
-  X(plan_unsolved) X(plan_tolerance) X(plan_endless) X(samples_too_long)
+  X(plan_unsolved) X(plan_tolerance) X(plan_endless) X(samples_too_long) \
+  /* what a program does not mean as it stands, and what is worth a note */                   \
+  X(feed_above_rapid) X(program_begins_again) X(passes_done) X(block_number_vacant)          \
+  X(arctangent_divides) X(axis_is_spindle) X(length_no_axis)
 // clang-format on

@@ -41,16 +41,15 @@ class Collector {
       : job_(job), lang_(language(options)), strict_(options.strict), to_(report) {}
 
   bool take(AlarmReport report) {
-    // A main program that begins again (M99, M47) is no fault: one pass is looked at.
-    const bool begins_again = report.alarm.id == AlarmId::endless_program && report.alarm.args[1].text() == restart_mark;
-    if (begins_again && one_pass) return false;
+    // One pass is looked at of a main program that begins again (M99, M47), unless --max-passes asks for more.
+    const bool begins_again = report.alarm.id == AlarmId::program_begins_again || report.alarm.id == AlarmId::passes_done;
+    if (begins_again && one_pass) return true;
     if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
     Finding finding = finding_of(report, job_.texts(), lang_);
     if (to_.baseline && to_.baseline->has(finding)) return true;
     if (report.alarm.severity != Severity::note) ++(report.alarm.severity == Severity::alarm ? faults : warnings);
     to_.add(report, std::move(finding), job_.texts(), lang_);
-    const bool fatal = report.alarm.id == AlarmId::endless_program || report.alarm.id == AlarmId::interrupted;
-    return !fatal && faults + warnings < most_faults;
+    return report.alarm.id != AlarmId::interrupted && faults + warnings < most_faults;
   }
 
   std::size_t faults = 0;

@@ -63,7 +63,8 @@ void program_options(CLI::App& app, Options& o) {
   app.add_option("--skip", o.skip, "skip switches that are on, 1 to 9")->check(CLI::Range(1, 9));
   app.add_flag("--optional-stop", o.optional_stop, "stop at M01");
   app.add_option("--max-blocks", o.limits.repeated_blocks, "stop a program that repeats more blocks than this")->capture_default_str();
-  app.add_option("--max-passes", o.limits.restarts, "stop an endless program (M99, M47) after so many passes")->capture_default_str();
+  app.add_option("--max-passes", o.limits.restarts, "passes of an endless program (M99, M47), where they may differ")
+      ->capture_default_str();
   app.add_flag("--quiet,-q", o.quiet, "no summary, no progress bar");
   language_option(app, o.lang);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -124,7 +125,8 @@ Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& s
       corners_({control.ending().position, control.ending().machine_position}),
       compensation_({control.ending().position, control.ending().machine_position}),
       machine_(control.axes(), control.rotary(), profile, setup, {control.ending().position, control.ending().machine_position}),
-      rates_(rates_of(profile, setup, control.axes())) {
+      rates_(rates_of(profile, setup, control.axes())),
+      least_most_(rates_.least_most()) {
   control.on_warning = [this](const AlarmReport& warning) {
     if (!(ahead_ && ahead_->keep(warning))) outlets_.warning(warning);
   };
@@ -191,6 +193,7 @@ Carrier::Step Carrier::step() {
   batch_.cut(taken.done);
   for (const Action& action : batch_) outlets_.action(action);  // out: trace, summary, plot
   if (estimate_) count_time(before);
+  if (!too_fast_told_) watch_feed(before);
   if (!logic_.plc.idle())
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
@@ -261,6 +264,31 @@ void Carrier::count_time(const ToolPosition& from) {
     if (const auto* const motion = std::get_if<Motion>(&action.what))
       (void)estimate_->motion(*motion, Curve(machine_.roles(), at.work, *motion));
     else estimate_->other(action);
+    at.take(action);
+  }
+}
+
+/// motion: a feed that an axis cannot do is told once; the motion takes what it takes at rapid.
+void Carrier::watch_feed(const ToolPosition& from) {
+  const auto is_suspect = [this](const Action& action) {
+    const auto* const motion = std::get_if<Motion>(&action.what);
+    return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
+  };
+  if (std::none_of(batch_.begin(), batch_.end(), is_suspect)) return;
+  constexpr double rounding = 1e-9;
+  ToolPosition at = from;
+  for (const Action& action : batch_) {
+    if (is_suspect(action)) {
+      const auto& motion = std::get<Motion>(action.what);
+      const Curve curve(machine_.roles(), at.work, motion);
+      const SlowestAxis slowest = slowest_axis(machine_.roles(), curve, motion, rates_.most);
+      if (slowest.minutes > curve.length(motion.along) / motion.feed * (1 + rounding)) {
+        const Alarm told = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
+        outlets_.warning(settled().report_for(told, action.origin));
+        too_fast_told_ = true;
+        return;
+      }
+    }
     at.take(action);
   }
 }

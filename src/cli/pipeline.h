@@ -104,6 +104,7 @@ class Carrier {
   Control::State next_batch();
   Control& settled();
   void count_time(const ToolPosition& from);
+  void watch_feed(const ToolPosition& from);
   VirtualTime spent();
   void note_place();
   Step stop(const AlarmReport& report);
@@ -117,6 +118,8 @@ class Carrier {
   RadiusCompensation compensation_;
   VirtualMachine machine_;
   Rates rates_;
+  double least_most_;  // of the axes' rapid rates
+  bool too_fast_told_ = false;
   std::optional<TimeEstimate> estimate_;  // where the outlets have no time
   double waited_ = 0;                     // s, in all
   double goes_on_at_ = 0;                 // time at which it waited last …

@@ -19,9 +19,6 @@
 
 namespace kadr {
 
-/// Second argument of the alarm endless_program where the whole program begins again, as a main program with M99 means to.
-inline constexpr std::string_view restart_mark = "again";
-
 /// Limits that stop a runaway program.
 struct RunLimits {
   std::uint64_t repeated_blocks = 20'000'000;  // blocks carried out again after a jump back

@@ -215,14 +215,13 @@ void Flow::abandon(std::optional<Position> again) {
   else if (again) go_to(reader_, *again);
 }
 
-Status Flow::restart(Span where) {
-  if (++restarts_ > limits_.restarts) {
-    ended_ = true;
-    return fail(alarm(AlarmId::endless_program, where, double(limits_.restarts), restart_mark));
-  }
+bool Flow::restart(Position from) {
+  if (passes() >= limits_.restarts) return false;
+  ++restarts_;
+  repeated_ = 0;
   frames_.clear();
-  go_to(0, {});
-  return {};
+  go_to(0, from);
+  return true;
 }
 
 BlockReader& Flow::elsewhere() {

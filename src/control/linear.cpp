@@ -214,6 +214,7 @@ Status probe(Machinery& m, const Call& call) {
 
 /// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
 void Machinery::answer(const ProbeAnswer& answer) {
+  pass_varies = true;
   if (nct) {
     if (const Status taken = nct::take_answer(*this, answer); !taken) fail_with(taken.error());
     return;

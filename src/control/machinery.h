@@ -136,6 +136,9 @@ class Machinery {
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
   void apply_mirror();
   void warn(const Alarm& alarm);
+  /// M99, M47 of a main program: another pass, from its first block or from `from`. Where nothing on the way could change the next
+  /// pass, or RunLimits::restarts passes are done, the run is over, with a note: that is no fault (control/again.cpp).
+  Status begin_again(Span where, Position from = {});
   /// The addresses of the block, anew: words were taken away (address 0) or given back.
   void note_addresses();
 
@@ -232,6 +235,8 @@ class Machinery {
   Status next_of_cycle();
   void stop_cycles();
   Status evaluate_word(Word& w);
+  bool reads_variables() const;
+  bool may_have_steered() const;
   Status find_axis(Word& w);
   Status assign();
   Status plan();
@@ -298,6 +303,10 @@ class Machinery {
   std::vector<double> clocks_;       // numbers of the clock variables
   bool first_frames_ = true;
   std::vector<std::string> watch_;
+  bool damaged_ = false;  // the block in hand could not be read
+
+ public:
+  bool pass_varies = false;  // this pass of the main program met what may be otherwise in the next: a variable, a skip, a probe …
 };
 
 /// What a row's function does (control/functions.cpp).

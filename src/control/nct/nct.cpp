@@ -193,6 +193,7 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
         m.modal.axes.first = first, m.modal.axes.second = second;
   m.transform.refresh();
   if (m.start_error.empty()) m.start_error = coupling_error(m, setup.events);
+  find_spindle_axes(m, setup);
   watch_tool_time(m);
 }
 

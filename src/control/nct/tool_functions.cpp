@@ -12,6 +12,8 @@ ToolPlace place_of(const nct::ToolCall& call) {
 
 /// What was prepared comes into the spindle.
 void change(Machinery& m, nct::CountUse count) {
+  m.nct->endless.note_change();
+  m.pass_varies = m.pass_varies || m.nct->tools.enabled();  // its life may end
   const nct::ToolCall now = m.nct->tools.change(nct::ToolManagement::main_spindle, count);
   m.modal.tool = now.tool;
   m.emit(ToolChange{now.tool, place_of(now)});
