@@ -21,6 +21,12 @@ bool open_channel(Channel& channel, const Job& job, Program program, RunLimits l
   return false;
 }
 
+/// Where a program that writes nothing would write, and may call files from.
+std::string folder_of(const std::string& program) {
+  const auto folder = std::filesystem::path(program).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
 }  // namespace
 
 Setup setup_of_channel(const Setup& main, int number) {
@@ -55,6 +61,7 @@ std::optional<std::vector<Channel>> make_channels(const Job& job, Program progra
     return complain(fmt::format("{}: the control {} has no channels", job.setup_file, job.def->id)), std::nullopt;
   if (main.channels.contains(main.channel))
     return complain(fmt::format("{}: channel {} is the program's own", job.setup_file, main.channel)), std::nullopt;
+  if (!limits.writes_files) limits.files = folder_of(job.file);
   const auto shared = main.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
   std::vector<Channel> channels(1);
   channels[0] = {main.channel, main, nullptr};
