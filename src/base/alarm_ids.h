@@ -15,7 +15,7 @@
   X(mark_letter) X(call_digits) X(expression_syntax) X(bracket_not_closed) X(nesting_too_deep) X(operator_unknown)         \
   X(function_unknown) X(parameter_not_allowed)                     \
   /* meaning: codes and words */                                                             \
-  X(code_unknown) X(group_conflict) X(word_unused) X(word_missing) X(word_not_integer)       \
+  X(code_unknown) X(group_conflict) X(word_unused) X(word_without_effect) X(word_missing) X(word_not_integer) \
   X(value_out_of_range) X(no_axis_word) X(own_block) X(not_together)                         \
   X(variable_unknown) X(variable_not_set)                              \
   X(division_by_zero) X(not_a_number)                                                        \
@@ -72,7 +72,7 @@
   /* cutter radius compensation (nct 15.5) */                                                \
   X(compensation_no_intersection) X(compensation_buffer) X(compensation_turn)                \
   X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)           \
-  X(compensation_interference) X(contour_cut)                                                \
+  X(compensation_interference) X(contour_cut) X(beside_contour)                              \
   /* transformations (nct 16) */                                                             \
   X(mirror_state)                                                      \
   /* … of the other controls (2С42 6.4.7, Mach3 10.7.13) */                                   \

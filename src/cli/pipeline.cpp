@@ -205,7 +205,11 @@ Carrier::Step Carrier::step() {
     }
     if (taken.refused) return Step::running;
   }
-  for (const CompensationFault& cut : compensation_.warnings()) outlets_.warning(settled().report_for(cut.alarm, cut.origin));
+  for (const CompensationFault& cut : compensation_.warnings()) {
+    AlarmReport report = settled().report_for(cut.alarm, cut.origin);
+    report.other = settled().line_at(cut.other);
+    outlets_.warning(report);
+  }
   if (!goes_on_after(fault) || !goes_on_after(corner_fault)) return Step::stopped;
   if (state == Control::State::stopped || (!is_ahead && control_.is_stopped())) {
     const AlarmReport report = control_.report();

@@ -199,6 +199,7 @@ Done ControlLoader::behaviour() {
   };
   flag("arc_radius_word", b.arc_radius_word);
   number("arc_radius_difference", b.arc_radius_difference, ranges::distance);
+  number("arc_difference_inch", b.arc_difference_inch, ranges::distance);
   flag("helix_by_lead", b.helix_by_lead);
   number("feed_most", b.feed_most, ranges::feed);
   flag("feed_required", b.feed_required);

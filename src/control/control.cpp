@@ -54,10 +54,27 @@ void Control::go_on() { machinery_->go_on(); }
 const AlarmReport& Control::report() const { return machinery_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
   const Block& last = *machinery_->block;
-  if (origin.line != last.position.line || machinery_->flow.in_body()) return machinery_->report_of(alarm, origin, {});
-  Alarm placed = alarm;  // the block is still in hand
-  placed.where = last.where;
-  return machinery_->report_of(placed, origin, last.text);
+  if (origin.line == last.position.line && origin.file == machinery_->flow.reader() && !machinery_->flow.in_body()) {
+    Alarm placed = alarm;  // the block is still in hand
+    placed.where = last.where;
+    return machinery_->report_of(placed, origin, last.text);
+  }
+  AlarmReport report = machinery_->report_of(alarm, origin, {});
+  const AlarmReport::Line line = line_at(origin);
+  report.file = line.file;
+  report.line_text = line.text;
+  if (!line.text.empty()) report.alarm.where = line.where;
+  return report;
+}
+AlarmReport::Line Control::line_at(const Origin& origin) const {
+  AlarmReport::Line line{origin.line, machinery_->flow.file(), {}, {}};
+  constexpr std::uint16_t bodies = 1;  // of cycles: they stand in no file
+  if (origin.file == bodies || origin.line == 0) return line;
+  line.file = file_name(origin.file);
+  line.text = machinery_->flow.file(origin.file).text_of(origin.line);
+  const std::size_t first = line.text.find_first_not_of(" \t"), last = line.text.find_last_not_of(" \t\r");
+  if (first != std::string::npos) line.where = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last + 1)};
+  return line;
 }
 
 void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { machinery_->check_uncalled(on_fault); }

@@ -89,6 +89,8 @@ class Control {
   const AlarmReport& report() const;
   /// An alarm of a later room, with the place of the action that caused it.
   AlarmReport report_for(const Alarm& alarm, const Origin& origin) const;
+  /// The line that an action comes from, as it is shown; without text where it stands in no file.
+  AlarmReport::Line line_at(const Origin& origin) const;
 
   /// Called before and after each block that is carried out, for what the machine's logic does then (Control::set_signal, …);
   /// behind a block only when its actions have been handed over, and not if it failed.

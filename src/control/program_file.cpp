@@ -193,4 +193,19 @@ std::map<std::uint32_t, std::string> ProgramFile::texts_of(const std::set<std::u
   return texts;
 }
 
+std::string ProgramFile::text_of(std::uint32_t number) const {
+  LineReader reader(source_);
+  Line line;
+  if (line_marks_.empty()) {
+    while (reader.next(line))
+      if ((line.number - 1) % marked_line == 0) line_marks_.push_back(line.offset);
+  }
+  const std::size_t mark = (std::max(number, 1U) - 1) / marked_line;
+  if (mark >= line_marks_.size()) return {};
+  reader.seek(line_marks_[mark], static_cast<std::uint32_t>(mark) * marked_line + 1);
+  while (reader.next(line) && line.number < number) {}
+  Span all;
+  return line.number == number ? BlockReader(source_, grammar_, reader_.encoding()).shown(line.bytes, all) : std::string();
+}
+
 }  // namespace kadr

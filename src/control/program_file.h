@@ -61,6 +61,9 @@ class ProgramFile {
   /// Lines as UTF-8 by their numbers; those that are not there are missing. One pass through the file.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines) const;
 
+  /// One line as UTF-8; empty if it is not there. The first call goes through the file, the others read some lines.
+  std::string text_of(std::uint32_t line) const;
+
   const std::string& path() const { return path_; }
   const BlockReader& reader() const { return reader_; }
   const std::shared_ptr<ByteSource>& source() const { return source_; }
@@ -97,6 +100,8 @@ class ProgramFile {
   std::optional<BlockNumbers> index_;
   bool index_possible_ = true;
   StopToken stop_;
+  static constexpr std::uint32_t marked_line = 256;  // every so many lines one of them
+  mutable std::vector<std::uint64_t> line_marks_;            // where they begin: lines 1, 257, …
 };
 
 }  // namespace kadr

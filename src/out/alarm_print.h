@@ -31,6 +31,7 @@ struct Finding {
   std::uint32_t end_column;
   std::string block;  // "N10", empty: none
   std::vector<std::string> calls;
+  AlarmReport::Line other{};  // a second place that belongs to it
 };
 
 Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang);
