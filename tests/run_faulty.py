@@ -15,6 +15,8 @@ Beside each program NAME.nc (NAME.tape: rows of a punched tape) stands NAME.expe
     exit: 1                          default: 1 with a fault, 0 without
     # …                              a remark
 
+The note not_stated (offsets that stand in no set-up) counts only where it is expected; tests/setup_command.py holds it.
+
 Each program is checked twice: --format json gives the findings, --format text must show the same lines, each with its source
 line and a caret under the place, and the count. An unknown key, a folder without programs, a file without its neighbour fail.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
@@ -96,6 +98,8 @@ def check_json(expected, program_control, status, out, err):
         findings = json.loads(out)
     except json.JSONDecodeError:
         raise Failure(f'stdout is not JSON: {out[:120]!r} {err[:160]!r}') from None
+    if not any(name == 'not_stated' for _, _, _, name in expected.findings):  # of programs without a set-up: only where it is the topic
+        findings = [f for f in findings if f['id'] != 'not_stated']
     got = [(f['line'], f['column'], f['severity'], f['id']) for f in findings]
     if got != expected.findings:
         raise Failure(f'expected {shown(expected.findings)}\n      got      {shown(got)}')

@@ -27,7 +27,7 @@
   X(machine_motion_mode) X(zero_change) X(position_out_of_range)                             \
   /* spindle, tool, offsets */                                                               \
   X(speed_without_direction) X(speed_missing) X(spindle_not_turning) X(spindle_direction)                     \
-  X(corrector_unknown) X(corrector_axis)                                                     \
+  X(corrector_unknown) X(corrector_axis) X(not_stated)                                       \
   /* flow */                                                                                 \
   X(subprogram_missing) X(subprogram_end_missing) X(return_without_call) X(call_too_deep)    \
   X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(label_twice) X(end_missing)\

@@ -14,10 +14,10 @@ namespace {
 /// Control of one channel; complains of what its set-up names and the control has not.
 bool open_channel(Channel& channel, const Job& job, Program program, RunLimits limits, const std::shared_ptr<SharedMemory>& shared) {
   channel.control = std::make_unique<Control>(*job.def, channel.setup, std::move(program), limits, shared);
-  const std::string& error = channel.control->setup_error();
-  if (error.empty()) return true;
-  const std::string where = shared ? fmt::format("channel {}: ", channel.number) : std::string();
-  complain(fmt::format("{}: {}the control {} has no {}", job.setup_file, where, job.def->id, error));
+  const SetupFault& fault = channel.control->setup_fault();
+  if (fault.empty()) return true;
+  const std::string where = shared ? fmt::format("{} {}: ", job.lang == Lang::ru ? "канал" : "channel", channel.number) : std::string();
+  complain(fmt::format("{}: {}{}", job.place_of(fault.key), where, job.lang == Lang::ru ? fault.ru : fault.en));
   return false;
 }
 

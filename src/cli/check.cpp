@@ -13,6 +13,7 @@
 #include "cli/program_files.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
+#include "cli/unstated.h"
 #include "out/alarm_print.h"
 #include "out/baseline.h"
 
@@ -114,6 +115,8 @@ Checked check_file(const Options& options, const std::string& file, Count& count
   bool clean = true;
   for (std::size_t i = 0; i < channels->size(); ++i) {
     if (!interrupted()) (*channels)[i].control->check_uncalled([&](const AlarmReport& r) { (void)collectors[i].take(r); });
+    const bool own = (*channels)[i].number == job->setup.channel;
+    if (const auto note = own ? unstated(*(*channels)[i].control, *job) : std::nullopt) (void)collectors[i].take(*note);
     count.faults += collectors[i].faults;
     count.warnings += collectors[i].warnings;
     clean = clean && collectors[i].clean();

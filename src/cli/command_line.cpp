@@ -30,7 +30,13 @@ constexpr const char* explain_examples =
     "  kadr explain s2c42 L83         a cycle and its body\n"
     "  kadr explain mach3 X           an address\n"
     "  kadr explain mach3             the whole control\n"
-    "  kadr explain mach3 radius_mismatch   an alarm and what to do";
+    "  kadr explain mach3 radius_mismatch   an alarm and what to do\n"
+    "  kadr explain nct setup         the keys of a set-up";
+constexpr const char* setup_examples =
+    "Examples:\n"
+    "  kadr setup part.nc --control nct                what is to be filled in, to standard output\n"
+    "  kadr setup part.nc --control nct --out shop.json; kadr run part.nc --control nct --setup shop.json\n"
+    "Exit status: 0 written, 2 wrong usage, unreadable file, or the file --out is there already.";
 constexpr const char* tape_examples =
     "Examples:\n"
     "  kadr tape encode flange.nc flange.tape     text to rows with even parity\n"
@@ -59,6 +65,11 @@ void program_options(CLI::App& app, Options& o) {
   app.add_option("--control", o.control, "control: an id of `kadr controls`, or a file NAME.toml (default: guessed from the text)");
   app.add_option("--machine", o.machine, "machine profile: an id or a file NAME.toml (default: generic)");
   app.add_option("--setup", o.setup, "state before the start: a JSON file");
+  app.add_option("--tool", o.tools, "offset number, radius, length, their wear, mm: 1:r8,l100,rw-0.02,lw0.1; repeated")
+      ->allow_extra_args(false);
+  app.add_option("--zero", o.zeros, "work zero, machine coordinates: G54=X-400,Y-250,Z-300, or 1=X40 (2С42); repeated")
+      ->allow_extra_args(false);
+  app.add_option("--corrector", o.correctors, "axis corrector, mm: 17=-0.35; repeated")->allow_extra_args(false);
   app.add_option("--encoding", o.encoding, "of the text: utf-8, cp1251, koi8-r, cp866, iso7 (default: detected)");
   app.add_option("--skip", o.skip, "skip switches that are on, 1 to 9")->check(CLI::Range(1, 9));
   app.add_flag("--optional-stop", o.optional_stop, "stop at M01");
@@ -136,12 +147,21 @@ void add_check(CLI::App& app, Commands& c) {
 void add_explain(CLI::App& app, Commands& c) {
   CLI::App* const explain = app.add_subcommand("explain", "what a code, address, cycle or alarm means");
   explain->add_option("CONTROL", c.explain.control, "control id or NAME.toml")->required();
-  explain->add_option("CODE", c.explain.code, "G41, M3, X, L81, an alarm id; left out: all codes");
+  explain->add_option("CODE", c.explain.code, "G41, M3, X, L81, an alarm id, setup; left out: all codes");
   explain->add_flag("--markdown", c.explain.markdown, "the page of the documentation");
   language_option(*explain, c.explain.lang);
   explain->footer(explain_examples);
   CLI::App* const controls = app.add_subcommand("controls", "the controls Kadr knows");
   language_option(*controls, c.options.lang);
+}
+
+void add_setup(CLI::App& app, Commands& c) {
+  Options& o = c.setup.program;
+  CLI::App* const setup = app.add_subcommand("setup", "write a set-up to be filled in, with what a program uses");
+  setup->add_option("PROGRAM", o.programs, "the part program (- for standard input)")->required()->expected(1);
+  program_options(*setup, o);
+  setup->add_option("--out", c.setup.output, "the new file (default: standard output)");
+  setup->footer(setup_examples);
 }
 
 void add_tape(CLI::App& app, Commands& c) {
@@ -233,6 +253,7 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   add_run(*app, c);
   add_check(*app, c);
   add_explain(*app, c);
+  add_setup(*app, c);
   add_tape(*app, c);
   add_state(*app, c);
   add_mill(*app, c);

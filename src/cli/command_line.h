@@ -18,6 +18,7 @@ struct Commands {
   ExplainOptions explain;
   TapeOptions tape;
   StateOptions state;
+  SetupOptions setup;
   MillOptions mill;
   std::string shell;  // of completion
 };

@@ -40,6 +40,7 @@ int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("run")) return run(commands.options);
   if (app.got_subcommand("check")) return check(commands.options);
   if (app.got_subcommand("explain")) return explain(commands.explain);
+  if (app.got_subcommand("setup")) return write_setup(commands.setup);
   if (app.got_subcommand("controls")) return list_controls(commands.options.lang);
   if (app.got_subcommand("tape")) {
     TapeOptions options = commands.tape;

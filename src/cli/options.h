@@ -43,6 +43,7 @@ struct Options {
   bool optional_stop = false;
   bool quiet = false;
   RunLimits limits;
+  std::vector<std::string> tools, zeros, correctors;  // laid over the set-up: "1:r8,l100", "G54=X-400", "17=-0.35"
 };
 
 Lang language(const Options& options);
@@ -61,6 +62,12 @@ struct ExplainOptions {
 };
 int explain(const ExplainOptions& options);
 int list_controls(const std::string& lang);
+
+struct SetupOptions {
+  Options program;
+  std::string output;  // empty: stdout
+};
+int write_setup(const SetupOptions& options);
 
 struct TapeOptions {
   bool decode = true;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/program_files.h"
+#include "cli/setup_options.h"
 #include "config/control_file.h"
 #include "config/guess.h"
 
@@ -15,6 +16,26 @@ namespace kadr::cli {
 namespace {
 
 constexpr unsigned shown_each = 64;  // batches between two looks at the progress
+
+/// The set-up file, over it what the options state; complains of what is wrong.
+bool take_setup(Job& job, const Options& options) {
+  std::vector<SetupSource> sources;
+  if (!options.setup.empty()) {
+    auto file = setup_source(options.setup);
+    if (!file) return complain(file.error()), false;
+    sources.push_back(std::move(*file));
+  }
+  auto stated = setup_of_options(options, *job.def, job.lang);
+  if (!stated) return complain(stated.error()), false;
+  sources.insert(sources.end(), stated->begin(), stated->end());
+  if (sources.empty()) return true;
+  auto read = read_setup(sources, job.def.get(), job.lang);
+  if (!read) return complain(read.error()), false;
+  job.setup = std::move(read->setup);
+  job.stated = std::move(read->stated);
+  if (!options.setup.empty()) job.setup_lines = std::move(read->lines);
+  return true;
+}
 
 /// What the corners of `path` may expect behind a batch.
 ContourCorners::Follows behind(Control::State state) {
@@ -75,6 +96,11 @@ std::optional<std::string> control_of(const Options& options, const std::string&
   return guess.control;
 }
 
+std::string Job::place_of(const std::string& key) const {
+  const std::uint32_t line = line_of(setup_lines, key);
+  return line == 0 ? setup_file : fmt::format("{}:{}", setup_file, line);
+}
+
 std::optional<Job> make_job(const Options& options, const std::string& file) {
   const auto control = control_of(options, file);
   if (!control || control->empty()) return std::nullopt;
@@ -85,17 +111,14 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
   Job job;
   job.file = file;
   job.setup_file = options.setup;
+  job.lang = language(options);
   auto def = load_control(control);
   if (!def) return complain(def.error()), std::nullopt;
   job.def = std::make_unique<ControlDef>(std::move(*def));
   auto profile = load_machine(options.machine.empty() ? "generic" : options.machine);
   if (!profile) return complain(profile.error()), std::nullopt;
   job.profile = std::move(*profile);
-  if (!options.setup.empty()) {
-    auto setup = load_setup(options.setup);
-    if (!setup) return complain(setup.error()), std::nullopt;
-    job.setup = std::move(*setup);
-  }
+  if (!take_setup(job, options)) return std::nullopt;
   if (const std::string error = Plc(job.setup.events).error(); !error.empty()) return complain(options.setup + ": " + error), std::nullopt;
   job.setup.skip.insert(job.setup.skip.end(), options.skip.begin(), options.skip.end());
   job.setup.optional_stop = job.setup.optional_stop || options.optional_stop;

@@ -28,9 +28,16 @@ struct Job {
 
   /// Read when the first alarm is to be told: a run without one need not wait for them.
   const AlarmTexts& texts() const;
+  /// Of a key of the set-up: "shop.json:3".
+  std::string place_of(const std::string& key) const;
 
  private:
   mutable std::unique_ptr<AlarmTexts> texts_;
+
+ public:
+  KeyLines setup_lines;          // of its keys
+  std::set<std::string> stated;  // PlacedSetup::stated
+  Lang lang = Lang::en;
 };
 
 /// Loads what the options name; complains to stderr.

@@ -13,6 +13,7 @@
 #include "cli/progress.h"
 #include "cli/state.h"
 #include "cli/stop.h"
+#include "cli/unstated.h"
 #include "config/state_json.h"
 #include "motion/look_ahead.h"
 #include "out/alarm_print.h"
@@ -88,6 +89,7 @@ class RunCommand {
 
   Exit run() {
     const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
+    tell_unstated();
     bool written = write_last_lines(stopped);
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
@@ -188,6 +190,13 @@ class RunCommand {
     for (std::size_t i = 0; i < channels_.size(); ++i) views_[i]->waited = together->waited(i);
     if (views_[writes]->trace) views_[writes]->trace->flush();
     return stopped;
+  }
+
+  void tell_unstated() {
+    for (const Channel& channel : channels_) {
+      if (channel.number != job_.setup.channel) continue;
+      if (const auto note = unstated(*channel.control, job_)) fmt::print(stderr, "{}", alarm_text(*note, job_.texts(), lang_));
+    }
   }
 
   bool write_last_lines(const std::vector<Stopped>& stopped) {

@@ -34,6 +34,9 @@ std::optional<StateFile> open_state(const std::string& path, Job& job) {
              told("written by an older Kadr, without checksums; the first save adds them",
                   "записан прежней версией Kadr, без контрольных сумм; они добавятся при первой записи"));
   Setup& setup = job.setup;
+  for (const auto& [number, row] : tables->offsets)
+    for (const char* const what : {"length", "radius"}) job.stated.insert(fmt::format("offsets.{}.{}", number, what));
+  for (const auto& [name, axes] : tables->work_offsets) job.stated.insert("work_offsets." + name);
   under(setup.offsets, tables->offsets);
   under(setup.work_offsets, tables->work_offsets);
   under(setup.variables, tables->variables);

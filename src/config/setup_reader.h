@@ -26,6 +26,7 @@ inline constexpr int most_inputs = 8;  // of probes
 
 /// Inside the reader a wrong key or form leaves by this; parse_setup turns it into its error sentence.
 struct Wrong {
+  std::string key;
   std::string sentence;
 };
 
@@ -43,7 +44,6 @@ const Json& table(const Json& value, const std::string& key);
 AxisValues axis_values(const Json& value, const std::string& key);
 std::pair<double, double> least_and_most(const Json& value, const std::string& key);
 std::optional<double> number_or_vacant(const Json& value, const std::string& key);
-void only_neutral(const Json& value, const std::string& key);  // what says that all is as without it
 
 inline constexpr std::pair<int, int> any_number = {0, most_number};
 
@@ -67,7 +67,8 @@ void numbered(const Json& value, const std::string& key, std::map<int, T>& to, T
 using Reader = std::function<void(const Json&, const std::string&)>;
 using Readers = std::map<std::string, Reader>;
 
-/// Hands each key of a table to its reader; `inside` is the table's name, empty for the set-up itself.
+/// Hands each key of a table to its reader; `inside` is the table's name, empty for the set-up itself. Its keys are those of
+/// config/setup_keys, which has been asked before: one without a reader is a bug.
 void read_table(const Json& value, const std::string& inside, const Readers& readers);
 
 Reader to_number(double& to);

@@ -136,6 +136,7 @@ void note_contour(Machinery& m, Motion& motion, const Axes& from) {
   const bool moves = named && (is_arc(motion.kind) || length(in_plane(m, motion.to) - in_plane(m, from)) > tol::same_point);
   if (modal.contour == ContourPhase::on && !moves) return;
   const double radius = m.radius_in_force();
+  if (modal.radius_by_word < 0 && modal.offset_number != 0) m.use.note(UseKind::radius, modal.offset_number, m.origin, radius == 0);
   if (radius != 0 || modal.contour_side != 0) {  // with a radius of 0 the path is the contour, nothing is held back
     const double side = -modal.radius_side * (radius < 0 ? -1 : 1) * (m.transform.reverses(modal.axes) ? -1 : 1);
     motion.side = modal.contour_side = static_cast<std::int8_t>(side);

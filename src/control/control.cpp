@@ -20,7 +20,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
   machinery_ = std::make_unique<Machinery>(def, std::move(own), setup, std::move(program), limits,
                                            shared_ ? shared_->commons : std::make_shared<nct::Commons>());
   if (shared_) shared_->share_offsets(machinery_->tables.offsets, static_cast<int>(setup_number(setup, "1401")));
-  if (!error.empty()) machinery_->start_error = error;
+  if (!error.empty()) machinery_->start_fault = {"axes", error, error};
   machinery_->on_warning = &on_warning;
   machinery_->on_block = &on_block;
   machinery_->on_changes = &on_changes;
@@ -149,8 +149,10 @@ std::uint64_t Control::bytes() const { return machinery_->flow.bytes(); }
 Encoding Control::encoding() const { return machinery_->flow.program().encoding(); }
 bool Control::encoding_was_guessed() const { return machinery_->flow.program().encoding_was_guessed(); }
 const std::vector<std::string>& Control::axes() const { return machinery_->axis_names; }
+const ProgramUse& Control::use() const { return machinery_->use; }
+void Control::watch_use() { machinery_->use.watch(); }
 bool Control::has_machine_parameters() const { return machinery_->nct != nullptr; }
 std::uint32_t Control::rotary() const { return machinery_->def.rotary; }
-const std::string& Control::setup_error() const { return machinery_->start_error; }
+const SetupFault& Control::setup_fault() const { return machinery_->start_fault; }
 
 }  // namespace kadr

@@ -13,8 +13,10 @@
 #include "base/stop.h"
 #include "config/control_def.h"
 #include "config/setup.h"
+#include "config/setup_file.h"
 #include "config/state_file.h"
 #include "control/action.h"
+#include "control/usage.h"
 #include "lang/block_reader.h"
 
 namespace kadr {
@@ -122,6 +124,10 @@ class Control {
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;
 
+  /// What the program has used of a set-up. With watch_use(), before the run, variables and lines too.
+  const ProgramUse& use() const;
+  void watch_use();
+
   /// After the run, for people who check: the subprograms never called, read but not carried out; their faults go to `on_fault`.
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
 
@@ -142,8 +148,8 @@ class Control {
   Encoding encoding() const;
   bool encoding_was_guessed() const;
   const std::vector<std::string>& axes() const;
-  /// What the set-up names and this control has not ("modal: G999", "start: axis Q"); empty: all is well.
-  const std::string& setup_error() const;
+  /// What the set-up names and this control has not, beyond what the table of keys says (config/setup_check); empty: all is well.
+  const SetupFault& setup_fault() const;
   /// Its machine is described by parameters (nct 24).
   bool has_machine_parameters() const;
   std::uint32_t rotary() const;

@@ -219,12 +219,15 @@ void Machinery::fail_with(const Alarm& failed) {
 }
 
 Status Machinery::execute() {
+  if (use.watches()) [[unlikely]]
+    use.pass(origin);
   if (block->marker != Marker::none || skipping_section_ || !flow.started) {
     KADR_TRY(structure());
     if (skipping_section_ || flow.ended()) return {};
   }
   if (block->skip != 0) {
     pass_varies = true;
+    use.note(UseKind::skip_switch, block->skip, origin);
     if (nct) nct::note_skip_mark(*this);
     if (skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "config/setup_file.h"
 #include "control/control.h"
 #include "control/cycles/cycle_run.h"
 #include "control/ellipse_run.h"
@@ -16,6 +17,7 @@
 #include "control/plan.h"
 #include "control/shapes.h"
 #include "control/state.h"
+#include "control/usage.h"
 #include "control/variables.h"
 
 namespace kadr {
@@ -176,7 +178,6 @@ class Machinery {
   nct::WaitingCodes waiting;
   std::array<bool, 10> skip_switches{};
   std::array<bool, max_axes> mirror_switches{};  // panel mode of the 2С42 (6.8)
-  std::string start_error;                       // what the set-up names and the control has not
 
   std::string call_text;  // block that called the cycle body being carried out, and its L word
   Span call_where;
@@ -307,6 +308,8 @@ class Machinery {
 
  public:
   bool pass_varies = false;  // this pass of the main program met what may be otherwise in the next: a variable, a skip, a probe …
+  SetupFault start_fault;    // what the set-up names and the control has not
+  ProgramUse use;            // of what a set-up states
 };
 
 /// What a row's function does (control/functions.cpp).

@@ -146,6 +146,7 @@ Status offset_word(Machinery& m, const Call&) {
 }
 
 Status work_zero(Machinery& m, const Call& call) {
+  note_work_zero(m, static_cast<std::uint32_t>(call.row->arg));
   if (m.modal.work_zero == call.row->arg) return {};
   KADR_TRY(check_zero_change(m, call.where));
   m.modal.work_zero = static_cast<std::uint8_t>(call.row->arg);
@@ -164,6 +165,7 @@ Status fixture(Machinery& m, const Call& call) {
     number = *named;
   }
   m.modal.fixture = number;
+  note_work_zero(m, number);
   if (const std::uint32_t variable = m.variables.first(VariableKind::fixture_number); variable != 0) m.variables.set_raw(variable, number);
   (void)m.variables.take_frames_changed();
   m.change_frames();
@@ -177,6 +179,7 @@ Status zero_shift(Machinery& m, const Call& call) {
     const auto number = m.whole('A', 1, 9);
     if (!number) return fail(number.error());
     m.modal.work_zero = static_cast<std::uint8_t>(*number);
+    note_work_zero(m, *number);
     m.tables.zero_shift = {};
   }
   each_axis_word(m, [&](std::size_t a, double v) { m.tables.zero_shift[a] = v; });

@@ -50,6 +50,7 @@ double shift_by(const Machinery& m, std::size_t axis, double length) { return nc
 /// G43.7 (15.4): the sums of the table for turning on X, Y, Z at once.
 void register_turning(Machinery& m, std::uint32_t number) {
   const ToolOffset none, &offset = number == 0 || number >= m.tables.offsets.size() ? none : m.tables.offsets[number];
+  if (number != 0) m.use.note(UseKind::length, number, m.origin, offset == none);
   const double lengths[] = {offset.length_x + offset.length_x_wear, offset.length_y + offset.length_y_wear, offset.whole_length()};
   for (int role = 1; role <= 3; ++role)
     if (const int main = nct::main_axis(m, role); main >= 0) {
@@ -61,6 +62,7 @@ void register_turning(Machinery& m, std::uint32_t number) {
 void register_length(Machinery& m, std::uint32_t number) {
   if (m.modal.turning_lengths) return register_turning(m, number);
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
+  if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
   const AxisMask axes = length_axes(m);
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
