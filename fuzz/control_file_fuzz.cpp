@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "config/control_file.h"
+#include "config/range.h"
 #include "control/control.h"
 #include "out/code_page.h"
 #include "require.h"
@@ -14,7 +15,19 @@ constexpr const char* program = "%\nN1 G90 G0 X1 Y2 Z3 F100 S100 M3\nN2 G1 X5 T1
 const kadr::RunLimits few_passes{200, 2};
 constexpr int most_batches = 50;
 
+/// What is accepted is within the ranges of config/range.h.
+void hold_ranges(const kadr::ControlDef& def) {
+  for (const kadr::AddressRow& row : def.addresses) {
+    kadr::fuzz::require(kadr::is_within(row.scale, kadr::ranges::scale), "a scale is a number that can be divided by");
+    kadr::fuzz::require(row.least <= row.most, "an address has values");
+  }
+  const kadr::Behaviour& b = def.behaviour;
+  for (const double number : {b.arc_radius_difference, b.feed_most, b.reference_feed, b.return_near, b.probe_least_distance})
+    kadr::fuzz::require(number >= 0 && number < 1e10, "an accepted number is within its range");
+}
+
 void try_out(const kadr::ControlDef& def) {
+  hold_ranges(def);
   static const kadr::AlarmTexts texts = kadr::AlarmTexts::load(nullptr).value();
   (void)kadr::control_page(def, texts);
   kadr::Control control(def, {}, {"fuzz.nc", kadr::text_source(program), std::nullopt}, few_passes);

@@ -6,6 +6,7 @@
 
 #include "config/control_file.h"
 #include "config/machine_profile.h"
+#include "config/range.h"
 #include "control/control.h"
 #include "machine/virtual_machine.h"
 #include "motion/estimate.h"
@@ -38,11 +39,25 @@ void try_out(const kadr::Setup& setup) {
   }
 }
 
+/// What is accepted is within the ranges of config/range.h: no motion that never ends.
+void hold_ranges(const kadr::Setup& setup) {
+  const auto holds = [](const auto& number, const kadr::Range& range) {
+    if (number) kadr::fuzz::require(kadr::is_within(*number, range), "an accepted number is within its range");
+  };
+  holds(setup.feed, kadr::ranges::feed);
+  for (const auto& [axis, limits] : setup.machine) {
+    holds(limits.rapid, kadr::ranges::rate);
+    holds(limits.acceleration, kadr::ranges::acceleration);
+    holds(limits.jerk_time, kadr::ranges::seconds);
+    if (limits.limits) kadr::fuzz::require(limits.limits->first < limits.limits->second, "an axis has a way to go");
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto setup = kadr::parse_setup({reinterpret_cast<const char*>(data), size});
-  if (setup) try_out(*setup);
+  if (setup) hold_ranges(*setup), try_out(*setup);
   else kadr::fuzz::require(!setup.error().empty(), "a refusal says why");
   return 0;
 }

@@ -6,13 +6,19 @@
 import argparse
 import json
 import math
+import os
+import pty
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
-RUSSIAN = ['ЗИГЗАГ', '1ЗИГЗАГ', '2ЗИГЗАГ', 'СПИР', 'АСПИР', 'ШТИП', '1ШТИП', '2ШТИП']
+# as printed in the source: with blanks, some with their direction (shared/seeds, figure of the schemes)
+RUSSIAN = ['ЗИГЗАГ', '1 ЗИГЗАГ', '2 ЗИГЗАГ', 'СПИР ПЧС', 'АСПИР ЧС', 'ШТИП', '1 ШТИП', '2 ШТИП']
+SAME = [('1ЗИГЗАГ', '1 зигзаг'), ('СПИР', 'спир пчс'), ('СПИРЧС', 'СПИР ЧС'), ('АСПИР', 'АСПИР ЧС'), ('2\u00a0ШТИП', '2ШТИП')]
 CONTROLS = ['s2c42', 'mach3', 'nct', 'correctors', 'gost']
 PLUNGES = ['hole', 'tangential', 'ramp']
 WIDTH, HEIGHT, TOOL, DEPTH, ISLAND = 60, 40, 10, 4, (30, 20, 4)   # a pocket with a round island
@@ -35,6 +41,7 @@ FAULTS = [
     (TEXT, ['--stepover', '120%'], 2, 'mill_stepover'),
     (TEXT, ['--stepover', 'wide'], 2, 'mill_value'),
     (TEXT, ['--scheme', 'star'], 2, 'mill_value'),
+    (TEXT, ['--scheme', 'СПИР ПЧС', '--direction', 'ЧС'], 2, 'mill_value'),
     (TEXT, ['--feed', '-3'], 2, 'mill_value'),
     (TEXT, ['--plunge', 'hole', '--hole', '30', '20'], 1, 'mill_hole'),
     (TEXT.replace('from 0 0', 'from 0 0', 1), ['--top', '99999'], 1, 'word_has_no_room'),
@@ -55,8 +62,9 @@ class Runner:
         contour, program = self.folder / 'contour', self.folder / 'program.nc'
         contour.write_text(drawing, encoding='utf-8')
         program.unlink(missing_ok=True)
+        language = [] if '--lang' in options else ['--lang', 'en']
         done = subprocess.run([self.kadr, 'mill', task, contour, '--tool-diameter', str(TOOL), '--depth', str(DEPTH), '--control', control,
-                               '--output', program, '--lang', 'en', *options], capture_output=True, text=True, timeout=120)
+                               '--output', program, *language, *options], capture_output=True, text=True, timeout=120)
         return done, program
 
     def trace(self, program, control):
@@ -93,6 +101,66 @@ class Runner:
         return program.read_text(encoding='utf-8')
 
 
+def names(run):
+    """Names with and without blanks mean the same, and are shown as printed."""
+    for one, other in SAME:
+        texts = [run.good(name, TEXT, 'mach3', '--scheme', name) for name in (one, other)]
+        run.expect(texts[0] and texts[0] == texts[1], f'{one} and {other}')
+    done, _ = run.mill(TEXT, 'mach3', '--scheme', '1zigzag')
+    run.expect('1 ЗИГЗАГ ПЧС' in done.stdout, f'the name as printed: {done.stdout}')
+    done, _ = run.mill(TEXT, 'mach3', '--lang', 'ru')
+    run.expect('врезание         СПУСК: ' in done.stdout and '; 3°' in done.stdout, f'the way down in Russian: {done.stdout}')
+
+
+def seconds(run, scheme, stepover):
+    """Processor time: that of the clock depends on what else runs."""
+    before = os.times()
+    done, _ = run.mill(TEXT, 'mach3', '--scheme', scheme, '--stepover', stepover)
+    run.expect(done.returncode == 0, f'{scheme} {stepover}: {done.stderr}')
+    return os.times().children_user - before.children_user
+
+
+def speed(run):
+    """Rings and lifted rows take no more than a few times what zigzag rows take, and twice the passes twice the time (issue 15: 30 times, and
+    four times)."""
+    zigzag = seconds(run, 'zigzag', '0.2')
+    for scheme in ('spiral-out', 'spiral-in', 'comb', '2comb'):
+        fine, coarse = seconds(run, scheme, '0.2'), seconds(run, scheme, '0.4')
+        run.expect(fine < 10 * zigzag + 0.2, f'{scheme} takes {fine} s, zigzag {zigzag} s')
+        run.expect(fine < 3.2 * coarse + 0.2, f'{scheme}: step 0.4 takes {coarse} s, 0.2 {fine} s')
+
+
+def all_of(terminal):
+    """What was written to a terminal whose other end is closed."""
+    parts = []
+    try:
+        while part := os.read(terminal, 1 << 16):
+            parts.append(part)
+    except OSError:  # Linux: no writer is left
+        pass
+    os.close(terminal)
+    return b''.join(parts).decode()
+
+
+def stopped(run):
+    """Work of minutes shows how far it is on a terminal, ends soon after Ctrl-C or SIGTERM, and leaves no program behind."""
+    contour, program = run.folder / 'contour', run.folder / 'stopped.nc'
+    contour.write_text(TEXT.replace('60', '600').replace('40', '400'), encoding='utf-8')
+    for sign, scheme in ((signal.SIGINT, 'spiral-out'), (signal.SIGTERM, 'comb')):
+        terminal, end = pty.openpty()
+        process = subprocess.Popen([run.kadr, 'mill', 'pocket', contour, '--tool-diameter', '10', '--depth', '4', '--control', 'mach3', '--scheme',
+                                    scheme, '--stepover', '0.05', '--output', program, '--lang', 'en'], stdout=subprocess.DEVNULL, stderr=end)
+        time.sleep(2.5)
+        asked = time.monotonic()
+        process.send_signal(sign)
+        status = process.wait(60)
+        took = time.monotonic() - asked
+        os.close(end)
+        shown = all_of(terminal)
+        run.expect(status in (128 + sign, -sign) and took < 2 and not program.exists(), f'{scheme}: status {status} {took:.1f} s after {sign.name}')
+        run.expect(' %  ' in shown, f'{scheme}: on the terminal: {shown[-300:]!r}')
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument('--kadr', required=True)
@@ -111,6 +179,9 @@ def main():
         run.expect(len({len(p.splitlines()) for p in programs}) == 1, 'the three formats give programs of the same length')
         marked = run.good('ПС', TEXT, 's2c42', '--mark', 'ПС')
         run.expect(marked and all(line.endswith(' ПС') for line in marked.splitlines()), 'every block ends with ПС')
+        names(run)
+        speed(run)
+        stopped(run)
         for drawing, options, status, alarm in FAULTS:
             done, program = run.mill(drawing, 's2c42', *options)
             run.expect(done.returncode == status and alarm in done.stderr and not program.exists(), f'{alarm}: {done.returncode} {done.stderr}')

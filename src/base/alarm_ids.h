@@ -15,7 +15,7 @@
   X(mark_letter) X(call_digits) X(expression_syntax) X(bracket_not_closed) X(nesting_too_deep) X(operator_unknown)         \
   X(function_unknown) X(parameter_not_allowed)                     \
   /* meaning: codes and words */                                                             \
-  X(code_unknown) X(group_conflict) X(word_unused) X(word_missing) X(word_not_integer)       \
+  X(code_unknown) X(group_conflict) X(word_unused) X(word_without_effect) X(word_missing) X(word_not_integer) \
   X(value_out_of_range) X(no_axis_word) X(own_block) X(not_together)                         \
   X(variable_unknown) X(variable_not_set)                              \
   X(division_by_zero) X(not_a_number)                                                        \
@@ -27,7 +27,7 @@
   X(machine_motion_mode) X(zero_change) X(position_out_of_range)                             \
   /* spindle, tool, offsets */                                                               \
   X(speed_without_direction) X(speed_missing) X(spindle_not_turning) X(spindle_direction)                     \
-  X(corrector_unknown) X(corrector_axis)                                                     \
+  X(corrector_unknown) X(corrector_axis) X(not_stated)                                       \
   /* flow */                                                                                 \
   X(subprogram_missing) X(subprogram_end_missing) X(return_without_call) X(call_too_deep)    \
   X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(label_twice) X(end_missing)\
@@ -57,7 +57,7 @@
   X(magazine_number) X(too_many_m_codes)                                                     \
   /* geometry, cycles, probes (nct 4, 10, 18, 19, 21) */                                     \
   X(thread_definition) X(thread_axes) X(incremental_in_machine) X(plane_illegal)             \
-  X(surface_state) X(surface_start) X(smoothing_length) X(cycle_data_missing)                \
+  X(surface_state) X(surface_start) X(smoothing_length) X(cycle_data_missing) \
   X(probe_state) X(probe_torque) X(probe_torque_axis) X(probe_torque_unknown)                \
   X(probe_window) X(contour_block_missing) X(contour_order) X(contour_shape)                 \
   /* zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */                         \
@@ -72,7 +72,7 @@
   /* cutter radius compensation (nct 15.5) */                                                \
   X(compensation_no_intersection) X(compensation_buffer) X(compensation_turn)                \
   X(compensation_begins_in_arc) X(compensation_ends_in_arc) X(compensation_needed)           \
-  X(compensation_interference) X(contour_cut)                                                \
+  X(compensation_interference) X(contour_cut) X(beside_contour)                              \
   /* transformations (nct 16) */                                                             \
   X(mirror_state)                                                      \
   /* … of the other controls (2С42 6.4.7, Mach3 10.7.13) */                                   \
@@ -93,5 +93,10 @@
   X(contour_empty) X(contour_too_large) X(contour_reach) X(contour_open_end)                 \
   X(contour_branch) X(contour_crosses) X(mill_value) X(mill_hole)         \
   X(tool_does_not_fit) X(mill_stepover) X(mill_too_long) X(mill_wall) X(mill_rapid) X(mill_uncut)          \
-  X(mill_read_back) X(word_has_no_room) X(function_has_no_code)
+  X(mill_read_back) X(word_has_no_room) X(function_has_no_code)                              \
+  /* the planner of least time, its samples (docs/planner.md) */                             \
+  X(plan_unsolved) X(plan_tolerance) X(plan_endless) X(samples_too_long) \
+  /* what a program does not mean as it stands, and what is worth a note */                   \
+  X(feed_above_rapid) X(program_begins_again) X(passes_done) X(block_number_vacant)          \
+  X(arctangent_divides) X(axis_is_spindle) X(length_no_axis)
 // clang-format on

@@ -14,11 +14,17 @@ namespace {
 /// Control of one channel; complains of what its set-up names and the control has not.
 bool open_channel(Channel& channel, const Job& job, Program program, RunLimits limits, const std::shared_ptr<SharedMemory>& shared) {
   channel.control = std::make_unique<Control>(*job.def, channel.setup, std::move(program), limits, shared);
-  const std::string& error = channel.control->setup_error();
-  if (error.empty()) return true;
-  const std::string where = shared ? fmt::format("channel {}: ", channel.number) : std::string();
-  complain(fmt::format("{}: {}the control {} has no {}", job.setup_file, where, job.def->id, error));
+  const SetupFault& fault = channel.control->setup_fault();
+  if (fault.empty()) return true;
+  const std::string where = shared ? fmt::format("{} {}: ", job.lang == Lang::ru ? "канал" : "channel", channel.number) : std::string();
+  complain(fmt::format("{}: {}{}", job.place_of(fault.key), where, job.lang == Lang::ru ? fault.ru : fault.en));
   return false;
+}
+
+/// Where a program that writes nothing would write, and may call files from.
+std::string folder_of(const std::string& program) {
+  const auto folder = std::filesystem::path(program).parent_path();
+  return folder.empty() ? "." : folder.string();
 }
 
 }  // namespace
@@ -55,6 +61,7 @@ std::optional<std::vector<Channel>> make_channels(const Job& job, Program progra
     return complain(fmt::format("{}: the control {} has no channels", job.setup_file, job.def->id)), std::nullopt;
   if (main.channels.contains(main.channel))
     return complain(fmt::format("{}: channel {} is the program's own", job.setup_file, main.channel)), std::nullopt;
+  if (!limits.writes_files) limits.files = folder_of(job.file);
   const auto shared = main.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
   std::vector<Channel> channels(1);
   channels[0] = {main.channel, main, nullptr};

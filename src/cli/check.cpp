@@ -3,46 +3,37 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <cstdio>
 #include <set>
 #include <tuple>
 
 #include "cli/channels.h"
+#include "cli/files.h"
+#include "cli/outputs.h"
+#include "cli/program_files.h"
 #include "cli/progress.h"
+#include "cli/stop.h"
+#include "cli/unstated.h"
 #include "out/alarm_print.h"
+#include "out/baseline.h"
 
 namespace kadr::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t most_faults = 1000;  // of one program: beyond, it is no program of this control
-constexpr const char* program_endings[] = {".nc",    ".ngc", ".tap", ".txt", ".iso", ".prg", ".nct",
-                                           ".gcode", ".cnc", ".mpf", ".up",  ".eia", ".ptp", ".tape"};
 
-bool is_program(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return std::find(std::begin(program_endings), std::end(program_endings), ending) != std::end(program_endings);
-}
+/// Where findings go as they are found, or when all are there.
+struct Report {
+  std::FILE* text = nullptr;  // of --format text: as they come; else nullptr
+  std::vector<Finding> findings;
+  std::optional<Baseline> baseline;
+  std::vector<Unreadable> unreadable;
 
-/// Files as named; of a folder those that look like programs, in the order of their names.
-std::vector<std::string> files_of(const std::vector<std::string>& names) {
-  std::vector<std::string> files;
-  for (const std::string& name : names) {
-    std::error_code error;
-    if (!fs::is_directory(name, error)) {
-      files.push_back(name);
-      continue;
-    }
-    std::vector<std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(name, fs::directory_options::skip_permission_denied, error))
-      if (entry.is_regular_file(error) && is_program(entry.path())) found.push_back(entry.path().string());
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
+  void add(const AlarmReport& report, Finding finding, const AlarmTexts& texts, Lang lang) {
+    if (text != nullptr) fmt::print(text, "{}", alarm_text(report, texts, lang));
+    else findings.push_back(std::move(finding));
   }
-  return files;
-}
+};
 
 /// Takes the faults of one program, each once however often its block is carried out.
 class Collector {
@@ -50,35 +41,37 @@ class Collector {
   using Seen = std::set<std::tuple<std::uint32_t, std::uint32_t, AlarmId>>;
 
   /// `seen`: of the file so far; what several programs of a tape have in common is told once.
-  Collector(const Job& job, const Options& options, std::vector<Finding>& findings, Seen& seen)
-      : job_(job), options_(options), findings_(findings), seen_(seen) {}
+  Collector(const Job& job, const Options& options, Report& report, Seen& seen)
+      : job_(job), lang_(language(options)), strict_(options.strict), to_(report), seen_(seen) {}
 
   bool take(AlarmReport report) {
-    // A main program that begins again (M99, M47) is no fault: one pass is looked at.
-    const bool begins_again = report.alarm.id == AlarmId::endless_program && report.alarm.args[1].text() == restart_mark;
-    if (begins_again && one_pass) return false;
+    // One pass is looked at of a main program that begins again (M99, M47), unless --max-passes asks for more.
+    const bool begins_again = report.alarm.id == AlarmId::program_begins_again || report.alarm.id == AlarmId::passes_done;
+    if (begins_again && one_pass) return true;
     if (!seen_.insert({report.origin.line, report.origin.column, report.alarm.id}).second) return ++again_ < most_again;
+    Finding finding = finding_of(report, job_.texts(), lang_);
+    if (to_.baseline && to_.baseline->has(finding)) return true;
     if (report.alarm.severity != Severity::note) ++(report.alarm.severity == Severity::alarm ? faults : warnings);
-    findings_.push_back(finding_of(report, job_.texts(), language(options_)));
-    if (options_.format == "text") fmt::print(stderr, "{}", alarm_text(report, job_.texts(), language(options_)));
-    const bool fatal = report.alarm.id == AlarmId::endless_program || report.alarm.id == AlarmId::interrupted;
-    return !fatal && faults + warnings < most_faults;
+    to_.add(report, std::move(finding), job_.texts(), lang_);
+    return report.alarm.id != AlarmId::interrupted && faults + warnings < most_faults;
   }
 
   std::size_t faults = 0;
   std::size_t warnings = 0;
   bool one_pass = false;
+  bool clean() const { return faults == 0 && (!strict_ || warnings == 0); }
 
  private:
   static constexpr std::size_t most_again = 100'000;  // repetitions of known faults: a loop that only fails
   const Job& job_;
-  const Options& options_;
-  std::vector<Finding>& findings_;
+  const Lang lang_;
+  const bool strict_;
+  Report& to_;
   Seen& seen_;
   std::size_t again_ = 0;
 };
 
-enum class Checked { clean, faulty, unreadable };
+enum class Checked { clean, faulty, unreadable, unknown };  // unknown: no program of a control that Kadr knows
 
 struct Count {
   std::size_t faults = 0, warnings = 0;
@@ -87,17 +80,20 @@ struct Count {
 /// What is found goes to the collector of its channel.
 Outlets outlets_of(Collector& collector, Progress& progress) {
   const auto take = [&collector](const AlarmReport& report) { return collector.take(report); };
-  return {[](const Action&) {}, [take](const AlarmReport& report) { (void)take(report); }, take, &progress};
+  return {.action = [](const Action&) {},
+          .warning = [take](const AlarmReport& report) { (void)take(report); },
+          .alarm = take,
+          .progress = &progress,
+          .stop = stop_token()};
 }
 
-Checked check_program(const Options& options, const std::optional<Job>& job, Count& count, std::vector<Finding>& findings,
-                      std::deque<Collector::Seen>& seen) {
-  auto program = open_program(*job);
+Checked check_program(const Options& options, const Job& job, Count& count, Report& report, std::deque<Collector::Seen>& seen) {
+  auto program = open_program(job);
   if (!program) return Checked::unreadable;
   RunLimits limits = options.limits;
   const bool one_pass = limits.restarts == RunLimits{}.restarts;
   if (one_pass) limits.restarts = 0;
-  auto channels = make_channels(*job, std::move(*program), limits);
+  auto channels = make_channels(job, std::move(*program), limits);
   if (!channels) return Checked::unreadable;
   Progress progress(options.quiet);
   std::deque<Collector> collectors;
@@ -105,73 +101,120 @@ Checked check_program(const Options& options, const std::optional<Job>& job, Cou
   outlets.stop_together = false;
   for (std::size_t i = 0; i < channels->size(); ++i) {
     if (seen.size() <= i) seen.emplace_back();
-    collectors.emplace_back(*job, options, findings, seen[i]);
+    collectors.emplace_back(job, options, report, seen[i]);
     collectors.back().one_pass = one_pass;
     outlets.own.push_back(outlets_of(collectors.back(), progress));
   }
   if (channels->size() == 1) {
     channels->front().control->set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
-    (void)carry_out(*channels->front().control, *job, outlets.own.front());
+    (void)carry_out(*channels->front().control, job, outlets.own.front());
   } else {
-    (void)Channels(*channels, *job, outlets).run();
+    (void)Channels(*channels, job, outlets).run();
   }
   bool clean = true;
   for (std::size_t i = 0; i < channels->size(); ++i) {
     if (!interrupted()) (*channels)[i].control->check_uncalled([&](const AlarmReport& r) { (void)collectors[i].take(r); });
+    const bool own = (*channels)[i].number == job.setup.channel;
+    if (const auto note = own ? unstated(*(*channels)[i].control, job) : std::nullopt) (void)collectors[i].take(*note);
     count.faults += collectors[i].faults;
     count.warnings += collectors[i].warnings;
-    clean = clean && collectors[i].faults == 0;
+    clean = clean && collectors[i].clean();
   }
   return clean ? Checked::clean : Checked::faulty;
 }
 
 /// Every program of the file, if it is a tape with several and none is named.
-Checked check_file(const Options& options, const std::string& file, Count& count, std::vector<Finding>& findings) {
-  auto job = make_job(options, file);
+Checked check_file(const Options& options, const std::string& file, Count& count, Report& report) {
+  const auto control = control_of(options, file);
+  if (!control) return Checked::unreadable;
+  if (control->empty()) return Checked::unknown;
+  auto job = make_job(options, file, *control);
   if (!job) return Checked::unreadable;
   const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
   std::deque<Collector::Seen> seen;
   Checked worst = Checked::clean;
   for (std::size_t i = 0; i < programs && !interrupted(); ++i) {
     if (programs > 1) job->program_index = i;
-    worst = std::max(worst, check_program(options, job, count, findings, seen));
+    worst = std::max(worst, check_program(options, *job, count, report, seen));
   }
   return worst;
 }
 
-void print_count(const Options& options, std::size_t files, Count count) {
+/// "3 programs checked: 1 error, 0 warnings."
+void print_count(const Options& options, std::size_t files, Count count, std::size_t known) {
+  if (options.format != "text" || options.quiet) return;
   const auto [faults, warnings] = count;
-  if (options.format != "text") return;
-  if (language(options) == Lang::ru) fmt::print("Проверено программ: {}. Ошибок: {}, предупреждений: {}.\n", files, faults, warnings);
-  else
-    fmt::print("{} program{} checked: {} error{}, {} warning{}.\n", files, files == 1 ? "" : "s", faults, faults == 1 ? "" : "s", warnings,
-               warnings == 1 ? "" : "s");
+  const auto many = [](std::size_t n) { return n == 1 ? "" : "s"; };
+  if (language(options) == Lang::ru) {
+    fmt::print("Проверено программ: {}. Ошибок: {}, предупреждений: {}.", files, faults, warnings);
+    if (known != 0) fmt::print(" Известных замечаний пропущено: {}.", known);
+  } else {
+    fmt::print("{} program{} checked: {} error{}, {} warning{}.", files, many(files), faults, many(faults), warnings, many(warnings));
+    if (known != 0) fmt::print(" {} known finding{} left out.", known, many(known));
+  }
+  fmt::print("\n");
+}
+
+/// The baseline that is asked for; complains.
+bool read_baseline(const Options& options, Report& report) {
+  constexpr std::size_t longest = std::size_t{256} << 20;  // bytes
+  if (options.baseline.empty()) return true;
+  const auto text = read_all(options.baseline, longest);
+  if (!text) return false;
+  auto baseline = Baseline::read(*text);
+  if (!baseline) return complain(fmt::format("{}: {}", options.baseline, baseline.error())), false;
+  report.baseline = std::move(*baseline);
+  return true;
+}
+
+Outputs outputs_of(const Options& options, const ProgramFiles& programs) {
+  Outputs outputs(language(options));
+  for (const std::string& file : programs.files) outputs.reads(file);
+  for (const std::string& file : {options.setup, options.baseline}) outputs.reads(file);
+  outputs.writes("--output", options.output.empty() && options.format != "text" ? "-" : options.output);
+  return outputs;
+}
+
+/// json, sarif: all findings at once.
+void write_findings(std::FILE* to, const Options& options, const Report& report, int status) {
+  Invocation invocation{KADR_VERSION, status, {}};
+  for (const Unreadable& file : report.unreadable) invocation.unreadable.emplace_back(file.path, file.reason);
+  const std::string text = options.format == "json" ? findings_json(report.findings) : findings_sarif(report.findings, invocation);
+  std::fwrite(text.data(), 1, text.size(), to);  // Outputs::keep() tells whether all was written
 }
 
 }  // namespace
 
-int check(const Options& options) {
-  const std::vector<std::string> files = files_of(options.programs);
-  if (files.empty()) {
-    complain("no program to check there");
-    return wrong_usage;
-  }
-  catch_interrupts();
-  std::vector<Finding> findings;
+int check(const Options& given) {
+  Options options = given;
+  options.guesses_silently = options.quiet;
+  ProgramFiles programs = program_files(options.programs, options.exclude);
+  Outputs outputs = outputs_of(options, programs);
+  Report report;
+  if (!read_baseline(options, report) || !outputs.check() || !outputs.open()) return wrong_usage;
+  const ResultFile* const output = outputs.file("--output");
+  if (options.format == "text") report.text = output != nullptr ? output->get() : stderr;
+  for (const Unreadable& file : programs.unreadable) complain(fmt::format("{}: {}", file.path, file.reason));
+  int status = programs.unreadable.empty() ? ok : wrong_usage;
+  report.unreadable = std::move(programs.unreadable);
+  if (programs.files.empty()) return complain("no program to check there"), wrong_usage;
   Count count;
   std::size_t checked = 0;
-  int status = ok;
-  for (const std::string& file : files) {
-    const Checked result = check_file(options, file, count, findings);
-    checked += result != Checked::unreadable;
-    status = std::max<int>(status, result == Checked::clean ? ok : result == Checked::faulty ? alarms : wrong_usage);
-    if (interrupted()) break;
-    if (options.format == "text") findings.clear();
+  for (const std::string& file : programs.files) {
+    const Checked result = check_file(options, file, count, report);
+    const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
+    checked += result == Checked::clean || result == Checked::faulty;
+    if (result == Checked::faulty) status = std::max<int>(status, alarms);
+    if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // of a folder not every file is a program
+      report.unreadable.push_back({file, "cannot be checked"});
+      status = wrong_usage;
+    }
+    if (interrupted()) return interrupted_status();
+    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // nobody can read it
   }
-  if (options.format == "json") fmt::print("{}", findings_json(findings));
-  if (options.format == "sarif") fmt::print("{}", findings_sarif(findings, KADR_VERSION));
-  print_count(options, checked, count);
-  return status;
+  if (report.text == nullptr) write_findings(output->get(), options, report, status);
+  print_count(options, checked, count, report.baseline ? report.baseline->found() : 0);
+  return outputs.keep() ? status : wrong_usage;
 }
 
 }  // namespace kadr::cli

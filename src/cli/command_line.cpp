@@ -21,6 +21,8 @@ constexpr const char* check_examples =
     "  kadr check programs/                            every program of a folder, every fault\n"
     "  kadr check a.nc b.nc --control gost\n"
     "  kadr check programs/ --format sarif >r.sarif    for an editor or a code host\n"
+    "  kadr check . --exclude 'old/*' --control-for '*.nct=nct' --strict\n"
+    "  kadr check . --format json --output known.json; kadr check . --baseline known.json\n"
     "Exit status: 0 no error, 1 errors found, 2 wrong usage or unreadable file.";
 constexpr const char* explain_examples =
     "Examples:\n"
@@ -28,13 +30,25 @@ constexpr const char* explain_examples =
     "  kadr explain s2c42 L83         a cycle and its body\n"
     "  kadr explain mach3 X           an address\n"
     "  kadr explain mach3             the whole control\n"
-    "  kadr explain mach3 radius_mismatch   an alarm and what to do";
+    "  kadr explain mach3 radius_mismatch   an alarm and what to do\n"
+    "  kadr explain nct setup         the keys of a set-up";
+constexpr const char* setup_examples =
+    "Examples:\n"
+    "  kadr setup part.nc --control nct                what is to be filled in, to standard output\n"
+    "  kadr setup part.nc --control nct --out shop.json; kadr run part.nc --control nct --setup shop.json\n"
+    "Exit status: 0 written, 2 wrong usage, unreadable file, or the file --out is there already.";
 constexpr const char* tape_examples =
     "Examples:\n"
     "  kadr tape encode flange.nc flange.tape     text to rows with even parity\n"
     "  kadr tape decode flange.tape               rows to text; parity errors by row on stderr\n"
     "  kadr tape encode part.nc part.tape --code eia   rows of EIA RS-244, odd parity\n"
     "Exit status: 0 all well, 1 parity errors, a tape that lies wrongly or a character that has no code, 2 wrong usage.";
+
+constexpr const char* state_examples =
+    "Examples:\n"
+    "  kadr state check shop.state                    sound, or what is damaged in it\n"
+    "  kadr state recover shop.state --out new.state  what is sound, in a new file; the old one stays as it is\n"
+    "Exit status: 0 sound, 1 damaged, 2 wrong usage, or no state that can be read.";
 
 constexpr const char* mill_examples =
     "Examples:\n"
@@ -52,13 +66,19 @@ void program_options(CLI::App& app, Options& o) {
   app.add_option("--control", o.control, "control: an id of `kadr controls`, or a file NAME.toml (default: guessed from the text)");
   app.add_option("--machine", o.machine, "machine profile: an id or a file NAME.toml (default: generic)");
   app.add_option("--setup", o.setup, "state before the start: a JSON file");
+  app.add_option("--tool", o.tools, "offset number, radius, length, their wear, mm: 1:r8,l100,rw-0.02,lw0.1; repeated")
+      ->allow_extra_args(false);
+  app.add_option("--zero", o.zeros, "work zero, machine coordinates: G54=X-400,Y-250,Z-300, or 1=X40 (2С42); repeated")
+      ->allow_extra_args(false);
+  app.add_option("--corrector", o.correctors, "axis corrector, mm: 17=-0.35; repeated")->allow_extra_args(false);
   app.add_option("--encoding", o.encoding, "of the text: utf-8, cp1251, koi8-r, cp866, iso7, eia (default: detected)");
   app.add_option("--program", o.program, "number of the program on a tape with several (default: the first; check: all)")
       ->check(CLI::Range(1, 999999999));
   app.add_option("--skip", o.skip, "skip switches that are on, 1 to 9")->check(CLI::Range(1, 9));
   app.add_flag("--optional-stop", o.optional_stop, "stop at M01");
   app.add_option("--max-blocks", o.limits.repeated_blocks, "stop a program that repeats more blocks than this")->capture_default_str();
-  app.add_option("--max-passes", o.limits.restarts, "stop an endless program (M99, M47) after so many passes")->capture_default_str();
+  app.add_option("--max-passes", o.limits.restarts, "passes of an endless program (M99, M47), where they may differ")
+      ->capture_default_str();
   app.add_flag("--quiet,-q", o.quiet, "no summary, no progress bar");
   language_option(app, o.lang);
 }
@@ -80,6 +100,9 @@ OverrideChange override_change(const std::string& text) {
 void sample_options(CLI::App& run, Options& o) {
   run.add_option("--samples", o.samples, "positions of the axes at the servo rate as CSV, to a file or - for stdout");
   run.add_option("--rate", o.rate, "of the samples, Hz")->check(CLI::Range(1.0, 1e6))->capture_default_str();
+  run.add_option("--max-time", o.max_time, "the samples end after so many seconds (exit status 1); default: a day")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
   run.add_option_function<std::vector<std::string>>(
          "--override",
          [&o](const std::vector<std::string>& texts) {
@@ -96,8 +119,8 @@ void add_run(CLI::App& app, Commands& c) {
   program_options(*run, c.options);
   run->add_option("--trace", c.options.trace, "every action as a line of JSON, to a file or - for stdout");
   run->add_option("--state", c.options.state, "file that keeps offsets, #500-#999, tool life, parameters from run to run (nct)");
-  run->add_option("--files", c.options.limits.files,
-                  "folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: here)");
+  run->add_option("--files", c.options.files,
+                  "folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: it writes nothing)");
   sample_options(*run, c.options);
   run->add_option("--plot", c.options.plot, "draw the path: a file .svg or .png");
   run->add_option("--colour,--color", c.options.colour, "of the path in --plot: by speed, or by the limit that slows it")
@@ -114,18 +137,34 @@ void add_check(CLI::App& app, Commands& c) {
   check->add_option("--format", c.options.format, "text, json or sarif")
       ->check(CLI::IsMember({"text", "json", "sarif"}))
       ->capture_default_str();
+  check->add_option("--output", c.options.output, "file for the findings (default: text on stderr, json and sarif on stdout)");
+  check->add_option("--baseline", c.options.baseline, "findings that are known, as --format json wrote them: only new ones are told");
+  check->add_option("--exclude", c.options.exclude,
+                    "in folders, leave out what is like the pattern (* ? [abc]): a path or a name; may be repeated");
+  check->add_option("--control-for", c.options.control_for,
+                    "PATTERN=ID: the control of the files that are like the pattern; may be repeated");
+  check->add_flag("--strict", c.options.strict, "warnings count as errors");
   check->footer(check_examples);
 }
 
 void add_explain(CLI::App& app, Commands& c) {
   CLI::App* const explain = app.add_subcommand("explain", "what a code, address, cycle or alarm means");
   explain->add_option("CONTROL", c.explain.control, "control id or NAME.toml")->required();
-  explain->add_option("CODE", c.explain.code, "G41, M3, X, L81, an alarm id; left out: all codes");
+  explain->add_option("CODE", c.explain.code, "G41, M3, X, L81, an alarm id, setup; left out: all codes");
   explain->add_flag("--markdown", c.explain.markdown, "the page of the documentation");
   language_option(*explain, c.explain.lang);
   explain->footer(explain_examples);
   CLI::App* const controls = app.add_subcommand("controls", "the controls Kadr knows");
   language_option(*controls, c.options.lang);
+}
+
+void add_setup(CLI::App& app, Commands& c) {
+  Options& o = c.setup.program;
+  CLI::App* const setup = app.add_subcommand("setup", "write a set-up to be filled in, with what a program uses");
+  setup->add_option("PROGRAM", o.programs, "the part program (- for standard input)")->required()->expected(1);
+  program_options(*setup, o);
+  setup->add_option("--out", c.setup.output, "the new file (default: standard output)");
+  setup->footer(setup_examples);
 }
 
 void add_tape(CLI::App& app, Commands& c) {
@@ -146,6 +185,21 @@ void add_tape(CLI::App& app, Commands& c) {
     }
   }
   tape->footer(tape_examples);
+}
+
+void add_state(CLI::App& app, Commands& c) {
+  CLI::App* const state = app.add_subcommand("state", "the file of run --state: is it sound");
+  state->require_subcommand(1);
+  for (const bool recover : {false, true}) {
+    CLI::App* const sub = recover ? state->add_subcommand("recover", "write what is sound into a new file")
+                                  : state->add_subcommand("check", "find every damaged row");
+    sub->add_option("FILE", c.state.file, "state file")->required();
+    language_option(*sub, c.state.lang);
+    if (!recover) continue;
+    sub->add_option("--out", c.state.out, "the new file, which must not be there yet (default: FILE.recovered)");
+    sub->add_option("--control", c.state.control, "whose state it is, where the file no longer says");
+  }
+  state->footer(state_examples);
 }
 
 void geometry_options(CLI::App& app, MillOptions& o) {
@@ -204,7 +258,9 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   add_run(*app, c);
   add_check(*app, c);
   add_explain(*app, c);
+  add_setup(*app, c);
   add_tape(*app, c);
+  add_state(*app, c);
   add_mill(*app, c);
   app->add_subcommand("man", "print the manual page (kadr man > kadr.1)");
   CLI::App* const complete = app->add_subcommand("completion", "print the completion script of a shell");

@@ -17,6 +17,8 @@ struct Commands {
   Options options;
   ExplainOptions explain;
   TapeOptions tape;
+  StateOptions state;
+  SetupOptions setup;
   MillOptions mill;
   std::string shell;  // of completion
 };

@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "config/control_file.h"
 #include "out/code_page.h"
+#include "out/setup_page.h"
 
 namespace kadr::cli {
 namespace {
@@ -15,6 +16,16 @@ Lang language_named(const std::string& lang) {
   return language(options);
 }
 
+/// docs/setup.md: one page for all controls.
+std::string setup_page_of_all(Lang lang) {
+  std::vector<ControlDef> all;
+  for (const std::string& id : built_in_controls())
+    if (auto def = load_control(id)) all.push_back(std::move(*def));
+  std::vector<const ControlDef*> controls;
+  for (const ControlDef& def : all) controls.push_back(&def);
+  return setup_page(controls, lang);
+}
+
 }  // namespace
 
 int explain(const ExplainOptions& options) {
@@ -23,6 +34,7 @@ int explain(const ExplainOptions& options) {
   const auto texts = AlarmTexts::load(&*def);
   if (!texts) return complain(texts.error()), wrong_usage;
   const Lang lang = language_named(options.lang);
+  if (options.code == "setup") return fmt::print("{}", options.markdown ? setup_page_of_all(lang) : explain_setup(*def, lang)), ok;
   if (options.markdown) return fmt::print("{}", control_page(*def, *texts)), ok;
   if (options.code.empty()) return fmt::print("{}", explain_control(*def, lang)), ok;
   const auto text = explain_code(*def, *texts, options.code, lang);

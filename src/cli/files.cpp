@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "cli/options.h"
+#include "config/read_file.h"
 
 namespace kadr::cli {
 
@@ -31,13 +32,11 @@ std::optional<std::string> read_all(const std::string& name, std::size_t most) {
   return text;
 }
 
-bool write_all(const std::string& name, const std::string& text) {
-  if (name.empty() || name == "-") return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  std::ofstream file(name, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) complain(fmt::format("{}: {}", name, std::strerror(errno)));
-  return static_cast<bool>(file);
+std::optional<std::string> read_small(const std::string& name, std::size_t most) {
+  if (name == "-") return read_all(name, most);
+  auto text = read_file(name, most);
+  if (!text) return complain(text.error()), std::nullopt;
+  return std::move(*text);
 }
 
 }  // namespace kadr::cli

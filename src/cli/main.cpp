@@ -7,6 +7,9 @@
 #include <exception>
 
 #include "cli/command_line.h"
+#include "cli/outputs.h"
+#include "cli/stop.h"
+#include "config/told.h"
 
 namespace kadr::cli {
 
@@ -23,15 +26,31 @@ Lang language(const Options& options) {
 
 namespace {
 
+/// The language that any of the commands was given: one was called.
+Lang language(const Commands& commands) {
+  Options said;
+  for (const std::string* const lang :
+       {&commands.options.lang, &commands.explain.lang, &commands.tape.lang, &commands.state.lang, &commands.mill.lang})
+    if (!lang->empty()) said.lang = *lang;
+  return kadr::cli::language(said);
+}
+
 int perform(const CLI::App& app, const Commands& commands) {
+  tell_in(language(commands));
   if (app.got_subcommand("run")) return run(commands.options);
   if (app.got_subcommand("check")) return check(commands.options);
   if (app.got_subcommand("explain")) return explain(commands.explain);
+  if (app.got_subcommand("setup")) return write_setup(commands.setup);
   if (app.got_subcommand("controls")) return list_controls(commands.options.lang);
   if (app.got_subcommand("tape")) {
     TapeOptions options = commands.tape;
     options.decode = app.get_subcommand("tape")->got_subcommand("decode");
     return tape(options);
+  }
+  if (app.got_subcommand("state")) {
+    StateOptions options = commands.state;
+    options.recover = app.get_subcommand("state")->got_subcommand("recover");
+    return state(options);
   }
   if (app.got_subcommand("mill")) {
     MillOptions options = commands.mill;
@@ -42,20 +61,26 @@ int perform(const CLI::App& app, const Commands& commands) {
   return fmt::print("{}", completion(app, commands.shell)), ok;
 }
 
+/// A command that failed has said so already.
+int printed(int status) { return status == wrong_usage || came_out() ? status : wrong_usage; }
+
 }  // namespace
 }  // namespace kadr::cli
 
 int main(int argc, char** argv) {
   using namespace kadr::cli;
+  survive_closed_pipes();
+  catch_interrupts();
   Commands commands;
+  commands.options.limits.stop = stop_token();
   const auto app = make_app(commands);
   try {
     app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app->exit(error) == 0 ? ok : wrong_usage;
+    return app->exit(error) == 0 ? printed(ok) : wrong_usage;
   }
   try {
-    return perform(*app, commands);
+    return printed(perform(*app, commands));
   } catch (const std::bad_alloc&) {
     complain("out of memory");
   } catch (const std::exception& error) {  // of a library: a bug, but said plainly

@@ -9,10 +9,14 @@
 
 #include "cli/files.h"
 #include "cli/mill_options.h"
+#include "cli/outputs.h"
+#include "cli/progress.h"
+#include "cli/stop.h"
 #include "config/contour.h"
 #include "config/control_file.h"
 #include "out/alarm_print.h"
 #include "out/mill_picture.h"
+#include "out/page_file.h"
 #include "out/part_program.h"
 #include "path/area/verify.h"
 
@@ -43,21 +47,32 @@ std::string line_of(std::string_view text, std::uint32_t number) {
 class MillCommand {
  public:
   MillCommand(const MillOptions& options, Lang lang, const ControlDef& def, const AlarmTexts& texts)
-      : options_(options), lang_(lang), def_(def), texts_(texts) {}
+      : options_(options), lang_(lang), def_(def), texts_(texts), outputs_(lang) {}
 
   Exit run() {
-    const auto text = read_all(options_.contour, limits::contour_bytes);
+    outputs_.reads(options_.contour);
+    if (options_.control.ends_with(".toml")) outputs_.reads(options_.control);
+    outputs_.writes("--output", options_.output.empty() ? "-" : options_.output);
+    outputs_.writes("--plot", options_.plot);
+    if (!outputs_.check()) return wrong_usage;
+    const auto text = read_small(options_.contour, limits::contour_bytes);
     if (!text) return wrong_usage;
-    const auto job = mill_job(options_);
+    auto job = mill_job(options_);
     if (!job) return say(job.error()), wrong_usage;
+    watch(*job);
     const auto shape = shape_of(*text);
     if (!shape) return say(shape.error(), *text), alarms;
     auto path = shape->lines.empty() ? area::verified_path(shape->zones, *job) : along_lines(*shape, *job);
     if (!path) return say(path.error()), alarms;
     const auto program = written(*path, *shape, *job);
     if (!program) return say(program.error()), alarms;
-    if (!write_all(options_.output, program->text)) return wrong_usage;
+    if (stop_token().asked()) return say(alarm(AlarmId::interrupted, {})), alarms;
+    progress_.reset();
+    if (!outputs_.open()) return wrong_usage;
+    std::fwrite(program->text.data(), 1, program->text.size(), outputs_.stream("--output"));  // keep() tells whether all was written
     if (!options_.plot.empty() && !draw(*path, *shape, *job)) return wrong_usage;
+    if (!outputs_.keep()) return wrong_usage;
+    warn_of_holes(path->path);
     if (!options_.quiet) print(*path, *shape, *job, *program);
     return ok;
   }
@@ -65,13 +80,26 @@ class MillCommand {
  private:
   bool ru() const { return lang_ == Lang::ru; }
 
+  void watch(Job& job) {
+    job.watch.stop = stop_token();
+    progress_.emplace(options_.quiet);
+    job.watch.show = [this](area::Stage stage, double part) {
+      constexpr std::pair<const char*, const char*> names[] = {{"passes", "проходы"}, {"path", "траектория"}, {"verification", "проверка"}};
+      const auto& [en, russian] = names[static_cast<std::size_t>(stage)];
+      if (progress_ && progress_->is_due()) progress_->show(part, ru() ? russian : en);
+    };
+  }
+
   /// An alarm of the whole job, not of a line of the drawing.
-  void say(const Alarm& alarm) const {
+  void say(const Alarm& alarm) {
+    progress_.reset();
+    if (alarm.id == AlarmId::interrupted) return complain(ru() ? "прервано: ничего не записано" : "interrupted: nothing is written");
     complain(fmt::format("{}: {}: {}", options_.contour, name_of(alarm.id), texts_.sentence(alarm, lang_)));
     if (const std::string hint = texts_.hint(alarm, lang_); !hint.empty()) fmt::print(stderr, "  {}\n", hint);
   }
 
-  void say(const ContourFault& fault, std::string_view text) const {
+  void say(const ContourFault& fault, std::string_view text) {
+    progress_.reset();
     if (fault.line == 0) return say(fault.alarm);
     AlarmReport report;
     report.alarm = fault.alarm;
@@ -132,8 +160,8 @@ class MillCommand {
     const std::string title = options_.contour.substr(slash == std::string::npos ? 0 : slash + 1);
     const std::string subtitle =
         fmt::format("{}   Ø{}   {}", scheme_name(job), number_text(2 * job.radius), ru() ? def_.name.ru : def_.name.en);
-    const auto drawn =
-        draw_milling(options_.plot, {shape.zones, path.path.moves, path.path.holes, job.radius, job.top, title, subtitle, lang_});
+    const auto drawn = draw_milling(*outputs_.file("--plot"),
+                                    {shape.zones, path.path.moves, path.path.holes, job.radius, job.top, title, subtitle, lang_});
     if (!drawn) complain(drawn.error());
     return drawn.has_value();
   }
@@ -161,14 +189,42 @@ class MillCommand {
     line("uncut", "не обработано",
          fmt::format("{} mm²; {} {} mm²", number_text(o.uncut, 2), ru() ? "недоступно фрезе" : "out of the tool's reach",
                      number_text(o.out_of_reach, 2)));
-    for (const Vec2 hole : path.path.holes)
-      line("drill before", "засверлить", fmt::format("X{} Y{}", number_text(hole.x, 3), number_text(hole.y, 3)));
+    line("plunge", "врезание", plunge_text(path.path.plunges, job));
+    for (const Vec2 hole : path.path.holes) line("drill before", "засверлить", place(hole));
     if (path.path.step < job.step) line("note", "замечание", ru() ? "шаг уменьшен: острые углы" : "the step was reduced: sharp corners");
     if (path.path.fields > shape.zones.size())
       line("note", "замечание", ru() ? "зона распалась: есть места уже фрезы" : "the zone falls apart: places narrower than the tool");
     line(
         "program", "УП",
         fmt::format("{} {}, {}", blocks, ru() ? "кадров" : "blocks", ru() ? "прочитана обратно: путь тот же" : "read back: the same path"));
+  }
+
+  static std::string place(Vec2 p) { return fmt::format("X{} Y{}", number_text(p.x, 3), number_text(p.y, 3)); }
+
+  /// How the tool goes down into material not yet cut. Straight down is told, for not every tool cuts over its centre.
+  std::string plunge_text(const area::Plunges& p, const Job& job) const {
+    std::string text;
+    const auto add = [&](std::size_t count, const char* en, const char* russian) {
+      if (count > 0) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", ru() ? russian : en, count);
+    };
+    add(p.ramps, "ramps to and fro", "спуски вперёд и назад");
+    add(p.helices, "ramps round and round", "спуски по замкнутой линии");
+    add(p.straight, "straight down into the material (the tool must cut over its centre)",
+        "отвесно в материал (фреза должна резать центром)");
+    add(p.drilled, "straight down into holes drilled before", "отвесно в засверленные отверстия");
+    if (text.empty()) return ru() ? "вне материала" : "beside the material";
+    if (p.ramps + p.helices > 0) text += fmt::format("; {}°", number_text(job.ramp_deg, 3));
+    return fmt::format("{}: {}", russian_name(job.plunge), text);
+  }
+
+  /// Said even to those who asked for no summary: without the hole the tool breaks.
+  void warn_of_holes(const area::AreaPath& path) const {
+    if (path.plunges.no_room == 0) return;
+    std::string holes;
+    for (const Vec2 hole : path.holes) holes += (holes.empty() ? "" : "; ") + place(hole);
+    complain((ru() ? "спуску нет места, фреза идёт вниз отвесно: засверлить заранее "
+                   : "no room for a ramp, the tool goes straight down: drill before ") +
+             holes);
   }
 
   std::string zone_text(const Shape& shape) const {
@@ -188,6 +244,8 @@ class MillCommand {
   Lang lang_;
   const ControlDef& def_;
   const AlarmTexts& texts_;
+  Outputs outputs_;
+  std::optional<Progress> progress_;
 };
 
 }  // namespace
@@ -199,11 +257,10 @@ int mill(const MillOptions& options) {
   if (!def) return complain(def.error()), wrong_usage;
   const auto texts = AlarmTexts::load(&*def);
   if (!texts) return complain(texts.error()), wrong_usage;
-  if (!options.plot.empty() && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png"))
-    return complain(fmt::format("--plot {}: the name must end in .svg or .png", options.plot)), wrong_usage;
-  for (const std::string& file : {options.output, options.plot})
-    if (file == options.contour && file != "-") return complain(fmt::format("{}: would be written over the contour", file)), wrong_usage;
-  return MillCommand(options, language(shared), *def, *texts).run();
+  if (const std::string fault = options.plot.empty() ? "" : page_fault(options.plot); !fault.empty())
+    return complain("--plot " + fault), wrong_usage;
+  const int status = MillCommand(options, language(shared), *def, *texts).run();
+  return interrupted() ? interrupted_status() : status;
 }
 
 }  // namespace kadr::cli

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "config/contour.h"
 
@@ -14,7 +15,7 @@ using area::Scheme;
 
 constexpr double most_stepover = 100;  // % of the diameter: beyond it ridges stay
 
-/// A name of the command line, of the source, and the latter in small letters.
+/// A name of the command line, of the source as printed there, and the latter in small letters. Blanks within count for nothing.
 template <class T>
 struct Name {
   std::string_view name, source, small;
@@ -22,22 +23,42 @@ struct Name {
 };
 constexpr Name<Scheme> schemes[] = {
     {"zigzag", "ЗИГЗАГ", "зигзаг", Scheme::zigzag},
-    {"1zigzag", "1ЗИГЗАГ", "1зигзаг", Scheme::zigzag_then_contour},
-    {"2zigzag", "2ЗИГЗАГ", "2зигзаг", Scheme::contour_then_zigzag},
+    {"1zigzag", "1 ЗИГЗАГ", "1 зигзаг", Scheme::zigzag_then_contour},
+    {"2zigzag", "2 ЗИГЗАГ", "2 зигзаг", Scheme::contour_then_zigzag},
     {"spiral-out", "СПИР", "спир", Scheme::spiral_out},
     {"spiral-in", "АСПИР", "аспир", Scheme::spiral_in},
     {"comb", "ШТИП", "штип", Scheme::comb},
-    {"1comb", "1ШТИП", "1штип", Scheme::comb_then_contour},
-    {"2comb", "2ШТИП", "2штип", Scheme::contour_then_comb},
+    {"1comb", "1 ШТИП", "1 штип", Scheme::comb_then_contour},
+    {"2comb", "2 ШТИП", "2 штип", Scheme::contour_then_comb},
 };
 constexpr Name<Direction> directions[] = {{"ccw", "ПЧС", "пчс", Direction::ccw}, {"cw", "ЧС", "чс", Direction::cw}};
 constexpr Name<Plunge> plunges[] = {
     {"hole", "ЗАСВ", "засв", Plunge::hole}, {"tangential", "КАС", "кас", Plunge::tangential}, {"ramp", "СПУСК", "спуск", Plunge::ramp}};
 
+std::string without_blanks(std::string_view text) {
+  std::string rest;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.substr(i).starts_with("\u00A0")) ++i;
+    else if (text[i] != ' ') rest += text[i];
+  }
+  return rest;
+}
+
 template <class T, std::size_t n>
 bool find(const Name<T> (&names)[n], std::string_view text, T& value) {
+  const std::string wanted = without_blanks(text);
   for (const Name<T>& name : names)
-    if (text == name.name || text == name.source || text == name.small) return value = name.value, true;
+    for (const std::string_view known : {name.name, name.source, name.small})
+      if (wanted == without_blanks(known)) return value = name.value, true;
+  return false;
+}
+
+/// A scheme, and the direction where its name ends with one, as it is printed: СПИР ПЧС, АСПИР ЧС.
+bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>& direction) {
+  if (find(schemes, text, scheme)) return true;
+  for (const Name<Direction>& name : directions)
+    for (const std::string_view ending : {name.source, name.small})
+      if (text.ends_with(ending) && find(schemes, text.substr(0, text.size() - ending.size()), scheme)) return direction = name.value, true;
   return false;
 }
 
@@ -92,10 +113,11 @@ Status check_ranges(const MillOptions& o) {
 Result<area::Job> mill_job(const MillOptions& o) {
   KADR_TRY(check_ranges(o));
   area::Job job;
-  if (!o.scheme.empty() ? !find(schemes, o.scheme, job.scheme) : (o.task == "face" && !find(schemes, "zigzag", job.scheme)))
-    return fail(alarm(AlarmId::mill_value, {}, "scheme", o.scheme));
-  job.direction = climb(job.scheme);
-  if (!o.direction.empty() && !find(directions, o.direction, job.direction))
+  std::optional<Direction> named;
+  if (o.scheme.empty()) job.scheme = o.task == "face" ? Scheme::zigzag : job.scheme;
+  else if (!find_scheme(o.scheme, job.scheme, named)) return fail(alarm(AlarmId::mill_value, {}, "scheme", o.scheme));
+  job.direction = named.value_or(climb(job.scheme));
+  if (!o.direction.empty() && (!find(directions, o.direction, job.direction) || job.direction != named.value_or(job.direction)))
     return fail(alarm(AlarmId::mill_value, {}, "direction", o.direction));
   if (!find(plunges, o.plunge, job.plunge)) return fail(alarm(AlarmId::mill_value, {}, "plunge", o.plunge));
   const auto step = step_of(o);
@@ -117,6 +139,12 @@ Result<area::Job> mill_job(const MillOptions& o) {
 std::string_view russian_name(area::Scheme scheme) {
   for (const auto& name : schemes)
     if (name.value == scheme) return name.source;
+  return {};
+}
+
+std::string_view russian_name(area::Plunge plunge) {
+  for (const auto& name : plunges)
+    if (name.value == plunge) return name.source;
   return {};
 }
 

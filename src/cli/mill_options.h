@@ -11,7 +11,8 @@ namespace kadr::cli {
 ///   alarms  mill_value, mill_stepover
 Result<area::Job> mill_job(const MillOptions& options);
 
-/// The scheme's name in the language of the source.
+/// Names as printed in the source: СПИР, 1 ЗИГЗАГ; СПУСК.
 std::string_view russian_name(area::Scheme scheme);
+std::string_view russian_name(area::Plunge plunge);
 
 }  // namespace kadr::cli

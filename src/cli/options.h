@@ -6,7 +6,7 @@
 
 #include "config/alarm_texts.h"
 #include "control/control.h"
-#include "motion/override_change.h"
+#include "out/sample_options.h"
 
 namespace kadr::cli {
 
@@ -19,22 +19,32 @@ struct Options {
   std::string machine;  // empty: generic
   std::string setup;
   std::string encoding;
-  std::string trace;    // file, "-": stdout
-  std::string plot;     // .svg or .png
-  std::string samples;  // file, "-": stdout
-  double rate = 1000;   // of the samples, Hz
+  std::string trace;                           // file, "-": stdout
+  std::string plot;                            // .svg or .png
+  std::string samples;                         // file, "-": stdout
+  double rate = 1000;                          // of the samples, Hz
+  double max_time = SampleOptions{}.max_time;  // of the samples, s
   std::vector<OverrideChange> overrides;
-  std::string colour;           // of the plot: speed, limit; empty: by the kind of motion
-  std::string plot_speed;       // .svg or .png
-  bool why = false;             // the lines that lose most time
-  std::string state;            // file that keeps what survives power-off; empty: nothing is kept
-  std::string lang;             // "ru", "en"; empty: by LANG
-  std::string format = "text";  // of check: text, json, sarif
-  std::vector<int> skip;        // switches that are on
-  std::uint32_t program = 0;    // number of one on a tape with several; 0: the first, of check all
+  std::string colour;      // of the plot: speed, limit; empty: by the kind of motion
+  std::string plot_speed;  // .svg or .png
+  bool why = false;        // the lines that lose most time
+  std::string files;       // folder for what the program writes; empty: it writes nothing
+  std::string state;       // file that keeps what survives power-off; empty: nothing is kept
+  std::string lang;        // "ru", "en"; empty: by LANG
+  // of check
+  std::string format = "text";           // text, json, sarif
+  std::string output;                    // of its findings; empty: text to stderr, others to stdout
+  std::string baseline;                  // known findings: a list as --format json writes it
+  std::vector<std::string> exclude;      // patterns of paths in folders
+  std::vector<std::string> control_for;  // PATTERN=ID
+  bool guesses_silently = false;         // which control: nothing is said of it
+  bool strict = false;                   // warnings count as errors
+  std::vector<int> skip;                 // switches that are on
+  std::uint32_t program = 0;             // number of one on a tape with several; 0: the first, of check all
   bool optional_stop = false;
   bool quiet = false;
   RunLimits limits;
+  std::vector<std::string> tools, zeros, correctors;  // laid over the set-up: "1:r8,l100", "G54=X-400", "17=-0.35"
 };
 
 Lang language(const Options& options);
@@ -54,6 +64,12 @@ struct ExplainOptions {
 int explain(const ExplainOptions& options);
 int list_controls(const std::string& lang);
 
+struct SetupOptions {
+  Options program;
+  std::string output;  // empty: stdout
+};
+int write_setup(const SetupOptions& options);
+
 struct TapeOptions {
   bool decode = true;
   std::string code;  // iso, eia; empty: as the rows say, to be written iso
@@ -63,6 +79,15 @@ struct TapeOptions {
   std::string lang;
 };
 int tape(const TapeOptions& options);
+
+struct StateOptions {
+  std::string file;
+  bool recover = false;
+  std::string out;      // of recover; empty: FILE.recovered
+  std::string control;  // of recover, where the file no longer says
+  std::string lang;
+};
+int state(const StateOptions& options);
 
 /// Lengths in mm; what is negative here was not given.
 struct MillOptions {

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <utility>
 
+#include "cli/program_files.h"
+#include "cli/setup_options.h"
 #include "config/control_file.h"
 #include "config/guess.h"
 #include "lang/several_programs.h"
@@ -17,27 +18,24 @@ namespace {
 
 constexpr unsigned shown_each = 64;  // batches between two looks at the progress
 
-volatile std::sig_atomic_t interrupt_seen = 0;
-void note_interrupt(int) { interrupt_seen = 1; }
-
-/// The control named, or the one the text looks like: said on stderr.
-std::optional<std::string> control_of(const Options& options, const std::string& file) {
-  if (!options.control.empty()) return options.control;
-  auto source = open_file(file);
-  if (!source) {
-    complain(fmt::format("{}: {}", file, std::strerror(errno)));
-    return std::nullopt;
+/// The set-up file, over it what the options state; complains of what is wrong.
+bool take_setup(Job& job, const Options& options) {
+  std::vector<SetupSource> sources;
+  if (!options.setup.empty()) {
+    auto file = setup_source(options.setup);
+    if (!file) return complain(file.error()), false;
+    sources.push_back(std::move(*file));
   }
-  LineReader reader(std::move(source));
-  std::string text;
-  const std::string_view sample = reader.sample();
-  const auto encoding = options.encoding.empty() ? detect_encoding(sample) : encoding_named(options.encoding);
-  if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
-  const Guess guess = guess_control(encoding ? std::string_view(text) : sample);
-  const bool ru = language(options) == Lang::ru;
-  complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
-              : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
-  return guess.control;
+  auto stated = setup_of_options(options, *job.def, job.lang);
+  if (!stated) return complain(stated.error()), false;
+  sources.insert(sources.end(), stated->begin(), stated->end());
+  if (sources.empty()) return true;
+  auto read = read_setup(sources, job.def.get(), job.lang);
+  if (!read) return complain(read.error()), false;
+  job.setup = std::move(read->setup);
+  job.stated = std::move(read->stated);
+  if (!options.setup.empty()) job.setup_lines = std::move(read->lines);
+  return true;
 }
 
 /// What the corners of `path` may expect behind a batch.
@@ -51,12 +49,6 @@ ContourCorners::Follows behind(Control::State state) {
 
 }  // namespace
 
-void catch_interrupts() {
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
-}
-bool interrupted() { return interrupt_seen != 0; }
-
 const AlarmTexts& Job::texts() const {
   if (texts_) return *texts_;
   auto texts = AlarmTexts::load(def.get());
@@ -65,25 +57,70 @@ const AlarmTexts& Job::texts() const {
   return *texts_;
 }
 
+namespace {
+
+/// The beginning of a program as text.
+std::optional<std::string> sample_of(const std::string& file, const std::string& encoding_name) {
+  auto source = open_file(file);
+  if (!source) return std::nullopt;
+  LineReader reader(std::move(source));
+  const std::string_view sample = reader.sample();
+  const auto encoding = encoding_name.empty() ? detect_encoding(sample) : encoding_named(encoding_name);
+  std::string text;
+  if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
+  else text = sample;
+  return text;
+}
+
+}  // namespace
+
+std::string control_by_pattern(const Options& options, const std::string& file) {
+  for (const std::string& rule : options.control_for) {
+    const std::size_t equals = rule.rfind('=');
+    if (equals != std::string::npos && is_like(file, rule.substr(0, equals))) return rule.substr(equals + 1);
+  }
+  return options.control;
+}
+
+std::optional<std::string> control_of(const Options& options, const std::string& file) {
+  if (std::string named = control_by_pattern(options, file); !named.empty()) return named;
+  const auto text = sample_of(file, options.encoding);
+  if (!text) return complain(fmt::format("{}: {}", file, std::strerror(errno))), std::nullopt;
+  const Guess guess = guess_control(*text);
+  const bool ru = language(options) == Lang::ru;
+  if (guess.control.empty())
+    complain(ru ? fmt::format("{}: УЧПУ неизвестно ({}); если это УП: --control", file, guess.reason_ru)
+                : fmt::format("{}: unknown, no program of a control that Kadr knows ({}); if it is one: --control", file, guess.reason_en));
+  else if (!options.guesses_silently)
+    complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
+                : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
+  return guess.control;
+}
+
+std::string Job::place_of(const std::string& key) const {
+  const std::uint32_t line = line_of(setup_lines, key);
+  return line == 0 ? setup_file : fmt::format("{}:{}", setup_file, line);
+}
+
 std::optional<Job> make_job(const Options& options, const std::string& file) {
+  const auto control = control_of(options, file);
+  if (!control || control->empty()) return std::nullopt;
+  return make_job(options, file, *control);
+}
+
+std::optional<Job> make_job(const Options& options, const std::string& file, const std::string& control) {
   Job job;
   job.file = file;
   job.setup_file = options.setup;
-  job.ru = language(options) == Lang::ru;
+  job.lang = language(options);
   job.program = options.program;
-  const auto id = control_of(options, file);
-  if (!id) return std::nullopt;
-  auto def = load_control(*id);
+  auto def = load_control(control);
   if (!def) return complain(def.error()), std::nullopt;
   job.def = std::make_unique<ControlDef>(std::move(*def));
   auto profile = load_machine(options.machine.empty() ? "generic" : options.machine);
   if (!profile) return complain(profile.error()), std::nullopt;
   job.profile = std::move(*profile);
-  if (!options.setup.empty()) {
-    auto setup = load_setup(options.setup);
-    if (!setup) return complain(setup.error()), std::nullopt;
-    job.setup = std::move(*setup);
-  }
+  if (!take_setup(job, options)) return std::nullopt;
   if (const std::string error = Plc(job.setup.events).error(); !error.empty()) return complain(options.setup + ": " + error), std::nullopt;
   job.setup.skip.insert(job.setup.skip.end(), options.skip.begin(), options.skip.end());
   job.setup.optional_stop = job.setup.optional_stop || options.optional_stop;
@@ -143,13 +180,14 @@ std::optional<Program> open_program(const Job& job) {
   if (job.program != 0) {
     index = program_numbered(contents, job.program);
     if (!index) {
-      complain(job.ru ? fmt::format("{}: программы {} нет; есть: {}", job.file, job.program, numbers_of(contents))
-                      : fmt::format("{}: no program {}; there are: {}", job.file, job.program, numbers_of(contents)));
+      complain(job.lang == Lang::ru ? fmt::format("{}: программы {} нет; есть: {}", job.file, job.program, numbers_of(contents))
+                                    : fmt::format("{}: no program {}; there are: {}", job.file, job.program, numbers_of(contents)));
       return std::nullopt;
     }
   } else if (contents.programs.size() > 1 && !index) {
-    complain(job.ru ? fmt::format("{}: на ленте программы {}; отрабатывается первая, иначе: --program", job.file, numbers_of(contents))
-                    : fmt::format("{}: holds the programs {}; the first is run, otherwise: --program", job.file, numbers_of(contents)));
+    complain(job.lang == Lang::ru
+                 ? fmt::format("{}: на ленте программы {}; отрабатывается первая, иначе: --program", job.file, numbers_of(contents))
+                 : fmt::format("{}: holds the programs {}; the first is run, otherwise: --program", job.file, numbers_of(contents)));
     index = 0;
   }
   if (index && *index < contents.programs.size()) program.source = only_program(source, contents, *index, encoding_of(job, source));
@@ -167,7 +205,8 @@ Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& s
       corners_({control.ending().position, control.ending().machine_position}),
       compensation_({control.ending().position, control.ending().machine_position}),
       machine_(control.axes(), control.rotary(), profile, setup, {control.ending().position, control.ending().machine_position}),
-      rates_(rates_of(profile, setup, control.axes())) {
+      rates_(rates_of(profile, setup, control.axes())),
+      least_most_(rates_.least_most()) {
   control.on_warning = [this](const AlarmReport& warning) {
     if (!(ahead_ && ahead_->keep(warning))) outlets_.warning(warning);
   };
@@ -234,6 +273,7 @@ Carrier::Step Carrier::step() {
   batch_.cut(taken.done);
   for (const Action& action : batch_) outlets_.action(action);  // out: trace, summary, plot
   if (estimate_) count_time(before);
+  if (!too_fast_told_) watch_feed(before);
   if (!logic_.plc.idle())
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
@@ -245,7 +285,11 @@ Carrier::Step Carrier::step() {
     }
     if (taken.refused) return Step::running;
   }
-  for (const CompensationFault& cut : compensation_.warnings()) outlets_.warning(settled().report_for(cut.alarm, cut.origin));
+  for (const CompensationFault& cut : compensation_.warnings()) {
+    AlarmReport report = settled().report_for(cut.alarm, cut.origin);
+    report.other = settled().line_at(cut.other);
+    outlets_.warning(report);
+  }
   if (!goes_on_after(fault) || !goes_on_after(corner_fault)) return Step::stopped;
   if (state == Control::State::stopped || (!is_ahead && control_.is_stopped())) {
     const AlarmReport report = control_.report();
@@ -258,7 +302,8 @@ Carrier::Step Carrier::step() {
     note_place();
     return Step::ended;
   }
-  if (interrupted()) {
+  if (outlets_.writable && !outlets_.writable()) return Step::stopped;
+  if (outlets_.stop.asked()) {
     const AlarmReport report = settled().report_for(alarm(AlarmId::interrupted, {}), batch_.empty() ? Origin() : batch_.back().origin);
     (void)outlets_.alarm(report);
     return stop(report);
@@ -303,6 +348,31 @@ void Carrier::count_time(const ToolPosition& from) {
     if (const auto* const motion = std::get_if<Motion>(&action.what))
       (void)estimate_->motion(*motion, Curve(machine_.roles(), at.work, *motion));
     else estimate_->other(action);
+    at.take(action);
+  }
+}
+
+/// motion: a feed that an axis cannot do is told once; the motion takes what it takes at rapid.
+void Carrier::watch_feed(const ToolPosition& from) {
+  const auto is_suspect = [this](const Action& action) {
+    const auto* const motion = std::get_if<Motion>(&action.what);
+    return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
+  };
+  if (std::none_of(batch_.begin(), batch_.end(), is_suspect)) return;
+  constexpr double rounding = 1e-9;
+  ToolPosition at = from;
+  for (const Action& action : batch_) {
+    if (is_suspect(action)) {
+      const auto& motion = std::get<Motion>(action.what);
+      const Curve curve(machine_.roles(), at.work, motion);
+      const SlowestAxis slowest = slowest_axis(machine_.roles(), curve, motion, rates_.most);
+      if (slowest.minutes > curve.length(motion.along) / motion.feed * (1 + rounding)) {
+        const Alarm told = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
+        outlets_.warning(settled().report_for(told, action.origin));
+        too_fast_told_ = true;
+        return;
+      }
+    }
     at.take(action);
   }
 }

@@ -25,12 +25,16 @@ struct Job {
   MachineProfile profile;
   Setup setup;
   std::optional<Encoding> encoding;
-  bool ru = false;                           // messages in Russian
   std::uint32_t program = 0;                 // number of one on a tape with several
   std::optional<std::size_t> program_index;  // … or its place there, from 0
+  KeyLines setup_lines;                      // of the set-up's keys
+  std::set<std::string> stated;              // PlacedSetup::stated
+  Lang lang = Lang::en;
 
   /// Read when the first alarm is to be told: a run without one need not wait for them.
   const AlarmTexts& texts() const;
+  /// Of a key of the set-up: "shop.json:3".
+  std::string place_of(const std::string& key) const;
 
  private:
   mutable std::unique_ptr<AlarmTexts> texts_;
@@ -39,6 +43,11 @@ struct Job {
 /// Loads what the options name; complains to stderr.
 ///   returns  nothing, if something is missing or wrong (exit status 2)
 std::optional<Job> make_job(const Options& options, const std::string& file);
+
+/// The control that the options name for the file, or the one its text looks like: said on stderr, with what it was seen by.
+///   returns  nothing: it cannot be read; empty: it is no program of a control that Kadr knows
+std::optional<std::string> control_of(const Options& options, const std::string& file);
+std::optional<Job> make_job(const Options& options, const std::string& file, const std::string& control);
 
 /// Opens the program, the one that the job names of a tape with several; complains if it cannot be read or is not there.
 std::optional<Program> open_program(const Job& job);
@@ -62,6 +71,8 @@ struct Outlets {
   Progress* progress = nullptr;                     // looked at now and then
   std::function<VirtualTime()> time{};              // of the actions so far; missing: counted here, if somebody asks
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
+  std::function<bool()> writable{};                 // all that was handed over could be written; missing: nothing is written
+  StopToken stop{};                                 // asked behind each batch
   bool works_long = false;                          // on each action: writes or draws it
 };
 
@@ -103,6 +114,7 @@ class Carrier {
   Control::State next_batch();
   Control& settled();
   void count_time(const ToolPosition& from);
+  void watch_feed(const ToolPosition& from);
   VirtualTime spent();
   void note_place();
   Step stop(const AlarmReport& report);
@@ -116,6 +128,8 @@ class Carrier {
   RadiusCompensation compensation_;
   VirtualMachine machine_;
   Rates rates_;
+  double least_most_;  // of the axes' rapid rates
+  bool too_fast_told_ = false;
   std::optional<TimeEstimate> estimate_;  // where the outlets have no time
   double waited_ = 0;                     // s, in all
   double goes_on_at_ = 0;                 // time at which it waited last …
@@ -129,9 +143,5 @@ class Carrier {
 
 /// Carries the program of the only channel out.
 Stopped carry_out(Control& control, const Job& job, const Outlets& outlets);
-
-/// Ctrl-C and SIGTERM ask for the end of the run; what has been done is kept.
-void catch_interrupts();
-bool interrupted();
 
 }  // namespace kadr::cli

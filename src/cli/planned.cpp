@@ -1,23 +1,31 @@
 #include "cli/planned.h"
 
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "out/lost_time_text.h"
 
 namespace kadr::cli {
 
-Planned::Planned(const Channel& channel, const Job& job, const ToolPosition& stand)
-    : roles_(AxisRoles::of(channel.control->axes(), channel.control->rotary())),
+Planned::Planned(const Channel& channel, const Job& job, const ToolPosition& stand, StopToken stop)
+    : stop_(stop),
+      roles_(AxisRoles::of(channel.control->axes(), channel.control->rotary())),
       axes_(channel.control->axes()),
       position_(stand),
       estimate_(roles_, rates_of(job.profile, channel.setup, axes_)),
       limits_(motion_limits(job.profile, channel.setup, axes_)),
       motion_(roles_, limits_, job.profile.tolerance, stand, [this](const TimedCells& cells) { see(cells); }) {
   estimate_.spindle(channel.setup.spindle().rpm);
+  motion_.stop_by(stop);
   motion_.start(channel.setup, axes_);
 }
 
-void Planned::write_samples(std::FILE* file, const SampleOptions& options) { writer_.emplace(file, axes_, limits_, options); }
+void Planned::write_samples(std::FILE* file, SampleOptions options) {
+  max_time_ = options.max_time;
+  options.stop = stop_;
+  writer_.emplace(file, axes_, limits_, std::move(options));
+}
 
 void Planned::colour(Plot& plot) {
   coloured_ = &plot;
@@ -51,7 +59,40 @@ bool Planned::finish() {
   return writer_->ok();
 }
 
+bool Planned::stopped() const { return motion_.ended() == PlanEnd::stopped || (writer_ && writer_->ended() == SampleEnd::stopped); }
+
+AlarmReport Planned::report(const Control& control, const Alarm& alarm, const Spent& at) {
+  AlarmReport report{alarm, control.file_name(at.file), {}, {}, {}};
+  report.origin.line = at.line;
+  report.origin.column = 1;
+  report.origin.file = at.file;
+  for (auto& [line, text] : control.texts_of({at.line}, at.file)) report.line_text = text;
+  report.alarm.where.end = static_cast<std::uint32_t>(report.line_text.size());
+  return report;
+}
+
+std::vector<AlarmReport> Planned::reports(const Control& control) const {
+  constexpr double percent = 100;
+  std::vector<AlarmReport> reports;
+  const PlanFaults& faults = motion_.faults();
+  if (faults.unsolved > 0)
+    reports.push_back(report(control, warning(AlarmId::plan_unsolved, {}, static_cast<double>(faults.unsolved), faults.unsolved_way),
+                             faults.unsolved_at));
+  if (faults.beyond > 0) {
+    const double part = std::ceil(percent * faults.beyond);
+    reports.push_back(report(control, warning(AlarmId::plan_tolerance, {}, part), faults.beyond_at));
+  }
+  if (motion_.ended() == PlanEnd::too_slow) {
+    const AxisMotion::Refused refused = motion_.refused();
+    reports.push_back(report(control, alarm(AlarmId::plan_endless, {}, refused.way, Planner::most_of_standing), refused.at));
+  }
+  if (writer_ && writer_->ended() == SampleEnd::max_time)
+    reports.push_back(report(control, alarm(AlarmId::samples_too_long, {}, max_time_), Spent::of(writer_->tag())));
+  return reports;
+}
+
 std::string Planned::why(const Control& control, Lang lang) const {
+  if (time() == nullptr) return {};
   constexpr std::size_t rows_shown = 10;
   std::vector<LostTimeRow> rows;
   std::map<std::uint16_t, std::set<std::uint32_t>> lines;

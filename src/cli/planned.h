@@ -14,13 +14,13 @@ namespace kadr::cli {
 
 class Planned {
  public:
-  /// `stand`: where the axes stand at the start.
-  Planned(const Channel& channel, const Job& job, const ToolPosition& stand);
+  /// `stand`: where the axes stand at the start. `stop`: what was planned until then is handed out, and then nothing more.
+  Planned(const Channel& channel, const Job& job, const ToolPosition& stand, StopToken stop = {});
   Planned(const Planned&) = delete;  // the planner calls it back
   Planned& operator=(const Planned&) = delete;
 
   /// The file stays the caller's.
-  void write_samples(std::FILE* file, const SampleOptions& options);
+  void write_samples(std::FILE* file, SampleOptions options);
 
   /// Finds the lines that lose most time.
   void ask_why() { lost_time_.emplace(limits_); }
@@ -34,20 +34,32 @@ class Planned {
   /// An action of the program, behind the machine.
   void take(const Action& action);
 
+  /// All samples so far could be written; else the error of the system.
+  bool ok() const { return !writer_ || writer_->ok(); }
+  int error() const { return writer_ ? writer_->error() : 0; }
+
   /// The axes come to rest. False: not all could be written.
   bool finish();
 
-  const PlannedTime& time() const { return time_; }
+  /// It was asked to stop before the end.
+  bool stopped() const;
+  /// After finish(): what is wrong with the plan or its samples. `control`: that carried the program out.
+  std::vector<AlarmReport> reports(const Control& control) const;
+
+  /// None, where the planner found no plan by an error of its own.
+  const PlannedTime* time() const { return motion_.ended() == PlanEnd::too_slow ? nullptr : &time_; }
   /// Where ask_why() was called, after finish(): the table. `control`: that carried the program out.
   std::string why(const Control& control, Lang lang) const;
   /// Where record_speed() was called, after finish(). Returns an error sentence.
-  tl::expected<void, std::string> draw_speed(const std::string& file, const PlotTitle& title) const {
+  tl::expected<void, std::string> draw_speed(const ResultFile& file, const PlotTitle& title) const {
     return draw_speed_page(file, *record_, axes_, title);
   }
 
  private:
   void see(const TimedCells& cells);
+  static AlarmReport report(const Control& control, const Alarm& alarm, const Spent& at);
 
+  StopToken stop_;
   AxisRoles roles_;
   std::vector<std::string> axes_;
   ToolPosition position_;
@@ -55,6 +67,7 @@ class Planned {
   MotionLimits limits_;
   PlannedTime time_;
   std::optional<SampleWriter> writer_;
+  double max_time_ = 0;  // s, of the samples
   std::optional<LostTime> lost_time_;
   std::optional<SpeedRecord> record_;
   Plot* coloured_ = nullptr;

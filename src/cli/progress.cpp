@@ -28,13 +28,17 @@ bool Progress::is_due() const {
 }
 
 void Progress::show(const Control& control) {
-  last_ = Clock::now();
   if (control.bytes() == 0) return;
+  show(static_cast<double>(control.bytes_read()) / static_cast<double>(control.bytes()), fmt::format("{} blocks", control.blocks()));
+}
+
+void Progress::show(double part, const std::string& what) {
+  last_ = Clock::now();
   shown_ = true;
-  const double part = std::min(1.0, static_cast<double>(control.bytes_read()) / static_cast<double>(control.bytes()));
+  part = std::clamp(part, 0.0, 1.0);
   const int full = static_cast<int>(part * width);
-  fmt::print(stderr, "\r[{}{}] {:3.0f} %  {} blocks ", std::string(static_cast<std::size_t>(full), '#'),
-             std::string(static_cast<std::size_t>(width - full), '.'), part * 100, control.blocks());
+  fmt::print(stderr, "\r[{}{}] {:3.0f} %  {:<24}", std::string(static_cast<std::size_t>(full), '#'),
+             std::string(static_cast<std::size_t>(width - full), '.'), part * 100, what);
   std::fflush(stderr);
 }
 

@@ -2,6 +2,7 @@
 // A line on the terminal during long work; nothing elsewhere.
 
 #include <chrono>
+#include <string>
 
 #include "control/control.h"
 
@@ -14,6 +15,8 @@ class Progress {
   /// Something is to be shown; nothing off a terminal.
   bool is_due() const;
   void show(const Control& control);
+  /// A part 0..1 of what is to be done, and what that is.
+  void show(double part, const std::string& what);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -3,14 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "cli/channels.h"
+#include "cli/outputs.h"
 #include "cli/planned.h"
 #include "cli/progress.h"
 #include "cli/state.h"
+#include "cli/stop.h"
+#include "cli/unstated.h"
 #include "config/state_json.h"
 #include "motion/look_ahead.h"
 #include "out/alarm_print.h"
@@ -22,32 +25,11 @@
 namespace kadr::cli {
 namespace {
 
-/// A file to be written; closes it unless it is stdout.
-class OutFile {
- public:
-  explicit OutFile(const std::string& name) {
-    if (name.empty()) return;
-    file_ = name == "-" ? stdout : std::fopen(name.c_str(), "wb");
-    if (file_ == nullptr) complain(fmt::format("{}: {}", name, std::strerror(errno)));
-    failed_ = file_ == nullptr;
-  }
-  ~OutFile() {
-    if (file_ != nullptr && file_ != stdout) std::fclose(file_);
-  }
-  OutFile(const OutFile&) = delete;
-  OutFile& operator=(const OutFile&) = delete;
-  std::FILE* get() const { return file_; }
-  bool failed() const { return failed_; }
-
- private:
-  std::FILE* file_ = nullptr;
-  bool failed_ = false;
-};
-
-bool plot_name_is_known(const char* option, const std::string& name) {
-  if (name.empty() || is_page_name(name)) return true;
-  complain(fmt::format("{} {}: the name must end in .svg or .png", option, name));
-  return false;
+/// Why the option's picture cannot be drawn: said.
+bool can_draw(const char* option, const std::string& name) {
+  const std::string fault = name.empty() ? "" : page_fault(name);
+  if (!fault.empty()) complain(fmt::format("{} {}", option, fault));
+  return fault.empty();
 }
 
 /// Whether somebody looks at the axes in time.
@@ -75,16 +57,12 @@ struct View {
   double waited = 0;                    // s
 };
 
-/// Where what is asked for goes.
-struct OutFiles {
-  std::FILE* trace = nullptr;
-  std::FILE* samples = nullptr;
-};
-
 class RunCommand {
  public:
-  RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, const OutFiles& files)
-      : options_(options), job_(job), lang_(language(options)), channels_(channels), progress_(options.quiet) {
+  RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, const Outputs& outputs)
+      : options_(options), job_(job), lang_(language(options)), channels_(channels), outputs_(outputs), progress_(options.quiet) {
+    std::FILE* const trace = outputs.stream("--trace");
+    std::FILE* const samples = outputs.stream("--samples");
     for (const Channel& channel : channels) {
       const Ending start = channel.control->ending();
       const ToolPosition stand{start.position, start.machine_position};
@@ -92,13 +70,14 @@ class RunCommand {
       const Rates rates = rates_of(job.profile, channel.setup, axes);
       View& view = *views_.emplace_back(std::make_unique<View>(channel, rates, stand));
       const AxisMask rotary = channel.control->rotary();
-      if (files.trace != nullptr) view.trace.emplace(files.trace, axes, rotary, stand, channel.setup.points);
+      if (trace != nullptr) view.trace.emplace(trace, axes, rotary, stand, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
       if (channels.size() == 1) look_ahead(view, channel, rates, stand, job.profile);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand);
-      if (files.samples != nullptr) view.planned->write_samples(files.samples, {options.rate, options.overrides, has_threads(*job.def)});
+      if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand, options.limits.stop);
+      if (samples != nullptr)
+        view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
       if (!options.plot_speed.empty()) view.planned->record_speed();
       if (!options.colour.empty()) {
         view.plot->colour_by(options.colour == "speed" ? PlotColour::speed : PlotColour::limit);
@@ -110,13 +89,15 @@ class RunCommand {
 
   Exit run() {
     const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
+    tell_unstated();
     bool written = write_last_lines(stopped);
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
     if (!options_.quiet) print_summary();
     if (options_.why) print_why();
     if (!written) return wrong_usage;
-    return std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); }) ? alarms : ok;
+    const bool stood = std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); });
+    return stood || plan_failed_ ? alarms : ok;
   }
 
  private:
@@ -156,12 +137,14 @@ class RunCommand {
       view.statistics.count(report.alarm.severity);
       fmt::print(stderr, "{}", alarm_text(report, job_.texts(), lang_));
     };
-    return {{},
-            say,
-            [say](const AlarmReport& report) { return say(report), false; },
-            &progress_,
-            [&view] { return virtual_time(view.statistics.time()); },
-            programmed_of(view)};
+    return {.action = {},
+            .warning = say,
+            .alarm = [say](const AlarmReport& report) { return say(report), false; },
+            .progress = &progress_,
+            .time = [&view] { return virtual_time(view.statistics.time()); },
+            .programmed = programmed_of(view),
+            .writable = [&view] { return (!view.trace || view.trace->ok()) && (!view.planned || view.planned->ok()); },
+            .stop = options_.limits.stop};
   }
 
   static std::function<void(const Action&)> programmed_of(View& view) {
@@ -209,6 +192,13 @@ class RunCommand {
     return stopped;
   }
 
+  void tell_unstated() {
+    for (const Channel& channel : channels_) {
+      if (channel.number != job_.setup.channel) continue;
+      if (const auto note = unstated(*channel.control, job_)) fmt::print(stderr, "{}", alarm_text(*note, job_.texts(), lang_));
+    }
+  }
+
   bool write_last_lines(const std::vector<Stopped>& stopped) {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       if (!views_[i]->trace) continue;
@@ -224,17 +214,23 @@ class RunCommand {
       if (stopped[i].report) trace.finish(ending, *stopped[i].report, job_.texts(), lang_, more);
       else trace.finish(ending, more);
       if (trace.ok()) continue;
-      complain(fmt::format("{}: {}", options_.trace, std::strerror(errno)));
+      complain(fmt::format("{}: {}", options_.trace, std::strerror(trace.error())));
       return false;
     }
     return true;
   }
 
   bool finish_planned() {
-    for (const auto& view : views_) {
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      View* const view = views_[i].get();
       if (!view->planned) continue;
-      if (view->planned->finish()) continue;
-      complain(fmt::format("{}: {}", options_.samples, std::strerror(errno)));
+      const bool written = view->planned->finish();
+      for (const AlarmReport& report : view->planned->reports(*channels_[i].control)) {
+        plan_failed_ = plan_failed_ || report.alarm.severity == Severity::alarm;
+        outlets_of(*view).warning(report);
+      }
+      if (written) continue;
+      complain(fmt::format("{}: {}", options_.samples, std::strerror(view->planned->error())));
       return false;
     }
     return true;
@@ -244,8 +240,8 @@ class RunCommand {
     const PlotTitle title{job_.file, lang_ == Lang::ru ? job_.def->name.ru : job_.def->name.en, lang_};
     tl::expected<void, std::string> drawn;
     for (const auto& view : views_) {
-      if (view->plot) drawn = view->plot->write(options_.plot, title);
-      if (drawn && view->planned && !options_.plot_speed.empty()) drawn = view->planned->draw_speed(options_.plot_speed, title);
+      if (view->plot) drawn = view->plot->write(*outputs_.file("--plot"), title);
+      if (drawn && view->planned && !options_.plot_speed.empty()) drawn = view->planned->draw_speed(*outputs_.file("--plot-speed"), title);
       if (!drawn) return complain(drawn.error()), false;
     }
     return true;
@@ -253,8 +249,7 @@ class RunCommand {
 
   std::string summary_of(std::size_t i) const {
     const View& view = *views_[i];
-    return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? &view.planned->time() : nullptr,
-                                job_.profile.planner);
+    return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? view.planned->time() : nullptr, job_.profile.planner);
   }
 
   /// Of several channels: the program's own, as the samples.
@@ -281,8 +276,10 @@ class RunCommand {
   const Job& job_;
   const Lang lang_;
   std::vector<Channel>& channels_;
+  const Outputs& outputs_;
   Progress progress_;
   std::vector<std::unique_ptr<View>> views_;
+  bool plan_failed_ = false;  // there is no plan, or no more of its samples (exit status 1)
 };
 
 Control& own_channel(std::vector<Channel>& channels, const Job& job) {
@@ -297,30 +294,85 @@ void save_changes(StateFile& file, Control& control, std::string& fault) {
   };
 }
 
+/// The files of the command, none of them opened yet.
+Outputs outputs_of(const Options& options, const Job& job) {
+  Outputs outputs(language(options));
+  outputs.reads(job.file);
+  outputs.reads(job.setup_file);
+  if (options.control.ends_with(".toml")) outputs.reads(options.control);
+  if (options.machine.ends_with(".toml")) outputs.reads(options.machine);
+  outputs.writes("--state", options.state, Outputs::Opened::by_its_owner);
+  outputs.writes("--trace", options.trace);
+  outputs.writes("--samples", options.samples);
+  outputs.writes("--plot", options.plot);
+  outputs.writes("--plot-speed", options.plot_speed);
+  return outputs;
+}
+
+/// The folder for what the program writes: made, if only its last part is missing.
+bool make_folder(const std::string& folder) {
+  std::error_code error;
+  if (folder.empty() || std::filesystem::is_directory(folder, error)) return true;
+  if (std::filesystem::create_directory(folder, error)) return true;
+  complain(fmt::format("--files {}: {}", folder, error ? error.message() : std::strerror(ENOTDIR)));
+  return false;
+}
+
+/// Without --files a program writes nothing: what it would have written.
+void tell_unwritten(const Options& options, const std::vector<Channel>& channels) {
+  if (!options.files.empty() || options.quiet) return;
+  WrittenFiles files;
+  for (const Channel& channel : channels)
+    for (const auto& [path, bytes] : channel.control->files_written()) files[path] += bytes;
+  if (files.empty()) return;
+  const bool ru = language(options) == Lang::ru;
+  complain(ru ? "УП записала бы файлы (с --files ПАПКА запишет их туда):"
+              : "the program would write files (with --files DIR it writes them there):");
+  constexpr std::size_t most_shown = 20;
+  std::size_t shown = 0;
+  for (const auto& [path, bytes] : files) {
+    if (++shown > most_shown) break;
+    fmt::print(stderr, "  {:<30} {} {}\n", path, bytes, ru ? "байт" : bytes == 1 ? "byte" : "bytes");
+  }
+  if (files.size() > most_shown) fmt::print(stderr, "  … {}\n", files.size());
+}
+
+/// What the run has read besides the program must not be written over either.
+std::vector<std::string> files_read(const std::vector<Channel>& channels) {
+  std::vector<std::string> files;
+  for (const Channel& channel : channels)
+    for (std::string& file : channel.control->files_read()) files.push_back(std::move(file));
+  return files;
+}
+
 }  // namespace
 
 int run(const Options& options) {
   const std::string& file = options.programs.front();
-  if (!plot_name_is_known("--plot", options.plot) || !plot_name_is_known("--plot-speed", options.plot_speed)) return wrong_usage;
+  if (!can_draw("--plot", options.plot) || !can_draw("--plot-speed", options.plot_speed)) return wrong_usage;
   if (!options.colour.empty() && options.plot.empty())
     return complain("--colour: of the path in --plot FILE, which is missing"), wrong_usage;
   auto job = make_job(options, file);
   if (!job) return wrong_usage;
+  Outputs outputs = outputs_of(options, *job);
+  if (!outputs.check()) return wrong_usage;
   std::optional<StateFile> state_file;
   if (!options.state.empty() && !(state_file = open_state(options.state, *job))) return wrong_usage;
   auto program = open_program(*job);
-  if (!program) return wrong_usage;
-  OutFile trace_file(options.trace), samples_file(options.samples);
-  if (trace_file.failed() || samples_file.failed()) return wrong_usage;
+  if (!program || !make_folder(options.files)) return wrong_usage;
   RunLimits limits = options.limits;
-  limits.writes_files = true;
+  limits.writes_files = !options.files.empty();
+  if (limits.writes_files) limits.files = options.files;
+  limits.untouched = outputs.all();
   auto channels = make_channels(*job, std::move(*program), limits);
-  if (!channels) return wrong_usage;
+  if (!channels || !outputs.open()) return wrong_usage;
   std::string state_fault;
   if (state_file) save_changes(*state_file, own_channel(*channels, *job), state_fault);
-  catch_interrupts();
-  const Exit exit = RunCommand(options, *job, *channels, {trace_file.get(), samples_file.get()}).run();
-  return state_fault.empty() ? exit : wrong_usage;
+  const Exit exit = RunCommand(options, *job, *channels, outputs).run();
+  tell_unwritten(options, *channels);
+  if (interrupted()) return interrupted_status();
+  if (exit == wrong_usage || !state_fault.empty() || !outputs.keep(files_read(*channels))) return wrong_usage;
+  return exit;
 }
 
 }  // namespace kadr::cli

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include "cli/options.h"
+#include "config/state_check.h"
+#include "config/told.h"
 
 namespace kadr::cli {
 namespace {
@@ -16,14 +18,25 @@ void under(Map& to, const Map& stored) {
 }  // namespace
 
 std::optional<StateFile> open_state(const std::string& path, Job& job) {
-  if (!job.def->behaviour.machine_axes) return complain(fmt::format("--state: the control {} keeps no state", job.def->id)), std::nullopt;
+  if (!job.def->behaviour.machine_axes)
+    return complain(told(fmt::format("--state: the control {} keeps no state", job.def->id),
+                         fmt::format("--state: система {} состояния не хранит", job.def->id))),
+           std::nullopt;
+  const bool unchecked = state_is_unchecked(path);
   auto file = StateFile::open(path, job.def->id);
   if (!file) return complain(file.error()), std::nullopt;
   const auto stored = file->load();
   if (!stored) return complain(stored.error()), std::nullopt;
   const auto tables = setup_of(*stored);
   if (!tables) return complain(fmt::format("{}: {}", path, tables.error())), std::nullopt;
+  if (unchecked)
+    complain(path + ": " +
+             told("written by an older Kadr, without checksums; the first save adds them",
+                  "записан прежней версией Kadr, без контрольных сумм; они добавятся при первой записи"));
   Setup& setup = job.setup;
+  for (const auto& [number, row] : tables->offsets)
+    for (const char* const what : {"length", "radius"}) job.stated.insert(fmt::format("offsets.{}.{}", number, what));
+  for (const auto& [name, axes] : tables->work_offsets) job.stated.insert("work_offsets." + name);
   under(setup.offsets, tables->offsets);
   under(setup.work_offsets, tables->work_offsets);
   under(setup.variables, tables->variables);

@@ -4,6 +4,7 @@
 
 #include "cli/files.h"
 #include "cli/options.h"
+#include "cli/outputs.h"
 #include "lang/eia.h"
 #include "lang/encoding.h"
 #include "lang/tape_side.h"
@@ -22,7 +23,7 @@ const char* lie_in_words(TapeLie lie, bool ru) {
   }
 }
 
-int decode(const TapeOptions& options, const std::string& rows, bool ru) {
+int decode(const TapeOptions& options, const std::string& rows, std::string& output, bool ru) {
   TapeLook look = look_at_tape(rows).value_or(TapeLook());
   if (!options.code.empty()) look.code = options.code == "eia" ? TapeCode::eia : TapeCode::iso;
   const bool lies = look.lie != TapeLie::right;
@@ -38,11 +39,11 @@ int decode(const TapeOptions& options, const std::string& rows, bool ru) {
     complain(fmt::format(fmt::runtime(ru ? "{}: строка {}: {} (байт {:03o})" : "{}: row {}: {} (byte {:03o})"), options.input, fault.row,
                          what, fault.byte));
   }
-  if (!write_all(options.output, text.text)) return wrong_usage;
+  output = text.text;
   return text.faults.empty() && !lies ? ok : alarms;
 }
 
-int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
+int encode(const TapeOptions& options, const std::string& bytes, std::string& output, bool ru) {
   auto encoding = options.encoding.empty() ? detect_encoding(bytes) : encoding_named(options.encoding);
   if (!options.encoding.empty() && !encoding) return complain(fmt::format("no encoding '{}'", options.encoding)), wrong_usage;
   std::string text;
@@ -61,18 +62,28 @@ int encode(const TapeOptions& options, const std::string& bytes, bool ru) {
            : fmt::format("{}: '{}' (byte {}) has no {} code", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1, name));
     return alarms;
   }
-  return write_all(options.output, *rows) ? ok : wrong_usage;
+  output = *rows;
+  return ok;
 }
 
 }  // namespace
 
 int tape(const TapeOptions& options) {
-  const auto bytes = read_all(options.input, longest_tape);
-  if (!bytes) return wrong_usage;
   Options shared;
   shared.lang = options.lang;
-  const bool ru = language(shared) == Lang::ru;
-  return options.decode ? decode(options, *bytes, ru) : encode(options, *bytes, ru);
+  const Lang lang = language(shared);
+  Outputs outputs(lang);
+  outputs.reads(options.input);
+  outputs.writes("OUTPUT", options.output.empty() ? "-" : options.output);
+  if (!outputs.check()) return wrong_usage;
+  const auto bytes = read_all(options.input, longest_tape);
+  if (!bytes) return wrong_usage;
+  std::string output;
+  const int status = options.decode ? decode(options, *bytes, output, lang == Lang::ru) : encode(options, *bytes, output, lang == Lang::ru);
+  if (output.empty() && status != ok) return status;
+  if (!outputs.open()) return wrong_usage;
+  std::fwrite(output.data(), 1, output.size(), outputs.stream("OUTPUT"));  // keep() tells whether all was written
+  return outputs.keep() ? status : wrong_usage;
 }
 
 }  // namespace kadr::cli

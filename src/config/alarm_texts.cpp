@@ -15,13 +15,14 @@ using toml_tools::place;
 constexpr std::string_view file_name = "controls/alarms.toml";
 
 /// A shop thinks in micrometres; what is smaller than that is shown as it is.
-std::string text_of(const AlarmArg& arg) {
+std::string text_of(const AlarmArg& arg, Lang lang) {
   if (!arg.is_number()) return std::string(arg.text());
+  if (std::isnan(arg.number())) return lang == Lang::ru ? "«пусто»" : "(vacant)";  // a macro variable without a value
   return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
 }
 
 /// `pattern` with {0} {1} {2} replaced.
-std::string filled(const std::string& pattern, const Alarm& alarm) {
+std::string filled(const std::string& pattern, const Alarm& alarm, Lang lang) {
   std::string text;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     const bool hole =
@@ -31,7 +32,7 @@ std::string filled(const std::string& pattern, const Alarm& alarm) {
       continue;
     }
     const auto nth = static_cast<std::size_t>(pattern[i + 1] - '0');
-    text += nth < alarm.arg_count ? text_of(alarm.args[nth]) : "?";
+    text += nth < alarm.arg_count ? text_of(alarm.args[nth], lang) : "?";
     i += 2;
   }
   return text;
@@ -89,15 +90,15 @@ tl::expected<AlarmTexts, std::string> AlarmTexts::load(const ControlDef* def) {
 
 std::string AlarmTexts::sentence(const Alarm& alarm, Lang lang) const {
   const std::string& pattern = in(row(alarm.id).text, lang);
-  if (!pattern.empty()) return filled(pattern, alarm);
+  if (!pattern.empty()) return filled(pattern, alarm, lang);
   std::string text(alarm.id == AlarmId::count ? "alarm" : name_of(alarm.id));
-  for (std::size_t i = 0; i < alarm.arg_count; ++i) text.append(i == 0 ? ": " : ", ").append(text_of(alarm.args[i]));
+  for (std::size_t i = 0; i < alarm.arg_count; ++i) text.append(i == 0 ? ": " : ", ").append(text_of(alarm.args[i], lang));
   return text;
 }
 
-std::string AlarmTexts::number(const Alarm& alarm) const { return filled(row(alarm.id).number, alarm); }
+std::string AlarmTexts::number(const Alarm& alarm) const { return filled(row(alarm.id).number, alarm, Lang::en); }
 
-std::string AlarmTexts::hint(const Alarm& alarm, Lang lang) const { return filled(in(row(alarm.id).hint, lang), alarm); }
+std::string AlarmTexts::hint(const Alarm& alarm, Lang lang) const { return filled(in(row(alarm.id).hint, lang), alarm, lang); }
 
 const std::string& AlarmTexts::pattern(AlarmId id, Lang lang) const { return in(row(id).text, lang); }
 

@@ -185,6 +185,7 @@ struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
   bool arc_radius_word = false;         // G2 … R
   double arc_radius_difference = 0.01;  // mm
+  double arc_difference_inch = 0;       // mm, while the unit is inch (G20); 0: the same
   bool helix_by_lead = false;           // 2С42: K is the lead, Z/K whole turns
   LengthOffset length_offset = LengthOffset::next_motion;
   bool contour_entry_tangent = false;   // Mach3: onto the contour touching the line to its first point; else to the normal there

@@ -3,6 +3,8 @@
 #include "config/control_loader.h"
 #include "config/embedded.h"
 #include "config/parameter_table.h"
+#include "config/read_file.h"
+#include "config/told.h"
 
 namespace kadr {
 namespace {
@@ -32,8 +34,10 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
   if (!base_table) {
     const auto slash = file.rfind('/');
     name = (slash == std::string::npos || base->starts_with('/') ? std::string() : file.substr(0, slash + 1)) + *base;
-    const auto text = toml_tools::read_text(name);
-    if (!text) return Failed(file + ": extends '" + *base + "': no such control");
+    const auto text = read_file(name);
+    if (!text)
+      return Failed(file + ": " + told("extends '" + *base + "': no such control, and ", "extends '" + *base + "': такой системы нет, и ") +
+                    text.error());
     base_table = toml_tools::parsed(*text, name);
   }
   auto under = merged(std::move(*base_table), name, from, lineage);
@@ -74,8 +78,8 @@ tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const
 
 tl::expected<ControlDef, std::string> load_control(const std::string& name) {
   if (name.ends_with(".toml")) {
-    const auto text = toml_tools::read_text(name);
-    if (!text) return Failed(name + ": cannot be read");
+    const auto text = read_file(name);
+    if (!text) return Failed(text.error());
     return parse_control(*text, name);
   }
   const std::string file = "controls/" + name + ".toml";

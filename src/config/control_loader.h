@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/control_def.h"
+#include "config/function_needs.h"
 #include "config/parameter_table.h"
 #include "config/toml_tools.h"
 
@@ -29,8 +30,20 @@ class ControlLoader {
   tl::expected<ControlDef, std::string> load();
 
  private:
-  Done known_keys(const toml::table& table, std::initializer_list<std::string_view> known) const;
-  const toml::table* section(std::string_view key) const { return file_[key].as_table(); }
+  Done sections();
+  Done known_keys(const toml::table& table, const std::vector<std::string_view>& known) const;
+  /// A key that is not among `known`, with the nearest of them.
+  tl::unexpected<std::string> unknown_key(const toml::node& node, std::string_view key, const std::vector<std::string_view>& known,
+                                          std::string_view what = "unknown key") const;
+  /// A table of the file; where the key holds anything else, load() fails.
+  const toml::table* section(std::string_view key);
+  /// A list of a row; where the key holds anything else, load() fails.
+  const toml::array* list(const toml::table& row, std::string_view key);
+  /// Text of a key; where it is none, load() fails.
+  std::string text(const toml::table& row, std::string_view key);
+  /// Fails where the user's own file has that key: in a base it may have an effect there.
+  Done no_effect(const toml::table& row, std::string_view key, const std::string& why) const;
+  bool is_own(const toml::node& node) const;
   /// Whole number of a key, 0 to `most`; where it is none, load() fails.
   std::uint32_t whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most);
   /// Value of a key that must have its type; where it has not, load() fails.
@@ -42,6 +55,8 @@ class ControlLoader {
     if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + std::string(key) + " must be " + std::string(form);
     return otherwise;
   }
+  /// Number of a key within its range; where it is none, load() fails.
+  void ranged(const toml::table& row, std::string_view key, const Range& range, double& to);
   Done grammar();
   char first_letter(const toml::table& t, std::string_view key);
   Done behaviour();
@@ -49,8 +64,24 @@ class ControlLoader {
   int axis_named(const std::string& name) const;
   Done order();
   /// `phase` of the row, or the function's own; it must stand in the control's order.
-  tl::expected<Phase, std::string> phase_of(const toml::table& row, Function function) const;
-  tl::expected<Function, std::string> function_of(const toml::table& row) const;
+  tl::expected<Phase, std::string> phase_of(const toml::table& row, Function function);
+  // ---- what the engine can do (control_loader_functions.cpp)
+  /// `does` of a row that stands for `name_of_row`, if the engine can do it on this control.
+  tl::expected<Function, std::string> function_of(const toml::table& row, CalledBy by, const std::string& name_of_row);
+  std::string nearest_function(std::string_view name, CalledBy by) const;
+  bool has(Needs needs) const;
+  Done check_address(char letter, const toml::table& row, const AddressRow& a) const;
+  Done check_code(const toml::table& row, const CodeRow& c) const;
+  // ---- settings that need or exclude each other (control_loader_rules.cpp)
+  Done check_machine();
+  Done check_behaviour();
+  Done check_grammar();
+  Done check_axes() const;
+  Done check_functions();
+  Done check_cycle(const toml::table& row, const CycleRow& c) const;
+  Done check_variable(const toml::table& row, const VariableRow& v) const;
+  Done check_end_code(const toml::node& node, const CodeRow& c) const;
+  bool does(std::initializer_list<Function> functions) const;
   Done addresses();
   Done address(char letter, const toml::table& row);
   Done word_format(char letter, const toml::table& row, const AddressRow& a);
@@ -58,6 +89,8 @@ class ControlLoader {
   int group_named(std::string_view name) const;
   /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
   static std::uint64_t letters(const std::string& text);
+  /// The same of a key; where it holds another character, load() fails.
+  std::uint64_t letters(const toml::table& row, std::string_view key, std::string_view beside = "");
   static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }
   Done codes(std::string_view key, char letter);
   Done code(char letter, double number, const toml::table& row);
@@ -75,7 +108,7 @@ class ControlLoader {
   tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
   Done alarms();
   static std::map<std::int32_t, double> coded_progression();
-  void code_table(std::string_view key, std::map<std::int32_t, double>& to) const;
+  Done code_table(std::string_view key, std::map<std::int32_t, double>& to);
   const toml::table& file_;
   std::string name_;
   ControlDef def_;

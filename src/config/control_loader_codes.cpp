@@ -6,6 +6,7 @@
 
 #include "config/control_loader.h"
 #include "config/parameter_table.h"
+#include "config/told.h"
 #include "lang/format.h"
 
 namespace kadr {
@@ -32,8 +33,9 @@ Done ControlLoader::groups() {
     const toml::table* const row = node.as_table();
     if (row == nullptr) return Failed(place(name_, node) + "a group is a table");
     KADR_LOAD(known_keys(*row, {"modal", "initial", "en", "ru"}));
+    if (def_.groups.size() == most_groups) return Failed(place(name_, node) + "at most " + std::to_string(most_groups - 1) + " groups");
     def_.groups.push_back({std::string(key.str()), typed(*row, "modal", true, "true or false"), -1, text_of(*row)});
-    initial_.push_back((*row)["initial"].value_or(std::string()));
+    initial_.push_back(text(*row, "initial"));
   }
   return {};
 }
@@ -55,6 +57,14 @@ std::uint64_t ControlLoader::letters(const std::string& text) {
   return bits;
 }
 
+std::uint64_t ControlLoader::letters(const toml::table& row, std::string_view key, std::string_view beside) {
+  const std::string all = text(row, key);
+  for (const char c : all)
+    if (!((c >= 'A' && c <= 'Z') || c == 'c' || c == 'r' || c == 'a' || beside.find(c) != std::string_view::npos) && bad_value_.empty())
+      bad_value_ = place(name_, row, key) + std::string(key) + ": letters A to Z, or c, r, a for ,C ,R ,A";
+  return letters(all);
+}
+
 Done ControlLoader::codes(std::string_view key, char letter) {
   const toml::table* const t = section(key);
   if (t == nullptr) return {};
@@ -71,6 +81,8 @@ Done ControlLoader::codes(std::string_view key, char letter) {
     const double number = std::strtod(digits.c_str(), &end);
     if (end == digits.c_str() || *end != '\0' || number < 0 || number * 10 >= ControlDef::most_tenths)
       return Failed(place(name_, node) + "'" + digits + "' is no code number");
+    for (const char* const limit : {"from", "to"})
+      if (row->contains(limit)) return Failed(place(name_, *row, limit) + std::string(limit) + " belongs to [m] \"other\"");
     rows.emplace_back(number, row);
   }
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -85,12 +97,13 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.letter = letter;
   c.tenth = static_cast<std::int32_t>(std::lround(number * 10));
   c.code = letter + std::to_string(c.tenth / 10) + (c.tenth % 10 != 0 ? "." + std::to_string(c.tenth % 10) : "");
-  const auto function = function_of(row);
+  const auto function = function_of(row, CalledBy::code, c.code);
   if (!function) return Failed(function.error());
   c.function = *function;
-  if (const auto group = row["group"].value<std::string>()) {
-    const int index = group_named(*group);
-    if (index < 0) return Failed(place(name_, row, "group") + "no group '" + *group + "'");
+  if (row.contains("group")) {
+    const std::string group = text(row, "group");
+    const int index = group_named(group);
+    if (index < 0) return Failed(place(name_, row, "group") + "no group '" + group + "'");
     c.group = static_cast<std::uint8_t>(index);
   }
   const auto phase = phase_of(row, *function);
@@ -99,27 +112,37 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.arg = static_cast<int>(whole(row, "arg", 0, 1000));
   c.modal = typed(row, "modal", c.group != 0 && def_.groups[c.group].modal, "true or false");
   c.own_block = typed(row, "own_block", false, "true or false");
-  const std::string takes = row["takes"].value_or(std::string());
-  c.takes = letters(takes);
-  c.takes_all_axes = takes.find('*') != std::string::npos;
-  c.needs = letters(row["needs"].value_or(std::string()));
+  c.takes = letters(row, "takes", "*");
+  c.takes_all_axes = text(row, "takes").find('*') != std::string::npos;
+  c.needs = letters(row, "needs");
   c.needs_axis = typed(row, "needs_axis", false, "true or false");
   c.works = typed(row, "works", true, "true or false");
-  if (const toml::array* const with = row["with"].as_array())
-    for (const auto& other : *with)
-      c.with.push_back(
-          static_cast<std::int32_t>(std::lround(std::strtod(other.value_or(std::string(" 0")).substr(1).c_str(), nullptr) * 10)));
+  if (const toml::array* const with = list(row, "with"))
+    for (const auto& other : *with) {
+      const std::string code = other.value_exact<std::string>().value_or(std::string());
+      char* end = nullptr;
+      const double tenth = code.size() < 2 || code[0] != letter ? -1 : std::strtod(code.c_str() + 1, &end) * 10;
+      if (!(tenth >= 0 && tenth < ControlDef::most_tenths) || *end != '\0')
+        return Failed(place(name_, other) + "with: codes of its group, such as \"" + letter + "8\"");
+      c.with.push_back(static_cast<std::int32_t>(std::lround(tenth)));
+    }
   for (int i = 0; i <= comma_vector - 'A'; ++i)
     if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count &&
         !(def_.grammar.zero_between_slashes && i == 0))
       return Failed(place(name_, row, "takes") + "takes: no address " + address_written(static_cast<char>('A' + i)));
+  KADR_LOAD(check_code(row, c));
   c.text = text_of(row);
-  c.manual = row["manual"].value_or(std::string());
+  c.manual = text(row, "manual");
+  constexpr std::size_t most_rows = 32'000;
+  if (def_.codes.size() == most_rows) return Failed(place(name_, row) + "at most " + std::to_string(most_rows) + " codes");
   if (c.function == Function::cycle || c.function == Function::permanent_subprogram) {
     c.cycle = cycle_named(c.code);
     if (c.cycle == 0) return Failed(place(name_, row) + "no [cycle." + c.code + "]");
-    if (c.function == Function::permanent_subprogram && def_.cycles[c.cycle - std::size_t{1}].body.empty())
-      return Failed(place(name_, row) + "[cycle." + c.code + "] has no body");
+    const CycleRow& cycle = def_.cycles[c.cycle - std::size_t{1}];
+    if (c.function == Function::cycle && cycle.steps.empty())
+      return Failed(place(name_, row) + c.code + ": [cycle." + c.code + "] needs steps, not a body");
+    if (c.function == Function::permanent_subprogram && cycle.body.empty())
+      return Failed(place(name_, row) + c.code + ": [cycle." + c.code + "] needs a body, not steps");
   }
   auto& index = letter == 'G' ? def_.g_rows : def_.m_rows;
   if (index.size() <= static_cast<std::size_t>(c.tenth)) index.resize(static_cast<std::size_t>(c.tenth) + 1, -1);
@@ -136,6 +159,8 @@ Done ControlLoader::other_codes(const toml::table& row, char letter) {
   constexpr std::uint32_t most_code = 99'999'999;
   const std::uint32_t from = whole(row, "from", 0, most_code);
   const std::uint32_t to = whole(row, "to", most_code, most_code);
+  if (from > to) return Failed(place(name_, row, "from") + "from must not be more than to");
+  if (text(row, "does") != "machine_function") return Failed(place(name_, row, "does") + "other: only 'machine_function'");
   KADR_LOAD(code('M', 0, row));
   CodeRow& c = def_.codes.back();
   c.code = "M" + std::to_string(from) + "…M" + std::to_string(to);
@@ -163,25 +188,31 @@ Done ControlLoader::cycles() {
                                 "parameters", "en", "ru", "manual"}));
     CycleRow c;
     c.name = std::string(key.str());
+    if (c.name.size() < 2 || (c.name[0] != 'G' && c.name[0] != 'M' && c.name[0] != 'L'))
+      return Failed(place(name_, node) + "a cycle is named by its code, G81, or its call, L81");
     if (c.name[0] == 'L') c.call_number = static_cast<std::uint32_t>(std::atoi(c.name.c_str() + 1));
-    if (const toml::array* const steps = (*row)["steps"].as_array())
+    if (const toml::array* const steps = list(*row, "steps"))
       for (const auto& step : *steps) {
         const auto* const found = std::find(std::begin(step_names), std::end(step_names), step.value_or(std::string()));
         if (found == std::end(step_names)) return Failed(place(name_, step) + "unknown step");
         c.steps.push_back(static_cast<CycleStep>(found - std::begin(step_names)));
       }
-    if (const toml::array* const body = (*row)["body"].as_array())
-      for (const auto& line : *body) c.body += line.value_or(std::string()) + "\n";
-    if (const toml::array* const printed = (*row)["printed"].as_array())
+    if (const toml::array* const body = list(*row, "body"))
+      for (const auto& line : *body) {
+        if (!line.is_string()) return Failed(place(name_, line) + "body: each block a text");
+        c.body += line.value_or(std::string()) + "\n";
+      }
+    if (const toml::array* const printed = list(*row, "printed"))
       for (const auto& line : *printed) c.printed += line.value_or(std::string()) + "\n";
     if (const toml::table* const to = (*row)["parameters"].as_table()) KADR_LOAD(cycle_parameters(*to, c));
     if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + "a cycle has steps or a body");
-    c.needs = letters((*row)["needs"].value_or(std::string()));
+    c.needs = letters(*row, "needs");
     c.needs_spindle = typed(*row, "needs_spindle", false, "true or false");
     c.needs_spindle_cw = typed(*row, "needs_spindle_cw", false, "true or false");
     c.needs_override_off = typed(*row, "needs_override_off", false, "true or false");
     c.text = text_of(*row);
-    c.manual = (*row)["manual"].value_or(std::string());
+    c.manual = text(*row, "manual");
+    KADR_LOAD(check_cycle(*row, c));
     def_.cycles.push_back(std::move(c));
   }
   return {};
@@ -217,11 +248,13 @@ Done ControlLoader::initial_codes() {
     def_.groups[i].power_on = row;
   }
   const toml::table* const t = section("defaults");
-  const toml::array* const end = t == nullptr ? nullptr : (*t)["end"].as_array();
+  if (t != nullptr) KADR_LOAD(known_keys(*t, {"end"}));
+  const toml::array* const end = t == nullptr ? nullptr : list(*t, "end");
   if (end == nullptr) return {};
   for (const auto& node : *end) {
     const std::int32_t row = row_named(node.value_or(std::string()));
     if (row < 0) return Failed(place(name_, node) + "unknown code");
+    KADR_LOAD(check_end_code(node, def_.codes[static_cast<std::size_t>(row)]));
     def_.end_codes.push_back(row);
   }
   return {};
@@ -254,13 +287,20 @@ Done ControlLoader::alarms() {
   return {};
 }
 
-/// `progression = true`: the standard's geometric progression, then the codes that the table names.
-void ControlLoader::code_table(std::string_view key, std::map<std::int32_t, double>& to) const {
+/// "12" = 400: what a coded feed or speed means; `progression = true`: the standard's geometric progression, then what the table names.
+Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, double>& to) {
+  constexpr std::size_t most_digits = 8;
   const toml::table* const t = section(key);
-  if (t == nullptr) return;
-  if ((*t)["progression"].value_or(false)) to = coded_progression();
-  for (const auto& [code, value] : *t)
-    if (code.str() != "progression") to[std::atoi(std::string(code.str()).c_str())] = value.value_or(0.0);
+  if (t == nullptr) return {};
+  if (typed(*t, "progression", false, "true or false")) to = coded_progression();
+  for (const auto& [code, node] : *t) {
+    if (code.str() == "progression") continue;
+    const std::string digits(code.str());
+    const bool is_code = !digits.empty() && digits.size() <= most_digits && digits.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_code) return Failed(place(name_, node) + told("'" + digits + "' is no code number", "«" + digits + "» — не номер кода"));
+    ranged(*t, digits, ranges::feed, to[std::stoi(digits)]);
+  }
+  return {};
 }
 
 /// INFERRED (spec/gost 3 names the method only; GOST 20999-83 takes the series R20 of GOST 8032): code 00 is the stop, code n the

@@ -27,7 +27,7 @@ bool is_symbol(std::string_view text) {
 }  // namespace
 
 Done ControlLoader::variables() {
-  const toml::array* const rows = file_["variables"].as_array();
+  const toml::array* const rows = list(file_, "variables");
   if (rows == nullptr) return {};
   for (const auto& node : *rows) {
     const toml::table* const row = node.as_table();
@@ -41,9 +41,12 @@ Done ControlLoader::variable(const toml::table& row) {
   KADR_LOAD(known_keys(row, {"is", "from", "count", "stride", "repeat", "ranges", "symbol", "first", "arg", "bit", "of", "access", "works",
                              "en", "ru", "manual"}));
   VariableRow v;
-  const std::string kind = row["is"].value_or(std::string());
+  const std::string kind = text(row, "is");
   const auto* const found = std::find(std::begin(variable_kinds), std::end(variable_kinds), kind);
-  if (found == std::end(variable_kinds)) return Failed(place(name_, row, "is") + "unknown kind '" + kind + "'");
+  if (found == std::end(variable_kinds)) {
+    const std::string_view near = toml_tools::nearest(kind, {std::begin(variable_kinds), std::end(variable_kinds)});
+    return Failed(place(name_, row, "is") + "unknown kind '" + kind + "'" + (near.empty() ? "" : ", nearest: '" + std::string(near) + "'"));
+  }
   v.kind = static_cast<VariableKind>(found - std::begin(variable_kinds));
   if (row.contains("ranges")) {
     const toml::array* const ranges = row["ranges"].as_array();
@@ -58,19 +61,20 @@ Done ControlLoader::variable(const toml::table& row) {
     const auto number = [&](const char* key, std::uint32_t otherwise) { return whole(row, key, otherwise, most_variables); };
     v.ranges.push_back({number("from", 0), number("count", 1), number("stride", 0), number("repeat", 1)});
   }
-  v.symbol = row["symbol"].value_or(std::string());
+  v.symbol = text(row, "symbol");
   if (row.contains("symbol") && !is_symbol(v.symbol)) return Failed(place(name_, row, "symbol") + "a symbol is of A to Z, 0 to 9, _");
   v.first_index = whole(row, "first", 1, most_variables);
   v.arg = static_cast<int>(whole(row, "arg", 0, most_variables));
   if (row.contains("bit")) v.bit = static_cast<int>(whole(row, "bit", 0, 31));
   v.of = whole(row, "of", 0, most_number);
-  const std::string access = row["access"].value_or(std::string("RW"));
+  const std::string access = row.contains("access") ? text(row, "access") : "RW";
   if (access != "R" && access != "W" && access != "RW") return Failed(place(name_, row, "access") + "access: R, W or RW");
   v.read = access != "W";
   v.write = access != "R";
   v.works = typed(row, "works", true, "true or false");
   v.text = text_of(row);
-  v.manual = row["manual"].value_or(std::string());
+  v.manual = text(row, "manual");
+  KADR_LOAD(check_variable(row, v));
   def_.variables.push_back(std::move(v));
   return {};
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "config/control_loader.h"
+#include "config/told.h"
 #include "lang/format.h"
 
 namespace kadr {
@@ -39,15 +40,23 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
 }  // namespace
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
-  def_.id = file_["id"].value_or(std::string());
+  const Done done = sections();
+  if (!bad_value_.empty()) return Failed(bad_value_);  // it came first
+  if (!done) return Failed(done.error());
+  return std::move(def_);
+}
+
+Done ControlLoader::sections() {
+  def_.id = text(file_, "id");
   if (def_.id.empty()) return Failed(name_ + ": id is missing");
-  if (const toml::table* const text = file_["name"].as_table()) def_.name = text_of(*text);
-  def_.spec = file_["spec"].value_or(std::string());
+  if (const toml::table* const name = section("name")) def_.name = text_of(*name);
+  def_.spec = text(file_, "spec");
   KADR_LOAD(known_keys(
       file_, {"id",     "name", "spec", "extends", "format",    "grammar",    "behaviour", "axes",     "order",      "address",
               "groups", "g",    "m",    "cycle",   "variables", "parameters", "alarms",    "defaults", "feed_codes", "speed_codes"}));
   KADR_LOAD(grammar());
   KADR_LOAD(behaviour());
+  KADR_LOAD(check_machine());
   KADR_LOAD(axes());
   KADR_LOAD(order());
   KADR_LOAD(addresses());
@@ -59,10 +68,12 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
   KADR_LOAD(variables());
   KADR_LOAD(parameters());
   KADR_LOAD(alarms());
-  code_table("feed_codes", def_.feed_codes);
-  code_table("speed_codes", def_.speed_codes);
-  if (!bad_value_.empty()) return Failed(bad_value_);
-  return std::move(def_);
+  KADR_LOAD(code_table("feed_codes", def_.feed_codes));
+  KADR_LOAD(code_table("speed_codes", def_.speed_codes));
+  KADR_LOAD(check_grammar());
+  KADR_LOAD(check_behaviour());
+  KADR_LOAD(check_axes());
+  return check_functions();
 }
 
 std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most) {
@@ -74,15 +85,56 @@ std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key,
   return otherwise;
 }
 
-Done ControlLoader::known_keys(const toml::table& table, std::initializer_list<std::string_view> known) const {
+void ControlLoader::ranged(const toml::table& row, std::string_view key, const Range& range, double& to) {
+  if (auto done = toml_tools::number(name_, row, key, range, to); !done && bad_value_.empty()) bad_value_ = done.error();
+}
+
+Done ControlLoader::known_keys(const toml::table& table, const std::vector<std::string_view>& known) const {
   for (const auto& [key, node] : table)
-    if (std::find(known.begin(), known.end(), key.str()) == known.end())
-      return Failed(place(name_, node) + "unknown key '" + std::string(key.str()) + "'");
+    if (std::find(known.begin(), known.end(), key.str()) == known.end()) return unknown_key(node, key.str(), known);
   return {};
 }
 
+tl::unexpected<std::string> ControlLoader::unknown_key(const toml::node& node, std::string_view key,
+                                                       const std::vector<std::string_view>& known, std::string_view what) const {
+  const std::string_view near = toml_tools::nearest(key, known);
+  return Failed(place(name_, node) + std::string(what) + " '" + std::string(key) + "'" +
+                (near.empty() ? "" : ", nearest: '" + std::string(near) + "'"));
+}
+
+const toml::table* ControlLoader::section(std::string_view key) {
+  const toml::node* const node = file_.get(key);
+  if (node != nullptr && !node->is_table() && bad_value_.empty()) bad_value_ = place(name_, *node) + std::string(key) + " must be a table";
+  return node == nullptr ? nullptr : node->as_table();
+}
+
+const toml::array* ControlLoader::list(const toml::table& row, std::string_view key) {
+  const toml::node* const node = row.get(key);
+  if (node != nullptr && !node->is_array() && bad_value_.empty()) bad_value_ = place(name_, *node) + std::string(key) + " must be a list";
+  return node == nullptr ? nullptr : node->as_array();
+}
+
+std::string ControlLoader::text(const toml::table& row, std::string_view key) {
+  const toml::node* const node = row.get(key);
+  if (node == nullptr) return {};
+  if (const auto value = node->value_exact<std::string>()) return *value;
+  if (bad_value_.empty()) bad_value_ = place(name_, *node) + std::string(key) + " must be a text";
+  return {};
+}
+
+bool ControlLoader::is_own(const toml::node& node) const {
+  const toml::source_path_ptr& path = node.source().path;
+  return path && *path == name_;
+}
+
+Done ControlLoader::no_effect(const toml::table& row, std::string_view key, const std::string& why) const {
+  const toml::node* const node = row.get(key);
+  if (node == nullptr || !is_own(*node)) return {};
+  return Failed(place(name_, *node) + why);
+}
+
 Done ControlLoader::grammar() {
-  def_.descriptor = file_["format"].value_or(std::string());
+  def_.descriptor = text(file_, "format");
   Grammar& g = def_.grammar;
   if (!def_.descriptor.empty())
     if (auto applied = apply_descriptor(def_.descriptor, g); !applied) return Failed(name_ + ": format: " + applied.error());
@@ -96,9 +148,9 @@ Done ControlLoader::grammar() {
     g.*to = typed(*t, key, g.*to, "true or false");
   }
   for (const auto& [key, node] : *t)
-    if (!known.contains(key.str())) return Failed(place(name_, node) + "unknown key '" + std::string(key.str()) + "'");
+    if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()});
   g.percent_digits = static_cast<std::uint8_t>(whole(*t, "percent_digits", g.percent_digits, 9));
-  g.comment_forbidden = (*t)["comment_forbidden"].value_or(g.comment_forbidden);
+  g.comment_forbidden = text(*t, "comment_forbidden");
   g.block_length = whole(*t, "block_length", g.block_length, limits::line_bytes);
   g.variables = whole(*t, "variables", g.variables, most_variables);
   g.parameter_address = first_letter(*t, "formal_parameter");
@@ -107,11 +159,15 @@ Done ControlLoader::grammar() {
   if (!std::all_of(g.long_parameters.begin(), g.long_parameters.end(), is_letter) || g.long_parameters.size() > 3)
     return Failed(place(name_, *t, "long_parameters") + "long_parameters: at most three letters A to Z");
   g.section_address = first_letter(*t, "section");
-  if ((*t)["end_of_block"].value_or(std::string("line")) == "line_only") g.end_of_block = EndOfBlock::line_only;
-  for (const char letter : (*t)["parameters_in"].value_or(std::string())) {
+  const std::string end = text(*t, "end_of_block");
+  if (end == "line_only") g.end_of_block = EndOfBlock::line_only;
+  else if (!end.empty() && end != "line") return Failed(place(name_, *t, "end_of_block") + "end_of_block: line or line_only");
+  for (const char letter : text(*t, "parameters_in")) {
     if (!is_letter(letter)) return Failed(place(name_, *t, "parameters_in") + "parameters_in: letters A to Z");
     g.word(letter).parameter = true;
   }
+  if (t->contains("most_codes") && !(*t)["most_codes"].is_table())
+    return Failed(place(name_, *t, "most_codes") + "most_codes must be a table: { M = 2 }");
   if (const toml::table* const most = (*t)["most_codes"].as_table())
     for (const auto& [letter, node] : *most) {
       if (letter.str().size() != 1 || !is_letter(letter.str()[0])) return Failed(place(name_, node) + "most_codes: letters A to Z");
@@ -121,10 +177,11 @@ Done ControlLoader::grammar() {
 }
 
 char ControlLoader::first_letter(const toml::table& t, std::string_view key) {
-  const std::string text = t[key].value_or(std::string());
-  if (text.empty()) return '\0';
-  if (!is_letter(text[0]) && bad_value_.empty()) bad_value_ = place(name_, t, key) + std::string(key) + " must be a letter A to Z";
-  return is_letter(text[0]) ? text[0] : '\0';
+  const std::string letter = text(t, key);
+  if (letter.empty()) return '\0';
+  const bool good = letter.size() == 1 && is_letter(letter[0]);
+  if (!good && bad_value_.empty()) bad_value_ = place(name_, t, key) + std::string(key) + " must be a letter A to Z";
+  return good ? letter[0] : '\0';
 }
 
 Done ControlLoader::behaviour() {
@@ -136,23 +193,24 @@ Done ControlLoader::behaviour() {
     known.insert(key);
     to = typed(*t, key, to, "true or false");
   };
-  const auto number = [&](const char* key, double& to) {
+  const auto number = [&](const char* key, double& to, const Range& range) {
     known.insert(key);
-    to = typed(*t, key, to, "a number");
+    ranged(*t, key, range, to);
   };
   const auto count = [&](const char* key, std::uint32_t& to, std::uint32_t most) {
     known.insert(key);
     to = whole(*t, key, to, most);
   };
   flag("arc_radius_word", b.arc_radius_word);
-  number("arc_radius_difference", b.arc_radius_difference);
+  number("arc_radius_difference", b.arc_radius_difference, ranges::distance);
+  number("arc_difference_inch", b.arc_difference_inch, ranges::distance);
   flag("helix_by_lead", b.helix_by_lead);
-  number("feed_most", b.feed_most);
+  number("feed_most", b.feed_most, ranges::feed);
   flag("feed_required", b.feed_required);
-  number("reference_feed", b.reference_feed);
-  number("return_chip_break", b.return_chip_break);
-  number("return_near", b.return_near);
-  number("probe_least_distance", b.probe_least_distance);
+  number("reference_feed", b.reference_feed, ranges::feed);
+  number("return_chip_break", b.return_chip_break, ranges::distance);
+  number("return_near", b.return_near, ranges::distance);
+  number("probe_least_distance", b.probe_least_distance, ranges::distance);
   flag("speed_needs_direction", b.speed_needs_direction);
   flag("tool_and_corrector", b.tool_and_corrector);
   flag("contour_entry_tangent", b.contour_entry_tangent);
@@ -172,24 +230,31 @@ Done ControlLoader::behaviour() {
   count("call_depth", b.call_depth, 255);
   count("offsets", b.offsets, 9999);
   count("fixtures", b.fixtures, 1000);
-  const std::string centers = (*t)["arc_centers"].value_or(std::string("incremental"));
+  const std::string centers = text(*t, "arc_centers");
   if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
   else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;
-  else if (centers != "incremental") return Failed(place(name_, *t) + "arc_centers: incremental, as_distance or by_code");
-  const std::string length = (*t)["length_offset"].value_or(std::string("next_motion"));
+  else if (!centers.empty() && centers != "incremental")
+    return Failed(place(name_, *t, "arc_centers") + "arc_centers: incremental, as_distance or by_code");
+  const std::string length = text(*t, "length_offset");
   if (length == "at_once") b.length_offset = LengthOffset::at_once;
-  else if (length != "next_motion") return Failed(place(name_, *t->get("length_offset")) + "length_offset: at_once or next_motion");
+  else if (!length.empty() && length != "next_motion")
+    return Failed(place(name_, *t->get("length_offset")) + "length_offset: at_once or next_motion");
   for (const auto& [key, node] : *t)
-    if (!known.contains(key.str())) return Failed(place(name_, node) + "unknown behaviour '" + std::string(key.str()) + "'");
+    if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()}, "unknown behaviour");
   return {};
 }
 
 Done ControlLoader::axes() {
   const toml::table* const t = section("axes");
-  const toml::array* const names = t == nullptr ? nullptr : (*t)["names"].as_array();
+  const toml::array* const names = t == nullptr ? nullptr : list(*t, "names");
   if (names == nullptr || names->empty() || names->size() > max_axes) return Failed(name_ + ": [axes] names: 1 to 16 axes");
-  for (const auto& name : *names) def_.axes.push_back(name.value_or(std::string()));
-  if (const toml::array* const rotary = (*t)["rotary"].as_array())
+  KADR_LOAD(known_keys(*t, {"names", "rotary"}));
+  for (const auto& node : *names) {
+    const std::string name = node.value_exact<std::string>().value_or(std::string());
+    if (name.empty() || axis_named(name) >= 0) return Failed(place(name_, node) + "names: each axis a name of its own");
+    def_.axes.push_back(name);
+  }
+  if (const toml::array* const rotary = list(*t, "rotary"))
     for (const auto& name : *rotary) {
       const int axis = axis_named(name.value_or(std::string()));
       if (axis < 0) return Failed(place(name_, name) + "rotary: no such axis");
@@ -211,8 +276,9 @@ int ControlLoader::axis_named(const std::string& name) const {
 
 Done ControlLoader::order() {
   const toml::table* const t = section("order");
-  const toml::array* const phases = t == nullptr ? nullptr : (*t)["phases"].as_array();
+  const toml::array* const phases = t == nullptr ? nullptr : list(*t, "phases");
   if (phases == nullptr) return Failed(name_ + ": [order] phases is missing");
+  KADR_LOAD(known_keys(*t, {"phases"}));
   for (const auto& node : *phases) {
     const Phase phase = phase_named(node.value_or(std::string()));
     if (phase == Phase::count) return Failed(place(name_, node) + "unknown phase '" + node.value_or(std::string()) + "'");
@@ -224,20 +290,13 @@ Done ControlLoader::order() {
 }
 
 /// `phase` of the row, or the function's own; it must stand in the control's order.
-tl::expected<Phase, std::string> ControlLoader::phase_of(const toml::table& row, Function function) const {
+tl::expected<Phase, std::string> ControlLoader::phase_of(const toml::table& row, Function function) {
   Phase phase = traits_of(function).phase;
-  if (const auto named = row["phase"].value<std::string>()) phase = phase_named(*named);
+  if (row.contains("phase")) phase = phase_named(text(row, "phase"));
   if (phase == Phase::count) return Failed(place(name_, row, "phase") + "unknown phase");
   if (phase != Phase::none && def_.order[static_cast<std::size_t>(phase)] == 0)
     return Failed(place(name_, row, "phase") + "phase '" + std::string(name_of(phase)) + "' is not in [order]");
   return phase;
-}
-
-tl::expected<Function, std::string> ControlLoader::function_of(const toml::table& row) const {
-  const std::string name = row["does"].value_or(std::string());
-  const Function function = function_named(name);
-  if (function == Function::count) return Failed(place(name_, row, "does") + "unknown function '" + name + "'");
-  return function;
 }
 
 Done ControlLoader::addresses() {
@@ -260,26 +319,30 @@ Done ControlLoader::address(char letter, const toml::table& row) {
       row, {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many", "en", "ru", "manual"}));
   AddressRow& a = def_.addresses[static_cast<std::size_t>(letter - 'A')];
   a.letter = letter;
-  const auto function = function_of(row);
+  const auto function = function_of(row, CalledBy::word, address_written(letter));
   if (!function) return Failed(function.error());
   a.function = *function;
   const auto phase = phase_of(row, *function);
   if (!phase) return Failed(phase.error());
   a.phase = *phase;
-  if (const auto axis = row["axis"].value<std::string>()) {
-    const int index = axis_named(*axis);
-    if (index < 0) return Failed(place(name_, row, "axis") + "no axis '" + *axis + "'");
+  if (row.contains("axis")) {
+    const std::string axis = text(row, "axis");
+    const int index = axis_named(axis);
+    if (index < 0) return Failed(place(name_, row, "axis") + "no axis '" + axis + "'");
     a.axis = static_cast<std::uint8_t>(index);
   }
-  const std::string unit = row["unit"].value_or(std::string());
+  const std::string unit = text(row, "unit");
+  if (!unit.empty() && unit != "length" && unit != "angle") return Failed(place(name_, row, "unit") + "unit: length or angle");
   a.unit = unit == "length" ? WordUnit::length : unit == "angle" ? WordUnit::angle : WordUnit::none;
-  a.scale = typed(row, "scale", 1.0, "a number");
-  a.least = typed(row, "least", a.least, "a number");
-  a.most = typed(row, "most", a.most, "a number");
+  ranged(row, "scale", ranges::scale, a.scale);
+  ranged(row, "least", ranges::any, a.least);
+  ranged(row, "most", ranges::any, a.most);
+  if (a.least > a.most) return Failed(place(name_, row, "least") + told("least is above most", "least больше, чем most"));
   a.whole = typed(row, "whole", false, "true or false");
   a.text = text_of(row);
-  a.manual = row["manual"].value_or(std::string());
-  a.format = row["format"].value_or(std::string());
+  a.manual = text(row, "manual");
+  a.format = text(row, "format");
+  KADR_LOAD(check_address(letter, row, a));
   return word_format(letter, row, a);
 }
 

@@ -1,102 +1,169 @@
 #include "config/guess.h"
 
+#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "config/text_kind.h"
+#include "lang/encoding.h"
 
 namespace kadr {
 namespace {
 
-struct Clue {
+/// What speaks for a control: a piece of text and its first line, or (line 0) what the text is like as a whole.
+struct Found {
   double weight = 0;
+  std::string what;
+  std::uint32_t line = 0;
   const char* en = "";
   const char* ru = "";
 };
 
+/// Counts a sign of a control; keeps where it stood first.
+struct Sign {
+  std::uint64_t count = 0;
+  std::string what;
+  std::uint32_t line = 0;
+
+  void see(std::string_view text, std::uint32_t at) {
+    if (count++ == 0) what = text, line = at;
+  }
+};
+
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
-/// A code that of all our controls only nct has: `G54.1`, not `G54.12`.
-bool nct_code(std::string_view line) {
+/// A code that of all our controls only nct has: `G54.1`, not `G54.12`. Empty: none.
+std::string_view nct_code(std::string_view line) {
   constexpr std::array<std::string_view, 11> codes = {"G54.1", "G84.2", "G84.3", "G68.2", "G43.4", "G43.5",
                                                       "G43.7", "G51.1", "G10.9", "G53.6", "G66.1"};
   for (const std::string_view code : codes)
     for (std::size_t at = line.find(code); at != std::string_view::npos; at = line.find(code, at + 1))
-      if (at + code.size() >= line.size() || !digit(line[at + code.size()])) return true;
+      if (at + code.size() >= line.size() || !digit(line[at + code.size()])) return code;
   for (const std::string_view call : {"G65P", "G65 P", "G65<", "G65 <", "G66P", "G66 P", "M98<", "M98 <"})
-    if (line.find(call) != std::string_view::npos) return true;
-  return false;
+    if (line.find(call) != std::string_view::npos) return call;
+  return {};
 }
 
 /// A statement or name of the macro language, `XI-40`, `,R5`. `O100 WHILE [` belongs to another family of controls.
-bool nct_form(std::string_view line) {
-  if (line[0] == 'O') return false;
+std::string_view nct_form(std::string_view line) {
+  if (line[0] == 'O') return {};
   constexpr std::array<std::string_view, 13> words = {"WHILE[", "WHILE [", "GOTO",  "THEN", "DPRNT[", "BPRNT[", "POPEN",
                                                       "FOPEN",  "FCLOS",   "PCLOS", "#_",   "AXNUM[", "PRM["};
   for (const std::string_view word : words)
-    if (line.find(word) != std::string_view::npos) return true;
+    if (line.find(word) != std::string_view::npos) return word;
   for (std::size_t i = 0; i + 2 < line.size(); ++i) {
     const char after = line[i + 2];
     if (!digit(after) && after != '-' && after != '.') continue;
-    if (line[i + 1] == 'I' && std::string_view("XYZUVWABCR").find(line[i]) != std::string_view::npos) return true;
-    if (line[i] == ',' && std::string_view("CRA").find(line[i + 1]) != std::string_view::npos) return true;
+    if (line[i + 1] == 'I' && std::string_view("XYZUVWABCR").find(line[i]) != std::string_view::npos) return line.substr(i, 3);
+    if (line[i] == ',' && std::string_view("CRA").find(line[i + 1]) != std::string_view::npos) return line.substr(i, 3);
   }
-  return false;
+  return {};
 }
 
-/// What a line of program tells; comments are left out before.
+/// "ПС in line 2, L81 in line 12".
+std::string reason_of(const std::vector<Found>& found, bool ru) {
+  std::string reason;
+  for (const Found& f : found) {
+    if (!reason.empty()) reason += ", ";
+    reason += f.line == 0 ? (ru ? f.ru : f.en) : f.what + (ru ? " в строке " : " in line ") + std::to_string(f.line);
+  }
+  return reason;
+}
+
+/// What the lines of a program tell; comments are left out before.
 class Clues {
  public:
-  void take(std::string_view line) {
-    if (line.empty()) return;
+  void take(std::string_view line, std::uint32_t number) {
+    number_ = number;
     ++lines_;
     const bool numbered = line[0] == 'N' || line[0] == ':' || (line[0] == '/' && line.size() > 1 && line[1] == 'N');
     numbered_ += numbered;
     points_ += line.find('.') != std::string_view::npos;
-    marks_ps_ += line.find("\xD0\x9F\xD0\xA1") != std::string_view::npos;
-    marks_lf_ += line.size() >= 2 && line.substr(line.size() - 2) == "LF";
-    macros_ += nct_code(line) || nct_form(line);
-    variables_ += line.find('#') != std::string_view::npos || line.find('[') != std::string_view::npos;
+    constexpr std::string_view ps = "\xD0\x9F\xD0\xA1";
+    if (line.find(ps) != std::string_view::npos) marks_ps_.see(ps, number);
+    if (line.size() >= 2 && line.ends_with("LF")) marks_lf_.see("LF", number);
+    if (const auto code = nct_code(line); !code.empty()) macros_.see(code, number);
+    else if (const auto form = nct_form(line); !form.empty()) macros_.see(form, number);
+    if (const std::size_t at = line.find_first_of("#["); at != std::string_view::npos) {
+      const std::size_t end = line.find_first_not_of("#[<_0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ>", at);
+      variables_.see(line.substr(at, std::min<std::size_t>(end - at, 20)), number);
+    }
     for (std::size_t i = 0; i + 1 < line.size(); ++i) letter(line, i);
   }
 
   Guess best() const {
-    const double n = lines_ == 0 ? 1.0 : static_cast<double>(lines_);
-    const std::array<Clue, 5> of = {
-        Clue{(marks_ps_ > 0 ? 4.0 : 0.0) + (parameters_ > 0 ? 4.0 : 0.0) + (l_cycles_ > 0 ? 4.0 : 0.0) +
-                 (long_integers_ > 0 && points_ == 0 ? 2.0 : 0.0) + (numbered_ == lines_ && lines_ > 0 ? 1.0 : 0.0),
-             "blocks end with ПС, numbers without points, L81…L89 or R parameters",
-             "кадры кончаются ПС, числа без точки, L81…L89 или параметры R"},
-        Clue{(variables_ > 0 ? 4.0 : 0.0) + (static_cast<double>(lines_ - numbered_) / n > 0.5 ? 1.5 : 0.0) + (points_ > 0 ? 1.0 : 0.0) +
-                 (probe_or_o_ > 0 ? 2.0 : 0.0) + 0.5,
-             "free numbers with decimal points, few block numbers, # variables or O programs",
-             "числа с точкой, мало номеров кадров, переменные # или программы O"},
-        Clue{(pairs_ > 0 ? 6.0 : 0.0) + (pocket_ > 0 ? 6.0 : 0.0), "axis correctors (L1 15) or pocket cycles G87/G79",
-             "корректоры по осям (L1 15) или циклы карманов G87/G79"},
-        Clue{(marks_lf_ > 0 ? 2.0 : 0.0) + (main_blocks_ > 0 ? 2.0 : 0.0) +
-                 (numbered_ == lines_ && lines_ > 0 && marks_ps_ == 0 ? 1.5 : 0.0) + (main_blocks_ > 0 ? 1.0 : 0.0),
-             "numbered blocks that end with LF, main blocks", "нумерованные кадры с LF, главные кадры"},
-        Clue{macros_ > 0 ? 12.0 : 0.0, "macro statements, #_NAME, G65 P, G54.1, G84.2, XI-40 or ,R5",
-             "операторы макроязыка, #_ИМЯ, G65 P, G54.1, G84.2, XI-40 или ,R5"}};
     constexpr std::array<const char*, 5> ids = {"s2c42", "mach3", "correctors", "gost", "nct"};
-    std::size_t best = 1;
+    const std::array<std::vector<Found>, 5> of = {s2c42(), mach3(), correctors(), gost(), nct()};
+    const auto weight = [](const std::vector<Found>& found) {
+      return std::accumulate(found.begin(), found.end(), 0.0, [](double sum, const Found& f) { return sum + f.weight; });
+    };
+    std::size_t best = 1;  // the most common, where nothing speaks for another
     for (std::size_t i = 0; i < of.size(); ++i)
-      if (of[i].weight > of[best].weight) best = i;
-    constexpr double weak = 1;
-    if (of[best].weight < weak || lines_ == 0) return {ids[best], "the text tells little", "по тексту почти ничего не видно"};
-    return {ids[best], of[best].en, of[best].ru};
+      if (weight(of[i]) > weight(of[best])) best = i;
+    if (of[best].empty()) return {ids[best], "the text tells little", "по тексту почти ничего не видно"};
+    return {ids[best], reason_of(of[best], false), reason_of(of[best], true)};
   }
 
  private:
+  static void add(std::vector<Found>& to, double weight, const Sign& sign) {
+    if (sign.count > 0) to.push_back({weight, sign.what, sign.line});
+  }
+  static void add(std::vector<Found>& to, double weight, bool holds, const char* en, const char* ru) {
+    if (holds) to.push_back({weight, {}, 0, en, ru});
+  }
+  bool all_numbered() const { return numbered_ == lines_ && lines_ > 0; }
+
+  std::vector<Found> s2c42() const {
+    std::vector<Found> found;
+    add(found, 4, marks_ps_);
+    add(found, 4, parameters_);
+    add(found, 4, l_cycles_);
+    add(found, 2, long_integers_ > 0 && points_ == 0, "numbers without points", "числа без точки");
+    add(found, 1, all_numbered(), "all blocks numbered", "все кадры с номерами");
+    return found;
+  }
+  std::vector<Found> mach3() const {
+    std::vector<Found> found;
+    add(found, 4, variables_);
+    add(found, 2, o_words_);
+    const bool few = static_cast<double>(lines_ - numbered_) / static_cast<double>(std::max<std::uint64_t>(lines_, 1)) > 0.5;
+    add(found, 1.5, few, "few block numbers", "мало номеров кадров");
+    add(found, 1, points_ > 0, "decimal points", "десятичные точки");
+    if (!found.empty()) found.back().weight += 0.5;  // of equal ones the most common
+    return found;
+  }
+  std::vector<Found> correctors() const {
+    std::vector<Found> found;
+    add(found, 6, pairs_);
+    add(found, 6, pocket_);
+    return found;
+  }
+  std::vector<Found> gost() const {
+    std::vector<Found> found;
+    add(found, 2, marks_lf_);
+    add(found, 3, main_blocks_);
+    add(found, 1.5, all_numbered() && marks_ps_.count == 0, "all blocks numbered", "все кадры с номерами");
+    return found;
+  }
+  std::vector<Found> nct() const {
+    std::vector<Found> found;
+    add(found, 12, macros_);
+    return found;
+  }
+
   void letter(std::string_view line, std::size_t i) {
     const char c = line[i];
     const char next = line[i + 1];
-    main_blocks_ += c == ':' && digit(next);
-    if (c == 'R' && digit(next) && i + 2 < line.size() && (line[i + 2] == '+' || line[i + 2] == '-')) ++parameters_;
-    if ((c == '+' || c == '-') && next == 'R') ++parameters_;
-    if (c == 'L' && next == '8' && i + 2 < line.size() && digit(line[i + 2])) ++l_cycles_;
-    if (c == 'L' && digit(next) && i + 3 < line.size() && line[i + 2] == ' ' && digit(line[i + 3])) ++pairs_;
-    if (c == 'G' && line.substr(i).starts_with("G79")) ++pocket_;
-    if (c == 'O' && digit(next)) ++probe_or_o_;
+    const auto see = [&](Sign& sign, std::size_t length) { sign.see(line.substr(i, length), number_); };
+    if (c == ':' && digit(next)) see(main_blocks_, 2);
+    if (c == 'R' && digit(next) && i + 2 < line.size() && (line[i + 2] == '+' || line[i + 2] == '-')) see(parameters_, 3);
+    if ((c == '+' || c == '-') && next == 'R') see(parameters_, 3);
+    if (c == 'L' && next == '8' && i + 2 < line.size() && digit(line[i + 2])) see(l_cycles_, 3);
+    if (c == 'L' && digit(next) && i + 3 < line.size() && line[i + 2] == ' ' && digit(line[i + 3])) see(pairs_, 5);
+    if (c == 'G' && line.substr(i).starts_with("G79")) see(pocket_, 3);
+    if (c == 'O' && digit(next)) see(o_words_, std::min(line.find_first_not_of("0123456789", i + 1), line.size()) - i);
     if ((c == 'X' || c == 'Y' || c == 'Z') && long_integer(line, i + 1)) ++long_integers_;
   }
 
@@ -108,33 +175,42 @@ class Clues {
     return digits >= 4 && (at >= line.size() || line[at] != '.');
   }
 
-  std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, marks_ps_ = 0, marks_lf_ = 0, variables_ = 0;
-  std::uint64_t macros_ = 0, parameters_ = 0, l_cycles_ = 0, pairs_ = 0, pocket_ = 0, probe_or_o_ = 0, main_blocks_ = 0, long_integers_ = 0;
+  std::uint32_t number_ = 0;  // of the line
+  std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, long_integers_ = 0;
+  Sign marks_ps_, marks_lf_, variables_, macros_, parameters_, l_cycles_, pairs_, pocket_, o_words_, main_blocks_;
 };
 
-std::string without_comments(std::string_view line) {
-  std::string text;
-  bool inside = false;
-  for (const char c : line) {
-    if (c == '(') inside = true;
-    else if (c == ')') inside = false;
-    else if (!inside && c != '\r') text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+Guess unknown(const KindOfText& text) {
+  const std::string line = std::to_string(text.line);
+  switch (text.kind) {
+    case TextKind::other_language:
+      return {"", text.language + ": " + text.found + " in line " + line, text.language + ": " + text.found + " в строке " + line};
+    case TextKind::prose:
+      return {"", "few lines are blocks, the first that is none is line " + line + ": " + text.found,
+              "кадров мало, первая строка не из них — " + line + ": " + text.found};
+    default: return {"", "it is no text", "это не текст"};
   }
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
 }
 
 }  // namespace
 
+bool is_program_text(std::string_view bytes) {
+  std::string text;
+  const auto encoding = detect_encoding(bytes);
+  if (encoding) (void)append_utf8(bytes, *encoding, text);
+  return kind_of_text(encoding ? std::string_view(text) : bytes).kind == TextKind::program;
+}
+
 Guess guess_control(std::string_view sample) {
-  constexpr int lines_looked_at = 500;
+  constexpr std::uint32_t lines_looked_at = 500;
+  const KindOfText text = kind_of_text(sample);
+  if (text.kind == TextKind::empty) return {"mach3", "there is nothing in it", "в нём ничего нет"};
+  if (text.kind != TextKind::program) return unknown(text);
   Clues clues;
-  int lines = 0;
-  while (!sample.empty() && lines++ < lines_looked_at) {
+  for (std::uint32_t number = 1; !sample.empty() && number <= lines_looked_at; ++number) {
     const std::size_t end = std::min(sample.find('\n'), sample.size());
-    const std::string line = without_comments(sample.substr(0, end));
-    if (!line.empty() && line[0] != '%') clues.take(line);
+    const std::string line = bare_line(sample.substr(0, end));
+    if (!line.empty() && line[0] != '%') clues.take(line, number);
     sample.remove_prefix(std::min(end + 1, sample.size()));
   }
   return clues.best();

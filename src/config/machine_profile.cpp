@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <tuple>
 
 #include "config/embedded.h"
+#include "config/read_file.h"
+#include "config/told.h"
 #include "config/toml_tools.h"
 
 namespace kadr {
@@ -19,17 +22,8 @@ constexpr std::string_view ending = ".toml";
 Done known_keys(const std::string& file, const toml::table& table, std::initializer_list<std::string_view> known) {
   for (const auto& [key, node] : table)
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
-      return Failed(place(file, node) + "unknown key '" + std::string(key.str()) + "'");
-  return {};
-}
-
-/// A number not below zero, if the key is there.
-Done positive(const std::string& file, const toml::table& table, std::string_view key, double& to) {
-  const toml::node* const node = table.get(key);
-  if (node == nullptr) return {};
-  const auto value = node->value<double>();
-  if (!value || !(*value >= 0)) return Failed(place(file, *node) + "'" + std::string(key) + "' must be a number, not below zero");
-  to = *value;
+      return Failed(place(file, node) +
+                    told("unknown key '" + std::string(key.str()) + "'", "неизвестный ключ «" + std::string(key.str()) + "»"));
   return {};
 }
 
@@ -40,29 +34,24 @@ Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to)
   const auto word = node->value<std::string_view>();
   if (word == "control") to = PlannerMode::control;
   else if (word == "optimal") to = PlannerMode::optimal;
-  else return Failed(place(file, *node) + "'planner' must be \"control\" or \"optimal\"");
+  else
+    return Failed(place(file, *node) +
+                  told("'planner' must be \"control\" or \"optimal\"", "planner: должно быть \"control\" или \"optimal\""));
   return {};
 }
 
 tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const std::string& name, const toml::node& node) {
   const toml::table* const row = node.as_table();
-  if (row == nullptr) return Failed(place(file, node) + "axis " + name + " must be a table: { rapid = …, limits = [least, most] }");
+  if (row == nullptr)
+    return Failed(place(file, node) + told("axis " + name + " must be a table: { rapid = …, limits = [least, most] }",
+                                           "ось " + name + " задаётся таблицей: { rapid = …, limits = [меньшее, большее] }"));
   AxisProfile axis;
   if (auto done = known_keys(file, *row, {"rapid", "limits", "acceleration", "jerk"}); !done) return Failed(done.error());
-  if (auto done = positive(file, *row, "rapid", axis.rapid); !done) return Failed(done.error());
-  if (auto done = positive(file, *row, "acceleration", axis.acceleration); !done) return Failed(done.error());
-  if (auto done = positive(file, *row, "jerk", axis.jerk); !done) return Failed(done.error());
-  if (axis.rapid == 0) return Failed(place(file, node) + "the rapid rate of axis " + name + " must be above zero");
-  if (axis.acceleration == 0 || axis.jerk == 0)
-    return Failed(place(file, node) + "acceleration and jerk of axis " + name + " must be above zero");
-  const toml::node* const limits = row->get("limits");
-  if (limits == nullptr) return axis;
-  const toml::array* const pair = limits->as_array();
-  const auto least = pair != nullptr && pair->size() == 2 ? (*pair)[0].value<double>() : std::nullopt;
-  const auto most = pair != nullptr && pair->size() == 2 ? (*pair)[1].value<double>() : std::nullopt;
-  if (!least || !most || !(*least <= *most)) return Failed(place(file, *limits) + "limits of axis " + name + " must be [least, most]");
-  axis.least = *least;
-  axis.most = *most;
+  const std::tuple<const char*, const Range&, double&> numbers[] = {
+      {"rapid", ranges::rate, axis.rapid}, {"acceleration", ranges::acceleration, axis.acceleration}, {"jerk", ranges::jerk, axis.jerk}};
+  for (const auto& [key, range, to] : numbers)
+    if (auto done = toml_tools::number(file, *row, key, range, to); !done) return Failed(done.error());
+  if (auto done = toml_tools::span(file, *row, "limits", ranges::position, axis.least, axis.most); !done) return Failed(done.error());
   return axis;
 }
 
@@ -71,18 +60,20 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
   if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes"}); !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
-  if (profile.id.empty()) return Failed(file + ": id is missing");
+  if (profile.id.empty()) return Failed(file + ": " + told("id is missing", "нет ключа id"));
   if (const toml::table* const name = table["name"].as_table()) {
     const Text text = toml_tools::text_of(*name);
     profile.name_en = text.en;
     profile.name_ru = text.ru;
   }
-  if (auto done = positive(file, table, "tool_change", profile.tool_change_s); !done) return Failed(done.error());
-  if (auto done = positive(file, table, "spindle_start", profile.spindle_start_s); !done) return Failed(done.error());
-  if (auto done = positive(file, table, "tolerance", profile.tolerance); !done) return Failed(done.error());
+  const std::tuple<const char*, const Range&, double&> numbers[] = {{"tool_change", ranges::seconds, profile.tool_change_s},
+                                                                    {"spindle_start", ranges::seconds, profile.spindle_start_s},
+                                                                    {"tolerance", ranges::distance, profile.tolerance}};
+  for (const auto& [key, range, to] : numbers)
+    if (auto done = toml_tools::number(file, table, key, range, to); !done) return Failed(done.error());
   if (auto done = mode_of(file, table, profile.planner); !done) return Failed(done.error());
   const toml::table* const axes = table["axes"].as_table();
-  if (axes == nullptr) return Failed(file + ": [axes] is missing");
+  if (axes == nullptr) return Failed(file + ": " + told("[axes] is missing", "нет таблицы [axes]"));
   for (const auto& [name, node] : *axes) {
     auto axis = axis_of(file, std::string(name.str()), node);
     if (!axis) return Failed(axis.error());
@@ -100,8 +91,8 @@ tl::expected<MachineProfile, std::string> parse(std::string_view text, const std
 
 tl::expected<MachineProfile, std::string> load_machine(const std::string& name) {
   if (name.ends_with(ending)) {
-    const auto text = toml_tools::read_text(name);
-    if (!text) return Failed(name + ": cannot be read");
+    const auto text = read_file(name);
+    if (!text) return Failed(text.error());
     return parse(*text, name);
   }
   const std::string file = std::string(folder) + name + std::string(ending);
@@ -111,7 +102,8 @@ tl::expected<MachineProfile, std::string> load_machine(const std::string& name) 
     if (built_in.name.starts_with(folder))
       known += (known.empty() ? "" : ", ") +
                std::string(built_in.name.substr(folder.size(), built_in.name.size() - folder.size() - ending.size()));
-  return Failed("no machine '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)");
+  return Failed(told("no machine '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)",
+                     "станка «" + name + "» нет; есть: " + known + " или свой файл (ИМЯ.toml)"));
 }
 
 }  // namespace kadr

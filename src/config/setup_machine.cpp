@@ -8,46 +8,46 @@ namespace {
 using OptionalSpan = std::optional<std::pair<double, double>>;
 
 Reader to_span(OptionalSpan& to) {
-  return or_null([&to](const Json& item, const std::string& name) { to = least_and_most(item, name); });
+  return or_null([&to](const Json& item, const std::string& name) {
+    to = least_and_most(item, name);
+    const bool fits = is_within(to->first, ranges::position) && is_within(to->second, ranges::position) && to->first < to->second;
+    if (!fits) wrong(name, "[least, most], the second above the first, each " + told(ranges::position));
+  });
 }
 
 AxisLimits axis_limits(const Json& value, const std::string& key) {
   AxisLimits axis;
-  const Reader rapid = or_null([&](const Json& item, const std::string& name) {
-    axis.rapid = number(item, name);
-    if (!(*axis.rapid > 0)) wrong(name, "above zero");
-  });
+  const Reader rapid = or_null([&](const Json& item, const std::string& name) { axis.rapid = within(item, name, ranges::rate); });
   const Reader acceleration = [&](const Json& item, const std::string& name) {
     axis.no_acceleration = item.is_null();
     if (item.is_null()) return;
-    axis.acceleration = number(item, name);
-    if (!(*axis.acceleration > 0)) wrong(name, "above zero, or null: without limit");
+    if (!item.is_number() || !is_within(item.get<double>(), ranges::acceleration))
+      wrong(name, told(ranges::acceleration) + ", or null: without limit");
+    axis.acceleration = item.get<double>();
   };
-  const Reader jerk_time = or_null([&](const Json& item, const std::string& name) {
-    axis.jerk_time = number(item, name);
-    if (!(*axis.jerk_time >= 0)) wrong(name, "zero or above");
-  });
+  const Reader jerk_time =
+      or_null([&](const Json& item, const std::string& name) { axis.jerk_time = within(item, name, ranges::seconds); });
   read_table(value, key,
              {{"rapid", rapid},
               {"limits", to_span(axis.limits)},
               {"acceleration", acceleration},
               {"jerk_time", jerk_time},
               {"zone3", to_span(axis.zone3)},
-              {"position_error", or_null(to_number(axis.position_error))}});
+              {"position_error", or_null(to_range(axis.position_error, ranges::distance))}});
   return axis;
 }
 
 SpindleSetup spindle(const Json& value, const std::string& key) {
   SpindleSetup spindle;
   read_table(value, key,
-             {{"rpm", to_number(spindle.rpm)},
+             {{"rpm", to_range(spindle.rpm, ranges::speed)},
               {"dir", to_one_of(spindle.dir, {"cw", "ccw", "stop"})},
               {"name", or_null(to_word(spindle.name))},
               {"channel", or_null(to_whole(spindle.channel, 1, most_channels))},
               {"angle", [&](const Json& item, const std::string& name) { spindle.angle = number_or_vacant(item, name); }},
               {"ranges", or_null([&](const Json& item, const std::string& name) { spindle.ranges = list(item, name, least_and_most); })},
               {"loop", to_one_of(spindle.loop, {"open", "closed"})},
-              {"surface_speed", to_number(spindle.surface_speed)},
+              {"surface_speed", to_range(spindle.surface_speed, ranges::speed)},
               {"css_axis", or_null(to_whole(spindle.css_axis, 0, most_number))},
               {"master", or_null(to_whole(spindle.master, 0, most_spindles))}});
   return spindle;
@@ -56,12 +56,14 @@ SpindleSetup spindle(const Json& value, const std::string& key) {
 /// The hole; every key of it must be there.
 void hole(const Json& value, const std::string& key, ProbeHole& to) {
   const Reader center = [&](const Json& item, const std::string& name) {
-    read_table(item, name, {{"X", to_number(to.center_x)}, {"Y", to_number(to.center_y)}});
+    read_table(item, name, {{"X", to_range(to.center_x, ranges::position)}, {"Y", to_range(to.center_y, ranges::position)}});
   };
   read_table(value, key,
-             {{"center", center}, {"diameter", to_number(to.diameter)}, {"top", to_number(to.top)}, {"depth", to_number(to.depth)}});
-  if (!(to.diameter > 0)) wrong(key + ".diameter", "above zero");
-  if (!(to.depth >= 0)) wrong(key + ".depth", "zero or above");
+             {{"center", center},
+              {"diameter", to_range(to.diameter, ranges::diameter)},
+              {"top", to_range(to.top, ranges::position)},
+              {"depth", to_range(to.depth, ranges::distance)}});
+  if (to.diameter == 0) wrong(key + ".diameter", told(ranges::diameter));  // not given
 }
 
 void probe_workpiece(const Json& value, const std::string& key, Setup& setup) {
@@ -71,10 +73,9 @@ void probe_workpiece(const Json& value, const std::string& key, Setup& setup) {
     hole(item, name, probed);
     has_hole = true;
   };
-  read_table(value, key, {{"tip_radius", to_number(probed.tip_radius)}, {"hole", read_hole}});
+  read_table(value, key, {{"tip_radius", to_range(probed.tip_radius, ranges::distance)}, {"hole", read_hole}});
   if (!has_hole && probed.tip_radius == 0) return;
   if (!has_hole) wrong(key, "a table with 'hole'");
-  if (!(probed.tip_radius >= 0)) wrong(key + ".tip_radius", "zero or above");
   setup.probe_hole = probed;
 }
 
@@ -84,8 +85,9 @@ std::optional<AxisValues> signal_position(const Json& value, const std::string& 
 
 void overrides(const Json& value, const std::string& key, Setup& s) {
   read_table(value, key,
-             {{"feed", to_number(s.feed_override)}, {"rapid", to_number(s.rapid_override)}, {"spindle", to_number(s.spindle_override)}});
-  if (std::min({s.feed_override, s.rapid_override, s.spindle_override}) < 0) wrong(key, "zero or above");
+             {{"feed", to_range(s.feed_override, ranges::percent)},
+              {"rapid", to_range(s.rapid_override, ranges::percent)},
+              {"spindle", to_range(s.spindle_override, ranges::percent)}});
 }
 
 }  // namespace

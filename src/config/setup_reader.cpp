@@ -2,45 +2,23 @@
 
 #include <cmath>
 
+#include "config/told.h"
+
 namespace kadr::setup_reader {
-namespace {
 
-/// Number of single-character edits that turn one word into the other.
-std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
+void wrong(const std::string& key, const std::string& form) {
+  throw Wrong{key, told("setup key '" + key + "' must be " + form, "ключ «" + key + "» исходного состояния: нужно: " + form)};
 }
-
-[[noreturn]] void unknown(const std::string& key, const std::string& inside, const Readers& known) {
-  std::string nearest;
-  for (const auto& [name, reader] : known)
-    if (nearest.empty() || edits(key, name) < edits(key, nearest)) nearest = name;
-  throw Wrong{"unknown setup key '" + (inside.empty() ? "" : inside + ".") + key + "'; the nearest known one is '" + nearest + "'"};
-}
-
-/// null, false, 0, "" and what holds nothing else: says what is so anyway.
-bool neutral(const Json& value) {
-  if (value.is_null() || (value.is_boolean() && !value.get<bool>()) || (value.is_number() && value.get<double>() == 0)) return true;
-  if (value.is_string()) return value.get_ref<const std::string&>().empty();
-  return value.is_structured() && std::all_of(value.begin(), value.end(), neutral);
-}
-
-}  // namespace
-
-void wrong(const std::string& key, const std::string& form) { throw Wrong{"setup key '" + key + "' must be " + form}; }
 
 double number(const Json& value, const std::string& key) {
   if (!value.is_number() || !std::isfinite(value.get<double>())) wrong(key, "a number");
   return value.get<double>();
+}
+
+double within(const Json& value, const std::string& key, const Range& range) {
+  const double n = number(value, key);
+  if (!is_within(n, range)) wrong(key, told(range));
+  return n;
 }
 
 int whole(const Json& value, const std::string& key) {
@@ -99,10 +77,6 @@ std::optional<double> number_or_vacant(const Json& value, const std::string& key
   return value.is_null() ? std::nullopt : std::optional(number(value, key));
 }
 
-void only_neutral(const Json& value, const std::string& key) {
-  if (!neutral(value)) throw Wrong{"setup key '" + key + "' is not served by this control yet"};
-}
-
 int row_number(const std::string& name, const std::string& key, std::pair<int, int> range) {
   const bool digits = !name.empty() && name.size() <= 9 && name.find_first_not_of("0123456789") == std::string::npos;
   const int n = digits ? std::stoi(name) : -1;
@@ -114,14 +88,19 @@ int row_number(const std::string& name, const std::string& key, std::pair<int, i
 
 void read_table(const Json& value, const std::string& inside, const Readers& readers) {
   for (const auto& [key, item] : table(value, inside.empty() ? "setup" : inside).items()) {
+    const std::string name = inside.empty() ? key : inside + "." + key;
     const auto found = readers.find(key);
-    if (found == readers.end()) unknown(key, inside, readers);
-    found->second(item, inside.empty() ? key : inside + "." + key);
+    if (found == readers.end()) wrong(name, "a key that has a reader");
+    found->second(item, name);
   }
 }
 
 Reader to_number(double& to) {
   return [&to](const Json& value, const std::string& key) { to = number(value, key); };
+}
+
+Reader to_range(double& to, const Range& range) {
+  return [&to, &range](const Json& value, const std::string& key) { to = within(value, key, range); };
 }
 
 Reader to_count(double& to) {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/range.h"
 #include "config/setup.h"
 
 namespace kadr::setup_reader {
@@ -25,6 +26,7 @@ inline constexpr int most_inputs = 8;  // of probes
 
 /// Inside the reader a wrong key or form leaves by this; parse_setup turns it into its error sentence.
 struct Wrong {
+  std::string key;
   std::string sentence;
 };
 
@@ -32,6 +34,7 @@ struct Wrong {
 
 /// Readers of one value; `key` is its full name, "machine.X.rapid", for the sentence if the value is of the wrong form.
 double number(const Json& value, const std::string& key);
+double within(const Json& value, const std::string& key, const Range& range);
 int whole(const Json& value, const std::string& key);
 int whole_within(const Json& value, const std::string& key, std::pair<int, int> range);
 std::uint32_t bits(const Json& value, const std::string& key);  // 0 to 4294967295
@@ -41,7 +44,6 @@ const Json& table(const Json& value, const std::string& key);
 AxisValues axis_values(const Json& value, const std::string& key);
 std::pair<double, double> least_and_most(const Json& value, const std::string& key);
 std::optional<double> number_or_vacant(const Json& value, const std::string& key);
-void only_neutral(const Json& value, const std::string& key);  // what says that all is as without it
 
 inline constexpr std::pair<int, int> any_number = {0, most_number};
 
@@ -65,10 +67,12 @@ void numbered(const Json& value, const std::string& key, std::map<int, T>& to, T
 using Reader = std::function<void(const Json&, const std::string&)>;
 using Readers = std::map<std::string, Reader>;
 
-/// Hands each key of a table to its reader; `inside` is the table's name, empty for the set-up itself.
+/// Hands each key of a table to its reader; `inside` is the table's name, empty for the set-up itself. Its keys are those of
+/// config/setup_keys, which has been asked before: one without a reader is a bug.
 void read_table(const Json& value, const std::string& inside, const Readers& readers);
 
 Reader to_number(double& to);
+Reader to_range(double& to, const Range& range);
 Reader to_count(double& to);  // a whole number, 0 to 99 999 999
 Reader to_whole(int& to, int least, int most);
 Reader to_flag(bool& to);

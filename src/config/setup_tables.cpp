@@ -52,33 +52,32 @@ namespace {
 ToolOffset tool_offset(const Json& value, const std::string& key) {
   ToolOffset offset;
   read_table(value, key,
-             {{"length", to_number(offset.length)},
-              {"length_wear", to_number(offset.length_wear)},
-              {"radius", to_number(offset.radius)},
-              {"radius_wear", to_number(offset.radius_wear)},
-              {"corner_radius", to_number(offset.corner)},
-              {"corner_radius_wear", to_number(offset.corner_wear)},
-              {"length_x", to_number(offset.length_x)},
-              {"length_x_wear", to_number(offset.length_x_wear)},
-              {"length_y", to_number(offset.length_y)},
-              {"length_y_wear", to_number(offset.length_y_wear)},
-              {"tip_position", to_number(offset.tip_position)}});
+             {{"length", or_null(to_number(offset.length))},
+              {"length_wear", or_null(to_number(offset.length_wear))},
+              {"radius", or_null(to_number(offset.radius))},
+              {"radius_wear", or_null(to_number(offset.radius_wear))},
+              {"corner_radius", or_null(to_number(offset.corner))},
+              {"corner_radius_wear", or_null(to_number(offset.corner_wear))},
+              {"length_x", or_null(to_number(offset.length_x))},
+              {"length_x_wear", or_null(to_number(offset.length_x_wear))},
+              {"length_y", or_null(to_number(offset.length_y))},
+              {"length_y_wear", or_null(to_number(offset.length_y_wear))},
+              {"tip_position", or_null(to_number(offset.tip_position))}});
   return offset;
 }
 
-/// "common", "G54", "G54.1 P2".
-bool names_work_offset(std::string_view name) {
-  if (name == "common") return true;
-  if (!name.starts_with("G")) return false;
-  const std::size_t blank = name.find(' ');
-  const auto digit_or_point = [](char c) { return is_digit(c) || c == '.'; };
-  if (!all_of(name.substr(1, blank == std::string_view::npos ? blank : blank - 1), digit_or_point)) return false;
-  return blank == std::string_view::npos || (name.substr(blank).starts_with(" P") && all_of(name.substr(blank + 2), is_digit));
+double not_stated_is_0(const Json& value, const std::string& key) { return value.is_null() ? 0 : number(value, key); }
+
+/// Without those that are null: not stated.
+AxisValues stated_axes(const Json& value, const std::string& key) {
+  Json stated = table(value, key);
+  for (auto axis = stated.begin(); axis != stated.end();) axis = axis->is_null() ? stated.erase(axis) : std::next(axis);
+  return axis_values(stated, key);
 }
 
 /// Axes of a work offset and its basic rotations; one of 0 is none.
 AxisValues work_offset(const Json& value, const std::string& key) {
-  AxisValues axes = axis_values(value, key);
+  AxisValues axes = stated_axes(value, key);
   for (const char* plane : {"G17", "G18", "G19"})
     if (const auto found = axes.find(plane); found != axes.end() && found->second == 0) axes.erase(found);
   return axes;
@@ -171,12 +170,11 @@ Readers readers_of_tables(Setup& s) {
       {"work_offsets",
        [&](const Json& v, const std::string& k) {
          for (const auto& [name, axes] : table(v, k).items()) {
-           if (!names_work_offset(name)) wrong(k + "." + name, "named common, G54 or \"G54.1 P2\"");
            s.work_offsets[name] = work_offset(axes, k + "." + name);
          }
        }},
-      {"zeros", [&](const Json& v, const std::string& k) { numbered(v, k, s.zeros, axis_values); }},
-      {"correctors", [&](const Json& v, const std::string& k) { numbered(v, k, s.correctors, number); }},
+      {"zeros", [&](const Json& v, const std::string& k) { numbered(v, k, s.zeros, stated_axes); }},
+      {"correctors", [&](const Json& v, const std::string& k) { numbered(v, k, s.correctors, not_stated_is_0); }},
       {"tool_table", or_null([&](const Json& v, const std::string& k) { numbered(v, k, s.tool_table, tool_row); })},
       {"place_table", or_null([&](const Json& v, const std::string& k) { place_table(v, k, s.place_table); })},
       {"form_table", or_null([&](const Json& v, const std::string& k) { numbered(v, k, s.form_table, tool_form); })},

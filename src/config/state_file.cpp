@@ -1,196 +1,117 @@
 #include "config/state_file.h"
 
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <optional>
-#include <string_view>
+#include <unordered_map>
+
+#include "config/state_content.h"
+#include "config/state_new.h"
+#include "config/told.h"
 
 namespace kadr {
+
+using namespace state;
+
 namespace {
 
-using Done = tl::expected<void, std::string>;
-
-constexpr int application_id = 0x4B616472;  // "Kadr"
-constexpr int major_version = 1;            // another one: an older Kadr must not read the file
-constexpr int minor_version = 0;            // another one: there are rows that an older Kadr does not know
-constexpr int minors_of_major = 1000;
-
-// Small pages: a save writes those that it changes. A merge flushes the disk, so it comes seldom; 4000 pages are 4 MB.
-constexpr const char* before_opening = "PRAGMA page_size = 1024; PRAGMA locking_mode = EXCLUSIVE";
+// A merge of the log into the file flushes the disk, so it comes seldom; 4000 pages are 4 MB.
 constexpr const char* after_opening = "PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000";
-constexpr const char* new_tables =
-    "CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
-    "CREATE TABLE state (kind TEXT, key TEXT, value NOT NULL, PRIMARY KEY (kind, key)) WITHOUT ROWID;";
-
-struct Finalize {
-  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-using Statement = std::unique_ptr<sqlite3_stmt, Finalize>;
-
-void bind_text(sqlite3_stmt* statement, int index, std::string_view text) {  // the text must live until the statement is reset
-  sqlite3_bind_text(statement, index, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
-}
-
-std::string_view text_at(sqlite3_stmt* statement, int column) {
-  const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(statement, column));
-  return {text == nullptr ? "" : text, static_cast<std::size_t>(sqlite3_column_bytes(statement, column))};
-}
 
 }  // namespace
 
 class StateFile::Database {
  public:
-  explicit Database(std::string path) : path_(std::move(path)) {}
-  Database(const Database&) = delete;
-  Database& operator=(const Database&) = delete;
-  ~Database() {
-    for (Statement* const s : {&begin_, &commit_, &put_, &remove_}) s->reset();
-    sqlite3_close(connection_);
-  }
+  explicit Database(const std::string& path) : path_(path), base_(path) {}
 
   Done open(const std::string& control_id);
   tl::expected<StoredState, std::string> load();
   Done save(const std::vector<StateRow>& rows);
 
  private:
-  Done connect();
+  using Sums = std::unordered_map<std::string, std::uint64_t>;
+
+  Done check(const std::string& control_id);
   Done prepare();
-  Done check_kind(const std::string& control_id);
-  Done make_new(const std::string& control_id);
-  Done check_order();
+  int prepare_rows();
+  int upgrade();
   int step(const StateRow& row);
-  int step(const Statement& statement);
-  int run(const char* statements) { return sqlite3_exec(connection_, statements, nullptr, nullptr, nullptr); }
-  Statement prepared(const char* statement);
-  std::optional<std::string> answer(const char* question);
-  tl::unexpected<std::string> error(const std::string& what) const { return tl::unexpected(path_ + " " + what); }
-  tl::unexpected<std::string> failed(int code) const;
+  static int step(const Statement& statement);
+  int put_whole();
+  void sum_is(const std::string& row, std::optional<std::uint64_t> sum);
+  tl::unexpected<std::string> damaged(const std::vector<std::string>& faults) const;
 
   std::string path_;
-  sqlite3* connection_ = nullptr;
-  Statement begin_, commit_, put_, remove_;
+  Base base_;
+  Statement begin_, commit_, put_, remove_, whole_row_;
+  Sums sums_;  // of the rows in the file, by table and key
+  Whole whole_;
+  std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;  // of the rows of a save, until it is through
+  std::vector<StateRow> unchecked_;                                           // all rows, of a file without checksums
+  bool old_ = false;                                                          // it has none yet
 };
 
-/// The sentence of SQLite's result code.
-tl::unexpected<std::string> StateFile::Database::failed(int code) const {
-  const int system_error = sqlite3_system_errno(connection_);
-  const std::string why = system_error == 0 ? "" : ": " + std::string(std::strerror(system_error));
-  switch (code & 0xFF) {
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED: return error("is in use by another process");
-    case SQLITE_NOTADB: return error("is no state file of Kadr");
-    case SQLITE_READONLY:
-    case SQLITE_PERM: return error("cannot be written: it is read-only");
-    case SQLITE_CANTOPEN: return error("cannot be opened" + why);
-    case SQLITE_FULL: return error("cannot be written: the disk is full");
-    case SQLITE_IOERR: return error("cannot be read or written: " + std::string(sqlite3_errstr(code & 0xFF)));
-    case SQLITE_CORRUPT:
-    case SQLITE_ERROR:
-    case SQLITE_CONSTRAINT:
-    case SQLITE_MISMATCH: return error("is damaged");
-    default: return error(std::string("cannot be used: ") + sqlite3_errstr(code));
+/// What is wrong, and what can be done: the file is left as it is.
+tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::string>& faults) const {
+  const std::size_t more = faults.size() - 1;
+  const std::string en = more == 0 ? "" : " (" + std::to_string(more) + " more)",
+                    ru = more == 0 ? "" : " (и ещё " + std::to_string(more) + ")";
+  return base_.error("is damaged: " + faults[0] + en + ". All faults: kadr state check; what can be read: kadr state recover",
+                     "повреждён: " + faults[0] + ru + ". Все ошибки: kadr state check; спасти уцелевшее: kadr state recover");
+}
+
+/// Is it a sound state of this control, of a version that can be read?
+Done StateFile::Database::check(const std::string& control_id) {
+  if (const std::string newer = told_newer(base_, path_); !newer.empty()) return tl::unexpected(newer);
+  Content content = read_content(base_);
+  if (!content.ours) return tl::unexpected(told_no_state(path_));
+  if (!content.faults.empty()) return damaged(content.faults);
+  if (content.control != control_id)
+    return base_.error("is the state of the control " + content.control + ", not of " + control_id,
+                       "— состояние системы " + content.control + ", а не " + control_id);
+  whole_ = content.checked ? content.whole : Whole::of_control(content.control);
+  for (std::size_t i = 0; i < content.rows.size(); ++i) {
+    const StateRow& row = content.rows[i];
+    sums_.emplace(static_cast<char>(row.table) + row.key, content.sums[i]);
+    if (!content.checked) whole_.add(content.sums[i]);
   }
-}
-
-Statement StateFile::Database::prepared(const char* statement) {
-  sqlite3_stmt* made = nullptr;
-  sqlite3_prepare_v3(connection_, statement, -1, SQLITE_PREPARE_PERSISTENT, &made, nullptr);
-  return Statement(made);
-}
-
-/// The first column of the first row as text; nothing if there is none.
-std::optional<std::string> StateFile::Database::answer(const char* question) {
-  const Statement statement = prepared(question);
-  if (!statement || sqlite3_step(statement.get()) != SQLITE_ROW) return std::nullopt;
-  return std::string(text_at(statement.get(), 0));
-}
-
-/// Opens the file itself and locks it; nothing of it is changed.
-Done StateFile::Database::connect() {
-  namespace fs = std::filesystem;
-  if (path_.empty()) return tl::unexpected<std::string>("the state file has no name");
-  std::error_code none;
-  const fs::file_status there = fs::status(path_, none);
-  if (fs::exists(there) && !fs::is_regular_file(there)) return error("is no file");
-  const std::string name = path_[0] == '/' ? path_ : "./" + path_;  // or SQLite would take ":memory:" and "file:…" for something else
-  constexpr int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
-  if (const int code = sqlite3_open_v2(name.c_str(), &connection_, how, nullptr); code != SQLITE_OK) return failed(code);
-  if (sqlite3_db_readonly(connection_, "main") == 1) return failed(SQLITE_READONLY);
-  if (const int code = run(before_opening); code != SQLITE_OK) return failed(code);
-  if (const int code = run("BEGIN EXCLUSIVE"); code != SQLITE_OK) return failed(code);
+  old_ = !content.checked;
+  if (old_) unchecked_ = std::move(content.rows);
   return {};
 }
 
-Done StateFile::Database::make_new(const std::string& control_id) {
-  const std::string marks = "PRAGMA application_id = " + std::to_string(application_id) +
-                            "; PRAGMA user_version = " + std::to_string(major_version * minors_of_major + minor_version);
-  if (const int code = run(new_tables); code != SQLITE_OK) return failed(code);
-  if (const int code = run(marks.c_str()); code != SQLITE_OK) return failed(code);
-  const Statement about = prepared("INSERT INTO about VALUES ('control', ?)");
-  bind_text(about.get(), 1, control_id);
-  const int code = sqlite3_step(about.get());
-  return code == SQLITE_DONE ? Done{} : failed(code);
-}
-
-/// Is it a state of this control, of a version that can be read? Makes one of an empty file.
-Done StateFile::Database::check_kind(const std::string& control_id) {
-  const std::optional<std::string> tables = answer("SELECT count(*) FROM sqlite_master");
-  if (!tables) return failed(sqlite3_extended_errcode(connection_));
-  const std::string mark = answer("PRAGMA application_id").value_or("");
-  if (*tables == "0" && mark == "0") return make_new(control_id);
-  if (mark != std::to_string(application_id)) return failed(SQLITE_NOTADB);
-  const int version = std::atoi(answer("PRAGMA user_version").value_or("0").c_str());
-  const int major = version / minors_of_major;
-  if (major > major_version)
-    return error("was written by a newer Kadr: its state version is " + std::to_string(major) + ", this one reads up to " +
-                 std::to_string(major_version));
-  const std::optional<std::string> control = answer("SELECT value FROM about WHERE name = 'control'");
-  if (!control || major < 1) return failed(SQLITE_CORRUPT);
-  if (*control != control_id) return error("is the state of the control " + *control + ", not of " + control_id);
-  return check_order();
-}
-
-Done StateFile::Database::check_order() { return answer("PRAGMA quick_check(1)") == "ok" ? Done{} : failed(SQLITE_CORRUPT); }
-
 Done StateFile::Database::prepare() {
-  if (answer("PRAGMA journal_mode = WAL") != "wal") return failed(sqlite3_extended_errcode(connection_));
-  if (const int code = run(after_opening); code != SQLITE_OK) return failed(code);
-  begin_ = prepared("BEGIN IMMEDIATE");
-  commit_ = prepared("COMMIT");
-  put_ = prepared("INSERT INTO state VALUES (?, ?, ?) ON CONFLICT DO UPDATE SET value = excluded.value");
-  remove_ = prepared("DELETE FROM state WHERE kind = ? AND key = ?");
-  return begin_ && commit_ && put_ && remove_ ? Done{} : failed(SQLITE_CORRUPT);
+  if (base_.answer("PRAGMA journal_mode = WAL") != "wal") return base_.failed(base_.last_error());
+  if (const int code = base_.run(after_opening); code != SQLITE_OK) return base_.failed(code);
+  begin_ = base_.prepared("BEGIN IMMEDIATE");
+  commit_ = base_.prepared("COMMIT");
+  const int code = old_ ? SQLITE_OK : prepare_rows();
+  return begin_ && commit_ && code == SQLITE_OK ? Done{} : base_.failed(SQLITE_CORRUPT);
+}
+
+int StateFile::Database::prepare_rows() {
+  put_ = base_.prepared(put_row);
+  remove_ = base_.prepared("DELETE FROM state WHERE kind = ? AND key = ?");
+  whole_row_ = base_.prepared("UPDATE about SET value = ? WHERE name = 'whole'");
+  return put_ && remove_ && whole_row_ ? SQLITE_OK : SQLITE_CORRUPT;
 }
 
 Done StateFile::Database::open(const std::string& control_id) {
-  if (auto done = connect(); !done) return done;
-  if (auto done = check_kind(control_id); !done) return done;
-  if (const int code = run("COMMIT"); code != SQLITE_OK) return failed(code);
+  std::error_code none;
+  if (!path_.empty() && !std::filesystem::exists(path_, none))
+    if (auto made = make_state(path_, control_id, {}); !made && !std::filesystem::exists(path_, none)) return made;
+  if (auto done = vetted(path_); !done) return done;
+  if (auto done = base_.connect(); !done) return done;
+  if (auto done = check(control_id); !done) return done;
+  if (const int code = base_.run("COMMIT"); code != SQLITE_OK) return base_.failed(code);
+  base_.merges(true);
   return prepare();
 }
 
 tl::expected<StoredState, std::string> StateFile::Database::load() {
-  StoredState state;
-  const Statement all = prepared("SELECT kind, key, value FROM state");
-  if (!all) return failed(SQLITE_CORRUPT);
-  int code = sqlite3_step(all.get());
-  for (; code == SQLITE_ROW; code = sqlite3_step(all.get())) {
-    const auto table = std::find(state_table_names.begin(), state_table_names.end(), text_at(all.get(), 0));
-    if (table == state_table_names.end()) continue;  // of a newer Kadr
-    const int type = sqlite3_column_type(all.get(), 2);
-    if (type == SQLITE_BLOB || type == SQLITE_NULL) return failed(SQLITE_CORRUPT);
-    StateValue value = sqlite3_column_double(all.get(), 2);
-    if (type == SQLITE_TEXT) value = std::string(text_at(all.get(), 2));
-    state.rows.push_back(
-        {static_cast<StateTable>(table - state_table_names.begin()), std::string(text_at(all.get(), 1)), std::move(value)});
-  }
-  if (code != SQLITE_DONE) return failed(code);
-  sort_rows(state.rows);
-  return state;
+  Content content = read_content(base_);
+  if (!content.faults.empty()) return damaged(content.faults);
+  return StoredState{std::move(content.rows)};
 }
 
 int StateFile::Database::step(const Statement& statement) {
@@ -198,28 +119,81 @@ int StateFile::Database::step(const Statement& statement) {
   return sqlite3_reset(statement.get());  // gives the error of the step
 }
 
+/// The checksum of a row in the file from now on; nothing: the row is gone.
+void StateFile::Database::sum_is(const std::string& row, std::optional<std::uint64_t> sum) {
+  const auto old = sums_.find(row);
+  before_.emplace_back(row, old == sums_.end() ? std::nullopt : std::optional(old->second));
+  if (old != sums_.end()) whole_.take(old->second);
+  if (sum) whole_.add(*sum), sums_[row] = *sum;
+  else if (old != sums_.end()) sums_.erase(old);
+}
+
 int StateFile::Database::step(const StateRow& row) {
-  const bool removed = std::holds_alternative<std::monostate>(row.value);
-  const Statement& statement = removed ? remove_ : put_;
-  bind_text(statement.get(), 1, state_table_names[static_cast<std::size_t>(row.table)]);
-  bind_text(statement.get(), 2, row.key);
-  if (const auto* const text = std::get_if<std::string>(&row.value)) bind_text(statement.get(), 3, *text);
-  else if (const auto* const number = std::get_if<double>(&row.value)) sqlite3_bind_double(statement.get(), 3, *number);
-  return step(statement);
+  const std::string name = static_cast<char>(row.table) + row.key;
+  const std::string_view kind = state_table_names[static_cast<std::size_t>(row.table)];
+  if (std::holds_alternative<std::monostate>(row.value)) {
+    bind_text(remove_.get(), 1, kind);
+    bind_text(remove_.get(), 2, row.key);
+    sum_is(name, std::nullopt);
+    const int code = step(remove_);
+    return code == SQLITE_OK ? put_whole() : code;
+  }
+  const std::uint64_t sum = sum_of_row(kind, row.key, row.value);
+  const bool is_new = !sums_.contains(name);
+  sum_is(name, sum);
+  bind_row(put_.get(), row, sum, whole_);
+  const int code = step(put_);
+  return code == SQLITE_OK && is_new ? put_whole() : code;  // were it lost again, the row before it would tell the whole without it
+}
+
+/// A turn without a row.
+int StateFile::Database::put_whole() {
+  ++whole_.turn;
+  const std::string text = whole_.text();
+  bind_text(whole_row_.get(), 1, text);
+  return step(whole_row_);
+}
+
+/// Of a file without checksums: the tables anew, within the transaction of its first save.
+int StateFile::Database::upgrade() {
+  put_.reset(), remove_.reset(), whole_row_.reset();
+  const std::string make = std::string("ALTER TABLE about RENAME TO about_1; DROP TABLE state;") + about_table + ";" + state_table +
+                           "; INSERT INTO about SELECT name, value FROM about_1; DROP TABLE about_1;"
+                           "INSERT INTO about VALUES ('whole', '" +
+                           whole_.text() + "'); PRAGMA user_version = " + std::to_string(major_version * minors_of_major + minor_version);
+  int code = base_.run(make.c_str());
+  if (code == SQLITE_OK) code = prepare_rows();
+  for (std::size_t i = 0; i < unchecked_.size() && code == SQLITE_OK; ++i) {
+    const StateRow& row = unchecked_[i];
+    const std::string_view kind = state_table_names[static_cast<std::size_t>(row.table)];
+    bind_row(put_.get(), row, sum_of_row(kind, row.key, row.value), whole_);
+    code = step(put_);
+  }
+  if (code == SQLITE_OK) code = put_whole();
+  return code;
 }
 
 Done StateFile::Database::save(const std::vector<StateRow>& rows) {
   for (const StateRow& row : rows)
-    if (const auto* const number = std::get_if<double>(&row.value); number != nullptr && std::isnan(*number))
-      return error("cannot keep " + row.key + ": it is not a number");
+    if (const auto* const number = std::get_if<double>(&row.value); number != nullptr && !std::isfinite(*number))
+      return base_.error("cannot keep " + row.key + ": it is not a number", "не может хранить " + row.key + ": это не число");
   if (rows.empty()) return {};
-  const bool alone = rows.size() == 1;  // a single statement is a transaction of its own
-  int code = alone ? SQLITE_OK : step(begin_);
+  before_.clear();
+  const bool alone = rows.size() == 1 && !old_ && !std::holds_alternative<std::monostate>(rows[0].value) &&
+                     sums_.contains(static_cast<char>(rows[0].table) + rows[0].key);
+  int code = alone ? SQLITE_OK : step(begin_);  // a single statement is a transaction of its own
+  if (code == SQLITE_OK && old_) code = upgrade();
   for (std::size_t i = 0; i < rows.size() && code == SQLITE_OK; ++i) code = step(rows[i]);
   if (code == SQLITE_OK && !alone) code = step(commit_);
-  if (code == SQLITE_OK) return {};
-  auto sentence = failed(code);
-  if (sqlite3_get_autocommit(connection_) == 0) run("ROLLBACK");
+  if (code == SQLITE_OK) {
+    old_ = false;
+    unchecked_.clear();
+    return {};
+  }
+  auto sentence = base_.failed(code);
+  if (base_.in_transaction()) base_.run("ROLLBACK");
+  const auto undone = std::move(before_);
+  for (auto row = undone.rbegin(); row != undone.rend(); ++row) sum_is(row->first, row->second);
   return sentence;
 }
 

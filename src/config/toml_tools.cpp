@@ -1,20 +1,17 @@
 #include "config/toml_tools.h"
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
 
 #include "config/embedded.h"
 #include "config/packed_toml.h"
+#include "config/read_file.h"
+#include "config/told.h"
+#include "config/toml_scan.h"
 
 namespace kadr::toml_tools {
-
-std::optional<std::string> read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::ostringstream text;
-  text << file.rdbuf();
-  return std::move(text).str();
-}
 
 namespace {
 
@@ -36,11 +33,44 @@ std::optional<toml::table> embedded_table(std::string_view name) {
   return file == nullptr ? std::nullopt : std::optional(unpacked(file->table));
 }
 
+namespace {
+
+/// toml++ says "Error while parsing array: …" in English; in Russian it is told what was being read there.
+std::string told_parse_error(std::string_view description) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> what = {{
+      {"key-value pair", "неверно записано «ключ = значение»"},
+      {"key", "неверно записан ключ"},
+      {"table header", "неверно записан заголовок таблицы"},
+      {"inline table", "неверно записана таблица { … }"},
+      {"array", "неверно записан список [ … ]"},
+      {"string", "неверно записана строка в кавычках"},
+      {"integer", "неверно записано целое число"},
+      {"floating-point", "неверно записано число"},
+      {"boolean", "неверно записано true или false"},
+      {"date", "неверно записана дата"},
+      {"time", "неверно записано время"},
+      {"comment", "недопустимый знак в комментарии"},
+  }};
+  constexpr std::string_view begin = "Error while parsing ";
+  std::string_view said = "нарушены правила TOML";
+  for (const auto& [english, russian] : what)
+    if (description.find(std::string(begin) + std::string(english)) != std::string_view::npos) {
+      said = russian;
+      break;
+    }
+  return told(std::string(description), std::string(said));
+}
+
+}  // namespace
+
 tl::expected<toml::table, std::string> parsed(std::string_view text, const std::string& file) {
+  if (std::string fault = told_no_text(text, file); !fault.empty()) return tl::unexpected(fault);
+  if (std::string fault = told_toml_limit(text, file); !fault.empty()) return tl::unexpected(fault);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    return tl::unexpected(file + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+    const auto at = error.source().begin;
+    return tl::unexpected(told_place(file, at.line, at.column) + told_parse_error(error.description()));
   }
 }
 
@@ -64,5 +94,73 @@ std::string place(const std::string& file, const toml::table& row, std::string_v
 }
 
 Text text_of(const toml::table& row) { return {row["en"].value_or(std::string()), row["ru"].value_or(std::string())}; }
+
+namespace {
+
+std::optional<double> within(const toml::node* node, const Range& range) {
+  if (node == nullptr || !node->is_number()) return std::nullopt;
+  const double value = node->value<double>().value_or(0);
+  return is_within(value, range) ? std::optional(value) : std::nullopt;  // NaN is within nothing
+}
+
+tl::unexpected<std::string> must_be(const std::string& file, const toml::node& node, std::string_view key, const std::string& form) {
+  return tl::unexpected(place(file, node) + std::string(key) + told(" must be ", ": должно быть ") + form);
+}
+
+/// Letters to be changed, added or left out (Levenshtein).
+std::size_t changes(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t corner = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t kept = corner + (a[i] == b[j] ? 0 : 1);
+      corner = row[j + 1];
+      row[j + 1] = std::min({kept, corner + 1, row[j] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+tl::expected<void, std::string> number(const std::string& file, const toml::table& row, std::string_view key, const Range& range,
+                                       double& to) {
+  const toml::node* const node = row.get(key);
+  if (node == nullptr) return {};
+  const auto value = within(node, range);
+  if (!value) return must_be(file, *node, key, told(range));
+  to = *value;
+  return {};
+}
+
+tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const Range& range,
+                                     double& least, double& most) {
+  const toml::node* const node = row.get(key);
+  if (node == nullptr) return {};
+  const toml::array* const pair = node->as_array();
+  const bool two = pair != nullptr && pair->size() == 2;
+  const auto from = within(two ? pair->get(0) : nullptr, range), to = within(two ? pair->get(1) : nullptr, range);
+  if (!from || !to || !(*from < *to))
+    return must_be(
+        file, *node, key,
+        told("[least, most], the second above the first, each ", "[меньшее, большее], второе больше первого, каждое — ") + told(range));
+  least = *from;
+  most = *to;
+  return {};
+}
+
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names) {
+  constexpr std::size_t longest = 64;  // no key of ours is longer
+  if (word.size() > longest) return {};
+  std::string_view best;
+  std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;
+  for (const std::string_view name : names)
+    if (const std::size_t count = changes(word, name); count < least) {
+      least = count;
+      best = name;
+    }
+  return best;
+}
 
 }  // namespace kadr::toml_tools

@@ -250,8 +250,10 @@ struct ContourCheck {
   friend bool operator==(const ContourCheck&, const ContourCheck&) = default;
 };
 /// Compensation is interrupted: the tool's centre stands on the programmed point (nct 15.5.2); `off`: it is over (G40, 15.5.3).
+/// `here`: the program takes the place where the tool stands, beside the contour, for its point (G92 behind G40, Mach3 10.7.27).
 struct ContourBreak {
   bool off = false;
+  bool here = false;
 };
 /// The frame of what follows: machine = work + origin + length. Not a command to the machine: the tool stands, `work` are
 /// its coordinates from now on (a length that is taken out by the next motion only, 2С42, leaves them as they were).
@@ -314,7 +316,13 @@ struct AlarmReport {
     bool has_block;
   };
   std::vector<Call> calls;  // outermost first
-  std::string own_text{};   // words of the program itself (#3000 of nct), longer than an argument of the alarm may be
+  struct Line {
+    std::uint32_t number = 0;  // 0: none
+    std::string file, text;
+    Span where{};
+  };
+  Line other{};            // a second place that belongs to it: the contour that is cut
+  std::string own_text{};  // words of the program itself (#3000 of nct), longer than an argument of the alarm may be
 };
 
 /// What a probe motion met: handed back to `control` before the next block (design.md 1, the only backward arrow).

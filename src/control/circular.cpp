@@ -68,7 +68,9 @@ class Circular {
   }
 
   Result<PlaneArc> shape(const Axes& start, const Axes& end, Span where) {
-    const double tolerance = m_.def.behaviour.arc_radius_difference;
+    const Behaviour& behaviour = m_.def.behaviour;
+    const bool of_inch = m_.modal.inch && behaviour.arc_difference_inch > 0;
+    const double tolerance = of_inch ? behaviour.arc_difference_inch : behaviour.arc_radius_difference;
     const Vec2 from = in_plane(start, axes_);
     const Vec2 to = in_plane(end, axes_);
     if (m_.def.behaviour.arc_radius_word && m_.has('R')) {
@@ -153,6 +155,7 @@ class Circular {
     m_.set_feed(motion);
     motion.center = {center[axes_.first], center[axes_.second]};
     motion.turns = arc.turns;
+    note_arc_end(m_, motion);
   }
 
   Machinery& m_;
@@ -183,6 +186,7 @@ Status functions::circular_pocket(Machinery& m, const Call& call) {
   const double radius = m.length_value('I');
   if (!(radius > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('I'), 'I', radius));
   const PlaneAxes plane = axes_of(Plane::xy);
+  take_up_contour(m);
   KADR_TRY(turned_in_plane(m, plane, call.where, call.row->code));
   if (m.transform.distorts(plane)) return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
   const Axes middle = m.position.programmed;

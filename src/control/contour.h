@@ -8,7 +8,19 @@ namespace kadr {
 
 /// G41 (side -1), G42 (+1) are in force from the block's motion on. INFERRED: behind a G40 that has not led off the contour yet, as
 /// if that had not been.
-void begin_contour(Machinery& m, std::int8_t side);
+///   alarms  compensation_active: the tool still stands beside a contour of another plane
+Status begin_contour(Machinery& m, const Call& call, std::int8_t side);
+
+/// G41, G42 are in force. Behind G40 they are not, though the tool may still stand beside the contour until the next motion in its
+/// plane: plane, unit and zero may change there (RS274/NGC: the mode ends with G40).
+bool compensates(const Modal& modal);
+
+/// Where the tool still stands beside the contour, that place becomes the programmed one: for codes that mean "the current point"
+/// (G92, G16: Mach3 10.7.27, 10.7.6).
+void take_up_contour(Machinery& m);
+
+/// An arc has its centre: where the tool stands at its end.
+void note_arc_end(Machinery& m, const Motion& arc);
 
 /// G40: the next motion in the plane leads off the contour; alone it moves nothing.
 ///   alarms  compensation_two_blocks: one block of the contour only (2С42 6.4.7)

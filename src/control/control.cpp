@@ -20,7 +20,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
   machinery_ = std::make_unique<Machinery>(def, std::move(own), setup, std::move(program), limits,
                                            shared_ ? shared_->commons : std::make_shared<nct::Commons>());
   if (shared_) shared_->share_offsets(machinery_->tables.offsets, static_cast<int>(setup_number(setup, "1401")));
-  if (!error.empty()) machinery_->start_error = error;
+  if (!error.empty()) machinery_->start_fault = {"axes", error, error};
   machinery_->on_warning = &on_warning;
   machinery_->on_block = &on_block;
   machinery_->on_changes = &on_changes;
@@ -54,10 +54,27 @@ void Control::go_on() { machinery_->go_on(); }
 const AlarmReport& Control::report() const { return machinery_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
   const Block& last = *machinery_->block;
-  if (origin.line != last.position.line || machinery_->flow.in_body()) return machinery_->report_of(alarm, origin, {});
-  Alarm placed = alarm;  // the block is still in hand
-  placed.where = last.where;
-  return machinery_->report_of(placed, origin, last.text);
+  if (origin.line == last.position.line && origin.file == machinery_->flow.reader() && !machinery_->flow.in_body()) {
+    Alarm placed = alarm;  // the block is still in hand
+    placed.where = last.where;
+    return machinery_->report_of(placed, origin, last.text);
+  }
+  AlarmReport report = machinery_->report_of(alarm, origin, {});
+  const AlarmReport::Line line = line_at(origin);
+  report.file = line.file;
+  report.line_text = line.text;
+  if (!line.text.empty()) report.alarm.where = line.where;
+  return report;
+}
+AlarmReport::Line Control::line_at(const Origin& origin) const {
+  AlarmReport::Line line{origin.line, machinery_->flow.file(), {}, {}};
+  constexpr std::uint16_t bodies = 1;  // of cycles: they stand in no file
+  if (origin.file == bodies || origin.line == 0) return line;
+  line.file = file_name(origin.file);
+  line.text = machinery_->flow.file(origin.file).text_of(origin.line);
+  const std::size_t first = line.text.find_first_not_of(" \t"), last = line.text.find_last_not_of(" \t\r");
+  if (first != std::string::npos) line.where = {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last + 1)};
+  return line;
 }
 
 void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { machinery_->check_uncalled(on_fault); }
@@ -119,6 +136,11 @@ std::optional<RunState> Control::run_state() const {
 std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const {
   return machinery_->flow.file(file).texts_of(lines);
 }
+std::vector<std::string> Control::files_read() const { return machinery_->flow.paths(); }
+const WrittenFiles& Control::files_written() const {
+  static const WrittenFiles none;
+  return machinery_->nct ? machinery_->nct->output.files() : none;
+}
 const std::string& Control::file_name(std::uint16_t file) const { return machinery_->flow.file(file).path(); }
 Ending Control::ending() const { return machinery_->ending(); }
 std::uint64_t Control::blocks() const { return machinery_->flow.blocks(); }
@@ -127,8 +149,10 @@ std::uint64_t Control::bytes() const { return machinery_->flow.bytes(); }
 Encoding Control::encoding() const { return machinery_->flow.program().encoding(); }
 bool Control::encoding_was_guessed() const { return machinery_->flow.program().encoding_was_guessed(); }
 const std::vector<std::string>& Control::axes() const { return machinery_->axis_names; }
+const ProgramUse& Control::use() const { return machinery_->use; }
+void Control::watch_use() { machinery_->use.watch(); }
 bool Control::has_machine_parameters() const { return machinery_->nct != nullptr; }
 std::uint32_t Control::rotary() const { return machinery_->def.rotary; }
-const std::string& Control::setup_error() const { return machinery_->start_error; }
+const SetupFault& Control::setup_fault() const { return machinery_->start_fault; }
 
 }  // namespace kadr

@@ -7,18 +7,19 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "base/file_id.h"
 #include "base/stop.h"
 #include "config/control_def.h"
 #include "config/setup.h"
+#include "config/setup_file.h"
 #include "config/state_file.h"
 #include "control/action.h"
+#include "control/usage.h"
 #include "lang/block_reader.h"
 
 namespace kadr {
-
-/// Second argument of the alarm endless_program where the whole program begins again, as a main program with M99 means to.
-inline constexpr std::string_view restart_mark = "again";
 
 /// Limits that stop a runaway program.
 struct RunLimits {
@@ -26,7 +27,8 @@ struct RunLimits {
   std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
   bool writes_files = false;                   // FOPEN, POPEN of nct; false: as far as can be known without writing
   std::string files = ".";                     // folder of the program memory, outside of which nothing is written
-  StopToken stop;                              // asked for at least each block
+  FileSet untouched{};                         // files of the run itself, which no program writes
+  StopToken stop{};                            // asked for at least each block
 };
 
 struct Program {
@@ -34,6 +36,9 @@ struct Program {
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };
+
+/// Files that a program writes (nct 23.2.13): path from the folder of the program memory, bytes.
+using WrittenFiles = std::map<std::string, std::uint64_t>;
 
 class Machinery;     // control/machinery.h
 class SharedMemory;  // control/shared_memory.h
@@ -86,6 +91,8 @@ class Control {
   const AlarmReport& report() const;
   /// An alarm of a later room, with the place of the action that caused it.
   AlarmReport report_for(const Alarm& alarm, const Origin& origin) const;
+  /// The line that an action comes from, as it is shown; without text where it stands in no file.
+  AlarmReport::Line line_at(const Origin& origin) const;
 
   /// Called before and after each block that is carried out, for what the machine's logic does then (Control::set_signal, …);
   /// behind a block only when its actions have been handed over, and not if it failed.
@@ -117,6 +124,10 @@ class Control {
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;
 
+  /// What the program has used of a set-up. With watch_use(), before the run, variables and lines too.
+  const ProgramUse& use() const;
+  void watch_use();
+
   /// After the run, for people who check: the subprograms never called, read but not carried out; their faults go to `on_fault`.
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
 
@@ -125,6 +136,10 @@ class Control {
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const;
   /// Path of the program or of another file.
   const std::string& file_name(std::uint16_t file) const;
+  /// Paths of all files that have been read: the program, what it called.
+  std::vector<std::string> files_read() const;
+  /// What the program has written, or would have (RunLimits::writes_files).
+  const WrittenFiles& files_written() const;
 
   Ending ending() const;
   std::uint64_t blocks() const;      // carried out
@@ -133,8 +148,8 @@ class Control {
   Encoding encoding() const;
   bool encoding_was_guessed() const;
   const std::vector<std::string>& axes() const;
-  /// What the set-up names and this control has not ("modal: G999", "start: axis Q"); empty: all is well.
-  const std::string& setup_error() const;
+  /// What the set-up names and this control has not, beyond what the table of keys says (config/setup_check); empty: all is well.
+  const SetupFault& setup_fault() const;
   /// Its machine is described by parameters (nct 24).
   bool has_machine_parameters() const;
   std::uint32_t rotary() const;

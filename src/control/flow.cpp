@@ -34,7 +34,8 @@ std::string text_of_bodies(const ControlDef& def, std::map<std::string, Position
 
 Flow::Flow(const ControlDef& def, Program program, RunLimits limits)
     : def_(def), limits_(std::move(limits)), body_grammar_(grammar_of_bodies(def.grammar)) {
-  files_.push_back(std::make_unique<ProgramFile>(std::move(program.file), std::move(program.source), def.grammar, program.encoding));
+  files_.push_back(
+      std::make_unique<ProgramFile>(std::move(program.file), std::move(program.source), def.grammar, program.encoding, limits_.stop));
   files_.push_back(nullptr);
   std::string bodies = text_of_bodies(def, body_starts_);
   if (!bodies.empty()) bodies_ = std::make_unique<BlockReader>(text_source(std::move(bodies)), body_grammar_, Encoding::utf8);
@@ -76,10 +77,17 @@ std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
   if (const auto known = opened_.find(path); known != opened_.end()) return known->second;
   auto source = open_file(path);
   if (!source) return std::nullopt;
-  files_.push_back(std::make_unique<ProgramFile>(path, std::move(source), def_.grammar, std::nullopt));
+  files_.push_back(std::make_unique<ProgramFile>(path, std::move(source), def_.grammar, std::nullopt, limits_.stop));
   const auto reader = static_cast<std::uint16_t>(files_.size() - 1);
   opened_.emplace(path, reader);
   return reader;
+}
+
+std::vector<std::string> Flow::paths() const {
+  std::vector<std::string> paths;
+  for (const auto& file : files_)
+    if (file) paths.push_back(file->path());
+  return paths;
 }
 
 std::optional<std::uint16_t> Flow::open_built_in(const std::string& name) {
@@ -208,14 +216,13 @@ void Flow::abandon(std::optional<Position> again) {
   else if (again) go_to(reader_, *again);
 }
 
-Status Flow::restart(Span where) {
-  if (++restarts_ > limits_.restarts) {
-    ended_ = true;
-    return fail(alarm(AlarmId::endless_program, where, double(limits_.restarts), restart_mark));
-  }
+bool Flow::restart(Position from) {
+  if (passes() >= limits_.restarts) return false;
+  ++restarts_;
+  repeated_ = 0;
   frames_.clear();
-  go_to(0, {});
-  return {};
+  go_to(0, from);
+  return true;
 }
 
 BlockReader& Flow::elsewhere() {

@@ -92,8 +92,9 @@ class Flow {
   ///   alarms  return_without_call, repeat_end_missing
   Result<const CallFrame*> end_subprogram(Span where);
   Status end_repetition(Span where);
-  /// From the first block again. alarms endless_program
-  Status restart(Span where);
+  /// Another pass of the main program, from there; false: it was the last one (RunLimits::restarts).
+  bool restart(Position from);
+  std::uint32_t passes() const { return restarts_ + 1; }  // begun so far
   void end() { ended_ = true; }
   /// The main program runs over this label (its own name, or into a subprogram): it counts as called.
   void pass_label(std::uint32_t label) {
@@ -114,8 +115,12 @@ class Flow {
   const std::string& file() const { return files_[reader_ == 1 ? 0 : reader_]->path(); }
   /// By Origin::file: as reader().
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
+  /// Of all files opened, the program first.
+  std::vector<std::string> paths() const;
   const std::string& main_file() const { return files_[0]->path(); }
+  const RunLimits& limits() const { return limits_; }
   std::uint64_t blocks() const { return blocks_; }
+  std::uint64_t repeated() const { return repeated_; }  // of them again, behind a jump back, in a call or another pass
   std::uint64_t bytes_read() const { return program().offset(); }
   std::uint64_t bytes() const { return program().size(); }
   const BlockReader& program() const { return files_[0]->reader(); }

@@ -52,7 +52,7 @@ namespace functions {
 Status program_end(Machinery& m, const Call& call) { return end_program(m, call.where); }
 Status tape_end(Machinery& m, const Call& call) { return end_program(m, call.where); }
 
-Status repeat_program(Machinery& m, const Call& call) { return m.flow.restart(call.where); }
+Status repeat_program(Machinery& m, const Call& call) { return m.begin_again(call.where); }
 
 /// M98 P (Mach3): L or Q times.
 Status call_subprogram(Machinery& m, const Call& call) {
@@ -72,7 +72,7 @@ Status call_subprogram(Machinery& m, const Call& call) {
 
 /// M99: back to the caller; in the main program: from its beginning again (spec/mach3 1).
 Status subprogram_return(Machinery& m, const Call& call) {
-  if (m.flow.depth() == 0) return m.flow.restart(call.where);
+  if (m.flow.depth() == 0) return m.begin_again(call.where);
   return leave_subprogram(m, call.where);
 }
 

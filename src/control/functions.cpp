@@ -5,19 +5,20 @@
 #include <iterator>
 #include <utility>
 
+#include "control/contour.h"
+
 namespace kadr {
 namespace {
 
 constexpr Handler handlers[] = {
-#define KADR_FUNCTION_HANDLER(name, phase, axes) functions::name,
+#define KADR_FUNCTION_HANDLER(name, ...) functions::name,
     KADR_FUNCTIONS(KADR_FUNCTION_HANDLER)
 #undef KADR_FUNCTION_HANDLER
 };
 static_assert(std::size(handlers) == static_cast<std::size_t>(Function::count));
 
 Status set_plane(Machinery& m, Plane plane) {
-  if (m.modal.contour != ContourPhase::off && m.modal.plane != plane)
-    return fail(alarm(AlarmId::compensation_active, m.block->where, "G17, G18, G19"));
+  if (compensates(m.modal) && m.modal.plane != plane) return fail(alarm(AlarmId::compensation_active, m.block->where, "G17, G18, G19"));
   m.modal.plane = plane;
   m.modal.axes = axes_of(plane);
   m.apply_mirror();
@@ -38,8 +39,7 @@ Status set_feed_mode(Machinery& m, FeedMode mode) {
 
 /// Not under radius compensation (RS274/NGC).
 Status set_unit(Machinery& m, const Call& call, bool inch) {
-  if (m.modal.contour != ContourPhase::off && m.modal.inch != inch)
-    return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  if (compensates(m.modal) && m.modal.inch != inch) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   m.modal.inch = m.variables.inch = inch;
   return {};
 }

@@ -5,7 +5,7 @@
 
 namespace kadr::functions {
 
-#define KADR_FUNCTION_DECLARE(name, phase, axes) Status name(Machinery& m, const Call& call);
+#define KADR_FUNCTION_DECLARE(name, ...) Status name(Machinery& m, const Call& call);
 KADR_FUNCTIONS(KADR_FUNCTION_DECLARE)
 #undef KADR_FUNCTION_DECLARE
 

@@ -35,7 +35,8 @@ Status machine_motion(Machinery& m, MotionKind kind) {
     const Word* const w = m.letters.axis_letter[a] != 0 ? m.word(m.letters.axis_letter[a]) : nullptr;
     if (w == nullptr) continue;
     const bool is_length = m.def.address(w->address).unit == WordUnit::length;
-    to[a] = w->value * (is_length ? m.unit_scale() : 1.0) * ((m.modal.diameter >> a & 1u) != 0 ? 0.5 : 1.0);
+    const double half = (m.modal.diameter >> a & 1u) != 0 ? 0.5 : 1.0;
+    to[a] = m.value(w->address) * (is_length ? m.unit_scale() : 1.0) * half;
     named |= 1u << a;
     if (!(std::fabs(to[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w->where, w->address, to[a]));
   }
@@ -156,33 +157,6 @@ Status machine_point(Machinery& m, const Call& call) {
   return machine_motion(m, MotionKind::rapid);
 }
 
-/// G10 (GOST turning example): rapid to a polar point: pole by axis words, radius B, angle A from the first of them.
-/// What a word leaves out stays as it was.
-Status pole_rapid(Machinery& m, const Call& call) {
-  m.modal.motion = MotionMode::rapid;
-  m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());  // N11, N12: in force, B or A alone
-  if (call.row->modal) {
-    m.modal.motion = MotionMode::rapid;
-    m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
-  }
-  const bool turning = m.modal.plane == Plane::zx || (m.has('Z') && !m.has('Y'));
-  const std::size_t along = turning ? 2 : 0;
-  const std::size_t across = turning ? 0 : 1;
-  const auto pole_word = [&](std::size_t axis, double old) {
-    const double scale = (m.modal.diameter >> axis & 1u) != 0 ? 0.5 : 1;
-    return m.has(m.letters.axis_letter[axis]) ? m.length_value(m.letters.axis_letter[axis]) * scale : old;
-  };
-  m.modal.pole = {pole_word(along, m.modal.pole.x), pole_word(across, m.modal.pole.y)};
-  if (m.has('B')) m.modal.polar_radius = m.length_value('B');
-  if (m.has('A')) m.modal.polar_angle = m.value('A');
-  if (!m.has('B') && !m.has('A')) return fail(alarm(AlarmId::word_missing, call.where, 'B', call.row->code));
-  const SinCos turn = sincos_deg(m.modal.polar_angle);
-  Axes to = m.position.programmed;
-  to[along] = m.modal.pole.x + m.modal.polar_radius * turn.cos;
-  to[across] = m.modal.pole.y + m.modal.polar_radius * turn.sin;
-  return m.straight(MotionKind::rapid, to, 1u << along | 1u << across);
-}
-
 /// G31 (Mach3 10.7.12).
 Status probe(Machinery& m, const Call& call) {
   const std::uint64_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
@@ -215,6 +189,7 @@ Status probe(Machinery& m, const Call& call) {
 
 /// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
 void Machinery::answer(const ProbeAnswer& answer) {
+  pass_varies = true;
   if (nct) {
     if (const Status taken = nct::take_answer(*this, answer); !taken) fail_with(taken.error());
     return;

@@ -18,7 +18,12 @@ namespace kadr {
 // NOLINTNEXTLINE(readability-function-size): what it is made of, called in one place
 Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
                      const RunLimits& limits, std::shared_ptr<nct::Commons> commons)
-    : own_def(std::move(own)), def(own_def ? *own_def : control), letters(def), variables(def), flow(def, std::move(program), limits) {
+    : own_def(std::move(own)),
+      def(own_def ? *own_def : control),
+      letters(def),
+      variables(def),
+      flow(def, std::move(program), limits),
+      stop_(limits.stop) {
   modal.rows.fill(-1);
   if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, limits, std::move(commons));
   waiting.known = nct::channels_of(setup);
@@ -39,7 +44,7 @@ Control::State Machinery::run(ActionBatch& to) {
     emit(frame_change());
     if (modal.surface_speed) emit(surface_speed());
   }
-  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty())) {
+  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty()) && !stop_.asked()) {
     if (waiting.meeting) return Control::State::waiting;
     if (cycling()) {
       if (const Status status = next_of_cycle(); !status) fail_with(status.error());
@@ -78,9 +83,16 @@ Control::State Machinery::run(ActionBatch& to) {
       block->no_clock = true;
     }
     if (!got && block->marker == Marker::program_start) flow.started = true;  // damaged, but there
-    for (const Alarm& w : block->warnings) warn(w);
-    if (got) take_block();
-    else fail_with(got.error());
+    if (!block->warnings.empty()) [[unlikely]] {
+      for (const Alarm& w : block->warnings) warn(w);
+      block->warnings.clear();  // of a block that is kept: told once
+    }
+    if (got) {
+      take_block();
+    } else {
+      damaged_ = true;
+      fail_with(got.error());
+    }
     if (needs_probe) return Control::State::needs_probe;
   }
   return stopped_ ? Control::State::stopped : Control::State::running;
@@ -188,39 +200,6 @@ Status Machinery::end_of_file() {
   return fail(alarm(id, {}, double(frame.kind == CallFrame::Kind::repetition ? frame.caller.line : frame.name)));
 }
 
-/// After an end that came too early the open call or repetition is left, so that one fault is not found again and again.
-void Machinery::go_on() {
-  stopped_ = false;
-  keep_from_faulty_block();
-  if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
-  const bool at_end_of_file = report.alarm.where.end == 0;
-  if (nct) return nct::leave_call(*this);
-  flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
-}
-
-/// What the faulty block would have left to those behind it, so that one fault is one alarm: a feed, the end of a
-/// subprogram or repetition.
-void Machinery::keep_from_faulty_block() {
-  if (block->position.line != report.origin.line) return;
-  const AlarmId id = report.alarm.id;
-  const bool of_flow = id == AlarmId::return_without_call || id == AlarmId::repeat_end_alone || id == AlarmId::repeat_end_missing ||
-                       id == AlarmId::subprogram_end_missing || id == AlarmId::endless_program;
-  if (const Word* const f = block->find('F'); f != nullptr && !(modal.feed_known && modal.feed > 0)) {
-    modal.feed_known = true;
-    modal.feed = f->value > 0 ? f->value : 1;
-  }
-  if (of_flow || flow.depth() == 0) return;
-  for (std::uint32_t i = 0; i < block->word_count; ++i) {
-    const Word& w = block->words[i];
-    const std::int32_t row = w.address == 'M' && w.code >= 0 ? def.row_of('M', w.code) : -1;
-    if (row < 0) continue;
-    const Function f = def.codes[static_cast<std::size_t>(row)].function;
-    if (f == Function::return_program && nct) nct::leave_call(*this);
-    if (f == Function::subprogram_end) (void)flow.end_subprogram(w.where);
-    if (f == Function::repetition_end) (void)flow.end_repetition(w.where);
-  }
-}
-
 Status Machinery::next_of_cycle() {
   if (cycle_run.active()) return cycle_run.next(*this);
   if (ellipse_run.active()) return ellipse_run.next(*this);
@@ -245,18 +224,25 @@ void Machinery::fail_with(const Alarm& failed) {
 }
 
 Status Machinery::execute() {
+  if (use.watches()) [[unlikely]]
+    use.pass(origin);
   if (block->marker != Marker::none || skipping_section_ || !flow.started) {
     KADR_TRY(structure());
     if (skipping_section_ || flow.ended()) return {};
   }
   if (block->skip != 0) {
+    pass_varies = true;
+    use.note(UseKind::skip_switch, block->skip, origin);
     if (nct) nct::note_skip_mark(*this);
     if (skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
   }
   const bool data = nct && nct->data_mode != nct::DataMode::none && block->has_number;
   if (def.grammar.macro && !data) KADR_TRY(check_numbers());
   if (block->empty() && block->comments.empty() && !data) return {};
-  if (block->statement.kind != StatementKind::none) return nct::run_statement(*this);
+  if (block->statement.kind != StatementKind::none) {
+    pass_varies = true;
+    return nct::run_statement(*this);
+  }
   return attempt();
 }
 

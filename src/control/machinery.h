@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "config/setup_file.h"
 #include "control/control.h"
 #include "control/cycles/cycle_run.h"
 #include "control/ellipse_run.h"
@@ -17,6 +18,7 @@
 #include "control/s2c42/musts.h"
 #include "control/shapes.h"
 #include "control/state.h"
+#include "control/usage.h"
 #include "control/variables.h"
 
 namespace kadr {
@@ -145,6 +147,9 @@ class Machinery {
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
   void apply_mirror();
   void warn(const Alarm& alarm);
+  /// M99, M47 of a main program: another pass, from its first block or from `from`. Where nothing on the way could change the next
+  /// pass, or RunLimits::restarts passes are done, the run is over, with a note: that is no fault (control/again.cpp).
+  Status begin_again(Span where, Position from = {});
   /// The addresses of the block, anew: words were taken away (address 0) or given back.
   void note_addresses();
 
@@ -185,7 +190,6 @@ class Machinery {
   nct::WaitingCodes waiting;
   std::array<bool, 10> skip_switches{};
   std::array<bool, max_axes> mirror_switches{};  // panel mode of the 2С42 (6.8)
-  std::string start_error;                       // what the set-up names and the control has not
 
   std::string call_text;  // block that called the cycle body being carried out, and its L word
   Span call_where;
@@ -244,6 +248,8 @@ class Machinery {
   Status next_of_cycle();
   void stop_cycles();
   Status evaluate_word(Word& w);
+  bool reads_variables() const;
+  bool may_have_steered() const;
   Status find_axis(Word& w);
   Status assign();
   Status plan();
@@ -298,6 +304,7 @@ class Machinery {
   std::vector<double> assigned_;
   std::vector<double> kept_corrections_;                // corrector_applied before the block
   std::pair<std::uint32_t, ToolOffset> kept_offset_{};  // [0] is none
+  StopToken stop_;
   bool stopped_ = false;
   bool start_missing_reported_ = false;
   bool feed_missing_told_ = false;
@@ -311,6 +318,12 @@ class Machinery {
   std::vector<double> clocks_;       // numbers of the clock variables
   bool first_frames_ = true;
   std::vector<std::string> watch_;
+  bool damaged_ = false;  // the block in hand could not be read
+
+ public:
+  bool pass_varies = false;  // this pass of the main program met what may be otherwise in the next: a variable, a skip, a probe …
+  SetupFault start_fault;    // what the set-up names and the control has not
+  ProgramUse use;            // of what a set-up states
 };
 
 /// What a row's function does (control/functions.cpp).

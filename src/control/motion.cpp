@@ -212,6 +212,8 @@ void Machinery::refresh_frames() {
   constexpr std::size_t length_axis = 2;  // Z
   const std::uint32_t number = modal.length_number != 0 ? modal.length_number : modal.offset_number;
   const bool in_table = number < tables.offsets.size();
+  if (modal.length_sign != 0 && number != 0 && in_table)
+    use.note(UseKind::length, number, origin, tables.offsets[number].whole_length() == 0);
   frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].whole_length();
 }
 

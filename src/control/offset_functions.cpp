@@ -26,8 +26,7 @@ Status radius_comp(Machinery& m, const Call& call, std::int8_t side) {
     if (m.value('P') < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', m.value('P')));
     m.modal.radius_by_word = m.has('P') ? m.length_value('P') : -1;
   }
-  begin_contour(m, side);
-  return {};
+  return begin_contour(m, call, side);
 }
 
 Status length(Machinery& m, const Call& call, std::int8_t sign) {
@@ -75,6 +74,28 @@ void store_set_position(Machinery& m) {
   const std::uint32_t first = m.variables.first(VariableKind::set_position);
   for (std::uint32_t a = 0; a < 6 && a < m.axis_count && first != 0; ++a) m.variables.set_raw(first + a, m.set_position[a]);
   (void)m.variables.take_frames_changed();
+}
+
+/// a + sign · b
+Axes sum(const Axes& a, const Axes& b, double sign) {
+  Axes c;
+  for (std::size_t i = 0; i < max_axes; ++i) c[i] = a[i] + sign * b[i];
+  return c;
+}
+
+void set_axes(Axes& axes, AxisMask which, const Axes& values) {
+  for (std::size_t a = 0; a < max_axes; ++a)
+    if ((which >> a & 1u) != 0) axes[a] = values[a];
+}
+
+/// G10: words that its kind of data has no place for. L1 takes X too (spec/mach3 5), but a milling tool has no offset along it.
+Status data_words_used(Machinery& m, bool of_tool) {
+  for (const char letter : {'X', 'Y', 'Z', 'A', 'B', 'C', 'R'}) {
+    const bool used = of_tool ? letter == 'X' || letter == 'Z' || letter == 'R' : letter != 'R';
+    if (m.has(letter) && !used) return fail(alarm(AlarmId::word_unused, m.where(letter), letter));
+  }
+  if (of_tool && m.has('X')) m.warn(warning(AlarmId::word_without_effect, m.where('X'), 'X', "G10 L1"));
+  return {};
 }
 
 bool any(const Axes& axes) {
@@ -126,6 +147,7 @@ Status offset_word(Machinery& m, const Call&) {
 }
 
 Status work_zero(Machinery& m, const Call& call) {
+  note_work_zero(m, static_cast<std::uint32_t>(call.row->arg));
   if (m.modal.work_zero == call.row->arg) return {};
   KADR_TRY(check_zero_change(m, call.where));
   m.modal.work_zero = static_cast<std::uint8_t>(call.row->arg);
@@ -144,6 +166,7 @@ Status fixture(Machinery& m, const Call& call) {
     number = *named;
   }
   m.modal.fixture = number;
+  note_work_zero(m, number);
   if (const std::uint32_t variable = m.variables.first(VariableKind::fixture_number); variable != 0) m.variables.set_raw(variable, number);
   (void)m.variables.take_frames_changed();
   m.change_frames();
@@ -157,6 +180,7 @@ Status zero_shift(Machinery& m, const Call& call) {
     const auto number = m.whole('A', 1, 9);
     if (!number) return fail(number.error());
     m.modal.work_zero = static_cast<std::uint8_t>(*number);
+    note_work_zero(m, *number);
     m.tables.zero_shift = {};
   }
   each_axis_word(m, [&](std::size_t a, double v) { m.tables.zero_shift[a] = v; });
@@ -172,24 +196,35 @@ Status part_zero(Machinery& m, const Call& call) {
   return {};
 }
 
-/// G52 (Mach3 10.7.16): the start of the system moves by the given amounts; one mechanism with G92.
+/// G52 (Mach3 10.7.16): the start of the system moves by the given amounts; one mechanism with G92. The amounts are words as others are,
+/// scaled and turned: with X at 4 `G52 X7` makes X read -3.
 Status temporary_shift(Machinery& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any(m.set_position) && !m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G52", "G92"));
-  each_axis_word(m, [&](std::size_t a, double v) { m.set_position[a] = v; });
+  const Axes zero = m.transform.to_work(Axes{});
+  Axes amounts = m.transform.to_programmed(sum(m.set_position, zero, +1));
+  AxisMask named = 0;
+  each_axis_word(m, [&](std::size_t a, double v) { amounts[a] = v, named |= 1u << a; });
+  const Axes shift = sum(m.transform.to_work(amounts), zero, -1);
+  set_axes(m.set_position, m.transform.moved_with(named), shift);
   m.set_position_by_g52 = true;
   store_set_position(m);
   m.change_frames();
   return {};
 }
 
-/// G92 (Mach3 10.7.27): the current point gets the given coordinates.
+/// G92 (Mach3 10.7.27): the current point gets the given coordinates, as the program's words count them: under G68 and G51 the zero is
+/// laid so that the tool, turned and scaled, reads them. Behind G40 the current point is where the tool stands.
 Status set_position(Machinery& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
-  if (m.modal.contour != ContourPhase::off)  // where the tool stands is known to `path` only
-    return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
-  each_axis_word(m, [&](std::size_t a, double v) { m.set_position[a] += m.position.work[a] - v; });
+  if (compensates(m.modal)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  take_up_contour(m);
+  Axes reads = m.position.programmed;
+  AxisMask named = 0;
+  each_axis_word(m, [&](std::size_t a, double v) { reads[a] = v, named |= 1u << a; });
+  const Axes here = sum(m.position.work, m.transform.to_work(reads), -1);
+  set_axes(m.set_position, m.transform.moved_with(named), sum(m.set_position, here, +1));
   m.set_position_by_g52 = false;
   store_set_position(m);
   m.change_frames();
@@ -226,6 +261,7 @@ Status set_data(Machinery& m, const Call& call) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, *kind == 1 ? m.def.behaviour.offsets : m.def.behaviour.fixtures);
   if (!number) return fail(number.error());
+  KADR_TRY(data_words_used(m, *kind == 1));
   if (*kind == 2) {
     const std::uint32_t first = m.variables.first(VariableKind::fixture, *number - 1);
     each_axis_word(m, [&](std::size_t a, double v) {
@@ -285,6 +321,7 @@ Status rotation_off(Machinery& m, const Call&) {
 
 /// G16 (Mach3 10.7.6): the current point becomes the pole.
 Status polar_on(Machinery& m, const Call&) {
+  take_up_contour(m);
   m.modal.polar = true;
   m.modal.pole = {m.position.programmed[0], m.position.programmed[1]};
   m.modal.polar_radius = m.modal.polar_angle = 0;

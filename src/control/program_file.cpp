@@ -29,8 +29,9 @@ std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
 
 }  // namespace
 
-ProgramFile::ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
-    : path_(std::move(path)), source_(std::move(source)), grammar_(grammar), reader_(source_, grammar, encoding) {}
+ProgramFile::ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding,
+                         StopToken stop)
+    : path_(std::move(path)), source_(std::move(source)), grammar_(grammar), reader_(source_, grammar, encoding), stop_(stop) {}
 
 Result<BlockReader::Got> ProgramFile::next(Block*& block) {
   if (keeps_) {
@@ -86,33 +87,43 @@ BlockReader& ProgramFile::scanner() {
 }
 
 std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position from) {
-  const std::pair key{from.offset, number};
+  if (index_) return index_->find(number, from);
+  const std::pair key{from.offset << 16 | from.nth, number};  // a line has at most 64 K blocks
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
-  auto found = scan(number, from, ~std::uint64_t{0});
-  if (!found) found = scan(number, {}, from.offset);
-  if (found && numbers_.size() < most_loops) numbers_.emplace(key, *found);
+  const auto found = search(number, from);
+  if (found && !index_ && numbers_.size() < most_loops) numbers_.emplace(key, *found);
   return found;
 }
 
-/// N of data lines (G10 … G11) is no block number (nct 14.1).
-std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, std::uint64_t to) {
+/// By reading on; once that has cost enough, by the index.
+std::optional<Position> ProgramFile::search(std::uint32_t number, Position from) {
+  auto found = scan(number, from, {~std::uint64_t{0}, 0, 0});
+  if (!found) found = scan(number, {}, from);
+  if (found || !index_possible_ || searched_ < most_searched || stop_.asked()) return found;
+  index_.emplace();
+  index_possible_ = index_->make(scanner(), stop_);
+  if (index_possible_) {
+    numbers_.clear();
+    return index_->find(number, from);
+  }
+  index_.reset();
+  return search(number, from);
+}
+
+std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, Position to) {
   BlockReader& reader = scanner();
   reader.seek(from);
   auto block = std::make_unique<Block>();
   bool in_data = false;
   for (;;) {
     const Position at = reader.position();
-    if (at.offset >= to) return std::nullopt;
+    if (std::tie(at.offset, at.nth) >= std::tie(to.offset, to.nth) || stop_.asked() || (index_possible_ && searched_ >= most_searched))
+      return std::nullopt;
     const auto got = reader.next(*block);
+    ++searched_;
     if (got && *got == BlockReader::Got::end) return std::nullopt;
     if (!in_data && block->has_number && block->number == number) return block->position;
-    for (std::uint32_t i = 0; i < block->word_count; ++i) {
-      const Word& w = block->words[i];
-      if (w.address != 'G') continue;
-      const Word* const l = block->find('L');
-      if (w.code == 100 && l != nullptr && (l->value == 52 || (l->value >= 75 && l->value <= 77))) in_data = true;
-      if (w.code == 110) in_data = false;
-    }
+    if (const auto step = DataLines::step_of(*block); step != DataLines::Step::none) in_data = step == DataLines::Step::begins;
   }
 }
 
@@ -183,6 +194,22 @@ std::map<std::uint32_t, std::string> ProgramFile::texts_of(const std::set<std::u
     texts[*wanted++] = decoder.shown(line.bytes, all);
   }
   return texts;
+}
+
+std::string ProgramFile::text_of(std::uint32_t number) const {
+  LineReader reader(source_);
+  Line line;
+  if (line_marks_.empty()) {
+    while (reader.next(line))
+      if ((line.number - 1) % marked_line == 0) line_marks_.push_back(line.offset);
+  }
+  const std::size_t mark = (std::max(number, 1U) - 1) / marked_line;
+  if (mark >= line_marks_.size()) return {};
+  reader.seek(line_marks_[mark], static_cast<std::uint32_t>(mark) * marked_line + 1);
+  while (reader.next(line) && line.number < number) {
+  }
+  Span all;
+  return line.number == number ? BlockReader(source_, grammar_, reader_.encoding()).shown(line.bytes, all) : std::string();
 }
 
 }  // namespace kadr

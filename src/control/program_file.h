@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/stop.h"
+#include "control/block_numbers.h"
 #include "lang/block_reader.h"
 
 namespace kadr {
@@ -36,7 +38,8 @@ struct Loop {
 
 class ProgramFile {
  public:
-  ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
+  ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding,
+              StopToken stop = {});
 
   /// The next block; `block` points at it until the next call. Where blocks are kept it may be one read before.
   Result<BlockReader::Got> next(Block*& block);
@@ -48,7 +51,8 @@ class ProgramFile {
   /// From now on blocks are kept: they will be read again.
   void keep_blocks() { keeps_ = true; }
 
-  /// First block numbered `number` from `from` to the end, then from the beginning (nct 14.1, INFERRED order).
+  /// First block numbered `number` from `from` to the end, then from the beginning (nct 14.1, INFERRED order). Reads on for the
+  /// first few thousand blocks; after that the file is read once for all its numbers.
   std::optional<Position> find_number(std::uint32_t number, Position from);
   /// The loop whose DO, or END, stands at `position`.
   const Loop* loop_from(Position position);
@@ -56,6 +60,9 @@ class ProgramFile {
 
   /// Lines as UTF-8 by their numbers; those that are not there are missing. One pass through the file.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines) const;
+
+  /// One line as UTF-8; empty if it is not there. The first call goes through the file, the others read some lines.
+  std::string text_of(std::uint32_t line) const;
 
   const std::string& path() const { return path_; }
   const BlockReader& reader() const { return reader_; }
@@ -66,8 +73,10 @@ class ProgramFile {
  private:
   static constexpr std::size_t most_kept = 4096;
   static constexpr std::size_t most_loops = 100'000;
+  static constexpr std::size_t most_searched = 4096;  // blocks: a short file, or a jump to a near block, needs no index
   BlockReader& scanner();
-  std::optional<Position> scan(std::uint32_t number, Position from, std::uint64_t to);
+  std::optional<Position> search(std::uint32_t number, Position from);
+  std::optional<Position> scan(std::uint32_t number, Position from, Position to);
   void find_loops();
   Block* keep(Position at);
   KeptBlock* kept_at(Position place);
@@ -83,10 +92,16 @@ class ProgramFile {
   bool keeps_ = false;
   KeptBlock* last_ = nullptr;                                            // handed out last
   std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by offset: one block a line
-  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {from, number} → place
+  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {from: offset, block of the line; number} → place
   std::vector<Loop> loops_;
   std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;
   bool loops_found_ = false;
+  std::size_t searched_ = 0;  // blocks read for numbers
+  std::optional<BlockNumbers> index_;
+  bool index_possible_ = true;
+  StopToken stop_;
+  static constexpr std::uint32_t marked_line = 256;  // every so many lines one of them
+  mutable std::vector<std::uint64_t> line_marks_;    // where they begin: lines 1, 257, …
 };
 
 }  // namespace kadr

@@ -10,11 +10,21 @@ namespace kadr {
 struct Reading {
   Machinery& m;
 
-  bool known(double number, double& value) const { return m.nct != nullptr && m.nct->variables.known(number, value); }
+  bool known(double number, double& value) const {
+    if (m.nct == nullptr || !m.nct->variables.known(number, value)) return false;
+    if (is_vacant(value) && m.use.watches()) [[unlikely]]
+      note_read(m, number);
+    return true;
+  }
   Result<double> variable(double number, Span where) const {
+    if (m.use.watches()) [[unlikely]]
+      note_read(m, number);
     return m.nct != nullptr ? nct::read_variable(m, number, where) : m.variables.variable(number, where);
   }
-  Result<double> parameter(int index, Span where) const { return m.variables.parameter(index, where); }
+  Result<double> parameter(int index, Span where) const {
+    if (m.use.watches()) note_read_parameter(m, index);
+    return m.variables.parameter(index, where);
+  }
   /// Number of an element of a system variable with a name (nct 23.1.1).
   Result<double> element(double symbol, double index, Span where) const { return nct::number_of_element(m, symbol, index, where); }
   Result<double> control_value(double number, double bit, double index, Span where) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "config/setup_names.h"
 #include "control/machinery.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
@@ -17,34 +18,29 @@ Axes axes_of(const AxisValues& values, const std::vector<std::string>& names) {
   return axes;
 }
 
-/// "G54" → 1 … "G59" → 6, "G59 P7" → 7, "common" → 0; -1: no work offset's name.
-int zero_number(const std::string& name) {
-  constexpr std::string_view extended = "G59 P";
-  const auto number = [&](std::size_t from) {
-    const bool digits = name.size() > from && name.size() < from + 5 && name.find_first_not_of("0123456789", from) == std::string::npos;
-    return digits ? std::atoi(name.c_str() + from) : -1;
-  };
-  constexpr std::string_view nct_extended = "G54.1 P";
+/// Row of a work offset in the table of zeros or fixtures: "common" → 0; -1: no work offset's name.
+int zero_number(const std::vector<WorkSystem>& systems, const std::string& name) {
   if (name == "common") return 0;
-  if (name.starts_with(nct_extended)) return 6 + number(nct_extended.size());
-  if (name.starts_with(extended)) return number(extended.size());
-  const int code = name.starts_with("G") ? number(1) : -1;
-  return code >= 54 && code <= 59 ? code - 53 : -1;
+  const auto found = std::find_if(systems.begin(), systems.end(), [&](const WorkSystem& system) { return system.name == name; });
+  return found == systems.end() || !found->works ? -1 : static_cast<int>(found->row);
 }
 
 }  // namespace
 
-/// What the set-up names and this control has not: axes, numbers beyond its tables.
+/// What the set-up names and this control has not: axes, numbers beyond its tables. A file's set-up has been asked before, key by key
+/// (config/setup_check); this holds for one that a program made.
 void Machinery::check_setup(const Setup& setup) {
-  const auto note = [&](const std::string& what) {
-    if (start_error.empty()) start_error = what;
+  const auto note = [&](const std::string& key) {
+    if (start_fault.empty())
+      start_fault = {key, "setup key '" + key + "': the control " + def.id + " has no such thing",
+                     "ключ «" + key + "» исходного состояния: у УЧПУ " + def.id + " этого нет"};
   };
-  const auto axes_known = [&](const char* key, const AxisValues& values) {
+  const auto axes_known = [&](const std::string& key, const AxisValues& values) {
     for (const auto& [axis, value] : values)
-      if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note(std::string(key) + ": axis " + axis);
+      if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note(key + "." + axis);
   };
-  const auto in_table = [&](const char* key, int number, std::size_t size) {
-    if (number < 0 || static_cast<std::size_t>(number) >= size) note(std::string(key) + ": number " + std::to_string(number));
+  const auto row_known = [&](const std::string& key, int number, std::size_t size) {
+    if (number < 0 || static_cast<std::size_t>(number) >= size) note(key + "." + std::to_string(number));
   };
   if (!nct) {
     if (!setup.parameters.empty()) note("parameters");
@@ -58,18 +54,17 @@ void Machinery::check_setup(const Setup& setup) {
     if (setup.spindles.size() > 1 || (!setup.spindles.empty() && setup.spindles.begin()->first != 1)) note("spindle");
   }
   for (const std::string& axis : setup.axes)
-    if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note("axes: axis " + axis);
+    if (std::find(axis_names.begin(), axis_names.end(), axis) == axis_names.end()) note("axes." + axis);
   axes_known("start", setup.start);
   for (const std::string& axis : setup.mirror) axes_known("mirror", {{axis, 0.0}});
-  for (const auto& [number, offset] : setup.offsets) in_table("offsets", number, tables.offsets.size());
-  for (const auto& [number, value] : setup.correctors) in_table("correctors", number, tables.correctors.size());
-  for (const auto& [number, zero] : setup.zeros) in_table("zeros", number, tables.zeros.size()), axes_known("zeros", zero);
+  for (const auto& [number, offset] : setup.offsets) row_known("offsets", number, tables.offsets.size());
+  for (const auto& [number, value] : setup.correctors) row_known("correctors", number, tables.correctors.size());
+  for (const auto& [number, zero] : setup.zeros) row_known("zeros", number, tables.zeros.size()), axes_known("zeros", zero);
   for (const auto& [number, point] : setup.reference_points)
-    in_table("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
-  const std::size_t fixtures = variables.first(VariableKind::fixture) != 0 ? def.behaviour.fixtures + 1 : tables.zeros.size();
+    row_known("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
   for (const auto& [name, zero] : setup.work_offsets) {
     if (nct) break;
-    if (const int number = zero_number(name); number < 0 || static_cast<std::size_t>(number) >= fixtures) note("work_offsets: " + name);
+    if (zero_number(work_systems(def), name) < 0) note("work_offsets." + name);
     axes_known("work_offsets", zero);
   }
 }
@@ -104,8 +99,9 @@ void Machinery::read_setup(const Setup& setup) {
     for (std::uint32_t a = 0; a < 6 && a < axis_count && first != 0; ++a)
       if (values[a] != 0) variables.set_raw(first + a, values[a]);
   };
+  const std::vector<WorkSystem> systems = setup.work_offsets.empty() ? std::vector<WorkSystem>() : work_systems(def);
   for (const auto& [name, offset] : setup.work_offsets) {
-    const int number = zero_number(name);
+    const int number = zero_number(systems, name);
     const Axes values = axes_of(offset, axis_names);
     if (nct && number > 0 && static_cast<std::size_t>(number) < tables.rotations.size()) {
       const auto angle = [&offset = offset](const char* plane) {
@@ -178,7 +174,9 @@ void Machinery::start_modal(const Setup& setup) {
   if (nct) nct->start(*this, setup);
   else run_words(words);
   for (const std::string& word : setup.modal)
-    if (start_error.empty() && !starts(word)) start_error = "modal: " + word;
+    if (start_fault.empty() && !starts(word))
+      start_fault = {"modal", "setup key 'modal': the control " + def.id + " has no '" + word + "'",
+                     "ключ «modal» исходного состояния: у УЧПУ " + def.id + " нет «" + word + "»"};
   std::string given;
   for (const std::string& word : setup.modal) {
     if (nct) run_words(word);

@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "config/function_needs.h"
 #include "config/setup.h"
 #include "control/action.h"
 
 namespace kadr {
-
-inline constexpr std::size_t most_groups = 48;
 
 enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
 
@@ -83,10 +82,16 @@ struct Modal {
   Vec2 pole;                   // polar mode, programmed coordinates
   double polar_radius = 0;
   double polar_angle = 0;
+  std::array<double, 3> pole_of{};  // G10 of GOST: its coordinates by axis, X Y Z
+  Plane pole_plane = Plane::xy;     // the pole and its angle lie in this one
+  Plane pole_under = Plane::xy;     // the plane in force when it was given
   ContourPhase contour = ContourPhase::off;
   std::int8_t contour_side = 0;              // as in Motion::side, of the last compensated motion; 0: there was none
   CornerJoin corner_join = CornerJoin::arc;  // G36, G37
   Vec2 contour_start;                        // end of the first motion, programmed
+  PlaneAxes contour_axes;                    // its plane
+  Vec2 contour_vector;                       // from its last point to the tool beside it, were it to end there; work coordinates
+  bool beside_told = false;                  // beside_contour has been, since G40
   // nct
   bool turning_lengths = false;  // G43.7
   double other_feed = 0;         // of G94 while G95 is in force, and the other way round

@@ -134,6 +134,7 @@ Status tool_word(Machinery& m, const Call& call) {
   const bool pair = m.def.behaviour.tool_and_corrector && call.word->digits > 2;
   m.modal.tool_selected = pair ? *number / 100 : *number;
   m.modal.corrector = pair ? *number % 100 : 0;
+  if (m.modal.tool_selected != 0) m.use.note(UseKind::tool, m.modal.tool_selected, m.origin);
   if (pair && m.modal.corrector < m.tables.offsets.size()) {
     m.modal.offset_number = m.modal.corrector;
     m.change_frames();
@@ -144,6 +145,7 @@ Status tool_word(Machinery& m, const Call& call) {
 
 Status change_tool(Machinery& m, const Call&) {
   m.modal.tool = m.modal.tool_selected;
+  m.use.change_to(m.modal.tool);
   m.emit(ToolChange{m.modal.tool});
   return {};
 }
@@ -203,6 +205,7 @@ Status program_stop(Machinery& m, const Call&) {
 
 /// M01 stops only while the operator's switch is on.
 Status optional_stop(Machinery& m, const Call&) {
+  m.use.note(UseKind::optional_stop, 1, m.origin);
   if (m.optional_stop_on) m.emit(Stop{true});
   return {};
 }

@@ -31,6 +31,8 @@ class Variables {
 
   double raw(std::uint32_t number) const { return number < values_.size() ? values_[number] : 0; }
   void set_raw(std::uint32_t number, double value);
+  /// A number that means something to the control.
+  bool is_system(std::uint32_t number) const { return kind_of(number) != VariableKind::free; }
   bool is_set(std::uint32_t number) const { return number < set_.size() && set_[number]; }
   std::uint32_t highest() const { return static_cast<std::uint32_t>(values_.size()) - 1; }
   bool parameter_set(int index) const { return parameters_set_[static_cast<std::size_t>(index)]; }

@@ -44,6 +44,7 @@ Status Machinery::find_axis(Word& w) {
 
 Status Machinery::evaluate_words() {
   if (block->code.empty()) return nct ? Status() : check_ranges();
+  pass_varies = pass_varies || reads_variables();
   if (!def.behaviour.delayed_assignment) KADR_TRY(assign());
   for (std::uint32_t i = 0; i < block->word_count; ++i)
     if (Word& w = block->words[i]; w.expression) KADR_TRY(evaluate_word(w));

@@ -34,7 +34,8 @@ constexpr Name relations[] = {
 
 class MacroCompiler {
  public:
-  MacroCompiler(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
+  MacroCompiler(Cursor& cursor, const Grammar& grammar, Block& block, bool reads_parameters = false)
+      : cursor_(cursor), grammar_(grammar), block_(block), reads_parameters_(reads_parameters) {}
 
   Status sum(int least_binding) {
     KADR_TRY(factor());
@@ -185,9 +186,12 @@ class MacroCompiler {
     const std::size_t begin = cursor_.at;
     if (const Name* const found = named(functions); found != nullptr) {
       cursor_.at += found->text.size();
+      cursor_.skip_blanks();
+      const std::size_t operand = cursor_.at;
       KADR_TRY(enter(begin));
       KADR_TRY(factor());  // only the operand that follows (23.2.4), with its signs
       --depth_;
+      if (found->op == Op::arc_tangent) warn_of_quotient(begin, operand);
       return step(found->op, 0, begin, 0);
     }
     if (starts_with("AXNUM")) return axis_number(begin);
@@ -196,6 +200,17 @@ class MacroCompiler {
     while (end < cursor_.text.size() && is_letter(cursor_.text[end])) ++end;
     const AlarmId id = end - begin > 1 ? AlarmId::function_unknown : AlarmId::expression_syntax;
     return fail(alarm(id, span(begin, end), cursor_.text.substr(begin, end - begin)));
+  }
+
+  /// ATAN[a]/[b]: with Fanuc a function of both, here a division (23.2.6).
+  void warn_of_quotient(std::size_t begin, std::size_t operand) {
+    if (cursor_.text[operand] != '[') return;
+    Cursor ahead = cursor_;
+    ahead.skip_blanks();
+    if (ahead.peek() != '/') return;
+    ++ahead.at;
+    ahead.skip_blanks();
+    if (ahead.peek() == '[') block_.warnings.push_back(warning(AlarmId::arctangent_divides, span(begin, ahead.at)));
   }
 
   /// AXNUM[X]: the control-wide number of an axis (23.2.12).
@@ -227,6 +242,7 @@ class MacroCompiler {
   /// PRM[n], PRM[n,bit], …/[index] (24.2); what is left out is vacant.
   Status control_value(std::size_t begin) {
     cursor_.at += 3;
+    if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: in an assignment only
     cursor_.skip_blanks();
     if (cursor_.peek() != '[') return wrong(cursor_.at);
     const std::size_t open = cursor_.at++;
@@ -302,6 +318,7 @@ class MacroCompiler {
   Cursor& cursor_;
   const Grammar& grammar_;
   Block& block_;
+  bool reads_parameters_;
   int depth_ = 0;
   int pushed_ = 0;
 };
@@ -317,9 +334,9 @@ Result<Expression> compiled(Block& block, Compile compile) {
 
 }  // namespace
 
-Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, bool whole) {
-  MacroCompiler compiler(cursor, grammar, block);
-  return compiled(block, [&] { return whole ? compiler.sum(1) : compiler.value(); });
+Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent) {
+  MacroCompiler compiler(cursor, grammar, block, extent == MacroValue::assigned);
+  return compiled(block, [&] { return extent == MacroValue::operand ? compiler.value() : compiler.sum(1); });
 }
 
 Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Block& block) {

@@ -123,7 +123,7 @@ Status StatementReader::loop_number(std::size_t begin) {
 
 Status StatementReader::jump(std::size_t begin) {
   cursor_.skip_blanks();
-  const auto number = compile_macro_value(cursor_, grammar_, block_, false);
+  const auto number = compile_macro_value(cursor_, grammar_, block_, MacroValue::operand);
   if (!number) return fail(number.error());
   block_.statement.kind = StatementKind::go_to;
   block_.statement.value = *number;
@@ -146,7 +146,7 @@ Status StatementReader::assignment(std::size_t begin) {
   const bool message = constant && is_message(block_.code[s.target.begin].number);
   s.kind = message ? StatementKind::message : StatementKind::assign;
   if (message && (cursor_.peek() == '(' || cursor_.at >= cursor_.text.size())) return ended(begin);
-  const auto value = compile_macro_value(cursor_, grammar_, block_, true);
+  const auto value = compile_macro_value(cursor_, grammar_, block_, MacroValue::assigned);
   if (!value) return fail(value.error());
   s.value = *value;
   return ended(begin);
@@ -160,7 +160,7 @@ Status StatementReader::device(Keyword keyword, std::size_t begin) {
            : keyword == Keyword::open_file  ? StatementKind::open_file
                                             : StatementKind::close_file;
   if (keyword == Keyword::close_file) return ended(begin);
-  const auto number = compile_macro_value(cursor_, grammar_, block_, false);
+  const auto number = compile_macro_value(cursor_, grammar_, block_, MacroValue::operand);
   if (!number) return fail(number.error());
   s.value = *number;
   if (keyword == Keyword::open_file) KADR_TRY(file_of_program());
@@ -181,7 +181,7 @@ Status StatementReader::file_of_program() {
   if (upper(cursor_.peek()) != 'P') return fail(alarm(AlarmId::program_name_missing, span(block_.statement.where.begin, begin), "FOPEN"));
   ++cursor_.at;
   cursor_.skip_blanks();
-  const auto program = compile_macro_value(cursor_, grammar_, block_, false);
+  const auto program = compile_macro_value(cursor_, grammar_, block_, MacroValue::operand);
   if (!program) return fail(program.error());
   block_.statement.program = *program;
   return {};

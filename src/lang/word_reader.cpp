@@ -59,7 +59,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   }
   if (!grammar_.expressions || no_value_follows()) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
   if (grammar_.macro && c != '#' && c != '[') return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), w.address));
-  auto expression = grammar_.macro ? compile_macro_value(cursor_, grammar_, block_, false) : compile_value(cursor_, grammar_, block_);
+  auto expression =
+      grammar_.macro ? compile_macro_value(cursor_, grammar_, block_, MacroValue::operand) : compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
   if (sign == '-') {
     block_.code.push_back({grammar_.macro ? Op::keep_negate : Op::negate, 0, span(sign_at, cursor_.at)});
@@ -302,7 +303,7 @@ Status WordReader::axis_by_number(std::size_t begin) {
   cursor_.at += 2;
   cursor_.skip_blanks();
   if (cursor_.peek() != '[') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
-  const auto axis = compile_macro_value(cursor_, grammar_, block_, false);
+  const auto axis = compile_macro_value(cursor_, grammar_, block_, MacroValue::operand);
   if (!axis) return fail(axis.error());
   cursor_.skip_blanks();
   if (cursor_.peek() != '=') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "AX[ ]="));
@@ -320,7 +321,7 @@ Status WordReader::axis_by_number(std::size_t begin) {
     w.incremental = true;
     ++cursor_.at;
   }
-  const auto expression = compile_macro_value(cursor_, grammar_, block_, true);  // INFERRED: a whole expression may follow
+  const auto expression = compile_macro_value(cursor_, grammar_, block_, MacroValue::sum);  // INFERRED: a whole expression may follow
   if (!expression) return fail(expression.error());
   w.expression = *expression;
   block_.evaluates = true;

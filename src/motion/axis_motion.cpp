@@ -127,7 +127,33 @@ void AxisMotion::hand_out(TimedCells& cells) {
     source.switches = record.switches;
     cells.spindle.push_back(spindle_.turn(spindle_rate(record, cells, k), cells.laws[k]));
   }
+  look_for_faults(cells);
   sink_(cells);
+}
+
+void AxisMotion::look_for_faults(const TimedCells& cells) {
+  constexpr double tolerated = 0.01;  // of a tolerance: it is looked at in places only (docs/planner.md)
+  if (cells.unsolved && !cells.sources.empty()) {
+    if (faults_.unsolved++ == 0) faults_.unsolved_at = Spent::of(cells.sources.front().tag);
+    for (const TimeLaw& law : cells.laws) faults_.unsolved_way += law.length;
+  }
+  for (const CellSource& source : cells.sources) {
+    if (source.beyond <= std::max(tolerated, faults_.beyond)) continue;
+    if (faults_.beyond == 0) faults_.beyond_at = Spent::of(source.tag);
+    faults_.beyond = source.beyond;
+  }
+}
+
+void AxisMotion::stop_by(StopToken stop) {
+  stop_ = stop;
+  planner_.stop_by(stop);
+}
+
+AxisMotion::Refused AxisMotion::refused() const {
+  const Planner::Refused& refused = planner_.refused();
+  for (const Record& record : records_)
+    if (record.motion == refused.tag) return {refused.way, Spent::of(record.spent)};
+  return {refused.way, {}};
 }
 
 void AxisMotion::rest() {
@@ -144,12 +170,13 @@ TimedCells AxisMotion::standing(const Axes& at, double seconds, Spent spent, dou
 }
 
 void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
-  if (!(seconds > 0)) return;
+  if (!(seconds > 0) || ended() != PlanEnd::none) return;
   TimedCells still = standing(at, seconds, spent, spindle_.overridden());
   sink_(still);
 }
 
 void AxisMotion::take(const Action& action, const MotionTime& programmed, double pause) {
+  if (ended() != PlanEnd::none) return;
   if (const auto* const motion = std::get_if<Motion>(&action.what)) return take(*motion, programmed, action.origin);
   end_smoothing();
   if (pause > 0 || needs_rest(action)) {
@@ -234,7 +261,7 @@ void AxisMotion::wait_for_spindle() {
 
 /// Where threads had to end before the last one (another speed, a function, too many) the next goes on in the same groove.
 void AxisMotion::cut_threads() {
-  if (threads_.empty()) return;
+  if (threads_.empty() || ended() != PlanEnd::none) return;
   const Axes end = threads_.end();
   wait_for_spindle();
   TimedCells cells = threads_.cells();
@@ -246,12 +273,12 @@ void AxisMotion::cut_threads() {
   exact_ = true;
 }
 
-AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) {
+AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) const {
   std::vector<double> ways, minutes;
   double length = 0, sum = 0;
   Axes last = path.start();
   const bool even = pace.is_even();
-  for (int i = 1; i <= pieces; ++i) {
+  for (int i = 1; i <= pieces && !stop_.asked(); ++i) {
     const Axes to = path.at(static_cast<double>(i) / pieces);
     const double way = distance(last, to);
     length += way;
@@ -278,7 +305,7 @@ void AxisMotion::cut(const Motion& motion, const MotionTime& programmed, std::ui
   const int pieces = std::max(curve.pieces(chord_of_tolerance * rounding), pace.pieces());
   const auto [length, speeds] = feeds(pace, path, programmed, pieces);
   if (on_motion) on_motion(number, length);
-  for (int i = 1; i <= pieces; ++i) {
+  for (int i = 1; i <= pieces && ended() == PlanEnd::none; ++i) {
     const double feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];
     planner_.line_to(path.at(static_cast<double>(i) / pieces).data(), feed, i == 1 ? junction : rounding, i > 1, number);
   }

@@ -32,6 +32,15 @@ struct Spent {
   }
 };
 
+/// How far what was planned is not what it should be.
+struct PlanFaults {
+  std::size_t unsolved = 0;  // stretches for which no speed was found (TimedCells::unsolved);
+  double unsolved_way = 0;   // mm, of them all
+  Spent unsolved_at;         // the first
+  double beyond = 0;         // of its tolerance: how far the path is beyond it at most;
+  Spent beyond_at;           // the first such place
+};
+
 /// mm/s: the feed of a motion whose programmed time is unknown (override 0, the spindle stands).
 inline constexpr double unlimited_feed = 1e6;
 
@@ -54,7 +63,17 @@ class AxisMotion {
   /// The axes come to rest.
   void finish() { rest(); }
 
-  std::size_t failures() const { return planner_.failures(); }
+  /// Asked by all that may take long.
+  void stop_by(StopToken stop);
+  /// Why nothing more is handed out; from then on actions are passed over.
+  PlanEnd ended() const { return planner_.ended(); }
+  const PlanFaults& faults() const { return faults_; }
+  /// What the planner would not hand out, by an error of its own.
+  struct Refused {
+    double way = 0;  // mm
+    Spent at;
+  };
+  Refused refused() const;
 
  private:
   /// A motion of which cells are still to come.
@@ -74,7 +93,7 @@ class AxisMotion {
   static double spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell);
   void take(const Motion& motion, const MotionTime& programmed, const Origin& origin);
   void cut(const Motion& motion, const MotionTime& programmed, std::uint64_t number);
-  static Feeds feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces);
+  Feeds feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) const;
   void couple(const Motion& motion);
   void release();
   void smooth(const Motion& motion, const MotionTime& programmed, std::uint64_t number);
@@ -86,6 +105,7 @@ class AxisMotion {
   TimedCells standing(const Axes& at, double seconds, Spent spent, double spindle);
   void stand(const Axes& at, double seconds, Spent spent);
   void hand_out(TimedCells& cells);
+  void look_for_faults(const TimedCells& cells);
 
   AxisRoles roles_;
   double tolerance_;
@@ -98,9 +118,11 @@ class AxisMotion {
   Planner planner_;
   SpindleClock spindle_;
   Smoothing smoothing_;
-  Smoothing::Line line_;     // to the planner
-  ThreadChain threads_;      // not yet cut
-  Spent thread_spent_;       // of the first of them
+  Smoothing::Line line_;  // to the planner
+  ThreadChain threads_;   // not yet cut
+  Spent thread_spent_;    // of the first of them
+  StopToken stop_;
+  PlanFaults faults_;
   double thread_angle_ = 0;  // of the spindle where the next thread begins, degrees since a zero pulse
 };
 

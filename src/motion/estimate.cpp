@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/integral.h"
 #include "motion/polar_feed.h"
@@ -39,10 +40,30 @@ Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vec
               profile.tool_change_s,
               profile.spindle_start_s,
               exact_times(setup, axes)};
-  for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i)
-    rates.rapid[i] = std::min(setup.rapid_override, 100.0) / 100 *
-                     of_setup(setup, axes[i], &AxisLimits::rapid).value_or(profile_of(profile, axes[i]).rapid);
+  for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
+    rates.most[i] = of_setup(setup, axes[i], &AxisLimits::rapid).value_or(profile_of(profile, axes[i]).rapid);
+    rates.rapid[i] = std::min(setup.rapid_override, 100.0) / 100 * rates.most[i];
+  }
   return rates;
+}
+
+double Rates::least_most() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double rate : most)
+    if (rate > 0) least = std::min(least, rate);
+  return least;
+}
+
+/// INFERRED: along an arc each axis of the plane comes to the speed of the path, as at a whole quadrant.
+SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most) {
+  SlowestAxis slowest;
+  if (curve.surface() != PathSurface::plane) return slowest;  // its feed follows the rotary axis (polar_feed.h)
+  for (std::size_t i = 0; i < roles.count; ++i) {
+    const bool turns = curve.arc() && (i == motion.first || i == motion.second);
+    const double way = turns ? curve.length(motion.along) : std::abs(curve.way(i));
+    if (most[i] > 0 && way / most[i] > slowest.minutes) slowest = {i, way / most[i]};
+  }
+  return slowest;
 }
 
 std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& setup, const std::string& axis) {
@@ -50,7 +71,7 @@ std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& 
   return of_setup(setup, axis, &AxisLimits::limits).value_or(std::pair{own.least, own.most});
 }
 
-TimeEstimate::TimeEstimate(const AxisRoles& roles, const Rates& rates) : roles_(roles), rates_(rates) {}
+TimeEstimate::TimeEstimate(const AxisRoles& roles, const Rates& rates) : roles_(roles), rates_(rates), least_most_(rates.least_most()) {}
 
 SpindleTurning& TimeEstimate::spindle_of(std::size_t number) {
   if (number >= spindles_.size()) spindles_.resize(number + 1);
@@ -106,12 +127,19 @@ double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, Moti
   return way / time.feed;
 }
 
+/// At the programmed feed, but no axis beyond its rapid rate.
+double TimeEstimate::cutting_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
+  const double minutes = feed_minutes(motion, curve, time);
+  if (!(time.feed > least_most_)) return minutes;
+  return std::max(minutes, slowest_axis(roles_, curve, motion, rates_.most).minutes);
+}
+
 MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve) {
   const bool rapid = motion.kind == MotionKind::rapid || (motion.kind == MotionKind::home && motion.feed <= 0);
   const bool thread = motion.kind == MotionKind::thread && motion.detail && motion.detail->lead;
   MotionTime time;
   time.length = curve.length();
-  const double minutes = rapid ? rapid_minutes(curve) : thread ? thread_minutes(motion, curve) : feed_minutes(motion, curve, time);
+  const double minutes = rapid ? rapid_minutes(curve) : thread ? thread_minutes(motion, curve) : cutting_minutes(motion, curve, time);
   if (spindles_[1].surface.on) spindles_[1].arrive(curve.at(1));
   if (!std::isfinite(minutes)) {
     ++split_.unknown;

@@ -18,6 +18,9 @@ struct Rates {
   double tool_change_s = 0;
   double spindle_start_s = 0;
   bool exact_times = false;  // the axes take no time to speed up: the estimate is the truth
+  Axes most{};               // of each axis, mm/min or degrees/min: its rapid rate without override; 0: not known
+  /// The least of them: a motion at no more needs no closer look.
+  double least_most() const;
 };
 
 /// The setup's `machine` and `override` go before the profile. Times are exact if the setup says `"acceleration": null` for "*"
@@ -26,6 +29,13 @@ Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vec
 
 /// Limits of one axis in machine coordinates; the setup goes before the profile.
 std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& setup, const std::string& axis);
+
+/// The axis that takes longest at its rapid rate: no feed makes the motion shorter.
+struct SlowestAxis {
+  std::size_t axis = 0;
+  double minutes = 0;
+};
+SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most);
 
 /// Seconds, by what they were spent on.
 struct TimeSplit {
@@ -72,10 +82,12 @@ class TimeEstimate {
   double rapid_minutes(const Curve& curve) const;
   double thread_minutes(const Motion& motion, const Curve& curve) const;
   double feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const;
+  double cutting_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const;
   double turning_minutes(const Motion& motion, const Curve& curve, double feed) const;
 
   AxisRoles roles_;
   Rates rates_;
+  double least_most_;
   TimeSplit split_;
   double feed_ratio_ = 1;  // feed per revolution: of a gearbox's slave for one of the spindle
   std::vector<SpindleTurning> spindles_ = std::vector<SpindleTurning>(2);  // by number; 0 is none

@@ -101,7 +101,7 @@ bool LeastTime::first_guess() {
   return false;
 }
 
-bool LeastTime::solve(const TimedPath& path, const Ends& ends) {
+bool LeastTime::solve(const TimedPath& path, const Ends& ends, StopToken stop) {
   constexpr double smaller = 0.2;      // μ, when its point is near
   constexpr double accurate = 5e-4;    // of the time: what μ may cost
   constexpr double near_enough = 0.3;  // of what μ may cost: what the next step promises
@@ -115,7 +115,7 @@ bool LeastTime::solve(const TimedPath& path, const Ends& ends) {
   const double conditions = static_cast<double>(n_) * (1 + 2 * static_cast<double>(TimedPath::places * path.axes));
   height_ = height(y_);
   double mu = height_.time / conditions;
-  while (steps_++ < most_steps) {
+  while (steps_++ < most_steps && !stop.asked()) {
     derivatives(mu);
     bool positive = newton_step();
     for (int round = 0; positive && round < most_rounds && stiffen(mu, round == 0); ++round) positive = newton_step();

@@ -20,6 +20,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/stop.h"
 #include "motion/lanes.h"
 
 namespace kadr {
@@ -60,7 +61,8 @@ class LeastTime {
 
   ///   pre      at least 4 cells
   ///   returns  false: no speed was found that obeys the limits (a limit that is not positive, a path that is not finite)
-  bool solve(const TimedPath& path, const Ends& ends);
+  ///            `stop` may ask it to end before the time is the least
+  bool solve(const TimedPath& path, const Ends& ends, StopToken stop = {});
 
   /// ṡ² and its derivative at the start and the end of each cell; at stops zero.
   struct CellSpeeds {

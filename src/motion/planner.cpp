@@ -67,6 +67,7 @@ bool Planner::turns(const double* to) const {
 }
 
 void Planner::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag) {
+  if (halted()) return;
   if (tolerance <= 0 && turns(to)) stop();
   const std::size_t before = path_.pieces();
   path_.line_to(to, feed, tolerance, on_curve, tag);
@@ -80,44 +81,24 @@ void Planner::line_to(const double* to, double feed, double tolerance, bool on_c
 }
 
 void Planner::stop() {
-  if (!path_.empty()) plan(true);
+  if (!halted() && !path_.empty()) plan(true);
   const std::vector<double> at = at_;
   begin(at.data());
+}
+
+bool Planner::halted() {
+  if (ended_ == PlanEnd::none && stop_.asked()) ended_ = PlanEnd::stopped;
+  return ended_ != PlanEnd::none;
 }
 
 void Planner::plan(bool last) {
   fresh_ = 0;
   if (last && cells_.cells() == 0 && ends_.from_stop && path_.is_one_line()) return straight_line();
-  path_.settle(last);
+  path_.settle(last, stop_);
+  if (halted()) return;
   cut_cells(last);
+  if (halted()) return;
   if (last || cells_.cells() >= least_window) solve(last);
-}
-
-LineLimits Planner::limits_along(const double* way, double feed) const {
-  LineLimits line{feed, fastest, fastest};
-  for (std::size_t a = 0; a < cells_.axes; ++a) {
-    if (way[a] == 0) continue;
-    line.speed = std::min(line.speed, limits_.speed[a] / std::fabs(way[a]));
-    line.acceleration = std::min(line.acceleration, limits_.acceleration[a] / std::fabs(way[a]));
-    line.jerk = std::min(line.jerk, limits_.jerk[a] / std::fabs(way[a]));
-  }
-  return line;
-}
-
-void Planner::straight_line() {
-  std::array<double, max_axes> x{}, way{}, x2{};
-  path_.evaluate(0, 0, x.data(), way.data(), x2.data());
-  out_.clear();
-  rest_to_rest(path_.ends(), limits_along(way.data(), path_.feed(0)), out_.laws);
-  double s = 0;
-  std::size_t piece = 0;
-  for (const TimeLaw& law : out_.laws) {
-    for (std::size_t a = 0; a < cells_.axes; ++a) out_.path.insert(out_.path.end(), {x[a] + s * way[a], way[a], 0, 0, 0, 0});
-    piece = path_.piece_at(s, piece);
-    out_.sources.push_back({path_.tag(piece), path_.feed(piece), Bend::none});
-    s += law.length;
-  }
-  sink_(out_);
 }
 
 bool Planner::feed_changes(std::size_t vertex) const {
@@ -126,6 +107,14 @@ bool Planner::feed_changes(std::size_t vertex) const {
   const double same = path_.on_curve(vertex) ? on_surface : of_way;
   const double before = path_.feed(vertex - 1), behind = path_.feed(vertex);
   return std::fabs(before - behind) > same * (before + behind);
+}
+
+/// A cell has the lowest feed of its pieces: of a short one that is much slower it must not reach far beyond it, mm.
+double Planner::room_at_feed_change(std::size_t vertex) const {
+  constexpr double much = 2;
+  const std::size_t slower = path_.feed(vertex - 1) < path_.feed(vertex) ? vertex - 1 : vertex, faster = 2 * vertex - 1 - slower;
+  if (path_.feed(faster) < much * path_.feed(slower)) return path_.ends() - path_.begins();
+  return path_.at(slower + 1) - path_.at(slower);
 }
 
 /// Longer than any ramp to a speed lasts, s: farther from the ends of a piece it is passed evenly.
@@ -142,13 +131,15 @@ double Planner::ramp_s(double speed) const {
 double Planner::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   const double feed = path_.feed(piece), nearest = std::min(s - path_.at(piece), path_.at(piece + 1) - s);
   double size = longest_s * feed + growth * std::max(0.0, nearest - feed * ramp_s(feed));
-  const double rest = 0.01 * std::min(1.0, path_.ends() - path_.begins());  // beside a stop: a part of the way that a ramp takes
-  size = std::min(size, rest + growth * s);
-  if (last) size = std::min(size, rest + growth * (path_.ends() - s));
+  const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };  // beside a stop: a part of the way that a ramp takes
+  const auto rest = [&](std::size_t vertex) { return ramp_part(path_.room(vertex)); };
+  size = std::min(size, rest(0) + growth * s);
+  if (last) size = std::min(size, rest(path_.pieces()) + growth * (path_.ends() - s));
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
     const double w = path_.width(i), away = std::fabs(s - path_.at(i));
-    if (path_.turns_back(i) || feed_changes(i)) size = std::min(size, rest + growth * away);
+    if (path_.turns_back(i)) size = std::min(size, rest(i) + growth * away);
+    else if (feed_changes(i)) size = std::min(size, ramp_part(room_at_feed_change(i)) + growth * away);
     if (w > 0) size = std::min(size, w * (path_.on_curve(i) ? curve_part : corner_part) + growth * std::max(0.0, away - w));
   };
   for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);
@@ -198,6 +189,17 @@ Bend Planner::bend_at(double from, double to) const {
   return bend;
 }
 
+/// How far the last cell, begun in a piece, is beyond the tolerance of the path, in its middle and at its end, the knot.
+double Planner::beyond(double from, double h, std::size_t piece) const {
+  if (sources_.back().bend == Bend::none) return 0;
+  std::array<double, max_axes> middle{};
+  const double half = h / 2, *c = shapes_.data() + shapes_.size() - cells_.axes * TimedCells::terms;
+  for (std::size_t a = 0; a < cells_.axes; ++a, c += TimedCells::terms)
+    middle[a] = c[0] + half * (c[1] + half * (c[2] + half * (c[3] + half * (c[4] + half * c[5]))));
+  return std::max(path_.beyond(from + half, path_.piece_at(from + half, piece), middle.data()),
+                  path_.beyond(from + h, piece_, knot_.x.data()));
+}
+
 void Planner::add_cell(double from, double to, bool turns) {
   const std::size_t axes = cells_.axes, shape = shapes_.size();
   const double h = to - from;
@@ -205,13 +207,17 @@ void Planner::add_cell(double from, double to, bool turns) {
   double feed = path_.feed(piece_);
   for (std::size_t i = piece_; i + 1 < path_.pieces() && path_.at(i + 1) < to; ++i) feed = std::min(feed, path_.feed(i + 1));
   sources_.push_back({path_.tag(piece_), feed, bend_at(from, to)});
-  const std::size_t next = path_.piece_at(to, piece_);
+  const std::size_t begun = piece_, next = path_.piece_at(to, piece_);
   set_knot(to, turns ? next - 1 : next);
   piece_ = next;
   shapes_.resize(shape + axes * TimedCells::terms);
-  for (std::size_t a = 0; a < axes; ++a)
-    quintic({start.x[a], start.x1[a], start.x2[a]}, {knot_.x[a], knot_.x1[a], knot_.x2[a]}, h,
-            shapes_.data() + shape + a * TimedCells::terms);
+  const bool straight = sources_.back().bend == Bend::none;
+  for (std::size_t a = 0; a < axes; ++a) {
+    double* const c = shapes_.data() + shape + a * TimedCells::terms;
+    if (straight) c[0] = start.x[a], c[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
+    else quintic({start.x[a], start.x1[a], start.x2[a]}, {knot_.x[a], knot_.x1[a], knot_.x2[a]}, h, c);
+  }
+  sources_.back().beyond = beyond(from, h, begun);
   double most = fastest;
   std::array<double, TimedPath::places> squares{};
   for (std::size_t a = 0; a < axes; ++a) {
@@ -238,7 +244,7 @@ void Planner::cut_cells(bool last) {
   has_knot_ = true;
   constexpr double rest = 1.5;  // cells: what is left before an end becomes one
   const double settled = path_.settled();
-  for (std::size_t turn = piece_ + 1; cut_ < settled;) {
+  for (std::size_t turn = piece_ + 1; cut_ < settled && !stop_.asked();) {
     while (turn < path_.pieces() && (path_.at(turn) <= cut_ || !path_.turns_back(turn))) ++turn;
     const bool known = turn < path_.pieces();
     const double end = known ? path_.at(turn) : path_.ends(), size = next_size(last);
@@ -261,78 +267,13 @@ std::size_t Planner::sure_cells() const {
 void Planner::solve(bool last) {
   ends_.to_stop = last;
   ends_.crawl = crawl_of_slowest * least_.slowest(cells_);
-  if (cells_.cells() < 4 || !least_.solve(cells_, ends_)) return cell_by_cell();
+  const bool found = cells_.cells() >= 4 && least_.solve(cells_, ends_, stop_);
+  if (halted()) return;
+  if (!found) return cell_by_cell();
   if (last) return hand_out(cells_.cells());
   const std::size_t all = cells_.cells(), sure = sure_cells();
   if (sure >= all / 3) hand_out(sure - sure / 8);
   else if (all > most_window) hand_out(all / 3);
-}
-
-/// The first cells go out; the path begins anew behind them.
-void Planner::hand_out(std::size_t count) {
-  const std::size_t axes = cells_.axes, all = cells_.cells();
-  const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
-  out_.clear();
-  for (std::size_t k = 0; k < count; ++k) {
-    const PathSpeed from = speeds[k].start, to = speeds[k].end;
-    const double h = cells_.h[k], q = (to.d - from.d) / h;
-    if (k == 0 && ends_.from_stop) out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(to.b), false));
-    else if (k + 1 == all && ends_.to_stop) out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(from.b), true));
-    else out_.laws.push_back(TimeLaw::of_squares(h, std::sqrt(from.b), from.d / 2, q / 2));
-  }
-  out_.path.assign(shapes_.begin(), shapes_.begin() + static_cast<std::ptrdiff_t>(count * axes * TimedCells::terms));
-  out_.sources.assign(sources_.begin(), sources_.begin() + static_cast<std::ptrdiff_t>(count));
-  sink_(out_);
-  if (count == all) return;
-  ends_.from_stop = false;
-  ends_.from = speeds[count].start;
-  const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
-  ends_.guess.assign(least_.middles().begin() + static_cast<std::ptrdiff_t>(count),
-                     least_.middles().begin() + static_cast<std::ptrdiff_t>(all));
-  cut(sources_, count);
-  cut(cells_.h, count);
-  cut(cells_.most, count);
-  cut(cells_.turns, count);
-  for (std::vector<double>* const of_places : {&cells_.x1, &cells_.x2, &cells_.x3}) cut(*of_places, count * TimedPath::places * axes);
-  cut(shapes_, count * axes * TimedCells::terms);
-  double left = 0;
-  for (const double h : cells_.h) left += h;
-  const std::size_t before = path_.pieces();
-  path_.forget(cut_ - left);
-  piece_ -= before - path_.pieces();
-}
-
-/// No speed was found: the cells one after the other, as straight lines with a stop behind each.
-void Planner::cell_by_cell() {
-  ++failures_;
-  const std::size_t axes = cells_.axes, row = axes * TimedCells::terms;
-  out_.clear();
-  for (std::size_t k = 0; k < cells_.cells(); ++k) {
-    std::array<double, max_axes> from{}, to{}, way{};
-    TimedCells cell{axes,
-                    {},
-                    {},
-                    {shapes_.begin() + static_cast<std::ptrdiff_t>(k * row), shapes_.begin() + static_cast<std::ptrdiff_t>((k + 1) * row)}};
-    cell.position(0, 0, from.data());
-    cell.position(0, cells_.h[k], to.data());
-    double squares = 0;
-    for (std::size_t a = 0; a < axes; ++a) squares += square(to[a] - from[a]);
-    const double length = std::sqrt(squares);
-    if (!(length > 0)) continue;
-    for (std::size_t a = 0; a < axes; ++a) way[a] = (to[a] - from[a]) / length;
-    const std::size_t before = out_.laws.size();
-    rest_to_rest(length, limits_along(way.data(), std::sqrt(cells_.most[k])), out_.laws);
-    double s = 0;
-    for (std::size_t i = before; i < out_.laws.size(); s += out_.laws[i++].length) {
-      for (std::size_t a = 0; a < axes; ++a) out_.path.insert(out_.path.end(), {from[a] + s * way[a], way[a], 0, 0, 0, 0});
-      out_.sources.push_back(sources_[k]);
-    }
-  }
-  sink_(out_);
-  cells_.clear();
-  shapes_.clear();
-  sources_.clear();
-  ends_ = {};
 }
 
 }  // namespace kadr

@@ -12,6 +12,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/stop.h"
 #include "control/action.h"
 #include "motion/least_time.h"
 #include "motion/rest_to_rest.h"
@@ -23,6 +24,13 @@ namespace kadr {
 /// Limits of each axis: mm/s, mm/s², mm/s³ (of rotary ones degrees); all above 0 and finite.
 struct MotionLimits {
   std::vector<double> speed, acceleration, jerk;
+};
+
+/// Why a planner hands out nothing more.
+enum class PlanEnd : std::uint8_t {
+  none,      // it does
+  stopped,   // it was asked to
+  too_slow,  // what it found is no plan: an error of its own
 };
 
 class Planner {
@@ -38,7 +46,24 @@ class Planner {
   /// The axes come to rest; all is handed out.
   void stop();
 
-  /// Stretches for which no speed was found, planned cell by cell with a stop behind each: none are known.
+  /// Asked by all that may take long.
+  void stop_by(StopToken stop) { stop_ = stop; }
+  /// From then on whatever comes in is passed over.
+  PlanEnd ended() const { return ended_; }
+  /// Where it ended by an error of its own: mm of the path that were not handed out then, and the tag of the piece that would have taken
+  /// longest.
+  struct Refused {
+    double way = 0;
+    std::uint64_t tag = 0;
+  };
+  const Refused& refused() const { return refused_; }
+
+  /// So many times what it takes with a stop at each corner no plan takes. One with a stop behind each cell takes up to 50 times that: a
+  /// cell is passed in 0.01 s at the feed v, from rest to rest with the jerk j in ∛(0.32 v/j) s. A speed that comes to nothing by rounding
+  /// takes 10⁶ times that, or for ever.
+  static constexpr double most_of_standing = 100;
+
+  /// Stretches for which no speed was found, planned cell by cell with a stop behind each (TimedCells::unsolved).
   std::size_t failures() const { return failures_; }
 
  private:
@@ -49,6 +74,7 @@ class Planner {
   double size_at(double s, std::size_t piece, bool last, double curve_part) const;
   bool is_even(double h) const;
   bool feed_changes(std::size_t vertex) const;
+  double room_at_feed_change(std::size_t vertex) const;
   double next_size(bool last) const;
   Bend bend_at(double from, double to) const;
   void add_cell(double from, double to, bool turns);
@@ -57,6 +83,11 @@ class Planner {
   void hand_out(std::size_t cells);
   void straight_line();
   void cell_by_cell();
+  bool halted();
+  double standing_s(double from, double to) const;
+  void hand_on(double from, double to);
+  double way_of_cells() const;
+  double beyond(double from, double h, std::size_t piece) const;
   LineLimits limits_along(const double* way, double feed) const;
   std::size_t sure_cells() const;
 
@@ -81,6 +112,9 @@ class Planner {
   LeastTime::Ends ends_;
   TimedCells out_;
   std::size_t failures_ = 0;
+  StopToken stop_;
+  PlanEnd ended_ = PlanEnd::none;
+  Refused refused_;
 };
 
 }  // namespace kadr

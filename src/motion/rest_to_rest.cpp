@@ -25,12 +25,19 @@ double peak(double length, const LineLimits& limits) {
   return a / 2 * (std::sqrt(rising * rising + 4 * length / a) - rising);
 }
 
+double even_s(double length, const Ramp& ramp) { return std::max(0.0, length / ramp.speed - ramp.seconds()); }
+
 }  // namespace
+
+double rest_to_rest_s(double length, const LineLimits& limits) {
+  const Ramp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
+  return 2 * ramp.seconds() + even_s(length, ramp);
+}
 
 void rest_to_rest(double length, const LineLimits& limits, std::vector<TimeLaw>& to) {
   const Ramp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
   const double jerk = ramp.rising > 0 ? ramp.acceleration / ramp.rising : 0;
-  const double even = std::max(0.0, length / ramp.speed - ramp.seconds());
+  const double even = even_s(length, ramp);
   double v = 0, a = 0;
   const auto phase = [&](double seconds, double j) {
     if (!(seconds > 0)) return;

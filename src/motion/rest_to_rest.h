@@ -16,4 +16,7 @@ struct LineLimits {
 ///   pre  length > 0, limits > 0
 void rest_to_rest(double length, const LineLimits& limits, std::vector<TimeLaw>& to);
 
+/// How long they last together, s.
+double rest_to_rest_s(double length, const LineLimits& limits);
+
 }  // namespace kadr

@@ -50,6 +50,7 @@ struct CellSource {
   Bend bend = Bend::none;
   std::uint64_t motion = 0;  // that it begins in, counted by AxisMotion; 0: the planner has not told
   Switches switches{};
+  double beyond = 0;  // how far the path is beyond its tolerance, as a share of it, in the places looked at
 };
 
 /// The spindle's angle along a cell, running degrees: over the time, or with the way of the axes (rigid tapping).
@@ -71,8 +72,9 @@ struct TimedCells {
   std::vector<CellSource> sources;
   std::vector<double> path;            // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
   std::vector<SpindleTurn> spindle{};  // of each cell; empty: nobody has told
+  bool unsolved = false;               // no speed was found for them: the axes stand behind each
 
-  void clear() { laws.clear(), sources.clear(), path.clear(), spindle.clear(); }
+  void clear() { laws.clear(), sources.clear(), path.clear(), spindle.clear(), unsolved = false; }
   /// Axis positions at a way along a cell.
   void position(std::size_t cell, double way, double* x) const;
   double seconds() const;

@@ -52,11 +52,27 @@ Json result_json(const Finding& finding, std::size_t rule) {
                        {"endColumn", finding.end_column},
                        {"snippet", {{"text", finding.line_text}}}};
   const Json place = {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(finding.file)}}}, {"region", region}}}};
-  return {{"ruleId", name_of(finding.id)},
-          {"ruleIndex", rule},
-          {"level", finding.severity == Severity::alarm ? "error" : severity_word(finding.severity, Lang::en)},
-          {"message", {{"text", finding.text}}},
-          {"locations", Json::array({place})}};
+  Json result = {{"ruleId", name_of(finding.id)},
+                 {"ruleIndex", rule},
+                 {"level", finding.severity == Severity::alarm ? "error" : severity_word(finding.severity, Lang::en)},
+                 {"message", {{"text", finding.text}}},
+                 {"locations", Json::array({place})}};
+  if (const AlarmReport::Line& other = finding.other; other.number != 0) {
+    const Json line = {{"startLine", other.number}, {"snippet", {{"text", other.text}}}};
+    const Json there = {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(other.file)}}}, {"region", line}}}};
+    result["relatedLocations"] = Json::array({there});
+  }
+  return result;
+}
+
+/// The second place of a finding: its line with the place marked.
+std::string other_place(const Finding& finding, Lang lang) {
+  const AlarmReport::Line& other = finding.other;
+  if (other.number == 0) return {};
+  const std::string file = other.file == finding.file ? "" : other.file + ", ";
+  std::string text = fmt::format(fmt::runtime(lang == Lang::ru ? "  см. {}строку {}:\n" : "  see {}line {}:\n"), file, other.number);
+  if (!other.text.empty()) text += marked_line(other.text, other.where);
+  return text;
 }
 
 }  // namespace
@@ -87,7 +103,8 @@ Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang
             1,
             2,
             block_text(report.origin),
-            {}};
+            {},
+            report.other};
   if (f.rule.empty()) f.rule = name_of(alarm.id);
   f.column = report.line_text.empty() ? std::max(report.origin.column, 1U) : characters_before(report.line_text, alarm.where.begin) + 1;
   f.end_column = std::max(f.column + 1, characters_before(report.line_text, alarm.where.end) + 1);
@@ -101,6 +118,7 @@ std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang 
   if (!f.number.empty()) text += fmt::format(" [{}]", f.number);
   text += '\n';
   if (!f.line_text.empty()) text += marked_line(f.line_text, report.alarm.where);
+  text += other_place(f, lang);
   if (!f.hint.empty()) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "подсказка" : "hint", f.hint);
   for (auto call = f.calls.rbegin(); call != f.calls.rend(); ++call) text += fmt::format("  {}\n", *call);
   return text;
@@ -121,11 +139,12 @@ std::string findings_json(const std::vector<Finding>& findings) {
                    {"block", f.block.empty() ? Json() : Json(f.block)},
                    {"line_text", f.line_text},
                    {"calls", f.calls}});
+    if (f.other.number != 0) all.back()["other"] = {{"file", f.other.file}, {"line", f.other.number}, {"line_text", f.other.text}};
   }
   return dumped(all);
 }
 
-std::string findings_sarif(const std::vector<Finding>& findings, const std::string& version) {
+std::string findings_sarif(const std::vector<Finding>& findings, const Invocation& invocation) {
   Json rules = Json::array(), results = Json::array();
   std::map<AlarmId, std::size_t> known;
   for (const Finding& f : findings) {
@@ -133,8 +152,17 @@ std::string findings_sarif(const std::vector<Finding>& findings, const std::stri
     if (is_new) rules.push_back(rule_json(f));
     results.push_back(result_json(f, rule->second));
   }
-  const Json driver = {{"name", "Kadr"}, {"version", version}, {"rules", rules}};
-  const Json run = {{"tool", {{"driver", driver}}}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
+  const Json driver = {{"name", "Kadr"}, {"version", invocation.version}, {"rules", rules}};
+  Json notifications = Json::array();
+  for (const auto& [file, reason] : invocation.unreadable) {
+    const Json place = {{"physicalLocation", {{"artifactLocation", {{"uri", uri_of(file)}}}}}};
+    notifications.push_back({{"level", "error"}, {"message", {{"text", reason}}}, {"locations", Json::array({place})}});
+  }
+  const Json how = {{"executionSuccessful", invocation.unreadable.empty()},
+                    {"exitCode", invocation.exit_code},
+                    {"toolExecutionNotifications", notifications}};
+  const Json run = {
+      {"tool", {{"driver", driver}}}, {"invocations", Json::array({how})}, {"columnKind", "unicodeCodePoints"}, {"results", results}};
   return dumped({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}});
 }
 

@@ -31,6 +31,7 @@ struct Finding {
   std::uint32_t end_column;
   std::string block;  // "N10", empty: none
   std::vector<std::string> calls;
+  AlarmReport::Line other{};  // a second place that belongs to it
 };
 
 Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang);
@@ -38,8 +39,14 @@ Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang
 /// A JSON array of objects.
 std::string findings_json(const std::vector<Finding>& findings);
 
+/// How the tool itself fared.
+struct Invocation {
+  std::string version;
+  int exit_code = 0;
+  std::vector<std::pair<std::string, std::string>> unreadable;  // file, reason
+};
 /// A SARIF 2.1.0 log with one run of the tool Kadr.
-std::string findings_sarif(const std::vector<Finding>& findings, const std::string& version);
+std::string findings_sarif(const std::vector<Finding>& findings, const Invocation& invocation);
 
 /// "N010" as it was written; empty without a block number.
 std::string block_text(const Origin& origin);

@@ -11,7 +11,8 @@ namespace kadr {
   X(arc) X(clip) X(close_path) X(create) X(destroy) X(fill) X(image_surface_create) X(line_to) X(move_to) X(new_path)         \
   X(new_sub_path) X(rectangle) X(restore) X(save) X(select_font_face) X(set_dash) X(set_font_size) X(set_line_cap)            \
   X(set_line_join) X(set_line_width) X(set_source_rgba) X(show_text) X(status_to_string) X(stroke) X(surface_destroy)         \
-  X(surface_finish) X(surface_set_device_scale) X(surface_status) X(surface_write_to_png) X(svg_surface_create) X(text_extents)
+  X(surface_finish) X(surface_set_device_scale) X(surface_status) X(surface_write_to_png_stream)                              \
+  X(svg_surface_create_for_stream) X(text_extents)
 // clang-format on
 
 /// The functions we call, each by its name without `cairo_`.

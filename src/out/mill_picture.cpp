@@ -149,7 +149,7 @@ class Drawing {
 
 }  // namespace
 
-tl::expected<void, std::string> draw_milling(const std::string& file, const MillPicture& picture) {
+tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillPicture& picture) {
   const Drawing drawing(picture);
   return write_page(file, page_width, drawing.height(), [&](Canvas& canvas) { drawing.draw(canvas); });
 }

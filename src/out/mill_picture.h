@@ -5,6 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "config/alarm_texts.h"
+#include "out/result_file.h"
 #include "path/area/mill.h"
 
 namespace kadr {
@@ -22,6 +23,6 @@ struct MillPicture {
 
 /// Draws; the ending of the name (.svg, .png) says which.
 ///   returns  an error sentence
-tl::expected<void, std::string> draw_milling(const std::string& file, const MillPicture& picture);
+tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillPicture& picture);
 
 }  // namespace kadr

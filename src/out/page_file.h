@@ -5,15 +5,20 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "out/result_file.h"
+
 namespace kadr {
 
 class Canvas;
 
-/// The ending of the name (.svg, .png) says which. `width`, `height`: of the page, in its units.
+/// The ending of the name (.svg, .png) says which. `width`, `height`: of the page, in its units. The file is the caller's to keep.
 ///   returns  an error sentence
-tl::expected<void, std::string> write_page(const std::string& file, double width, double height, const std::function<void(Canvas&)>& draw);
+tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const std::function<void(Canvas&)>& draw);
 
 /// The name ends in one of those.
 bool is_page_name(const std::string& file);
+
+/// Why no page can be drawn here, or nothing.
+std::string page_fault(const std::string& file);
 
 }  // namespace kadr

@@ -95,7 +95,7 @@ void Plot::take(const Action& action) {
   else if (const auto* frame = std::get_if<FrameChange>(&action.what)) take_frame(*frame);
 }
 
-tl::expected<void, std::string> Plot::write(const std::string& file, const PlotTitle& title) const {
+tl::expected<void, std::string> Plot::write(const ResultFile& file, const PlotTitle& title) const {
   PlotPath contour = contour_;
   contour.move_all(-1.0 * first_origin_);
   return draw_page(file, {path_, contour, zeros_, title, ShadeScale(colour_, path_)});

@@ -5,6 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "out/plot_shades.h"
+#include "out/result_file.h"
 
 namespace kadr {
 
@@ -33,7 +34,7 @@ class Plot {
 
   /// Draws; the ending of the name (.svg, .png) says which.
   ///   returns  an error sentence
-  tl::expected<void, std::string> write(const std::string& file, const PlotTitle& title) const;
+  tl::expected<void, std::string> write(const ResultFile& file, const PlotTitle& title) const;
 
   const PlotPath& path() const { return path_; }
   /// Work zeros in the picture's coordinates.

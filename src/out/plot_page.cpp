@@ -173,7 +173,7 @@ Box shown_box(const PlotScene& scene) {
   return box;
 }
 
-tl::expected<void, std::string> draw_page(const std::string& file, const PlotScene& scene) {
+tl::expected<void, std::string> draw_page(const ResultFile& file, const PlotScene& scene) {
   return write_page(file, page_width, page_height, [&](Canvas& canvas) { draw_all(canvas, scene); });
 }
 

@@ -19,7 +19,7 @@ struct PlotScene {
 /// Without its folder.
 std::string name_of_file(const std::string& path);
 
-tl::expected<void, std::string> draw_page(const std::string& file, const PlotScene& scene);
+tl::expected<void, std::string> draw_page(const ResultFile& file, const PlotScene& scene);
 
 /// What of the path the picture shows: all the cutting, and rapid motion around it as far as half its size.
 Box shown_box(const PlotScene& scene);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <iterator>
 #include <utility>
 
@@ -29,11 +30,20 @@ void SampleWriter::write(const double* at) {
   if (text_.size() >= chunk) flush();
 }
 
-/// One instant. False: it stands, and nothing more will happen.
+bool SampleWriter::halted() {
+  if (ended_ != SampleEnd::none) return true;
+  if (options_.stop.asked()) ended_ = SampleEnd::stopped;
+  else if (static_cast<double>(instant_) * period_ > options_.max_time) ended_ = SampleEnd::max_time;
+  return ended_ != SampleEnd::none || !ok();
+}
+
+/// One instant. False: it stands, and nothing more will happen; or nothing more is to be written.
 bool SampleWriter::play() {
+  if (!ok()) return false;
   for (; changed_ < options_.changes.size() && options_.changes[changed_].seconds <= static_cast<double>(instant_) * period_; ++changed_)
     playback_.override_to(options_.changes[changed_].share);
   if (changed_ == options_.changes.size() && playback_.is_held()) return false;
+  if (halted()) return false;
   Axes at;
   if (playback_.fill(at.data(), 1) == 0) return false;
   write(at.data());
@@ -54,11 +64,12 @@ void SampleWriter::finish() {
   while (!playback_.done() && play()) {
   }
   flush();
-  ok_ = ok_ && std::fflush(file_) == 0;
 }
 
 void SampleWriter::flush() {
-  ok_ = ok_ && std::fwrite(text_.data(), 1, text_.size(), file_) == text_.size();
+  errno = 0;
+  const bool written = !ok() || (std::fwrite(text_.data(), 1, text_.size(), file_) == text_.size() && std::fflush(file_) == 0);
+  if (!written) error_ = errno != 0 ? errno : EIO;
   text_.clear();
 }
 

@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "motion/override_change.h"
 #include "motion/playback.h"
+#include "out/sample_options.h"
 
 namespace kadr {
 
-struct SampleOptions {
-  double rate = 1000;                   // Hz
-  std::vector<OverrideChange> changes;  // in the order of their times
-  bool spindle = false;                 // a column more
+/// Why nothing more is written.
+enum class SampleEnd : std::uint8_t {
+  none,      // it is; or the motion is over
+  max_time,  // longer than was allowed
+  stopped,   // it was asked to
 };
 
 class SampleWriter {
@@ -26,9 +27,16 @@ class SampleWriter {
   void take(const TimedCells& cells);
   /// The last position, and all that is buffered. A feed hold without end is one to the last position that was written.
   void finish();
-  bool ok() const { return ok_; }
+  /// False: what was to be written could not be. Then nothing more is.
+  bool ok() const { return error_ == 0; }
+  int error() const { return error_; }  // of the system; 0: none
+  /// From then on cells are passed over.
+  SampleEnd ended() const { return ended_; }
+  /// The tag of the cell of the last one.
+  std::uint64_t tag() const { return playback_.tag(); }
 
  private:
+  bool halted();
   bool play();
   void write(const double* at);
   void flush();
@@ -42,7 +50,8 @@ class SampleWriter {
   std::size_t changed_ = 0;  // of them are in force
   std::uint64_t instant_ = 0;
   std::string text_;
-  bool ok_ = true;
+  int error_ = 0;
+  SampleEnd ended_ = SampleEnd::none;
 };
 
 }  // namespace kadr

@@ -276,7 +276,7 @@ class SpeedPage {
 
 }  // namespace
 
-tl::expected<void, std::string> draw_speed_page(const std::string& file, const SpeedRecord& record, const std::vector<std::string>& axes,
+tl::expected<void, std::string> draw_speed_page(const ResultFile& file, const SpeedRecord& record, const std::vector<std::string>& axes,
                                                 const PlotTitle& title) {
   const SpeedPage page(record, axes, title);
   return write_page(file, page_width, page_height, [&](Canvas& canvas) { page.draw(canvas); });

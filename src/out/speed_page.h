@@ -13,7 +13,7 @@ namespace kadr {
 
 /// The ending of the name (.svg, .png) says which. `axes`: their names.
 ///   returns  an error sentence
-tl::expected<void, std::string> draw_speed_page(const std::string& file, const SpeedRecord& record, const std::vector<std::string>& axes,
+tl::expected<void, std::string> draw_speed_page(const ResultFile& file, const SpeedRecord& record, const std::vector<std::string>& axes,
                                                 const PlotTitle& title);
 
 }  // namespace kadr

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -76,9 +77,12 @@ void TextBuffer::append(std::string_view text) {
 
 bool TextBuffer::flush() {
   const auto filled = static_cast<std::size_t>(at_ - text_.get());
-  if (filled > 0 && (std::fwrite(text_.get(), 1, filled, file_) != filled || std::fflush(file_) != 0)) ok_ = false;
+  if (filled > 0 && ok()) {
+    errno = 0;
+    if (std::fwrite(text_.get(), 1, filled, file_) != filled || std::fflush(file_) != 0) error_ = errno != 0 ? errno : EIO;
+  }
   at_ = text_.get();
-  return ok_;
+  return ok();
 }
 
 }  // namespace kadr

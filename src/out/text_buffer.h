@@ -40,7 +40,9 @@ class TextBuffer {
 
   void append(std::string_view text);
   bool flush();
-  bool ok() const { return ok_; }
+  bool ok() const { return error_ == 0; }
+  /// Of the system, the first there was; 0: none.
+  int error() const { return error_; }
 
   static constexpr std::size_t size = 1U << 17;
 
@@ -48,7 +50,7 @@ class TextBuffer {
   std::FILE* file_;
   std::unique_ptr<char[]> text_;
   char* at_;
-  bool ok_ = true;
+  int error_ = 0;
 };
 
 }  // namespace kadr

@@ -36,6 +36,7 @@ class TraceWriter {
 
   /// false: the file could not be written.
   bool ok() const { return out_.ok(); }
+  int error() const { return out_.error(); }  // of the system
 
  private:
   char* put_head(char* at, std::string_view kind, const Origin& origin) const;

@@ -214,7 +214,7 @@ void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, cons
 
 void RadiusCompensation::end_watch() {
   if (const auto cut = watch_.end())
-    warnings_.push_back({warning(AlarmId::contour_cut, {}, cut->depth, static_cast<double>(cut->contour)), cut->tool});
+    warnings_.push_back({warning(AlarmId::contour_cut, {}, cut->depth, static_cast<double>(cut->contour.line)), cut->tool, cut->contour});
 }
 
 }  // namespace kadr

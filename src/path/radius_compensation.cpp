@@ -73,7 +73,8 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
 void RadiusCompensation::next(Action& action) {
   if (std::holds_alternative<Motion>(action.what)) return motion(action);
   if (const auto* const end = std::get_if<ContourBreak>(&action.what)) {
-    if (end->off) leave();
+    if (end->here) stay();
+    else if (end->off) leave();
     else flush(Vec2{});
     return;
   }
@@ -241,6 +242,19 @@ void RadiusCompensation::leave() {
   step({}, like, origin);
   end_watch();
   for (Action& action : behind) hand_out(std::move(action));
+}
+
+/// The program counts on from where the tool stands: the vector has become part of its point.
+void RadiusCompensation::stay() {
+  flush({});
+  if (fault_) return;
+  for (ToolPosition* const position : {&at_, &stand_})
+    for (Axes* const axes : {&position->work, &position->machine}) {
+      (*axes)[first_] += vector_.x;
+      (*axes)[second_] += vector_.y;
+    }
+  vector_ = {};
+  end_watch();
 }
 
 /// What the motion is to its neighbours. Without a direction: it cannot begin compensation, the point lies within the tool.

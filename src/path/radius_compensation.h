@@ -22,6 +22,7 @@ namespace kadr {
 struct CompensationFault {
   Alarm alarm;
   Origin origin;
+  Origin other{};  // of contour_cut: the contour's block
 };
 
 class RadiusCompensation {
@@ -74,6 +75,7 @@ class RadiusCompensation {
   void wait(Action action);
   void flush(std::optional<Vec2> vector);
   void leave();
+  void stay();
   void join(const Motion& next, const ContourElement& second);
   std::optional<JunctionVectors> vectors_to(const Motion& next, const ContourElement& second);
   ContourElement element_of(const Motion& motion) const;

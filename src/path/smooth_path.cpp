@@ -20,7 +20,7 @@ constexpr double straight_bend = 1e-12;  // |Δu| of pieces that go on straight 
 void SmoothPath::begin(const double* at) {
   point_.assign(at, at + axes_);
   bend_.assign(axes_, 0);
-  for (std::vector<double>* const of_vertices : {&turn_, &at_, &width_, &tolerance_}) of_vertices->assign(1, 0);
+  for (std::vector<double>* const of_vertices : {&turn_, &at_, &width_, &tolerance_, &room_}) of_vertices->assign(1, 0);
   direction_.clear();
   length_.clear();
   feed_.clear();
@@ -49,7 +49,7 @@ void SmoothPath::line_to(const double* to, double feed, double tolerance, bool o
   }
   point_.insert(point_.end(), to, to + axes_);
   bend_.insert(bend_.end(), axes_, 0);
-  for (std::vector<double>* const of_vertices : {&turn_, &width_, &tolerance_}) of_vertices->push_back(0);
+  for (std::vector<double>* const of_vertices : {&turn_, &width_, &tolerance_, &room_}) of_vertices->push_back(0);
   at_.push_back(at_.back() + length);
   length_.push_back(length);
   feed_.push_back(feed);
@@ -159,26 +159,30 @@ double SmoothPath::width_on_curve(std::size_t vertex) const {
   return std::sqrt(used * tolerance_[vertex] * length / (SoftCorner::of(turn_[vertex]).second_moment() * turn_[vertex]));
 }
 
-void SmoothPath::settle(bool last) {
+void SmoothPath::settle(bool last, StopToken stop) {
   const std::size_t vertices = at_.size();
   std::size_t first = std::max<std::size_t>(done_, 1);
   double edge = 0;  // the last length that no rounding reaches over
   for (std::size_t i = first; i-- > 0 && edge == 0 && at_[first] - at_[i] < widest;)
     if (turns_back(i)) edge = at_[i];
   for (std::size_t i = first; i + 1 < vertices; ++i) {
+    room_[i] = at_[i] - edge;
     width_[i] = turn_[i] > straight_bend ? std::min(widest, at_[i] - edge) : 0;
     if (turns_back(i)) width_[i] = 0, edge = at_[i];
     else if (width_[i] > 0 && on_curve(i)) width_[i] = std::min(width_[i], width_on_curve(i));
     else if (width_[i] > 0) width_[i] = std::min(width_[i], tolerance_[i] / (SoftCorner::of(turn_[i]).highest() * turn_[i]));
   }
+  room_.back() = at_.back() - edge;
   edge = last ? at_.back() : at_.back() + widest;
   for (std::size_t i = vertices - 1; i-- > first;) {
+    room_[i] = std::min(room_[i], edge - at_[i]);
     width_[i] = std::min(width_[i], edge - at_[i]);
     if (turns_back(i)) edge = at_[i];
   }
+  if (first == 1) room_[0] = edge - at_[0];
   reach_ = *std::max_element(width_.begin(), width_.end());
   constexpr int most_rounds = 200;  // a chain needs ten to thirty
-  for (int round = 0; round < most_rounds && shrink(first, vertices - 1); ++round) {
+  for (int round = 0; round < most_rounds && !stop.asked() && shrink(first, vertices - 1); ++round) {
   }
   settled_ = last ? at_.back() : std::max(settled_, at_.back() - 3 * widest);
   while (done_ < vertices && (last || at_[done_] < settled_ + widest)) ++done_;
@@ -190,10 +194,36 @@ void SmoothPath::forget(double before) {
   if (drop == 0) return;
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
   for (std::vector<double>* const of_axes : {&point_, &bend_, &direction_}) cut(*of_axes, drop * axes_);
-  for (std::vector<double>* const one : {&turn_, &at_, &width_, &tolerance_, &length_, &feed_}) cut(*one, drop);
+  for (std::vector<double>* const one : {&turn_, &at_, &width_, &tolerance_, &room_, &length_, &feed_}) cut(*one, drop);
   cut(tag_, drop);
   cut(on_curve_, drop);
   done_ -= std::min(done_, drop);
+}
+
+/// From a point to the nearest one of a piece, mm².
+double SmoothPath::squared_way_to(std::size_t piece, const double* x) const {
+  const double* const start = point_.data() + piece * axes_;
+  double along = 0, squares = 0;
+  for (std::size_t a = 0; a < axes_; ++a) along += (x[a] - start[a]) * direction(piece)[a];
+  along = std::clamp(along, 0.0, length_[piece]);
+  for (std::size_t a = 0; a < axes_; ++a) {
+    const double off = x[a] - start[a] - along * direction(piece)[a];
+    squares += off * off;
+  }
+  return squares;
+}
+
+double SmoothPath::beyond(double s, std::size_t piece, const double* x) const {
+  double least = squared_way_to(piece, x), tolerance = 0;
+  if (least == 0) return 0;
+  corners_near(s, piece, reach_, [&](std::size_t i) {
+    if (std::fabs(s - at_[i]) < width_[i]) tolerance = std::max(tolerance, tolerance_[i]);
+  });
+  if (tolerance == 0 || least <= tolerance * tolerance) return 0;
+  const double around = 4 * std::sqrt(least);  // of s: the nearest piece, but where the path comes back to the same place
+  for (std::size_t i = piece; i-- > 0 && s - at_[i + 1] < around;) least = std::min(least, squared_way_to(i, x));
+  for (std::size_t i = piece + 1; i < pieces() && at_[i] - s < around; ++i) least = std::min(least, squared_way_to(i, x));
+  return std::max(0.0, std::sqrt(least) / tolerance - 1);
 }
 
 void SmoothPath::evaluate(double s, std::size_t piece, double* x, double* x1, double* x2) const {

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/stop.h"
+
 namespace kadr {
 
 class SoftCorner;
@@ -25,8 +27,9 @@ class SmoothPath {
   void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
 
   /// Finds how wide the corners are rounded. Those near the end wait, but if this is all (`last`).
-  ///   law  at no length is the path further from the straight pieces than the tolerance of the corners around
-  void settle(bool last);
+  ///   law  at no length is the path further from the straight pieces than the tolerance of the corners around; but where `stop` asked it
+  ///        to end before, then nothing may be made of it
+  void settle(bool last, StopToken stop = {});
 
   /// Forgets the pieces that end before a length, but for those whose corners are felt behind it.
   void forget(double before);
@@ -44,8 +47,13 @@ class SmoothPath {
   double turn(std::size_t vertex) const { return turn_[vertex]; }
   /// The path turns back on itself there: a vertex without rounding, which none other reaches over.
   bool turns_back(std::size_t vertex) const { return turn_[vertex] > turning_back; }
+  /// From a vertex where the axes stand for an instant – an end of the path, one where it turns back – to the next such one, whichever is
+  /// nearer: mm, exact below `widest`. Of vertices that are settled.
+  double room(std::size_t vertex) const { return room_[vertex]; }
   bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }
   double feed(std::size_t piece) const { return feed_[piece]; }
+  /// A unit vector.
+  const double* direction(std::size_t piece) const { return direction_.data() + piece * axes_; }
   std::uint64_t tag(std::size_t piece) const { return tag_[piece]; }
   /// The piece that holds a length, looked for from `from` on.
   std::size_t piece_at(double s, std::size_t from) const;
@@ -54,6 +62,10 @@ class SmoothPath {
 
   /// Position and its first two derivatives by the length, of each axis. `piece`: that holds s.
   void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2) const;
+
+  /// How far x, the position at s, is beyond the tolerance of the corners felt there, as a share of it: from the straight pieces around.
+  /// 0: not at all.
+  double beyond(double s, std::size_t piece, const double* x) const;
 
   static constexpr double widest = 2;  // mm: a rounding to either side; wider ones cost work and gain little below 12 m/min
 
@@ -65,6 +77,7 @@ class SmoothPath {
   bool overlaps(std::size_t vertex) const;
   void look_at_roundings();
   bool shrink(std::size_t first, std::size_t end);
+  double squared_way_to(std::size_t piece, const double* x) const;
   template <class Take>
   void corners_near(double s, std::size_t around, double reach, const Take& take) const;
 
@@ -75,6 +88,7 @@ class SmoothPath {
   std::vector<double> at_;         // length at each vertex
   std::vector<double> width_;      // of its rounding
   std::vector<double> tolerance_;  // of each vertex
+  std::vector<double> room_;       // of each vertex; where the axes do not stand of no meaning
   std::vector<double> direction_;  // of each piece
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;

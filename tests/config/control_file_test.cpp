@@ -241,6 +241,29 @@ TEST(errors, name_file_line_and_thing) {
   }
 }
 
+// One mechanism with machine files and set-ups: config/range.h.
+TEST(errors, of_numbers_beyond_their_range) {
+  const auto said = [](const std::string& toml) { return refusal(head + toml); };
+  for (const char* scale : {"0", "-1", "nan", "inf", "1e-300", "'1'", "true"})
+    EXPECT_EQ(said(std::string("[address]\nF = { scale = ") + scale + " }\n"), "own.toml:4: scale must be a number, 1e-09 to 1000000000");
+  for (const char* feed : {"-5", "nan", "inf", "1e10"})
+    EXPECT_EQ(said(std::string("[behaviour]\nreference_feed = ") + feed + "\n"),
+              "own.toml:4: reference_feed must be a number, 0 to 1000000000 mm/min");
+  EXPECT_EQ(said("[behaviour]\narc_radius_difference = -0.1\n"), "own.toml:4: arc_radius_difference must be a number, 0 to 10000000 mm");
+  EXPECT_EQ(said("[address]\nF = { least = nan }\n"), "own.toml:4: least must be a number");
+  EXPECT_EQ(said("[address]\nF = { least = 2, most = 1 }\n"), "own.toml:4: least is above most");
+  EXPECT_EQ(said("[feed_codes]\n01 = -1\n"), "own.toml:4: 01 must be a number, 0 to 1000000000 mm/min");
+  EXPECT_EQ(said("[speed_codes]\nfast = 1\n"), "own.toml:4: 'fast' is no code number");
+  EXPECT_EQ(said("a" +
+                 []() {
+                   std::string parts;
+                   for (int i = 0; i < 50'000; ++i) parts += ".a";
+                   return parts;
+                 }() +
+                 " = 1\n"),
+            "own.toml:3:32: a key of more than 16 parts");
+}
+
 TEST(errors, in_a_row_laid_over_another_name_the_line_of_ones_own_file) {
   EXPECT_EQ(refusal(head + "[address]\nX = { axis = \"Nap\" }\n").find("own.toml:4: "), 0u);
   EXPECT_EQ(refusal(head + "[g]\n\"04\" = { does = \"sleep\" }\n").find("own.toml:4: "), 0u);

@@ -85,10 +85,41 @@ TEST(guess, of_small_samples) {
   for (const Case& c : cases) EXPECT_EQ(guess_control(c.text).control, c.control) << c.text;
 }
 
-TEST(guess, tells_why_in_both_languages) {
-  const Guess guess = guess_control("% ПС\nN1 G0 X8000 ПС\n");
-  EXPECT_NE(guess.reason_en, "");
-  EXPECT_NE(guess.reason_ru, "");
+TEST(guess, tells_what_it_found_and_where) {
+  const Guess guess = guess_control("%\nN1 G0 X8000\nN2 L81 R0+60 R1-5000\nN3 G1 X0 ПС\n");
+  EXPECT_EQ(guess.reason_en, "ПС in line 4, R0+ in line 3, L81 in line 3, numbers without points, all blocks numbered");
+  EXPECT_EQ(guess.reason_ru, "ПС в строке 4, R0+ в строке 3, L81 в строке 3, числа без точки, все кадры с номерами");
+  EXPECT_EQ(guess_control("(a)\nG0 X1\n\nWHILE[#1 LT 2]DO1\nEND1\n").reason_en, "WHILE[ in line 4");
+}
+
+TEST(guess, what_is_no_program_of_ours_is_unknown) {
+  struct Case {
+    const char* text;
+    const char* reason;
+  };
+  const Case cases[] = {
+      {"0 BEGIN PGM X MM\n1 L X+10 R0 FMAX\n", "Heidenhain: BEGIN PGM in line 1"},
+      {"; part\nN10 G0 X1\nN20 CYCLE83(10,0,2)\n", "Sinumerik: CYCLE8 in line 3"},
+      {"N1 G15 H1\nN2 CALL OO88\n", "Okuma: CALL OO in line 2"},
+      {"# Read me\n\nThis folder holds programs.\nSee there.\n", "few lines are blocks, the first that is none is line 1: # Read me"},
+      {"Карта наладки\nдеталь 12\nФреза 8 мм\n", "few lines are blocks, the first that is none is line 1: Карта наладки"},
+      {"int main() {\n  return 0;\n}\n", "few lines are blocks, the first that is none is line 1: int main() {"},
+      {"\x7F"
+       "ELF\x01\x02\x03\x04\x05",
+       "it is no text"},
+  };
+  for (const Case& c : cases) {
+    const Guess guess = guess_control(c.text);
+    EXPECT_EQ(guess.control, "") << c.text;
+    EXPECT_EQ(guess.reason_en, c.reason) << c.text;
+  }
+}
+
+TEST(guess, programs_are_not_taken_for_prose) {
+  for (const char* text : {"o<probe> sub\n  #<x> = #1 (=1)\n  o10 if [#<x> GT 2]\n  o10 endif\no<probe> endsub\nM2\n",
+                           "G0 X1 ; move to the first of all the holes\nM30 ; end of the whole program\n", "(только комментарий)\nG0 X1\n",
+                           "M30\n", "%\n", "IF [#1 EQ 2] THEN #3=4\nGOTO 10\nN10 M99\n"})
+    EXPECT_NE(guess_control(text).control, "") << text;
 }
 
 TEST(guess, does_not_read_comments) { EXPECT_EQ(guess_control("(L81 R1+5 ПС)\nG0 X1.5\n").control, "mach3"); }

@@ -32,16 +32,32 @@ TEST(machine_profile, built_in_ones_load) {
 TEST(machine_profile, unknown_names_the_known) {
   EXPECT_EQ(load_machine("lathe").error(),
             "no machine 'lathe'; there are: generic, linuxcnc-sim, mach3-router, nct-vmc, s2c42-mill, or a file of your own (NAME.toml)");
-  EXPECT_EQ(load_machine("/nowhere.toml").error(), "/nowhere.toml: cannot be read");
+  EXPECT_EQ(load_machine("/nowhere.toml").error(), "/nowhere.toml: cannot be read: there is no such file");
 }
 
 TEST(machine_profile, mistakes_have_a_line) {
   EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { rapd = 1 }"), ":3: unknown key 'rapd'");
-  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { limits = [2, 1] }"), ":3: limits of axis X must be [least, most]");
-  EXPECT_EQ(refusal("id = 'a'\ntool_change = -1\n[axes]"), ":2: 'tool_change' must be a number, not below zero");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { limits = [2, 1] }"),
+            ":3: limits must be [least, most], the second above the first, each a number, -10000000 to 10000000 mm or degrees");
+  EXPECT_EQ(refusal("id = 'a'\ntool_change = -1\n[axes]"), ":2: tool_change must be a number, 0 to 86400 s");
   EXPECT_EQ(refusal("id = 'a'"), ": [axes] is missing");
   EXPECT_EQ(refusal("id = 'a'\nplanner = 'fast'\n[axes]"), ":2: 'planner' must be \"control\" or \"optimal\"");
   EXPECT_EQ(refusal("id = 'a'\nplanner = 1\n[axes]"), ":2: 'planner' must be \"control\" or \"optimal\"");
+}
+
+// A slip of the pen must not become a motion that never ends.
+TEST(machine_profile, numbers_beyond_every_machine) {
+  for (const char* acceleration : {"0", "1e-300", "-500", "nan", "inf", "1e300", "'500'", "true"})
+    EXPECT_EQ(refusal(std::string("id = 'a'\n[axes]\nX = { acceleration = ") + acceleration + " }"),
+              ":3: acceleration must be a number, 0.001 to 1000000000 mm/s² or degrees/s²");
+  for (const char* rapid : {"0", "-1", "nan", "1e-300"})
+    EXPECT_EQ(refusal(std::string("id = 'a'\n[axes]\nX = { rapid = ") + rapid + " }"),
+              ":3: rapid must be a number, 0.001 to 1000000000 mm/min or degrees/min");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { jerk = 1e-9 }"), ":3: jerk must be a number, 0.001 to 1000000000000 mm/s³ or degrees/s³");
+  for (const char* limits : {"[1, 1]", "[2, 1]", "[nan, 1]", "[-inf, inf]", "[1]", "1", "[1, 2, 3]", "['1', 2]"})
+    EXPECT_EQ(refusal(std::string("id = 'a'\n[axes]\nX = { limits = ") + limits + " }"),
+              ":3: limits must be [least, most], the second above the first, each a number, -10000000 to 10000000 mm or degrees");
+  EXPECT_EQ(refusal("id = 'a'\ntolerance = -0.1\n[axes]"), ":2: tolerance must be a number, 0 to 10000000 mm");
 }
 
 TEST(machine_profile, the_programmed_speed_counts_if_nobody_says_whose) {

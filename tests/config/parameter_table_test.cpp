@@ -115,7 +115,8 @@ TEST(parameter_table, faults_are_told_with_file_and_line) {
   for (const auto& c : cases) {
     const auto rows = parse_parameters(std::string("# head\n") + c.toml + "\n", "own-parameters.toml");
     ASSERT_FALSE(rows) << c.toml;
-    EXPECT_EQ(rows.error().find(std::string("own-parameters.toml:2: ") + c.sentence), 0u) << rows.error();
+    EXPECT_EQ(rows.error().find(std::string("own-parameters.toml:2:") + (*c.sentence == 0 ? "17: " : " ") + c.sentence), 0u)
+        << rows.error();
   }
 }
 

@@ -67,18 +67,18 @@ TEST(setup_events, wrong_forms) {
   EXPECT_EQ(refusal(R"({"when": {"code": "M1", "at": "end"}, "do": "start"})"), one);
   EXPECT_EQ(refusal(R"({"when": {"block": "N1", "count": 2}, "do": "start"})"), one);
   EXPECT_EQ(refusal(R"({"when": {"block": "30"}, "do": "start"})"), "setup key 'events[1].when.block' must be a block number, \"N30\"");
-  EXPECT_EQ(refusal(R"({"when": {"code": 90}, "do": "start"})"), "setup key 'events[1].when.code' must be a code word, \"M90\"");
+  EXPECT_EQ(refusal(R"({"when": {"code": 90}, "do": "start"})"), "setup key 'events[1].when.code' must be a text");
   EXPECT_EQ(refusal(R"({"do": "start"})"), "setup key 'events[1]' must be a table with 'when'");
   const std::string when = R"({"when": {"code": "M21"})";
   EXPECT_EQ(refusal(when + "}"), "setup key 'events[1]' must be a table with 'do'");
   EXPECT_EQ(refusal(when + R"(, "do": "jump"})"),
-            "setup key 'events[1].do' must be one of set, skip, start, answer, power_cycle, synchronise, release, spindle_to_axis, "
-            "axis_to_spindle");
+            "setup key 'events[1].do' must be \"set\", \"skip\", \"start\", \"answer\", \"power_cycle\", \"synchronise\", \"release\", "
+            "\"spindle_to_axis\" or \"axis_to_spindle\"");
   EXPECT_EQ(refusal(when + R"(, "do": "set", "value": 1})"), "setup key 'events[1]' must be a table with 'signal'");
   EXPECT_EQ(refusal(when + R"(, "do": "skip", "switch": 1})"), "setup key 'events[1]' must be a table with 'on'");
   EXPECT_EQ(refusal(when + R"(, "do": "answer"})"), "setup key 'events[1]' must be a table with 'answer'");
   EXPECT_EQ(refusal(when + R"(, "do": "synchronise", "spindle": 2})"), "setup key 'events[1]' must be a table with 'master'");
-  EXPECT_EQ(refusal(R"({"wen": {}})"), "unknown setup key 'events[1].wen'; the nearest known one is 'when'");
+  EXPECT_EQ(refusal(R"({"wen": {}})"), "unknown setup key 'events[1].wen'; did you mean 'when'?");
 }
 
 }  // namespace

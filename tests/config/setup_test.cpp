@@ -136,8 +136,18 @@ TEST(setup, machine) {
   EXPECT_EQ(s.machine.at("X").zone3, std::pair(0.0, 100.0));
   EXPECT_EQ(s.machine.at("X").position_error, 0.1);
   EXPECT_EQ(refusal(R"({"machine": {"X": {"zone3": [1, 0]}}})"), "setup key 'machine.X.zone3' must be [least, most]");
+  EXPECT_EQ(
+      refusal(R"({"machine": {"X": {"limits": [1, 1]}}})"),
+      "setup key 'machine.X.limits' must be [least, most], the second above the first, each a number, -10000000 to 10000000 mm or degrees");
+  EXPECT_EQ(refusal(R"({"machine": {"X": {"acceleration": 1e-300}}})"),
+            "setup key 'machine.X.acceleration' must be a number, 0.001 to 1000000000 mm/s² or degrees/s², or null: without limit");
+  EXPECT_EQ(refusal(R"({"machine": {"X": {"rapid": -100}}})"),
+            "setup key 'machine.X.rapid' must be a number, 0.001 to 1000000000 mm/min or degrees/min");
+  EXPECT_EQ(refusal(R"({"feed": -100})"), "setup key 'feed' must be a number, 0 to 1000000000 mm/min");
+  EXPECT_EQ(refusal(R"({"override": {"feed": -1}})"), "setup key 'override.feed' must be a number, 0 to 1000 %");
+  EXPECT_EQ(refusal(R"({"spindle": {"1": {"rpm": -1}}})"), "setup key 'spindle.1.rpm' must be a number, 0 to 1000000 rev/min");
   EXPECT_EQ(refusal(R"({"machine": {"X": {"acceleration": 0}}})"),
-            "setup key 'machine.X.acceleration' must be above zero, or null: without limit");
+            "setup key 'machine.X.acceleration' must be a number, 0.001 to 1000000000 mm/s² or degrees/s², or null: without limit");
 }
 
 TEST(setup, spindles) {
@@ -152,7 +162,7 @@ TEST(setup, spindles) {
   EXPECT_EQ(s.spindles.at(4).ranges, (std::vector<std::pair<double, double>>{{50, 1000}, {800, 4000}}));
   EXPECT_EQ(refusal(R"({"spindle": {"17": {}}})"), "setup key 'spindle.17' must be named by a whole number, 1 to 16");
   EXPECT_EQ(refusal(R"({"spindle": {"1": {"dir": "left"}}})"), "setup key 'spindle.1.dir' must be \"cw\", \"ccw\" or \"stop\"");
-  EXPECT_EQ(refusal(R"({"spindle": {"1": {"ranges": [5]}}})"), "setup key 'spindle.1.ranges' must be [least, most]");
+  EXPECT_EQ(refusal(R"({"spindle": {"1": {"ranges": [5]}}})"), "setup key 'spindle.1.ranges' must be a list of [least, most]");
 }
 
 TEST(setup, probes) {
@@ -200,19 +210,20 @@ TEST(setup, not_served_yet) {
 }
 
 TEST(setup, unknown_key_names_the_nearest) {
-  EXPECT_EQ(refusal(R"({"ofsets": {}})"), "unknown setup key 'ofsets'; the nearest known one is 'offsets'");
-  EXPECT_EQ(refusal(R"({"override": {"fed": 10}})"), "unknown setup key 'override.fed'; the nearest known one is 'feed'");
+  EXPECT_EQ(refusal(R"({"ofsets": {}})"), "unknown setup key 'ofsets'; did you mean 'offsets'?");
+  EXPECT_EQ(refusal(R"({"override": {"fed": 10}})"), "unknown setup key 'override.fed'; did you mean 'feed'?");
 }
 
 TEST(setup, wrong_forms) {
   EXPECT_EQ(refusal(R"({"diameter": {"X": 1}})"), "setup key 'diameter.X' must be true or false");
   EXPECT_EQ(refusal(R"({"plane": "X"})"), "setup key 'plane' must be the names of its two axes, \"XY\"");
-  EXPECT_EQ(refusal(R"({"start": {"X": "1"}})"), "setup key 'start.X' must be a number");
-  EXPECT_EQ(refusal(R"({"zeros": {"a": {}}})"), "setup key 'zeros.a' must be named by a whole number");
-  EXPECT_EQ(refusal(R"({"points": [2]})"), "setup key 'points' must be a list of parts, 0 to 1");
+  EXPECT_EQ(refusal(R"({"start": {"X": "1"}})"), "setup key 'start.X' must be a number, at most 10000000");
+  EXPECT_EQ(refusal(R"({"zeros": {"a": {}}})"), "setup key 'zeros.a' must be named by a whole number, 1 to 9");
+  EXPECT_EQ(refusal(R"({"points": [2]})"), "setup key 'points' must be a list of numbers, 0 to 1");
   EXPECT_EQ(refusal(R"([])"), "setup key 'setup' must be a table { … }");
-  EXPECT_NE(refusal("{").find("not JSON"), std::string::npos);
+  EXPECT_NE(refusal("{").find("the text ends"), std::string::npos);
   EXPECT_FALSE(load_setup("/nowhere/setup.json"));
+  EXPECT_EQ(refusal("{\"feed\": 1,\n\"zeros\": {\"1\": {\"X\": \"a\"}}}"), "setup key 'zeros.1.X' must be a number, at most 10000000");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sqlite3.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +20,7 @@
 #include <random>
 
 #include "config/random_setup.h"
+#include "config/state_check.h"
 
 namespace kadr {
 namespace {
@@ -70,6 +72,11 @@ class state_file : public testing::Test {
     sqlite3_close(connection);
   }
   void text(const std::string& content) { std::ofstream(path_, std::ios::binary) << content; }
+  std::string bytes() const {
+    std::ifstream file(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  bool is_refused() { return refusal().starts_with(name() + " is"); }
   std::string name() const { return path_; }
 
   fs::path folder_, path_;
@@ -114,26 +121,48 @@ TEST_F(state_file, second_process) {
 }
 
 TEST_F(state_file, no_state) {
-  for (const std::string& content :
-       {std::string("%\nN10 G0 X0\n"), std::string(5000, 'x'), std::string("SQLite format 3\0", 16) + std::string(5000, 'x')}) {
+  for (const std::string& content : {std::string("%\nN10 G0 X0\n"), std::string(5000, 'x'),
+                                     std::string("\x7f"
+                                                 "ELF"),
+                                     std::string(1, '\0'), std::string("SQLite format 3\0", 16) + std::string(5000, 'x')}) {
     text(content);
     EXPECT_EQ(refusal(), name() + " is no state file of Kadr");
-    EXPECT_EQ(fs::file_size(path_), content.size());
+    EXPECT_EQ(bytes(), content);
+    EXPECT_FALSE(check_state(path_));
   }
   fs::remove(path_);
   sql("CREATE TABLE shop (tool); INSERT INTO shop VALUES (1)");
   EXPECT_EQ(refusal(), name() + " is no state file of Kadr");
   sql("SELECT * FROM shop");
-  path_ = folder_;
-  EXPECT_EQ(refusal(), name() + " is no file");
   path_ = folder_ / "none" / "shop.state";
-  EXPECT_EQ(refusal(), name() + " cannot be opened: No such file or directory");
+  EXPECT_EQ(refusal(), name() + " cannot be made: there is no such directory");
   EXPECT_EQ(StateFile::open("", "nct").error(), "the state file has no name");
 }
 
-TEST_F(state_file, empty_file_is_new) {
+TEST_F(state_file, what_is_no_file_is_refused_without_waiting) {
+  path_ = folder_;
+  EXPECT_EQ(refusal(), name() + " is a directory, not a file");
+  path_ = "/dev/zero";
+  EXPECT_EQ(refusal(), name() + " is a device, not a file");
+  path_ = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_EQ(refusal(), name() + " is a pipe, not a file");
+  EXPECT_EQ(check_state(path_).error(), name() + " is a pipe, not a file");
+}
+
+// A program's own FOPEN may have made it: what is in it is not a state that began empty.
+TEST_F(state_file, empty_file_is_none) {
   text("");
-  EXPECT_TRUE(stored().empty());
+  EXPECT_EQ(refusal().substr(0, name().size() + 33), name() + " is empty: no state file of Kadr.");
+  EXPECT_EQ(fs::file_size(path_), 0U);
+  EXPECT_FALSE(fs::exists(name() + "-wal"));
+}
+
+/// A log that is left of an earlier file would be laid over a new one.
+TEST_F(state_file, log_of_an_earlier_file) {
+  std::ofstream(name() + "-wal") << "x";
+  EXPECT_EQ(refusal(), name() + " cannot be made: the log of an earlier one, " + name() + "-wal, is still there; put it away first");
+  EXPECT_FALSE(fs::exists(path_));
 }
 
 TEST_F(state_file, corrupt) {
@@ -143,40 +172,166 @@ TEST_F(state_file, corrupt) {
     for (int i = 500; i < 1000; ++i) many.rows.push_back({variables, "#" + std::to_string(i), i * 0.5});
     ASSERT_TRUE(file.save(many));
   }
-  ASSERT_EQ(stored().size(), 500U);
+  const Rows all = stored();
+  ASSERT_EQ(all.size(), 500U);
   const auto size = fs::file_size(path_);
-  for (std::uintmax_t page = 1; page < size / 1024; ++page) {
-    const fs::path whole = folder_ / "whole";
-    fs::copy_file(path_, whole, fs::copy_options::overwrite_existing);
-    std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
-    file.seekp(static_cast<std::streamoff>(page * 1024));
-    file << std::string(1024, 'x');
-    file.close();
-    EXPECT_EQ(refusal(), name() + " is damaged") << page;
-    fs::rename(whole, path_);
+  const std::string sound = bytes();
+  for (std::uintmax_t page = 0; page < size / 1024; ++page) {
+    std::string wrong = sound;
+    wrong.replace(page * 1024, 1024, 1024, 'x');
+    text(wrong);
+    EXPECT_TRUE(is_refused()) << page;
+    EXPECT_EQ(bytes(), wrong) << page;
+    fs::remove(folder_ / "new.state");
+    if (page == 1) continue;  // of the control's name
+    const auto found = recover_state(path_, folder_ / "new.state", "nct");
+    if (!found) continue;  // the first page of the rows
+    EXPECT_FALSE(found->faults.empty());
+    const Rows kept = StateFile::open(folder_ / "new.state", "nct")->load().value().rows;
+    EXPECT_GE(kept.size(), 200U) << page;  // a page in the middle of the tree has many below it
+    for (const StateRow& row : kept) EXPECT_NE(std::find(all.begin(), all.end(), row), all.end());
   }
-  fs::resize_file(path_, size - 1024);
-  EXPECT_EQ(refusal(), name() + " is damaged");
+  text(sound.substr(0, size - 1024));
+  EXPECT_TRUE(is_refused());
 }
 
 TEST_F(state_file, wrong_tables) {
   open();
   sql("DROP TABLE state");
-  EXPECT_EQ(refusal(), name() + " is damaged");
+  EXPECT_TRUE(is_refused());
   fs::remove(path_);
   open();
-  sql("INSERT INTO state VALUES ('variables', '#500', x'00')");
-  EXPECT_EQ(open().load().error(), name() + " is damaged");
+  sql("CREATE TRIGGER more AFTER INSERT ON state BEGIN DELETE FROM about; END");
+  EXPECT_TRUE(is_refused());
+  fs::remove(path_);
+  open();
+  sql("INSERT INTO state VALUES ('variables', '#500', x'00', 1, 1, 0, 0)");
+  EXPECT_TRUE(is_refused());
+}
+
+/// Rows by other hands: a value changed, a row more, one less, one back from an earlier time.
+TEST_F(state_file, rows_of_others) {
+  ASSERT_TRUE(open().save({{{variables, "#500", 1.0}, {variables, "#501", 2.0}}}));
+  const std::string sound = bytes();
+  const auto after = [&](const char* statements) {
+    text(sound);
+    sql(statements);
+    return refusal();
+  };
+  const std::string end = ". All faults: kadr state check; what can be read: kadr state recover";
+  EXPECT_EQ(after("UPDATE state SET value = 3.0 WHERE key = '#500'"),
+            name() + " is damaged: variables #500: its checksum does not fit, it holds 3 (1 more)" + end);
+  EXPECT_EQ(after("DELETE FROM state WHERE key = '#501'"),
+            name() + " is damaged: the checksum of the whole does not fit: 1 sound rows, 2 were saved" + end);
+  EXPECT_EQ(after("INSERT INTO state SELECT 'magnets', key, value, turn, rows, whole, sum FROM state WHERE key = '#501'")
+                .substr(name().size(), 60),
+            " is damaged: magnets #501: its checksum does not fit, it hol");
+  EXPECT_EQ(after("UPDATE about SET value = 'nbt' WHERE name = 'control'").substr(name().size(), 12), " is damaged:");
+  text(sound);
+  EXPECT_EQ(stored().size(), 2U);
+}
+
+TEST_F(state_file, check_names_each_damaged_row) {
+  ASSERT_TRUE(open().save({{{variables, "#500", 1.0}, {variables, "#501", 2.0}, {work_offsets, "G54/X", 40.0}}}));
+  EXPECT_TRUE(check_state(path_)->faults.empty());
+  EXPECT_EQ(check_state(path_)->rows, 3U);
+  EXPECT_EQ(check_state(path_)->control, "nct");
+  sql("UPDATE state SET value = 3.5 WHERE key = '#500'; UPDATE state SET key = 'G55/X' WHERE key = 'G54/X'");
+  const std::string before = bytes();
+  const auto report = check_state(path_);
+  EXPECT_EQ(report->faults, (std::vector<std::string>{"variables #500: its checksum does not fit, it holds 3.5",
+                                                      "work_offsets G55/X: its checksum does not fit, it holds 40",
+                                                      "the checksum of the whole does not fit: 1 sound rows, 3 were saved"}));
+  const auto found = recover_state(path_, folder_ / "new.state", "");
+  ASSERT_TRUE(found) << found.error();
+  EXPECT_EQ(found->faults, report->faults);
+  EXPECT_EQ(bytes(), before);
+  EXPECT_EQ(recover_state(path_, folder_ / "new.state", "").error(), (folder_ / "new.state").string() + " is there already");
+  path_ = folder_ / "new.state";
+  EXPECT_EQ(stored(), (Rows{{variables, "#501", 2.0}}));
+}
+
+TEST_F(state_file, in_use_cannot_be_checked) {
+  const StateFile file = open();
+  const auto sentence = [&] { return check_state(path_).error() == name() + " is in use by another process" ? 0 : 1; };
+  EXPECT_EQ(in_child(sentence), 0);
+}
+
+/// As Kadr wrote it before there were checksums.
+TEST_F(state_file, without_checksums) {
+  sql("PRAGMA page_size = 1024; CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
+      "CREATE TABLE state (kind TEXT, key TEXT, value NOT NULL, PRIMARY KEY (kind, key)) WITHOUT ROWID;"
+      "PRAGMA application_id = 1264673906; PRAGMA user_version = 1000; INSERT INTO about VALUES ('control', 'nct');"
+      "INSERT INTO state VALUES ('variables', '#500', 1.5), ('parameters', 'N0605.1', 'S'), ('tool_table', '1/T', 4.0)");
+  const Rows old = {{variables, "#500", 1.5}, {parameters, "N0605.1", std::string("S")}, {tool_table, "1/T", 4.0}};
+  EXPECT_TRUE(state_is_unchecked(path_));
+  EXPECT_FALSE(check_state(path_)->checked);
+  EXPECT_EQ(stored(), old);
+  EXPECT_TRUE(state_is_unchecked(path_));  // reading changes nothing
+  {
+    StateFile file = open();
+    ASSERT_TRUE(file.save({{{variables, "#500", {}}}}));
+    ASSERT_TRUE(file.save({{{variables, "#501", 7.0}}}));
+  }
+  EXPECT_FALSE(state_is_unchecked(path_));
+  EXPECT_TRUE(check_state(path_)->faults.empty());
+  EXPECT_TRUE(check_state(path_)->checked);
+  EXPECT_EQ(stored(), (Rows{{variables, "#501", 7.0}, {parameters, "N0605.1", std::string("S")}, {tool_table, "1/T", 4.0}}));
 }
 
 TEST_F(state_file, newer_versions) {
   open();
-  sql("PRAGMA user_version = 1007; INSERT INTO state VALUES ('magnets', 'north', 1.5)");
+  sql("PRAGMA user_version = 2007");
   ASSERT_TRUE(open().save({{{variables, "#500", 1.0}}}));
-  EXPECT_EQ(stored(), (Rows{{variables, "#500", 1.0}}));
-  sql("CREATE TABLE checked (n CHECK (n = 1)); INSERT INTO checked SELECT count(*) FROM state WHERE kind = 'magnets' AND value = 1.5");
-  sql("PRAGMA user_version = 2000");
-  EXPECT_EQ(refusal(), name() + " was written by a newer Kadr: its state version is 2, this one reads up to 1");
+  sql("PRAGMA user_version = 3000");
+  EXPECT_EQ(refusal(), name() + " was written by a newer Kadr: its state version is 3, this one reads up to 2");
+}
+
+// A bit of each byte of a small file, one at a time: refused, or the very same values. (All bits take minutes.)
+TEST_F(state_file, one_flipped_bit) {
+  ASSERT_TRUE(open().save({{{variables, "#500", 1.5},
+                            {variables, "#501", -0.1},
+                            {work_offsets, "G54/X", 40.0},
+                            {parameters, "N0605.1", std::string("S")},
+                            {tool_table, "1/T", 4.0}}}));
+  const Rows rows = stored();
+  const std::string sound = bytes();
+  int refused = 0, same = 0, tried = 0, recovered = 0;
+  for (std::size_t byte = 0; byte < sound.size(); ++byte) {
+    const std::size_t bit = byte * 8 + byte % 8;
+    std::string flipped = sound;
+    flipped[byte] = static_cast<char>(flipped[byte] ^ (1 << bit % 8));
+    for (const auto& entry : fs::directory_iterator(folder_)) fs::remove(entry);
+    text(flipped);
+    const auto file = StateFile::open(path_, "nct");
+    if (file) {
+      ++same;
+      ASSERT_EQ(const_cast<StateFile&>(*file).load().value().rows, rows) << "bit " << bit;
+      continue;
+    }
+    ++refused;
+    ASSERT_EQ(bytes(), flipped) << "bit " << bit;
+    if (refused % 4 != 0) continue;
+    ++tried;
+    const auto found = recover_state(path_, folder_ / "new.state", "nct");
+    if (found && found->rows + 1 >= rows.size()) ++recovered;
+    if (!found) continue;
+    const Rows kept = StateFile::open(folder_ / "new.state", "nct")->load().value().rows;
+    for (const StateRow& row : kept) ASSERT_NE(std::find(rows.begin(), rows.end(), row), rows.end()) << "bit " << bit;
+  }
+  EXPECT_GT(refused, 100);
+  EXPECT_GT(same, 100);
+  EXPECT_GT(recovered, tried * 8 / 10) << tried;  // all but one row
+}
+
+TEST_F(state_file, cut_off) {
+  ASSERT_TRUE(open().save({{{variables, "#500", 1.5}}}));
+  const std::string sound = bytes();
+  for (std::size_t size = 0; size < sound.size(); size += size < 200 ? 1 : 13) {
+    text(sound.substr(0, size));
+    ASSERT_NE(refusal(), "opened") << size;
+    ASSERT_EQ(fs::file_size(path_), size);
+  }
 }
 
 /// In a child that may write no more than so many bytes to a file.
@@ -310,10 +465,12 @@ TEST(state_rows, wrong_rows) {
     const auto setup = setup_of({{{table, key, value}}});
     return setup ? "read" : setup.error();
   };
-  EXPECT_EQ(refusal(offsets, "5/length", std::string("a")), "setup key 'offsets.5.length' must be a number");
-  EXPECT_EQ(refusal(offsets, "5", 1.0), "unknown setup key 'offsets.5.'; the nearest known one is 'length'");
-  EXPECT_EQ(refusal(tool_table, "2/user/21", 1.0), "unknown setup key 'tool_table.2.user/21'; the nearest known one is 'user'");
-  EXPECT_EQ(refusal(tool_table, "2/user/3", std::string("a")), "setup key 'tool_table.2.user' must be a number");
+  EXPECT_EQ(refusal(offsets, "5/length", std::string("a")), "setup key 'offsets.5.length' must be a number, at most 10000000");
+  EXPECT_EQ(refusal(offsets, "5", 1.0),
+            "unknown setup key 'offsets.5.'; here stand length, length_wear, radius, radius_wear, corner_radius, corner_radius_wear, "
+            "length_x, length_x_wear, length_y, length_y_wear, tip_position");
+  EXPECT_EQ(refusal(tool_table, "2/user/21", 1.0), "unknown setup key 'tool_table.2.user/21'; did you mean 'user'?");
+  EXPECT_EQ(refusal(tool_table, "2/user/3", std::string("a")), "setup key 'tool_table.2.user' must be a list of numbers");
   EXPECT_EQ(refusal(variables, "500", 1.0), "setup key 'variables.500' must be named #n, #_NAME, or R0 to R9");
 }
 

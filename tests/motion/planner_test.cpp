@@ -7,50 +7,19 @@
 
 #include <cmath>
 
+#include "planned_run.h"
+
 namespace kadr {
 namespace {
 
+using test::Piece;
+using test::PlannedRun;
+using test::Point;
+
 constexpr double speed = 200, acceleration = 1000, jerk = 20000;
-using Point = std::array<double, 3>;
 
-struct Piece {
-  Point to;
-  double feed, tolerance;
-};
-
-struct Planned {
-  double seconds = 0;
-  double speed = 0, acceleration = 0, jerk = 0;  // greatest of any axis, by differences
-  std::vector<Point> points;                     // every millisecond
-  Point end{};
-  std::size_t failures = 0;
-};
-
-Planned planned(const std::vector<Piece>& pieces, const Point& start = {}) {
-  Planned run;
-  const double period = 1e-3;
-  double due = 0;
-  Planner planner({{speed, speed, speed}, {acceleration, acceleration, acceleration}, {jerk, jerk, jerk}}, [&](const TimedCells& cells) {
-    for (std::size_t k = 0; k < cells.laws.size(); ++k) {
-      const TimeLaw& law = cells.laws[k];
-      for (; due < law.seconds; due += period) cells.position(k, law.way(due), run.points.emplace_back().data());
-      due -= law.seconds;
-      run.seconds += law.seconds;
-      cells.position(k, law.length, run.end.data());
-    }
-  });
-  planner.begin(start.data());
-  for (const Piece& piece : pieces) planner.line_to(piece.to.data(), piece.feed, piece.tolerance, false, 0);
-  planner.stop();
-  run.failures = planner.failures();
-  const auto& p = run.points;
-  for (std::size_t i = 3; i < p.size(); ++i)
-    for (std::size_t a = 0; a < 3; ++a) {
-      run.speed = std::max(run.speed, std::fabs(p[i][a] - p[i - 1][a]) / period);
-      run.acceleration = std::max(run.acceleration, std::fabs(p[i][a] - 2 * p[i - 1][a] + p[i - 2][a]) / (period * period));
-      run.jerk = std::max(run.jerk, std::fabs(p[i][a] - 3 * p[i - 1][a] + 3 * p[i - 2][a] - p[i - 3][a]) / (period * period * period));
-    }
-  return run;
+PlannedRun planned(const std::vector<Piece>& pieces, const Point& start = {}) {
+  return test::planned_run(test::three_axes(speed, acceleration, jerk), pieces, start);
 }
 
 double away(const Point& p, const Point& a, const Point& b) {
@@ -61,7 +30,7 @@ double away(const Point& p, const Point& a, const Point& b) {
   return std::sqrt(off);
 }
 
-double furthest(const Planned& run, const std::vector<Piece>& pieces, const Point& start = {}) {
+double furthest(const PlannedRun& run, const std::vector<Piece>& pieces, const Point& start = {}) {
   double worst = 0;
   for (const Point& p : run.points) {
     double least = 1e300;
@@ -72,7 +41,7 @@ double furthest(const Planned& run, const std::vector<Piece>& pieces, const Poin
   return worst;
 }
 
-void expect_within_limits(const Planned& run) {
+void expect_within_limits(const PlannedRun& run) {
   constexpr double over = 1.001;  // of differences of doubles
   EXPECT_LE(run.speed, speed * over);
   EXPECT_LE(run.acceleration, acceleration * over);
@@ -82,7 +51,7 @@ void expect_within_limits(const Planned& run) {
 
 // nct 7.0: L ≥ 2 F (F/a + T)/2, T = a/j: t = F/a + T + L/F
 TEST(Planner, ALineFromRestToRestTakesTheClosedFormsTime) {
-  const Planned run = planned({{{40, 0, 0}, 100, 0}});
+  const PlannedRun run = planned({{{40, 0, 0}, 100, 0}});
   EXPECT_NEAR(run.seconds, 0.1 + 0.05 + 0.4, 1e-9);
   expect_within_limits(run);
 }
@@ -92,7 +61,7 @@ TEST(Planner, AShortLineDoesNotReachTheAcceleration) {
 }
 
 TEST(Planner, WithoutToleranceItStopsAtEachCorner) {
-  const Planned run = planned({{{40, 0, 0}, 100, 0}, {{40, 25, 0}, 100, 0}});
+  const PlannedRun run = planned({{{40, 0, 0}, 100, 0}, {{40, 25, 0}, 100, 0}});
   EXPECT_NEAR(run.seconds, 0.55 + 0.4, 1e-9);
   EXPECT_LT(furthest(run, {{{40, 0, 0}, 0, 0}, {{40, 25, 0}, 0, 0}}), 1e-9);
 }
@@ -100,7 +69,7 @@ TEST(Planner, WithoutToleranceItStopsAtEachCorner) {
 // Back on the same line without standing: one change of speed from +v to −v takes 2 v/a + a/j, two ramps 2 (v/a + a/j); at 100 mm/s it
 // saves 0.05 s of 1.1 s, and the way that is gone meanwhile is the same.
 TEST(Planner, TurningBackTakesOneChangeOfSpeed) {
-  const Planned run = planned({{{40, 0, 0}, 100, 0.01}, {{0, 0, 0}, 100, 0.01}});
+  const PlannedRun run = planned({{{40, 0, 0}, 100, 0.01}, {{0, 0, 0}, 100, 0.01}});
   EXPECT_LT(run.seconds, 1.06);
   EXPECT_GT(run.seconds, 1.04);
   double most = 0;
@@ -111,7 +80,7 @@ TEST(Planner, TurningBackTakesOneChangeOfSpeed) {
 
 TEST(Planner, ACornerIsFasterThanAStopAndWithinTheTolerance) {
   const std::vector<Piece> corner{{{40, 0, 0}, 100, 0.01}, {{40, 25, 0}, 100, 0.01}};
-  const Planned run = planned(corner);
+  const PlannedRun run = planned(corner);
   EXPECT_LT(run.seconds, 0.95);
   EXPECT_LE(furthest(run, corner), 0.01);
   expect_within_limits(run);
@@ -138,7 +107,7 @@ TEST(Planner, AChainOfShortLinesIsNotSlowedByItsCorners) {
     const double angle = 2 * 3.14159265358979323846 * i / pieces;
     circle.push_back({{radius * std::sin(angle), radius * (1 - std::cos(angle)), 0}, feed, 0.01});
   }
-  const Planned run = planned(circle);
+  const PlannedRun run = planned(circle);
   const double way = 2 * 3.14159265358979323846 * radius;
   EXPECT_LT(run.seconds, way / feed + 0.12);
   EXPECT_LE(furthest(run, circle), 0.01);
@@ -149,7 +118,7 @@ TEST(Planner, AChainOfShortLinesIsNotSlowedByItsCorners) {
 TEST(Planner, AVeryLongSlowLineTakesFewCells) {
   std::size_t cells = 0;
   double seconds = 0;
-  Planner planner({{speed, speed, speed}, {acceleration, acceleration, acceleration}, {jerk, jerk, jerk}}, [&](const TimedCells& timed) {
+  Planner planner(test::three_axes(speed, acceleration, jerk), [&](const TimedCells& timed) {
     cells += timed.laws.size();
     seconds += timed.seconds();
   });
@@ -165,7 +134,7 @@ TEST(Planner, AVeryLongSlowLineTakesFewCells) {
 TEST(Planner, AWindowMuchShorterThanThePathCostsNoTime) {
   std::vector<Piece> chain;
   for (int i = 1; i <= 20000; ++i) chain.push_back({{i * 0.05, 0.2 * std::sin(i * 0.01), 0}, 80, 0.01});
-  const Planned run = planned(chain);
+  const PlannedRun run = planned(chain);
   EXPECT_LT(run.seconds, 1000.0 / 80 * 1.0005 + 0.15);
   expect_within_limits(run);
 }
@@ -188,7 +157,7 @@ std::vector<Piece> random_pieces(bool mixed) {
 
 RC_GTEST_PROP(PlannerProperty, ObeysEveryLimitAndFollowsThePath, ()) {
   const std::vector<Piece> pieces = random_pieces(true);
-  const Planned run = planned(pieces);
+  const PlannedRun run = planned(pieces);
   constexpr double over = 1.002;
   RC_ASSERT(run.failures == 0U);
   RC_ASSERT(run.speed <= speed * over);

@@ -79,7 +79,8 @@ TEST(alarm_print, sarif) {
   AlarmReport other = report();
   other.alarm = warning(AlarmId::look_alike_letter, {0, 2}, "С", "C");
   const auto log = nlohmann::json::parse(findings_sarif(
-      {finding_of(report(), texts(), Lang::en), finding_of(other, texts(), Lang::en), finding_of(report(), texts(), Lang::en)}, "0.1.0"));
+      {finding_of(report(), texts(), Lang::en), finding_of(other, texts(), Lang::en), finding_of(report(), texts(), Lang::en)},
+      {"0.1.0", 2, {{"folder/no.nc", "Permission denied"}}}));
   EXPECT_EQ(log.at("version"), "2.1.0");
   EXPECT_TRUE(log.at("$schema").get<std::string>().ends_with("sarif-2.1.0.json"));
   const auto& run = log.at("runs").at(0);
@@ -87,6 +88,12 @@ TEST(alarm_print, sarif) {
   EXPECT_EQ(driver.at("name"), "Kadr");
   ASSERT_EQ(driver.at("rules").size(), 2U);
   ASSERT_EQ(run.at("results").size(), 3U);
+  const auto& invocation = run.at("invocations").at(0);
+  EXPECT_EQ(invocation.at("executionSuccessful"), false);
+  EXPECT_EQ(invocation.at("exitCode"), 2);
+  const auto& unread = invocation.at("toolExecutionNotifications").at(0);
+  EXPECT_EQ(unread.at("message").at("text"), "Permission denied");
+  EXPECT_EQ(unread.at("locations").at(0).at("physicalLocation").at("artifactLocation").at("uri"), "folder/no.nc");
   for (const auto& result : run.at("results")) {
     EXPECT_EQ(driver.at("rules").at(result.at("ruleIndex").get<std::size_t>()).at("id"), result.at("ruleId"));
     EXPECT_FALSE(result.at("message").at("text").get<std::string>().empty());

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "actions.h"
+#include "out/page_file.h"
 #include "out/plot_view.h"
 
 namespace kadr {
@@ -112,22 +113,24 @@ TEST(plot, writes_svg_and_png) {
   const auto folder = std::filesystem::temp_directory_path();
   for (const char* name : {"kadr_plot_test.svg", "kadr_plot_test.png"}) {
     const std::string file = (folder / name).string();
-    const auto done = small_part().write(file, {"part.nc", "2С42-65", Lang::ru});
+    auto page = ResultFile::open(file);
+    ASSERT_TRUE(page);
+    const auto done = small_part().write(*page, {"part.nc", "2С42-65", Lang::ru});
     ASSERT_TRUE(done) << done.error();
+    ASSERT_TRUE(page->keep());
     std::ifstream stream(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
     EXPECT_NE(bytes.substr(0, 100).find(name[15] == 's' ? "<svg" : "PNG"), std::string::npos);
     std::filesystem::remove(file);
   }
-  EXPECT_EQ(small_part().write("a.pdf", {}).error(), "a.pdf: a plot is .svg or .png");
-  EXPECT_FALSE(small_part().write("/nowhere/a.png", {}));
-  EXPECT_FALSE(small_part().write("/nowhere/a.svg", {}));
+  EXPECT_EQ(page_fault("a.pdf"), "a.pdf: a plot is .svg or .png");
 }
 
 TEST(plot, without_motion_it_says_so) {
   const std::string file = (std::filesystem::temp_directory_path() / "kadr_plot_empty.png").string();
-  EXPECT_TRUE(Plot(names, 0, {}).write(file, {"empty.nc", "Mach3", Lang::en}));
-  std::filesystem::remove(file);
+  const auto page = ResultFile::open(file);
+  ASSERT_TRUE(page);
+  EXPECT_TRUE(Plot(names, 0, {}).write(*page, {"empty.nc", "Mach3", Lang::en}));
 }
 
 }  // namespace

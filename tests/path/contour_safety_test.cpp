@@ -1,5 +1,6 @@
-// path/radius_compensation, path/interference, path/contour_watch together: whatever the contour, a path that is nearer to it than the
-// tool's radius is told, and what is told is true. The slow twin samples path and contour. NCT 15.5.
+// path/radius_compensation, path/interference, path/contour_watch together: whatever the contour, a path that is nearer to the part than
+// the tool's radius is told, and what is told is true. The slow twin samples path and contour. NCT 15.5. What the part is where such a
+// contour crosses itself, path/contour_closing says (its own test: contour_watch_test).
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "contours.h"
+#include "path/contour_closing.h"
 
 namespace kadr {
 namespace {
@@ -69,10 +71,32 @@ Outcome carried_out(const Contour& contour, const ContourCheck& check) {
   return outcome;
 }
 
-/// Least distance of the tool's way along the contour to the contour, by sampling.
+/// Points of the part's contour: without what lies before the place where it closes and behind it.
+std::vector<Vec2> part_of(const Contour& contour) {
+  std::vector<PlanePiece> pieces;
+  for (std::size_t i = 1; i + 1 < contour.motions.size(); ++i) {
+    const Motion& m = contour.motions[i];
+    const Vec2 from{contour.motions[i - 1].to[0], contour.motions[i - 1].to[1]}, to{m.to[0], m.to[1]};
+    pieces.push_back(is_arc(m.kind) ? PlanePiece::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns)
+                                    : PlanePiece::line(from, to));
+  }
+  const ContourLoop loop = closing(pieces, 0).value_or(ContourLoop{0, 0, pieces.size() - 1, 1});
+  std::vector<Vec2> points;
+  for (std::size_t i = loop.first; i <= loop.last; ++i) {
+    const PlanePiece p = cut_out(pieces[i], i == loop.first ? loop.first_part : 0, i == loop.last ? loop.last_part : 1);
+    Motion m = test::straight(MotionKind::feed, {p.to.x, p.to.y, 0});
+    if (p.is_arc)
+      m = test::arc(p.turns > 0 ? MotionKind::arc_ccw : MotionKind::arc_cw, {p.to.x, p.to.y, 0}, {p.center.x, p.center.y, 0},
+                    std::fabs(p.turns));
+    for (const Vec2 at : test::sampled({m}, {p.from.x, p.from.y})) points.push_back(at);
+  }
+  return points;
+}
+
+/// Least distance of the tool's way along the contour to the part, by sampling.
 double nearest(const Contour& contour, const Outcome& outcome) {
   const std::size_t last_line = contour.motions.size();
-  const auto programmed = test::sampled({contour.motions.begin() + 1, contour.motions.end() - 1}, contour.motions.front().to);
+  const auto programmed = part_of(contour);
   double least = 1e9;
   Axes from{};
   std::size_t taken = 0;

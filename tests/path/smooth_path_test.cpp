@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace kadr {
@@ -42,6 +43,35 @@ TEST(SmoothPath, ACornerAloneUsesItsTolerance) { EXPECT_NEAR(most_moved({{30, 0,
 // A gentle corner close to a sharp one: what moves the path most lies behind both.
 TEST(SmoothPath, AWideRoundingBesideANarrowOneStaysWithin) {
   EXPECT_LE(most_moved({{3, 0, 0.005}, {3.004, 0.0097, 0.005}, {3.3, 1.32, 0.005}, {5, 1.2, 0.005}, {5, 4, 0.005}}), 1.001);
+}
+
+// By the next place where the axes stand for an instant, on either side.
+TEST(SmoothPath, TheRoomOfWhereItTurnsBack) {
+  SmoothPath path(1);
+  const double start = 0;
+  path.begin(&start);
+  for (const double to : {1.0, 0.75, 0.875, 0.874}) path.line_to(&to, 1, 0.01, false, 0);
+  path.settle(true);
+  const double expected[] = {1, 0.25, 0.125, 0.001, 0.001};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(path.room(i), expected[i], 1e-12) << i;
+}
+
+// A right angle: its corner is cut by the tolerance t at most, so that a point 2 t from the corner on the bisector is as much again beyond
+// it.
+TEST(SmoothPath, HowFarAPointIsBeyondTheTolerance) {
+  constexpr double tolerance = 0.02;
+  SmoothPath path(2);
+  for (const std::array<double, 2>& to : {std::array{0.0, 0.0}, std::array{10.0, 0.0}, std::array{10.0, 10.0}})
+    to[0] + to[1] == 0 ? path.begin(to.data()) : path.line_to(to.data(), 1, tolerance, false, 0);
+  path.settle(true);
+  const auto beyond = [&](double x, double y) {
+    const std::array<double, 2> at{x, y};
+    return path.beyond(10, 1, at.data());
+  };
+  EXPECT_EQ(beyond(10, 0), 0);
+  EXPECT_EQ(beyond(10 - 0.99 * tolerance, 0.99 * tolerance), 0);
+  EXPECT_NEAR(beyond(10 - 2 * tolerance, 2 * tolerance), 1, 1e-9);
+  EXPECT_NEAR(beyond(10 + 1.5 * tolerance, 0), 0.5, 1e-9);
 }
 
 RC_GTEST_PROP(SmoothPathProperty, StaysWithinTheTolerance, ()) {

@@ -39,11 +39,13 @@ Result<Named> read(const Machinery& m, const Word& w) {
 }
 
 /// Of the corrector that T names (2: T0915, corrector 15 = radius), mm; 0: not known.
-double tool_radius(const Machinery& m) {
+double tool_radius(Machinery& m) {
   const std::size_t number = m.modal.corrector;
   if (number == 0 || number >= m.tables.correctors.size()) return 0;
   const double stored = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_radius() : 0.0;
-  return std::fabs(stored != 0 ? stored : m.tables.correctors[number]);
+  const double radius = std::fabs(stored != 0 ? stored : m.tables.correctors[number]);
+  m.use.note(UseKind::corrector, static_cast<std::uint32_t>(number), m.origin, radius == 0);
+  return radius;
 }
 
 /// Coaxial pockets (3, figure b): one whose face lies deeper than another's begins on the floor of a larger one. Elsewhere the rapid down
@@ -76,6 +78,7 @@ Result<AxisMask> correctors::apply(Machinery& m) {
       m.warn(warning(AlarmId::corrector_not_set, w.where, double(named->number)));
     }
     const double stored = m.tables.correctors[named->number];
+    if (named->number != 0) m.use.note(UseKind::corrector, static_cast<std::uint32_t>(named->number), m.origin, stored == 0);
     const double counted = m.modal.corrector_sign == 0 ? stored : m.modal.corrector_sign * std::fabs(stored);
     for (std::size_t a = 0; a < corrected_axes; ++a) {
       if ((named->axes >> a & 1u) == 0) continue;

@@ -105,8 +105,8 @@ Status return_from(Machinery& m, const Call& code) {
     return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
   CallFrame* const top = m.flow.innermost();
   if (top == nullptr) {  // in the main program: a jump (14.4.4)
-    if (p != nullptr) return go_to_block(m, p->value, p->where);
-    return m.flow.restart(code.where);
+    if (p != nullptr) return go_to_block_again(m, p->value, p->where);
+    return m.begin_again(code.where);
   }
   std::uint32_t passes = top->left;
   if (m.has('L')) {  // INFERRED: k passes more than the first (14.4.3)

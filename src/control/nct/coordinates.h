@@ -17,6 +17,8 @@ namespace kadr::nct {
 Status target(const Machinery& m, Axes& to, AxisMask& named);
 /// Value of an axis word in mm or degrees; a diameter as a radius.
 double coordinate(const Machinery& m, const Word& w, std::size_t axis);
+/// The axis is programmed in diameter (5.3).
+bool is_diameter(const Machinery& m, std::size_t axis);
 /// By G91, the operator I or an address of increments.
 bool is_increment(const Machinery& m, const Word& w);
 /// Origin, length, shifts and basic rotation worked out anew (10, position chain).

@@ -76,11 +76,12 @@ void roll(Machinery& m, const Follower& follower, MotionDetail& detail) {
 
 }  // namespace
 
-std::string coupling_error(const Machinery& m, const std::vector<SetupEvent>& events) {
+SetupFault coupling_fault(const Machinery& m, const std::vector<SetupEvent>& events) {
   for (const SetupEvent& event : events)
     for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>())
       if (const int axis = axis_named(m, name); axis >= 0 && !master_of(m, static_cast<std::size_t>(axis)))
-        return "events: N2101." + name + " is not the number of another axis of the channel";
+        return {"events", "events: N2101." + name + " is not the number of another axis of the channel",
+                "events: N2101." + name + " не задаёт номер другой оси канала"};
   return {};
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "config/setup.h"
+#include "config/setup_file.h"
 #include "control/action.h"
 
 namespace kadr {
@@ -22,7 +22,7 @@ struct Couplings {
 };
 
 /// What the set-up's events ask for and cannot be: a sentence; empty: all can.
-std::string coupling_error(const Machinery& m, const std::vector<SetupEvent>& events);
+SetupFault coupling_fault(const Machinery& m, const std::vector<SetupEvent>& events);
 
 /// Gantry axes (N2102 #4 PSN=1) stand where their masters stand, and follow them from now on.
 void couple_gantries(Machinery& m);

@@ -128,6 +128,7 @@ void note_motion(Machinery& m, Motion& motion) {
   }
   if (m.modal.radius_side != 0 || nct.state.side_step != SideStep::none) note_side(m, motion);
   if (nct.couplings.axes != 0) follow(m, motion);
+  if (!nct.spindle_axes.empty()) watch_spindle_axes(m, motion.named);
 }
 
 }  // namespace kadr::nct

@@ -57,8 +57,9 @@ Result<bool> call_interrupt(Machinery& m, BlockMoment moment) {
   if (moment == BlockMoment::start) m.flow.jump(m.block->position);  // it is read again behind the macro
   KADR_TRY(m.flow.call_at(nct.interrupt_program->reader, nct.interrupt_program->start, frame, m.block->where));
   if (frame.opened_level) nct.variables.open_level(no_locals());
-  nct.active_modal_calls = 0;
   nct.interrupted = {true, m.modal, nct.state.words, m.transform};
+  nct.interrupted_cycles = {nct.state.drilling, nct.state.turning, nct.modal_calls, nct.active_modal_calls};
+  nct.active_modal_calls = 0;
   return true;
 }
 
@@ -69,6 +70,10 @@ void Nct::end_interrupt(Machinery& m, bool restore) {
   if (!restore) return;
   m.modal = interrupted.modal;
   state.words = interrupted.words;
+  state.drilling = interrupted_cycles.drilling;
+  state.turning = interrupted_cycles.turning;
+  modal_calls = std::move(interrupted_cycles.modal_calls);
+  active_modal_calls = interrupted_cycles.active_modal_calls;
   m.transform = interrupted.transform;
   m.position.programmed = m.transform.to_programmed(before_transform(m));
   m.change_frames();

@@ -1,16 +1,25 @@
 // Length compensation and offset numbers: G43, G44, G49, H, D; the side of G41, G42 (spec/nct/15 15.3, 12 12.5.1).
 
+#include <algorithm>
+
 #include "control/functions.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 #include "control/nct/sides.h"
 
 namespace kadr {
+namespace {}  // namespace
+
+std::uint32_t nct::most_offsets(const Machinery& m) {
+  const int most = m.nct->tools.limits().offsets;
+  return most > 0 ? std::min(static_cast<std::uint32_t>(most), m.def.behaviour.offsets) : m.def.behaviour.offsets;
+}
+
 namespace {
 
 /// The number in the word; N2923 means that of the tool in the spindle.
 Result<std::uint32_t> offset_number(const Machinery& m, char letter) {
-  const auto number = m.whole(letter, 0, m.def.behaviour.offsets);
+  const auto number = m.whole(letter, 0, nct::most_offsets(m));
   if (!number) return number;
   const int by_tool = m.nct->settings.offset_by_tool;
   if (by_tool == 0 || *number != static_cast<std::uint32_t>(by_tool)) return number;
@@ -34,20 +43,29 @@ AxisMask length_axes(const Machinery& m) {
   return axes;
 }
 
+/// What a length of the table shifts the axis by: on one programmed in diameter it is a diameter (5.3, 15.3). Decided when the
+/// length is called: the table does not know its axis, and G10.9 leaves the machine where it is.
+double shift_by(const Machinery& m, std::size_t axis, double length) { return nct::is_diameter(m, axis) ? length / 2 : length; }
+
 /// G43.7 (15.4): the sums of the table for turning on X, Y, Z at once.
 void register_turning(Machinery& m, std::uint32_t number) {
   const ToolOffset none, &offset = number == 0 || number >= m.tables.offsets.size() ? none : m.tables.offsets[number];
+  if (number != 0) m.use.note(UseKind::length, number, m.origin, offset == none);
   const double lengths[] = {offset.length_x + offset.length_x_wear, offset.length_y + offset.length_y_wear, offset.whole_length()};
   for (int role = 1; role <= 3; ++role)
-    if (const int axis = nct::main_axis(m, role); axis >= 0) m.modal.lengths[static_cast<std::size_t>(axis)] = lengths[role - 1];
+    if (const int main = nct::main_axis(m, role); main >= 0) {
+      const auto axis = static_cast<std::size_t>(main);
+      m.modal.lengths[axis] = shift_by(m, axis, lengths[role - 1]);
+    }
 }
 
 void register_length(Machinery& m, std::uint32_t number) {
   if (m.modal.turning_lengths) return register_turning(m, number);
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
+  if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
   const AxisMask axes = length_axes(m);
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * length;
+    if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
 }
 
 }  // namespace
@@ -82,19 +100,24 @@ Status length_comp(Machinery& m, const Call& call) {
   } else if (!m.has_axis_words() && !turning) {
     return {};
   }
+  if (m.has('H') && !turning && length_axes(m) == 0)  // what a program for another control means is not done
+    m.warn(warning(AlarmId::length_no_axis, call.where, call.row->code));
   register_length(m, m.modal.length_number);
   m.change_frames();
   return {};
 }
 
 /// H: in the state of G43, G44 the new value acts at once; else only the number is kept.
-Status length_number(Machinery& m, const Call&) {
+Status length_number(Machinery& m, const Call& call) {
   if (m.has_code({Function::length_comp})) return {};
   const auto number = offset_number(m, 'H');
   if (!number) return fail(number.error());
+  const bool changes = m.modal.length_number != *number;
   m.modal.length_number = *number;
   m.nct->state.words.h = *number;
   if (m.modal.length_sign == 0) return {};
+  if (changes && !m.modal.turning_lengths && length_axes(m) == 0)
+    m.warn(warning(AlarmId::length_no_axis, call.where, m.block->text_of(call.where)));
   register_length(m, *number);
   m.change_frames();
   return {};

@@ -57,6 +57,7 @@ class MacroVariables {
   /// The end of the program: only the main program's level is left, and it is empty (23.1.3).
   void close_levels() { levels_.assign(1, no_locals()); }
   std::size_t depth() const { return levels_.size(); }
+  const std::vector<Locals>& levels() const { return levels_; }
 
   /// The commons that outlive power-off and were written since the last call.
   std::vector<std::uint16_t> take_changed();

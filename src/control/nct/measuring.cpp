@@ -184,7 +184,8 @@ Status correct_length(Machinery& m, const Measurement& of, double there) {
   m.keep_offset(of.offset);
   ToolOffset& offset = m.tables.offsets[of.offset];
   double& corrected = m.nct->settings.length_wear ? offset.length_wear : offset.length;
-  corrected += m.nct->settings.length_adds ? way : -way;
+  const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: the table of a diameter axis holds diameters
+  corrected += m.nct->settings.length_adds ? entered : -entered;
   m.nct->changed_offsets.push_back(of.offset);
   return {};
 }
@@ -193,6 +194,7 @@ Status correct_length(Machinery& m, const Measurement& of, double there) {
 
 Status take_answer(Machinery& m, const ProbeAnswer& answer) {
   Nct& nct = *m.nct;
+  nct.endless.note_change();
   m.needs_probe = false;
   for (std::size_t a = 0; a < m.axis_count; ++a) m.position.work[a] = answer.at[a];
   const Axes machine = m.frames.machine_of(m.position.work);

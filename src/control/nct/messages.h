@@ -15,5 +15,7 @@ namespace kadr::nct {
 Status message(Machinery& m, const Statement& s);
 /// On with the block of that number in the file being read (23.2.8). alarms block_not_found (2125)
 Status go_to_block(Machinery& m, double number, Span where);
+/// The same for M99 P of a main program, which makes another pass where it goes back (14.4.4).
+Status go_to_block_again(Machinery& m, double number, Span where);
 
 }  // namespace kadr::nct

@@ -123,8 +123,11 @@ Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_
     : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
       parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
       tools(setup, tool_limits(parameters)),
-      output({limits.files, std::uint64_t{1} << 30, limits.writes_files ? OutputWriting::files : OutputWriting::nothing}) {
-  if (!parameters.error().empty()) m.start_error = parameters.error();
+      output({.root = limits.files,
+              .writing = limits.writes_files ? OutputWriting::files : OutputWriting::nothing,
+              .untouched = limits.untouched}) {
+  if (const std::string& error = parameters.error(); !error.empty())
+    m.start_fault = {"parameters", error, "ключ «parameters» исходного состояния: недопустимое значение (" + error + ")"};
   const auto group_of = [&](std::int32_t tenth) {
     const std::int32_t row = m.def.row_of('G', tenth);
     return row < 0 ? std::uint8_t{0} : m.def.codes[static_cast<std::size_t>(row)].group;
@@ -179,8 +182,9 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
   for (const auto& [name, value] : setup.variables) {
     if (name.size() < 2 || name[0] != '#') continue;
     const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
-    if (const Status written = set_start_value(m, number, value ? *value : vacant); !written && m.start_error.empty())
-      m.start_error = "variables: " + name;
+    if (const Status written = set_start_value(m, number, value ? *value : vacant); !written && m.start_fault.empty())
+      m.start_fault = {"variables." + name, "setup key 'variables." + name + "': no such variable, or not one that can be given",
+                       "ключ «variables." + name + "» исходного состояния: такой переменной нет, или её нельзя задать"};
   }
   for (const auto& [name, on] : setup.diameter)
     for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -190,7 +194,8 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
       if (!setup.plane.empty() && m.axis_names[first] + m.axis_names[second] == setup.plane)
         m.modal.axes.first = first, m.modal.axes.second = second;
   m.transform.refresh();
-  if (m.start_error.empty()) m.start_error = coupling_error(m, setup.events);
+  if (m.start_fault.empty()) m.start_fault = coupling_fault(m, setup.events);
+  find_spindle_axes(m, setup);
   watch_tool_time(m);
 }
 

@@ -13,6 +13,7 @@
 #include "control/nct/changes.h"
 #include "control/nct/coupling.h"
 #include "control/nct/drilling.h"
+#include "control/nct/endless.h"
 #include "control/nct/macro_variables.h"
 #include "control/nct/measuring.h"
 #include "control/nct/output_file.h"
@@ -132,6 +133,14 @@ struct Interrupted {
   Transform transform;
 };
 
+/// The same of what the codes in force repeat: the data of cycles, the macros of G66.
+struct InterruptedCycles {
+  DrillingMemory drilling;
+  TurningMemory turning;
+  std::vector<ModalCall> modal_calls;
+  std::uint8_t active_modal_calls = 0;
+};
+
 class Nct {
  public:
   Nct(Machinery& machinery, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
@@ -247,8 +256,19 @@ class Nct {
   std::uint64_t parameters_seen_ = 0;
   Axes lengths_before_{};
   Before before_;
+
+ public:
+  InterruptedCycles interrupted_cycles;
+  std::vector<std::pair<std::size_t, int>> spindle_axes;  // axis, spindle that it is made of (11.8)
+  Endless endless;
 };
 
+/// Groups of the offset table: N1400, else what the variables have room for (15.1).
+std::uint32_t most_offsets(const Machinery& m);
+/// Axes that the machine makes of spindles (11.8), as far as the set-up's events say that it does.
+void find_spindle_axes(Machinery& m, const Setup& setup);
+/// A warning where one of these axes moves while it turns as a spindle.
+void watch_spindle_axes(Machinery& m, AxisMask named);
 /// Lead of a thread by the block's E or F, or the last one, mm; 0: none (4.4).
 double take_lead(Machinery& m);
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning

@@ -48,7 +48,7 @@ class Values {
   Result<std::size_t> read(std::string_view rest) {
     Cursor cursor{rest, 0};
     scratch_.clear();
-    const auto reference = compile_macro_value(cursor, m_.def.grammar, scratch_, false);
+    const auto reference = compile_macro_value(cursor, m_.def.grammar, scratch_, MacroValue::operand);
     if (!reference) return fail(reference.error());
     const auto value = evaluate(scratch_, *reference, Reading{m_});
     if (!value) return fail(value.error());

@@ -55,8 +55,8 @@ bool is_device(std::string_view part) {
 }
 
 bool is_good_part(std::string_view part) {
-  return !part.empty() && part.back() != '.' && part.back() != ' ' && part.find_first_not_of(' ') != std::string_view::npos &&
-         !is_device(part);
+  return !part.empty() && part.front() != '.' && part.back() != '.' && part.back() != ' ' &&
+         part.find_first_not_of(' ') != std::string_view::npos && !is_device(part);
 }
 
 /// Characters of the text; nothing where one must not stand in a name.
@@ -186,7 +186,7 @@ Place look_up(const std::string& root, const std::string& path) {
 }
 
 /// Opens the file of a place for writing. What was opened is looked at again by its descriptor, before anything in it changes.
-Result<int> open_regular(const Place& place, const Mode& rule, std::string_view shown) {
+Result<int> open_regular(const Place& place, const Mode& rule, std::string_view shown, const FileSet& untouched) {
   const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, shown)); };
   constexpr int flags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const int makes = place.what == There::nothing ? O_CREAT | O_EXCL : 0;
@@ -196,6 +196,7 @@ Result<int> open_regular(const Place& place, const Mode& rule, std::string_view 
   struct stat there {};
   if (::fstat(opened.number(), &there) != 0 || !S_ISREG(there.st_mode)) return bad(AlarmId::file_write);
   if (there.st_nlink > 1) return bad(AlarmId::file_outside);
+  if (const auto id = file_id_of(opened.number()); id && untouched.has(*id)) return bad(AlarmId::file_already_open);
   const bool placed = rule.appends ? ::lseek(opened.number(), 0, SEEK_END) >= 0 : ::ftruncate(opened.number(), 0) == 0;
   if (!placed) return bad(AlarmId::file_write);
   return opened.release();
@@ -279,13 +280,14 @@ Status OutputFile::open(const Wanted& wanted, int mode, std::string_view program
   if (place.what == There::no_folder) return bad(rule.creates ? AlarmId::file_write : missing);
 
   const std::string same = capitals(place.path);
-  if (same == capitals(program)) return bad(AlarmId::file_already_open);  // it is being read
+  if (same == capitals(program) || options_.untouched.has(options_.root + "/" + place.path)) return bad(AlarmId::file_already_open);
   const bool exists = place.what == There::file || made_.count(same) != 0;
   if (exists && !rule.takes_existing) return bad(wanted.by_number ? AlarmId::program_file_exists : AlarmId::file_exists);
   if (!exists && !rule.creates) return bad(missing);
+  if (files_.size() >= options_.most_files && !files_.contains(place.path)) return bad(AlarmId::file_write);
 
   if (options_.writing == OutputWriting::files) {
-    const Result<int> opened = open_regular(place, rule, wanted.shown);
+    const Result<int> opened = open_regular(place, rule, wanted.shown, options_.untouched);
     KADR_TRY(opened);
     file_ = *opened;
   } else {
@@ -293,6 +295,7 @@ Status OutputFile::open(const Wanted& wanted, int mode, std::string_view program
   }
   path_ = place.path;
   state_ = State::file;
+  files_.emplace(path_, 0);
   return {};
 }
 
@@ -343,6 +346,7 @@ Status OutputFile::write(std::string_view bytes) {
     }
   }
   written_ += bytes.size();
+  files_[path_] += bytes.size();
   return {};
 }
 

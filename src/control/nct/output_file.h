@@ -8,11 +8,13 @@
 // in, and what was resolved on paper is what is opened. Only regular files with one name are written: no links, devices, pipes.
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "base/file_id.h"
 #include "base/result.h"
 #include "control/nct/print.h"
 
@@ -27,6 +29,8 @@ struct OutputOptions {
   std::string root = ".";                       // folder of the program memory; may itself be a symbolic link
   std::uint64_t most = std::uint64_t{1} << 30;  // bytes that one run may write, all files together
   OutputWriting writing = OutputWriting::files;
+  FileSet untouched{};              // files of the run itself: its state, trace, set-up
+  std::size_t most_files = 10'000;  // that one run may write
 };
 
 /// The file that <name> means in `program`, for FOPEN as for calls by name.
@@ -35,7 +39,8 @@ struct OutputOptions {
 ///   program  path of the program that names it, from the root, separated by `/`: "part.nct", "sub/part.nct"
 ///   returns  path from the root, separated by `/`
 ///   alarms   file_outside (name): climbs over the root, or begins with a drive. file_name (name): empty, too long, not UTF-8; `/`, control
-///            characters, `: * ? " < > |`, empty parts, parts that end in a point or blank, names of devices (CON, NUL, COM1 …)
+///            characters, `: * ? " < > |`, empty parts, parts that begin with a point (hidden files: .bashrc, .git) or end in a point or
+///            blank, names of devices (CON, NUL, COM1 …)
 ///   law      no part of the result is empty, `.` or `..`
 ///   manual   14.4.2; the characters and devices are ours, so that the same program works on any system
 Result<std::string> path_in_root(std::string_view name, std::string_view program);
@@ -81,6 +86,8 @@ class OutputFile {
   void abort();
 
   bool is_open() const { return state_ != State::closed; }
+  /// All that were written in the run: path from the root, bytes.
+  const std::map<std::string, std::uint64_t>& files() const { return files_; }
   const std::string& root() const { return options_.root; }
   const std::string& path() const { return path_; }  // of the open file, from the root; empty before the name came
 
@@ -105,6 +112,7 @@ class OutputFile {
   std::string program_;         // of POPEN
   std::uint64_t written_ = 0;   // in the run
   std::set<std::string> made_;  // dry: files that would exist
+  std::map<std::string, std::uint64_t> files_;
 };
 
 }  // namespace kadr::nct

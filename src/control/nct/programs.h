@@ -25,11 +25,14 @@ struct ProgramPlace {
 /// Finds programs once and remembers them.
 class Programs {
  public:
-  /// M98 P, G65 P …: `Onnnn` or `Onnnnnnnn` with the caller's extension in the caller's folder. INFERRED: else the program
-  /// behind `Onnnn` in the main file itself (a tape with several programs).
-  ///   alarms  program_missing (2147)
+  /// M98 P, G65 P …: `Onnnn` or `Onnnnnnnn` with the caller's extension in the caller's folder (14.4.2). INFERRED: else the program
+  /// after `Onnnn` in the main file itself (a tape with several programs). Ours, for the files of other shops: else a file whose name is
+  /// that number in another form (not .nct, .prg), in the caller's folder or in that of --files; else the control's own; else a file that
+  /// begins with `O` or `:` and the number.
+  ///   alarms  program_missing (2147), label_twice
   Result<ProgramPlace> by_number(Machinery& m, std::uint32_t number, Span where);
-  /// M98 <path\\name.ext> from the caller's folder. alarms file_missing (2132), file_name
+  /// M98 <path\\name.ext> from the caller's folder, within the main program's folder or that of --files.
+  ///   alarms  file_missing (2132), file_name, file_outside
   Result<ProgramPlace> by_name(Machinery& m, std::string_view name, Span where);
   /// A system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
   Result<ProgramPlace> system(Machinery& m, std::uint32_t number, Span where);

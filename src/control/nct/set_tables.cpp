@@ -61,7 +61,7 @@ double* offset_register(ToolOffset& offset, std::uint32_t l) {
 Status set_offset(Machinery& m, const Call& call, std::uint32_t l) {
   for (const char letter : {'P', 'R'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
-  const auto number = m.whole('P', 1, m.def.behaviour.offsets);
+  const auto number = m.whole('P', 1, most_offsets(m));
   if (!number) return fail(number.error());
   m.keep_offset(*number);
   double* const to = offset_register(m.tables.offsets[*number], l);
@@ -75,7 +75,7 @@ Status set_offset(Machinery& m, const Call& call, std::uint32_t l) {
 /// L200 wear, L201 geometry: X Y Z R Q of the table for turning (15.2); INFERRED: registers whose word is missing stay.
 Status set_turning_offset(Machinery& m, const Call& call, bool wear) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
-  const auto number = m.whole('P', 1, m.def.behaviour.offsets);
+  const auto number = m.whole('P', 1, most_offsets(m));
   if (!number) return fail(number.error());
   const auto q = m.has('Q') ? m.whole('Q', 0, 9) : Result<std::uint32_t>(0);
   if (!q) return fail(q.error());
@@ -110,6 +110,7 @@ Status open_data(Machinery& m, const Call& call, std::uint32_t l) {
 
 Status set_tables(Machinery& m, const Call& call) {
   if (!m.has('L')) return fail(alarm(AlarmId::word_missing, call.where, 'L', call.row->code));
+  m.nct->endless.note_change();
   const auto l = m.whole('L', 1, 999);
   if (!l) return fail(l.error());
   if (*l == 52 || (*l >= 75 && *l <= 77)) return open_data(m, call, *l);

@@ -17,6 +17,7 @@ void note_side(Machinery& m, Motion& motion) {
   const int side = (state.tool_radius < 0) == m.transform.reverses(plane) ? -m.modal.radius_side : m.modal.radius_side;
   motion.side = static_cast<std::int8_t>(side);
   motion.tool_radius = std::fabs(state.tool_radius);
+  if (m.modal.offset_number != 0) m.use.note(UseKind::radius, m.modal.offset_number, m.origin, state.tool_radius == 0);
   if ((m.transform.moved_with(motion.named) & (AxisMask{1} << plane.first | AxisMask{1} << plane.second)) == 0) return;
   motion.side_step = state.side_step;
   if (m.nct->holds_vector && motion.side_step == SideStep::none) motion.side_step = SideStep::holds;

@@ -261,6 +261,25 @@ Status machine_code(Machinery& m, const Call& call) {
   return {};
 }
 
+/// INFERRED from the manual's example, where S1 becomes C1: the axis C with the spindle's number; of spindle 1 also plain C.
+void find_spindle_axes(Machinery& m, const Setup& setup) {
+  for (const SetupEvent& event : setup.events) {
+    if (event.what != SetupEvent::Do::spindle_to_axis) continue;
+    const std::string name = "C" + std::to_string(event.spindle);
+    for (std::size_t a = 0; a < m.axis_count; ++a)
+      if (m.axis_names[a] == name || (event.spindle == 1 && m.axis_names[a] == "C")) m.nct->spindle_axes.emplace_back(a, event.spindle);
+  }
+}
+
+void watch_spindle_axes(Machinery& m, AxisMask named) {
+  for (const auto& [axis, number] : m.nct->spindle_axes) {
+    const SpindleDir dir = m.nct->spindle(number).dir;
+    if ((named >> axis & 1u) == 0 || (dir != SpindleDir::cw && dir != SpindleDir::ccw)) continue;
+    m.warn(warning(AlarmId::axis_is_spindle, m.block->where, std::string_view(m.axis_names[axis]),
+                   std::string_view(name_of_spindle(m, number))));
+  }
+}
+
 bool has_spindle_word(const Machinery& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
     if (const Word& w = m.block->words[i]; w.address != 0 && m.def.address(w.address).function == Function::spindle_word) return true;

@@ -30,6 +30,19 @@ Status assign(Machinery& m, const Statement& s) {
 
 Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, where, double(loop.number))); }
 
+/// A jump back that would be made for ever is none.
+Status jump_to(Machinery& m, Position target, Span where) {
+  if (target.offset <= m.block->position.offset) {
+    switch (m.nct->endless.look(m, target, m.flow.reader(), m.flow.blocks())) {
+      case Endless::Verdict::go: break;
+      case Endless::Verdict::leave: return {};
+      case Endless::Verdict::endless: return fail(alarm(AlarmId::endless_program, where, double(m.flow.repeated())));
+    }
+  }
+  m.flow.jump(target);
+  return {};
+}
+
 /// WHILE[…] DOm, DOm: on with the body, or behind the END (23.2.11).
 Status loop(Machinery& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
@@ -46,8 +59,7 @@ Status loop_end(Machinery& m, const Statement& s) {
   if (found == nullptr) return fail(alarm(AlarmId::end_without_do, s.where, double(s.loop)));
   if (found->damaged) return {};
   if (found->fault != AlarmId::count) return faulty(*found, s.where);
-  m.flow.jump(found->begin);
-  return {};
+  return jump_to(m, found->begin, s.where);
 }
 
 /// All conditions of IF and WHILE.
@@ -60,6 +72,17 @@ Result<bool> holds(Machinery& m, const Statement& s) {
   return true;
 }
 
+/// Where the file being read has the block of that number.
+Result<Position> block_numbered(Machinery& m, double number, Span where) {
+  if (is_vacant(number)) return fail(alarm(AlarmId::block_number_vacant, where));
+  const double nearest = std::round(number);
+  const auto missing = [&] { return fail(alarm(AlarmId::block_not_found, where, number)); };
+  if (!(nearest >= 0 && nearest <= 99'999'999)) return missing();
+  const auto found = m.flow.program_file().find_number(static_cast<std::uint32_t>(nearest), m.flow.position());
+  if (!found) return missing();
+  return *found;
+}
+
 Status jump(Machinery& m, const Statement& s) {
   const auto number = value_of(m, s.value);
   if (!number) return fail(number.error());
@@ -69,11 +92,15 @@ Status jump(Machinery& m, const Statement& s) {
 }  // namespace
 
 Status go_to_block(Machinery& m, double number, Span where) {
-  const double nearest = std::round(number);
-  const auto missing = [&] { return fail(alarm(AlarmId::block_not_found, where, number)); };
-  if (!(nearest >= 0 && nearest <= 99'999'999)) return missing();
-  const auto found = m.flow.program_file().find_number(static_cast<std::uint32_t>(nearest), m.flow.position());
-  if (!found) return missing();
+  const auto found = block_numbered(m, number, where);
+  if (!found) return fail(found.error());
+  return jump_to(m, *found, where);
+}
+
+Status go_to_block_again(Machinery& m, double number, Span where) {
+  const auto found = block_numbered(m, number, where);
+  if (!found) return fail(found.error());
+  if (found->offset <= m.block->position.offset) return m.begin_again(where, *found);
   m.flow.jump(*found);
   return {};
 }

@@ -219,6 +219,7 @@ Result<double> read_variable(Machinery& m, double number, Span where) {
   const auto n = whole_number(number, where);
   if (!n) return fail(n.error());
   if (double value = 0; m.nct->variables.known(*n, value)) return value;
+  m.nct->endless.note_reading();
   const auto f = find(m.def, *n);
   if (!f) return fail(alarm(AlarmId::variable_unknown, where, number));
   if (!f->row->read) return fail(alarm(AlarmId::variable_write_only, where, number));
@@ -249,6 +250,7 @@ Status write_variable(Machinery& m, double number, double value, Span where) {
   const auto f = find(m.def, *n);
   if (!f) return fail(alarm(AlarmId::variable_unknown, where, number));
   if (!f->row->write) return fail(alarm(AlarmId::variable_read_only, where, number));
+  nct.endless.note_change();
   if (is_vacant(value)) value = 0;  // only #1 … #999 can be empty
   const VariableKind kind = f->row->kind;
   if (double* const field = offset_field(m, kind, f->index); field != nullptr) {
@@ -299,6 +301,7 @@ Result<double> number_of_element(const Machinery& m, double symbol, double index
 Result<double> read_parameter(Machinery& m, double number, double bit, double index, Span where) {
   const auto given = [](double v) { return is_vacant(v) ? std::optional<double>() : std::optional(v); };
   if (is_vacant(number)) return fail(alarm(AlarmId::expression_syntax, where, "PRM"));
+  m.nct->endless.note_reading();
   return m.nct->parameters.read(number, given(bit), given(index), where);
 }
 

@@ -49,12 +49,13 @@ tl::unexpected<Alarm> twice(const Machinery& m, std::size_t axis) {
 
 }  // namespace
 
+bool is_diameter(const Machinery& m, std::size_t axis) { return (m.modal.diameter >> axis & 1u) != 0; }
+
 double coordinate(const Machinery& m, const Word& w, std::size_t axis) {
   const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // a length there (4.5)
   const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
-  double v = w.value * (is_length ? m.unit_scale() : 1.0);
-  if ((m.modal.diameter >> axis & 1u) != 0) v /= 2;
-  return v;
+  const double v = w.value * (is_length ? m.unit_scale() : 1.0);
+  return is_diameter(m, axis) ? v / 2 : v;
 }
 
 bool is_increment(const Machinery& m, const Word& w) {

@@ -12,8 +12,11 @@ ToolPlace place_of(const nct::ToolCall& call) {
 
 /// What was prepared comes into the spindle.
 void change(Machinery& m, nct::CountUse count) {
+  m.nct->endless.note_change();
+  m.pass_varies = m.pass_varies || m.nct->tools.enabled();  // its life may end
   const nct::ToolCall now = m.nct->tools.change(nct::ToolManagement::main_spindle, count);
   m.modal.tool = now.tool;
+  m.use.change_to(now.tool);
   m.emit(ToolChange{now.tool, place_of(now)});
 }
 
@@ -38,6 +41,7 @@ Status tool_call(Machinery& m, const Call& call) {
     return fail(placed);
   }
   m.modal.tool_selected = *number;
+  if (*number != 0) m.use.note(UseKind::tool, *number, m.origin);
   m.emit(ToolSelect{*number, 0, place_of(*called)});
   if (nct.settings.life_counts_on_t) change(m, nct::CountUse::yes);  // 12.2, case A: a turret, or a change by hand
   return {};

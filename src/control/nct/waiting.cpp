@@ -60,6 +60,7 @@ Result<bool> waiting_code(Machinery& m, const Call& call) {
   if (!digits) return fail(digits.error());
   const auto channels = channels_in(m, *digits);
   if (!channels) return fail(channels.error());
+  m.pass_varies = m.pass_varies || m.waiting.known != 0;  // what the others do may differ
   const bool alone = *channels == 1u << m.def.channel;
   if (m.waiting.mode == Control::Waiting::pass || waiting_suspended(m)) return true;
   if (m.waiting.mode == Control::Waiting::alarm && !alone)

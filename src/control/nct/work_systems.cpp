@@ -82,6 +82,7 @@ Status select_plane(Machinery& m, const Call& call) {
 Status work_system(Machinery& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   m.modal.work_zero = static_cast<std::uint8_t>(call.row->arg);
+  note_work_zero(m, m.modal.work_zero);
   m.change_frames();
   return {};
 }
@@ -93,6 +94,7 @@ Status work_system_extended(Machinery& m, const Call& call) {
   const auto number = m.whole('P', 1, nct::extended_systems);
   if (!number) return fail(number.error());
   m.modal.work_zero = static_cast<std::uint8_t>(nct::basic_systems + *number);
+  note_work_zero(m, m.modal.work_zero);
   m.change_frames();
   return {};
 }

@@ -23,6 +23,7 @@ const CycleRow* cycle_of(const ControlDef& def, std::uint32_t number) {
 Status start_deep_drilling(Machinery& m, const CycleRow& cycle, Span where) {
   double r[4];
   for (const int i : {0, 1, 2, 3}) {
+    if (m.use.watches()) note_read_parameter(m, i);
     const auto value = m.variables.parameter(i, where);
     if (!value) return fail(value.error());
     r[i] = *value;

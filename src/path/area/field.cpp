@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/tolerance.h"
+#include "path/area/sweep.h"
 
 namespace kadr::area {
 namespace {
@@ -74,7 +75,7 @@ class Fields {
       field.work = open_.empty() ? field.reach : recovered(common(work, part), carriers(passes_beyond));
       field.work_area = flattened(field.work, chord);
       if (field.reach.empty() || field.work.empty()) continue;
-      field.roomy = grown(field.reach_area, tol::area_wall / 2, chord);
+      field.roomy = Room(grown(field.reach_area, tol::area_wall / 2, chord));
       field.wanted = common(grown(field.work_area, job_.radius, chord), area_);
       fields.push_back(std::move(field));
     }
@@ -108,12 +109,7 @@ std::vector<Field> fields_of(const Zone& zone, const Job& job) {
   return fields;
 }
 
-bool holds(const Field& field, const Edges& path) {
-  for (const Polygon& outside : lines_outside({flattened(path, chord)}, field.roomy))
-    for (std::size_t i = 1; i < outside.size(); ++i)
-      if (length(outside[i] - outside[i - 1]) > chord) return false;
-  return true;
-}
+bool holds(const Field& field, const Edges& path) { return field.roomy.holds(flattened(path, chord), chord); }
 
 bool in_air(const Field& field, const Job& job, Vec2 p) {
   if (contains(field.zone, p)) return false;
@@ -131,7 +127,7 @@ std::vector<Edges> rings_at(const Field& field, double by) {
 }
 
 Polygons uncut(const Field& field, const Job& job, const Polygons& paths) {
-  Polygons left = less(field.wanted, swept(paths, job.radius + tol::area_cusp, 10 * chord));
+  Polygons left = less(field.wanted, swept_all(paths, job.radius + tol::area_cusp, 10 * chord, job.watch));
   std::erase_if(left, [](const Polygon& p) { return std::abs(area_of({p})) < tol::area_cusp * tol::area_cusp; });
   return left;
 }

@@ -4,6 +4,7 @@
 
 #include "path/area/mill.h"
 #include "path/area/recover.h"
+#include "path/area/room.h"
 
 namespace kadr::area {
 
@@ -12,8 +13,8 @@ struct Field {
   Polygons reach_area;
   std::vector<Edges> work;  // the same with less overrun: where passes are needed
   Polygons work_area;
-  Polygons roomy;  // reach, a little larger: what may be moved in
-  Edges walls;     // of the zone
+  Room roomy;   // reach, a little larger: what may be moved in
+  Edges walls;  // of the zone
   Polygons zone;
   Polygons wanted;  // what the tool can clear: of the zone all but corners and necks
 };

@@ -5,14 +5,14 @@
 
 #include "base/tolerance.h"
 #include "path/area/links.h"
+#include "path/area/ramp.h"
+#include "path/area/sweep.h"
 
 namespace kadr::area {
 namespace {
 
-constexpr double above = 1;                        // mm over cut ground at which rapid motion ends
-constexpr double ramp_chord = tol::area_wall / 4;  // mm between an arc and its chords on the ramp, which may run along a wall
-constexpr double rough = 0.02;                     // mm: chords where it is only asked whether something is left
-constexpr int most_strokes = 200;                  // of a ramp; beyond it the tool has no room to go down on it
+constexpr double above = 1;     // mm over cut ground at which rapid motion ends
+constexpr double rough = 0.02;  // mm: chords where it is only asked whether something is left
 
 class Layers {
  public:
@@ -30,7 +30,10 @@ class Layers {
     for (const double level : levels) {
       level_ = level;
       cut_.clear();
-      for (std::size_t k = 0; k < passes.size(); ++k) pass(passes[k], k == 0);
+      for (std::size_t k = 0; k < passes.size() && !job_.watch.stop.asked(); ++k) {
+        pass(passes[k], k == 0);
+        job_.watch.tell(Stage::path, double(k) / double(passes.size()));
+      }
       ground_ = level;
     }
     leave(passes.back());
@@ -58,7 +61,7 @@ class Layers {
 
   /// A ring has its start for all layers: a hole is drilled there, or it lies next to the hole given.
   void begin_first(Pass& first) {
-    const bool own_hole = job_.plunge == Plunge::hole && job_.hole && contains(field_->roomy, *job_.hole);
+    const bool own_hole = job_.plunge == Plunge::hole && job_.hole && contains(field_->roomy.area(), *job_.hole);
     if (!first.closed) return;
     if (own_hole) first.path = begun_near(first.path, *job_.hole);
     else if (const auto air = air_near(first.path.front().from)) first.path = begun_near(first.path, *air);
@@ -67,12 +70,11 @@ class Layers {
 
   void pass(const Pass& pass, bool first) {
     if (first) return first_pass(pass);
-    if (!pass.lifted)
+    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // no lift that comes down where it went up
       if (const auto begun = begun_from(*field_, job_, pass, here(), out_)) {
         cut(begun->way);
         return cut(begun->path);
       }
-    ++path_.lifts;
     leave(pass);
     enter(pass.path, true);
     cut(pass.path);
@@ -105,6 +107,7 @@ class Layers {
       case Plunge::hole: return enter_by_hole(start, again);
       case Plunge::tangential:
         if (const auto arc = arc_into(*field_, job_, path)) {
+          path_.plunges.straight += again && cleared(arc->from) ? 0 : 1;
           descend(arc->from, again);
           return cut({*arc});
         }
@@ -116,14 +119,32 @@ class Layers {
   void enter_by_hole(Vec2 start, bool again) {
     Vec2 hole = start;
     std::optional<Edges> way;
-    if (job_.hole && contains(field_->roomy, *job_.hole)) {
+    if (job_.hole && contains(field_->roomy.area(), *job_.hole)) {
       way = way_between(*field_, *job_.hole, start, 1e9);
       if (way) hole = *job_.hole, hole_used_ = true;
     }
-    if (std::none_of(path_.holes.begin(), path_.holes.end(), [&](Vec2 h) { return length(h - hole) < tol::contour_gap; }))
-      path_.holes.push_back(hole);
+    drill_before(hole);
     descend(hole, again);
     if (way) cut(*way);
+  }
+
+  void drill_before(Vec2 hole) {
+    ++path_.plunges.drilled;
+    if (std::none_of(path_.holes.begin(), path_.holes.end(), [&](Vec2 h) { return length(h - hole) < tol::contour_gap; }))
+      path_.holes.push_back(hole);
+  }
+
+  /// No ramp has room: into a hole, one already listed where it can be reached.
+  void enter_drilled(Vec2 start, bool again) {
+    ++path_.plunges.no_room;
+    for (const Vec2 hole : path_.holes)
+      if (const auto way = way_between(*field_, hole, start, 6 * job_.radius)) {
+        drill_before(hole);
+        descend(hole, again);
+        return cut(*way);
+      }
+    drill_before(start);
+    descend(start, again);
   }
 
   /// To the point, through the air or over the ground cut by the layer before; then down.
@@ -133,66 +154,45 @@ class Layers {
   }
 
   void approach(Vec2 point, bool again) {
-    if (!again && at_.z < job_.top)
-      if (const auto way = way_between(*field_, here(), point, 6 * job_.radius)) {
+    const double detour = again ? job_.radius - length(point - here()) : 6 * job_.radius;
+    if (at_.z < job_.top && detour > 0)
+      if (const auto way = way_between(*field_, here(), point, detour)) {
         for (const Edge& e : *way) go(MoveKind::feed, {e.to.x, e.to.y, at_.z}, e.bulge);
         return;
       }
-    if (at_.z < job_.top + job_.clearance) lift();
+    if (at_.z < job_.top + job_.clearance) {
+      if (again) ++path_.lifts;
+      lift();
+    }
     go(MoveKind::rapid, {point.x, point.y, job_.top + job_.clearance});
     go(MoveKind::rapid, {point.x, point.y, std::min(ground_ + above, job_.top + job_.clearance)});
   }
 
-  /// To and fro along the beginning of the path; an even number of strokes, so that it ends where it began.
   void descend_ramp(const Edges& path, bool again) {
+    const auto ramp = ramp_for(*field_, job_, path, ground_ - level_);
+    if (!ramp) return enter_drilled(path.front().from, again);
+    ++(ramp->round ? path_.plunges.helices : path_.plunges.ramps);
     const Vec2 start = path.front().from;
-    const double needed = (ground_ - level_) / std::tan(job_.ramp_deg * rad_per_deg);
-    const double stroke = std::min(length_of(path), std::clamp(needed / 2, 2 * job_.radius, 6 * job_.radius));
-    const double strokes = 2 * std::ceil(needed / stroke / 2);
-    if (!(strokes <= most_strokes)) return descend(start, again);
     approach(start, again);
     go(MoveKind::plunge, {start.x, start.y, ground_});
-    Polygon corners = beginning(path, stroke, rough);
-    if (!keeps_off(corners)) corners = beginning(path, stroke, ramp_chord);
+    const Polygon& corners = ramp->corners;
+    const double drop = ground_ - level_;
     double gone = 0;
-    const double all = strokes * length_of_corners(corners), drop = ground_ - level_;
-    for (int i = 0; i < static_cast<int>(strokes); ++i)
+    for (int i = 0; i < ramp->times; ++i)
       for (std::size_t k = 1; k < corners.size(); ++k) {
-        const Vec2 a = i % 2 == 0 ? corners[k - 1] : corners[corners.size() - k];
-        const Vec2 b = i % 2 == 0 ? corners[k] : corners[corners.size() - 1 - k];
+        const bool back = !ramp->round && i % 2 == 1;
+        const Vec2 a = back ? corners[corners.size() - k] : corners[k - 1];
+        const Vec2 b = back ? corners[corners.size() - 1 - k] : corners[k];
         gone += length(b - a);
-        go(MoveKind::plunge, {b.x, b.y, ground_ - drop * std::min(1.0, gone / all)});
+        go(MoveKind::plunge, {b.x, b.y, ground_ - drop * std::min(1.0, gone / ramp->along)});
       }
     go(MoveKind::plunge, {start.x, start.y, level_});
   }
 
-  static double length_of_corners(const Polygon& corners) {
-    double sum = 0;
-    for (std::size_t i = 1; i < corners.size(); ++i) sum += length(corners[i] - corners[i - 1]);
-    return sum;
-  }
-
-  bool keeps_off(const Polygon& corners) const {
-    Edges lines;
-    for (std::size_t i = 1; i < corners.size(); ++i) lines.push_back({corners[i - 1], corners[i]});
-    return holds(*field_, lines);
-  }
-
-  static Polygon beginning(const Edges& path, double most, double chord) {
-    Edges piece;
-    for (const Edge& e : path) {
-      const double whole = length_of(e);
-      piece.push_back(whole <= most ? e : stretch(e, 0, most / whole));
-      most -= whole;
-      if (most <= 0) break;
-    }
-    Polygon corners = flattened(piece, chord);
-    if (length(corners.back() - piece.back().to) > tol::same_point) corners.push_back(piece.back().to);
-    return corners;
-  }
-
   /// Nothing is left under the tool at that point.
   bool cleared(Vec2 point) const {
+    for (const Edge& e : cut_)
+      if (distance(e, point) < tol::same_point) return true;  // it has been there
     Polygons near;
     const Bounds tool{point - Vec2{job_.radius, job_.radius}, point + Vec2{job_.radius, job_.radius}};
     for (const Edge& e : cut_)
@@ -200,7 +200,8 @@ class Layers {
     const Polygon disk = flattened(
         {{point - Vec2{job_.radius, 0}, point + Vec2{job_.radius, 0}, 1}, {point + Vec2{job_.radius, 0}, point - Vec2{job_.radius, 0}, 1}},
         rough);
-    const Polygons left = less(common({disk}, field_->zone), swept(near, job_.radius + tol::area_cusp, rough));
+    const Polygons left =
+        less(common({disk}, field_->zone), swept_all(near, job_.radius + tol::area_cusp, rough, Watch{job_.watch.stop, {}}));
     return area_of(left) < tol::area_cusp * job_.radius;
   }
 
@@ -236,6 +237,7 @@ Result<AreaPath> milled(const std::vector<Field>& fields, std::vector<Passes> pa
   Layers layers(job, path);
   for (std::size_t i = 0; i < fields.size(); ++i)
     if (!passes[i].empty()) layers.mill(fields[i], std::move(passes[i]));
+  if (job.watch.stop.asked()) return fail(alarm(AlarmId::interrupted, {}));
   if (path.moves.empty()) return fail(alarm(AlarmId::tool_does_not_fit, {}, 2 * job.radius));
   if (job.hole && job.plunge == Plunge::hole && !layers.uses_hole()) return fail(alarm(AlarmId::mill_hole, {}, job.hole->x, job.hole->y));
   return path;
@@ -257,6 +259,7 @@ Result<AreaPath> area_path(const std::vector<Zone>& zones, const Job& job) {
   std::vector<Passes> passes;
   for (const Field& field : fields) {
     auto covering = passes_of(field, job);
+    if (job.watch.stop.asked()) return fail(alarm(AlarmId::interrupted, {}));
     if (!covering) return tl::unexpected(covering.error());
     passes.push_back(std::move(*covering));
   }
@@ -290,7 +293,7 @@ Result<AreaPath> slot_path(const std::vector<Edges>& lines, const Job& job) {
       if (contains(fields[i].zone, at(line[0], 0.5))) {
         passes[i].push_back({line});
         const Polygons room = swept({flattened(line, tol::area_chord)}, tol::area_wall / 2, tol::area_chord);
-        fields[i].roomy = joined(fields[i].roomy, room);
+        fields[i].roomy = Room(joined(fields[i].roomy.area(), room));
       }
   return milled(fields, std::move(passes), job);
 }

@@ -2,9 +2,11 @@
 // Area milling: a zone, a tool, a scheme → the path of the tool's centre, layer by layer. spec/correctors 4.
 // INFERRED, the figures of the source being lost: what 1 and 2 mean, how each plunge looks, which way each direction goes.
 
+#include <functional>
 #include <optional>
 
 #include "base/result.h"
+#include "base/stop.h"
 #include "path/area/loops.h"
 
 namespace kadr::area {
@@ -26,6 +28,17 @@ enum class Plunge : std::uint8_t {
   ramp,        // СПУСК: to and fro along the beginning of the pass, going down
 };
 
+enum class Stage : std::uint8_t { passes, path, verification };
+
+/// Whoever waits for a path: may end it (alarm interrupted), and is told how far it is.
+struct Watch {
+  StopToken stop;
+  std::function<void(Stage, double part)> show;
+  void tell(Stage stage, double part) const {
+    if (show) show(stage, part);
+  }
+};
+
 /// What is wanted; mm, mm from the plane's zero for levels.
 struct Job {
   double radius = 5;  // of the tool
@@ -42,6 +55,7 @@ struct Job {
   Direction direction = Direction::ccw;
   Plunge plunge = Plunge::ramp;
   std::optional<Vec2> hole;
+  Watch watch;
 };
 
 enum class MoveKind : std::uint8_t { rapid, feed, plunge };  // plunge: at the plunge feed
@@ -53,9 +67,19 @@ struct Move {
   double bulge = 0;  // as of an Edge
 };
 
+/// How often the tool goes down into material not yet cut, and how.
+struct Plunges {
+  std::size_t ramps = 0;     // to and fro
+  std::size_t helices = 0;   // round and round
+  std::size_t straight = 0;  // into the material, of Plunge::tangential
+  std::size_t drilled = 0;   // into holes drilled before
+  std::size_t no_room = 0;   // of these: where a ramp was wanted
+};
+
 struct AreaPath {
   std::vector<Move> moves;  // the first one is at the clearance level
-  std::vector<Vec2> holes;  // to be drilled before (Plunge::hole)
+  std::vector<Vec2> holes;  // to be drilled before: Plunge::hole, and where a ramp has no room
+  Plunges plunges;
   std::size_t layers = 0;
   std::size_t lifts = 0;   // within the layers
   std::size_t fields = 0;  // areas that the tool's centre can reach without lifting
@@ -66,7 +90,7 @@ struct AreaPath {
 std::vector<double> levels_of(const Job& job);
 
 /// The path through all zones.
-///   alarms  tool_does_not_fit, mill_hole, mill_too_long
+///   alarms  tool_does_not_fit, mill_hole, mill_too_long, interrupted
 Result<AreaPath> area_path(const std::vector<Zone>& zones, const Job& job);
 
 /// The zone of a slot: what a disk of that radius sweeps along a line.

@@ -74,7 +74,7 @@ Result<Passes> passes_of(const Field& field, const Job& job) {
   if (before) passes->insert(passes->begin(), contour.begin(), contour.end());
   if (after) passes->insert(passes->end(), contour.begin(), contour.end());
   constexpr int rounds = 3;  // what one pass over a rest leaves, the next one takes
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < rounds && !job.watch.stop.asked(); ++round) {
     const Passes rest = rest_passes(field, job, *passes);
     if (rest.empty()) break;
     passes->insert(passes->end(), rest.begin(), rest.end());

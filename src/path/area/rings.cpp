@@ -31,14 +31,25 @@ bool neighbours(const Ring& outer, const Ring& inner, double step) {
   return false;
 }
 
+/// No ring is farther inside.
+double half_width(const Field& field) {
+  Bounds box;
+  for (const Edges& loop : field.work)
+    for (const Edge& e : loop) box.take(e);
+  return std::max(tol::area_cusp, 0.5 * std::min(box.most.x - box.least.x, box.most.y - box.least.y));
+}
+
 class RingTree {
  public:
   explicit RingTree(bool outwards) : outwards_(outwards) {}
 
-  bool grow(const Field& field, double step) {
+  bool grow(const Field& field, const Job& job) {
+    const double step = job.step, deepest = half_width(field);
     std::size_t first = 0;  // of the level before
     for (std::size_t level = 0;; ++level) {
       const std::size_t here = rings_.size();
+      if (job.watch.stop.asked()) return true;
+      job.watch.tell(Stage::passes, std::min(1.0, step * static_cast<double>(level) / deepest));
       for (Edges& path : rings_at(field, step * static_cast<double>(level))) {
         Bounds box = bounds_of(path);
         rings_.push_back({std::move(path), box, {}});
@@ -93,7 +104,7 @@ class RingTree {
 
 Result<Passes> ring_passes(const Field& field, const Job& job) {
   RingTree tree(job.scheme == Scheme::spiral_out);
-  if (!tree.grow(field, job.step)) return fail(alarm(AlarmId::mill_too_long, {}, double(most_passes)));
+  if (!tree.grow(field, job)) return fail(alarm(AlarmId::mill_too_long, {}, double(most_passes)));
   return tree.passes();
 }
 

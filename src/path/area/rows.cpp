@@ -112,7 +112,7 @@ class Rows {
     const double height = range_.most.y - range_.least.y;
     if (!(height > 2 * nudge)) return cross_row(0.5 * (range_.least.y + range_.most.y));
     const int count = std::max(1, static_cast<int>(std::ceil(height / job_.step - tol::tangential)));
-    for (int i = 0; i <= count; ++i)
+    for (int i = 0; i <= count && !job_.watch.stop.asked(); ++i)
       cross_row(std::clamp(range_.least.y + height * i / count, range_.least.y + nudge, range_.most.y - nudge));
   }
 
@@ -197,7 +197,8 @@ class Rows {
   /// To and fro through a cell; where walls are followed, both ends of each row are.
   Edges through(const std::vector<std::size_t>& cell, bool up, bool right) const {
     Edges path;
-    for (std::size_t i = 0; i < cell.size(); ++i, right = !right) {
+    for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i, right = !right) {
+      job_.watch.tell(Stage::passes, double(i) / double(cell.size()));
       const auto link = [&](std::size_t from, std::size_t to, bool at_right) { return side(up ? from : to, up ? to : from, at_right, up); };
       append(path, row(cell[i], right));
       if (follow_ && i > 0)
@@ -242,7 +243,8 @@ class Rows {
     for (std::size_t s = 0; s < spans_.size(); ++s) {
       if (spans_[s].done) continue;
       const std::vector<std::size_t> cell = cell_of(s);
-      for (std::size_t i = 0; i < cell.size(); ++i) {
+      for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i) {
+        job_.watch.tell(Stage::passes, double(passes.size()) / double(spans_.size()));
         Edges path;  // down where the row before began: nothing is left there
         if (i > 0 && follow_) path = side(cell[i - 1], cell[i], !right, true);
         else if (i > 0) path = {{begin_of(cell[i - 1], right), begin_of(cell[i], right)}};

@@ -5,6 +5,7 @@
 
 #include "base/tolerance.h"
 #include "path/area/field.h"
+#include "path/area/sweep.h"
 
 namespace kadr::area {
 namespace {
@@ -18,16 +19,22 @@ class Check {
     outcome_.wanted = job.radius + job.allowance;
     outcome_.nearest_wall = std::numeric_limits<double>::infinity();
     for (const Zone& zone : zones) add(zone);
-    allowed_ = grown(allowed_, tol::area_wall, tol::area_chord);
+    room_ = Room(grown(allowed_, tol::area_wall, tol::area_chord));
   }
 
   Outcome run(const std::vector<Move>& moves) {
-    for (std::size_t i = 1; i < moves.size(); ++i) take(moves[i - 1].to, moves[i]);
-    for (std::size_t i = 0; i < levels_.size(); ++i) coverage(levels_[i], cut_[i]);
+    for (std::size_t i = 1; i < moves.size() && !stopped(); ++i) {
+      take(moves[i - 1].to, moves[i]);
+      job_.watch.tell(Stage::verification, double(i) / double(moves.size()));
+    }
+    for (std::size_t i = 0; i < levels_.size() && !stopped(); ++i) coverage(levels_[i], cut_[i]);
+    if (stopped()) outcome_.fault = alarm(AlarmId::interrupted, {});
     return outcome_;
   }
 
  private:
+  bool stopped() const { return job_.watch.stop.asked(); }
+
   void add(const Zone& zone) {
     Polygons area = flattened(zone.loops, tol::area_chord), open, walls;
     outcome_.out_of_reach += area_of(area);
@@ -76,7 +83,9 @@ class Check {
 
   void stay_inside(const Edge& e, double level) {
     if (outcome_.fault) return;
-    for (const Polygon& line : lines_outside({flattened({e}, tol::area_chord)}, allowed_))
+    const Polygon corners = flattened({e}, tol::area_chord);
+    if (room_.surely_holds(corners)) return;
+    for (const Polygon& line : lines_outside({corners}, room_.area()))
       if (length(line.back() - line.front()) > tol::area_wall) fault(alarm(AlarmId::mill_wall, {}, 0.0, outcome_.wanted, level));
   }
 
@@ -89,7 +98,7 @@ class Check {
       else lines.push_back(std::move(corners));
     }
     double sum = 0;
-    for (const Polygons& part : parts_of(less(wanted_, swept(lines, job_.radius + tol::area_cusp, chord)))) {
+    for (const Polygons& part : parts_of(less(wanted_, swept_all(lines, job_.radius + tol::area_cusp, chord, job_.watch)))) {
       const double area = area_of(part);
       if (area > tol::area_cusp * tol::area_cusp) sum += area;
     }
@@ -101,6 +110,7 @@ class Check {
   Outcome outcome_;
   std::vector<std::pair<Edge, Bounds>> walls_;
   Polygons allowed_, wanted_;
+  Room room_;  // allowed_, and a little more
   std::vector<double> levels_;
   std::vector<Edges> cut_;  // by level
 };

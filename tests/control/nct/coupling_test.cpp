@@ -60,7 +60,7 @@ TEST(gearbox, spindle_by_name_number_or_the_main_one) {
 
 std::string setup_error(const std::string& json) {
   const Control machine(control("nct"), parse_setup("{" + json + "}").value(), Program{"test", text_source("M30\n"), {}}, RunLimits{});
-  return machine.setup_error();
+  return machine.setup_fault().en;
 }
 
 TEST(coupling, the_set_up_must_name_a_master) {

@@ -556,7 +556,7 @@ TEST(macro_loops, that_are_wrong_say_so) {
   EXPECT_EQ(first("WHILE[#1EQ#0]DO1\nDO2\nEND1\nEND2\n"), "loops_overlap");
   EXPECT_EQ(first("GOTO5\n"), "block_not_found");
   EXPECT_EQ(first("N1GOTO[1+1]\n"), "block_not_found");
-  EXPECT_EQ(first("#1=#1+1\nM99\n"), "endless_program");
+  EXPECT_EQ(first("#1=#1+1\nM99\n"), "");  // a main program that begins again is no loop: after --max-passes a note
   EXPECT_EQ(first("DO1\n#1=#1+1\nEND1\n"), "endless_program");
   EXPECT_EQ(first("N1GOTO1\n"), "endless_program");
 }

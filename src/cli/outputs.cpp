@@ -1,0 +1,129 @@
+// For cli/run, cli/mill, cli/tape_command, cli/check; tests/run_outputs.py.
+
+#include "cli/outputs.h"
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "cli/options.h"
+
+namespace kadr::cli {
+namespace {
+
+/// A device swallows or shows what comes; two may write to it, and it may be read.
+bool is_device(const std::string& name) {
+  struct stat there {};
+  return ::stat(name.c_str(), &there) == 0 && S_ISCHR(there.st_mode);
+}
+
+/// The name of the file itself, where "-" means one of the standard streams; empty where that is no file.
+FileSet set_of(const std::string& name, int stream) {
+  FileSet set;
+  if (name != "-") set.add(name);
+  else if (const auto id = file_id_of(stream)) set.add(*id);
+  return set;
+}
+
+}  // namespace
+
+bool came_out() {
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  complain(fmt::format("standard output: {}", std::strerror(errno != 0 ? errno : EIO)));
+  return false;
+}
+
+void Outputs::reads(const std::string& path) {
+  if (!path.empty()) inputs_.push_back(path);
+}
+
+void Outputs::writes(const std::string& option, const std::string& name, Opened opened) {
+  if (!name.empty()) outputs_.push_back({option, name, opened, std::nullopt});
+}
+
+std::string Outputs::clash(const Output& output, const char* en, const char* ru, const std::string& other) const {
+  return fmt::format("{} {}: {} {}", output.option, output.name, lang_ == Lang::ru ? ru : en, other);
+}
+
+/// Why the output cannot be; nothing: it can.
+std::string Outputs::fault_of(std::size_t index) const {
+  const Output& output = outputs_[index];
+  const auto same = [](const std::string& a, const std::string& b, int stream_of_b) {
+    if (a != "-" && b == "-") return set_of(b, stream_of_b).has(a);
+    return a == "-" ? set_of("-", STDOUT_FILENO).has(b) : set_of(b, stream_of_b).has(a);
+  };
+  if (output.name != "-" && is_device(output.name)) return {};
+  for (std::size_t i = 0; i < index; ++i) {
+    const Output& other = outputs_[i];
+    const bool both_standard = output.name == "-" && other.name == "-";
+    if (both_standard || same(output.name, other.name, STDOUT_FILENO))
+      return clash(output, "the same file as", "тот же файл, что и", fmt::format("{} {}", other.option, other.name));
+  }
+  for (const std::string& input : inputs_) {
+    if (output.name == "-" || (input != "-" && is_device(input))) continue;
+    if (same(output.name, input, STDIN_FILENO)) return clash(output, "would be written over the input", "затёр бы исходный файл", input);
+  }
+  // What the summary goes to as well: one would destroy the other.
+  if (output.name != "-" && !is_device("/dev/stdout") && same(output.name, "-", STDOUT_FILENO))
+    return clash(output, "is what standard output goes to; write", "туда идёт стандартный вывод; укажите", output.option + " -");
+  return {};
+}
+
+bool Outputs::check() const {
+  for (std::size_t i = 0; i < outputs_.size(); ++i)
+    if (const std::string fault = fault_of(i); !fault.empty()) return complain(fault), false;
+  return true;
+}
+
+bool Outputs::open() {
+  for (Output& output : outputs_) {
+    if (output.opened == Opened::by_its_owner) continue;
+    auto file = ResultFile::open(output.name);
+    if (!file) return complain(file.error()), outputs_.clear(), false;
+    output.file = std::move(*file);
+  }
+  return true;
+}
+
+const ResultFile* Outputs::file(const std::string& option) const {
+  for (const Output& output : outputs_)
+    if (output.option == option && output.file) return &*output.file;
+  return nullptr;
+}
+
+std::FILE* Outputs::stream(const std::string& option) const {
+  const ResultFile* const found = file(option);
+  return found != nullptr ? found->get() : nullptr;
+}
+
+FileSet Outputs::all() const {
+  FileSet set;
+  for (const std::string& input : inputs_)
+    if (input != "-") set.add(input);
+  for (const Output& output : outputs_)
+    if (output.name != "-" && !is_device(output.name)) set.add(output.name);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (const auto id = file_id_of(stream)) set.add(*id);
+  return set;
+}
+
+bool Outputs::keep(const std::vector<std::string>& read) {
+  if (!came_out()) return false;
+  for (const std::string& input : read)
+    for (const Output& output : outputs_) {
+      if (output.name == "-" || is_device(output.name) || !set_of(output.name, STDOUT_FILENO).has(input)) continue;
+      return complain(clash(output, "would be written over the called file", "затёр бы вызванный файл", input)), false;
+    }
+  for (Output& output : outputs_) {
+    if (!output.file) continue;
+    if (const auto kept = output.file->keep(); !kept) return complain(kept.error()), false;
+  }
+  return true;
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,108 @@
+// For cli/check; tests/run_check.py.
+
+#include "cli/program_files.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <system_error>
+
+#include "config/guess.h"
+#include "lang/line_reader.h"
+
+namespace kadr::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* program_endings[] = {".nc",   ".ngc", ".tap", ".txt", ".iso", ".prg", ".nct", ".gcode",
+                                           ".gc",   ".g",   ".cnc", ".mpf", ".spf", ".up",  ".eia", ".ptp",
+                                           ".tape", ".min", ".pim", ".fnc", ".sub", ".mac", ".fan", ".hnc"};
+
+/// O1001 has no ending, and 1.001, O0010.2 have numbers for one.
+bool has_no_ending(const std::string& ending) {
+  return ending.empty() || std::all_of(ending.begin() + 1, ending.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+bool looks_like_program(const std::string& path) {
+  auto source = open_file(path);
+  if (!source) return false;
+  LineReader reader(std::move(source));
+  return is_program_text(reader.sample());
+}
+
+bool is_program(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (has_no_ending(ending)) return looks_like_program(path.string());
+  return std::find(std::begin(program_endings), std::end(program_endings), ending) != std::end(program_endings);
+}
+
+/// One folder after the other; their number is not bounded by the stack, nor their depth.
+class Search {
+ public:
+  Search(const std::vector<std::string>& exclude, ProgramFiles& found) : exclude_(exclude), found_(found) {}
+
+  void folder(const fs::path& root) {
+    std::vector<fs::path> open{root};
+    while (!open.empty()) {
+      const fs::path folder = std::move(open.back());
+      open.pop_back();
+      look(root, folder, open);
+    }
+  }
+
+ private:
+  void look(const fs::path& root, const fs::path& folder, std::vector<fs::path>& open) {
+    std::error_code error;
+    std::vector<fs::path> files, folders;
+    fs::directory_iterator entry(folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+      const fs::path& path = entry->path();
+      if (path.filename().string().starts_with('.') || is_left_out(path.lexically_relative(root).string())) continue;
+      std::error_code of_entry;
+      const bool folder_there = fs::is_directory(entry->symlink_status(of_entry));
+      const bool file_there = !of_entry && !folder_there && fs::is_regular_file(entry->status(of_entry));
+      if (folder_there) folders.push_back(path);
+      else if (file_there) files.push_back(path);
+      else if (of_entry && of_entry != std::errc::no_such_file_or_directory)
+        found_.unreadable.push_back({path.string(), of_entry.message()});
+    }
+    if (error) found_.unreadable.push_back({folder.string(), error.message()});
+    std::sort(files.begin(), files.end());
+    std::sort(folders.rbegin(), folders.rend());  // the last one is looked at next
+    for (const fs::path& file : files)
+      if (is_program(file)) found_.files.push_back(file.string());
+    open.insert(open.end(), folders.begin(), folders.end());
+  }
+
+  bool is_left_out(const std::string& path) const {
+    return std::any_of(exclude_.begin(), exclude_.end(), [&](const std::string& pattern) { return is_like(path, pattern); });
+  }
+
+  const std::vector<std::string>& exclude_;
+  ProgramFiles& found_;
+};
+
+}  // namespace
+
+bool is_like(const std::string& path, const std::string& pattern) {
+  const std::size_t slash = path.rfind('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  return ::fnmatch(pattern.c_str(), path.c_str(), 0) == 0 || ::fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+ProgramFiles program_files(const std::vector<std::string>& names, const std::vector<std::string>& exclude) {
+  ProgramFiles found;
+  Search search(exclude, found);
+  for (const std::string& name : names) {
+    std::error_code error;
+    if (fs::is_directory(name, error)) search.folder(name);
+    else found.files.push_back(name);
+  }
+  return found;
+}
+
+}  // namespace kadr::cli

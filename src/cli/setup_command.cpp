@@ -1,0 +1,249 @@
+// kadr setup: a set-up to be filled in, with just what a program uses. The interpreter tells what that is: the program is carried out
+// as by `kadr check`, past its faults; the comments only propose figures.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "cli/channels.h"
+#include "cli/stop.h"
+#include "cli/unstated.h"
+#include "lang/tool_comment.h"
+#include "out/setup_template.h"
+
+namespace kadr::cli {
+namespace {
+
+constexpr std::uint32_t most_lines = 200'000;  // looked at for comments and branches; a program made by a machine has neither beyond
+constexpr std::size_t gives_up_at = 1000;
+constexpr std::size_t most_ranges = 20;  // of lines that were not carried out, told one by one
+
+using Lines = std::map<std::uint32_t, std::string>;
+
+class TemplateMaker {
+ public:
+  TemplateMaker(const Job& job, const Control& control, std::size_t faults)
+      : job_(job), control_(control), ru_(job.lang == Lang::ru), faults_(faults) {
+    std::set<std::uint32_t> numbers;
+    const auto most = static_cast<std::uint32_t>(std::min<std::uint64_t>(control.bytes() + 1, most_lines));
+    for (std::uint32_t n = 1; n <= most; ++n) numbers.insert(numbers.end(), n);
+    lines_ = control.texts_of(numbers, 0);
+    const Ending ending = control.ending();
+    inch_ = std::any_of(ending.modal.begin(), ending.modal.end(), [](const std::string& word) { return word == "G20" || word == "G70"; });
+  }
+
+  SetupTemplate make() {
+    for (const Use& use : control_.use().all()) take(use);
+    for (const auto& [tool, use] : tools_)
+      if (!told_.contains(tool)) tell_tool(tool, use);
+    if (faults_ != 0)
+      say(fmt::format("the program has faults ({}): what stands behind them may be missing here; kadr check shows them", faults_),
+          fmt::format("в программе есть ошибки ({}): того, что стоит за ними, здесь может не быть; их покажет kadr check", faults_));
+    tell_branches();
+    return std::move(made_);
+  }
+
+ private:
+  void say(const std::string& en, const std::string& ru) { made_.notes.push_back(ru_ ? ru : en); }
+
+  std::string place(const Origin& origin) const {
+    const std::string block = origin.has_block ? fmt::format(" N{}", origin.block) : "";
+    const std::string file = origin.file == 0 ? "" : control_.file_name(origin.file) + " ";
+    return ru_ ? fmt::format("{}строка {}{}", file, origin.line, block) : fmt::format("{}line {}{}", file, origin.line, block);
+  }
+
+  void take(const Use& use) {
+    const UsedKey used = used_key(use, *job_.def);
+    switch (use.kind) {
+      case UseKind::tool: tools_.emplace(use.number, use); break;
+      case UseKind::length: offset(use, used, "length"); break;
+      case UseKind::radius: offset(use, used, "radius"); break;
+      case UseKind::work_zero: zero(use, used); break;
+      case UseKind::corrector: corrector(use, used); break;
+      case UseKind::variable:
+      case UseKind::parameter:
+        made_.variables.emplace_back(used.word, std::nullopt);
+        say(fmt::format("{}: read in {}, before the program writes it", used.word, place(use.origin)),
+            fmt::format("{}: {}, читается раньше, чем программа её присваивает", used.word, place(use.origin)));
+        break;
+      case UseKind::skip_switch:
+        made_.has_skip = true;
+        say(fmt::format("skip: {} stands in {}; put {} into the list to skip such blocks", used.word, place(use.origin), use.number),
+            fmt::format("skip: {} есть, {}; чтобы пропускать такие кадры, впишите в список {}", used.word, place(use.origin), use.number));
+        break;
+      case UseKind::optional_stop:
+        made_.has_optional_stop = true;
+        say(fmt::format("optional_stop: M1 stands in {}; true stops there", place(use.origin)),
+            fmt::format("optional_stop: M1 есть, {}; true — останавливаться", place(use.origin)));
+        break;
+      default: break;
+    }
+  }
+
+  void offset(const Use& use, const UsedKey& used, const char* what) {
+    const std::string name = std::to_string(use.number);
+    auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
+    if (row == made_.offsets.end()) row = made_.offsets.insert(made_.offsets.end(), {name, {}});
+    const std::string tool = use.tool != 0 ? fmt::format("T{}, ", use.tool) : "";
+    const bool is_radius = std::string_view(what) == "radius";
+    const auto proposal = is_radius && use.tool != 0 ? proposal_for(use.tool) : std::nullopt;
+    row->cells.emplace_back(what, proposal ? std::optional(*proposal->said.diameter / 2) : std::nullopt);
+    if (use.tool != 0 && is_radius) told_.insert(use.tool);
+    if (proposal)
+      say(fmt::format("{}: {}{}; proposed from line {} \"{}\", check it", used.key, tool, place(use.origin), proposal->line,
+                      proposal->text),
+          fmt::format("{}: {}{}; предложено по строке {} «{}», проверьте", used.key, tool, place(use.origin), proposal->line,
+                      proposal->text));
+    else
+      say(fmt::format("{}: {}{} ({}); fill in", used.key, tool, place(use.origin), used.word),
+          fmt::format("{}: {}{} ({}); впишите", used.key, tool, place(use.origin), used.word));
+    if (proposal && proposal->said.corner && has(*job_.def, SetupNeeds::corner_radius))
+      row->cells.emplace_back("corner_radius", proposal->said.corner);
+  }
+
+  void zero(const Use& use, const UsedKey& used) {
+    SetupTemplate::Row row{used.key.substr(used.key.find('.') + 1), {}};
+    const std::vector<std::string>& axes = control_.axes();
+    for (std::size_t a = 0; a < axes.size() && a < 3; ++a) row.cells.emplace_back(axes[a], std::nullopt);
+    (used.key.starts_with("zeros") ? made_.zeros : made_.work_offsets).push_back(std::move(row));
+    say(fmt::format("{}: {} in {}; fill in, in machine coordinates", used.key, used.word, place(use.origin)),
+        fmt::format("{}: {}, {}; впишите, в координатах станка", used.key, used.word, place(use.origin)));
+  }
+
+  void corrector(const Use& use, const UsedKey& used) {
+    made_.correctors.emplace_back(std::to_string(use.number), std::nullopt);
+    say(fmt::format("{}: {}; fill in", used.key, place(use.origin)), fmt::format("{}: {}; впишите", used.key, place(use.origin)));
+  }
+
+  struct Proposal {
+    ToolComment said;
+    std::uint32_t line = 0;
+    std::string text;
+  };
+
+  /// A comment that names the tool, anywhere; else one beside the block that calls it, which names no other tool.
+  std::optional<Proposal> proposal_for(std::uint32_t tool) const {
+    const auto in_line = [&](std::uint32_t number, bool by_name) -> std::optional<Proposal> {
+      const auto line = lines_.find(number);
+      if (line == lines_.end()) return std::nullopt;
+      for (const std::string& comment : comments_of(line->second)) {
+        const ToolComment said = read_tool_comment(comment, inch_);
+        const bool fits = by_name ? said.tool == tool : !said.tool || said.tool == tool;
+        if (fits && said.diameter) return Proposal{said, number, comment};
+      }
+      return std::nullopt;
+    };
+    for (const auto& [number, text] : lines_)
+      if (auto found = in_line(number, true)) return found;
+    const auto use = tools_.find(tool);
+    if (use == tools_.end() || use->second.origin.file != 0) return std::nullopt;
+    const std::uint32_t at = use->second.origin.line;
+    for (const std::uint32_t number : {at, at - 1, at + 1})
+      if (auto found = in_line(number, false)) return found;
+    return std::nullopt;
+  }
+
+  void tell_tool(std::uint32_t tool, const Use& use) {
+    const auto proposal = proposal_for(tool);
+    if (proposal)
+      say(fmt::format("T{}: {}; diameter {} by line {} \"{}\"; the program does not use its radius", tool, place(use.origin),
+                      number_text(*proposal->said.diameter), proposal->line, proposal->text),
+          fmt::format("T{}: {}; диаметр {} по строке {} «{}»; программа его радиуса не использует", tool, place(use.origin),
+                      number_text(*proposal->said.diameter), proposal->line, proposal->text));
+    else say(fmt::format("T{}: {}", tool, place(use.origin)), fmt::format("T{}: {}", tool, place(use.origin)));
+  }
+
+  /// A line that holds a block, and not only the number of the program.
+  static bool holds_block(const std::string& text) {
+    const std::string rest = without_comments(text);
+    if (rest.empty() || rest[0] == '%') return false;
+    const bool is_name = (rest[0] == 'O' || rest[0] == ':') && rest.find_first_not_of("0123456789 ", 1) == std::string::npos;
+    return !is_name;
+  }
+
+  /// What no jump and no condition led to.
+  void tell_branches() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
+    bool open = false;
+    for (const auto& [number, text] : lines_) {
+      if (!holds_block(text)) continue;
+      const bool passed = control_.use().passed(number);
+      if (!passed && open) ranges.back().second = number;
+      if (!passed && !open) ranges.emplace_back(number, number);
+      open = !passed;
+    }
+    if (ranges.empty()) return;
+    std::string list;
+    for (std::size_t i = 0; i < ranges.size() && i < most_ranges; ++i) {
+      const auto [from, to] = ranges[i];
+      list += fmt::format("{}{}", i == 0 ? "" : ", ", from == to ? fmt::format("{}", from) : fmt::format("{}–{}", from, to));
+    }
+    if (ranges.size() > most_ranges) list += ", …";
+    say(fmt::format("not carried out (a branch not taken, a subprogram not called, or behind the end): lines {}; what they use is not here",
+                    list),
+        fmt::format("не выполнялись (невыбранная ветвь, невызванная подпрограмма или текст после конца): строки {}; того, что в них нужно, "
+                    "здесь нет",
+                    list));
+  }
+
+  const Job& job_;
+  const Control& control_;
+  const bool ru_;
+  const std::size_t faults_;
+  bool inch_ = false;
+  Lines lines_;
+  std::map<std::uint32_t, Use> tools_;
+  std::set<std::uint32_t> told_;
+  SetupTemplate made_;
+};
+
+/// Carries the program out past its faults, a limited number of blocks; returns how many faults there were.
+std::size_t carry_out_past_faults(Channel& channel, const Job& job) {
+  std::size_t faults = 0;
+  Outlets outlets;
+  outlets.stop = stop_token();
+  outlets.action = [](const Action&) {};
+  outlets.warning = [](const AlarmReport&) {};
+  outlets.alarm = [&](const AlarmReport& report) {
+    const bool fatal = report.alarm.id == AlarmId::endless_program || report.alarm.id == AlarmId::interrupted;
+    if (!fatal) ++faults;
+    return !fatal && faults < gives_up_at;
+  };
+  channel.control->set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
+  (void)carry_out(*channel.control, job, outlets);
+  return faults;
+}
+
+bool write_to(const std::string& name, const std::string& text) {
+  std::FILE* const file = name.empty() || name == "-" ? stdout : std::fopen(name.c_str(), "wbx");  // never over a file that is there
+  if (file == nullptr) return complain(fmt::format("{}: {}", name, std::strerror(errno))), false;
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool closed = file == stdout ? std::fflush(file) == 0 : std::fclose(file) == 0;
+  if (!written || !closed) complain(fmt::format("{}: {}", name.empty() ? "-" : name, std::strerror(errno)));
+  return written && closed;
+}
+
+}  // namespace
+
+int write_setup(const SetupOptions& options) {
+  auto job = make_job(options.program, options.program.programs.front());
+  if (!job) return wrong_usage;
+  auto program = open_program(*job);
+  if (!program) return wrong_usage;
+  RunLimits limits = options.program.limits;
+  limits.restarts = 0;
+  limits.stop = stop_token();
+  job->setup.channels.clear();
+  auto channels = make_channels(*job, std::move(*program), limits);
+  if (!channels) return wrong_usage;
+  Channel& channel = channels->front();
+  channel.control->watch_use();
+  const std::size_t faults = carry_out_past_faults(channel, *job);
+  if (interrupted()) return interrupted_status();
+  return write_to(options.output, template_text(TemplateMaker(*job, *channel.control, faults).make())) ? ok : wrong_usage;
+}
+
+}  // namespace kadr::cli

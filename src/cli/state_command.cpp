@@ -1,0 +1,56 @@
+// kadr state check|recover: is what --state keeps sound, and what can be read of it.
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include "cli/options.h"
+#include "config/state_check.h"
+#include "config/told.h"
+
+namespace kadr::cli {
+namespace {
+
+std::string rows_told(std::size_t rows) {
+  return told(fmt::format("{} {}", rows, rows == 1 ? "row" : "rows"), told_count(rows, "запись", "записи", "записей"));
+}
+
+/// What was found, on standard output; status 2 if that is full.
+int print(const StateOptions& options, const StateReport& report, const std::string& heading) {
+  std::string text = fmt::format("{}: {}\n", options.file, heading);
+  for (const std::string& fault : report.faults) text += "  " + fault + "\n";
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!written) return wrong_usage;
+  return report.faults.empty() ? ok : alarms;
+}
+
+int check_file(const StateOptions& options) {
+  const auto report = check_state(options.file);
+  if (!report) return complain(report.error()), wrong_usage;
+  const std::string control = report->control.empty() ? "?" : report->control, rows = rows_told(report->rows);
+  if (!report->faults.empty())
+    return print(options, *report,
+                 told("damaged: control " + control + ", sound: " + rows, "повреждён: система " + control + ", цело: " + rows));
+  const std::string old = report->checked ? ""
+                                          : told("; of an older Kadr, without checksums: whether its values are true cannot be checked",
+                                                 "; от прежней версии Kadr, без контрольных сумм: верны ли значения, проверить нельзя");
+  return print(options, *report, told("sound: control " + control + ", " + rows, "исправен: система " + control + ", " + rows) + old);
+}
+
+int recover_file(const StateOptions& options) {
+  const std::string to = options.out.empty() ? options.file + ".recovered" : options.out;
+  const auto report = recover_state(options.file, to, options.control);
+  if (!report) return complain(report.error()), wrong_usage;
+  const std::string rows = rows_told(report->rows);
+  const std::string heading =
+      report->faults.empty() ? told(rows + " written to " + to + ", nothing is lost", rows + " записано в " + to + ", ничего не потеряно")
+                             : told(rows + " written to " + to + "; what was wrong, and is not there:",
+                                    rows + " записано в " + to + "; что было неверно и не вошло:");
+  return print(options, *report, heading);
+}
+
+}  // namespace
+
+int state(const StateOptions& options) { return options.recover ? recover_file(options) : check_file(options); }
+
+}  // namespace kadr::cli

@@ -1,0 +1,187 @@
+// What a row of [address], [g] or [m] may ask of the engine: its function, what that needs of the control, its `arg`. A row that the
+// engine could not carry out is refused here, by name, before a program runs. Tested by tests/config/control_rules_test.cpp,
+// tests/own_control.py and fuzz/own_control_fuzz.cpp.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "config/control_loader.h"
+
+namespace kadr {
+
+using toml_tools::place;
+
+namespace {
+
+/// Numbers that a function's `arg` may be; one without a row has none.
+struct ArgRow {
+  Function function;
+  int least, most;
+};
+constexpr ArgRow args[] = {
+    {Function::work_zero, 0, 9},           {Function::fixture, 1, 1000},
+    {Function::home_through, 1, 2},        {Function::circular_pocket, 2, 3},
+    {Function::override_permission, 0, 3}, {Function::select_plane, 17, 19},
+    {Function::reference_return, 1, 2},    {Function::radius_side, 0, 2},
+    {Function::length_comp, 0, 2},         {Function::length_comp, 437, 437},
+    {Function::transform_off, 512, 512},   {Function::transform_off, 681, 681},
+    {Function::work_system, 1, 6},         {Function::feed_control, 62, 64},
+    {Function::macro_modal, 660, 661},     {Function::turning_cycle, 707, 707},
+    {Function::turning_cycle, 717, 717},   {Function::turning_cycle, 727, 727},
+    {Function::turning_cycle, 737, 737},   {Function::turning_cycle, 747, 747},
+    {Function::turning_cycle, 757, 757},   {Function::turning_cycle, 767, 767},
+    {Function::turning_simple, 777, 777},  {Function::turning_simple, 787, 787},
+    {Function::turning_simple, 797, 797},  {Function::drilling, 0, 0},
+    {Function::drilling, 730, 730},        {Function::drilling, 740, 740},
+    {Function::drilling, 760, 760},        {Function::spindle_code, 3, 5},
+    {Function::spindle_code, 19, 19},      {Function::gear_range, 1, 8},
+};
+
+/// Addresses whose letter the engine looks for; G and M alone are codes.
+struct LetterRow {
+  Function function;
+  std::string_view letters;
+};
+constexpr LetterRow letters_of[] = {
+    {Function::block_number, "N"},         {Function::code, "GM"},         {Function::feed_word, "F"},
+    {Function::speed_word, "S"},           {Function::tool_word, "T"},     {Function::offset_word, "D"},
+    {Function::repeat_word, "H"},          {Function::call_word, "L"},     {Function::label, "O"},
+    {Function::corrector_word, "L"},       {Function::spindle_word, "S"},  {Function::tool_call, "T"},
+    {Function::length_number, "H"},        {Function::radius_number, "D"}, {Function::formal_parameter, "R"},
+    {Function::machine_axis, "XYZUVWABC"},
+};
+
+/// The words that these look for in their block, by these letters and no others.
+bool names_word_of(Function function) { return function == Function::word_of_code || function == Function::dwell_word; }
+
+constexpr std::int32_t drilling_tenths[] = {730, 740, 760, 810, 820, 830, 840, 842, 843, 850, 860, 870, 880, 890};
+
+std::string quoted(Function function) { return "'" + std::string(traits_of(function).name) + "'"; }
+
+std::string_view written(Needs needs) {
+  switch (needs) {
+    case Needs::nct: return "the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)";
+    case Needs::correctors: return "[behaviour] correctors = true";
+    case Needs::sections: return "[behaviour] subprograms_by_section = true";
+    case Needs::labels: return "[grammar] label";
+    default: return "";
+  }
+}
+
+}  // namespace
+
+bool ControlLoader::has(Needs needs) const {
+  switch (needs) {
+    case Needs::nct: return def_.behaviour.machine_axes;
+    case Needs::no_nct: return !def_.behaviour.machine_axes;
+    case Needs::correctors: return def_.behaviour.correctors;
+    case Needs::sections: return def_.behaviour.subprograms_by_section;
+    case Needs::labels: return def_.grammar.label_address != 0;
+    default: return true;
+  }
+}
+
+tl::expected<Function, std::string> ControlLoader::function_of(const toml::table& row, CalledBy by, const std::string& name_of_row) {
+  const std::string name = text(row, "does");
+  const Function function = function_named(name);
+  const auto refused = [&](const std::string& why) { return Failed(place(name_, row, "does") + name_of_row + ": " + why); };
+  if (function == Function::count) {
+    const std::string near = nearest_function(name, by);
+    return refused(name.empty() ? "`does` is missing"
+                                : "unknown function '" + name + "'" + (near.empty() ? "" : ", nearest: '" + near + "'"));
+  }
+  if (called_by(function) != by)
+    return refused(quoted(function) + (by == CalledBy::word ? " belongs to a code, [g] or [m]" : " belongs to a word, [address]"));
+  if (has(needs_of(function))) return function;
+  if (needs_of(function) == Needs::no_nct)
+    return refused(quoted(function) + " does not work with the machine of the NCT ([behaviour] machine_axes = true)");
+  return refused(quoted(function) + " needs " + std::string(written(needs_of(function))));
+}
+
+std::string ControlLoader::nearest_function(std::string_view name, CalledBy by) const {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Function::count); ++i) {
+    const auto function = static_cast<Function>(i);
+    if (called_by(function) == by && has(needs_of(function))) names.push_back(traits_of(function).name);
+  }
+  return std::string(toml_tools::nearest(name, names));
+}
+
+/// Letter, axis, unit and limits of an address.
+Done ControlLoader::check_address(char letter, const toml::table& row, const AddressRow& a) const {
+  const std::string who = address_written(letter) + ": ";
+  for (const LetterRow& fixed : letters_of)
+    if (fixed.function == a.function && fixed.letters.find(letter) == std::string_view::npos)
+      return Failed(place(name_, row, "does") + who + quoted(a.function) + " is a word " + std::string(fixed.letters));
+  const Grammar& g = def_.grammar;
+  if (a.function == Function::label && g.label_address != letter)
+    return Failed(place(name_, row, "does") + who + "[grammar] label is another letter");
+  if (a.function == Function::formal_parameter && g.parameter_address != letter)
+    return Failed(place(name_, row, "does") + who + "'formal_parameter' needs [grammar] formal_parameter = \"" + std::string(1, letter) +
+                  "\"");
+  const bool has_axis = a.function == Function::axis || a.function == Function::center;
+  if (has_axis && !row.contains("axis")) return Failed(place(name_, row, "does") + who + quoted(a.function) + " needs `axis`");
+  if (!has_axis) KADR_LOAD(no_effect(row, "axis", who + "`axis` has no effect: " + quoted(a.function) + " has none"));
+  for (const AddressRow& other : def_.addresses) {
+    if (!has_axis || &other == &a || other.letter == 0 || other.function != a.function || other.axis != a.axis) continue;
+    const toml::table* const second = file_["address"][address_written(other.letter)].as_table();
+    const toml::node* const theirs = second == nullptr ? nullptr : second->get("axis");
+    const bool blames_other = !is_own(*row.get("axis")) && theirs != nullptr && is_own(*theirs);
+    return Failed((blames_other ? place(name_, *theirs) : place(name_, row, "axis")) + who + "axis " + def_.axes[a.axis] +
+                  " has the word " + address_written(other.letter) + " already");
+  }
+  const bool acts = a.function != Function::word_of_code && a.function != Function::center && a.function != Function::axis;
+  const bool is_number = a.function != Function::code && a.function != Function::block_number && a.function != Function::label;
+  if (!acts || !is_number)
+    KADR_LOAD(no_effect(row, "phase", who + "`phase` has no effect: " + quoted(a.function) + " does nothing by itself"));
+  if (!is_number) KADR_LOAD(no_effect(row, "scale", who + "`scale` has no effect: " + quoted(a.function) + " is no value"));
+  if (a.function != Function::corrector_word && row["second"].value_or(false))
+    return Failed(place(name_, row, "second") + who + "`second` needs does = \"corrector_word\": nothing else takes a second number");
+  const bool of_nct = def_.behaviour.machine_axes;
+  if (!of_nct && (a.function == Function::block_number || a.function == Function::label))
+    for (const char* key : {"least", "most", "whole"})
+      KADR_LOAD(no_effect(row, key, who + "`" + key + "` has no effect: " + quoted(a.function) + " is not limited on this control"));
+  if (!(std::isfinite(a.scale) && a.scale != 0)) return Failed(place(name_, row, "scale") + who + "scale must be a number, not 0");
+  if (!(a.least <= a.most)) return Failed(place(name_, row, "least") + who + "least must not be more than most");
+  return {};
+}
+
+/// `arg`, and what a row of [g], [m] asks of its words.
+Done ControlLoader::check_code(const toml::table& row, const CodeRow& c) const {
+  const std::string who = c.code + ": ";
+  const auto of_function = [&](const ArgRow& a) { return a.function == c.function; };
+  const bool has_arg = std::any_of(std::begin(args), std::end(args), of_function);
+  if (!has_arg) KADR_LOAD(no_effect(row, "arg", who + "`arg` has no effect: " + quoted(c.function) + " has none"));
+  const auto fits = [&](const ArgRow& a) { return of_function(a) && c.arg >= a.least && c.arg <= a.most; };
+  if (has_arg && !std::any_of(std::begin(args), std::end(args), fits)) {
+    std::string numbers;
+    for (const ArgRow& a : args)
+      if (of_function(a))
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(a.least) + (a.most > a.least ? " to " + std::to_string(a.most) : "");
+    return Failed(place(name_, row, "arg") + who + "arg of " + quoted(c.function) + " must be " + numbers);
+  }
+  if (c.function == Function::drilling && c.arg == 0 &&
+      std::find(std::begin(drilling_tenths), std::end(drilling_tenths), c.letter == 'G' ? c.tenth : 0) == std::end(drilling_tenths))
+    return Failed(place(name_, row, "does") + who + "'drilling' is G73 to G89, or an `arg` says which of them: 730, 740, 760");
+  if (c.function == Function::fixture && c.arg > static_cast<int>(def_.behaviour.fixtures))
+    return Failed(place(name_, row, "arg") + who + "arg is beyond [behaviour] fixtures");
+  if (c.letter == 'M' && traits_of(c.function).takes_axes && (c.function == Function::rapid || c.function == Function::linear || c.modal))
+    return Failed(place(name_, row, "does") + who + quoted(c.function) + " with a mode of its own is for G codes");
+  if (c.function == Function::machine_function && c.letter != 'M')
+    return Failed(place(name_, row, "does") + who + "'machine_function' is for M codes");
+  for (std::size_t i = 0; i < most_addresses; ++i) {
+    const AddressRow& a = def_.addresses[i];
+    const bool needed = (c.needs >> i & 1u) != 0;
+    if (needed && a.function == Function::count && !(def_.grammar.zero_between_slashes && i == 0))
+      return Failed(place(name_, row, "needs") + who + "needs: no address " +
+                    address_written(static_cast<char>('A' + static_cast<int>(i))));
+    if (needed && names_word_of(a.function) && a.function == Function::word_of_code && (c.takes >> i & 1u) == 0)
+      return Failed(place(name_, row, "needs") + who + "needs " + address_written(a.letter) + ", which it does not take");
+  }
+  if (c.function == Function::dwell && (c.takes & ((std::uint64_t{1} << 26) - 1)) == 0)
+    return Failed(place(name_, row, "takes") + who + "'dwell' must take the word of its time");
+  return {};
+}
+
+}  // namespace kadr

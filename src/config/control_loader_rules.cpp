@@ -1,0 +1,312 @@
+// Settings of a control file that need or exclude each other. What the engine cannot do is refused whoever wrote it; a key that has no
+// effect beside the others is refused where the user's own file has it. Tested as control_loader_functions.cpp.
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/control_loader.h"
+
+namespace kadr {
+
+using toml_tools::place;
+
+namespace {
+
+/// A setting of [grammar] that only the machine of the NCT carries out.
+constexpr std::pair<std::string_view, bool Grammar::*> nct_grammar[] = {
+    {"macro", &Grammar::macro},
+    {"operator_i", &Grammar::operator_i},
+    {"comma_words", &Grammar::comma_words},
+    {"file_names", &Grammar::file_names},
+};
+
+/// A key of [behaviour] and the functions that look at it: without one of them it has no effect.
+struct LooksAt {
+  std::string_view key;
+  std::vector<Function> functions;
+};
+const std::vector<LooksAt>& behaviour_of_functions() {
+  static const std::vector<LooksAt> rows = {
+      {"arc_centers", {Function::arc_cw, Function::arc_ccw}},
+      {"arc_radius_word", {Function::arc_cw, Function::arc_ccw}},
+      {"arc_radius_difference", {Function::arc_cw, Function::arc_ccw}},
+      {"helix_by_lead", {Function::arc_cw, Function::arc_ccw}},
+      {"reference_feed", {Function::approach_reference}},
+      {"probe_least_distance", {Function::probe}},
+      {"speed_needs_direction", {Function::speed_word}},
+      {"tool_and_corrector", {Function::tool_word}},
+      {"contour_entry_tangent", {Function::radius_comp_left, Function::radius_comp_right}},
+      {"contour_blocks_checked", {Function::radius_comp_left, Function::radius_comp_right}},
+      {"zero_change_checked", {Function::work_zero}},
+      {"fixtures", {Function::fixture, Function::set_data}},
+      {"return_chip_break", {Function::cycle}},
+      {"return_near", {Function::cycle}},
+  };
+  return rows;
+}
+
+/// Keys of [behaviour] that the machine of the NCT does not look at: its parameters say such things.
+constexpr std::string_view not_of_nct[] = {"arc_centers",           "helix_by_lead",
+                                           "reference_feed",        "return_chip_break",
+                                           "return_near",           "probe_least_distance",
+                                           "tool_and_corrector",    "speed_needs_direction",
+                                           "contour_entry_tangent", "contour_blocks_checked",
+                                           "zero_change_checked",   "subprogram_zero_local",
+                                           "delayed_assignment",    "fixtures"};
+
+/// Functions that work in a plane, or along the axis across it.
+constexpr Function plane_functions[] = {
+    Function::arc_cw,     Function::arc_ccw,     Function::cycle,        Function::circular_pocket,  Function::plane_xy,
+    Function::plane_zx,   Function::plane_yz,    Function::polar_on,     Function::rotation_on,      Function::pole_rapid,
+    Function::pocket_run, Function::length_plus, Function::length_minus, Function::radius_comp_left, Function::radius_comp_right,
+    Function::call_word,  Function::probe,
+};
+
+/// A function and the system variables that it works with.
+struct Stores {
+  Function function;
+  int arg;  // -1: any
+  VariableKind kind;
+  std::string_view name;
+};
+constexpr Stores stores[] = {
+    {Function::home_through, 1, VariableKind::home, "home"},
+    {Function::home_through, 2, VariableKind::home_second, "home_second"},
+    {Function::fixture, -1, VariableKind::fixture, "fixture"},
+    {Function::set_data, -1, VariableKind::fixture, "fixture"},
+    {Function::set_position_restore, -1, VariableKind::set_position, "set_position"},
+};
+
+constexpr std::uint32_t stored_axes = 6;  // coordinates of a point in the system variables
+
+}  // namespace
+
+/// Some row calls one of them.
+bool ControlLoader::does(std::initializer_list<Function> functions) const {
+  const auto one_of = [&](Function f) { return std::find(functions.begin(), functions.end(), f) != functions.end(); };
+  return std::any_of(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& row) { return one_of(row.function); }) ||
+         std::any_of(def_.addresses.begin(), def_.addresses.end(), [&](const AddressRow& row) { return one_of(row.function); });
+}
+
+/// The machine of the NCT and its language belong together: neither works without the other.
+Done ControlLoader::check_machine() {
+  const Grammar& g = def_.grammar;
+  const Behaviour& b = def_.behaviour;
+  const toml::table* const words = section("grammar");
+  const toml::table* const behaves = section("behaviour");
+  const auto at = [&](std::string_view key) {  // the key of the user's own file, if it stands there
+    const toml::node* const own = behaves == nullptr ? nullptr : behaves->get("machine_axes");
+    const bool blames_machine = own != nullptr && is_own(*own);
+    if (blames_machine) return place(name_, *own);
+    return words == nullptr ? name_ + ": " : place(name_, *words, key);
+  };
+  for (const auto& [key, flag] : nct_grammar)
+    if (g.*flag && !b.machine_axes)
+      return Failed(at(key) + "[grammar] " + std::string(key) +
+                    " needs the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)");
+  if (!b.machine_axes) return {};
+  if (!g.macro || !g.expressions)
+    return Failed(at(g.macro ? "expressions" : "macro") + "[behaviour] machine_axes needs [grammar] macro and expressions");
+  if (file_.get("parameters") == nullptr) return Failed(at("macro") + "[behaviour] machine_axes needs `parameters` = \"nct-parameters\"");
+  if (g.variables < 100'000) return Failed(at("variables") + "[behaviour] machine_axes needs [grammar] variables of 100000 and more");
+  if (g.label_address != 'O') return Failed(at("label") + "[behaviour] machine_axes needs [grammar] label = \"O\"");
+  for (const auto& [key, on] : {std::pair<std::string_view, bool>{"formal_parameter", g.parameter_address != 0},
+                                {"section", g.section_address != 0},
+                                {"zero_between_slashes", g.zero_between_slashes},
+                                {"block_number_required", g.block_number_required},
+                                {"main_blocks", g.main_blocks}})
+    if (on)
+      return Failed(at(key) + "[grammar] " + std::string(key) +
+                    " does not work with the machine of the NCT ([behaviour] machine_axes = true)");
+  for (const auto& [key, on] :
+       {std::pair<std::string_view, bool>{"correctors", b.correctors}, {"subprograms_by_section", b.subprograms_by_section}})
+    if (on)
+      return Failed(place(name_, *behaves, key) + "[behaviour] " + std::string(key) +
+                    " does not work with the machine of the NCT ([behaviour] machine_axes = true)");
+  for (const std::string_view key : not_of_nct)
+    KADR_LOAD(no_effect(*behaves, key, std::string(key) + " has no effect with the machine of the NCT ([behaviour] machine_axes = true)"));
+  return {};
+}
+
+Done ControlLoader::check_grammar() {
+  const toml::table* const t = section("grammar");
+  if (t == nullptr) return {};
+  const Grammar& g = def_.grammar;
+  const auto function_at = [&](char letter) { return def_.addresses[static_cast<std::size_t>(letter - 'A')].function; };
+  const auto letter_is = [&](char letter, Function function, const char* key) -> Done {
+    if (letter == 0 || function_at(letter) == function) return {};
+    return Failed(place(name_, *t, key) + std::string(key) + ": [address] " + letter + " must be '" +
+                  std::string(traits_of(function).name) + "'");
+  };
+  KADR_LOAD(letter_is(g.parameter_address, Function::formal_parameter, "formal_parameter"));
+  KADR_LOAD(letter_is(g.label_address, Function::label, "label"));
+  KADR_LOAD(letter_is(g.section_address, Function::call_word, "section"));
+  if (g.expressions && g.parameter_address != 0)
+    return Failed(place(name_, *t, "expressions") + "expressions and formal_parameter do not work together");
+  if (g.percent_ignored && g.program_start_required)
+    return Failed(place(name_, *t, "percent_ignored") +
+                  "percent_ignored: a program could not begin with the % that program_start_required asks for");
+  if ((g.section_address != 0) != def_.behaviour.subprograms_by_section)
+    return Failed(place(name_, *t, "section") + "[grammar] section and [behaviour] subprograms_by_section need each other");
+  if (g.label_address != 0 && g.section_address != 0) return Failed(place(name_, *t, "label") + "label and section do not work together");
+  const auto pointless = [&](bool is_so, std::string_view key, const std::string& why) -> Done {
+    return is_so ? no_effect(*t, key, std::string(key) + " has no effect " + why) : Done();
+  };
+  KADR_LOAD(pointless(!g.percent_number || g.percent_ignored, "percent_digits", "without percent_number"));
+  KADR_LOAD(pointless(g.percent_number && g.percent_ignored, "percent_number", "beside percent_ignored"));
+  KADR_LOAD(pointless(g.end_of_block == EndOfBlock::line_only, "mark_everywhere", "with end_of_block = \"line_only\""));
+  KADR_LOAD(pointless(g.parameter_address == 0, "parameters_in", "without formal_parameter"));
+  KADR_LOAD(pointless(!g.expressions && def_.variables.empty() && g.variables != 0, "variables", "without expressions"));
+  KADR_LOAD(
+      pointless(g.zero_between_slashes && !does({Function::zero_shift}), "zero_between_slashes", "without a code that does 'zero_shift'"));
+  if (const toml::table* const most = (*t)["most_codes"].as_table())
+    for (const auto& [letter, node] : *most)
+      if (function_at(letter.str()[0]) == Function::count)
+        KADR_LOAD(no_effect(*most, letter.str(), "most_codes has no effect: no address " + std::string(letter.str())));
+  return {};
+}
+
+Done ControlLoader::check_behaviour() {
+  const toml::table* const t = section("behaviour");
+  if (t == nullptr) return {};
+  const Behaviour& b = def_.behaviour;
+  const std::pair<const char*, double> lengths[] = {
+      {"arc_radius_difference", b.arc_radius_difference}, {"feed_most", b.feed_most},     {"reference_feed", b.reference_feed},
+      {"return_chip_break", b.return_chip_break},         {"return_near", b.return_near}, {"probe_least_distance", b.probe_least_distance}};
+  for (const auto& [key, value] : lengths)
+    if (!(value >= 0 && value <= 1e6)) return Failed(place(name_, *t, key) + std::string(key) + " must be a number from 0 to 1000000");
+  if (!(b.reference_feed > 0)) return Failed(place(name_, *t, "reference_feed") + "reference_feed must be more than 0");
+  if (b.call_depth == 0) return Failed(place(name_, *t, "call_depth") + "call_depth must be a whole number from 1 to 255");
+  if (b.fixtures == 0) return Failed(place(name_, *t, "fixtures") + "fixtures must be a whole number from 1 to 1000");
+  if (b.correctors && !does({Function::corrector_word}))
+    return Failed(place(name_, *t, "correctors") + "correctors: [address] L must be 'corrector_word'");
+  if (b.machine_axes) return {};
+  for (const LooksAt& row : behaviour_of_functions()) {
+    const bool looked_at = std::any_of(row.functions.begin(), row.functions.end(), [&](Function f) { return does({f}); });
+    if (!looked_at)
+      KADR_LOAD(no_effect(
+          *t, row.key,
+          std::string(row.key) + " has no effect without a row that does '" + std::string(traits_of(row.functions[0]).name) + "'"));
+  }
+  if (!def_.grammar.expressions && b.delayed_assignment)
+    KADR_LOAD(no_effect(*t, "delayed_assignment", "delayed_assignment has no effect without [grammar] expressions"));
+  if (!b.subprograms_by_section && b.subprogram_zero_local)
+    KADR_LOAD(no_effect(*t, "subprogram_zero_local", "subprogram_zero_local has no effect without subprograms_by_section"));
+  return {};
+}
+
+/// Every axis has its word; where something works in a plane there are three of them.
+Done ControlLoader::check_axes() const {
+  if (def_.behaviour.machine_axes) return {};
+  const auto words = [&](Function function) {
+    std::uint32_t axes = 0;
+    for (const AddressRow& row : def_.addresses)
+      if (row.function == function) axes |= 1u << row.axis;
+    return axes;
+  };
+  const toml::table& t = *file_["axes"].as_table();
+  const std::uint32_t named = words(Function::axis), centers = words(Function::center);
+  for (std::size_t a = 0; a < def_.axes.size(); ++a)
+    if ((named >> a & 1u) == 0) return Failed(place(name_, t, "names") + "names: axis " + def_.axes[a] + " has no word in [address]");
+  const auto in_plane = [&](const CodeRow& row) {
+    return std::find(std::begin(plane_functions), std::end(plane_functions), row.function) != std::end(plane_functions);
+  };
+  if (def_.axes.size() < 3)
+    if (const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), in_plane); row != def_.codes.end())
+      return Failed(place(name_, t, "names") + row->code + ": '" + std::string(traits_of(row->function).name) + "' needs three axes");
+  if (def_.axes.size() < 3 && (def_.behaviour.correctors || def_.behaviour.subprograms_by_section))
+    return Failed(place(name_, t, "names") + "[behaviour] correctors and subprograms_by_section need three axes");
+  if (def_.behaviour.helix_by_lead && (centers & 7u) != 7u)
+    return Failed(place(name_, t, "names") + "[behaviour] helix_by_lead needs a 'center' for each of the first three axes");
+  return {};
+}
+
+/// What a function keeps in system variables, and whether some row can call what another begins.
+Done ControlLoader::check_functions() {
+  const auto kept = [&](VariableKind kind) {
+    return std::any_of(def_.variables.begin(), def_.variables.end(), [&](const VariableRow& v) { return v.kind == kind; });
+  };
+  for (const CodeRow& row : def_.codes) {
+    const toml::table* const codes = section(row.letter == 'G' ? "g" : "m");
+    for (const Stores& s : stores)
+      if (s.function == row.function && (s.arg < 0 || s.arg == row.arg) && !kept(s.kind))
+        return Failed((codes == nullptr ? name_ + ": " : place(name_, *codes)) + row.code + ": '" +
+                      std::string(traits_of(row.function).name) + "' needs [[variables]] is = \"" + std::string(s.name) + "\"");
+  }
+  if (def_.behaviour.machine_axes && (!def_.feed_codes.empty() || !def_.speed_codes.empty()))
+    return Failed(name_ + ": [feed_codes] and [speed_codes] do not work with the machine of the NCT ([behaviour] machine_axes = true)");
+  if (!def_.feed_codes.empty() && !does({Function::feed_word}))
+    return Failed(name_ + ": [feed_codes] has no effect without an address that does 'feed_word'");
+  if (!def_.speed_codes.empty() && !does({Function::speed_word}))
+    return Failed(name_ + ": [speed_codes] has no effect without an address that does 'speed_word'");
+  return {};
+}
+
+/// A cycle that could never end, or never begin.
+Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const {
+  const std::string who = "cycle " + c.name + ": ";
+  const auto has = [&](CycleStep step) { return std::find(c.steps.begin(), c.steps.end(), step) != c.steps.end(); };
+  const auto needs = [&](char letter) { return (c.needs & letter_bit_of(letter)) != 0; };
+  const bool called = c.name[0] == 'L';
+  if (has(CycleStep::passes_by_parameter) && !called)
+    return Failed(place(name_, row, "steps") + who + "passes_by_parameter is for cycles that are called: L83");
+  if (called && c.call_number == 0) return Failed(place(name_, row) + who + "a number from 1 must follow L");
+  if (called && !def_.behaviour.subprograms_by_section)
+    return Failed(place(name_, row) + who + "a cycle that is called needs [behaviour] subprograms_by_section = true");
+  if (called && def_.grammar.parameter_address == 0) return Failed(place(name_, row) + who + "its words are [grammar] formal_parameter");
+  if (called && !c.steps.empty() && (c.steps.size() != 1 || c.steps[0] != CycleStep::passes_by_parameter))
+    return Failed(place(name_, row, "steps") + who + "steps of a cycle that is called: passes_by_parameter alone, else a body");
+  if (called) {
+    for (const char* const key : {"needs", "needs_spindle", "needs_spindle_cw"})
+      KADR_LOAD(no_effect(row, key, who + key + " has no effect on a cycle that is called"));
+    return {};
+  }
+  if (!c.body.empty()) return Failed(place(name_, row, "body") + who + "a body is for cycles that are called: L81");
+  KADR_LOAD(no_effect(row, "needs_override_off", who + "needs_override_off has no effect on a cycle that is not called"));
+  if (!needs('Z') || !needs('R')) return Failed(place(name_, row, "needs") + who + "needs must have Z and R");
+  if ((has(CycleStep::peck_full) || has(CycleStep::peck_break)) && !needs('Q'))
+    return Failed(place(name_, row, "needs") + who + "peck_full and peck_break need Q: the cycle would never end");
+  return {};
+}
+
+/// A variable that the engine can keep.
+Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v) const {
+  if (def_.behaviour.machine_axes) return {};
+  const std::string kind(row["is"].value_or(std::string()));
+  const std::string who = "'" + kind + "': ";
+  if (v.kind > VariableKind::fixture || v.kind == VariableKind::free)
+    return Failed(place(name_, row, "is") + who + "needs the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)");
+  for (const char* const key : {"ranges", "symbol", "first", "arg", "bit", "of", "access", "works"})
+    if (row.contains(key)) return Failed(place(name_, row, key) + who + "`" + key + "` has no effect without the machine of the NCT");
+  const VariableRange& range = v.ranges.front();
+  const std::uint32_t expected = v.kind == VariableKind::fixture_number ? 1 : stored_axes;
+  if (range.count != expected) return Failed(place(name_, row, "count") + who + "count must be " + std::to_string(expected));
+  if (v.kind == VariableKind::fixture) {
+    if (range.stride < expected) return Failed(place(name_, row, "stride") + who + "stride must be at least " + std::to_string(expected));
+    if (range.repeat < def_.behaviour.fixtures)
+      return Failed(place(name_, row, "repeat") + who + "repeat must be at least [behaviour] fixtures");
+  } else {
+    for (const char* const key : {"stride", "repeat"}) KADR_LOAD(no_effect(row, key, who + key + " has no effect: there is one"));
+  }
+  constexpr std::uint32_t first_system_variable = 1000;  // below it every number is the program's own
+  const std::uint64_t last = range.from + std::uint64_t{range.stride} * (range.repeat - 1) + range.count - 1;
+  if (range.from < first_system_variable || range.repeat == 0) return Failed(place(name_, row, "from") + who + "from must be 1000 or more");
+  if (last > def_.grammar.variables)
+    return Failed(place(name_, row, "from") + who + "#" + std::to_string(last) + " is beyond [grammar] variables");
+  return {};
+}
+
+/// The end of the program only sets modes: it must not move, call, stop or end.
+Done ControlLoader::check_end_code(const toml::node& node, const CodeRow& c) const {
+  const FunctionTraits& traits = traits_of(c.function);
+  const bool straight = c.function == Function::rapid || c.function == Function::linear || c.function == Function::mirror_off;
+  const bool switches_off = c.function == Function::macro_modal_off || c.function == Function::interrupt_off;
+  const bool acts = (traits.takes_axes && !straight) || (traits.phase == Phase::flow && !switches_off) || traits.phase == Phase::stop ||
+                    c.function == Function::machine_function || c.function == Function::gear_range || c.function == Function::change_tool ||
+                    c.function == Function::exchange_tool || c.function == Function::dwell || c.function == Function::dwell_or_turns ||
+                    c.function == Function::machine_coordinates || !c.works;
+  if (acts) return Failed(place(name_, node) + "end: " + c.code + " is no mode: '" + std::string(traits.name) + "'");
+  return {};
+}
+
+}  // namespace kadr

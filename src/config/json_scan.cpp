@@ -1,0 +1,241 @@
+#include "config/json_scan.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "config/read_file.h"
+#include "config/told.h"
+#include "lang/encoding.h"
+
+namespace kadr {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// A character as UTF-8.
+void append(unsigned code, std::string& to) {
+  const auto rest = [&](int shift) { to += static_cast<char>(0x80U | (code >> shift & 0x3FU)); };
+  if (code < 0x80) to += static_cast<char>(code);
+  else if (code < 0x800) to += static_cast<char>(0xC0U | code >> 6), rest(0);
+  else if (code < 0x10000) to += static_cast<char>(0xE0U | code >> 12), rest(6), rest(0);
+  else to += static_cast<char>(0xF0U | code >> 18), rest(12), rest(6), rest(0);
+}
+
+/// Grammar of RFC 8259, one method a rule; false: a fault was found.
+class Scan {
+ public:
+  Scan(std::string_view text, const std::string& file) : text_(text), file_(file) {
+    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  }
+
+  std::string run() {
+    if (value()) {
+      blanks();
+      if (at_ < text_.size()) fault("something stands behind the end: " + here(), "после конца стоит что-то ещё: " + here());
+    }
+    return fault_;
+  }
+
+ private:
+  bool fault_at(std::size_t at, const std::string& en, const std::string& ru) {
+    if (fault_.empty()) fault_ = told_place(file_, text_, at) + told(en, ru);
+    return false;
+  }
+  bool fault(const std::string& en, const std::string& ru) { return fault_at(at_, en, ru); }
+
+  bool missing(const std::string& en, const std::string& ru) {
+    if (at_ >= text_.size()) return fault("the text ends where " + en + " must stand", "текст обрывается там, где должно стоять: " + ru);
+    if (text_[at_] == '/' || text_[at_] == '#') return fault("JSON has no comments", "в JSON нет комментариев");
+    return fault(here() + " where " + en + " must stand", here() + " вместо: " + ru);
+  }
+
+  /// The character that is looked at, for people.
+  std::string here() const {
+    const std::string_view rest = text_.substr(at_);
+    const std::size_t size = rest.empty() ? 0 : first_character(rest).size;
+    if (size == 0 || static_cast<unsigned char>(rest[0]) < ' ') return told("a control character", "управляющий знак");
+    return "'" + std::string(rest.substr(0, size)) + "'";
+  }
+
+  void blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+  bool next_is(char c) {
+    blanks();
+    return at_ < text_.size() && text_[at_] == c;
+  }
+  bool taken(char c) { return next_is(c) && (++at_, true); }
+
+  bool value() {
+    blanks();
+    if (++values_ > limits::json_values)
+      return fault("more than " + std::to_string(limits::json_values) + " values",
+                   "более " + std::to_string(limits::json_values) + " значений");
+    const char c = at_ < text_.size() ? text_[at_] : '\0';
+    if (c == '{') return within(&Scan::table);
+    if (c == '[') return within(&Scan::list);
+    if (c == '"') return string().has_value();
+    if (is_digit(c) || c == '-' || c == '+' || c == '.') return number();
+    if (is_letter(c)) return word();
+    if (c == '\'') return fault("a text stands in double quotes", "текст заключается в двойные кавычки");
+    return missing("a value", "значение");
+  }
+
+  bool within(bool (Scan::*read)()) {
+    if (depth_ == limits::json_depth)
+      return fault("more than " + std::to_string(limits::json_depth) + " brackets in brackets",
+                   "скобки вложены более чем на " + told_count(limits::json_depth, "уровень", "уровня", "уровней"));
+    ++depth_, ++at_;
+    const bool read_well = (this->*read)();
+    --depth_;
+    return read_well;
+  }
+
+  bool table() {
+    std::set<std::string, std::less<>> keys;
+    if (taken('}')) return true;
+    do {
+      blanks();
+      const std::size_t at = at_;
+      if (next_is('}')) return fault("a comma before '}'", "запятая перед '}'");
+      if (!next_is('"')) return missing("a key in double quotes", "ключ в двойных кавычках");
+      const auto key = string();
+      if (!key) return false;
+      if (!keys.insert(*key).second)
+        return fault_at(at, "the key '" + *key + "' stands twice in one table", "ключ «" + *key + "» дважды в одной таблице");
+      if (!taken(':')) return missing("':' behind a key", "':' после ключа");
+      if (!value()) return false;
+    } while (taken(','));
+    return taken('}') || missing("',' or '}'", "',' или '}'");
+  }
+
+  bool list() {
+    if (taken(']')) return true;
+    do {
+      if (next_is(']')) return fault("a comma before ']'", "запятая перед ']'");
+      if (!value()) return false;
+    } while (taken(','));
+    return taken(']') || missing("',' or ']'", "',' или ']'");
+  }
+
+  bool word() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '_')) ++at_;
+    constexpr std::size_t longest = 40;
+    const std::string word(text_.substr(begin, std::min(at_ - begin, longest)));
+    if (word == "true" || word == "false" || word == "null") return true;
+    if (word == "NaN" || word == "nan" || word == "Infinity" || word == "inf") return no_number(begin, word);
+    return fault_at(begin, "'" + word + "' is no value: a text stands in double quotes",
+                    "«" + word + "» — не значение: текст заключается в двойные кавычки");
+  }
+
+  bool no_number(std::size_t at, const std::string& word) {
+    return fault_at(at, "'" + word + "' is no number", "«" + word + "» — не число");
+  }
+
+  bool digits() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && is_digit(text_[at_])) ++at_;
+    return at_ > begin;
+  }
+
+  bool number() {
+    const std::size_t begin = at_;
+    const auto wrong = [&] {
+      while (at_ < text_.size() &&
+             (is_digit(text_[at_]) || is_letter(text_[at_]) || text_[at_] == '.' || text_[at_] == '-' || text_[at_] == '+'))
+        ++at_;
+      constexpr std::size_t longest = 40;
+      const std::string written(text_.substr(begin, std::min(at_ - begin, longest)));
+      return fault_at(begin, "'" + written + "' is no number: write 12, -0.5 or 1e3",
+                      "«" + written + "» — не число: пишется 12, -0.5 или 1e3");
+    };
+    if (text_[at_] == '-') ++at_;
+    const std::size_t first = at_;
+    if (!digits() || (text_[first] == '0' && at_ > first + 1)) return wrong();
+    if (at_ < text_.size() && text_[at_] == '.' && (++at_, !digits())) return wrong();
+    if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
+      ++at_;
+      if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) ++at_;
+      if (!digits()) return wrong();
+    }
+    if (at_ < text_.size() && (is_letter(text_[at_]) || text_[at_] == '.')) return wrong();
+    double value = 0;
+    const auto read = std::from_chars(text_.data() + begin, text_.data() + at_, value);
+    const bool tiny = read.ec == std::errc::result_out_of_range && text_.substr(begin, at_ - begin).find("e-") != std::string_view::npos;
+    if (read.ec == std::errc() || tiny) return true;
+    constexpr std::size_t longest = 40;
+    const std::string written(text_.substr(begin, std::min(at_ - begin, longest)));
+    return fault_at(begin, written + " is too great for a number", written + ": слишком большое число");
+  }
+
+  /// Its characters, those of escapes decoded.
+  std::optional<std::string> string() {
+    std::string content;
+    const std::size_t begin = at_++;
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '"') return ++at_, content;
+      if (static_cast<unsigned char>(c) < ' ')
+        return fault("a line end or control character within a text: \\n, \\t",
+                     "конец строки или управляющий знак внутри текста: \\n, \\t"),
+               std::nullopt;
+      if (c == '\\') {
+        if (!escape(content)) return std::nullopt;
+        continue;
+      }
+      const std::size_t size = first_character(text_.substr(at_)).size;
+      if (size == 0) return fault("bytes that are no UTF-8", "байты не в UTF-8"), std::nullopt;
+      content += text_.substr(at_, size);
+      at_ += size;
+    }
+    return fault_at(begin, "a text without its closing quote", "у текста нет закрывающей кавычки"), std::nullopt;
+  }
+
+  bool escape(std::string& content) {
+    constexpr std::string_view known = "\"\\/bfnrt", means = "\"\\/\b\f\n\r\t";
+    const char c = at_ + 1 < text_.size() ? text_[at_ + 1] : '\0';
+    if (const std::size_t which = known.find(c); c != '\0' && which != std::string_view::npos) {
+      content += means[which];
+      at_ += 2;
+      return true;
+    }
+    const std::size_t begin = at_;
+    const int first = unit();
+    const bool high = first >= 0xD800 && first < 0xDC00, low = first >= 0xDC00 && first < 0xE000;
+    const int second = high ? unit() : 0;
+    if (first < 0 || low || (high && (second < 0xDC00 || second >= 0xE000)))
+      return fault_at(begin, "an unknown \\ in a text; there are \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u0416",
+                      "неизвестное \\ в тексте; бывают \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u0416");
+    append(high ? 0x10000U + (static_cast<unsigned>(first - 0xD800) << 10) + static_cast<unsigned>(second - 0xDC00)
+                : static_cast<unsigned>(first),
+           content);
+    return true;
+  }
+
+  /// One \uXXXX; -1: it is none.
+  int unit() {
+    int value = 0;
+    if (text_.substr(at_, 2) != "\\u" || at_ + 6 > text_.size()) return -1;
+    const auto read = std::from_chars(text_.data() + at_ + 2, text_.data() + at_ + 6, value, 16);
+    if (read.ec != std::errc() || read.ptr != text_.data() + at_ + 6 || text_[at_ + 2] == '-') return -1;
+    at_ += 6;
+    return value;
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t at_ = 0, depth_ = 0, values_ = 0;
+  std::string fault_;
+};
+
+}  // namespace
+
+std::string told_json_fault(std::string_view text, const std::string& file) {
+  if (std::string fault = told_no_text(text, file); !fault.empty()) return fault;
+  return Scan(text, file).run();
+}
+
+}  // namespace kadr

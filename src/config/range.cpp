@@ -1,0 +1,16 @@
+#include "config/range.h"
+
+#include <fmt/format.h>
+
+#include "config/told.h"
+
+namespace kadr {
+
+std::string told(const Range& range) {
+  if (range.least == ranges::any.least && range.most == ranges::any.most) return told("a number", "число");
+  const std::string unit = told(range.unit_en, range.unit_ru);
+  const std::string limits = told(fmt::format("{} to {}", range.least, range.most), fmt::format("от {} до {}", range.least, range.most));
+  return told("a number, ", "число ") + limits + (unit.empty() ? "" : " " + unit);
+}
+
+}  // namespace kadr

@@ -1,0 +1,36 @@
+#pragma once
+// What a number of a file may be: a range a kind of number, one for set-ups, machine files and control files alike. They keep a slip of
+// the pen (a minus, 1e-300, NaN) from becoming a motion that never ends; no machine comes near them.
+
+#include <string>
+
+namespace kadr {
+
+struct Range {
+  double least, most;
+  const char* unit_en = "";
+  const char* unit_ru = "";
+};
+
+namespace ranges {
+inline constexpr Range position = {-1e7, 1e7, "mm or degrees", "мм или градусов"};  // ten kilometres, as for a program's own positions
+inline constexpr Range distance = {0, 1e7, "mm", "мм"};
+inline constexpr Range diameter = {1e-6, 1e7, "mm", "мм"};
+inline constexpr Range rate = {1e-3, 1e9, "mm/min or degrees/min", "мм/мин или град/мин"};  // a rapid rate: never zero
+inline constexpr Range feed = {0, 1e9, "mm/min", "мм/мин"};
+inline constexpr Range acceleration = {1e-3, 1e9, "mm/s² or degrees/s²", "мм/с² или град/с²"};
+inline constexpr Range jerk = {1e-3, 1e12, "mm/s³ or degrees/s³", "мм/с³ или град/с³"};
+inline constexpr Range seconds = {0, 86400, "s", "с"};  // a day
+inline constexpr Range speed = {0, 1e6, "rev/min", "об/мин"};
+inline constexpr Range percent = {0, 1000, "%", "%"};
+inline constexpr Range scale = {1e-9, 1e9};
+inline constexpr Range any = {-1e300, 1e300};
+}  // namespace ranges
+
+/// Whether a number is one, and in the range.
+constexpr bool is_within(double value, const Range& range) { return value >= range.least && value <= range.most; }
+
+/// What must be: "a number, 0 to 86400 s", in the language of messages.
+std::string told(const Range& range);
+
+}  // namespace kadr

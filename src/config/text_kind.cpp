@@ -1,0 +1,137 @@
+// For config/guess and cli/program_files; tests/config/guess_test.cpp.
+
+#include "config/text_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace kadr {
+namespace {
+
+constexpr int lines_looked_at = 500;
+
+struct LanguageMark {
+  const char* text;  // in capitals
+  const char* language;
+};
+/// Words that stand in no program of our controls.
+constexpr std::array language_marks = {
+    LanguageMark{"BEGIN PGM", "Heidenhain"}, LanguageMark{"TOOL CALL", "Heidenhain"}, LanguageMark{"CYCL DEF", "Heidenhain"},
+    LanguageMark{"BLK FORM", "Heidenhain"},  LanguageMark{" FMAX", "Heidenhain"},     LanguageMark{";$PATH=", "Sinumerik"},
+    LanguageMark{"MCALL ", "Sinumerik"},     LanguageMark{"DEF REAL", "Sinumerik"},   LanguageMark{"DEF INT", "Sinumerik"},
+    LanguageMark{"CYCLE8", "Sinumerik"},     LanguageMark{"CYCLE9", "Sinumerik"},     LanguageMark{"WORKPIECE(", "Sinumerik"},
+    LanguageMark{"STOPRE", "Sinumerik"},     LanguageMark{"GOTOF", "Sinumerik"},      LanguageMark{"GOTOB", "Sinumerik"},
+    LanguageMark{"X=IC(", "Sinumerik"},      LanguageMark{"TRANS X", "Sinumerik"},    LanguageMark{"CALL OO", "Okuma"},
+    LanguageMark{"VZOFZ", "Okuma"},          LanguageMark{"VTOFH", "Okuma"},          LanguageMark{"NAT0", "Okuma"},
+};
+
+/// Words of letters that stand in programs of our controls.
+constexpr std::array<std::string_view, 44> statement_words = {
+    "IF",    "THEN",  "ELSE",  "ELSEIF", "ENDIF", "GOTO", "WHILE",  "ENDWHILE", "DO",     "END",    "EQ",  "NE",  "GT",     "LT",  "GE",
+    "LE",    "SIN",   "COS",   "TAN",    "ATAN",  "SQRT", "ABS",    "FIX",      "FUP",    "ROUND",  "AND", "OR",  "XOR",    "MOD", "DPRNT",
+    "BPRNT", "POPEN", "PCLOS", "FOPEN",  "FCLOS", "SUB",  "ENDSUB", "CALL",     "RETURN", "REPEAT", "LF",  "PRM", "EXISTS", "MSG"};
+
+bool letter(char c) { return c >= 'A' && c <= 'Z'; }
+/// The beginning of a character that is no ASCII.
+bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0xC0; }
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+bool begins_value(char c) { return (c >= '0' && c <= '9') || std::string_view("+-.#[<=(").find(c) != std::string_view::npos; }
+
+/// Addresses with values, and words of letters, of a line in capitals.
+struct Words {
+  int addresses = 0, words = 0;
+};
+Words words_of(std::string_view line) {
+  Words count;
+  for (std::size_t i = 0; i < line.size();) {
+    if (line[i] == ';') break;
+    if (line[i] == '<') i = std::min(line.find('>', i), line.size() - 1);  // a name: O<name>, #<name>
+    if (line[i] == '#' || line[i] == ':') {
+      ++count.addresses;
+      ++i;
+      continue;
+    }
+    if (!letter(line[i]) && !beyond_ascii(line[i])) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i, characters = 0;
+    for (; end < line.size() && (letter(line[end]) || beyond_ascii(line[end]) || continues(line[end])); ++end)
+      characters += continues(line[end]) ? 0 : 1;
+    const std::string_view word = line.substr(i, end - i);
+    const std::size_t next = std::min(line.find_first_not_of(" \t", end), line.size());
+    const bool value = next < line.size() && begins_value(line[next]);
+    const bool of_language = std::find(statement_words.begin(), statement_words.end(), word) != statement_words.end();
+    constexpr std::string_view end_of_block = "\xD0\x9F\xD0\xA1";  // ПС
+    if ((characters == 1 && value) || of_language || word == end_of_block || (characters <= 2 && value)) ++count.addresses;
+    else ++count.words;
+    i = end;
+  }
+  return count;
+}
+
+bool is_like_block(const std::string& line) {
+  if (line[0] == '%' || line[0] == ';' || line[0] == '/') return true;
+  const Words count = words_of(line);
+  return count.addresses > count.words;
+}
+
+/// For people: what the line begins with, whole characters.
+std::string beginning_of(std::string_view line) {
+  constexpr std::size_t most = 40;  // bytes
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  std::size_t size = std::min(line.size(), most);
+  while (size < line.size() && size > 0 && continues(line[size])) --size;
+  while (size > 0 && static_cast<unsigned char>(line[size - 1]) <= ' ') --size;
+  return std::string(line.substr(0, size)) + (size + 1 < line.size() ? "…" : "");
+}
+
+bool is_binary(std::string_view sample) {
+  constexpr double most = 0.02;  // of the bytes: a damaged program has fewer
+  const auto odd = std::count_if(sample.begin(), sample.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && byte != 0x1A) || byte == 0x7F;
+  });
+  return static_cast<double>(odd) > most * static_cast<double>(sample.size());
+}
+
+}  // namespace
+
+std::string bare_line(std::string_view line) {
+  std::string text;
+  bool inside = false;
+  for (const char c : line) {
+    if (c == '(') inside = true;
+    else if (c == ')') inside = false;
+    else if (!inside && c != '\r') text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
+KindOfText kind_of_text(std::string_view sample) {
+  if (is_binary(sample)) return {TextKind::binary, {}, {}, 0};
+  std::uint32_t number = 0;
+  int lines = 0, blocks = 0;
+  KindOfText first_prose{TextKind::prose, {}, {}, 0};
+  for (std::string_view rest = sample; !rest.empty() && lines < lines_looked_at;) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view whole = rest.substr(0, end);
+    const std::string line = bare_line(whole);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    ++number;
+    if (line.empty()) continue;
+    for (const LanguageMark& mark : language_marks)
+      if (line.find(mark.text) != std::string::npos) return {TextKind::other_language, mark.language, mark.text, number};
+    ++lines;
+    if (is_like_block(line)) ++blocks;
+    else if (first_prose.line == 0) first_prose = {TextKind::prose, {}, beginning_of(whole), number};
+  }
+  if (lines == 0) return {TextKind::empty, {}, {}, 0};
+  return 2 * blocks < lines ? first_prose : KindOfText();
+}
+
+}  // namespace kadr

@@ -1,0 +1,97 @@
+#include "config/toml_scan.h"
+
+#include <algorithm>
+
+#include "config/read_file.h"
+#include "config/told.h"
+
+namespace kadr {
+namespace {
+
+class Scan {
+ public:
+  Scan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  std::string run() {
+    while (at_ < text_.size() && fault_.empty()) {
+      const char c = text_[at_];
+      if (c == '#') at_ = std::min(text_.find('\n', at_), text_.size());
+      else if (c == '"' || c == '\'') string(c);
+      else {
+        sign(c);
+        ++at_;
+      }
+    }
+    return fault_;
+  }
+
+ private:
+  void sign(char c) {
+    if (c == '\n' && depth_ == 0) begins_ = true, parts_ = 1;
+    if (c == '[' || c == '{') open(c);
+    if ((c == ']' || c == '}') && depth_ > 0) --depth_, parts_ = 1;
+    if (c == '.') part();
+    if (c == '=' || c == ',') parts_ = 1, value();
+    if (c != ' ' && c != '\t' && c != '\n' && c != '\r') begins_ = false;
+  }
+
+  /// A bracket at the beginning of a line, outside of a value, is a heading: [a] and [[a]] end with their line.
+  void open(char c) {
+    value();
+    if (begins_ && c == '[') {
+      parts_ = 1;
+      if (at_ + 1 < text_.size() && text_[at_ + 1] == '[') ++at_, ++depth_;
+    }
+    if (++depth_ > limits::toml_depth)
+      fault(told("more than " + std::to_string(limits::toml_depth) + " brackets in brackets",
+                 "скобки вложены более чем на " + told_count(limits::toml_depth, "уровень", "уровня", "уровней")));
+  }
+
+  /// A point in a number counts too: no harm.
+  void part() {
+    value();
+    if (++parts_ > limits::toml_key_parts)
+      fault(told("a key of more than " + std::to_string(limits::toml_key_parts) + " parts",
+                 "ключ более чем из " + std::to_string(limits::toml_key_parts) + " частей"));
+  }
+
+  void value() {
+    if (++values_ > limits::toml_values)
+      fault(told("more than " + std::to_string(limits::toml_values) + " values",
+                 "более " + std::to_string(limits::toml_values) + " значений"));
+  }
+
+  /// To the end of a string, of several lines too. One that does not end its line is the parser's to refuse.
+  void string(char quote) {
+    begins_ = false;
+    const std::string three(3, quote);
+    const bool lines = text_.substr(at_, 3) == three;
+    at_ += lines ? 3 : 1;
+    for (; at_ < text_.size(); ++at_) {
+      if (quote == '"' && text_[at_] == '\\') {
+        ++at_;
+        continue;
+      }
+      if (!lines && text_[at_] == '\n') return;
+      if (text_[at_] != quote) continue;
+      if (lines && text_.substr(at_, 3) != three) continue;
+      at_ += lines ? 3 : 1;
+      for (int more = 0; lines && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;  // """a""""": two of its own
+      return;
+    }
+  }
+
+  void fault(const std::string& sentence) { fault_ = told_place(file_, text_, at_) + sentence; }
+
+  std::string_view text_;
+  const std::string& file_;
+  std::size_t at_ = 0, depth_ = 0, parts_ = 1, values_ = 0;
+  bool begins_ = true;  // of a line: nothing but blanks so far
+  std::string fault_;
+};
+
+}  // namespace
+
+std::string told_toml_limit(std::string_view text, const std::string& file) { return Scan(text, file).run(); }
+
+}  // namespace kadr

@@ -1,0 +1,27 @@
+#pragma once
+// What a comment says of a tool: "(T1 D8 ENDMILL)", «ФРЕЗА 8», "T01 FREZA D=10 R0.5". A proposal for a set-up, to be looked at by a person.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kadr {
+
+struct ToolComment {
+  std::optional<std::uint32_t> tool;  // T1
+  std::optional<double> diameter;     // mm
+  std::optional<double> corner;       // radius of the corner, mm
+  bool empty() const { return !tool && !diameter && !corner; }
+};
+
+/// `text`: UTF-8. `inch`: figures without a unit are inches.
+ToolComment read_tool_comment(std::string_view text, bool inch);
+
+/// The comments of a line: between brackets, behind a semicolon, UTF-8.
+std::vector<std::string> comments_of(std::string_view line);
+/// The line without them and without blanks at its ends.
+std::string without_comments(std::string_view line);
+
+}  // namespace kadr

@@ -1,0 +1,67 @@
+// config/function_needs, control_loader_functions, control_loader_rules: what a row may ask of the engine. The messages themselves:
+// tests/own_control.py.
+
+#include <gtest/gtest.h>
+
+#include "config/control_file.h"
+#include "config/function_needs.h"
+#include "config/toml_tools.h"
+
+namespace kadr {
+namespace {
+
+std::string refusal(const std::string& base, const std::string& rest) {
+  const auto def = parse_control("extends = \"" + base + "\"\nid = \"own\"\n" + rest, "own.toml");
+  return def ? std::string() : def.error();
+}
+
+TEST(needs, stand_in_the_table_of_functions) {
+  EXPECT_EQ(needs_of(Function::rapid), Needs::nothing);
+  EXPECT_EQ(needs_of(Function::plane_rotation_on), Needs::nct);
+  EXPECT_EQ(needs_of(Function::plane_xy), Needs::no_nct);
+  EXPECT_EQ(needs_of(Function::pocket_run), Needs::correctors);
+  EXPECT_EQ(needs_of(Function::call_word), Needs::sections);
+  EXPECT_EQ(needs_of(Function::call_subprogram), Needs::labels);
+  EXPECT_EQ(called_by(Function::feed_word), CalledBy::word);
+  EXPECT_EQ(called_by(Function::rapid), CalledBy::code);
+}
+
+/// A row of its own with each function: accepted only where what it needs is there.
+TEST(needs, are_asked_for_by_the_loader) {
+  std::string phases;
+  for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::none); ++p)
+    phases += "\"" + std::string(name_of(static_cast<Phase>(p))) + "\", ";
+  for (std::size_t i = 0; i < static_cast<std::size_t>(Function::count); ++i) {
+    const auto f = static_cast<Function>(i);
+    const std::string name(traits_of(f).name);
+    const std::string row = "[order]\nphases = [" + phases + "]\n[g]\n\"300\" = { does = \"" + name + "\", takes = \"XYZ\" }\n";
+    for (const std::string base : {"gost", "s2c42", "mach3", "correctors", "nct"}) {
+      const std::string said = refusal(base, row);
+      const bool is_nct = base == "nct";
+      const bool wrong = called_by(f) == CalledBy::word || (needs_of(f) == Needs::nct && !is_nct) ||
+                         (needs_of(f) == Needs::no_nct && is_nct) || (needs_of(f) == Needs::correctors && base != "correctors") ||
+                         (needs_of(f) == Needs::sections && base != "s2c42") ||
+                         (needs_of(f) == Needs::labels && base != "mach3" && base != "nct");
+      if (!wrong) continue;  // refused for other reasons, or accepted
+      EXPECT_EQ(said.find("own.toml:6: G300: '" + name + "'"), 0U) << base << ": " << said;
+    }
+  }
+}
+
+TEST(nearest, is_the_name_that_was_meant) {
+  const std::vector<std::string_view> keys = {"takes", "needs", "needs_axis", "does", "group"};
+  EXPECT_EQ(toml_tools::nearest("take", keys), "takes");
+  EXPECT_EQ(toml_tools::nearest("tekes", keys), "takes");
+  EXPECT_EQ(toml_tools::nearest("need_axis", keys), "needs_axis");
+  EXPECT_EQ(toml_tools::nearest("gruop", keys), "");  // two letters of five
+  EXPECT_EQ(toml_tools::nearest("colour", keys), "");
+  EXPECT_EQ(toml_tools::nearest("", keys), "");
+  EXPECT_EQ(toml_tools::nearest(std::string(10'000, 'x'), keys), "");
+}
+
+TEST(built_in_controls, keep_the_rules) {
+  for (const std::string& id : built_in_controls()) EXPECT_EQ(refusal(id, ""), "");
+}
+
+}  // namespace
+}  // namespace kadr

@@ -1,0 +1,93 @@
+// config/read_file: small files of ours, whole; nothing that would be waited for, or never end.
+
+#include "config/read_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "config/contour.h"
+#include "config/control_file.h"
+#include "config/machine_profile.h"
+#include "config/setup.h"
+#include "config/told.h"
+
+namespace kadr {
+namespace {
+
+namespace fs = std::filesystem;
+
+class read_file_of : public testing::Test {
+ protected:
+  read_file_of() {
+    std::string name = fs::temp_directory_path() / "kadr_read_XXXXXX";
+    folder_ = mkdtemp(name.data());
+  }
+  ~read_file_of() override {
+    tell_in(Lang::en);
+    fs::remove_all(folder_);
+  }
+  fs::path folder_;
+};
+
+TEST_F(read_file_of, bytes_as_they_are) {
+  const std::string content("a\r\n\0\xFF", 5);
+  std::ofstream(folder_ / "f", std::ios::binary) << content;
+  EXPECT_EQ(read_file(folder_ / "f").value(), content);
+  EXPECT_EQ(read_file(folder_ / "f", 5).value(), content);
+  fs::create_symlink(folder_ / "f", folder_ / "link");
+  EXPECT_EQ(read_file(folder_ / "link").value(), content);
+}
+
+TEST_F(read_file_of, too_long) {
+  const std::string name = folder_ / "f";
+  std::ofstream(name) << "x";
+  fs::resize_file(name, (16U << 20) + 1);  // a hole: no disk is used
+  const std::string sentence = name + ": is longer than 16 MiB, the most that such a file may have";
+  EXPECT_EQ(read_file(name).error(), sentence);
+  EXPECT_EQ(load_setup(name).error(), sentence);
+  fs::rename(name, name + ".toml");
+  EXPECT_EQ(load_control(name + ".toml").error(), name + ".toml: is longer than 16 MiB, the most that such a file may have");
+  EXPECT_EQ(load_machine(name + ".toml").error(), name + ".toml: is longer than 16 MiB, the most that such a file may have");
+}
+
+TEST_F(read_file_of, what_is_no_file) {
+  EXPECT_EQ(read_file("/dev/zero").error(), "/dev/zero: is a device, not a file");
+  EXPECT_EQ(read_file(folder_).error(), folder_.string() + ": is a directory, not a file");
+  const std::string pipe = folder_ / "pipe.toml";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(load_setup(pipe).error(), pipe + ": is a pipe, not a file");
+  EXPECT_EQ(load_control(pipe).error(), pipe + ": is a pipe, not a file");
+  EXPECT_EQ(load_machine(pipe).error(), pipe + ": is a pipe, not a file");
+  EXPECT_EQ(parse_control("id = 'a'\nextends = '" + pipe + "'", "house.toml").error(),
+            "house.toml: extends '" + pipe + "': no such control, and " + pipe + ": is a pipe, not a file");
+  EXPECT_EQ(read_file(folder_ / "none").error(), (folder_ / "none").string() + ": cannot be read: there is no such file");
+  fs::create_symlink("circle", folder_ / "circle");
+  EXPECT_EQ(read_file(folder_ / "circle").error(), (folder_ / "circle").string() + ": cannot be read: its links go in a circle");
+}
+
+TEST_F(read_file_of, russian) {
+  tell_in(Lang::ru);
+  EXPECT_EQ(read_file("/dev/zero").error(), "/dev/zero: это устройство, а не файл");
+  EXPECT_EQ(read_file("/none").error(), "/none: не читается: такого файла нет");
+  EXPECT_EQ(told_count(1, "строка", "строки", "строк"), "1 строка");
+  EXPECT_EQ(told_count(22, "строка", "строки", "строк"), "22 строки");
+  EXPECT_EQ(told_count(112, "строка", "строки", "строк"), "112 строк");
+}
+
+TEST(told_place, columns_count_characters) {
+  EXPECT_EQ(told_place("a.json", "{\n  \"Ось\": ?}", 14), "a.json:2:10: ");
+  EXPECT_EQ(told_place("", "?", 0), "line 1, column 1: ");
+}
+
+TEST(told_no_text, other_encodings) {
+  EXPECT_EQ(told_no_text("\xFF\xFE{", "a"), "a:1:1: the file is UTF-16; save it as UTF-8");
+  EXPECT_EQ(told_no_text(std::string_view("x\n\0", 3), "a"), "a:2:1: a NUL byte: this is no text");
+  EXPECT_EQ(told_no_text("Ось", "a"), "");
+}
+
+}  // namespace
+}  // namespace kadr

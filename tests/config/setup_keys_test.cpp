@@ -1,0 +1,246 @@
+// config/setup_keys, config/setup_check: the table of keys. Each key is read with its example, by the controls that have it and by no
+// other; a mistyped one is refused.
+
+#include "config/setup_keys.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "config/alarm_texts.h"
+#include "config/control_file.h"
+#include "config/setup_file.h"
+#include "config/setup_names.h"
+
+namespace kadr {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::vector<ControlDef>& controls() {
+  static const std::vector<ControlDef> all = [] {
+    std::vector<ControlDef> defs;
+    for (const std::string& id : built_in_controls()) defs.push_back(load_control(id).value());
+    return defs;
+  }();
+  return all;
+}
+
+tl::expected<PlacedSetup, std::string> read(const Json& setup, const ControlDef* def) {
+  return read_setup({{"", setup.dump()}}, def, Lang::en);
+}
+
+/// A name that may stand for the `*` of a path.
+std::string sample_name(SetupNames kind, const ControlDef* def) {
+  switch (kind) {
+    case SetupNames::axis:
+    case SetupNames::axis_or_all:
+    case SetupNames::axis_or_plane: return "X";
+    case SetupNames::work_offset: return "G54";
+    case SetupNames::variable: return def != nullptr && def->grammar.variables == 0 && !def->grammar.macro ? "R2" : "#100";
+    case SetupNames::parameter: return "N1501";
+    case SetupNames::place: return "10/1";
+    case SetupNames::signal: return "CP_NOWT";
+    case SetupNames::shift: return "G92";
+    case SetupNames::channel: return "2";
+    default: return "1";
+  }
+}
+
+std::string parent_of(std::string_view path) {
+  const std::size_t point = path.rfind('.');
+  return point == std::string_view::npos ? "" : std::string(path.substr(0, point));
+}
+
+/// A set-up that holds the row's example at its path, within the example of the key it stands below.
+Json setup_with(const SetupKey& row, const ControlDef* def) {
+  const std::string top(row.path.substr(0, row.path.find('.')));
+  Json setup = {{top, Json::parse(setup_key(top)->example)}};
+  std::vector<std::string> parts;
+  for (std::string path(row.path); !path.empty(); path = parent_of(path)) {
+    const std::string name = path.substr(parent_of(path).empty() ? 0 : parent_of(path).size() + 1);
+    parts.insert(parts.begin(), name == "*" ? sample_name(setup_key(parent_of(path))->names, def) : name);
+  }
+  Json* at = &setup;
+  for (const std::string& part : parts) {
+    if (at->is_array()) at = &at->at(0);
+    if (at->is_null()) *at = Json::object();
+    at = &(*at)[part];
+  }
+  *at = Json::parse(row.example);
+  if (row.path.starts_with("events.when.")) {  // one of {block, at}, {code, count}, {action}, {program}
+    Json when = {{parts.back(), *at}};
+    if (parts.back() == "at") when["block"] = "N30";
+    if (parts.back() == "count") when["code"] = "M90";
+    setup["events"][0]["when"] = when;
+  }
+  // of all controls: names of other controls in the example of a table
+  if (def != nullptr && top == "variables") setup = {{top, {{sample_name(SetupNames::variable, def), 2}}}};
+  return setup;
+}
+
+TEST(setup_keys, each_is_read_with_its_example) {
+  for (const SetupKey& row : setup_keys()) {
+    const auto setup = read(setup_with(row, nullptr), nullptr);
+    EXPECT_TRUE(setup) << row.path << ": " << setup.error();
+    EXPECT_FALSE(row.en.empty()) << row.path;
+    EXPECT_FALSE(row.ru.empty()) << row.path;
+  }
+}
+
+TEST(setup_keys, each_is_read_where_the_control_has_it_and_nowhere_else) {
+  for (const ControlDef& def : controls())
+    for (const SetupKey& row : setup_keys()) {
+      const Json setup = setup_with(row, &def);
+      const auto done = read(setup, &def);
+      EXPECT_EQ(done.has_value(), has(def, row.needs)) << def.id << " " << setup << " " << (done ? "" : done.error());
+    }
+}
+
+/// What each of the built-in controls has, by its manual: work offsets by code or zeros by number, correctors, variables, …
+TEST(setup_keys, what_the_controls_have) {
+  using H = SetupNeeds;
+  const std::map<std::string, std::set<H>> expected = {
+      {"s2c42", {H::nothing, H::zeros, H::variables}},
+      {"mach3", {H::nothing, H::work_offsets, H::variables, H::probe}},
+      {"gost", {H::nothing, H::work_offsets}},
+      {"correctors", {H::nothing, H::correctors}},
+      {"nct",
+       {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
+        H::probe, H::machine_axes}},
+  };
+  for (const ControlDef& def : controls()) {
+    std::set<H> there;
+    for (int needs = 0; needs <= static_cast<int>(H::machine_axes); ++needs)
+      if (has(def, static_cast<H>(needs))) there.insert(static_cast<H>(needs));
+    ASSERT_TRUE(expected.contains(def.id));
+    EXPECT_EQ(there, expected.at(def.id)) << def.id;
+  }
+}
+
+/// Beyond the ends of each range a number is refused, at them it is read.
+TEST(setup_keys, ranges) {
+  for (const SetupKey& row : setup_keys()) {
+    if (row.form != SetupForm::number && row.form != SetupForm::whole) continue;
+    const auto with = [&](double value) {
+      SetupKey changed = row;
+      const std::string text = Json(value).dump();
+      changed.example = text;
+      return read(setup_with(changed, nullptr), nullptr).has_value();
+    };
+    if (row.range.least > -1e299) {
+      EXPECT_TRUE(with(row.range.least)) << row.path;
+      EXPECT_FALSE(with(row.range.least - 1)) << row.path;
+    }
+    if (row.range.most < 1e299) {
+      EXPECT_TRUE(with(row.range.most)) << row.path;
+      EXPECT_FALSE(with(row.range.most + 1)) << row.path;
+    }
+  }
+}
+
+/// Every key of the set-up at any depth, as a way from its root.
+void ways_of(const Json& value, std::vector<std::string> way, std::vector<std::vector<std::string>>& to) {
+  if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      way.push_back(std::to_string(i));
+      ways_of(value[i], way, to);
+      way.pop_back();
+    }
+  }
+  if (!value.is_object()) return;
+  for (const auto& [key, item] : value.items()) {
+    way.push_back(key);
+    to.push_back(way);
+    ways_of(item, way, to);
+    way.pop_back();
+  }
+}
+
+Json renamed(const Json& setup, const std::vector<std::string>& way, const std::string& name) {
+  Json changed = setup;
+  Json* at = &changed;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) at = at->is_array() ? &(*at)[std::stoul(way[i])] : &(*at)[way[i]];
+  const Json value = (*at)[way.back()];
+  at->erase(way.back());
+  (*at)[name] = value;
+  return changed;
+}
+
+/// Another key, row or name that the control has there.
+bool is_known_there(const std::vector<std::string>& way, const std::string& name, const ControlDef& def) {
+  std::string path;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const SetupKey* const row = path.empty() ? nullptr : setup_key(path);
+    if (row != nullptr && row->form == SetupForm::tables) continue;  // "0"
+    const bool is_name = row != nullptr && row->names != SetupNames::fixed;
+    path += (path.empty() ? "" : ".") + (is_name ? "*" : way[i]);
+  }
+  const SetupKey* const parent = path.empty() ? nullptr : setup_key(path);
+  if (parent == nullptr || parent->names == SetupNames::fixed || parent->form == SetupForm::tables) {
+    const SetupKey* const row = name == "*" ? nullptr : setup_key(path.empty() ? name : path + "." + name);
+    return row != nullptr && has(def, row->needs);
+  }
+  return SetupNamesOf(&def, def.axes, def.axes).allows(parent->names, name);
+}
+
+/// Any one letter of any key changed, left out or put in: refused, or another key that there is.
+TEST(setup_keys, a_mistyped_key_never_passes) {
+  std::size_t tried = 0;
+  for (const ControlDef& def : controls())
+    for (const SetupKey& row : setup_keys()) {
+      if (!has(def, row.needs) || row.path == "files" || row.path == "kinematics" || row.path == "frame") continue;
+      const Json good = setup_with(row, &def);
+      std::vector<std::vector<std::string>> ways;
+      ways_of(good, {}, ways);
+      for (const auto& way : ways)
+        for (std::size_t i = 0; i <= way.back().size(); ++i)
+          for (const char letter : {'x', 'Q', '7', '\0'}) {
+            std::string name = way.back();
+            if (letter == '\0' && i < name.size()) name.erase(i, 1);
+            else if (i < name.size()) name[i] = letter;
+            else name += letter == '\0' ? ' ' : letter;
+            if (name == way.back()) continue;
+            const auto done = read(renamed(good, way, name), &def);
+            ++tried;
+            if (done) EXPECT_TRUE(is_known_there(way, name, def)) << def.id << ": " << renamed(good, way, name);
+            else EXPECT_NE(done.error().find("setup key '"), std::string::npos) << done.error();
+          }
+    }
+  EXPECT_GT(tried, 10'000U);
+}
+
+TEST(setup_keys, no_name_where_a_key_is_a_star) {
+  EXPECT_FALSE(read({{"offsets", {{"*", Json::object()}}}}, nullptr));
+  EXPECT_FALSE(read({{"*", Json::object()}}, nullptr));
+}
+
+TEST(setup_keys, a_key_given_twice) {
+  const auto twice = read_setup({{"s.json", "{\"feed\": 1,\n \"feed\": 2}"}}, nullptr, Lang::en);
+  ASSERT_FALSE(twice);
+  EXPECT_TRUE(twice.error().starts_with("s.json:2:")) << twice.error();
+}
+
+TEST(setup_keys, one_laid_over_the_other) {
+  const auto both = read_setup({{"s.json", R"({"offsets": {"1": {"length": 5, "radius": 2}}, "correctors": {"3": null}})"},
+                                {"--tool 1:r8", R"({"offsets": {"1": {"radius": 8}}})"}},
+                               nullptr, Lang::en);
+  ASSERT_TRUE(both) << both.error();
+  EXPECT_EQ(both->setup.offsets.at(1).length, 5);
+  EXPECT_EQ(both->setup.offsets.at(1).radius, 8);
+  EXPECT_EQ(both->stated, (std::set<std::string>{"offsets.1", "offsets.1.length", "offsets.1.radius"}));
+}
+
+/// null is a value of its own: an acceleration without limit, a vacant variable, a probe that meets nothing.
+TEST(setup_keys, null_is_kept) {
+  const auto setup =
+      read({{"machine", {{"*", {{"acceleration", nullptr}}}}}, {"variables", {{"#1", nullptr}}}, {"probe", {{"2", nullptr}}}}, nullptr);
+  ASSERT_TRUE(setup);
+  EXPECT_TRUE(setup->setup.machine.at("*").no_acceleration);
+  EXPECT_TRUE(setup->setup.variables.contains("#1"));
+  EXPECT_TRUE(setup->setup.probe.contains(2));
+}
+
+}  // namespace
+}  // namespace kadr

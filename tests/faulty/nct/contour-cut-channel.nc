@@ -1,0 +1,12 @@
+(N1403: no interference check)
+G90 G17 G40 G0 X0 Y-40
+G41 D1 G1 X0 Y-20 F500
+Y40
+X30
+Y80
+X-38
+Y40
+X-8
+Y-20
+G40 X-8 Y-40
+M30

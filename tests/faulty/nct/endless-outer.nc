@@ -1,0 +1,9 @@
+O1
+#1=0
+WHILE[#1 LT 10] DO1
+#2=0
+WHILE[#2 LT 5] DO2
+#2=#2+1
+END2
+END1
+M30

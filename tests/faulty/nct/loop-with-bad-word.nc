@@ -1,0 +1,8 @@
+O1
+#1=0
+WHILE[#1 LT 3] DO1
+#1=#1+1
+G1 X#1 F100 Q1
+IF[#1 EQ 3] THEN #2=SQRT[-1]
+END1
+M30

@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""kadr check of folders: what is looked at, what is left out, what cannot be read; its report, its baseline.
+
+    run_check.py --kadr build/kadr [--only 'exclude*']
+
+Each check_… function is one; it works in a temporary folder and raises Failure.
+Exit status: 0 all passed, 1 some failed, 2 wrong usage.
+"""
+import argparse
+import fnmatch
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+TIME_LIMIT_S = 20
+GOOD = 'G0 X1.5\nM30\n'
+FAULTY = 'G0 X1.5\nG0 Q7\nM30\n'
+WARNED = 'G0 Х1.5\nM30\n'   # a Cyrillic Х
+
+
+class Failure(Exception):
+    """Why a check failed, for a person."""
+
+
+def expect(holds, why):
+    if not holds:
+        raise Failure(why)
+
+
+class Kadr:
+    """The program under test in a folder of its own."""
+
+    def __init__(self, program, folder):
+        self.program, self.folder = program, Path(folder)
+
+    def file(self, name, content=GOOD):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def check(self, *arguments, expected=0):
+        """stdout and stderr of `kadr check`."""
+        done = subprocess.run([self.program, 'check', *map(str, arguments), '--lang', 'en'], cwd=self.folder, timeout=TIME_LIMIT_S,
+                              stdin=subprocess.DEVNULL, capture_output=True)
+        out, err = done.stdout.decode(errors='replace'), done.stderr.decode(errors='replace')
+        expect(done.returncode == expected, f'{arguments}: exit status {done.returncode}, expected {expected}; {out[:300]} {err[:500]}')
+        return out, err
+
+
+def check_which_files_are_programs(kadr):
+    for name in ('a.nc', 'b.NGC', 'O1001', 'sub/2.001', 'deep/er/c.tap', 'sub/d.txt'):
+        kadr.file(name)
+    for name, text in (('README', 'This folder holds programs for the mill.\n'), ('notes.txt', 'Call the customer.\nThen the foreman.\n'),
+                       ('.hidden.nc', FAULTY), ('.git/x.nc', FAULTY), ('part.json', '{}'), ('binary', bytes(range(256)) * 20)):
+        kadr.file(name, text)
+    out, err = kadr.check('.')
+    expect(out == '6 programs checked: 0 errors, 0 warnings.\n', out)
+    expect('notes.txt: unknown' in err, f'notes.txt is not told: {err}')
+
+
+def check_exclude(kadr):
+    for name in ('a.nc', 'old/b.nc', 'x/old/c.nc', 'd.bak.nc'):
+        kadr.file(name)
+    for patterns, count in ((('old',), 2), (('old/*',), 3), (('*.bak.nc', 'old'), 1), (('?.nc',), 1)):
+        out, _ = kadr.check('.', '--control', 'mach3', *[word for pattern in patterns for word in ('--exclude', pattern)])
+        expect(out.startswith(f'{count} program'), f'{patterns}: {out}')
+
+
+def check_control_for(kadr):
+    kadr.file('a.nc', 'G0 X1.5\nM30\n')
+    kadr.file('shop/b.nct', 'WHILE[1 EQ 2]DO1\nEND1\nG0 X1\nM30\n')
+    _, err = kadr.check('.', '--control', 'mach3', expected=1)
+    expect('b.nct' in err, err)
+    kadr.check('.', '--control', 'mach3', '--control-for', '*.nct=nct')
+    kadr.check('.', '--control', 'mach3', '--control-for', 'nothing*=gost', '--control-for', '*shop/*=nct')
+
+
+def check_strict(kadr):
+    kadr.file('a.nc', WARNED)
+    kadr.check('a.nc', '--control', 'mach3')
+    kadr.check('a.nc', '--control', 'mach3', '--strict', expected=1)
+
+
+def check_quiet(kadr):
+    kadr.file('a.nc', FAULTY)
+    out, err = kadr.check('a.nc', '-q', expected=1)
+    expect(out == '' and 'looks like' not in err and 'a.nc:2:' in err, f'{out!r} {err!r}')
+
+
+def check_output_and_baseline(kadr):
+    kadr.file('a.nc', FAULTY)
+    out, err = kadr.check('.', '--control', 'mach3', '--format', 'json', '--output', 'known.json', expected=1)
+    expect(out == '' and err == '', f'{out!r} {err!r}')
+    expect(len(json.loads((kadr.folder / 'known.json').read_text())) == 1, 'the report')
+    kadr.file('a.nc', '(moved down)\n' + FAULTY)
+    out, err = kadr.check('.', '--control', 'mach3', '--baseline', 'known.json')
+    expect('1 known finding left out' in out and 'a.nc' not in err, f'{out!r} {err!r}')
+    kadr.file('a.nc', FAULTY.replace('M30', 'G0 Q7\nM30'))
+    _, err = kadr.check('.', '--control', 'mach3', '--baseline', 'known.json', expected=1)
+    expect(err.count('a.nc:') == 1, f'the same fault once more is new: {err}')
+    for text in ('', 'x', '{}', '[1]', '[{"file": 1, "id": "x"}]'):
+        kadr.file('bad.json', text)
+        _, err = kadr.check('.', '--control', 'mach3', '--baseline', 'bad.json', expected=2)
+        expect('bad.json' in err, err)
+    before = (kadr.folder / 'a.nc').read_text()
+    for name in ('a.nc', 'known.json'):
+        kadr.check('.', '--control', 'mach3', '--baseline', 'known.json', '--output', name, expected=2)
+    expect((kadr.folder / 'a.nc').read_text() == before, 'the program is destroyed')
+
+
+def check_text_output(kadr):
+    kadr.file('a.nc', FAULTY)
+    out, err = kadr.check('a.nc', '--control', 'mach3', '--output', 'report.txt', expected=1)
+    expect('a.nc:2:' in (kadr.folder / 'report.txt').read_text() and 'a.nc' not in err and out.startswith('1 program'), err)
+
+
+def check_what_cannot_be_read(kadr):
+    kadr.file('a.nc')
+    kadr.file('dark/b.nc')
+    (kadr.folder / 'loop').symlink_to('.')
+    (kadr.folder / 'gone.nc').symlink_to('nowhere')
+    kadr.check('.', '--control', 'mach3')
+    os.chmod(kadr.folder / 'dark', 0)
+    readable = os.access(kadr.folder / 'dark', os.R_OK)   # root may read all
+    out, err = kadr.check('.', '--control', 'mach3', '--format', 'sarif', expected=0 if readable else 2)
+    os.chmod(kadr.folder / 'dark', 0o755)
+    invocation = json.loads(out)['runs'][0]['invocations'][0]
+    expect(invocation['executionSuccessful'] == readable and ('dark' in err) != readable, f'{invocation} {err}')
+    _, err = kadr.check('missing.nc', 'a.nc', '--control', 'mach3', '--format', 'sarif', expected=2)
+    expect('missing.nc' in err, err)
+    kadr.file('readme', 'Nothing but words is here.\n')
+    out, err = kadr.check('readme', '--format', 'sarif', expected=2)
+    expect('readme: unknown' in err and json.loads(out)['runs'][0]['invocations'][0]['toolExecutionNotifications'], err)
+
+
+def check_a_deep_tree(kadr):
+    deep = os.open(kadr.folder, os.O_RDONLY)
+    for _ in range(60):   # longer than a path may be
+        os.mkdir('d' * 100, dir_fd=deep)
+        below = os.open('d' * 100, os.O_RDONLY, dir_fd=deep)
+        os.close(deep)
+        deep = below
+    os.close(deep)
+    kadr.file('a.nc')
+    out, err = kadr.check('.', '--control', 'mach3', expected=2)
+    expect(out.startswith('1 program') and 'too long' in err, f'{out!r} {err[-200:]!r}')
+    subprocess.run(['rm', '-rf', str(kadr.folder / ('d' * 100))], check=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description='Check kadr check.')
+    parser.add_argument('--kadr', required=True, help='the program under test')
+    parser.add_argument('--only', default='*', help='only checks whose name matches')
+    options = parser.parse_args()
+    program = os.path.abspath(options.kadr)
+    if not os.access(program, os.X_OK):
+        print(f'{options.kadr}: not a program', file=sys.stderr)
+        return 2
+    checks = {name.removeprefix('check_').replace('_', '-'): check for name, check in globals().items() if name.startswith('check_')}
+    chosen = {name: check for name, check in checks.items() if fnmatch.fnmatch(name, options.only)}
+    if not chosen:
+        print('no check of that name', file=sys.stderr)
+        return 2
+    failed = 0
+    for name, check in chosen.items():
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                check(Kadr(program, folder))
+            except (Failure, subprocess.TimeoutExpired, json.JSONDecodeError) as failure:
+                print(f'FAILED {name}: {failure}')
+                failed += 1
+    print(f'{len(chosen) - failed} passed, {failed} failed')
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
