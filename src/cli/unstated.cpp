@@ -56,8 +56,11 @@ std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
     list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", used.word, use.origin.line);
   }
   if (first == nullptr) return std::nullopt;
-  AlarmReport report{
-      note(AlarmId::not_stated, {}, std::string_view(list)), control.file_name(first->origin.file), {}, first->origin, {}, list};
+  AlarmReport report;
+  report.alarm = note(AlarmId::not_stated, {}, std::string_view(list));
+  report.file = control.file_name(first->origin.file);
+  report.origin = first->origin;
+  report.own_text = list;
   auto lines = control.texts_of({first->origin.line}, first->origin.file);
   if (const auto line = lines.find(first->origin.line); line != lines.end()) {
     report.line_text = line->second;
