@@ -218,7 +218,7 @@ CODED = '''extends = "gost"
 id = "coded"
 name = { en = "Coded", ru = "С кодами" }
 spec = "instruction"
-format = "%: N3 3G2 X+33 Y+33 Z+42 I+33 J+33 K+33 F2 S2 T2 M2 LF"
+format = "%: N3 3G2 X+33 Y+33 Z+42 I+33 J+33 K+33 F2 S2 T4 M2 LF"
 [feed_codes]
 progression = true
 99 = 2400

@@ -297,7 +297,9 @@ Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, doub
     if (code.str() == "progression") continue;
     const std::string digits(code.str());
     const bool is_code = !digits.empty() && digits.size() <= most_digits && digits.find_first_not_of("0123456789") == std::string::npos;
-    if (!is_code) return Failed(place(name_, node) + told("'" + digits + "' is no code number", "«" + digits + "» — не номер кода"));
+    if (!is_code)
+      return Failed(place(name_, node) + std::string(key) +
+                    told(": '" + digits + "' is no code number", ": «" + digits + "» — не номер кода"));
     ranged(*t, digits, ranges::feed, to[std::stoi(digits)]);
   }
   return {};

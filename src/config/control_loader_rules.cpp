@@ -261,7 +261,10 @@ Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const
       KADR_LOAD(no_effect(row, key, who + key + " has no effect on a cycle that is called"));
     return {};
   }
-  if (!c.body.empty()) return Failed(place(name_, row, "body") + who + "a body is for cycles that are called: L81");
+  if (!c.body.empty() && def_.grammar.long_parameters.empty())
+    return Failed(place(name_, row, "body") + who +
+                  "a body is for cycles that are called, L81, or where there are [grammar] long_parameters");
+  if (!c.body.empty()) return {};  // a permanent subprogram
   KADR_LOAD(no_effect(row, "needs_override_off", who + "needs_override_off has no effect on a cycle that is not called"));
   if (!needs('Z') || !needs('R')) return Failed(place(name_, row, "needs") + who + "needs must have Z and R");
   if ((has(CycleStep::peck_full) || has(CycleStep::peck_break)) && !needs('Q'))

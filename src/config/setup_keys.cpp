@@ -37,8 +37,8 @@ constexpr SetupKey keys[] = {
   {"modal", F::texts, N::any, any, U::none, stated, H::nothing, "", R"(["G90"])", "", "code words in force before the program, H1, D1 too", "слова, действующие перед программой, в том числе H1, D1"},
   {"feed", F::number, N::fixed, feed, U::mm_min, null, H::nothing, "", "300", "", "F in force", "действующая подача F"},
   {"plane", F::text, N::fixed, any, U::none, null, H::machine_axes, "", R"("XY")", "", "axes of the plane in force, in order", "оси действующей плоскости по порядку"},
-  {"diameter", F::table, N::axis, any, U::none, null, H::machine_axes, "", R"({"X": true})", "", "axes in diameter programming", "оси, программируемые в диаметрах"},
-  {"diameter.*", F::flag, N::fixed, any, U::none, stated, H::machine_axes, "", "true", "", "of one axis", "одной оси"},
+  {"diameter", F::table, N::axis, any, U::none, null, H::diameters, "", R"({"X": true})", "", "axes in diameter programming", "оси, программируемые в диаметрах"},
+  {"diameter.*", F::flag, N::fixed, any, U::none, stated, H::diameters, "", "true", "", "of one axis", "одной оси"},
 
   {"offsets", F::table, N::offset, any, U::none, stated, H::nothing, "", R"({"1": {"length": 112.5, "radius": 8}})", "correctors", "tool offsets; H, D and the tool table share the numbers", "корректоры инструмента; номера H, D и таблицы инструментов общие"},
   {"offsets.*", F::table, N::fixed, any, U::none, stated, H::nothing, "", R"({"length": 112.5, "radius": 8})", "", "one number", "один номер"},

@@ -63,6 +63,7 @@ enum class SetupNeeds : std::uint8_t {
   tool_management,
   clock,
   probe,
+  diameters,     // axes may be programmed in diameters
   machine_axes,  // axes, channels, spindles and logic are the machine's
 };
 

@@ -88,6 +88,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::turning_lengths: return has_variable(def, VariableKind::offset_x);
     case SetupNeeds::tool_management: return has_variable(def, VariableKind::tool_data);
     case SetupNeeds::clock: return has_variable(def, VariableKind::date);
+    case SetupNeeds::diameters: return def.behaviour.machine_axes || def.behaviour.diameter_by_setup;
     case SetupNeeds::probe: return has_function(def, {Function::probe, Function::measure, Function::measure_length});
     case SetupNeeds::machine_axes: return def.behaviour.machine_axes;
   }

@@ -280,7 +280,8 @@ class Writer {
     if (def_.grammar.program_start_required || def_.grammar.percent_number) text_ += technology_.mark.empty() ? "%\n" : "%" + end;
     if (!technology_.comment.empty()) blocks_.front() += " (" + technology_.comment + ")";
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      if (step > 0) text_ += fmt::format("N{} ", (i + 1) * static_cast<std::size_t>(step));
+      const int digits = n.drop_zeros ? 1 : n.whole_digits;
+      if (step > 0) text_ += fmt::format("N{:0{}} ", (i + 1) * static_cast<std::size_t>(step), digits);
       text_ += blocks_[i] + end;
     }
     return {};
