@@ -37,7 +37,7 @@ class Kadr:
 
     def __init__(self, program, folder):
         self.program, self.folder = program, Path(folder)
-        self.sanitized = b'__asan_init' in Path(program).read_bytes()
+        self.sanitized = subprocess.run(['grep', '-q', '__asan_init', program], check=False).returncode == 0   # not read here: a child's memory counts ours
 
     def file(self, name, content):
         path = self.folder / name
