@@ -8,7 +8,7 @@ all:
 	@dev/build release
 
 run:
-	@dev/setup
+	@dev/setup build
 	@dev/build release kadr
 	@mkdir -p out
 	build/release/kadr run $(EXAMPLE).nc --control s2c42 --setup $(EXAMPLE).json --plot $(PICTURE)
@@ -23,6 +23,7 @@ check:
 	@dev/check
 
 install:
+	@dev/setup build
 	@dev/build release kadr
 	install -D -m 755 build/release/kadr "$(DESTDIR)$(PREFIX)/bin/kadr"
 	build/release/kadr man >build/release/kadr.1

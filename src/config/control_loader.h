@@ -56,7 +56,7 @@ class ControlLoader {
     return otherwise;
   }
   /// Number of a key within its range; where it is none, load() fails.
-  void ranged(const toml::table& row, std::string_view key, const Range& range, double& to);
+  void ranged(const toml::table& row, std::string_view key, const NumberRange& range, double& to);
   Done grammar();
   char first_letter(const toml::table& t, std::string_view key);
   Done behaviour();

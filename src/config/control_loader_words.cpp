@@ -85,7 +85,7 @@ std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key,
   return otherwise;
 }
 
-void ControlLoader::ranged(const toml::table& row, std::string_view key, const Range& range, double& to) {
+void ControlLoader::ranged(const toml::table& row, std::string_view key, const NumberRange& range, double& to) {
   if (auto done = toml_tools::number(name_, row, key, range, to); !done && bad_value_.empty()) bad_value_ = done.error();
 }
 
@@ -193,7 +193,7 @@ Done ControlLoader::behaviour() {
     known.insert(key);
     to = typed(*t, key, to, "true or false");
   };
-  const auto number = [&](const char* key, double& to, const Range& range) {
+  const auto number = [&](const char* key, double& to, const NumberRange& range) {
     known.insert(key);
     ranged(*t, key, range, to);
   };

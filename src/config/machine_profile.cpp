@@ -47,7 +47,7 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
                                            "ось " + name + " задаётся таблицей: { rapid = …, limits = [меньшее, большее] }"));
   AxisProfile axis;
   if (auto done = known_keys(file, *row, {"rapid", "limits", "acceleration", "jerk"}); !done) return Failed(done.error());
-  const std::tuple<const char*, const Range&, double&> numbers[] = {
+  const std::tuple<const char*, const NumberRange&, double&> numbers[] = {
       {"rapid", ranges::rate, axis.rapid}, {"acceleration", ranges::acceleration, axis.acceleration}, {"jerk", ranges::jerk, axis.jerk}};
   for (const auto& [key, range, to] : numbers)
     if (auto done = toml_tools::number(file, *row, key, range, to); !done) return Failed(done.error());
@@ -66,9 +66,9 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
     profile.name_en = text.en;
     profile.name_ru = text.ru;
   }
-  const std::tuple<const char*, const Range&, double&> numbers[] = {{"tool_change", ranges::seconds, profile.tool_change_s},
-                                                                    {"spindle_start", ranges::seconds, profile.spindle_start_s},
-                                                                    {"tolerance", ranges::distance, profile.tolerance}};
+  const std::tuple<const char*, const NumberRange&, double&> numbers[] = {{"tool_change", ranges::seconds, profile.tool_change_s},
+                                                                          {"spindle_start", ranges::seconds, profile.spindle_start_s},
+                                                                          {"tolerance", ranges::distance, profile.tolerance}};
   for (const auto& [key, range, to] : numbers)
     if (auto done = toml_tools::number(file, table, key, range, to); !done) return Failed(done.error());
   if (auto done = mode_of(file, table, profile.planner); !done) return Failed(done.error());

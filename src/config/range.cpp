@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-std::string told(const Range& range) {
+std::string told(const NumberRange& range) {
   if (range.least == ranges::any.least && range.most == ranges::any.most) return told("a number", "число");
   const std::string unit = told(range.unit_en, range.unit_ru);
   const std::string limits = told(fmt::format("{} to {}", range.least, range.most), fmt::format("от {} до {}", range.least, range.most));

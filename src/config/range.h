@@ -6,31 +6,32 @@
 
 namespace kadr {
 
-struct Range {
+struct NumberRange {
   double least, most;
   const char* unit_en = "";
   const char* unit_ru = "";
 };
 
 namespace ranges {
-inline constexpr Range position = {-1e7, 1e7, "mm or degrees", "мм или градусов"};  // ten kilometres, as for a program's own positions
-inline constexpr Range distance = {0, 1e7, "mm", "мм"};
-inline constexpr Range diameter = {1e-6, 1e7, "mm", "мм"};
-inline constexpr Range rate = {1e-3, 1e9, "mm/min or degrees/min", "мм/мин или град/мин"};  // a rapid rate: never zero
-inline constexpr Range feed = {0, 1e9, "mm/min", "мм/мин"};
-inline constexpr Range acceleration = {1e-3, 1e9, "mm/s² or degrees/s²", "мм/с² или град/с²"};
-inline constexpr Range jerk = {1e-3, 1e12, "mm/s³ or degrees/s³", "мм/с³ или град/с³"};
-inline constexpr Range seconds = {0, 86400, "s", "с"};  // a day
-inline constexpr Range speed = {0, 1e6, "rev/min", "об/мин"};
-inline constexpr Range percent = {0, 1000, "%", "%"};
-inline constexpr Range scale = {1e-9, 1e9};
-inline constexpr Range any = {-1e300, 1e300};
+inline constexpr NumberRange position = {-1e7, 1e7, "mm or degrees",
+                                         "мм или градусов"};  // ten kilometres, as for a program's own positions
+inline constexpr NumberRange distance = {0, 1e7, "mm", "мм"};
+inline constexpr NumberRange diameter = {1e-6, 1e7, "mm", "мм"};
+inline constexpr NumberRange rate = {1e-3, 1e9, "mm/min or degrees/min", "мм/мин или град/мин"};  // a rapid rate: never zero
+inline constexpr NumberRange feed = {0, 1e9, "mm/min", "мм/мин"};
+inline constexpr NumberRange acceleration = {1e-3, 1e9, "mm/s² or degrees/s²", "мм/с² или град/с²"};
+inline constexpr NumberRange jerk = {1e-3, 1e12, "mm/s³ or degrees/s³", "мм/с³ или град/с³"};
+inline constexpr NumberRange seconds = {0, 86400, "s", "с"};  // a day
+inline constexpr NumberRange speed = {0, 1e6, "rev/min", "об/мин"};
+inline constexpr NumberRange percent = {0, 1000, "%", "%"};
+inline constexpr NumberRange scale = {1e-9, 1e9};
+inline constexpr NumberRange any = {-1e300, 1e300};
 }  // namespace ranges
 
 /// Whether a number is one, and in the range.
-constexpr bool is_within(double value, const Range& range) { return value >= range.least && value <= range.most; }
+constexpr bool is_within(double value, const NumberRange& range) { return value >= range.least && value <= range.most; }
 
 /// What must be: "a number, 0 to 86400 s", in the language of messages.
-std::string told(const Range& range);
+std::string told(const NumberRange& range);
 
 }  // namespace kadr

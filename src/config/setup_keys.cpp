@@ -15,7 +15,7 @@ using H = SetupNeeds;
 
 constexpr SetupRange any{};
 constexpr SetupRange position{ranges::position.least, ranges::position.most};
-constexpr SetupRange told_by_reader(const Range& range) { return {range.least, range.most, true}; }
+constexpr SetupRange told_by_reader(const NumberRange& range) { return {range.least, range.most, true}; }
 constexpr SetupRange place = told_by_reader(ranges::position), rate = told_by_reader(ranges::rate), feed = told_by_reader(ranges::feed);
 constexpr SetupRange acceleration = told_by_reader(ranges::acceleration), seconds = told_by_reader(ranges::seconds);
 constexpr SetupRange speed = told_by_reader(ranges::speed), percent = told_by_reader(ranges::percent);

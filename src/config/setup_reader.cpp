@@ -15,7 +15,7 @@ double number(const Json& value, const std::string& key) {
   return value.get<double>();
 }
 
-double within(const Json& value, const std::string& key, const Range& range) {
+double within(const Json& value, const std::string& key, const NumberRange& range) {
   const double n = number(value, key);
   if (!is_within(n, range)) wrong(key, told(range));
   return n;
@@ -99,7 +99,7 @@ Reader to_number(double& to) {
   return [&to](const Json& value, const std::string& key) { to = number(value, key); };
 }
 
-Reader to_range(double& to, const Range& range) {
+Reader to_range(double& to, const NumberRange& range) {
   return [&to, &range](const Json& value, const std::string& key) { to = within(value, key, range); };
 }
 

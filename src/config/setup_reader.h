@@ -34,7 +34,7 @@ struct Wrong {
 
 /// Readers of one value; `key` is its full name, "machine.X.rapid", for the sentence if the value is of the wrong form.
 double number(const Json& value, const std::string& key);
-double within(const Json& value, const std::string& key, const Range& range);
+double within(const Json& value, const std::string& key, const NumberRange& range);
 int whole(const Json& value, const std::string& key);
 int whole_within(const Json& value, const std::string& key, std::pair<int, int> range);
 std::uint32_t bits(const Json& value, const std::string& key);  // 0 to 4294967295
@@ -72,7 +72,7 @@ using Readers = std::map<std::string, Reader>;
 void read_table(const Json& value, const std::string& inside, const Readers& readers);
 
 Reader to_number(double& to);
-Reader to_range(double& to, const Range& range);
+Reader to_range(double& to, const NumberRange& range);
 Reader to_count(double& to);  // a whole number, 0 to 99 999 999
 Reader to_whole(int& to, int least, int most);
 Reader to_flag(bool& to);

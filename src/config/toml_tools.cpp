@@ -97,7 +97,7 @@ Text text_of(const toml::table& row) { return {row["en"].value_or(std::string())
 
 namespace {
 
-std::optional<double> within(const toml::node* node, const Range& range) {
+std::optional<double> within(const toml::node* node, const NumberRange& range) {
   if (node == nullptr || !node->is_number()) return std::nullopt;
   const double value = node->value<double>().value_or(0);
   return is_within(value, range) ? std::optional(value) : std::nullopt;  // NaN is within nothing
@@ -124,7 +124,7 @@ std::size_t changes(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-tl::expected<void, std::string> number(const std::string& file, const toml::table& row, std::string_view key, const Range& range,
+tl::expected<void, std::string> number(const std::string& file, const toml::table& row, std::string_view key, const NumberRange& range,
                                        double& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
@@ -134,7 +134,7 @@ tl::expected<void, std::string> number(const std::string& file, const toml::tabl
   return {};
 }
 
-tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const Range& range,
+tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const NumberRange& range,
                                      double& least, double& most) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};

@@ -37,11 +37,11 @@ Text text_of(const toml::table& row);
 
 /// The number of a key, within its range; left as it is where the key is missing.
 ///   returns  an error sentence with file and line: "machine.toml:3: rapid must be a number, 0.001 to 1e9 mm/min"
-tl::expected<void, std::string> number(const std::string& file, const toml::table& row, std::string_view key, const Range& range,
+tl::expected<void, std::string> number(const std::string& file, const toml::table& row, std::string_view key, const NumberRange& range,
                                        double& to);
 
 /// [least, most], both within the range, the second above the first.
-tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const Range& range,
+tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const NumberRange& range,
                                      double& least, double& most);
 
 /// The one of `names` that `word` was meant to be, or none: a letter in three may be wrong.
