@@ -131,7 +131,7 @@ void check_print(const Block& block) {
   const auto pieces = parse_print(text, kind, [&](std::string_view rest) -> kadr::Result<std::size_t> {
     kadr::Cursor cursor{rest, 0};
     scratch.clear();
-    const auto reference = kadr::compile_macro_value(cursor, grammar(), scratch, false);
+    const auto reference = kadr::compile_macro_value(cursor, grammar(), scratch, kadr::MacroValue::operand);
     if (!reference) return kadr::fail(reference.error());
     require(cursor.at > 0 && cursor.at <= rest.size(), "a reference is read");
     const auto value = kadr::evaluate(scratch, *reference, Variables());

@@ -41,7 +41,7 @@ void try_out(const kadr::Setup& setup) {
 
 /// What is accepted is within the ranges of config/range.h: no motion that never ends.
 void hold_ranges(const kadr::Setup& setup) {
-  const auto holds = [](const auto& number, const kadr::Range& range) {
+  const auto holds = [](const auto& number, const kadr::NumberRange& range) {
     if (number) kadr::fuzz::require(kadr::is_within(*number, range), "an accepted number is within its range");
   };
   holds(setup.feed, kadr::ranges::feed);
