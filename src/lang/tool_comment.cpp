@@ -102,9 +102,9 @@ ToolComment read_tool_comment(std::string_view text, bool inch) {
   std::optional<double> radius, of_kind, with_unit;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     ball = ball || names_ball(pieces[i].word);
-    if (!pieces[i].word.empty() || i == 0) continue;
+    if (!pieces[i].word.empty()) continue;
     const double value = pieces[i].number, mm = value * unit_behind(pieces, i, inch);
-    const std::string& before = pieces[i - 1].word;
+    const std::string before = i == 0 ? "" : pieces[i - 1].word;  // ("10mm flat endmill")
     const bool whole = value == static_cast<double>(static_cast<std::uint32_t>(std::min(value, 1e8)));
     if (names_tool_number(before) && whole && !found.tool) found.tool = static_cast<std::uint32_t>(value);
     else if (names_diameter(before) && !found.diameter) {

@@ -253,7 +253,7 @@ TEST(errors, of_numbers_beyond_their_range) {
   EXPECT_EQ(said("[address]\nF = { least = nan }\n"), "own.toml:4: least must be a number");
   EXPECT_EQ(said("[address]\nF = { least = 2, most = 1 }\n"), "own.toml:4: least is above most");
   EXPECT_EQ(said("[feed_codes]\n01 = -1\n"), "own.toml:4: 01 must be a number, 0 to 1000000000 mm/min");
-  EXPECT_EQ(said("[speed_codes]\nfast = 1\n"), "own.toml:4: 'fast' is no code number");
+  EXPECT_EQ(said("[speed_codes]\nfast = 1\n"), "own.toml:4: speed_codes: 'fast' is no code number");
   EXPECT_EQ(said("a" +
                  []() {
                    std::string parts;

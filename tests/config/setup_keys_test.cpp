@@ -104,11 +104,11 @@ TEST(setup_keys, what_the_controls_have) {
   const std::map<std::string, std::set<H>> expected = {
       {"s2c42", {H::nothing, H::zeros, H::variables}},
       {"mach3", {H::nothing, H::work_offsets, H::variables, H::probe}},
-      {"gost", {H::nothing, H::work_offsets}},
+      {"gost", {H::nothing, H::work_offsets, H::diameters}},
       {"correctors", {H::nothing, H::correctors}},
       {"nct",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
-        H::probe, H::machine_axes}},
+        H::probe, H::diameters, H::machine_axes}},
   };
   for (const ControlDef& def : controls()) {
     std::set<H> there;

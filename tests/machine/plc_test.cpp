@@ -49,13 +49,13 @@ Action action(What what) {
 const char* const start = R"("do": "start"})";
 
 TEST(plc, blocks) {
-  Plc plc(events(R"({"when": {"block": "N30"}, "do": "set", "signal": "A", "value": 1},
-                    {"when": {"block": "N30", "at": "end"}, "do": "set", "signal": "A", "value": 0},
-                    {"when": {"block": ":30"}, "do": "set", "signal": "B", "value": 1})"));
+  Plc plc(events(R"({"when": {"block": "N30"}, "do": "set", "signal": "CP_MINT", "value": 1},
+                    {"when": {"block": "N30", "at": "end"}, "do": "set", "signal": "CP_MINT", "value": 0},
+                    {"when": {"block": ":30"}, "do": "set", "signal": "CP_NOWT", "value": 1})"));
   EXPECT_EQ(plc.error(), "");
-  EXPECT_EQ(names_of(plc.block(block(30), false)), "A=1");
-  EXPECT_EQ(names_of(plc.block(block(30), true)), "A=0");
-  EXPECT_EQ(names_of(plc.block(block(30, true), false)), "B=1");
+  EXPECT_EQ(names_of(plc.block(block(30), false)), "CP_MINT=1");
+  EXPECT_EQ(names_of(plc.block(block(30), true)), "CP_MINT=0");
+  EXPECT_EQ(names_of(plc.block(block(30, true), false)), "CP_NOWT=1");
   EXPECT_EQ(names_of(plc.block(block(31), false)), "");
   EXPECT_EQ(names_of(plc.block(Origin(), false)), "");  // no number
 }
@@ -85,21 +85,21 @@ TEST(plc, every_code_that_the_machine_is_told) {
 
 TEST(plc, n_th_time_of_each_event) {
   Plc plc(events(R"({"when": {"code": "M90", "count": 3}, "do": "skip", "switch": 8, "on": false},
-                    {"when": {"code": "M90"}, "do": "set", "signal": "A", "value": 1},
+                    {"when": {"code": "M90"}, "do": "set", "signal": "CP_MINT", "value": 1},
                     {"when": {"code": "M90", "count": 1}, "do": "skip", "switch": 8, "on": true})"));
   const Action m90 = action(MachineFunction{90});
-  EXPECT_EQ(names_of(plc.action(m90)), "A=1, skip 8 on");
-  EXPECT_EQ(names_of(plc.action(m90)), "A=1");
-  EXPECT_EQ(names_of(plc.action(m90)), "skip 8 off, A=1");
-  EXPECT_EQ(names_of(plc.action(m90)), "A=1");
+  EXPECT_EQ(names_of(plc.action(m90)), "CP_MINT=1, skip 8 on");
+  EXPECT_EQ(names_of(plc.action(m90)), "CP_MINT=1");
+  EXPECT_EQ(names_of(plc.action(m90)), "skip 8 off, CP_MINT=1");
+  EXPECT_EQ(names_of(plc.action(m90)), "CP_MINT=1");
 }
 
 TEST(plc, messages_and_stops) {
   Plc plc(events(R"({"when": {"action": "message"}, "do": "answer", "answer": "no"},
-                    {"when": {"action": "message"}, "do": "set", "signal": "A", "value": 1},
+                    {"when": {"action": "message"}, "do": "set", "signal": "CP_MINT", "value": 1},
                     {"when": {"action": "stop"}, "do": "start"})"));
-  EXPECT_EQ(names_of(plc.action(action(Message{"", 200, true}))), "answer 3, A=1");
-  EXPECT_EQ(names_of(plc.action(action(Message{"", 5, false}))), "A=1");  // nothing to answer
+  EXPECT_EQ(names_of(plc.action(action(Message{"", 200, true}))), "answer 3, CP_MINT=1");
+  EXPECT_EQ(names_of(plc.action(action(Message{"", 5, false}))), "CP_MINT=1");  // nothing to answer
   EXPECT_EQ(names_of(plc.action(action(Stop{false, StopReason::message}))), "start");
   EXPECT_EQ(names_of(plc.program_end()), "");
 }
