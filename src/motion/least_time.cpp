@@ -17,9 +17,11 @@ double LeastTime::time() const {
   return sum;
 }
 
-/// H · step_ = −gradient_, by L D Lᵀ.
+/// H · step_ = −gradient_, by L D Lᵀ. Where limits of very different sizes meet, rounding may leave nothing of a d, or less: then the
+/// diagonal's own is taken (Gill, Murray, Wright: Practical Optimization 4.4.2), a step that is shorter but still goes down.
 ///   returns  false: H is not positive
 bool LeastTime::newton_step() {
+  constexpr double rounding = 1e-13;
   factors_ = hessian_;
   auto& [h0, h1, h2] = factors_;
   for (std::size_t i = 0; i < variables_; ++i) {
@@ -37,6 +39,7 @@ bool LeastTime::newton_step() {
       z -= l * step_[i - 1];
       h1[i - 1] = l;
     }
+    if (!(d > rounding * hessian_.h0[i])) d = hessian_.h0[i];
     if (!(d > 0) || !std::isfinite(d)) return false;
     h0[i] = d;
     step_[i] = z;
