@@ -9,7 +9,7 @@ all:
 
 run:
 	@dev/setup build
-	@dev/build release kadr
+	@dev/build program kadr
 	@mkdir -p out
 	build/release/kadr run $(EXAMPLE).nc --control s2c42 --setup $(EXAMPLE).json --plot $(PICTURE)
 	@echo "The picture is in $(PICTURE)"
@@ -24,14 +24,16 @@ check:
 
 install:
 	@dev/setup build
-	@dev/build release kadr
-	install -D -m 755 build/release/kadr "$(DESTDIR)$(PREFIX)/bin/kadr"
-	build/release/kadr man >build/release/kadr.1
-	install -D -m 644 build/release/kadr.1 "$(DESTDIR)$(PREFIX)/share/man/man1/kadr.1"
-	build/release/kadr completion bash >build/release/kadr.bash
-	install -D -m 644 build/release/kadr.bash "$(DESTDIR)$(PREFIX)/share/bash-completion/completions/kadr"
+	@dev/build program kadr kadr_files
+	cmake --install build/release --prefix "$(PREFIX)"
+
+deb:
+	@dev/setup deb
+	@dev/build program kadr kadr_files
+	cpack --config build/release/CPackConfig.cmake -B build/deb
+	lintian --fail-on error,warning --info build/deb/*.deb
 
 clean:
 	rm -rf build
 
-.PHONY: all run test check install clean
+.PHONY: all run test check install deb clean
