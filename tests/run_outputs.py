@@ -261,7 +261,7 @@ def check_a_program_cannot_reach_the_run(kadr):
     kadr.file('setup.json', '{}')
     kadr.file('main.nct', 'M30\n')
     kadr.run('run', 'main.nct', '--control', 'nct', '--state', 'a.db')
-    for name in ('a.db', 'setup.json', 'trace', 'TRACE', 's.csv', 'main.nct'):
+    for name in ('a.db', 'a.db-wal', 'a.db-shm', 'a.db-journal', 'setup.json', 'trace', 'TRACE', 's.csv', 'main.nct'):
         kadr.file('main.nct', WRITES.format(name))
         before = everything(kadr.folder)
         kadr.run('run', 'main.nct', '--control', 'nct', '--files', '.', '--state', 'a.db', '--setup', 'setup.json', '--trace', 'trace',

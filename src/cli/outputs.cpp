@@ -43,7 +43,10 @@ void Outputs::reads(const std::string& path) {
 }
 
 void Outputs::writes(const std::string& option, const std::string& name, Opened opened) {
-  if (!name.empty()) outputs_.push_back({option, name, opened, std::nullopt});
+  if (name.empty()) return;
+  outputs_.push_back({option, name, opened, std::nullopt});
+  if (opened == Opened::by_its_owner)  // a state: what SQLite keeps beside it is read at the next opening
+    for (const char* const log : {"-wal", "-shm", "-journal"}) reads(name + log);
 }
 
 std::string Outputs::clash(const Output& output, const char* en, const char* ru, const std::string& other) const {
