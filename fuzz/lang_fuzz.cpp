@@ -8,6 +8,7 @@
 
 #include "config/control_file.h"
 #include "lang/block_reader.h"
+#include "lang/utf16.h"
 #include "require.h"
 
 namespace {
@@ -31,6 +32,16 @@ std::optional<kadr::Encoding> encoding_of(std::size_t index) {
   constexpr Encoding all[] = {Encoding::utf8, Encoding::cp1251, Encoding::koi8r, Encoding::cp866, Encoding::iso7};
   if (index >= std::size(all)) return std::nullopt;
   return all[index];
+}
+
+constexpr unsigned as_utf16le = 32, as_utf16be = 64;  // of the first byte; else what the text looks like
+
+kadr::OpenedText opened(std::string text, unsigned switches) {
+  kadr::SaidEncoding said;
+  if ((switches & as_utf16le) != 0) said.utf16 = kadr::Utf16::little;
+  else if ((switches & as_utf16be) != 0) said.utf16 = kadr::Utf16::big;
+  else said.encoding = encoding_of(switches >> 2 & 7U);
+  return kadr::as_text(kadr::text_source(std::move(text)), said);
 }
 
 /// What is left of a block when the next one has been read.
@@ -123,8 +134,9 @@ void check_jump(kadr::BlockReader& reader, kadr::Block& block, const Read& first
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  const std::size_t length = text.size();
-  kadr::BlockReader reader(kadr::text_source(std::move(text)), grammar_of(data[0] & 3U), encoding_of(data[0] >> 2 & 7U));
+  kadr::OpenedText program = opened(std::move(text), data[0]);
+  const std::size_t length = program.source->size();
+  kadr::BlockReader reader(std::move(program.source), grammar_of(data[0] & 3U), program.encoding);
   const auto block = std::make_unique<kadr::Block>();
   std::vector<Read> all;
   for (bool at_end = false; !at_end;) {

@@ -71,7 +71,8 @@ void program_options(CLI::App& app, Options& o) {
   app.add_option("--zero", o.zeros, "work zero, machine coordinates: G54=X-400,Y-250,Z-300, or 1=X40 (2С42); repeated")
       ->allow_extra_args(false);
   app.add_option("--corrector", o.correctors, "axis corrector, mm: 17=-0.35; repeated")->allow_extra_args(false);
-  app.add_option("--encoding", o.encoding, "of the text: utf-8, cp1251, koi8-r, cp866, iso7, eia (default: detected)");
+  app.add_option("--encoding", o.encoding,
+                 "of the text: utf-8, cp1251, koi8-r, cp866, utf-16, utf-16le, utf-16be, iso7, eia (default: detected)");
   app.add_option("--program", o.program, "number of the program on a tape with several (default: the first; check: all)")
       ->check(CLI::Range(1, 999999999));
   app.add_option("--skip", o.skip, "skip switches that are on, 1 to 9")->check(CLI::Range(1, 9));
@@ -178,7 +179,7 @@ void add_tape(CLI::App& app, Commands& c) {
         ->check(CLI::IsMember({"iso", "eia"}));
     language_option(*sub, c.tape.lang);
     if (!decode) {
-      sub->add_option("--encoding", c.tape.encoding, "of the text: utf-8, cp1251, koi8-r, cp866 (default: detected)");
+      sub->add_option("--encoding", c.tape.encoding, "of the text: utf-8, cp1251, koi8-r, cp866, utf-16 (default: detected)");
       sub->add_option("--leader", c.tape.leader, "rows of blank tape before and after")
           ->capture_default_str()
           ->check(CLI::Range(0, 100000));

@@ -69,7 +69,7 @@ std::string bash_script(const CLI::App& app) {
       "    --control|explain) COMPREPLY=($(compgen -W \"{0}\" -- \"$word\") $(compgen -f -X '!*.toml' -- \"$word\")); return ;;\n"
       "    --lang) COMPREPLY=($(compgen -W \"en ru\" -- \"$word\")); return ;;\n"
       "    --format) COMPREPLY=($(compgen -W \"text json sarif\" -- \"$word\")); return ;;\n"
-      "    --encoding) COMPREPLY=($(compgen -W \"utf-8 cp1251 koi8-r cp866 iso7 eia\" -- \"$word\")); return ;;\n"
+      "    --encoding) COMPREPLY=($(compgen -W \"utf-8 cp1251 koi8-r cp866 utf-16 utf-16le utf-16be iso7 eia\" -- \"$word\")); return ;;\n"
       "  esac\n"
       "  case ${{COMP_WORDS[1]}} in\n{1}    *) words=\"{2}\" ;;\n  esac\n"
       "  COMPREPLY=($(compgen -W \"$words\" -- \"$word\") $(compgen -f -- \"$word\"))\n"

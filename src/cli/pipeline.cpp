@@ -11,7 +11,8 @@
 #include "cli/setup_options.h"
 #include "config/control_file.h"
 #include "config/guess.h"
-#include "lang/several_programs.h"
+#include "config/read_file.h"
+#include "lang/utf16.h"
 
 namespace kadr::cli {
 namespace {
@@ -61,11 +62,13 @@ namespace {
 
 /// The beginning of a program as text.
 std::optional<std::string> sample_of(const std::string& file, const std::string& encoding_name) {
-  auto source = open_file(file);
-  if (!source) return std::nullopt;
-  LineReader reader(std::move(source));
+  SaidEncoding said;
+  (void)read_encoding(encoding_name, said);  // a name that nobody knows is refused later
+  OpenedText opened = open_text(file, said);
+  if (!opened.source) return std::nullopt;
+  LineReader reader(std::move(opened.source));
   const std::string_view sample = reader.sample();
-  const auto encoding = encoding_name.empty() ? detect_encoding(sample) : encoding_named(encoding_name);
+  const auto encoding = opened.encoding ? opened.encoding : detect_encoding(sample);
   std::string text;
   if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
   else text = sample;
@@ -85,7 +88,7 @@ std::string control_by_pattern(const Options& options, const std::string& file) 
 std::optional<std::string> control_of(const Options& options, const std::string& file) {
   if (std::string named = control_by_pattern(options, file); !named.empty()) return named;
   const auto text = sample_of(file, options.encoding);
-  if (!text) return complain(fmt::format("{}: {}", file, std::strerror(errno))), std::nullopt;
+  if (!text) return complain(fmt::format("{}: {}", file, told_errno(errno))), std::nullopt;
   const Guess guess = guess_control(*text);
   const bool ru = language(options) == Lang::ru;
   if (guess.control.empty())
@@ -100,6 +103,11 @@ std::optional<std::string> control_of(const Options& options, const std::string&
 std::string Job::place_of(const std::string& key) const {
   const std::uint32_t line = line_of(setup_lines, key);
   return line == 0 ? setup_file : fmt::format("{}:{}", setup_file, line);
+}
+
+std::string no_encoding(const std::string& name, bool ru) {
+  return fmt::format(fmt::runtime(ru ? "кодировки «{}» нет; есть: {}" : "no encoding '{}': {}"), name,
+                     "utf-8, cp1251, koi8-r, cp866, utf-16, utf-16le, utf-16be, iso7, eia");
 }
 
 std::optional<Job> make_job(const Options& options, const std::string& file) {
@@ -124,75 +132,8 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
   if (const std::string error = Plc(job.setup.events).error(); !error.empty()) return complain(options.setup + ": " + error), std::nullopt;
   job.setup.skip.insert(job.setup.skip.end(), options.skip.begin(), options.skip.end());
   job.setup.optional_stop = job.setup.optional_stop || options.optional_stop;
-  if (!options.encoding.empty()) {
-    job.encoding = encoding_named(options.encoding);
-    if (!job.encoding)
-      return complain(fmt::format("no encoding '{}': utf-8, cp1251, koi8-r, cp866, iso7, eia", options.encoding)), std::nullopt;
-  }
+  if (!read_encoding(options.encoding, job.encoding)) return complain(no_encoding(options.encoding, job.lang == Lang::ru)), std::nullopt;
   return job;
-}
-
-namespace {
-
-/// What the file's first bytes are, where nobody says it.
-std::optional<Encoding> encoding_of(const Job& job, const std::shared_ptr<ByteSource>& source) {
-  return job.encoding ? job.encoding : detect_encoding(LineReader(source).sample());
-}
-
-/// Empty where the file holds one program: without a second sign % it need not be read for more.
-TapeContents programs_of(const Job& job, const std::shared_ptr<ByteSource>& source) {
-  if (!job.def->grammar.percent_number) return {};
-  const auto encoding = encoding_of(job, source);
-  if (count_program_signs(*source, encoding) < 2 && job.program == 0) return {};
-  return contents_of(source, job.def->grammar, encoding);
-}
-
-/// The numbers of its programs, for a person.
-std::string numbers_of(const TapeContents& contents) {
-  if (contents.programs.size() < 2)
-    return contents.programs.empty() || contents.programs[0].number == 0 ? "%" : std::to_string(contents.programs[0].number);
-  std::string text;
-  for (std::size_t i = 0; i < contents.programs.size(); ++i) {
-    const std::uint32_t number = contents.programs[i].number;
-    text += fmt::format("{}{}", i == 0 ? "" : ", ", number != 0 ? std::to_string(number) : "%");
-  }
-  return text;
-}
-
-}  // namespace
-
-std::size_t count_programs(const Job& job) {
-  const std::shared_ptr<ByteSource> source = open_file(job.file);
-  if (!source || job.file == "-") return 1;
-  return std::max<std::size_t>(programs_of(job, source).programs.size(), 1);
-}
-
-std::optional<Program> open_program(const Job& job) {
-  Program program{job.file, open_file(job.file), job.encoding};
-  if (!program.source) {
-    complain(fmt::format("{}: {}", job.file, std::strerror(errno)));
-    return std::nullopt;
-  }
-  if (!job.def->grammar.percent_number && job.program == 0) return program;
-  const std::shared_ptr<ByteSource> source = std::move(program.source);
-  const TapeContents contents = programs_of(job, source);
-  std::optional<std::size_t> index = job.program_index;
-  if (job.program != 0) {
-    index = program_numbered(contents, job.program);
-    if (!index) {
-      complain(job.lang == Lang::ru ? fmt::format("{}: программы {} нет; есть: {}", job.file, job.program, numbers_of(contents))
-                                    : fmt::format("{}: no program {}; there are: {}", job.file, job.program, numbers_of(contents)));
-      return std::nullopt;
-    }
-  } else if (contents.programs.size() > 1 && !index) {
-    complain(job.lang == Lang::ru
-                 ? fmt::format("{}: на ленте программы {}; отрабатывается первая, иначе: --program", job.file, numbers_of(contents))
-                 : fmt::format("{}: holds the programs {}; the first is run, otherwise: --program", job.file, numbers_of(contents)));
-    index = 0;
-  }
-  if (index && *index < contents.programs.size()) program.source = only_program(source, contents, *index, encoding_of(job, source));
-  else program.source = whole_file(source);
-  return program;
 }
 
 VirtualTime virtual_time(const TimeSplit& split) { return {split.total(), split.cutting}; }

@@ -10,6 +10,7 @@
 #include "cli/progress.h"
 #include "cli/run_ahead.h"
 #include "config/machine_profile.h"
+#include "lang/utf16.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
 #include "motion/estimate.h"
@@ -24,7 +25,7 @@ struct Job {
   std::unique_ptr<ControlDef> def;
   MachineProfile profile;
   Setup setup;
-  std::optional<Encoding> encoding;
+  SaidEncoding encoding;
   std::uint32_t program = 0;                 // number of one on a tape with several
   std::optional<std::size_t> program_index;  // … or its place there, from 0
   KeyLines setup_lines;                      // of the set-up's keys
@@ -39,6 +40,9 @@ struct Job {
  private:
   mutable std::unique_ptr<AlarmTexts> texts_;
 };
+
+/// What to say where nobody knows that name.
+std::string no_encoding(const std::string& name, bool ru);
 
 /// Loads what the options name; complains to stderr.
 ///   returns  nothing, if something is missing or wrong (exit status 2)

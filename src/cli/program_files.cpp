@@ -10,7 +10,8 @@
 #include <system_error>
 
 #include "config/guess.h"
-#include "lang/line_reader.h"
+#include "config/read_file.h"
+#include "lang/utf16.h"
 
 namespace kadr::cli {
 namespace {
@@ -27,7 +28,7 @@ bool has_no_ending(const std::string& ending) {
 }
 
 bool looks_like_program(const std::string& path) {
-  auto source = open_file(path);
+  auto source = open_text(path).source;
   if (!source) return false;
   LineReader reader(std::move(source));
   return is_program_text(reader.sample());
@@ -68,9 +69,9 @@ class Search {
       if (folder_there) folders.push_back(path);
       else if (file_there) files.push_back(path);
       else if (of_entry && of_entry != std::errc::no_such_file_or_directory)
-        found_.unreadable.push_back({path.string(), of_entry.message()});
+        found_.unreadable.push_back({path.string(), told_errno(of_entry.value())});
     }
-    if (error) found_.unreadable.push_back({folder.string(), error.message()});
+    if (error) found_.unreadable.push_back({folder.string(), told_errno(error.value())});
     std::sort(files.begin(), files.end());
     std::sort(folders.rbegin(), folders.rend());  // the last one is looked at next
     for (const fs::path& file : files)

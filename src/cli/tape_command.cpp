@@ -5,9 +5,11 @@
 #include "cli/files.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
+#include "cli/pipeline.h"
 #include "lang/eia.h"
 #include "lang/encoding.h"
 #include "lang/tape_side.h"
+#include "lang/utf16.h"
 
 namespace kadr::cli {
 namespace {
@@ -44,13 +46,16 @@ int decode(const TapeOptions& options, const std::string& rows, std::string& out
 }
 
 int encode(const TapeOptions& options, const std::string& bytes, std::string& output, bool ru) {
-  auto encoding = options.encoding.empty() ? detect_encoding(bytes) : encoding_named(options.encoding);
-  if (!options.encoding.empty() && !encoding) return complain(fmt::format("no encoding '{}'", options.encoding)), wrong_usage;
+  SaidEncoding said;
+  if (!read_encoding(options.encoding, said)) return complain(no_encoding(options.encoding, ru)), wrong_usage;
+  const Encoding encoding = said.encoding ? *said.encoding : detect_encoding(bytes).value_or(Encoding::utf8);
   std::string text;
-  if (const Status decoded = append_utf8(bytes, encoding.value_or(Encoding::utf8), text); !decoded)
-    return complain(fmt::format("{}: byte {}: not text in {}", options.input, decoded.error().where.begin + 1,
-                                name_of(encoding.value_or(Encoding::utf8)))),
-           alarms;
+  if (!append_if_utf16(bytes, said, text))
+    if (const Status decoded = append_utf8(bytes, encoding, text); !decoded)
+      return complain(fmt::format(fmt::runtime(ru ? "{}: байт {}: это не текст в кодировке {}" : "{}: byte {}: not text in {}"),
+                                  options.input, decoded.error().where.begin + 1, name_of(encoding))),
+             alarms;
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a mark is no character of the tape
   const TapeCode code = options.code == "eia" ? TapeCode::eia : TapeCode::iso;
   const char* const name = code == TapeCode::eia ? "EIA" : "ISO-7";
   const auto rows = encode_tape(text, options.leader, code);

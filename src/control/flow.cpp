@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "config/embedded.h"
+#include "lang/utf16.h"
 
 namespace kadr {
 namespace {
@@ -75,9 +76,9 @@ void Flow::jump(Position position) {
 
 std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
   if (const auto known = opened_.find(path); known != opened_.end()) return known->second;
-  auto source = open_file(path);
-  if (!source) return std::nullopt;
-  files_.push_back(std::make_unique<ProgramFile>(path, std::move(source), def_.grammar, std::nullopt, limits_.stop));
+  auto text = open_text(path);
+  if (!text.source) return std::nullopt;
+  files_.push_back(std::make_unique<ProgramFile>(path, std::move(text.source), def_.grammar, text.encoding, limits_.stop));
   const auto reader = static_cast<std::uint16_t>(files_.size() - 1);
   opened_.emplace(path, reader);
   return reader;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
+#include <mutex>
 #include <utility>
 
 #include "lang/grammar.h"
@@ -57,29 +59,31 @@ class FileSource final : public ByteSource {
   std::uint64_t size_;
 };
 
+using SharedText = std::shared_ptr<const std::string>;
+
 class TextSource final : public ByteSource {
  public:
-  explicit TextSource(std::string text) : text_(std::move(text)) {}
+  explicit TextSource(SharedText text) : text_(std::move(text)) {}
 
   std::size_t read(std::uint64_t offset, char* to, std::size_t size) override {
-    if (offset >= text_.size()) return 0;
-    return text_.copy(to, size, static_cast<std::size_t>(offset));
+    if (offset >= text_->size()) return 0;
+    return text_->copy(to, size, static_cast<std::size_t>(offset));
   }
-  std::uint64_t size() const override { return text_.size(); }
+  std::uint64_t size() const override { return text_->size(); }
 
  private:
-  std::string text_;
+  SharedText text_;
 };
 
 /// All of a pipe or terminal, in memory.
-std::unique_ptr<ByteSource> read_whole(const OpenFile& file) {
+SharedText read_whole(const OpenFile& file) {
   std::string text;
   std::string piece(window_bytes, '\0');
   while (true) {
     const ssize_t n = read(file.descriptor(), piece.data(), piece.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return nullptr;
-    if (n == 0) return text_source(std::move(text));
+    if (n == 0) return std::make_shared<const std::string>(std::move(text));
     text.append(piece, 0, static_cast<std::size_t>(n));
     if (text.size() > most_piped_bytes) {
       errno = EFBIG;
@@ -87,6 +91,31 @@ std::unique_ptr<ByteSource> read_whole(const OpenFile& file) {
     }
   }
 }
+
+/// A pipe gives its text once, but the guess of its control reads it before the program is read: whoever asks again gets what came.
+class Pipes {
+ public:
+  static SharedText known(const std::string& path) {
+    const std::lock_guard lock(mutex());
+    const auto found = texts().find(path);
+    return found == texts().end() ? nullptr : found->second;
+  }
+  static SharedText keep(const std::string& path, SharedText text) {
+    const std::lock_guard lock(mutex());
+    if (text) texts()[path] = text;
+    return text;
+  }
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex one;
+    return one;
+  }
+  static std::map<std::string, SharedText>& texts() {
+    static std::map<std::string, SharedText> all;
+    return all;
+  }
+};
 
 /// The line's own bytes: several CRs may stand before its LF.
 std::string_view without_crs(std::string_view bytes) {
@@ -104,6 +133,7 @@ bool has_bare_cr(std::string_view sample) {
 }  // namespace
 
 std::unique_ptr<ByteSource> open_file(const std::string& path) {
+  if (SharedText text = Pipes::known(path)) return std::make_unique<TextSource>(std::move(text));
   OpenFile file(path == "-" ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0) : open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (file.descriptor() < 0 || fstat(file.descriptor(), &status) != 0) return nullptr;
@@ -111,12 +141,17 @@ std::unique_ptr<ByteSource> open_file(const std::string& path) {
     errno = EISDIR;
     return nullptr;
   }
-  if (!S_ISREG(status.st_mode)) return read_whole(file);
+  if (!S_ISREG(status.st_mode)) {
+    SharedText text = Pipes::keep(path, read_whole(file));
+    return text ? std::make_unique<TextSource>(std::move(text)) : nullptr;
+  }
   posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // advice only: a refusal changes nothing
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
 
-std::unique_ptr<ByteSource> text_source(std::string text) { return std::make_unique<TextSource>(std::move(text)); }
+std::unique_ptr<ByteSource> text_source(std::string text) {
+  return std::make_unique<TextSource>(std::make_shared<const std::string>(std::move(text)));
+}
 
 LineReader::LineReader(std::shared_ptr<ByteSource> source)
     : source_(std::move(source)), window_(window_bytes, '\0'), next_read_(window_bytes) {

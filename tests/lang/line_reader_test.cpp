@@ -227,6 +227,10 @@ TEST_F(Files, pipe_is_kept_in_memory) {
   EXPECT_EQ(all_lines(reader).size(), 2u);
   reader.seek(0, 1);
   EXPECT_EQ(all_lines(reader).size(), 2u);
+  auto again = open_file(path);  // by the guess of the control, then for the run: no writer comes twice
+  ASSERT_TRUE(again);
+  LineReader second(std::move(again));
+  EXPECT_EQ(all_lines(second).size(), 2u);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "control/machinery.h"
+#include "lang/utf16.h"
 
 namespace kadr::nct {
 namespace {
@@ -91,10 +91,9 @@ struct Heading {
 };
 
 std::optional<Heading> heading_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
+  const auto source = open_text(path.string()).source;
   std::string head(most_head, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
+  head.resize(source ? source->read(0, head.data(), head.size()) : 0);
   const auto behind = [&](const char* passed, std::size_t from) { return std::min(head.find_first_not_of(passed, from), head.size()); };
   const auto line_end = [&](std::size_t from) { return std::min(head.find('\n', from), head.size()); };
   std::size_t at = behind(" \t\r\n", head.starts_with("\xEF\xBB\xBF") ? 3 : 0);
