@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "config/text_kind.h"
@@ -77,6 +78,8 @@ class Clues {
  public:
   void take(std::string_view line, std::uint32_t number) {
     number_ = number;
+    if (line[0] == '%') return tape_begins(line);
+    if (std::exchange(behind_percent_, false) && is_program_number(line)) return program_number_.see(line, number);
     ++lines_;
     const bool numbered = line[0] == 'N' || line[0] == ':' || (line[0] == '/' && line.size() > 1 && line[1] == 'N');
     numbered_ += numbered;
@@ -113,6 +116,14 @@ class Clues {
   static void add(std::vector<Found>& to, double weight, bool holds, const char* en, const char* ru) {
     if (holds) to.push_back({weight, {}, 0, en, ru});
   }
+  /// `%012`: spec/gost 1; `%O1000` and a bare `%` stand in programs of others, too.
+  void tape_begins(std::string_view line) {
+    behind_percent_ = true;
+    if (line.size() > 1 && digit(line[1])) tape_number_.see(line.substr(0, std::min<std::size_t>(line.size(), 6)), number_);
+  }
+  static bool is_program_number(std::string_view line) {
+    return line[0] == 'O' && line.size() > 1 && line.find_first_not_of("0123456789", 1) == std::string_view::npos;
+  }
   bool all_numbered() const { return numbered_ == lines_ && lines_ > 0; }
 
   std::vector<Found> s2c42() const {
@@ -128,6 +139,7 @@ class Clues {
     std::vector<Found> found;
     add(found, 4, variables_);
     add(found, 2, o_words_);
+    if (one_digit_codes_ != 0 || !all_numbered()) add(found, 2, program_number_);  // else gost has it as well (spec/gost 1)
     const bool few = static_cast<double>(lines_ - numbered_) / static_cast<double>(std::max<std::uint64_t>(lines_, 1)) > 0.5;
     add(found, 1.5, few, "few block numbers", "мало номеров кадров");
     add(found, 1, points_ > 0, "decimal points", "десятичные точки");
@@ -144,7 +156,12 @@ class Clues {
     std::vector<Found> found;
     add(found, 2, marks_lf_);
     add(found, 3, main_blocks_);
-    add(found, 1.5, all_numbered() && marks_ps_.count == 0, "all blocks numbered", "все кадры с номерами");
+    add(found, 2, tape_number_);
+    const bool numbered = all_numbered() && marks_ps_.count == 0;
+    add(found, 1.5, numbered, "all blocks numbered", "все кадры с номерами");
+    if (one_digit_codes_ != 0) return found;  // spec/gost 3: 3G2 prints G01
+    add(found, 0.75, plus_signs_);
+    add(found, 0.75, numbered && two_digit_codes_ > 0, "codes of two digits", "коды из двух цифр");
     return found;
   }
   std::vector<Found> nct() const {
@@ -158,6 +175,9 @@ class Clues {
     const char next = line[i + 1];
     const auto see = [&](Sign& sign, std::size_t length) { sign.see(line.substr(i, length), number_); };
     if (c == ':' && digit(next)) see(main_blocks_, 2);
+    if ((c == 'G' || c == 'M') && digit(next)) ++(i + 2 < line.size() && digit(line[i + 2]) ? two_digit_codes_ : one_digit_codes_);
+    if (std::string_view("XYZIJK").find(c) != std::string_view::npos && next == '+' && i + 2 < line.size() && digit(line[i + 2]))
+      see(plus_signs_, 3);
     if (c == 'R' && digit(next) && i + 2 < line.size() && (line[i + 2] == '+' || line[i + 2] == '-')) see(parameters_, 3);
     if ((c == '+' || c == '-') && next == 'R') see(parameters_, 3);
     if (c == 'L' && next == '8' && i + 2 < line.size() && digit(line[i + 2])) see(l_cycles_, 3);
@@ -176,8 +196,10 @@ class Clues {
   }
 
   std::uint32_t number_ = 0;  // of the line
-  std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, long_integers_ = 0;
-  Sign marks_ps_, marks_lf_, variables_, macros_, parameters_, l_cycles_, pairs_, pocket_, o_words_, main_blocks_;
+  bool behind_percent_ = false;
+  std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, long_integers_ = 0, two_digit_codes_ = 0, one_digit_codes_ = 0;
+  Sign marks_ps_, marks_lf_, variables_, macros_, parameters_, l_cycles_, pairs_, pocket_, o_words_, program_number_, main_blocks_,
+      tape_number_, plus_signs_;
 };
 
 Guess unknown(const KindOfText& text) {
@@ -203,6 +225,7 @@ bool is_program_text(std::string_view bytes) {
 
 Guess guess_control(std::string_view sample) {
   constexpr std::uint32_t lines_looked_at = 500;
+  if (sample.starts_with("\xEF\xBB\xBF")) sample.remove_prefix(3);
   const KindOfText text = kind_of_text(sample);
   if (text.kind == TextKind::empty) return {"mach3", "there is nothing in it", "в нём ничего нет"};
   if (text.kind != TextKind::program) return unknown(text);
@@ -210,7 +233,7 @@ Guess guess_control(std::string_view sample) {
   for (std::uint32_t number = 1; !sample.empty() && number <= lines_looked_at; ++number) {
     const std::size_t end = std::min(sample.find('\n'), sample.size());
     const std::string line = bare_line(sample.substr(0, end));
-    if (!line.empty() && line[0] != '%') clues.take(line, number);
+    if (!line.empty()) clues.take(line, number);
     sample.remove_prefix(std::min(end + 1, sample.size()));
   }
   return clues.best();

@@ -57,6 +57,17 @@ TEST(guess, of_the_examples) {
   EXPECT_GT(programs, 8);
 }
 
+// spec/gost 1: `%012`, or `%` and `O0001`, as on the controls like Fanuc's; 2: every block numbered; 3: signs, two digits a code.
+TEST(guess, program_number_behind_percent_tells_no_control) {
+  const auto control = [](const char* text) { return guess_control(text).control; };
+  EXPECT_EQ(control("%\nO0001\nN001 G90 G17\nN002 G01 X10. F100\nN003 M30\n"), "gost");
+  EXPECT_EQ(control("%\nO0001\nN1 G00 X+10. Y-5.\nN2 M02\n"), "gost");
+  EXPECT_EQ(control("%012\nN1 G90 G00 X10. Y5.\nN2 M02\n"), "gost");
+  EXPECT_EQ(control("%\nO0001\nG90 G0 X10.\nG1 Z-1. F100\nM30\n%\n"), "mach3");
+  EXPECT_EQ(control("N1 G90 G0 X10.\nN2 M98 P5\nN3 M30\nO5\nN4 G1 X1. F100\nN5 M99\n"), "mach3");
+  EXPECT_EQ(control("%\nO0001\nN10 G21 G90\nN20 G0 X10.5\nN30 #1=5\nN40 M30\n"), "mach3");
+}
+
 TEST(guess, of_small_samples) {
   struct Case {
     const char* text;
