@@ -6,6 +6,7 @@
 
 #include "base/made_in.h"
 #include "base/tolerance.h"
+#include "control/file_end.h"
 #include "control/nct/blocks.h"
 #include "control/nct/calls.h"
 #include "control/nct/drilling.h"
@@ -192,7 +193,9 @@ void Machinery::power_cycle() {
 /// The file's end ends the program too; not in the middle of a call or a repetition.
 Status Machinery::end_of_file() {
   if (flow.depth() == 0) {
-    if (def.behaviour.end_required) warn(warning(AlarmId::end_missing, {}));
+    const bool cut_off = !flow.started || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // not a block in it
+    origin.line = std::max<std::uint32_t>(origin.line, 1);
+    if (def.behaviour.end_required || cut_off) warn(warning(AlarmId::end_missing, {}));
     return {};
   }
   const CallFrame frame = flow.frames().back();

@@ -1,0 +1,2 @@
+(a plate)
+(of steel)
