@@ -87,8 +87,10 @@ Status WordReader::increment(Word& w, const WordFormat& format, std::size_t begi
 Status WordReader::number(Word& w, const WordFormat& format, char sign, std::size_t begin) {
   Number read;
   if (!read_number(cursor_, read)) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
-  if (grammar_.expressions && !grammar_.macro && cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at]))
-    KADR_TRY(digits_apart(read, w, begin));
+  if (cursor_.at < cursor_.text.size() && is_blank(cursor_.text[cursor_.at])) {
+    if (grammar_.expressions && !grammar_.macro) KADR_TRY(digits_apart(read, w, begin));
+    else if (grammar_.word('L').second_number && !read.has_point) KADR_TRY(point_apart(read, w, begin));
+  }
   w.digits = static_cast<std::uint8_t>(std::min(read.whole_digits + read.fraction_digits, 255));
   w.has_point = read.has_point;
   if (format.whole_digits != 0) KADR_TRY(check_digits(w, read, format, begin));
@@ -122,6 +124,20 @@ Status WordReader::digits_apart(Number& read, const Word& w, std::size_t begin) 
   Cursor whole{digits, 0};
   if (!read_number(whole, read) || whole.at != digits.size())
     return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
+  return {};
+}
+
+/// The notation whose words have blanks in them, `L2 15`, has them before the point too: `Y+ 50 .` (spec/correctors 2, N008).
+Status WordReader::point_apart(Number& read, const Word& w, std::size_t begin) {
+  Cursor ahead = cursor_;
+  ahead.skip_blanks();
+  if (ahead.peek() != '.') return {};
+  std::string digits(cursor_.text.substr(cursor_.at - read.whole_digits, read.whole_digits));
+  do digits += ahead.text[ahead.at++];
+  while (is_digit(ahead.peek()));
+  cursor_.at = ahead.at;
+  Cursor whole{digits, 0};
+  if (!read_number(whole, read)) return fail(alarm(AlarmId::number_damaged, span(begin, cursor_.at), w.address));
   return {};
 }
 

@@ -51,6 +51,7 @@ class WordReader {
   Status increment(Word& w, const WordFormat& format, std::size_t begin);
   Status number(Word& w, const WordFormat& format, char sign, std::size_t begin);
   Status digits_apart(Number& read, const Word& w, std::size_t begin);
+  Status point_apart(Number& read, const Word& w, std::size_t begin);
   Status check_digits(const Word& w, const Number& read, const WordFormat& format, std::size_t begin) const;
   Status code_of(Word& w, std::size_t begin) const;
   Status second_number(Word& w);
