@@ -1,5 +1,6 @@
 // Ends, calls, returns, repetitions.
 
+#include "control/behind_fault.h"
 #include "control/functions.h"
 #include "control/nct/nct.h"
 #include "control/s2c42/calls.h"
@@ -31,6 +32,7 @@ Status end_program(Machinery& m, Span where) {
 }
 
 Status leave_subprogram(Machinery& m, Span where) {
+  shorten_behind_fault(m);
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
   if (!*left) return {};
@@ -86,7 +88,10 @@ Status repeat_word(Machinery& m, const Call& call) {
   return m.flow.repeat(*times, m.origin, call.where);
 }
 
-Status repetition_end(Machinery& m, const Call& call) { return m.flow.end_repetition(call.where); }
+Status repetition_end(Machinery& m, const Call& call) {
+  shorten_behind_fault(m);
+  return m.flow.end_repetition(call.where);
+}
 
 /// L of the 2С42: a subprogram or a canned cycle.
 Status call_word(Machinery& m, const Call& call) { return s2c42::call(m, call); }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/behind_fault.h"
 #include "control/functions.h"
 #include "control/nct/blocks.h"
 #include "control/nct/messages.h"
@@ -115,10 +116,12 @@ Status return_from(Machinery& m, const Call& code) {
     const std::uint32_t total = *k + 1;
     passes = total > top->done ? total - top->done + 1 : 1;
   }
+  top->left = passes;
+  shorten_behind_fault(m);
+  passes = top->left;
   const auto return_to = p != nullptr ? static_cast<std::int32_t>(p->value) : top->return_to;
   if (passes == 1 && return_to >= 0 && !m.flow.caller_has(static_cast<std::uint32_t>(return_to)))
     return fail(alarm(AlarmId::block_not_found, p != nullptr ? p->where : code.where, double(return_to)));
-  top->left = passes;
   top->return_to = return_to;
   const bool opened_level = top->kind == CallFrame::Kind::macro;
   const std::size_t depth = m.flow.depth();

@@ -1,0 +1,7 @@
+(one fault; the call behind it is left after a pass)
+G1 X5
+M98 P5 L99999999
+M30
+O5
+G0 X1
+M99
