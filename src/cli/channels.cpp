@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "config/told.h"
 #include "control/shared_memory.h"
 
 namespace kadr::cli {
@@ -58,9 +59,13 @@ Setup setup_of_channel(const Setup& main, int number) {
 std::optional<std::vector<Channel>> make_channels(const Job& job, Program program, RunLimits limits) {
   const Setup& main = job.setup;
   if (!main.channels.empty() && !job.def->behaviour.machine_axes)
-    return complain(fmt::format("{}: the control {} has no channels", job.setup_file, job.def->id)), std::nullopt;
+    return complain(told(fmt::format("{}: the control {} has no channels", job.setup_file, job.def->id),
+                         fmt::format("{}: у системы {} каналов нет", job.setup_file, job.def->id))),
+           std::nullopt;
   if (main.channels.contains(main.channel))
-    return complain(fmt::format("{}: channel {} is the program's own", job.setup_file, main.channel)), std::nullopt;
+    return complain(told(fmt::format("{}: channel {} is the program's own", job.setup_file, main.channel),
+                         fmt::format("{}: канал {} — самой УП", job.setup_file, main.channel))),
+           std::nullopt;
   if (!limits.writes_files) limits.files = folder_of(job.file);
   const auto shared = main.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
   std::vector<Channel> channels(1);

@@ -14,6 +14,7 @@
 #include "cli/progress.h"
 #include "cli/stop.h"
 #include "cli/unstated.h"
+#include "config/told.h"
 #include "out/alarm_print.h"
 #include "out/baseline.h"
 
@@ -197,7 +198,7 @@ int check(const Options& given) {
   for (const Unreadable& file : programs.unreadable) complain(fmt::format("{}: {}", file.path, file.reason));
   int status = programs.unreadable.empty() ? ok : wrong_usage;
   report.unreadable = std::move(programs.unreadable);
-  if (programs.files.empty()) return complain("no program to check there"), wrong_usage;
+  if (programs.files.empty()) return complain(told("no program to check there", "проверять нечего: УП там нет")), wrong_usage;
   Count count;
   std::size_t checked = 0;
   for (const std::string& file : programs.files) {

@@ -9,6 +9,7 @@
 
 #include "cli/options.h"
 #include "config/read_file.h"
+#include "config/told.h"
 
 namespace kadr::cli {
 
@@ -21,12 +22,12 @@ std::optional<std::string> read_all(const std::string& name, std::size_t most) {
   while (in.read(piece, sizeof piece) || in.gcount() > 0) {
     text.append(piece, static_cast<std::size_t>(in.gcount()));
     if (text.size() > most) {
-      complain(fmt::format("{}: longer than {} MiB", name, most >> 20));
+      complain(told(fmt::format("{}: longer than {} MiB", name, most >> 20), fmt::format("{}: длиннее {} МиБ", name, most >> 20)));
       return std::nullopt;
     }
   }
   if (name != "-" && (!file.is_open() || file.bad())) {
-    complain(fmt::format("{}: {}", name, std::strerror(errno)));
+    complain(fmt::format("{}: {}", name, told_errno(errno)));
     return std::nullopt;
   }
   return text;

@@ -29,8 +29,8 @@ namespace {
 /// The language that any of the commands was given: one was called.
 Lang language(const Commands& commands) {
   Options said;
-  for (const std::string* const lang :
-       {&commands.options.lang, &commands.explain.lang, &commands.tape.lang, &commands.state.lang, &commands.mill.lang})
+  for (const std::string* const lang : {&commands.options.lang, &commands.explain.lang, &commands.tape.lang, &commands.setup.program.lang,
+                                        &commands.state.lang, &commands.mill.lang})
     if (!lang->empty()) said.lang = *lang;
   return kadr::cli::language(said);
 }
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   try {
     return printed(perform(*app, commands));
   } catch (const std::bad_alloc&) {
-    complain("out of memory");
+    complain(kadr::told("out of memory", "не хватает памяти"));
   } catch (const std::exception& error) {  // of a library: a bug, but said plainly
     complain(error.what());
   }

@@ -11,6 +11,8 @@
 #include <cstring>
 
 #include "cli/options.h"
+#include "config/read_file.h"
+#include "config/told.h"
 
 namespace kadr::cli {
 namespace {
@@ -34,7 +36,7 @@ FileSet set_of(const std::string& name, int stream) {
 bool came_out() {
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  complain(fmt::format("standard output: {}", std::strerror(errno != 0 ? errno : EIO)));
+  complain(fmt::format("{}: {}", told("standard output", "стандартный вывод"), told_errno(errno != 0 ? errno : EIO)));
   return false;
 }
 

@@ -14,7 +14,9 @@
 #include "cli/state.h"
 #include "cli/stop.h"
 #include "cli/unstated.h"
+#include "config/read_file.h"
 #include "config/state_json.h"
+#include "config/told.h"
 #include "motion/look_ahead.h"
 #include "out/alarm_print.h"
 #include "out/page_file.h"
@@ -214,7 +216,7 @@ class RunCommand {
       if (stopped[i].report) trace.finish(ending, *stopped[i].report, job_.texts(), lang_, more);
       else trace.finish(ending, more);
       if (trace.ok()) continue;
-      complain(fmt::format("{}: {}", options_.trace, std::strerror(trace.error())));
+      complain(fmt::format("{}: {}", options_.trace, told_errno(trace.error())));
       return false;
     }
     return true;
@@ -230,7 +232,7 @@ class RunCommand {
         outlets_of(*view).warning(report);
       }
       if (written) continue;
-      complain(fmt::format("{}: {}", options_.samples, std::strerror(view->planned->error())));
+      complain(fmt::format("{}: {}", options_.samples, told_errno(view->planned->error())));
       return false;
     }
     return true;
@@ -314,7 +316,7 @@ bool make_folder(const std::string& folder) {
   std::error_code error;
   if (folder.empty() || std::filesystem::is_directory(folder, error)) return true;
   if (std::filesystem::create_directory(folder, error)) return true;
-  complain(fmt::format("--files {}: {}", folder, error ? error.message() : std::strerror(ENOTDIR)));
+  complain(fmt::format("--files {}: {}", folder, told_errno(error ? error.value() : ENOTDIR)));
   return false;
 }
 
@@ -351,7 +353,8 @@ int run(const Options& options) {
   const std::string& file = options.programs.front();
   if (!can_draw("--plot", options.plot) || !can_draw("--plot-speed", options.plot_speed)) return wrong_usage;
   if (!options.colour.empty() && options.plot.empty())
-    return complain("--colour: of the path in --plot FILE, which is missing"), wrong_usage;
+    return complain(told("--colour: of the path in --plot FILE, which is missing", "--colour раскрашивает путь в --plot ФАЙЛ, а его нет")),
+           wrong_usage;
   auto job = make_job(options, file);
   if (!job) return wrong_usage;
   Outputs outputs = outputs_of(options, *job);

@@ -11,6 +11,7 @@
 #include "cli/channels.h"
 #include "cli/stop.h"
 #include "cli/unstated.h"
+#include "config/read_file.h"
 #include "lang/tool_comment.h"
 #include "out/setup_template.h"
 
@@ -219,10 +220,10 @@ std::size_t carry_out_past_faults(Channel& channel, const Job& job) {
 
 bool write_to(const std::string& name, const std::string& text) {
   std::FILE* const file = name.empty() || name == "-" ? stdout : std::fopen(name.c_str(), "wbx");  // never over a file that is there
-  if (file == nullptr) return complain(fmt::format("{}: {}", name, std::strerror(errno))), false;
+  if (file == nullptr) return complain(fmt::format("{}: {}", name, told_errno(errno))), false;
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const bool closed = file == stdout ? std::fflush(file) == 0 : std::fclose(file) == 0;
-  if (!written || !closed) complain(fmt::format("{}: {}", name.empty() ? "-" : name, std::strerror(errno)));
+  if (!written || !closed) complain(fmt::format("{}: {}", name.empty() ? "-" : name, told_errno(errno)));
   return written && closed;
 }
 

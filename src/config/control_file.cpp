@@ -2,11 +2,15 @@
 
 #include "config/control_loader.h"
 #include "config/embedded.h"
+#include "config/loader_texts.h"
 #include "config/parameter_table.h"
 #include "config/read_file.h"
 #include "config/told.h"
 
 namespace kadr {
+
+using loader_texts::say;
+
 namespace {
 
 using Table = tl::expected<toml::table, std::string>;
@@ -26,8 +30,8 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
   if (!table) return table;
   const auto base = (*table)["extends"].value<std::string>();
   if (!base) return table;
-  if (!table->contains("id")) return Failed(file + ": id is missing: a file that extends another is a control of its own");
-  if (lineage.size() == deepest) return Failed(file + ": extends itself");
+  if (!table->contains("id")) return Failed(say("{}: id is missing: a file that extends another is a control of its own", file));
+  if (lineage.size() == deepest) return Failed(say("{}: extends itself", file));
   lineage.push_back(*base);
   std::string name = "controls/" + *base + ".toml";
   auto base_table = built_in(name, from);
@@ -87,7 +91,7 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
   if (!table) {
     std::string known;
     for (const std::string& id : built_in_controls()) known += (known.empty() ? "" : ", ") + id;
-    return Failed("no control '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)");
+    return Failed(say("no control '{}'; there are: {}, or a file of your own (NAME.toml)", name, known));
   }
   auto def = load(std::move(*table), file, From::table);
   return def ? def : load(*built_in(file, From::text), file, From::text);

@@ -8,6 +8,7 @@
 
 #include "config/control_def.h"
 #include "config/function_needs.h"
+#include "config/loader_texts.h"
 #include "config/parameter_table.h"
 #include "config/toml_tools.h"
 
@@ -34,7 +35,7 @@ class ControlLoader {
   Done known_keys(const toml::table& table, const std::vector<std::string_view>& known) const;
   /// A key that is not among `known`, with the nearest of them.
   tl::unexpected<std::string> unknown_key(const toml::node& node, std::string_view key, const std::vector<std::string_view>& known,
-                                          std::string_view what = "unknown key") const;
+                                          loader_texts::Sentence what = "unknown key '{}'") const;
   /// A table of the file; where the key holds anything else, load() fails.
   const toml::table* section(std::string_view key);
   /// A list of a row; where the key holds anything else, load() fails.
@@ -48,11 +49,11 @@ class ControlLoader {
   std::uint32_t whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most);
   /// Value of a key that must have its type; where it has not, load() fails.
   template <class T>
-  T typed(const toml::table& row, std::string_view key, T otherwise, std::string_view form) {
+  T typed(const toml::table& row, std::string_view key, T otherwise) {
     const toml::node* const node = row.get(key);
     if (node == nullptr) return otherwise;
     if (const auto value = node->value<T>(); value && node->is_boolean() == std::is_same_v<T, bool>) return *value;
-    if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + std::string(key) + " must be " + std::string(form);
+    if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + loader_texts::say("{} must be true or false", key);
     return otherwise;
   }
   /// Number of a key within its range; where it is none, load() fails.

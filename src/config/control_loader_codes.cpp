@@ -11,6 +11,7 @@
 
 namespace kadr {
 
+using loader_texts::say;
 using toml_tools::place;
 using toml_tools::text_of;
 
@@ -31,10 +32,10 @@ Done ControlLoader::groups() {
   if (t == nullptr) return {};
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + "a group is a table");
+    if (row == nullptr) return Failed(place(name_, node) + say("a group is a table"));
     KADR_LOAD(known_keys(*row, {"modal", "initial", "en", "ru"}));
-    if (def_.groups.size() == most_groups) return Failed(place(name_, node) + "at most " + std::to_string(most_groups - 1) + " groups");
-    def_.groups.push_back({std::string(key.str()), typed(*row, "modal", true, "true or false"), -1, text_of(*row)});
+    if (def_.groups.size() == most_groups) return Failed(place(name_, node) + say("at most {} groups", most_groups - 1));
+    def_.groups.push_back({std::string(key.str()), typed(*row, "modal", true), -1, text_of(*row)});
     initial_.push_back(text(*row, "initial"));
   }
   return {};
@@ -61,7 +62,7 @@ std::uint64_t ControlLoader::letters(const toml::table& row, std::string_view ke
   const std::string all = text(row, key);
   for (const char c : all)
     if (!((c >= 'A' && c <= 'Z') || c == 'c' || c == 'r' || c == 'a' || beside.find(c) != std::string_view::npos) && bad_value_.empty())
-      bad_value_ = place(name_, row, key) + std::string(key) + ": letters A to Z, or c, r, a for ,C ,R ,A";
+      bad_value_ = place(name_, row, key) + say("{}: letters A to Z, or c, r, a for ,C ,R ,A", key);
   return letters(all);
 }
 
@@ -71,7 +72,7 @@ Done ControlLoader::codes(std::string_view key, char letter) {
   std::vector<std::pair<double, const toml::table*>> rows;
   for (const auto& [code, node] : *t) {
     const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + "a code is a table");
+    if (row == nullptr) return Failed(place(name_, node) + say("a code is a table"));
     if (code.str() == "other") {
       KADR_LOAD(other_codes(*row, letter));
       continue;
@@ -80,9 +81,9 @@ Done ControlLoader::codes(std::string_view key, char letter) {
     const std::string digits(code.str());
     const double number = std::strtod(digits.c_str(), &end);
     if (end == digits.c_str() || *end != '\0' || number < 0 || number * 10 >= ControlDef::most_tenths)
-      return Failed(place(name_, node) + "'" + digits + "' is no code number");
+      return Failed(place(name_, node) + say("'{}' is no code number", digits));
     for (const char* const limit : {"from", "to"})
-      if (row->contains(limit)) return Failed(place(name_, *row, limit) + std::string(limit) + " belongs to [m] \"other\"");
+      if (row->contains(limit)) return Failed(place(name_, *row, limit) + say("{} belongs to [m] \"other\"", limit));
     rows.emplace_back(number, row);
   }
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -103,51 +104,51 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   if (row.contains("group")) {
     const std::string group = text(row, "group");
     const int index = group_named(group);
-    if (index < 0) return Failed(place(name_, row, "group") + "no group '" + group + "'");
+    if (index < 0) return Failed(place(name_, row, "group") + say("no group '{}'", group));
     c.group = static_cast<std::uint8_t>(index);
   }
   const auto phase = phase_of(row, *function);
   if (!phase) return Failed(phase.error());
   c.phase = *phase;
   c.arg = static_cast<int>(whole(row, "arg", 0, 1000));
-  c.modal = typed(row, "modal", c.group != 0 && def_.groups[c.group].modal, "true or false");
-  c.own_block = typed(row, "own_block", false, "true or false");
+  c.modal = typed(row, "modal", c.group != 0 && def_.groups[c.group].modal);
+  c.own_block = typed(row, "own_block", false);
   c.takes = letters(row, "takes", "*");
   c.takes_all_axes = text(row, "takes").find('*') != std::string::npos;
   c.needs = letters(row, "needs");
-  c.needs_axis = typed(row, "needs_axis", false, "true or false");
-  c.works = typed(row, "works", true, "true or false");
+  c.needs_axis = typed(row, "needs_axis", false);
+  c.works = typed(row, "works", true);
   if (const toml::array* const with = list(row, "with"))
     for (const auto& other : *with) {
       const std::string code = other.value_exact<std::string>().value_or(std::string());
       char* end = nullptr;
       const double tenth = code.size() < 2 || code[0] != letter ? -1 : std::strtod(code.c_str() + 1, &end) * 10;
       if (!(tenth >= 0 && tenth < ControlDef::most_tenths) || *end != '\0')
-        return Failed(place(name_, other) + "with: codes of its group, such as \"" + letter + "8\"");
+        return Failed(place(name_, other) + say("with: codes of its group, such as \"{}8\"", letter));
       c.with.push_back(static_cast<std::int32_t>(std::lround(tenth)));
     }
   for (int i = 0; i <= comma_vector - 'A'; ++i)
     if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count &&
         !(def_.grammar.zero_between_slashes && i == 0))
-      return Failed(place(name_, row, "takes") + "takes: no address " + address_written(static_cast<char>('A' + i)));
+      return Failed(place(name_, row, "takes") + say("takes: no address {}", address_written(static_cast<char>('A' + i))));
   KADR_LOAD(check_code(row, c));
   c.text = text_of(row);
   c.manual = text(row, "manual");
   constexpr std::size_t most_rows = 32'000;
-  if (def_.codes.size() == most_rows) return Failed(place(name_, row) + "at most " + std::to_string(most_rows) + " codes");
+  if (def_.codes.size() == most_rows) return Failed(place(name_, row) + say("at most {} codes", most_rows));
   if (c.function == Function::cycle || c.function == Function::permanent_subprogram) {
     c.cycle = cycle_named(c.code);
-    if (c.cycle == 0) return Failed(place(name_, row) + "no [cycle." + c.code + "]");
+    if (c.cycle == 0) return Failed(place(name_, row) + say("no [cycle.{}]", c.code));
     const CycleRow& cycle = def_.cycles[c.cycle - std::size_t{1}];
     if (c.function == Function::cycle && cycle.steps.empty())
-      return Failed(place(name_, row) + c.code + ": [cycle." + c.code + "] needs steps, not a body");
+      return Failed(place(name_, row) + say("{}: [cycle.{}] needs steps, not a body", c.code, c.code));
     if (c.function == Function::permanent_subprogram && cycle.body.empty())
-      return Failed(place(name_, row) + c.code + ": [cycle." + c.code + "] needs a body, not steps");
+      return Failed(place(name_, row) + say("{}: [cycle.{}] needs a body, not steps", c.code, c.code));
   }
   auto& index = letter == 'G' ? def_.g_rows : def_.m_rows;
   if (index.size() <= static_cast<std::size_t>(c.tenth)) index.resize(static_cast<std::size_t>(c.tenth) + 1, -1);
   if (index[static_cast<std::size_t>(c.tenth)] >= 0)
-    return Failed(place(name_, row) + c.code + " has a row already (the same code with other digits)");
+    return Failed(place(name_, row) + say("{} has a row already (the same code with other digits)", c.code));
   index[static_cast<std::size_t>(c.tenth)] = static_cast<std::int16_t>(def_.codes.size());
   def_.codes.push_back(std::move(c));
   return {};
@@ -155,12 +156,12 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
 
 /// "other": the numbers that have no row of their own go to the machine.
 Done ControlLoader::other_codes(const toml::table& row, char letter) {
-  if (letter != 'M') return Failed(place(name_, row) + "only M codes may have 'other'");
+  if (letter != 'M') return Failed(place(name_, row) + say("only M codes may have 'other'"));
   constexpr std::uint32_t most_code = 99'999'999;
   const std::uint32_t from = whole(row, "from", 0, most_code);
   const std::uint32_t to = whole(row, "to", most_code, most_code);
-  if (from > to) return Failed(place(name_, row, "from") + "from must not be more than to");
-  if (text(row, "does") != "machine_function") return Failed(place(name_, row, "does") + "other: only 'machine_function'");
+  if (from > to) return Failed(place(name_, row, "from") + say("from must not be more than to"));
+  if (text(row, "does") != "machine_function") return Failed(place(name_, row, "does") + say("other: only 'machine_function'"));
   KADR_LOAD(code('M', 0, row));
   CodeRow& c = def_.codes.back();
   c.code = "M" + std::to_string(from) + "…M" + std::to_string(to);
@@ -183,33 +184,33 @@ Done ControlLoader::cycles() {
   if (t == nullptr) return {};
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + "a cycle is a table");
+    if (row == nullptr) return Failed(place(name_, node) + say("a cycle is a table"));
     KADR_LOAD(known_keys(*row, {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "printed",
                                 "parameters", "en", "ru", "manual"}));
     CycleRow c;
     c.name = std::string(key.str());
     if (c.name.size() < 2 || (c.name[0] != 'G' && c.name[0] != 'M' && c.name[0] != 'L'))
-      return Failed(place(name_, node) + "a cycle is named by its code, G81, or its call, L81");
+      return Failed(place(name_, node) + say("a cycle is named by its code, G81, or its call, L81"));
     if (c.name[0] == 'L') c.call_number = static_cast<std::uint32_t>(std::atoi(c.name.c_str() + 1));
     if (const toml::array* const steps = list(*row, "steps"))
       for (const auto& step : *steps) {
         const auto* const found = std::find(std::begin(step_names), std::end(step_names), step.value_or(std::string()));
-        if (found == std::end(step_names)) return Failed(place(name_, step) + "unknown step");
+        if (found == std::end(step_names)) return Failed(place(name_, step) + say("unknown step"));
         c.steps.push_back(static_cast<CycleStep>(found - std::begin(step_names)));
       }
     if (const toml::array* const body = list(*row, "body"))
       for (const auto& line : *body) {
-        if (!line.is_string()) return Failed(place(name_, line) + "body: each block a text");
+        if (!line.is_string()) return Failed(place(name_, line) + say("body: each block a text"));
         c.body += line.value_or(std::string()) + "\n";
       }
     if (const toml::array* const printed = list(*row, "printed"))
       for (const auto& line : *printed) c.printed += line.value_or(std::string()) + "\n";
     if (const toml::table* const to = (*row)["parameters"].as_table()) KADR_LOAD(cycle_parameters(*to, c));
-    if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + "a cycle has steps or a body");
+    if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + say("a cycle has steps or a body"));
     c.needs = letters(*row, "needs");
-    c.needs_spindle = typed(*row, "needs_spindle", false, "true or false");
-    c.needs_spindle_cw = typed(*row, "needs_spindle_cw", false, "true or false");
-    c.needs_override_off = typed(*row, "needs_override_off", false, "true or false");
+    c.needs_spindle = typed(*row, "needs_spindle", false);
+    c.needs_spindle_cw = typed(*row, "needs_spindle_cw", false);
+    c.needs_override_off = typed(*row, "needs_override_off", false);
     c.text = text_of(*row);
     c.manual = text(*row, "manual");
     KADR_LOAD(check_cycle(*row, c));
@@ -226,7 +227,7 @@ Done ControlLoader::cycle_parameters(const toml::table& to, CycleRow& cycle) con
     const std::size_t letter = name.empty() ? std::string::npos : letters.find(name[0]);
     const bool digits = name.size() >= 3 && name.size() <= 4 && name.find_first_not_of("0123456789", 1) == std::string::npos;
     if (word.str().size() != 1 || letter == std::string::npos || !digits)
-      return Failed(place(name_, node) + "parameters: a letter and the formal parameter that it sets, as in { X = \"R01\" }");
+      return Failed(place(name_, node) + say("parameters: a letter and the formal parameter that it sets, as in { X = \"R01\" }"));
     cycle.parameters.emplace_back(word.str()[0], static_cast<int>(letter) * parameters_a_letter + std::atoi(name.c_str() + 1));
   }
   return {};
@@ -244,7 +245,7 @@ Done ControlLoader::initial_codes() {
     if (code.empty()) continue;
     const std::int32_t row = row_named(code);
     if (row < 0 || def_.codes[static_cast<std::size_t>(row)].group != i)
-      return Failed(name_ + ": [groups] \"" + def_.groups[i].name + "\": initial code " + code + " is not of this group");
+      return Failed(say("{}: [groups] \"{}\": initial code {} is not of this group", name_, def_.groups[i].name, code));
     def_.groups[i].power_on = row;
   }
   const toml::table* const t = section("defaults");
@@ -253,7 +254,7 @@ Done ControlLoader::initial_codes() {
   if (end == nullptr) return {};
   for (const auto& node : *end) {
     const std::int32_t row = row_named(node.value_or(std::string()));
-    if (row < 0) return Failed(place(name_, node) + "unknown code");
+    if (row < 0) return Failed(place(name_, node) + say("unknown code"));
     KADR_LOAD(check_end_code(node, def_.codes[static_cast<std::size_t>(row)]));
     def_.end_codes.push_back(row);
   }
@@ -275,7 +276,7 @@ Done ControlLoader::alarms() {
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
     const AlarmId id = alarm_named(key.str());
-    if (row == nullptr || id == AlarmId::count) return Failed(place(name_, node) + "unknown alarm '" + std::string(key.str()) + "'");
+    if (row == nullptr || id == AlarmId::count) return Failed(place(name_, node) + say("unknown alarm '{}'", key.str()));
     KADR_LOAD(known_keys(*row, {"number", "en", "ru", "hint_en", "hint_ru"}));
     AlarmText text;
     if (const auto number = (*row)["number"].value_exact<std::int64_t>()) text.number = std::to_string(*number);
@@ -292,14 +293,12 @@ Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, doub
   constexpr std::size_t most_digits = 8;
   const toml::table* const t = section(key);
   if (t == nullptr) return {};
-  if (typed(*t, "progression", false, "true or false")) to = coded_progression();
+  if (typed(*t, "progression", false)) to = coded_progression();
   for (const auto& [code, node] : *t) {
     if (code.str() == "progression") continue;
     const std::string digits(code.str());
     const bool is_code = !digits.empty() && digits.size() <= most_digits && digits.find_first_not_of("0123456789") == std::string::npos;
-    if (!is_code)
-      return Failed(place(name_, node) + std::string(key) +
-                    told(": '" + digits + "' is no code number", ": «" + digits + "» — не номер кода"));
+    if (!is_code) return Failed(place(name_, node) + std::string(key) + ": " + say("'{}' is no code number", digits));
     ranged(*t, digits, ranges::feed, to[std::stoi(digits)]);
   }
   return {};

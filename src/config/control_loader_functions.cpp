@@ -10,6 +10,7 @@
 
 namespace kadr {
 
+using loader_texts::say;
 using toml_tools::place;
 
 namespace {
@@ -59,9 +60,9 @@ constexpr std::int32_t drilling_tenths[] = {730, 740, 760, 810, 820, 830, 840, 8
 
 std::string quoted(Function function) { return "'" + std::string(traits_of(function).name) + "'"; }
 
-std::string_view written(Needs needs) {
+std::string written(Needs needs) {
   switch (needs) {
-    case Needs::nct: return "the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)";
+    case Needs::nct: return say("the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)");
     case Needs::correctors: return "[behaviour] correctors = true";
     case Needs::sections: return "[behaviour] subprograms_by_section = true";
     case Needs::labels: return "[grammar] label";
@@ -88,15 +89,16 @@ tl::expected<Function, std::string> ControlLoader::function_of(const toml::table
   const auto refused = [&](const std::string& why) { return Failed(place(name_, row, "does") + name_of_row + ": " + why); };
   if (function == Function::count) {
     const std::string near = nearest_function(name, by);
-    return refused(name.empty() ? "`does` is missing"
-                                : "unknown function '" + name + "'" + (near.empty() ? "" : ", nearest: '" + near + "'"));
+    return refused(name.empty() ? say("`does` is missing")
+                                : say("unknown function '{}'", name) + (near.empty() ? "" : say(", nearest: '{}'", near)));
   }
   if (called_by(function) != by)
-    return refused(quoted(function) + (by == CalledBy::word ? " belongs to a code, [g] or [m]" : " belongs to a word, [address]"));
+    return refused(by == CalledBy::word ? say("{} belongs to a code, [g] or [m]", quoted(function))
+                                        : say("{} belongs to a word, [address]", quoted(function)));
   if (has(needs_of(function))) return function;
   if (needs_of(function) == Needs::no_nct)
-    return refused(quoted(function) + " does not work with the machine of the NCT ([behaviour] machine_axes = true)");
-  return refused(quoted(function) + " needs " + std::string(written(needs_of(function))));
+    return refused(say("{} does not work with the machine of the NCT ([behaviour] machine_axes = true)", quoted(function)));
+  return refused(say("{} needs {}", quoted(function), written(needs_of(function))));
 }
 
 std::string ControlLoader::nearest_function(std::string_view name, CalledBy by) const {
@@ -113,37 +115,36 @@ Done ControlLoader::check_address(char letter, const toml::table& row, const Add
   const std::string who = address_written(letter) + ": ";
   for (const LetterRow& fixed : letters_of)
     if (fixed.function == a.function && fixed.letters.find(letter) == std::string_view::npos)
-      return Failed(place(name_, row, "does") + who + quoted(a.function) + " is a word " + std::string(fixed.letters));
+      return Failed(place(name_, row, "does") + who + say("{} is a word {}", quoted(a.function), fixed.letters));
   const Grammar& g = def_.grammar;
   if (a.function == Function::label && g.label_address != letter)
-    return Failed(place(name_, row, "does") + who + "[grammar] label is another letter");
+    return Failed(place(name_, row, "does") + who + say("[grammar] label is another letter"));
   if (a.function == Function::formal_parameter && g.parameter_address != letter)
-    return Failed(place(name_, row, "does") + who + "'formal_parameter' needs [grammar] formal_parameter = \"" + std::string(1, letter) +
-                  "\"");
+    return Failed(place(name_, row, "does") + who + say("'formal_parameter' needs [grammar] formal_parameter = \"{}\"", letter));
   const bool has_axis = a.function == Function::axis || a.function == Function::center;
-  if (has_axis && !row.contains("axis")) return Failed(place(name_, row, "does") + who + quoted(a.function) + " needs `axis`");
-  if (!has_axis) KADR_LOAD(no_effect(row, "axis", who + "`axis` has no effect: " + quoted(a.function) + " has none"));
+  if (has_axis && !row.contains("axis")) return Failed(place(name_, row, "does") + who + say("{} needs `axis`", quoted(a.function)));
+  if (!has_axis) KADR_LOAD(no_effect(row, "axis", who + say("`axis` has no effect: {} has none", quoted(a.function))));
   for (const AddressRow& other : def_.addresses) {
     if (!has_axis || &other == &a || other.letter == 0 || other.function != a.function || other.axis != a.axis) continue;
     const toml::table* const second = file_["address"][address_written(other.letter)].as_table();
     const toml::node* const theirs = second == nullptr ? nullptr : second->get("axis");
     const bool blames_other = !is_own(*row.get("axis")) && theirs != nullptr && is_own(*theirs);
-    return Failed((blames_other ? place(name_, *theirs) : place(name_, row, "axis")) + who + "axis " + def_.axes[a.axis] +
-                  " has the word " + address_written(other.letter) + " already");
+    return Failed((blames_other ? place(name_, *theirs) : place(name_, row, "axis")) + who +
+                  say("axis {} has the word {} already", def_.axes[a.axis], address_written(other.letter)));
   }
   const bool acts = a.function != Function::word_of_code && a.function != Function::center && a.function != Function::axis;
   const bool is_number = a.function != Function::code && a.function != Function::block_number && a.function != Function::label;
   if (!acts || !is_number)
-    KADR_LOAD(no_effect(row, "phase", who + "`phase` has no effect: " + quoted(a.function) + " does nothing by itself"));
-  if (!is_number) KADR_LOAD(no_effect(row, "scale", who + "`scale` has no effect: " + quoted(a.function) + " is no value"));
+    KADR_LOAD(no_effect(row, "phase", who + say("`phase` has no effect: {} does nothing by itself", quoted(a.function))));
+  if (!is_number) KADR_LOAD(no_effect(row, "scale", who + say("`scale` has no effect: {} is no value", quoted(a.function))));
   if (a.function != Function::corrector_word && row["second"].value_or(false))
-    return Failed(place(name_, row, "second") + who + "`second` needs does = \"corrector_word\": nothing else takes a second number");
+    return Failed(place(name_, row, "second") + who + say("`second` needs does = \"corrector_word\": nothing else takes a second number"));
   const bool of_nct = def_.behaviour.machine_axes;
   if (!of_nct && (a.function == Function::block_number || a.function == Function::label))
     for (const char* key : {"least", "most", "whole"})
-      KADR_LOAD(no_effect(row, key, who + "`" + key + "` has no effect: " + quoted(a.function) + " is not limited on this control"));
-  if (!(std::isfinite(a.scale) && a.scale != 0)) return Failed(place(name_, row, "scale") + who + "scale must be a number, not 0");
-  if (!(a.least <= a.most)) return Failed(place(name_, row, "least") + who + "least must not be more than most");
+      KADR_LOAD(no_effect(row, key, who + say("`{}` has no effect: {} is not limited on this control", key, quoted(a.function))));
+  if (!(std::isfinite(a.scale) && a.scale != 0)) return Failed(place(name_, row, "scale") + who + say("scale must be a number, not 0"));
+  if (!(a.least <= a.most)) return Failed(place(name_, row, "least") + who + say("least must not be more than most"));
   return {};
 }
 
@@ -152,35 +153,35 @@ Done ControlLoader::check_code(const toml::table& row, const CodeRow& c) const {
   const std::string who = c.code + ": ";
   const auto of_function = [&](const ArgRow& a) { return a.function == c.function; };
   const bool has_arg = std::any_of(std::begin(args), std::end(args), of_function);
-  if (!has_arg) KADR_LOAD(no_effect(row, "arg", who + "`arg` has no effect: " + quoted(c.function) + " has none"));
+  if (!has_arg) KADR_LOAD(no_effect(row, "arg", who + say("`arg` has no effect: {} has none", quoted(c.function))));
   const auto fits = [&](const ArgRow& a) { return of_function(a) && c.arg >= a.least && c.arg <= a.most; };
   if (has_arg && !std::any_of(std::begin(args), std::end(args), fits)) {
     std::string numbers;
     for (const ArgRow& a : args)
       if (of_function(a))
-        numbers += (numbers.empty() ? "" : ", ") + std::to_string(a.least) + (a.most > a.least ? " to " + std::to_string(a.most) : "");
-    return Failed(place(name_, row, "arg") + who + "arg of " + quoted(c.function) + " must be " + numbers);
+        numbers += (numbers.empty() ? "" : ", ") + (a.most > a.least ? say("{} to {}", a.least, a.most) : std::to_string(a.least));
+    return Failed(place(name_, row, "arg") + who + say("arg of {} must be {}", quoted(c.function), numbers));
   }
   if (c.function == Function::drilling && c.arg == 0 &&
       std::find(std::begin(drilling_tenths), std::end(drilling_tenths), c.letter == 'G' ? c.tenth : 0) == std::end(drilling_tenths))
-    return Failed(place(name_, row, "does") + who + "'drilling' is G73 to G89, or an `arg` says which of them: 730, 740, 760");
+    return Failed(place(name_, row, "does") + who + say("'drilling' is G73 to G89, or an `arg` says which of them: 730, 740, 760"));
   if (c.function == Function::fixture && c.arg > static_cast<int>(def_.behaviour.fixtures))
-    return Failed(place(name_, row, "arg") + who + "arg is beyond [behaviour] fixtures");
+    return Failed(place(name_, row, "arg") + who + say("arg is beyond [behaviour] fixtures"));
   if (c.letter == 'M' && traits_of(c.function).takes_axes && (c.function == Function::rapid || c.function == Function::linear || c.modal))
-    return Failed(place(name_, row, "does") + who + quoted(c.function) + " with a mode of its own is for G codes");
+    return Failed(place(name_, row, "does") + who + say("{} with a mode of its own is for G codes", quoted(c.function)));
   if (c.function == Function::machine_function && c.letter != 'M')
-    return Failed(place(name_, row, "does") + who + "'machine_function' is for M codes");
+    return Failed(place(name_, row, "does") + who + say("'machine_function' is for M codes"));
   for (std::size_t i = 0; i < most_addresses; ++i) {
     const AddressRow& a = def_.addresses[i];
     const bool needed = (c.needs >> i & 1u) != 0;
     if (needed && a.function == Function::count && !(def_.grammar.zero_between_slashes && i == 0))
-      return Failed(place(name_, row, "needs") + who + "needs: no address " +
-                    address_written(static_cast<char>('A' + static_cast<int>(i))));
+      return Failed(place(name_, row, "needs") + who +
+                    say("needs: no address {}", address_written(static_cast<char>('A' + static_cast<int>(i)))));
     if (needed && names_word_of(a.function) && a.function == Function::word_of_code && (c.takes >> i & 1u) == 0)
-      return Failed(place(name_, row, "needs") + who + "needs " + address_written(a.letter) + ", which it does not take");
+      return Failed(place(name_, row, "needs") + who + say("needs {}, which it does not take", address_written(a.letter)));
   }
   if (c.function == Function::dwell && (c.takes & ((std::uint64_t{1} << 26) - 1)) == 0)
-    return Failed(place(name_, row, "takes") + who + "'dwell' must take the word of its time");
+    return Failed(place(name_, row, "takes") + who + say("'dwell' must take the word of its time"));
   return {};
 }
 

@@ -8,6 +8,7 @@
 
 namespace kadr {
 
+using loader_texts::say;
 using toml_tools::place;
 
 namespace {
@@ -102,29 +103,29 @@ Done ControlLoader::check_machine() {
   };
   for (const auto& [key, flag] : nct_grammar)
     if (g.*flag && !b.machine_axes)
-      return Failed(at(key) + "[grammar] " + std::string(key) +
-                    " needs the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)");
+      return Failed(at(key) + say("[grammar] {} needs the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)", key));
   if (!b.machine_axes) return {};
   if (!g.macro || !g.expressions)
-    return Failed(at(g.macro ? "expressions" : "macro") + "[behaviour] machine_axes needs [grammar] macro and expressions");
-  if (file_.get("parameters") == nullptr) return Failed(at("macro") + "[behaviour] machine_axes needs `parameters` = \"nct-parameters\"");
-  if (g.variables < 100'000) return Failed(at("variables") + "[behaviour] machine_axes needs [grammar] variables of 100000 and more");
-  if (g.label_address != 'O') return Failed(at("label") + "[behaviour] machine_axes needs [grammar] label = \"O\"");
+    return Failed(at(g.macro ? "expressions" : "macro") + say("[behaviour] machine_axes needs [grammar] macro and expressions"));
+  if (file_.get("parameters") == nullptr)
+    return Failed(at("macro") + say("[behaviour] machine_axes needs `parameters` = \"nct-parameters\""));
+  if (g.variables < 100'000) return Failed(at("variables") + say("[behaviour] machine_axes needs [grammar] variables of 100000 and more"));
+  if (g.label_address != 'O') return Failed(at("label") + say("[behaviour] machine_axes needs [grammar] label = \"O\""));
   for (const auto& [key, on] : {std::pair<std::string_view, bool>{"formal_parameter", g.parameter_address != 0},
                                 {"section", g.section_address != 0},
                                 {"zero_between_slashes", g.zero_between_slashes},
                                 {"block_number_required", g.block_number_required},
                                 {"main_blocks", g.main_blocks}})
     if (on)
-      return Failed(at(key) + "[grammar] " + std::string(key) +
-                    " does not work with the machine of the NCT ([behaviour] machine_axes = true)");
+      return Failed(at(key) +
+                    say("{} does not work with the machine of the NCT ([behaviour] machine_axes = true)", "[grammar] " + std::string(key)));
   for (const auto& [key, on] :
        {std::pair<std::string_view, bool>{"correctors", b.correctors}, {"subprograms_by_section", b.subprograms_by_section}})
     if (on)
-      return Failed(place(name_, *behaves, key) + "[behaviour] " + std::string(key) +
-                    " does not work with the machine of the NCT ([behaviour] machine_axes = true)");
+      return Failed(place(name_, *behaves, key) + say("{} does not work with the machine of the NCT ([behaviour] machine_axes = true)",
+                                                      "[behaviour] " + std::string(key)));
   for (const std::string_view key : not_of_nct)
-    KADR_LOAD(no_effect(*behaves, key, std::string(key) + " has no effect with the machine of the NCT ([behaviour] machine_axes = true)"));
+    KADR_LOAD(no_effect(*behaves, key, say("{} has no effect with the machine of the NCT ([behaviour] machine_axes = true)", key)));
   return {};
 }
 
@@ -135,22 +136,22 @@ Done ControlLoader::check_grammar() {
   const auto function_at = [&](char letter) { return def_.addresses[static_cast<std::size_t>(letter - 'A')].function; };
   const auto letter_is = [&](char letter, Function function, const char* key) -> Done {
     if (letter == 0 || function_at(letter) == function) return {};
-    return Failed(place(name_, *t, key) + std::string(key) + ": [address] " + letter + " must be '" +
-                  std::string(traits_of(function).name) + "'");
+    return Failed(place(name_, *t, key) + say("{}: [address] {} must be '{}'", key, letter, traits_of(function).name));
   };
   KADR_LOAD(letter_is(g.parameter_address, Function::formal_parameter, "formal_parameter"));
   KADR_LOAD(letter_is(g.label_address, Function::label, "label"));
   KADR_LOAD(letter_is(g.section_address, Function::call_word, "section"));
   if (g.expressions && g.parameter_address != 0)
-    return Failed(place(name_, *t, "expressions") + "expressions and formal_parameter do not work together");
+    return Failed(place(name_, *t, "expressions") + say("expressions and formal_parameter do not work together"));
   if (g.percent_ignored && g.program_start_required)
     return Failed(place(name_, *t, "percent_ignored") +
-                  "percent_ignored: a program could not begin with the % that program_start_required asks for");
+                  say("percent_ignored: a program could not begin with the % that program_start_required asks for"));
   if ((g.section_address != 0) != def_.behaviour.subprograms_by_section)
-    return Failed(place(name_, *t, "section") + "[grammar] section and [behaviour] subprograms_by_section need each other");
-  if (g.label_address != 0 && g.section_address != 0) return Failed(place(name_, *t, "label") + "label and section do not work together");
-  const auto pointless = [&](bool is_so, std::string_view key, const std::string& why) -> Done {
-    return is_so ? no_effect(*t, key, std::string(key) + " has no effect " + why) : Done();
+    return Failed(place(name_, *t, "section") + say("[grammar] section and [behaviour] subprograms_by_section need each other"));
+  if (g.label_address != 0 && g.section_address != 0)
+    return Failed(place(name_, *t, "label") + say("label and section do not work together"));
+  const auto pointless = [&](bool is_so, std::string_view key, loader_texts::Sentence why) -> Done {
+    return is_so ? no_effect(*t, key, say("{} has no effect {}", key, say(why))) : Done();
   };
   KADR_LOAD(pointless(!g.percent_number || g.percent_ignored, "percent_digits", "without percent_number"));
   KADR_LOAD(pointless(g.percent_number && g.percent_ignored, "percent_number", "beside percent_ignored"));
@@ -162,7 +163,7 @@ Done ControlLoader::check_grammar() {
   if (const toml::table* const most = (*t)["most_codes"].as_table())
     for (const auto& [letter, node] : *most)
       if (function_at(letter.str()[0]) == Function::count)
-        KADR_LOAD(no_effect(*most, letter.str(), "most_codes has no effect: no address " + std::string(letter.str())));
+        KADR_LOAD(no_effect(*most, letter.str(), say("most_codes has no effect: no address {}", letter.str())));
   return {};
 }
 
@@ -174,24 +175,23 @@ Done ControlLoader::check_behaviour() {
       {"arc_radius_difference", b.arc_radius_difference}, {"feed_most", b.feed_most},     {"reference_feed", b.reference_feed},
       {"return_chip_break", b.return_chip_break},         {"return_near", b.return_near}, {"probe_least_distance", b.probe_least_distance}};
   for (const auto& [key, value] : lengths)
-    if (!(value >= 0 && value <= 1e6)) return Failed(place(name_, *t, key) + std::string(key) + " must be a number from 0 to 1000000");
-  if (!(b.reference_feed > 0)) return Failed(place(name_, *t, "reference_feed") + "reference_feed must be more than 0");
-  if (b.call_depth == 0) return Failed(place(name_, *t, "call_depth") + "call_depth must be a whole number from 1 to 255");
-  if (b.fixtures == 0) return Failed(place(name_, *t, "fixtures") + "fixtures must be a whole number from 1 to 1000");
+    if (!(value >= 0 && value <= 1e6)) return Failed(place(name_, *t, key) + say("{} must be a number from 0 to 1000000", key));
+  if (!(b.reference_feed > 0)) return Failed(place(name_, *t, "reference_feed") + say("{} must be more than 0", "reference_feed"));
+  if (b.call_depth == 0)
+    return Failed(place(name_, *t, "call_depth") + say("{} must be a whole number from {} to {}", "call_depth", 1, 255));
+  if (b.fixtures == 0) return Failed(place(name_, *t, "fixtures") + say("{} must be a whole number from {} to {}", "fixtures", 1, 1000));
   if (b.correctors && !does({Function::corrector_word}))
-    return Failed(place(name_, *t, "correctors") + "correctors: [address] L must be 'corrector_word'");
+    return Failed(place(name_, *t, "correctors") + say("correctors: [address] L must be 'corrector_word'"));
   if (b.machine_axes) return {};
   for (const LooksAt& row : behaviour_of_functions()) {
     const bool looked_at = std::any_of(row.functions.begin(), row.functions.end(), [&](Function f) { return does({f}); });
     if (!looked_at)
-      KADR_LOAD(no_effect(
-          *t, row.key,
-          std::string(row.key) + " has no effect without a row that does '" + std::string(traits_of(row.functions[0]).name) + "'"));
+      KADR_LOAD(no_effect(*t, row.key, say("{} has no effect without a row that does '{}'", row.key, traits_of(row.functions[0]).name)));
   }
   if (!def_.grammar.expressions && b.delayed_assignment)
-    KADR_LOAD(no_effect(*t, "delayed_assignment", "delayed_assignment has no effect without [grammar] expressions"));
+    KADR_LOAD(no_effect(*t, "delayed_assignment", say("delayed_assignment has no effect without [grammar] expressions")));
   if (!b.subprograms_by_section && b.subprogram_zero_local)
-    KADR_LOAD(no_effect(*t, "subprogram_zero_local", "subprogram_zero_local has no effect without subprograms_by_section"));
+    KADR_LOAD(no_effect(*t, "subprogram_zero_local", say("subprogram_zero_local has no effect without subprograms_by_section")));
   return {};
 }
 
@@ -207,17 +207,17 @@ Done ControlLoader::check_axes() const {
   const toml::table& t = *file_["axes"].as_table();
   const std::uint32_t named = words(Function::axis), centers = words(Function::center);
   for (std::size_t a = 0; a < def_.axes.size(); ++a)
-    if ((named >> a & 1u) == 0) return Failed(place(name_, t, "names") + "names: axis " + def_.axes[a] + " has no word in [address]");
+    if ((named >> a & 1u) == 0) return Failed(place(name_, t, "names") + say("names: axis {} has no word in [address]", def_.axes[a]));
   const auto in_plane = [&](const CodeRow& row) {
     return std::find(std::begin(plane_functions), std::end(plane_functions), row.function) != std::end(plane_functions);
   };
   if (def_.axes.size() < 3)
     if (const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), in_plane); row != def_.codes.end())
-      return Failed(place(name_, t, "names") + row->code + ": '" + std::string(traits_of(row->function).name) + "' needs three axes");
+      return Failed(place(name_, t, "names") + say("{}: '{}' needs three axes", row->code, traits_of(row->function).name));
   if (def_.axes.size() < 3 && (def_.behaviour.correctors || def_.behaviour.subprograms_by_section))
-    return Failed(place(name_, t, "names") + "[behaviour] correctors and subprograms_by_section need three axes");
+    return Failed(place(name_, t, "names") + say("[behaviour] correctors and subprograms_by_section need three axes"));
   if (def_.behaviour.helix_by_lead && (centers & 7u) != 7u)
-    return Failed(place(name_, t, "names") + "[behaviour] helix_by_lead needs a 'center' for each of the first three axes");
+    return Failed(place(name_, t, "names") + say("[behaviour] helix_by_lead needs a 'center' for each of the first three axes"));
   return {};
 }
 
@@ -230,45 +230,47 @@ Done ControlLoader::check_functions() {
     const toml::table* const codes = section(row.letter == 'G' ? "g" : "m");
     for (const Stores& s : stores)
       if (s.function == row.function && (s.arg < 0 || s.arg == row.arg) && !kept(s.kind))
-        return Failed((codes == nullptr ? name_ + ": " : place(name_, *codes)) + row.code + ": '" +
-                      std::string(traits_of(row.function).name) + "' needs [[variables]] is = \"" + std::string(s.name) + "\"");
+        return Failed((codes == nullptr ? name_ + ": " : place(name_, *codes)) +
+                      say("{}: '{}' needs [[variables]] is = \"{}\"", row.code, traits_of(row.function).name, s.name));
   }
   if (def_.behaviour.machine_axes && (!def_.feed_codes.empty() || !def_.speed_codes.empty()))
-    return Failed(name_ + ": [feed_codes] and [speed_codes] do not work with the machine of the NCT ([behaviour] machine_axes = true)");
+    return Failed(name_ + ": " +
+                  say("[feed_codes] and [speed_codes] do not work with the machine of the NCT ([behaviour] machine_axes = true)"));
   if (!def_.feed_codes.empty() && !does({Function::feed_word}))
-    return Failed(name_ + ": [feed_codes] has no effect without an address that does 'feed_word'");
+    return Failed(say("{}: [{}] has no effect without an address that does '{}'", name_, "feed_codes", "feed_word"));
   if (!def_.speed_codes.empty() && !does({Function::speed_word}))
-    return Failed(name_ + ": [speed_codes] has no effect without an address that does 'speed_word'");
+    return Failed(say("{}: [{}] has no effect without an address that does '{}'", name_, "speed_codes", "speed_word"));
   return {};
 }
 
 /// A cycle that could never end, or never begin.
 Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const {
-  const std::string who = "cycle " + c.name + ": ";
+  const std::string who = say("cycle {}: ", c.name);
   const auto has = [&](CycleStep step) { return std::find(c.steps.begin(), c.steps.end(), step) != c.steps.end(); };
   const auto needs = [&](char letter) { return (c.needs & letter_bit_of(letter)) != 0; };
   const bool called = c.name[0] == 'L';
   if (has(CycleStep::passes_by_parameter) && !called)
-    return Failed(place(name_, row, "steps") + who + "passes_by_parameter is for cycles that are called: L83");
-  if (called && c.call_number == 0) return Failed(place(name_, row) + who + "a number from 1 must follow L");
+    return Failed(place(name_, row, "steps") + who + say("passes_by_parameter is for cycles that are called: L83"));
+  if (called && c.call_number == 0) return Failed(place(name_, row) + who + say("a number from 1 must follow L"));
   if (called && !def_.behaviour.subprograms_by_section)
-    return Failed(place(name_, row) + who + "a cycle that is called needs [behaviour] subprograms_by_section = true");
-  if (called && def_.grammar.parameter_address == 0) return Failed(place(name_, row) + who + "its words are [grammar] formal_parameter");
+    return Failed(place(name_, row) + who + say("a cycle that is called needs [behaviour] subprograms_by_section = true"));
+  if (called && def_.grammar.parameter_address == 0)
+    return Failed(place(name_, row) + who + say("its words are [grammar] formal_parameter"));
   if (called && !c.steps.empty() && (c.steps.size() != 1 || c.steps[0] != CycleStep::passes_by_parameter))
-    return Failed(place(name_, row, "steps") + who + "steps of a cycle that is called: passes_by_parameter alone, else a body");
+    return Failed(place(name_, row, "steps") + who + say("steps of a cycle that is called: passes_by_parameter alone, else a body"));
   if (called) {
     for (const char* const key : {"needs", "needs_spindle", "needs_spindle_cw"})
-      KADR_LOAD(no_effect(row, key, who + key + " has no effect on a cycle that is called"));
+      KADR_LOAD(no_effect(row, key, who + say("{} has no effect on a cycle that is called", key)));
     return {};
   }
   if (!c.body.empty() && def_.grammar.long_parameters.empty())
     return Failed(place(name_, row, "body") + who +
-                  "a body is for cycles that are called, L81, or where there are [grammar] long_parameters");
+                  say("a body is for cycles that are called, L81, or where there are [grammar] long_parameters"));
   if (!c.body.empty()) return {};  // a permanent subprogram
-  KADR_LOAD(no_effect(row, "needs_override_off", who + "needs_override_off has no effect on a cycle that is not called"));
-  if (!needs('Z') || !needs('R')) return Failed(place(name_, row, "needs") + who + "needs must have Z and R");
+  KADR_LOAD(no_effect(row, "needs_override_off", who + say("needs_override_off has no effect on a cycle that is not called")));
+  if (!needs('Z') || !needs('R')) return Failed(place(name_, row, "needs") + who + say("needs must have Z and R"));
   if ((has(CycleStep::peck_full) || has(CycleStep::peck_break)) && !needs('Q'))
-    return Failed(place(name_, row, "needs") + who + "peck_full and peck_break need Q: the cycle would never end");
+    return Failed(place(name_, row, "needs") + who + say("peck_full and peck_break need Q: the cycle would never end"));
   return {};
 }
 
@@ -278,24 +280,24 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   const std::string kind(row["is"].value_or(std::string()));
   const std::string who = "'" + kind + "': ";
   if (v.kind > VariableKind::fixture || v.kind == VariableKind::free)
-    return Failed(place(name_, row, "is") + who + "needs the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)");
+    return Failed(place(name_, row, "is") + who + say("needs the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)"));
   for (const char* const key : {"ranges", "symbol", "first", "arg", "bit", "of", "access", "works"})
-    if (row.contains(key)) return Failed(place(name_, row, key) + who + "`" + key + "` has no effect without the machine of the NCT");
+    if (row.contains(key)) return Failed(place(name_, row, key) + who + say("`{}` has no effect without the machine of the NCT", key));
   const VariableRange& range = v.ranges.front();
   const std::uint32_t expected = v.kind == VariableKind::fixture_number ? 1 : stored_axes;
-  if (range.count != expected) return Failed(place(name_, row, "count") + who + "count must be " + std::to_string(expected));
+  if (range.count != expected) return Failed(place(name_, row, "count") + who + say("count must be {}", expected));
   if (v.kind == VariableKind::fixture) {
-    if (range.stride < expected) return Failed(place(name_, row, "stride") + who + "stride must be at least " + std::to_string(expected));
+    if (range.stride < expected) return Failed(place(name_, row, "stride") + who + say("stride must be at least {}", expected));
     if (range.repeat < def_.behaviour.fixtures)
-      return Failed(place(name_, row, "repeat") + who + "repeat must be at least [behaviour] fixtures");
+      return Failed(place(name_, row, "repeat") + who + say("repeat must be at least [behaviour] fixtures"));
   } else {
-    for (const char* const key : {"stride", "repeat"}) KADR_LOAD(no_effect(row, key, who + key + " has no effect: there is one"));
+    for (const char* const key : {"stride", "repeat"}) KADR_LOAD(no_effect(row, key, who + say("{} has no effect: there is one", key)));
   }
   constexpr std::uint32_t first_system_variable = 1000;  // below it every number is the program's own
   const std::uint64_t last = range.from + std::uint64_t{range.stride} * (range.repeat - 1) + range.count - 1;
-  if (range.from < first_system_variable || range.repeat == 0) return Failed(place(name_, row, "from") + who + "from must be 1000 or more");
-  if (last > def_.grammar.variables)
-    return Failed(place(name_, row, "from") + who + "#" + std::to_string(last) + " is beyond [grammar] variables");
+  if (range.from < first_system_variable || range.repeat == 0)
+    return Failed(place(name_, row, "from") + who + say("from must be 1000 or more"));
+  if (last > def_.grammar.variables) return Failed(place(name_, row, "from") + who + say("#{} is beyond [grammar] variables", last));
   return {};
 }
 
@@ -308,7 +310,7 @@ Done ControlLoader::check_end_code(const toml::node& node, const CodeRow& c) con
                     c.function == Function::machine_function || c.function == Function::gear_range || c.function == Function::change_tool ||
                     c.function == Function::exchange_tool || c.function == Function::dwell || c.function == Function::dwell_or_turns ||
                     c.function == Function::machine_coordinates || !c.works;
-  if (acts) return Failed(place(name_, node) + "end: " + c.code + " is no mode: '" + std::string(traits.name) + "'");
+  if (acts) return Failed(place(name_, node) + say("end: {} is no mode: '{}'", c.code, traits.name));
   return {};
 }
 

@@ -6,6 +6,7 @@
 
 namespace kadr {
 
+using loader_texts::say;
 using toml_tools::place;
 using toml_tools::text_of;
 
@@ -31,7 +32,7 @@ Done ControlLoader::variables() {
   if (rows == nullptr) return {};
   for (const auto& node : *rows) {
     const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + "a variable is a table");
+    if (row == nullptr) return Failed(place(name_, node) + say("a variable is a table"));
     KADR_LOAD(variable(*row));
   }
   return {};
@@ -45,33 +46,33 @@ Done ControlLoader::variable(const toml::table& row) {
   const auto* const found = std::find(std::begin(variable_kinds), std::end(variable_kinds), kind);
   if (found == std::end(variable_kinds)) {
     const std::string_view near = toml_tools::nearest(kind, {std::begin(variable_kinds), std::end(variable_kinds)});
-    return Failed(place(name_, row, "is") + "unknown kind '" + kind + "'" + (near.empty() ? "" : ", nearest: '" + std::string(near) + "'"));
+    return Failed(place(name_, row, "is") + say("unknown kind '{}'", kind) + (near.empty() ? "" : say(", nearest: '{}'", near)));
   }
   v.kind = static_cast<VariableKind>(found - std::begin(variable_kinds));
   if (row.contains("ranges")) {
     const toml::array* const ranges = row["ranges"].as_array();
-    if (ranges == nullptr || ranges->empty()) return Failed(place(name_, row, "ranges") + "ranges: a list of ranges");
+    if (ranges == nullptr || ranges->empty()) return Failed(place(name_, row, "ranges") + say("ranges: a list of ranges"));
     for (const auto& node : *ranges) {
       const auto range = variable_range(node);
       if (!range) return Failed(range.error());
       v.ranges.push_back(*range);
     }
-    if (row.contains("from")) return Failed(place(name_, row, "from") + "a variable has `from` or `ranges`");
+    if (row.contains("from")) return Failed(place(name_, row, "from") + say("a variable has `from` or `ranges`"));
   } else {
     const auto number = [&](const char* key, std::uint32_t otherwise) { return whole(row, key, otherwise, most_variables); };
     v.ranges.push_back({number("from", 0), number("count", 1), number("stride", 0), number("repeat", 1)});
   }
   v.symbol = text(row, "symbol");
-  if (row.contains("symbol") && !is_symbol(v.symbol)) return Failed(place(name_, row, "symbol") + "a symbol is of A to Z, 0 to 9, _");
+  if (row.contains("symbol") && !is_symbol(v.symbol)) return Failed(place(name_, row, "symbol") + say("a symbol is of A to Z, 0 to 9, _"));
   v.first_index = whole(row, "first", 1, most_variables);
   v.arg = static_cast<int>(whole(row, "arg", 0, most_variables));
   if (row.contains("bit")) v.bit = static_cast<int>(whole(row, "bit", 0, 31));
   v.of = whole(row, "of", 0, most_number);
   const std::string access = row.contains("access") ? text(row, "access") : "RW";
-  if (access != "R" && access != "W" && access != "RW") return Failed(place(name_, row, "access") + "access: R, W or RW");
+  if (access != "R" && access != "W" && access != "RW") return Failed(place(name_, row, "access") + say("access: R, W or RW"));
   v.read = access != "W";
   v.write = access != "R";
-  v.works = typed(row, "works", true, "true or false");
+  v.works = typed(row, "works", true);
   v.text = text_of(row);
   v.manual = text(row, "manual");
   KADR_LOAD(check_variable(row, v));
@@ -81,7 +82,7 @@ Done ControlLoader::variable(const toml::table& row) {
 
 /// `[from, count]` or `[from, count, stride, repeat]`.
 tl::expected<VariableRange, std::string> ControlLoader::variable_range(const toml::node& node) const {
-  const auto wrong = [&] { return Failed(place(name_, node) + "a range is [from, count] or [from, count, stride, repeat]"); };
+  const auto wrong = [&] { return Failed(place(name_, node) + say("a range is [from, count] or [from, count, stride, repeat]")); };
   const toml::array* const parts = node.as_array();
   if (parts == nullptr || (parts->size() != 2 && parts->size() != 4)) return wrong();
   std::uint32_t numbers[4] = {0, 1, 0, 1};

@@ -9,6 +9,7 @@
 
 namespace kadr {
 
+using loader_texts::say;
 using toml_tools::place;
 using toml_tools::text_of;
 
@@ -37,6 +38,15 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"file_names", &Grammar::file_names},
 };
 
+/// What lang/format refuses: `format "3G2X" is not understood: the address stands twice`, or the reason alone.
+std::string told_format(const std::string& fault) {
+  constexpr std::string_view begin = "format \"", middle = "\" is not understood: ";
+  const std::size_t at = fault.rfind(middle);
+  if (!fault.starts_with(begin) || at == std::string::npos) return loader_texts::say_found(fault);
+  return say("format \"{}\" is not understood: {}", fault.substr(begin.size(), at - begin.size()),
+             loader_texts::say_found(fault.substr(at + middle.size())));
+}
+
 }  // namespace
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
@@ -48,7 +58,7 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
 
 Done ControlLoader::sections() {
   def_.id = text(file_, "id");
-  if (def_.id.empty()) return Failed(name_ + ": id is missing");
+  if (def_.id.empty()) return Failed(say("{}: id is missing", name_));
   if (const toml::table* const name = section("name")) def_.name = text_of(*name);
   def_.spec = text(file_, "spec");
   KADR_LOAD(known_keys(
@@ -81,7 +91,7 @@ std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key,
   if (node == nullptr) return otherwise;
   const auto number = node->value_exact<std::int64_t>();
   if (number && *number >= 0 && *number <= std::int64_t{most}) return static_cast<std::uint32_t>(*number);
-  if (bad_value_.empty()) bad_value_ = place(name_, *node) + std::string(key) + " must be a whole number from 0 to " + std::to_string(most);
+  if (bad_value_.empty()) bad_value_ = place(name_, *node) + say("{} must be a whole number from {} to {}", key, 0, most);
   return otherwise;
 }
 
@@ -96,21 +106,20 @@ Done ControlLoader::known_keys(const toml::table& table, const std::vector<std::
 }
 
 tl::unexpected<std::string> ControlLoader::unknown_key(const toml::node& node, std::string_view key,
-                                                       const std::vector<std::string_view>& known, std::string_view what) const {
+                                                       const std::vector<std::string_view>& known, loader_texts::Sentence what) const {
   const std::string_view near = toml_tools::nearest(key, known);
-  return Failed(place(name_, node) + std::string(what) + " '" + std::string(key) + "'" +
-                (near.empty() ? "" : ", nearest: '" + std::string(near) + "'"));
+  return Failed(place(name_, node) + say(what, key) + (near.empty() ? "" : say(", nearest: '{}'", near)));
 }
 
 const toml::table* ControlLoader::section(std::string_view key) {
   const toml::node* const node = file_.get(key);
-  if (node != nullptr && !node->is_table() && bad_value_.empty()) bad_value_ = place(name_, *node) + std::string(key) + " must be a table";
+  if (node != nullptr && !node->is_table() && bad_value_.empty()) bad_value_ = place(name_, *node) + say("{} must be a table", key);
   return node == nullptr ? nullptr : node->as_table();
 }
 
 const toml::array* ControlLoader::list(const toml::table& row, std::string_view key) {
   const toml::node* const node = row.get(key);
-  if (node != nullptr && !node->is_array() && bad_value_.empty()) bad_value_ = place(name_, *node) + std::string(key) + " must be a list";
+  if (node != nullptr && !node->is_array() && bad_value_.empty()) bad_value_ = place(name_, *node) + say("{} must be a list", key);
   return node == nullptr ? nullptr : node->as_array();
 }
 
@@ -118,7 +127,7 @@ std::string ControlLoader::text(const toml::table& row, std::string_view key) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
   if (const auto value = node->value_exact<std::string>()) return *value;
-  if (bad_value_.empty()) bad_value_ = place(name_, *node) + std::string(key) + " must be a text";
+  if (bad_value_.empty()) bad_value_ = place(name_, *node) + say("{} must be a text", key);
   return {};
 }
 
@@ -137,7 +146,8 @@ Done ControlLoader::grammar() {
   def_.descriptor = text(file_, "format");
   Grammar& g = def_.grammar;
   if (!def_.descriptor.empty())
-    if (auto applied = apply_descriptor(def_.descriptor, g); !applied) return Failed(name_ + ": format: " + applied.error());
+    if (auto applied = apply_descriptor(def_.descriptor, g); !applied)
+      return Failed(say("{}: format: {}", name_, told_format(applied.error())));
   const toml::table* const t = section("grammar");
   if (t == nullptr) return {};
   std::set<std::string_view> known = {"percent_digits", "comment_forbidden", "block_length",    "formal_parameter",
@@ -145,7 +155,7 @@ Done ControlLoader::grammar() {
                                       "label",          "section",           "end_of_block"};
   for (const auto& [key, to] : grammar_flags) {
     known.insert(key);
-    g.*to = typed(*t, key, g.*to, "true or false");
+    g.*to = typed(*t, key, g.*to);
   }
   for (const auto& [key, node] : *t)
     if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()});
@@ -157,20 +167,20 @@ Done ControlLoader::grammar() {
   g.label_address = first_letter(*t, "label");
   g.long_parameters = (*t)["long_parameters"].value_or(g.long_parameters);
   if (!std::all_of(g.long_parameters.begin(), g.long_parameters.end(), is_letter) || g.long_parameters.size() > 3)
-    return Failed(place(name_, *t, "long_parameters") + "long_parameters: at most three letters A to Z");
+    return Failed(place(name_, *t, "long_parameters") + say("long_parameters: at most three letters A to Z"));
   g.section_address = first_letter(*t, "section");
   const std::string end = text(*t, "end_of_block");
   if (end == "line_only") g.end_of_block = EndOfBlock::line_only;
-  else if (!end.empty() && end != "line") return Failed(place(name_, *t, "end_of_block") + "end_of_block: line or line_only");
+  else if (!end.empty() && end != "line") return Failed(place(name_, *t, "end_of_block") + say("end_of_block: line or line_only"));
   for (const char letter : text(*t, "parameters_in")) {
-    if (!is_letter(letter)) return Failed(place(name_, *t, "parameters_in") + "parameters_in: letters A to Z");
+    if (!is_letter(letter)) return Failed(place(name_, *t, "parameters_in") + say("parameters_in: letters A to Z"));
     g.word(letter).parameter = true;
   }
   if (t->contains("most_codes") && !(*t)["most_codes"].is_table())
-    return Failed(place(name_, *t, "most_codes") + "most_codes must be a table: { M = 2 }");
+    return Failed(place(name_, *t, "most_codes") + say("most_codes must be a table: { M = 2 }"));
   if (const toml::table* const most = (*t)["most_codes"].as_table())
     for (const auto& [letter, node] : *most) {
-      if (letter.str().size() != 1 || !is_letter(letter.str()[0])) return Failed(place(name_, node) + "most_codes: letters A to Z");
+      if (letter.str().size() != 1 || !is_letter(letter.str()[0])) return Failed(place(name_, node) + say("most_codes: letters A to Z"));
       most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(whole(*most, letter.str(), 0, limits::block_words));
     }
   return {};
@@ -180,7 +190,7 @@ char ControlLoader::first_letter(const toml::table& t, std::string_view key) {
   const std::string letter = text(t, key);
   if (letter.empty()) return '\0';
   const bool good = letter.size() == 1 && is_letter(letter[0]);
-  if (!good && bad_value_.empty()) bad_value_ = place(name_, t, key) + std::string(key) + " must be a letter A to Z";
+  if (!good && bad_value_.empty()) bad_value_ = place(name_, t, key) + say("{} must be a letter A to Z", key);
   return good ? letter[0] : '\0';
 }
 
@@ -191,7 +201,7 @@ Done ControlLoader::behaviour() {
   std::set<std::string_view> known = {"arc_centers", "length_offset"};
   const auto flag = [&](const char* key, bool& to) {
     known.insert(key);
-    to = typed(*t, key, to, "true or false");
+    to = typed(*t, key, to);
   };
   const auto number = [&](const char* key, double& to, const NumberRange& range) {
     known.insert(key);
@@ -234,36 +244,36 @@ Done ControlLoader::behaviour() {
   if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
   else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;
   else if (!centers.empty() && centers != "incremental")
-    return Failed(place(name_, *t, "arc_centers") + "arc_centers: incremental, as_distance or by_code");
+    return Failed(place(name_, *t, "arc_centers") + say("arc_centers: incremental, as_distance or by_code"));
   const std::string length = text(*t, "length_offset");
   if (length == "at_once") b.length_offset = LengthOffset::at_once;
   else if (!length.empty() && length != "next_motion")
-    return Failed(place(name_, *t->get("length_offset")) + "length_offset: at_once or next_motion");
+    return Failed(place(name_, *t->get("length_offset")) + say("length_offset: at_once or next_motion"));
   for (const auto& [key, node] : *t)
-    if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()}, "unknown behaviour");
+    if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()}, "unknown behaviour '{}'");
   return {};
 }
 
 Done ControlLoader::axes() {
   const toml::table* const t = section("axes");
   const toml::array* const names = t == nullptr ? nullptr : list(*t, "names");
-  if (names == nullptr || names->empty() || names->size() > max_axes) return Failed(name_ + ": [axes] names: 1 to 16 axes");
+  if (names == nullptr || names->empty() || names->size() > max_axes) return Failed(say("{}: [axes] names: 1 to 16 axes", name_));
   KADR_LOAD(known_keys(*t, {"names", "rotary"}));
   for (const auto& node : *names) {
     const std::string name = node.value_exact<std::string>().value_or(std::string());
-    if (name.empty() || axis_named(name) >= 0) return Failed(place(name_, node) + "names: each axis a name of its own");
+    if (name.empty() || axis_named(name) >= 0) return Failed(place(name_, node) + say("names: each axis a name of its own"));
     def_.axes.push_back(name);
   }
   if (const toml::array* const rotary = list(*t, "rotary"))
     for (const auto& name : *rotary) {
       const int axis = axis_named(name.value_or(std::string()));
-      if (axis < 0) return Failed(place(name_, name) + "rotary: no such axis");
+      if (axis < 0) return Failed(place(name_, name) + say("rotary: no such axis"));
       def_.rotary |= 1u << axis;
     }
   if (const toml::array* const diameter = (*t)["diameter"].as_array())
     for (const auto& name : *diameter) {
       const int axis = axis_named(name.value_or(std::string()));
-      if (axis < 0) return Failed(place(name_, name) + "diameter: no such axis");
+      if (axis < 0) return Failed(place(name_, name) + say("diameter: no such axis"));
       def_.diameter |= 1u << axis;
     }
   return {};
@@ -277,12 +287,12 @@ int ControlLoader::axis_named(const std::string& name) const {
 Done ControlLoader::order() {
   const toml::table* const t = section("order");
   const toml::array* const phases = t == nullptr ? nullptr : list(*t, "phases");
-  if (phases == nullptr) return Failed(name_ + ": [order] phases is missing");
+  if (phases == nullptr) return Failed(say("{}: [order] phases is missing", name_));
   KADR_LOAD(known_keys(*t, {"phases"}));
   for (const auto& node : *phases) {
     const Phase phase = phase_named(node.value_or(std::string()));
-    if (phase == Phase::count) return Failed(place(name_, node) + "unknown phase '" + node.value_or(std::string()) + "'");
-    if (def_.order[static_cast<std::size_t>(phase)] != 0) return Failed(place(name_, node) + "phase twice");
+    if (phase == Phase::count) return Failed(place(name_, node) + say("unknown phase '{}'", node.value_or(std::string())));
+    if (def_.order[static_cast<std::size_t>(phase)] != 0) return Failed(place(name_, node) + say("phase twice"));
     def_.order_list.push_back(phase);
     def_.order[static_cast<std::size_t>(phase)] = static_cast<std::uint8_t>(def_.order_list.size());
   }
@@ -293,22 +303,22 @@ Done ControlLoader::order() {
 tl::expected<Phase, std::string> ControlLoader::phase_of(const toml::table& row, Function function) {
   Phase phase = traits_of(function).phase;
   if (row.contains("phase")) phase = phase_named(text(row, "phase"));
-  if (phase == Phase::count) return Failed(place(name_, row, "phase") + "unknown phase");
+  if (phase == Phase::count) return Failed(place(name_, row, "phase") + say("unknown phase '{}'", text(row, "phase")));
   if (phase != Phase::none && def_.order[static_cast<std::size_t>(phase)] == 0)
-    return Failed(place(name_, row, "phase") + "phase '" + std::string(name_of(phase)) + "' is not in [order]");
+    return Failed(place(name_, row, "phase") + say("phase '{}' is not in [order]", name_of(phase)));
   return phase;
 }
 
 Done ControlLoader::addresses() {
   const toml::table* const t = section("address");
-  if (t == nullptr) return Failed(name_ + ": [address] is missing");
+  if (t == nullptr) return Failed(say("{}: [address] is missing", name_));
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
     const std::string_view text = key.str();
     const bool comma = text.size() == 2 && text[0] == ',';
     const char letter = comma ? comma_address(text[1]) : text.size() == 1 ? text[0] : '\0';
     if (letter == 0 || (!comma && (letter < 'A' || letter > 'Z')) || row == nullptr)
-      return Failed(place(name_, node) + "an address is a letter A to Z, or ,C ,R ,A, with a table");
+      return Failed(place(name_, node) + say("an address is a letter A to Z, or ,C ,R ,A, with a table"));
     KADR_LOAD(address(letter, *row));
   }
   return {};
@@ -328,17 +338,17 @@ Done ControlLoader::address(char letter, const toml::table& row) {
   if (row.contains("axis")) {
     const std::string axis = text(row, "axis");
     const int index = axis_named(axis);
-    if (index < 0) return Failed(place(name_, row, "axis") + "no axis '" + axis + "'");
+    if (index < 0) return Failed(place(name_, row, "axis") + say("no axis '{}'", axis));
     a.axis = static_cast<std::uint8_t>(index);
   }
   const std::string unit = text(row, "unit");
-  if (!unit.empty() && unit != "length" && unit != "angle") return Failed(place(name_, row, "unit") + "unit: length or angle");
+  if (!unit.empty() && unit != "length" && unit != "angle") return Failed(place(name_, row, "unit") + say("unit: length or angle"));
   a.unit = unit == "length" ? WordUnit::length : unit == "angle" ? WordUnit::angle : WordUnit::none;
   ranged(row, "scale", ranges::scale, a.scale);
   ranged(row, "least", ranges::any, a.least);
   ranged(row, "most", ranges::any, a.most);
   if (a.least > a.most) return Failed(place(name_, row, "least") + told("least is above most", "least больше, чем most"));
-  a.whole = typed(row, "whole", false, "true or false");
+  a.whole = typed(row, "whole", false);
   a.text = text_of(row);
   a.manual = text(row, "manual");
   a.format = text(row, "format");
@@ -355,17 +365,17 @@ Done ControlLoader::word_format(char letter, const toml::table& row, const Addre
     w.sign = a.format[0] == '+';
   } else if (!a.format.empty()) {
     auto parsed = parse_word_format(a.format, false);
-    if (!parsed) return Failed(place(name_, row, "format") + parsed.error());
+    if (!parsed) return Failed(place(name_, row, "format") + told_format(parsed.error()));
     w = *parsed;
   }
   // A format string says which addresses there are; a row with a format of its own adds one.
   w.known = def_.descriptor.empty() || !a.format.empty() || w.known || a.function == Function::formal_parameter;
   w.parameter = parameter;
-  w.second_number = typed(row, "second", false, "true or false");
+  w.second_number = typed(row, "second", false);
   w.code = a.function == Function::code;
   if (w.code && w.at_most == 1) w.at_most = 0;
   if (most_codes_.contains(letter)) w.at_most = most_codes_[letter];
-  if (typed(row, "many", false, "true or false")) w.at_most = 0;
+  if (typed(row, "many", false)) w.at_most = 0;
   return {};
 }
 

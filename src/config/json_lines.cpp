@@ -124,7 +124,7 @@ tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text) {
     if (const std::size_t colon = what.find(": "); what.starts_with("parse error at") && colon != std::string_view::npos)
       what.remove_prefix(colon + 2);
     return tl::unexpected(JsonFault{line, fmt::format("the setup is not JSON: {}", what),
-                                    fmt::format("это не JSON (нужны пары «\"ключ\": значение» через запятую): {}", what)});
+                                    "это не JSON: нужны пары «\"ключ\": значение» через запятую"});
   }
   return result;
 }

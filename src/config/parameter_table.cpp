@@ -5,9 +5,13 @@
 #include <cmath>
 #include <sstream>
 
+#include "config/loader_texts.h"
 #include "config/toml_tools.h"
 
 namespace kadr {
+
+using loader_texts::say;
+
 namespace {
 
 using Failed = tl::unexpected<std::string>;
@@ -127,7 +131,7 @@ using Rows = tl::expected<std::vector<ParameterRow>, std::string>;
 Rows rows_of(const toml::table& table, const std::string& file) {
   std::vector<ParameterRow> rows;
   for (const auto& [key, node] : table) {
-    if (!node.is_table()) return Failed(place(file, node) + "a parameter is a table");
+    if (!node.is_table()) return Failed(place(file, node) + say("a parameter is a table"));
     RowReader reader(file, *node.as_table());
     rows.push_back(reader.row(key.str()));
     if (!reader.fault().empty()) return Failed(reader.fault());
@@ -149,7 +153,7 @@ Rows parse_parameters(std::string_view toml, const std::string& file) {
 Rows load_parameters(const std::string& name) {
   const std::string file = "controls/" + name + ".toml";
   const auto text = is_parameter_table(name) ? toml_tools::embedded_text(file) : std::nullopt;
-  if (!text) return Failed("no table of parameters '" + name + "'");
+  if (!text) return Failed(say("no table of parameters '{}'", name));
   auto rows = rows_of(toml_tools::embedded_table(file).value(), file);
   return rows ? rows : parse_parameters(*text, file);  // the text knows the line of the fault
 }

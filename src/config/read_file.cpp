@@ -56,7 +56,18 @@ std::string told_errno(int error) {
     case ELOOP: return told("its links go in a circle", "ссылки замкнуты в кольцо");
     case ENAMETOOLONG: return told("the name is too long", "слишком длинное имя");
     case EIO: return told("the disk fails", "ошибка диска");
-    default: return std::strerror(error);
+    case EISDIR: return told("it is a directory", "это каталог");
+    case EFBIG: return told("it is too large", "слишком велик");
+    case ENOSPC: return told("the disk is full", "на диске нет места");
+    case EROFS: return told("the file system is read-only", "файловая система только для чтения");
+    case EPIPE: return told("its reader has gone", "читающая программа завершилась");
+    case EEXIST: return told("it is there already", "такой файл уже есть");
+    case EBADF: return told("it is not open", "не открыт");
+    case EMFILE:
+    case ENFILE: return told("too many files are open", "открыто слишком много файлов");
+    case ENOMEM: return told("out of memory", "не хватает памяти");
+    case ENXIO: return told("nobody is at its other end", "с другой стороны никого нет");
+    default: return told(std::strerror(error), "ошибка системы " + std::to_string(error));
   }
 }
 

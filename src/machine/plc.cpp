@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "config/told.h"
+
 namespace kadr {
 namespace {
 
@@ -81,7 +83,8 @@ Plc::Plc(const std::vector<SetupEvent>& events) {
   for (const SetupEvent& from : events) {
     const std::string& word = from.code.empty() ? from.block : from.code;
     const char letter = word.empty() ? '\0' : word[0];
-    if (!from.code.empty() && !is_seen(from.code)) error_ = "events: the machine's logic does not see " + from.code;
+    if (!from.code.empty() && !is_seen(from.code))
+      error_ = told("events: the machine's logic does not see ", "events: логика станка не видит ") + from.code;
     const double number = word.empty() ? 0 : std::strtod(word.c_str() + 1, nullptr);
     events_.push_back({from.when, letter == ':', letter, number, from.count, 0, command_of(from)});
   }

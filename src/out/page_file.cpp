@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "config/told.h"
 #include "out/canvas.h"
 
 namespace kadr {
@@ -25,8 +26,10 @@ cairo_status_t write_bytes(void* file, const unsigned char* bytes, unsigned coun
 bool is_page_name(const std::string& file) { return is_svg(file) || is_png(file); }
 
 std::string page_fault(const std::string& file) {
-  if (!is_page_name(file)) return file + ": a plot is .svg or .png";
-  if (cairo_library() == nullptr) return file + ": pictures need the library libcairo.so.2; this machine has none";
+  if (!is_page_name(file)) return file + told(": a plot is .svg or .png", ": картинка — файл .svg или .png");
+  if (cairo_library() == nullptr)
+    return file + told(": pictures need the library libcairo.so.2; this machine has none",
+                       ": для картинок нужна библиотека libcairo.so.2, а её здесь нет");
   return {};
 }
 
@@ -48,7 +51,7 @@ tl::expected<void, std::string> write_page(const ResultFile& file, double width,
   if (svg) cairo->surface_finish(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_status(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) return {};
-  return tl::unexpected(file.name() + ": " + cairo->status_to_string(status));
+  return tl::unexpected(file.name() + ": " + told(cairo->status_to_string(status), "картинка не записана"));
 }
 
 }  // namespace kadr

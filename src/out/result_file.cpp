@@ -16,11 +16,12 @@
 #include <utility>
 
 #include "base/file_id.h"
+#include "config/read_file.h"
 
 namespace kadr {
 namespace {
 
-std::string sentence(const std::string& name, int error) { return fmt::format("{}: {}", name, std::strerror(error)); }
+std::string sentence(const std::string& name, int error) { return fmt::format("{}: {}", name, told_errno(error)); }
 
 /// The files under way, so that discard_all() finds them.
 struct UnderWay {
