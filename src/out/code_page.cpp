@@ -2,9 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <cctype>
 #include <cmath>
 
+#include "out/asked_code.h"
+#include "out/parameter_text.h"
 #include "out/variable_text.h"
 
 namespace kadr {
@@ -108,11 +109,14 @@ std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTex
 }  // namespace
 
 std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
-  std::string code;
-  for (const char c : what) code += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::string code = code_asked(what);
   if (const AlarmId id = alarm_named(what); id != AlarmId::count) return alarm_text_of(def, texts, id, lang);
   if (what.empty()) return std::nullopt;
-  if (what.find_first_not_of("0123456789") == std::string::npos) return numbered_alarms(def, texts, what, lang);
+  if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may have one number: both
+    const auto alarms = numbered_alarms(def, texts, what, lang);
+    const auto parameter = explain_parameter(def, code, lang);
+    return alarms && parameter ? *alarms + *parameter : alarms ? alarms : parameter;
+  }
   if (what[0] == '#') return explain_variable(def, what, lang);
   const bool comma = code.size() == 2 && code[0] == ',' && comma_address(code[1]) != 0;
   if (comma || (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z')) {
@@ -130,6 +134,7 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   }
   for (const CycleRow& row : def.cycles)
     if (row.name == code) return text.value_or("") + cycle_text(def, row, lang);
+  if (!text) text = explain_parameter(def, code, lang);
   return text ? text : explain_variable(def, what, lang);
 }
 
