@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "out/asked_code.h"
+#include "out/cycle_text.h"
 #include "out/parameter_text.h"
 #include "out/variable_text.h"
+#include "out/word_text.h"
 
 namespace kadr {
 namespace {
@@ -52,8 +54,10 @@ std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts",
                       row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
   if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
-  if (row.takes != 0 || row.takes_all_axes) text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words_of(row, lang));
+  if (row.takes != 0 || row.takes_all_axes)
+    text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words_of(row, lang)) + words_text(def, row, lang);
   if (row.needs != 0) text += fmt::format("  {}: {}\n", ru ? "обязательны" : "must have", letters_of(row.needs));
+  text += steps_text(row, lang);
   text += fmt::format("  {}: {}{}\n", ru ? "функция Kadr" : "Kadr's function", traits_of(row.function).name,
                       row.arg != 0 ? fmt::format(" {}", row.arg) : "");
   if (!row.works) text += fmt::format("  {}\n", ru ? "в этой версии Kadr не выполняется" : "not in this version of Kadr");
@@ -80,9 +84,7 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
     text += fmt::format("  {}\n", body.substr(0, end));
     body.remove_prefix(end + 1);
   }
-  std::string steps;
-  for (const CycleStep step : row.steps) steps += fmt::format("{}{}", steps.empty() ? "" : " → ", name_of(step));
-  if (!steps.empty()) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "шаги" : "steps", steps);
+  text += steps_text(def, row, lang);
   if (row.needs != 0) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "нужны" : "needs", letters_of(row.needs));
   text += fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, row.manual);
   return text;
