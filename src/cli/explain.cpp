@@ -4,6 +4,7 @@
 
 #include "cli/options.h"
 #include "config/control_file.h"
+#include "out/asked_code.h"
 #include "out/code_page.h"
 #include "out/setup_page.h"
 
@@ -26,6 +27,36 @@ std::string setup_page_of_all(Lang lang) {
   return setup_page(controls, lang);
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// The built-in controls that have what this one has not.
+std::vector<std::string> controls_with(const std::string& code, const std::string& not_this, Lang lang) {
+  std::vector<std::string> ids;
+  for (const std::string& id : built_in_controls()) {
+    const auto def = id == not_this ? tl::unexpected<std::string>("") : load_control(id);
+    if (!def) continue;
+    const auto texts = AlarmTexts::load(&*def);
+    if (texts && explain_code(*def, *texts, code, lang)) ids.push_back(id);
+  }
+  return ids;
+}
+
+/// "no code … 'G5.1'; nct has it; did you mean G4, G9?"
+std::string unknown_code(const ControlDef& def, const std::string& code, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  std::string text = ru ? fmt::format("{}: нет кода, адреса, цикла, параметра, переменной или ошибки '{}'", def.id, code)
+                        : fmt::format("{}: no code, address, cycle, parameter, variable or alarm '{}'", def.id, code);
+  if (const auto ids = controls_with(code, def.id, lang); !ids.empty())
+    text += fmt::format("; {}: {}", ru ? "есть у" : "known to", listed(ids));
+  if (const auto names = nearest_to(def, code); !names.empty())
+    text += fmt::format("; {} {}?", ru ? "может быть," : "did you mean", listed(names));
+  return text;
+}
+
 }  // namespace
 
 int explain(const ExplainOptions& options) {
@@ -38,11 +69,7 @@ int explain(const ExplainOptions& options) {
   if (options.markdown) return fmt::print("{}", control_page(*def, *texts)), ok;
   if (options.code.empty()) return fmt::print("{}", explain_control(*def, lang)), ok;
   const auto text = explain_code(*def, *texts, options.code, lang);
-  if (!text) {
-    complain(lang == Lang::ru ? fmt::format("{}: нет кода, адреса, цикла, переменной или ошибки '{}'", options.control, options.code)
-                              : fmt::format("{}: no code, address, cycle, variable or alarm '{}'", options.control, options.code));
-    return wrong_usage;
-  }
+  if (!text) return complain(unknown_code(*def, options.code, lang)), wrong_usage;
   fmt::print("{}", *text);
   return ok;
 }

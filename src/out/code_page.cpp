@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <cctype>
 #include <cmath>
 
+#include "out/asked_code.h"
+#include "out/cycle_text.h"
+#include "out/parameter_text.h"
 #include "out/variable_text.h"
+#include "out/word_text.h"
 
 namespace kadr {
 namespace {
@@ -51,8 +54,10 @@ std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts",
                       row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
   if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
-  if (row.takes != 0 || row.takes_all_axes) text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words_of(row, lang));
+  if (row.takes != 0 || row.takes_all_axes)
+    text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words_of(row, lang)) + words_text(def, row, lang);
   if (row.needs != 0) text += fmt::format("  {}: {}\n", ru ? "обязательны" : "must have", letters_of(row.needs));
+  text += steps_text(row, lang);
   text += fmt::format("  {}: {}{}\n", ru ? "функция Kadr" : "Kadr's function", traits_of(row.function).name,
                       row.arg != 0 ? fmt::format(" {}", row.arg) : "");
   if (!row.works) text += fmt::format("  {}\n", ru ? "в этой версии Kadr не выполняется" : "not in this version of Kadr");
@@ -79,9 +84,7 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
     text += fmt::format("  {}\n", body.substr(0, end));
     body.remove_prefix(end + 1);
   }
-  std::string steps;
-  for (const CycleStep step : row.steps) steps += fmt::format("{}{}", steps.empty() ? "" : " → ", name_of(step));
-  if (!steps.empty()) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "шаги" : "steps", steps);
+  text += steps_text(def, row, lang);
   if (row.needs != 0) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "нужны" : "needs", letters_of(row.needs));
   text += fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, row.manual);
   return text;
@@ -108,11 +111,14 @@ std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTex
 }  // namespace
 
 std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
-  std::string code;
-  for (const char c : what) code += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::string code = code_asked(what);
   if (const AlarmId id = alarm_named(what); id != AlarmId::count) return alarm_text_of(def, texts, id, lang);
   if (what.empty()) return std::nullopt;
-  if (what.find_first_not_of("0123456789") == std::string::npos) return numbered_alarms(def, texts, what, lang);
+  if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may have one number: both
+    const auto alarms = numbered_alarms(def, texts, what, lang);
+    const auto parameter = explain_parameter(def, code, lang);
+    return alarms && parameter ? *alarms + *parameter : alarms ? alarms : parameter;
+  }
   if (what[0] == '#') return explain_variable(def, what, lang);
   const bool comma = code.size() == 2 && code[0] == ',' && comma_address(code[1]) != 0;
   if (comma || (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z')) {
@@ -130,6 +136,7 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   }
   for (const CycleRow& row : def.cycles)
     if (row.name == code) return text.value_or("") + cycle_text(def, row, lang);
+  if (!text) text = explain_parameter(def, code, lang);
   return text ? text : explain_variable(def, what, lang);
 }
 

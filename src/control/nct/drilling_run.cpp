@@ -7,47 +7,15 @@
 #include "control/functions.h"
 #include "control/nct/blocks.h"
 #include "control/nct/coordinates.h"
+#include "control/nct/drill_steps.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
-
-enum class DrillStep : std::uint8_t {
-  end,
-  approach,     // 3: rapid to R
-  stop,         // of single-block operation
-  cut,          // 5: feed to the bottom
-  cut_fixed,    // 5: the same, overrides 100 %
-  break_chips,  // 5: pecks, a little back
-  clear_chips,  // 5: pecks, back to R
-  tap_down,     // 5: with the spindle, in one go or in pecks
-  pause,        // 6
-  back,         // 7: feed to R, percent of the feed
-  back_fixed,   // 7: feed to R, overrides 100 %
-  tap_up,       // 7: with the spindle
-  retract,      // 7, 9: rapid to R (G99) or at once to the initial point (G98)
-  clear,        // 9: rapid to the initial point (G98)
-  initial,      // 9: the same, whatever G98, G99
-  shift_out,
-  shift_back,
-  cw,
-  ccw,
-  halt,
-  orient,
-  catch_spindle,
-  manual,  // M0
-};
-
-/// Operations 2 … 10 between the single-block stops behind 1 and 10.
-struct DrillCycle {
-  std::int32_t code;
-  std::array<DrillStep, 14> steps;
-};
 
 namespace {
 
 using enum DrillStep;
 
-constexpr std::int32_t back_boring = 1870;  // G87 of case B (18.1.13)
 constexpr DrillCycle drill_cycles[] = {
     //  code  operations                                                                                         manual
     {730, {approach, stop, break_chips, retract}},                                                                        // 18.1.1
@@ -67,10 +35,7 @@ constexpr DrillCycle drill_cycles[] = {
     {890, {approach, stop, cut, pause, back, clear}},                                                                     // 18.1.15
 };
 
-const DrillCycle& cycle_of(const DrillingRun::Job& job) {
-  const std::int32_t code = job.back_boring ? back_boring : job.code;
-  return *std::find_if(std::begin(drill_cycles), std::end(drill_cycles), [&](const DrillCycle& c) { return c.code == code; });
-}
+const DrillCycle& cycle_of(const DrillingRun::Job& job) { return *drill_cycle(job.back_boring ? back_boring : job.code); }
 
 /// M3, M4, M5, M19 of the cycle itself.
 Status spindle_function(Machinery& m, std::int32_t code) {
@@ -86,6 +51,12 @@ bool is_there(const Machinery& m, const Axes& to, AxisMask named) {
 }
 
 }  // namespace
+
+const DrillCycle* drill_cycle(std::int32_t code) {
+  const auto* const found =
+      std::find_if(std::begin(drill_cycles), std::end(drill_cycles), [&](const DrillCycle& c) { return c.code == code; });
+  return found == std::end(drill_cycles) ? nullptr : found;
+}
 
 Status hole_position(const Machinery& m, std::size_t drill, Axes& to, AxisMask& named) {
   Word* hidden = nullptr;

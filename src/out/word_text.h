@@ -1,0 +1,14 @@
+#pragma once
+// The words of a code with what they mean there: kadr explain nct G81.
+
+#include <string>
+
+#include "config/alarm_texts.h"
+#include "config/control_def.h"
+
+namespace kadr {
+
+/// A line for each letter that the code takes: "    R  point R: …, mm".
+std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang);
+
+}  // namespace kadr
