@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "out/plot_marks.h"
 #include "out/plot_strokes.h"
 
 namespace kadr {
@@ -25,7 +26,8 @@ struct PlaneNames {
   const char* across;
   const char* up;
 };
-constexpr std::array<PlaneNames, 4> names = {{{"", "", ""}, {"XY", "X", "Y"}, {"XZ", "X", "Z"}, {"YZ", "Y", "Z"}}};
+constexpr std::array<PlaneNames, 4> names = {
+    {{"view-isometric", "", ""}, {"view-xy", "X", "Y"}, {"view-xz", "X", "Z"}, {"view-yz", "Y", "Z"}}};
 
 const PlaneNames& names_of(View view) { return names[static_cast<std::size_t>(view)]; }
 
@@ -37,34 +39,36 @@ std::array<Vec3, 8> corners(const Box& box) {
 }
 
 /// Light lines at round numbers, the numbers left and below.
-void draw_grid(Canvas& canvas, const Area& area, View view, const ViewScale& scale) {
-  const double step = round_step(tick_spacing / scale.per_mm);
+void draw_grid(Canvas& canvas, const Area& area, View view, const ViewScale& scale, LengthUnit unit) {
+  const double step = mm_of(unit) * round_step(tick_spacing / scale.per_mm / mm_of(unit));
   const TextStyle number{11, faint_ink, Align::centre, false};
   const TextStyle number_left{11, faint_ink, Align::right, false};
   const auto first = [&](double least) { return std::ceil(least / step - 1e-9); };
   for (double n = first((area.x - scale.zero.x) / scale.per_mm); scale.zero.x + n * step * scale.per_mm <= area.right(); ++n) {
     const double x = scale.zero.x + n * step * scale.per_mm;
     canvas.line({x, area.y}, {x, area.bottom()}, n == 0 ? grid_zero : grid, 1);
-    canvas.text({x, area.bottom() + 15}, number_text(n * step, 3), number);
+    canvas.text({x, area.bottom() + 15}, length_text(n * step, unit), number);
   }
   for (double n = first((scale.zero.y - area.bottom()) / scale.per_mm); scale.zero.y - n * step * scale.per_mm >= area.y; ++n) {
     const double y = scale.zero.y - n * step * scale.per_mm;
     canvas.line({area.x, y}, {area.right(), y}, n == 0 ? grid_zero : grid, 1);
-    canvas.text({area.x - 6, y + 4}, number_text(n * step, 3), number_left);
+    canvas.text({area.x - 6, y + 4}, length_text(n * step, unit), number_left);
   }
   canvas.text({area.right() - 8, area.bottom() - 8}, names_of(view).across, {14, ink, Align::right, true});
   canvas.text({area.x + 8, area.y + 18}, names_of(view).up, {14, ink, Align::left, true});
 }
 
 void draw_zeros(Canvas& canvas, View view, const ViewScale& scale, const std::vector<Vec3>& zeros) {
+  canvas.kind("zero");
   for (const Vec3 zero : zeros) canvas.zero_mark(scale.page(projected(view, zero)), 6, ink);
+  canvas.kind("");
 }
 
 /// The floor of the box with a grid, and the edges behind.
-void draw_floor(Canvas& canvas, const ViewScale& scale, const Box& box) {
+void draw_floor(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUnit unit) {
   const auto page = [&](double x, double y, double z) { return scale.page(projected(View::isometric, {x, y, z})); };
   const Vec3 a = box.least, b = box.most;
-  const double step = round_step(tick_spacing / 1.6 / scale.per_mm);
+  const double step = mm_of(unit) * round_step(tick_spacing / 1.6 / scale.per_mm / mm_of(unit));
   for (double x = std::ceil(a.x / step) * step; x <= b.x; x += step) canvas.line(page(x, a.y, a.z), page(x, b.y, a.z), grid, 1);
   for (double y = std::ceil(a.y / step) * step; y <= b.y; y += step) canvas.line(page(a.x, y, a.z), page(b.x, y, a.z), grid, 1);
   // The edges in front would cross the path.
@@ -75,11 +79,11 @@ void draw_floor(Canvas& canvas, const ViewScale& scale, const Box& box) {
 }
 
 /// How far the box goes, written at three of its edges.
-void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box) {
+void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUnit unit) {
   const auto page = [&](double x, double y, double z) { return scale.page(projected(View::isometric, {x, y, z})); };
   const Vec3 a = box.least, b = box.most;
-  const auto range = [](char axis, double least, double most) {
-    return fmt::format("{}  {} … {}", axis, number_text(least, 2), number_text(most, 2));
+  const auto range = [unit](char axis, double least, double most) {
+    return fmt::format("{}  {} … {}", axis, length_text(least, unit), length_text(most, unit));
   };
   const Vec2 x = page((a.x + b.x) / 2, a.y, a.z), y = page(a.x, (a.y + b.y) / 2, a.z), z = page(b.x, a.y, a.z);
   canvas.text({x.x + 12, x.y + 22}, range('X', a.x, b.x), {13, faint_ink, Align::left, false});
@@ -101,12 +105,12 @@ void draw_triad(Canvas& canvas, Vec2 at) {
   arm({0, 0, 1}, "Z");
 }
 
-void draw_scale_bar(Canvas& canvas, Vec2 at, const ViewScale& scale, Lang lang) {
-  const double size = round_step(90 / scale.per_mm), width = size * scale.per_mm;
+void draw_scale_bar(Canvas& canvas, Vec2 at, const ViewScale& scale, LengthUnit unit, Lang lang) {
+  const double size = round_step(90 / scale.per_mm / mm_of(unit)), width = size * mm_of(unit) * scale.per_mm;
   canvas.fill({at.x - width, at.y, width / 2, 5}, ink);
   canvas.fill({at.x - width / 2, at.y, width / 2, 5}, colour(0xFFFFFF));
   canvas.frame({at.x - width, at.y, width, 5}, ink, 1);
-  canvas.text({at.x - width / 2, at.y - 7}, number_text(size, 4) + (lang == Lang::ru ? " мм" : " mm"), {12, ink, Align::centre, false});
+  canvas.text({at.x - width / 2, at.y - 7}, number_text(size, 4) + " " + unit_name(unit, lang), {12, ink, Align::centre, false});
 }
 
 }  // namespace
@@ -146,29 +150,35 @@ void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& sc
   constexpr double left = 48, below = 24, inside = 16;
   const Area field{area.x + left, area.y, area.width - left, area.height - below};
   const ViewScale scale = fitted(view, box, {field.x + inside, field.y + inside, field.width - 2 * inside, field.height - 2 * inside});
+  canvas.begin(names_of(view).name);
   canvas.fill(field, paper);
-  draw_grid(canvas, field, view, scale);
+  draw_grid(canvas, field, view, scale, scene.title.unit);
   canvas.clip(field);
   draw_strokes(canvas, view, scale, scene);
   draw_zeros(canvas, view, scale, scene.zeros);
+  draw_marks(canvas, view, scale, scene, field);
   canvas.unclip();
   canvas.frame(field, edge, 1);
+  canvas.end();
 }
 
 void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, const Box& box) {
   constexpr double side = 72, top = 30, below = 64;
   const ViewScale scale = fitted(View::isometric, box, {area.x + side, area.y + top, area.width - 2 * side, area.height - top - below});
+  canvas.begin(names_of(View::isometric).name);
   canvas.fill(area, paper);
   canvas.clip(area);
   const Box& room = scene.path.cutting_box().empty ? box : scene.path.cutting_box();
-  draw_floor(canvas, scale, room);
+  draw_floor(canvas, scale, room, scene.title.unit);
   draw_strokes(canvas, View::isometric, scale, scene);
   draw_zeros(canvas, View::isometric, scale, scene.zeros);
-  draw_sizes(canvas, scale, room);
+  draw_sizes(canvas, scale, room, scene.title.unit);
+  draw_marks(canvas, View::isometric, scale, scene, area);
   canvas.unclip();
   draw_triad(canvas, {area.x + 58, area.bottom() - 34});
-  draw_scale_bar(canvas, {area.right() - 24, area.bottom() - 24}, scale, scene.title.lang);
+  draw_scale_bar(canvas, {area.right() - 24, area.bottom() - 24}, scale, scene.title.unit, scene.title.lang);
   canvas.frame(area, edge, 1);
+  canvas.end();
 }
 
 /// Okabe and Ito's colours, told apart with any eyes; rapid motion by its dashes too.
