@@ -15,7 +15,7 @@ struct PlotTitle {
   std::string file;
   std::string control;
   Lang lang = Lang::en;
-  std::string extents;                           // of the cutting, as the summary tells them
+  std::string extents{};                         // of the cutting, as the summary tells them
   LengthUnit unit = LengthUnit::mm;              // that numbers are told in
   std::map<std::uint16_t, std::string> files{};  // by Origin::file: what lines stand in
 

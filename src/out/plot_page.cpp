@@ -18,7 +18,7 @@ constexpr double planes_width = 560;
 constexpr double near_reach = 0.25;  // what is seen of rapid motion that goes far
 constexpr double least_size = 1;     // mm
 // Rapid motion is shown whole where all is no larger than so many times the cutting: beyond that the part would be too small to be read.
-constexpr double most_isometric = 4, most_plane = 2;
+constexpr double most_isometric = 4, most_plane = 1.5;
 
 struct Words {
   const char *control, *nothing, *told, *untold;
