@@ -26,6 +26,14 @@ void triangle(Canvas& canvas, Vec2 at, double size, Colour colour) {
   canvas.fill_path();
 }
 
+/// The names of the axes stand in the upper left and the lower right corner.
+Vec2 beside_labels(Vec2 at, const Area& room) {
+  constexpr double label = 16, step = 26;
+  if (at.x < room.x + label && at.y < room.y + label) at.x += step;
+  if (at.x > room.right() - label && at.y > room.bottom() - label) at.x -= step;
+  return at;
+}
+
 const char* kind_of(PlotMark::What what) { return what == PlotMark::What::start ? "start" : what == PlotMark::What::end ? "end" : "stop"; }
 
 }  // namespace
@@ -46,7 +54,8 @@ void draw_marks(Canvas& canvas, View view, const ViewScale& scale, const PlotSce
     canvas.program_line(mark.line, scene.title.file_of(mark.line), false);
     const Vec2 place = scale.page(projected(view, mark.at));
     const bool inside = place.x >= field.x && place.x <= field.right() && place.y >= field.y && place.y <= field.bottom();
-    const Vec2 at = inside ? place : Vec2{std::clamp(place.x, room.x, room.right()), std::clamp(place.y, room.y, room.bottom())};
+    const Vec2 at =
+        inside ? place : beside_labels({std::clamp(place.x, room.x, room.right()), std::clamp(place.y, room.y, room.bottom())}, room);
     if (const double far = length(place - at); far > 0) {
       const Vec2 way = (1 / far) * (place - at);
       canvas.arrow(at + 9.0 * way, at + (9 + arrow) * way, mark.what == PlotMark::What::stop ? red : ink, 1.4);

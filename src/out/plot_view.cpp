@@ -8,6 +8,7 @@
 
 #include "out/plot_marks.h"
 #include "out/plot_strokes.h"
+#include "out/text_width.h"
 
 namespace kadr {
 namespace {
@@ -85,10 +86,15 @@ void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUn
   const auto range = [unit](char axis, double least, double most) {
     return fmt::format("{}  {} … {}", axis, length_text(least, unit), length_text(most, unit));
   };
-  const Vec2 x = page((a.x + b.x) / 2, a.y, a.z), y = page(a.x, (a.y + b.y) / 2, a.z), z = page(b.x, a.y, a.z);
-  canvas.text({x.x + 12, x.y + 22}, range('X', a.x, b.x), {13, faint_ink, Align::left, false});
+  const Vec2 x = page((a.x + b.x) / 2, a.y, a.z), y = page(a.x, (a.y + b.y) / 2, a.z);
+  const std::string across = range('X', a.x, b.x), up = range('Z', a.z, b.z);
+  canvas.text({x.x + 12, x.y + 22}, across, {13, faint_ink, Align::left, false});
   canvas.text({y.x - 12, y.y + 22}, range('Y', a.y, b.y), {13, faint_ink, Align::right, false});
-  canvas.text({z.x + 8, z.y + 22}, range('Z', a.z, b.z), {13, faint_ink, Align::centre, false});
+  Vec2 z = page(b.x, a.y, a.z) + Vec2{8, 22};
+  constexpr double row = 18;  // of text
+  const bool overlap = std::fabs(z.y - x.y - 22) < row && z.x - text_width(up, 13) / 2 < x.x + 12 + text_width(across, 13);
+  if (overlap) z = {x.x + 12 + text_width(up, 13) / 2, x.y + 22 + row};  // of a narrow box: below
+  canvas.text(z, up, {13, faint_ink, Align::centre, false});
 }
 
 /// Directions of the axes, in the lower left corner.
@@ -113,6 +119,19 @@ void draw_scale_bar(Canvas& canvas, Vec2 at, const ViewScale& scale, LengthUnit 
   canvas.text({at.x - width / 2, at.y - 7}, number_text(size, 4) + " " + unit_name(unit, lang), {12, ink, Align::centre, false});
 }
 
+/// What the isometric view shows, in its plane: the cutting's box, and of the path what is in the whole box, whose corners are mostly
+/// empty.
+FlatBox seen_of(const PlotScene& scene, const Box& room, const Box& box) {
+  FlatBox flat;
+  for (const Vec3 corner : corners(room)) flat.take(projected(View::isometric, corner));
+  for (const PlotPath* const path : {&scene.path, &scene.contour})
+    for (const PlotPoint& point : path->points()) {
+      const auto within = [&](double Vec3::*c) { return std::clamp(point.at.*c, box.least.*c, box.most.*c); };
+      flat.take(projected(View::isometric, {within(&Vec3::x), within(&Vec3::y), within(&Vec3::z)}));
+    }
+  return flat;
+}
+
 }  // namespace
 
 Vec2 projected(View view, Vec3 p) {
@@ -124,13 +143,19 @@ Vec2 projected(View view, Vec3 p) {
   }
 }
 
+void FlatBox::take(Vec2 p) {
+  least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+  most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+}
+
 ViewScale fitted(View view, const Box& box, const Area& area) {
-  Vec2 least{1e300, 1e300}, most{-1e300, -1e300};
-  for (const Vec3 corner : corners(box)) {
-    const Vec2 p = projected(view, corner);
-    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
-  }
+  FlatBox flat;
+  for (const Vec3 corner : corners(box)) flat.take(projected(view, corner));
+  return fitted(flat, area);
+}
+
+ViewScale fitted(const FlatBox& flat, const Area& area) {
+  const auto [least, most] = flat;
   const Vec2 size = most - least;
   ViewScale scale;
   scale.per_mm = std::min(area.width / std::max(size.x, 1e-9), area.height / std::max(size.y, 1e-9));
@@ -164,11 +189,12 @@ void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& sc
 
 void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, const Box& box) {
   constexpr double side = 72, top = 30, below = 64;
-  const ViewScale scale = fitted(View::isometric, box, {area.x + side, area.y + top, area.width - 2 * side, area.height - top - below});
+  const Box& room = scene.path.cutting_box().empty ? box : scene.path.cutting_box();
+  const FlatBox seen = seen_of(scene, room, box);
+  const ViewScale scale = fitted(seen, {area.x + side, area.y + top, area.width - 2 * side, area.height - top - below});
   canvas.begin(names_of(View::isometric).name);
   canvas.fill(area, paper);
   canvas.clip(area);
-  const Box& room = scene.path.cutting_box().empty ? box : scene.path.cutting_box();
   draw_floor(canvas, scale, room, scene.title.unit);
   draw_strokes(canvas, View::isometric, scale, scene);
   draw_zeros(canvas, View::isometric, scale, scene.zeros);
