@@ -72,12 +72,13 @@ class Bench:
         if done.returncode != 0 or not file.exists():
             return None
         text = file.read_text()
-        return {name: len(re.findall('rgb' + re.escape('(') + ', ?'.join(percent(c) for c in rgb), text)) for name, rgb in INK.items()}
+        return {name: strokes_of(text, '#%02x%02x%02x' % tuple(round(c) for c in rgb)) for name, rgb in INK.items()}
 
 
-def percent(part):
-    """As Cairo writes it: 100 or 82.745098, maybe without the last digits."""
-    return re.escape(f'{int(part / 255 * 1e5) / 1e3:g}') + '[0-9]*%'
+def strokes_of(text, ink):
+    """Of groups of strokes, and areas."""
+    groups = re.findall(rf'<g [^>]*stroke="{ink}"[^>]*>(.*?)</g>', text, re.DOTALL)
+    return sum(group.count('<path') for group in groups) + len(re.findall(rf'fill="{ink}"', text))
 
 
 def rows_of(text):

@@ -15,12 +15,14 @@
 #include "cli/stop.h"
 #include "cli/unstated.h"
 #include "config/read_file.h"
+#include "config/setup_names.h"
 #include "config/state_json.h"
 #include "config/told.h"
 #include "motion/look_ahead.h"
 #include "out/alarm_print.h"
 #include "out/page_file.h"
 #include "out/plot.h"
+#include "out/plot_page.h"
 #include "out/summary.h"
 #include "out/trace.h"
 
@@ -92,6 +94,9 @@ class RunCommand {
   Exit run() {
     const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
     tell_unstated();
+    for (const auto& view : views_)
+      if (view->statistics.extents().systems().size() > 1) view->statistics.name_systems(system_names(*job_.def));
+    for (std::size_t i = 0; i < views_.size(); ++i) mark_stop(*views_[i], stopped[i]);
     bool written = write_last_lines(stopped);
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
@@ -194,6 +199,13 @@ class RunCommand {
     return stopped;
   }
 
+  /// In the picture. The line of an alarm in another channel is none of its program.
+  static void mark_stop(View& view, const Stopped& stopped) {
+    if (!view.plot || !stopped.report) return;
+    const Origin& origin = stopped.report->origin;
+    view.plot->stop(stopped.channel == 0 ? ProgramLine{origin.line, origin.file} : ProgramLine{});
+  }
+
   void tell_unstated() {
     for (const Channel& channel : channels_) {
       if (channel.number != job_.setup.channel) continue;
@@ -239,9 +251,17 @@ class RunCommand {
   }
 
   bool draw() {
-    const PlotTitle title{job_.file, lang_ == Lang::ru ? job_.def->name.ru : job_.def->name.en, lang_};
     tl::expected<void, std::string> drawn;
-    for (const auto& view : views_) {
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      const auto& view = views_[i];
+      PlotTitle title{job_.file,
+                      lang_ == Lang::ru ? job_.def->name.ru : job_.def->name.en,
+                      lang_,
+                      view->statistics.caption(lang_),
+                      view->statistics.extents().unit(),
+                      {}};
+      for (const std::uint16_t file : view->plot ? view->plot->files() : std::set<std::uint16_t>())
+        title.files[file] = name_of_file(channels_[i].control->file_name(file));
       if (view->plot) drawn = view->plot->write(*outputs_.file("--plot"), title);
       if (drawn && view->planned && !options_.plot_speed.empty()) drawn = view->planned->draw_speed(*outputs_.file("--plot-speed"), title);
       if (!drawn) return complain(drawn.error()), false;

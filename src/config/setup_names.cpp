@@ -118,6 +118,18 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   return systems;
 }
 
+std::vector<std::string> system_names(const ControlDef& def) {
+  std::vector<std::string> names(1);
+  for (const CodeRow& row : def.codes)
+    if (row.function == Function::work_zero && row.arg == 0) names[0] = row.code;
+  for (const WorkSystem& system : work_systems(def)) {
+    if (!system.works) continue;
+    if (names.size() <= system.row) names.resize(system.row + 1);
+    if (names[system.row].empty()) names[system.row] = system.name;
+  }
+  return names;
+}
+
 SetupNamesOf::SetupNamesOf(const ControlDef* def, std::vector<std::string> axes, std::vector<std::string> all_axes)
     : def_(def), axes_(std::move(axes)), all_axes_(std::move(all_axes)) {
   if (def_ != nullptr && has(*def_, SetupNeeds::work_offsets)) systems_ = work_systems(*def_);

@@ -21,6 +21,8 @@ struct WorkSystem {
   bool works = true;  // Kadr does it
 };
 std::vector<WorkSystem> work_systems(const ControlDef& def);
+/// Their names by `row`; that of 0: of no work system, the code that says so ("G53") or nothing.
+std::vector<std::string> system_names(const ControlDef& def);
 
 class SetupNamesOf {
  public:

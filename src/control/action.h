@@ -144,6 +144,8 @@ struct Motion {
   CornerJoin join_corner = CornerJoin::extended;  // with the next motion
   CornerSpeed corner_speed = CornerSpeed::limited;
   ContourEntry entry = ContourEntry::by_corner;  // where it begins compensation
+  std::uint8_t system = 0;                       // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
+  bool inch = false;                             // its block was read in inches
   double tool_radius = 0;                        // mm, at its end
   double join = 0;                               // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
   std::shared_ptr<const MotionDetail> detail;    // mostly nullptr

@@ -177,6 +177,7 @@ class Machinery {
   std::vector<double> corrector_applied;  // by corrector and axis: what it added last (spec/correctors 1)
   Axes set_position{};                    // G92 / G52 shift (Mach3), mm
   bool set_position_by_g52 = false;
+  bool has_fixtures = false;               // its work systems are Modal::fixture, else Modal::work_zero
   bool block_axes_taken = false;           // a code of this block has its axis words: a motion code beside it only sets the mode
   bool block_exact = false;                // G9 in this block
   bool block_machine_coordinates = false;  // G53 with a motion (Mach3)

@@ -66,6 +66,8 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.feed = 0;
   motion.turns = 0;
   motion.center = {};
+  motion.inch = modal.inch;
+  motion.system = has_fixtures ? static_cast<std::uint8_t>(modal.fixture) : modal.work_zero;
   if (nct) nct::note_motion(*this, motion);
   else if (modal.contour != ContourPhase::off) note_contour(*this, motion, moved_from);
   return motion;

@@ -95,6 +95,7 @@ void Machinery::read_setup(const Setup& setup) {
     if (number > 0 && static_cast<std::size_t>(number) < tables.reference.size())
       tables.reference[static_cast<std::size_t>(number)] = axes_of(point, axis_names);
   const std::uint32_t fixtures = variables.first(VariableKind::fixture);
+  has_fixtures = fixtures != 0;
   const auto write = [&](std::uint32_t first, const Axes& values) {
     for (std::uint32_t a = 0; a < 6 && a < axis_count && first != 0; ++a)
       if (values[a] != 0) variables.set_raw(first + a, values[a]);

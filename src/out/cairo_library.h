@@ -1,18 +1,17 @@
 #pragma once
-// Cairo, opened when the first picture is drawn: to load it and the fifteen libraries behind it was a fifth of the start of every command.
+// Cairo, opened when the first picture in pixels is drawn: to load it and the fifteen libraries behind it was a fifth of the start of every
+// command.
 
-#include <cairo-svg.h>
 #include <cairo.h>
 
 namespace kadr {
 
 // clang-format off
 #define KADR_CAIRO(X)                                                                                                         \
-  X(arc) X(clip) X(close_path) X(create) X(destroy) X(fill) X(image_surface_create) X(line_to) X(move_to) X(new_path)         \
-  X(new_sub_path) X(rectangle) X(restore) X(save) X(select_font_face) X(set_dash) X(set_font_size) X(set_line_cap)            \
-  X(set_line_join) X(set_line_width) X(set_source_rgba) X(show_text) X(status_to_string) X(stroke) X(surface_destroy)         \
-  X(surface_finish) X(surface_set_device_scale) X(surface_status) X(surface_write_to_png_stream)                              \
-  X(svg_surface_create_for_stream) X(text_extents)
+  X(arc) X(clip) X(create) X(destroy) X(fill) X(image_surface_create) X(line_to) X(move_to) X(new_path) X(new_sub_path)       \
+  X(rectangle) X(restore) X(save) X(select_font_face) X(set_dash) X(set_font_size) X(set_line_cap) X(set_line_join)           \
+  X(set_line_width) X(set_source_rgba) X(show_text) X(status) X(status_to_string) X(stroke) X(surface_destroy)                \
+  X(surface_set_device_scale) X(surface_status) X(surface_write_to_png_stream) X(text_extents)
 // clang-format on
 
 /// The functions we call, each by its name without `cairo_`.

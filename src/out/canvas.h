@@ -1,17 +1,18 @@
 #pragma once
-// Canvas: the few strokes and texts that a plot needs, over Cairo.
+// Canvas: the few strokes, areas and texts that a picture needs, in the order of the calls. Two painters take them: out/svg_canvas writes
+// SVG as it comes, out/cairo_canvas draws pixels.
 
 #include <string>
 #include <string_view>
 
 #include "base/vec.h"
-#include "out/cairo_library.h"
 
 namespace kadr {
 
 struct Colour {
   double red, green, blue;
   double alpha = 1;
+  friend bool operator==(const Colour&, const Colour&) = default;
 };
 
 /// 0xRRGGBB
@@ -35,39 +36,56 @@ struct TextStyle {
   bool bold = false;
 };
 
-/// Draws on a surface that it does not own.
+/// The line of a program that a stroke belongs to.
+struct ProgramLine {
+  std::uint32_t line = 0;  // 0: none
+  std::uint16_t file = 0;  // Origin::file
+  friend bool operator==(const ProgramLine&, const ProgramLine&) = default;
+};
+
 class Canvas {
  public:
-  Canvas(const Cairo& library, cairo_surface_t* surface) : lib_(library), cairo_(lib_.create(surface)) {}
+  Canvas() = default;
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
-  ~Canvas() { lib_.destroy(cairo_); }
+  virtual ~Canvas() = default;
 
-  void fill(const Area& area, Colour ink);
+  virtual void fill(const Area& area, Colour ink) = 0;
   void frame(const Area& area, Colour ink, double width = 1);
   void line(Vec2 a, Vec2 b, Colour ink, double width = 1);
-  void dashes(double on, double off);
-  void solid() { lib_.set_dash(cairo_, nullptr, 0, 0); }
+  /// UTF-8, or nearly: it is made printable.
   void text(Vec2 at, std::string_view text, const TextStyle& style);
-  double text_width(std::string_view text, const TextStyle& style);
-  void ring(Vec2 centre, double radius, Colour ink, double width);
+  virtual void ring(Vec2 centre, double radius, Colour ink, double width) = 0;
   void zero_mark(Vec2 centre, double radius, Colour ink);
   void arrow(Vec2 from, Vec2 to, Colour ink, double width);
 
-  void clip(const Area& area);
-  void unclip() { lib_.restore(cairo_); }
+  virtual void clip(const Area& area) = 0;
+  virtual void unclip() = 0;
 
-  void pen(Colour ink, double width);
-  void move_to(Vec2 p) { lib_.move_to(cairo_, p.x, p.y); }
-  void line_to(Vec2 p) { lib_.line_to(cairo_, p.x, p.y); }
+  /// Of what is drawn from now on.
+  virtual void pen(Colour ink, double width) = 0;
+  virtual void dashes(double on, double off) = 0;
+  void solid() { dashes(0, 0); }
+  virtual void move_to(Vec2 p) = 0;
+  virtual void line_to(Vec2 p) = 0;
   /// Closes the path and fills it.
-  void fill_path() { lib_.fill(cairo_); }
-  void stroke() { lib_.stroke(cairo_); }
+  virtual void fill_path() = 0;
+  virtual void stroke() = 0;
+
+  // ---- what pixels cannot hold
+
+  /// A part of the page with a name of its own: "view-xy".
+  virtual void begin(const char* /*name*/) {}
+  virtual void end() {}
+  /// What is drawn from now on, in a word: "rapid"; "" nothing.
+  virtual void kind(const char* /*name*/) {}
+  /// It tells lines: strokes of different ones are not to be joined.
+  virtual bool tells_lines() const { return false; }
+  /// The line that the strokes from now on belong to; `file_name`: of a called file. `names_it`: the stroke is the one to be found by it.
+  virtual void program_line(const ProgramLine& /*line*/, std::string_view /*file_name*/, bool /*names_it*/) {}
 
  private:
-  void font(const TextStyle& style);
-  const Cairo& lib_;
-  cairo_t* cairo_;
+  virtual void put_text(Vec2 at, const std::string& text, const TextStyle& style) = 0;
 };
 
 }  // namespace kadr

@@ -6,6 +6,7 @@
 #include "base/tolerance.h"
 #include "out/canvas.h"
 #include "out/page_file.h"
+#include "out/text_width.h"
 #include "path/area/polygon.h"
 
 namespace kadr {
@@ -133,7 +134,7 @@ class Drawing {
       canvas.solid();
       const TextStyle style{13, contour, Align::left, false};
       canvas.text({x + 40, y}, name, style);
-      x += 40 + canvas.text_width(name, style) + 26;
+      x += 40 + text_width(name, style.size) + 26;
     };
     entry(contour, 2.2, false, w.wall);
     entry(open_side, 2.2, true, w.open);
@@ -151,7 +152,8 @@ class Drawing {
 
 tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillPicture& picture) {
   const Drawing drawing(picture);
-  return write_page(file, page_width, drawing.height(), [&](Canvas& canvas) { drawing.draw(canvas); });
+  return write_page(file, page_width, drawing.height(), {picture.title, picture.subtitle, picture.lang},
+                    [&](Canvas& canvas) { drawing.draw(canvas); });
 }
 
 }  // namespace kadr

@@ -6,14 +6,14 @@
 #include <tl/expected.hpp>
 
 #include "out/result_file.h"
+#include "out/svg_canvas.h"
 
 namespace kadr {
 
-class Canvas;
-
 /// The ending of the name (.svg, .png) says which. `width`, `height`: of the page, in its units. The file is the caller's to keep.
 ///   returns  an error sentence
-tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const std::function<void(Canvas&)>& draw);
+tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& says,
+                                           const std::function<void(Canvas&)>& draw);
 
 /// The name ends in one of those.
 bool is_page_name(const std::string& file);

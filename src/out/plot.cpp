@@ -12,8 +12,16 @@ constexpr std::size_t most_zeros = 12;
 constexpr double chord = 0.02;  // mm between an arc and its picture
 constexpr int most_arc_pieces = 720;
 
+ProgramLine line_of(const Origin& origin) { return {origin.line, origin.file}; }
+
+Box box_of(const AxisRoles& roles, const Curve& curve, Vec3 shift) {
+  const Extents extents = curve.extents();
+  return {roles.point(extents.least) + shift, roles.point(extents.most) + shift, false};
+}
+
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
   if (is_arc(motion.kind)) return Stroke::arc;
+  if (motion.kind == MotionKind::probe) return Stroke::probe;
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return Stroke::rapid;
   if (motion.detail && motion.detail->surface != PathSurface::plane) return Stroke::feed;
   const bool down = to.z < from.z && length(Vec2{to.x - from.x, to.y - from.y}) < tol::same_point;
@@ -39,6 +47,7 @@ void Plot::take_frame(const FrameChange& frame) {
 void Plot::take_reference() {
   path_.move_all(-1.0 * shift_);
   if (shaded_) shaded_->move_all(-1.0 * shift_);
+  start_.at = start_.at - shift_;
   first_origin_ = first_origin_ + shift_;
   shift_ = {};
 }
@@ -49,26 +58,36 @@ void Plot::mark_zero() {
   if (zeros_.size() < most_zeros && std::none_of(zeros_.begin(), zeros_.end(), same)) zeros_.push_back(shift_);
 }
 
-void Plot::take_motion(const Motion& motion) {
+void Plot::take_motion(const Motion& motion, const Origin& origin) {
+  if (!started_ || origin.file != last_line_.file) files_.insert(origin.file);
+  last_line_ = line_of(origin);
   const Vec3 from = roles_.point(position_.work), to = roles_.point(motion.to);
-  if (!started_) path_.start(from + shift_);
+  if (!started_) {
+    path_.start(from + shift_);
+    start_ = {PlotMark::What::start, from + shift_, last_line_};
+  }
   started_ = true;
   const Stroke stroke = stroke_of(motion, from, to);
-  if (stroke != Stroke::rapid) {
+  if (cuts(stroke)) {
     if (zeros_.empty()) take_reference();
     mark_zero();
   }
-  if (shaded_) shaded_->wait(motion, position_, shift_, stroke);
-  else draw(path_, position_, motion, shift_, stroke);
+  if (shaded_) {
+    shaded_->wait(motion, position_, shift_, stroke, last_line_);
+    if (const Curve curve(roles_, position_.work, motion); !curve.straight()) path_.reach(box_of(roles_, curve, shift_), stroke);
+  } else {
+    draw(path_, position_, motion, shift_, stroke, last_line_);
+  }
   position_.take(motion);
 }
 
-void Plot::draw(PlotPath& path, const ToolPosition& from, const Motion& motion, Vec3 shift, Stroke stroke) const {
+void Plot::draw(PlotPath& path, const ToolPosition& from, const Motion& motion, Vec3 shift, Stroke stroke, ProgramLine line) const {
   if (const Curve curve(roles_, from.work, motion); !curve.straight()) {
     const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));
-    for (int i = 1; i < pieces; ++i) path.go(roles_.point(curve.at(double(i) / pieces)) + shift, stroke);
+    for (int i = 1; i < pieces; ++i) path.go(roles_.point(curve.at(double(i) / pieces)) + shift, stroke, 0, line);
+    path.reach(box_of(roles_, curve, shift), stroke);
   }
-  path.go(roles_.point(motion.to) + shift, stroke);
+  path.go(roles_.point(motion.to) + shift, stroke, 0, line);
 }
 
 /// Of a contour all but the way in and out, at feed.
@@ -85,20 +104,35 @@ void Plot::take_programmed(const Action& action) {
     if (!has_contour_) contour_.start(from);
     else contour_.go(from, Stroke::rapid);
     has_contour_ = true;
-    draw(contour_, programmed_, *motion, programmed_origin_, Stroke::contour);
+    draw(contour_, programmed_, *motion, programmed_origin_, Stroke::contour, line_of(action.origin));
   }
   programmed_.take(*motion);
 }
 
 void Plot::take(const Action& action) {
-  if (const auto* motion = std::get_if<Motion>(&action.what)) take_motion(*motion);
+  if (const auto* motion = std::get_if<Motion>(&action.what)) take_motion(*motion, action.origin);
   else if (const auto* frame = std::get_if<FrameChange>(&action.what)) take_frame(*frame);
+}
+
+void Plot::stop(ProgramLine line) {
+  stop_ = line;
+  if (line.line != 0) files_.insert(line.file);
+}
+
+/// In the order in which they are drawn: a stop is seen above all else.
+std::vector<PlotMark> Plot::marks() const {
+  std::vector<PlotMark> marks;
+  const Vec3 here = roles_.point(position_.work) + shift_;
+  if (started_) marks.push_back(start_);
+  if (started_ && !stop_) marks.push_back({PlotMark::What::end, here, last_line_});
+  if (stop_) marks.push_back({PlotMark::What::stop, here, *stop_});
+  return marks;
 }
 
 tl::expected<void, std::string> Plot::write(const ResultFile& file, const PlotTitle& title) const {
   PlotPath contour = contour_;
   contour.move_all(-1.0 * first_origin_);
-  return draw_page(file, {path_, contour, zeros_, title, ShadeScale(colour_, path_)});
+  return draw_page(file, {path_, contour, zeros_, marks(), title, ShadeScale(colour_, path_)});
 }
 
 }  // namespace kadr

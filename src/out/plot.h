@@ -1,6 +1,8 @@
 #pragma once
 // Plot: the path as a picture, SVG or PNG: isometric and the three planes.
 
+#include <map>
+#include <set>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -13,6 +15,21 @@ struct PlotTitle {
   std::string file;
   std::string control;
   Lang lang = Lang::en;
+  std::string extents{};                         // of the cutting, as the summary tells them
+  LengthUnit unit = LengthUnit::mm;              // that numbers are told in
+  std::map<std::uint16_t, std::string> files{};  // by Origin::file: what lines stand in
+
+  std::string_view file_of(const ProgramLine& line) const {
+    const auto found = files.find(line.file);
+    return found == files.end() ? std::string_view() : std::string_view(found->second);
+  }
+};
+
+/// A place of the path that has a sign of its own.
+struct PlotMark {
+  enum class What : std::uint8_t { start, end, stop } what = What::start;
+  Vec3 at;
+  ProgramLine line;
 };
 
 /// Takes Actions in order. Coordinates of the picture: the work system of the first cut; others stand where they are on the machine.
@@ -24,6 +41,11 @@ class Plot {
 
   /// An action as programmed, before cutter radius compensation: contours are drawn beside the tool's path.
   void take_programmed(const Action& action);
+
+  /// The program has stopped here, by an alarm of that line; line 0: of another channel.
+  void stop(ProgramLine line);
+  /// Files that lines of the picture stand in, by Origin::file.
+  const std::set<std::uint16_t>& files() const { return files_; }
 
   /// From now on motions wait for their cells, and are coloured by these.
   void colour_by(PlotColour by) { shaded_.emplace(roles_, by), colour_ = by; }
@@ -41,11 +63,12 @@ class Plot {
   const std::vector<Vec3>& zeros() const { return zeros_; }
 
  private:
-  void take_motion(const Motion& motion);
+  void take_motion(const Motion& motion, const Origin& origin);
+  std::vector<PlotMark> marks() const;
   void take_frame(const FrameChange& frame);
   void mark_zero();
   void take_reference();
-  void draw(PlotPath& path, const ToolPosition& from, const Motion& motion, Vec3 shift, Stroke stroke) const;
+  void draw(PlotPath& path, const ToolPosition& from, const Motion& motion, Vec3 shift, Stroke stroke, ProgramLine line) const;
 
   AxisRoles roles_;
   ToolPosition position_;
@@ -57,6 +80,10 @@ class Plot {
   bool origin_known_ = false;
   bool started_ = false;
   std::vector<Vec3> zeros_;
+  PlotMark start_;
+  ProgramLine last_line_;
+  std::optional<ProgramLine> stop_;
+  std::set<std::uint16_t> files_;
   ToolPosition programmed_;
   Vec3 programmed_origin_;
   PlotPath contour_;  // measured from the machine's zero

@@ -12,22 +12,27 @@ double distance(Vec3 a, Vec3 b) { return length(a - b); }
 }  // namespace
 
 void PlotPath::start(Vec3 at) {
-  last_ = {at, Stroke::rapid};
+  last_ = {at, Stroke::rapid, 0, {}};
   pending_ = true;
 }
 
-void PlotPath::go(Vec3 to, Stroke stroke, float shade) {
+void PlotPath::reach(const Box& box, Stroke stroke) {
+  box_.take(box);
+  if (cuts(stroke)) cutting_box_.take(box);
+}
+
+void PlotPath::go(Vec3 to, Stroke stroke, float shade, ProgramLine line) {
   if (pending_ && points_.empty()) keep(last_);
   box_.take(last_.at);
   box_.take(to);
-  if (stroke != Stroke::rapid) {
+  if (cuts(stroke)) {
     cutting_box_.take(last_.at);
     cutting_box_.take(to);
   }
   ++seen_;
   // A point left out before a change of stroke would show the wrong corner.
   if (pending_ && stroke != last_.stroke && !points_.empty() && distance(points_.back().at, last_.at) > tolerance_ / 4) keep(last_);
-  last_ = {to, stroke, shade};
+  last_ = {to, stroke, shade, line};
   pending_ = tolerance_ > 0 && !points_.empty() && distance(points_.back().at, to) < tolerance_;
   if (!pending_) keep(last_);
 }

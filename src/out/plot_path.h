@@ -5,17 +5,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "out/summary.h"
+#include "out/canvas.h"
+#include "out/extents.h"
 
 namespace kadr {
 
-enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour };  // plunge: a feed straight down; contour: as programmed
+enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour, probe };  // plunge: a feed straight down; contour: as programmed
+inline bool cuts(Stroke stroke) { return stroke != Stroke::rapid && stroke != Stroke::probe; }
 
 /// A vertex and how the path comes to it.
 struct PlotPoint {
   Vec3 at;
   Stroke stroke;
   float shade = 0;  // where the path is coloured: out/plot_shades
+  ProgramLine line{};
 };
 
 class PlotPath {
@@ -24,7 +27,9 @@ class PlotPath {
   explicit PlotPath(std::size_t most = 100'000) : most_(most) {}
 
   void start(Vec3 at);
-  void go(Vec3 to, Stroke stroke, float shade = 0);
+  void go(Vec3 to, Stroke stroke, float shade = 0, ProgramLine line = {});
+  /// The path reaches so far between two points, beyond its chords.
+  void reach(const Box& box, Stroke stroke);
   /// Every point so far moves by that much.
   void move_all(Vec3 by);
 

@@ -26,8 +26,8 @@ Colour between(unsigned a, unsigned b, double part) {
 
 }  // namespace
 
-void ShadedMotions::wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke) {
-  waiting_.push_back({motion, from, shift, stroke, 0, 0});
+void ShadedMotions::wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke, ProgramLine line) {
+  waiting_.push_back({motion, from, shift, stroke, line, 0, 0});
 }
 
 void ShadedMotions::move_all(Vec3 by) {
@@ -77,19 +77,19 @@ void ShadedMotions::draw_part(const Waiting& motion, double from, double to, flo
   const int pieces = curve.straight() ? 1 : std::max(1, static_cast<int>(std::ceil(curve.pieces(chord) * (to - from))));
   for (int i = 1; i <= pieces; ++i) {
     const double part = i == pieces ? to : from + (to - from) * i / pieces;
-    keep({roles_.point(curve.at(part)) + motion.shift, motion.stroke, shade}, curve.straight(), path);
+    keep({roles_.point(curve.at(part)) + motion.shift, motion.stroke, shade, motion.line}, curve.straight(), path);
   }
 }
 
 void ShadedMotions::keep(PlotPoint point, bool may_replace, PlotPath& path) {
-  const bool goes_on = may_replace && std::fabs(point.shade - held_.shade) <= same_shade * held_.shade;
+  const bool goes_on = may_replace && point.line == held_.line && std::fabs(point.shade - held_.shade) <= same_shade * held_.shade;
   if (!goes_on) let_go(path);
-  held_ = {point.at, point.stroke, holds_ ? held_.shade : point.shade};
+  held_ = {point.at, point.stroke, holds_ ? held_.shade : point.shade, point.line};
   holds_ = true;
 }
 
 void ShadedMotions::let_go(PlotPath& path) {
-  if (holds_) path.go(held_.at, held_.stroke, held_.shade);
+  if (holds_) path.go(held_.at, held_.stroke, held_.shade, held_.line);
   holds_ = false;
 }
 
@@ -101,7 +101,7 @@ ShadeScale::ShadeScale(PlotColour by, const PlotPath& path) : by_(by) {
   double most = 0;
   const auto each = [&](const auto& take) {
     for (const PlotPoint& point : path.points())
-      if (point.stroke != Stroke::rapid) take(point);
+      if (cuts(point.stroke)) take(point);
   };
   each([&](const PlotPoint& point) { most = std::max(most, double(point.shade)); });
   if (by == PlotColour::speed && most > 0) {

@@ -20,7 +20,7 @@ class ShadedMotions {
   ShadedMotions(const AxisRoles& roles, PlotColour by) : roles_(roles), by_(by) {}
 
   /// A motion from where the tool stands; `shift`: work coordinates → picture.
-  void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke);
+  void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke, ProgramLine line);
   /// Of the one that came last, before its cells come: its number, CellSource::motion, and the way of its cells, mm, about.
   void set_motion(std::uint64_t number, double way) {
     waiting_.back().number = number;
@@ -39,6 +39,7 @@ class ShadedMotions {
     ToolPosition from;
     Vec3 shift;
     Stroke stroke;
+    ProgramLine line;
     std::uint64_t number;
     double way;
   };

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "out/plot_marks.h"
 #include "out/plot_strokes.h"
+#include "out/text_width.h"
 
 namespace kadr {
 namespace {
@@ -25,7 +27,8 @@ struct PlaneNames {
   const char* across;
   const char* up;
 };
-constexpr std::array<PlaneNames, 4> names = {{{"", "", ""}, {"XY", "X", "Y"}, {"XZ", "X", "Z"}, {"YZ", "Y", "Z"}}};
+constexpr std::array<PlaneNames, 4> names = {
+    {{"view-isometric", "", ""}, {"view-xy", "X", "Y"}, {"view-xz", "X", "Z"}, {"view-yz", "Y", "Z"}}};
 
 const PlaneNames& names_of(View view) { return names[static_cast<std::size_t>(view)]; }
 
@@ -37,34 +40,36 @@ std::array<Vec3, 8> corners(const Box& box) {
 }
 
 /// Light lines at round numbers, the numbers left and below.
-void draw_grid(Canvas& canvas, const Area& area, View view, const ViewScale& scale) {
-  const double step = round_step(tick_spacing / scale.per_mm);
+void draw_grid(Canvas& canvas, const Area& area, View view, const ViewScale& scale, LengthUnit unit) {
+  const double step = mm_of(unit) * round_step(tick_spacing / scale.per_mm / mm_of(unit));
   const TextStyle number{11, faint_ink, Align::centre, false};
   const TextStyle number_left{11, faint_ink, Align::right, false};
   const auto first = [&](double least) { return std::ceil(least / step - 1e-9); };
   for (double n = first((area.x - scale.zero.x) / scale.per_mm); scale.zero.x + n * step * scale.per_mm <= area.right(); ++n) {
     const double x = scale.zero.x + n * step * scale.per_mm;
     canvas.line({x, area.y}, {x, area.bottom()}, n == 0 ? grid_zero : grid, 1);
-    canvas.text({x, area.bottom() + 15}, number_text(n * step, 3), number);
+    canvas.text({x, area.bottom() + 15}, length_text(n * step, unit), number);
   }
   for (double n = first((scale.zero.y - area.bottom()) / scale.per_mm); scale.zero.y - n * step * scale.per_mm >= area.y; ++n) {
     const double y = scale.zero.y - n * step * scale.per_mm;
     canvas.line({area.x, y}, {area.right(), y}, n == 0 ? grid_zero : grid, 1);
-    canvas.text({area.x - 6, y + 4}, number_text(n * step, 3), number_left);
+    canvas.text({area.x - 6, y + 4}, length_text(n * step, unit), number_left);
   }
   canvas.text({area.right() - 8, area.bottom() - 8}, names_of(view).across, {14, ink, Align::right, true});
   canvas.text({area.x + 8, area.y + 18}, names_of(view).up, {14, ink, Align::left, true});
 }
 
 void draw_zeros(Canvas& canvas, View view, const ViewScale& scale, const std::vector<Vec3>& zeros) {
+  canvas.kind("zero");
   for (const Vec3 zero : zeros) canvas.zero_mark(scale.page(projected(view, zero)), 6, ink);
+  canvas.kind("");
 }
 
 /// The floor of the box with a grid, and the edges behind.
-void draw_floor(Canvas& canvas, const ViewScale& scale, const Box& box) {
+void draw_floor(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUnit unit) {
   const auto page = [&](double x, double y, double z) { return scale.page(projected(View::isometric, {x, y, z})); };
   const Vec3 a = box.least, b = box.most;
-  const double step = round_step(tick_spacing / 1.6 / scale.per_mm);
+  const double step = mm_of(unit) * round_step(tick_spacing / 1.6 / scale.per_mm / mm_of(unit));
   for (double x = std::ceil(a.x / step) * step; x <= b.x; x += step) canvas.line(page(x, a.y, a.z), page(x, b.y, a.z), grid, 1);
   for (double y = std::ceil(a.y / step) * step; y <= b.y; y += step) canvas.line(page(a.x, y, a.z), page(b.x, y, a.z), grid, 1);
   // The edges in front would cross the path.
@@ -75,16 +80,21 @@ void draw_floor(Canvas& canvas, const ViewScale& scale, const Box& box) {
 }
 
 /// How far the box goes, written at three of its edges.
-void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box) {
+void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUnit unit) {
   const auto page = [&](double x, double y, double z) { return scale.page(projected(View::isometric, {x, y, z})); };
   const Vec3 a = box.least, b = box.most;
-  const auto range = [](char axis, double least, double most) {
-    return fmt::format("{}  {} … {}", axis, number_text(least, 2), number_text(most, 2));
+  const auto range = [unit](char axis, double least, double most) {
+    return fmt::format("{}  {} … {}", axis, length_text(least, unit), length_text(most, unit));
   };
-  const Vec2 x = page((a.x + b.x) / 2, a.y, a.z), y = page(a.x, (a.y + b.y) / 2, a.z), z = page(b.x, a.y, a.z);
-  canvas.text({x.x + 12, x.y + 22}, range('X', a.x, b.x), {13, faint_ink, Align::left, false});
+  const Vec2 x = page((a.x + b.x) / 2, a.y, a.z), y = page(a.x, (a.y + b.y) / 2, a.z);
+  const std::string across = range('X', a.x, b.x), up = range('Z', a.z, b.z);
+  canvas.text({x.x + 12, x.y + 22}, across, {13, faint_ink, Align::left, false});
   canvas.text({y.x - 12, y.y + 22}, range('Y', a.y, b.y), {13, faint_ink, Align::right, false});
-  canvas.text({z.x + 8, z.y + 22}, range('Z', a.z, b.z), {13, faint_ink, Align::centre, false});
+  Vec2 z = page(b.x, a.y, a.z) + Vec2{8, 22};
+  constexpr double row = 18;  // of text
+  const bool overlap = std::fabs(z.y - x.y - 22) < row && z.x - text_width(up, 13) / 2 < x.x + 12 + text_width(across, 13);
+  if (overlap) z = {x.x + 12 + text_width(up, 13) / 2, x.y + 22 + row};  // of a narrow box: below
+  canvas.text(z, up, {13, faint_ink, Align::centre, false});
 }
 
 /// Directions of the axes, in the lower left corner.
@@ -101,12 +111,25 @@ void draw_triad(Canvas& canvas, Vec2 at) {
   arm({0, 0, 1}, "Z");
 }
 
-void draw_scale_bar(Canvas& canvas, Vec2 at, const ViewScale& scale, Lang lang) {
-  const double size = round_step(90 / scale.per_mm), width = size * scale.per_mm;
+void draw_scale_bar(Canvas& canvas, Vec2 at, const ViewScale& scale, LengthUnit unit, Lang lang) {
+  const double size = round_step(90 / scale.per_mm / mm_of(unit)), width = size * mm_of(unit) * scale.per_mm;
   canvas.fill({at.x - width, at.y, width / 2, 5}, ink);
   canvas.fill({at.x - width / 2, at.y, width / 2, 5}, colour(0xFFFFFF));
   canvas.frame({at.x - width, at.y, width, 5}, ink, 1);
-  canvas.text({at.x - width / 2, at.y - 7}, number_text(size, 4) + (lang == Lang::ru ? " мм" : " mm"), {12, ink, Align::centre, false});
+  canvas.text({at.x - width / 2, at.y - 7}, number_text(size, 4) + " " + unit_name(unit, lang), {12, ink, Align::centre, false});
+}
+
+/// What the isometric view shows, in its plane: the cutting's box, and of the path what is in the whole box, whose corners are mostly
+/// empty.
+FlatBox seen_of(const PlotScene& scene, const Box& room, const Box& box) {
+  FlatBox flat;
+  for (const Vec3 corner : corners(room)) flat.take(projected(View::isometric, corner));
+  for (const PlotPath* const path : {&scene.path, &scene.contour})
+    for (const PlotPoint& point : path->points()) {
+      const auto within = [&](double Vec3::*c) { return std::clamp(point.at.*c, box.least.*c, box.most.*c); };
+      flat.take(projected(View::isometric, {within(&Vec3::x), within(&Vec3::y), within(&Vec3::z)}));
+    }
+  return flat;
 }
 
 }  // namespace
@@ -120,13 +143,19 @@ Vec2 projected(View view, Vec3 p) {
   }
 }
 
+void FlatBox::take(Vec2 p) {
+  least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+  most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+}
+
 ViewScale fitted(View view, const Box& box, const Area& area) {
-  Vec2 least{1e300, 1e300}, most{-1e300, -1e300};
-  for (const Vec3 corner : corners(box)) {
-    const Vec2 p = projected(view, corner);
-    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
-  }
+  FlatBox flat;
+  for (const Vec3 corner : corners(box)) flat.take(projected(view, corner));
+  return fitted(flat, area);
+}
+
+ViewScale fitted(const FlatBox& flat, const Area& area) {
+  const auto [least, most] = flat;
   const Vec2 size = most - least;
   ViewScale scale;
   scale.per_mm = std::min(area.width / std::max(size.x, 1e-9), area.height / std::max(size.y, 1e-9));
@@ -146,29 +175,36 @@ void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& sc
   constexpr double left = 48, below = 24, inside = 16;
   const Area field{area.x + left, area.y, area.width - left, area.height - below};
   const ViewScale scale = fitted(view, box, {field.x + inside, field.y + inside, field.width - 2 * inside, field.height - 2 * inside});
+  canvas.begin(names_of(view).name);
   canvas.fill(field, paper);
-  draw_grid(canvas, field, view, scale);
+  draw_grid(canvas, field, view, scale, scene.title.unit);
   canvas.clip(field);
   draw_strokes(canvas, view, scale, scene);
   draw_zeros(canvas, view, scale, scene.zeros);
+  draw_marks(canvas, view, scale, scene, field);
   canvas.unclip();
   canvas.frame(field, edge, 1);
+  canvas.end();
 }
 
 void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, const Box& box) {
   constexpr double side = 72, top = 30, below = 64;
-  const ViewScale scale = fitted(View::isometric, box, {area.x + side, area.y + top, area.width - 2 * side, area.height - top - below});
+  const Box& room = scene.path.cutting_box().empty ? box : scene.path.cutting_box();
+  const FlatBox seen = seen_of(scene, room, box);
+  const ViewScale scale = fitted(seen, {area.x + side, area.y + top, area.width - 2 * side, area.height - top - below});
+  canvas.begin(names_of(View::isometric).name);
   canvas.fill(area, paper);
   canvas.clip(area);
-  const Box& room = scene.path.cutting_box().empty ? box : scene.path.cutting_box();
-  draw_floor(canvas, scale, room);
+  draw_floor(canvas, scale, room, scene.title.unit);
   draw_strokes(canvas, View::isometric, scale, scene);
   draw_zeros(canvas, View::isometric, scale, scene.zeros);
-  draw_sizes(canvas, scale, room);
+  draw_sizes(canvas, scale, room, scene.title.unit);
+  draw_marks(canvas, View::isometric, scale, scene, area);
   canvas.unclip();
   draw_triad(canvas, {area.x + 58, area.bottom() - 34});
-  draw_scale_bar(canvas, {area.right() - 24, area.bottom() - 24}, scale, scene.title.lang);
+  draw_scale_bar(canvas, {area.right() - 24, area.bottom() - 24}, scale, scene.title.unit, scene.title.lang);
   canvas.frame(area, edge, 1);
+  canvas.end();
 }
 
 /// Okabe and Ito's colours, told apart with any eyes; rapid motion by its dashes too.

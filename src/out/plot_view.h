@@ -19,8 +19,15 @@ struct ViewScale {
   Vec2 page(Vec2 p) const { return {zero.x + per_mm * p.x, zero.y - per_mm * p.y}; }
 };
 
+/// A rectangle of the view's plane, mm.
+struct FlatBox {
+  Vec2 least{1e300, 1e300}, most{-1e300, -1e300};
+  void take(Vec2 p);
+};
+
 /// The largest scale at which the box fits the area, centred.
 ViewScale fitted(View view, const Box& box, const Area& area);
+ViewScale fitted(const FlatBox& flat, const Area& area);
 
 /// 1, 2 or 5 times a power of ten, not below `least`.
 double round_step(double least);

@@ -9,6 +9,8 @@
 #include "out/page_file.h"
 #include "out/plot_page.h"
 #include "out/plot_view.h"
+#include "out/summary.h"
+#include "out/text_width.h"
 
 namespace kadr {
 namespace {
@@ -18,7 +20,6 @@ using Column = SpeedRecord::Column;
 
 constexpr double page_width = 1600, page_height = 984, margin = 28, left = 96, top = 112;
 constexpr double speed_height = 400, share_height = 130, gap = 42, ribbon_height = 12;
-constexpr double per_minute = 60;
 constexpr Colour paper = colour(0xFBFCFD), grid = colour(0xE4E9EF), edge = colour(0xC3CCD6), ink = colour(0x20262E),
                  faint_ink = colour(0x5B6775), feed_ink = colour(0xE69F00);
 /// By Spent::On.
@@ -33,7 +34,7 @@ constexpr Words english = {"control",
                            "least time",
                            "by Kadr's planner, within speed, acceleration and jerk of the axes",
                            "no motion",
-                           "speed along the path, mm/min",
+                           "speed along the path, {}",
                            "acceleration, % of the limit of the axis nearest to it",
                            "jerk, % of the limit of the axis nearest to it",
                            "programmed feed",
@@ -41,13 +42,13 @@ constexpr Words english = {"control",
                            "s",
                            "min:s",
                            "nearest axis:",
-                           "{}: beyond the picture, up to {} mm/min",
+                           "{}: beyond the picture, up to {} {}",
                            {"cutting", "rapid", "dwell", "tool change"}};
 constexpr Words russian = {"УЧПУ",
                            "мин. время",
                            "по планировщику Kadr, в пределах скорости, ускорения и рывка осей",
                            "нет движений",
-                           "скорость по контуру, мм/мин",
+                           "скорость по контуру, {}",
                            "ускорение, % предела той оси, что ближе всех к нему",
                            "рывок, % предела той оси, что ближе всех к нему",
                            "программная подача",
@@ -55,7 +56,7 @@ constexpr Words russian = {"УЧПУ",
                            "с",
                            "мин:с",
                            "ближайшая ось:",
-                           "{}: за пределами рисунка, до {} мм/мин",
+                           "{}: за пределами рисунка, до {} {}",
                            {"резание", "быстрый ход", "выдержка", "смена инструмента"}};
 
 Colour ink_of(On on) { return colour(inks_of_time[static_cast<std::size_t>(on)]); }
@@ -64,9 +65,16 @@ Colour ink_of_axis(std::size_t axis) { return colour(inks_of_axes[axis % inks_of
 class SpeedPage {
  public:
   SpeedPage(const SpeedRecord& record, const std::vector<std::string>& axes, const PlotTitle& title)
-      : record_(record), columns_(record.columns()), axes_(axes), title_(title), words_(title.lang == Lang::ru ? russian : english) {
+      : record_(record),
+        columns_(record.columns()),
+        axes_(axes),
+        title_(title),
+        per_minute_(60 / mm_of(title.unit)),
+        words_(title.lang == Lang::ru ? russian : english) {
     find_top_speed();
   }
+
+  PageText says() const { return {name_of_file(title_.file), speed_heading() + ". " + subtitle(), title_.lang}; }
 
   void draw(Canvas& canvas) const {
     canvas.fill({0, 0, page_width, page_height}, colour(0xFFFFFF));
@@ -95,21 +103,24 @@ class SpeedPage {
     for (const Column& c : columns_) {
       if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed_ = std::max(feed_, c.feed);
     }
-    top_speed_ = room * per_minute * (cutting > 0 ? std::max(cutting, std::min(feed_, most_feed * cutting)) : record_.rapid());
+    top_speed_ = room * per_minute_ * (cutting > 0 ? std::max(cutting, std::min(feed_, most_feed * cutting)) : record_.rapid());
     if (!(top_speed_ > 0)) top_speed_ = 1;
+  }
+
+  std::string speed_heading() const { return fmt::format(fmt::runtime(words_.speed), speed_unit_name(title_.unit, title_.lang)); }
+
+  std::string subtitle() const {
+    return fmt::format("{}: {}     {}: {} ({})", words_.control, title_.control, words_.time, duration_text(record_.seconds()), words_.by);
   }
 
   void draw_title(Canvas& canvas) const {
     canvas.text({margin, 42}, name_of_file(title_.file), {24, ink, Align::left, true});
-    canvas.text(
-        {margin, 64},
-        fmt::format("{}: {}     {}: {} ({})", words_.control, title_.control, words_.time, duration_text(record_.seconds()), words_.by),
-        {14, faint_ink, Align::left, false});
+    canvas.text({margin, 64}, subtitle(), {14, faint_ink, Align::left, false});
     canvas.text({page_width - margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
   }
 
   /// Frame, heading, horizontal lines with their numbers; `most`: the value at the upper edge.
-  static void draw_field(Canvas& canvas, const Area& area, const char* heading, double most, double step) {
+  static void draw_field(Canvas& canvas, const Area& area, const std::string& heading, double most, double step) {
     canvas.fill(area, paper);
     for (double value = 0; value <= most; value += step) {
       const double y = area.bottom() - area.height * value / most;
@@ -144,8 +155,8 @@ class SpeedPage {
 
   void draw_speed(Canvas& canvas, const Area& area) const {
     constexpr double ticks = 7;
-    draw_field(canvas, area, words_.speed, top_speed_, round_step(top_speed_ / ticks));
-    const auto y_of = [&](double speed) { return area.bottom() - area.height * per_minute * speed / top_speed_; };
+    draw_field(canvas, area, speed_heading(), top_speed_, round_step(top_speed_ / ticks));
+    const auto y_of = [&](double speed) { return area.bottom() - area.height * per_minute_ * speed / top_speed_; };
     canvas.clip(area);
     each_run([](const Column& a, const Column& b) { return a.on == b.on; },
              [&](std::size_t first, std::size_t end) {
@@ -176,9 +187,10 @@ class SpeedPage {
     canvas.frame(area, edge, 1);
     std::string beyond;
     const auto note = [&](const char* name, double speed) {
-      if (speed * per_minute <= top_speed_) return;
+      if (speed * per_minute_ <= top_speed_) return;
       beyond += beyond.empty() ? "" : "     ";
-      beyond += fmt::format(fmt::runtime(words_.beyond), name, number_text(speed * per_minute, 0));
+      beyond += fmt::format(fmt::runtime(words_.beyond), name, number_text(speed * per_minute_, per_minute_ < 60 ? 1 : 0),
+                            speed_unit_name(title_.unit, title_.lang));
     };
     note(words_.spent[static_cast<std::size_t>(On::rapid)], record_.rapid());
     note(words_.feed, feed_);
@@ -246,14 +258,14 @@ class SpeedPage {
     const auto entry = [&](Colour patch, const std::string& name, double height) {
       canvas.fill({x, y - 5 - height / 2, 22, height}, patch);
       canvas.text({x + 30, y}, name, style);
-      x += 30 + canvas.text_width(name, style) + 24;
+      x += 30 + text_width(name, style.size) + 24;
     };
     for (const On on : {On::cutting, On::rapid, On::dwell, On::tool_change})
       entry(ink_of(on), words_.spent[static_cast<std::size_t>(on)], 11);
     entry(feed_ink, words_.feed, 3);
     x += 30;
     canvas.text({x, y}, words_.nearest, style);
-    x += canvas.text_width(words_.nearest, style) + 14;
+    x += text_width(words_.nearest, style.size) + 14;
     for (std::size_t axis = 0; axis < axes_.size(); ++axis)
       if (moves(axis)) entry(ink_of_axis(axis), axes_[axis], 11);
   }
@@ -269,9 +281,10 @@ class SpeedPage {
   const std::vector<Column>& columns_;
   const std::vector<std::string>& axes_;
   const PlotTitle& title_;
+  const double per_minute_;  // mm/s → the page's unit of speed
   const Words& words_;
   double feed_ = 0;       // the greatest commanded, mm/s
-  double top_speed_ = 1;  // of the picture, mm/min
+  double top_speed_ = 1;  // of the picture, mm/min or in/min
 };
 
 }  // namespace
@@ -279,7 +292,7 @@ class SpeedPage {
 tl::expected<void, std::string> draw_speed_page(const ResultFile& file, const SpeedRecord& record, const std::vector<std::string>& axes,
                                                 const PlotTitle& title) {
   const SpeedPage page(record, axes, title);
-  return write_page(file, page_width, page_height, [&](Canvas& canvas) { page.draw(canvas); });
+  return write_page(file, page_width, page_height, page.says(), [&](Canvas& canvas) { page.draw(canvas); });
 }
 
 }  // namespace kadr

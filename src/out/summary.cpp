@@ -12,7 +12,7 @@ namespace {
 /// The words of the summary; both languages in one row.
 struct Words {
   const char *blocks, *motions, *rapids, *feeds, *arcs, *other;
-  const char *path, *cutting, *rapid, *cutting_box, *box;
+  const char *units, *mixed, *path, *cutting, *rapid, *all;
   const char *time, *dwell, *tool_change, *unknown;
   std::array<const char*, 3> basis;  // by TimeBasis
   const char *least_time, *least_basis, *speeding_up, *slowing_down;
@@ -25,11 +25,12 @@ constexpr Words english = {"blocks",
                            "feed",
                            "arcs",
                            "other",
-                           "path, mm",
+                           "units",
+                           "mm; the program cuts both in inches and in millimetres",
+                           "path",
                            "cutting",
                            "rapid",
-                           "cutting, mm",
-                           "all, mm",
+                           "all",
                            "time",
                            "dwell",
                            "tool change",
@@ -50,11 +51,12 @@ constexpr Words russian = {
     "на подаче",
     "дуг",
     "прочих",
-    "путь, мм",
+    "единицы",
+    "мм; УП режет и в дюймах, и в миллиметрах",
+    "путь",
     "резание",
     "быстрый ход",
-    "резание, мм",
-    "всё, мм",
+    "всё",
     "время",
     "выдержка",
     "смена инструмента",
@@ -80,11 +82,11 @@ std::string line(std::string_view name, const std::string& value) {
   return std::string(name) + std::string(pad, ' ') + value + "\n";
 }
 
-std::string box_text(const Box& box) {
-  const auto range = [](char axis, double least, double most) {
-    return fmt::format("{} {} … {}", axis, number_text(least, 3), number_text(most, 3));
-  };
-  return range('X', box.least.x, box.most.x) + "   " + range('Y', box.least.y, box.most.y) + "   " + range('Z', box.least.z, box.most.z);
+/// A heading with lines below each other.
+std::string lines(std::string_view name, const std::vector<std::string>& values) {
+  std::string text;
+  for (const std::string& value : values) text += line(text.empty() ? name : std::string_view(), value);
+  return text;
 }
 
 std::string split_text(const Words& w, double cutting, double rapid, double dwell, double tool_change) {
@@ -105,16 +107,8 @@ std::string planned_text(const Words& w, const char* heading, const PlannedTime&
 
 }  // namespace
 
-Box Statistics::box() const {
-  Box all = cutting_box_;
-  if (other_box_.empty) return all;
-  all.take(other_box_.least);
-  all.take(other_box_.most);
-  return all;
-}
-
 Statistics::Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates, const ToolPosition& start)
-    : roles_(AxisRoles::of(axes, rotary)), position_(start), estimate_(roles_, rates) {}
+    : roles_(AxisRoles::of(axes, rotary)), position_(start), estimate_(roles_, rates), extents_(axes, roles_) {}
 
 void Statistics::start_with(double spindle_rpm, std::uint32_t tool) {
   estimate_.spindle(spindle_rpm);
@@ -133,19 +127,10 @@ MotionTime Statistics::take_motion(const Motion& motion) {
   const MotionTime time = estimate_.motion(motion, curve);
   if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
 
-  const bool cuts = motion.kind == MotionKind::feed || motion.kind == MotionKind::thread || curve.arc();
-  ++(curve.arc() ? arcs_ : motion.kind == MotionKind::rapid ? rapids_ : cuts ? feeds_ : others_);
-  (cuts || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += time.length;
-  Box& box = cuts ? cutting_box_ : other_box_;
-  const Stands stands = cuts ? Stands::in_cutting_box : Stands::in_other_box;
-  if (stands_ != stands) box.take(roles_.point(position_.work));  // else the motion before ended there
-  stands_ = stands;
-  box.take(roles_.point(motion.to));
-  if (!curve.straight()) {
-    const Extents extents = curve.extents();
-    box.take(roles_.point(extents.least));
-    box.take(roles_.point(extents.most));
-  }
+  const bool cutting = cuts(motion);
+  ++(curve.arc() ? arcs_ : motion.kind == MotionKind::rapid ? rapids_ : cutting ? feeds_ : others_);
+  (cutting || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += time.length;
+  extents_.take(motion, position_.work, curve);
   position_.take(motion);
   return time;
 }
@@ -154,7 +139,7 @@ MotionTime Statistics::take(const Action& action) {
   if (const auto* motion = std::get_if<Motion>(&action.what)) return take_motion(*motion);
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
     position_.take(*frame);
-    stands_ = Stands::in_neither;
+    extents_.lift();
   }
   if (const auto* change = std::get_if<ToolChange>(&action.what)) use(change->tool);
   estimate_.other(action);
@@ -175,6 +160,16 @@ void Statistics::lengthen(const Motion& motion, double longer) {
   if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
 }
 
+std::string Statistics::caption(Lang lang) const {
+  constexpr std::size_t most = 2;  // systems: more do not fit a line
+  const std::vector<std::string> texts = extents_.texts(RunExtents::Of::cutting, system_names_);
+  std::string caption;
+  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) caption += (i == 0 ? "" : ";   ") + texts[i];
+  if (texts.size() > most) caption += fmt::format(";   … (+{})", texts.size() - most);
+  if (caption.empty()) return caption;
+  return fmt::format("{}, {}:  {}", (lang == Lang::ru ? russian : english).cutting, unit_name(extents_.unit(), lang), caption);
+}
+
 std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime* planned, PlannerMode counts) const {
   const Words& w = lang == Lang::ru ? russian : english;
   const TimeSplit& t = estimate_.split();
@@ -183,9 +178,13 @@ std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime*
       fmt::format("{} ({} {}, {} {}, {} {}", rapids_ + feeds_ + arcs_ + others_, w.rapids, rapids_, w.feeds, feeds_, w.arcs, arcs_);
   if (others_ > 0) motions += fmt::format(", {} {}", w.other, others_);
   text += line(w.motions, motions + ")");
-  text += line(w.path, fmt::format("{} {}, {} {}", w.cutting, number_text(cutting_mm_, 3), w.rapid, number_text(rapid_mm_, 3)));
-  if (!cutting_box_.empty) text += line(w.cutting_box, box_text(cutting_box_));
-  if (const Box all = box(); !all.empty) text += line(w.box, box_text(all));
+  const LengthUnit unit = extents_.unit();
+  const auto in_unit = [&](const char* name) { return fmt::format("{}, {}", name, unit_name(unit, lang)); };
+  if (unit == LengthUnit::mixed) text += line(w.units, w.mixed);
+  text +=
+      line(in_unit(w.path), fmt::format("{} {}, {} {}", w.cutting, length_text(cutting_mm_, unit), w.rapid, length_text(rapid_mm_, unit)));
+  text += lines(in_unit(w.cutting), extents_.texts(RunExtents::Of::cutting, system_names_));
+  text += lines(in_unit(w.all), extents_.texts(RunExtents::Of::all, system_names_));
   const bool planned_counts = planned != nullptr && counts == PlannerMode::optimal;
   if (!planned_counts) {
     text += line(w.time, split_text(w, t.cutting, t.rapid, t.dwell, t.tool_change));

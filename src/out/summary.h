@@ -1,28 +1,14 @@
 #pragma once
 // Statistics: what a run came to, for the summary on stdout (design.md 5).
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
-#include "config/alarm_texts.h"
 #include "motion/estimate.h"
 #include "motion/planned_time.h"
+#include "out/extents.h"
 
 namespace kadr {
-
-/// Box of the X, Y, Z that occurred.
-struct Box {
-  Vec3 least;
-  Vec3 most;
-  bool empty = true;
-  void take(Vec3 p) {
-    if (empty) least = most = p;
-    empty = false;
-    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
-  }
-};
 
 /// What the machining time is made of.
 enum class TimeBasis : std::uint8_t {
@@ -51,6 +37,11 @@ class Statistics {
     if (severity != Severity::note) ++(severity == Severity::alarm ? alarms_ : warnings_);
   }
 
+  /// How the work systems are called, by Motion::system; needed where the run has used several.
+  void name_systems(std::vector<std::string> names) { system_names_ = std::move(names); }
+  /// "cutting X 0 … 20   Y …, mm": the extents for a caption, those of the summary. Empty: nothing was cut.
+  std::string caption(Lang lang) const;
+
   /// The summary, lines ending in '\n'. `planned`: the time by the planner of least time, if it ran: beside that of the control, or for it,
   /// as it counts for the machine.
   std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr,
@@ -66,8 +57,9 @@ class Statistics {
   std::uint64_t arcs() const { return arcs_; }
   double cutting_mm() const { return cutting_mm_; }
   double rapid_mm() const { return rapid_mm_; }
-  const Box& cutting_box() const { return cutting_box_; }
-  Box box() const;
+  Box cutting_box() const { return extents_.cutting_box(); }
+  Box box() const { return extents_.box(); }
+  const RunExtents& extents() const { return extents_; }
   const TimeSplit& time() const { return estimate_.split(); }
   const std::vector<ToolUse>& tools() const { return tools_; }
 
@@ -82,9 +74,9 @@ class Statistics {
   std::uint64_t alarms_ = 0, warnings_ = 0;
   TimeBasis basis_ = TimeBasis::programmed;
   double cutting_mm_ = 0, rapid_mm_ = 0;
-  Box cutting_box_, other_box_;  // of motions that cut, of others
-  enum class Stands : std::uint8_t { in_neither, in_cutting_box, in_other_box } stands_ = Stands::in_neither;  // the tool
-  std::vector<ToolUse> tools_;                                                                                 // in order of first use
+  RunExtents extents_;
+  std::vector<std::string> system_names_;
+  std::vector<ToolUse> tools_;  // in order of first use
   std::size_t in_spindle_ = 0;  // index in tools_; its size: none known
 };
 

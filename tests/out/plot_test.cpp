@@ -13,6 +13,7 @@
 #include "actions.h"
 #include "out/page_file.h"
 #include "out/plot_view.h"
+#include "out/text_width.h"
 
 namespace kadr {
 namespace {
@@ -68,6 +69,40 @@ RC_GTEST_PROP(plot_path, never_holds_more_than_it_may, ()) {
   }
   RC_ASSERT(path.tolerance() > 0);
   RC_ASSERT(path.box().most.x >= box.most.x && path.box().least.y <= box.least.y);  // extents stay right
+}
+
+TEST(plot, the_box_is_that_of_the_arcs_not_of_their_chords) {
+  const Plot plot = small_part();
+  EXPECT_DOUBLE_EQ(plot.path().cutting_box().least.x, -10);
+  EXPECT_DOUBLE_EQ(plot.path().cutting_box().most.y, 10);
+}
+
+TEST(plot, a_view_shows_the_programmed_contour_whole_and_rapid_motion_that_is_not_far) {
+  PlotPath path, contour;
+  path.start({0, 0, 0});
+  path.go({100, 0, 0}, Stroke::feed);
+  path.go({100, 150, 0}, Stroke::rapid);
+  path.go({0, 0, 900}, Stroke::rapid);
+  contour.start({-30, -20, 0});
+  contour.go({60, -20, 0}, Stroke::contour);
+  const PlotTitle title{};
+  const PlotScene scene{path, contour, {}, {}, title, ShadeScale(PlotColour::stroke, path)};
+  const Box box = shown_box(scene, 4);
+  EXPECT_EQ(box.least, (Vec3{-30, -20, 0}));
+  EXPECT_EQ(box.most, (Vec3{100, 150, 32.5})) << "the cutting and the contour are 130 wide: Y 170 is within four times, Z 900 is not";
+}
+
+TEST(text_width, printable_texts) {
+  EXPECT_EQ(printable("a\tb\x7F"), "a␉b␡");
+  EXPECT_EQ(printable("\xC0\x80 \xED\xA0\x80 \xEF\xBF\xBE \xF4\x90\x80\x80 \xD0"),
+            "\xEF\xBF\xBD\xEF\xBF\xBD \xEF\xBF\xBD \xEF\xBF\xBD \xEF\xBF\xBD \xEF\xBF\xBD");
+  EXPECT_EQ(printable("деталь №1 ⌀ 𝄞"), "деталь №1 ⌀ 𝄞");
+}
+
+TEST(text_width, widths) {
+  EXPECT_DOUBLE_EQ(text_width("A", 1000), 684);
+  EXPECT_DOUBLE_EQ(text_width("АЯ", 10), 6.84 + 6.95);
+  EXPECT_DOUBLE_EQ(text_width("", 10), 0);
 }
 
 TEST(plot_view, round_steps) {

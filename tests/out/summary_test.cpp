@@ -57,6 +57,51 @@ TEST(summary, text_in_both_languages) {
   EXPECT_NE(run().text(6, Lang::ru).find("без разгонов"), std::string::npos);
 }
 
+Statistics moved(const std::vector<Motion>& motions, AxisMask rotary = 0) {
+  const std::vector<std::string> names = {"X", "Y", "Z", "A"};
+  Statistics s(names, rotary, rates_of(MachineProfile{}, kadr::Setup{}, names), {});
+  for (const Motion& motion : motions) s.take(action(motion));
+  return s;
+}
+
+Motion in_system(Motion motion, std::uint8_t system, bool inch = false) {
+  motion.system = system;
+  motion.inch = inch;
+  return motion;
+}
+
+TEST(summary, extents_of_each_work_system_that_is_used) {
+  Statistics s = moved({in_system(straight(feed, {10, 0, 0}, 100), 1), in_system(straight(rapid, {10, 0, 5}), 2),
+                        in_system(straight(feed, {30, 0, 5}, 100), 2), in_system(straight(feed, {10, 4, 0}, 100), 1)});
+  s.name_systems({"", "G54", "G55"});
+  using Texts = std::vector<std::string>;
+  // The last motion begins at X30 Z5, where the one before has ended.
+  EXPECT_EQ(s.extents().texts(RunExtents::Of::cutting, {"", "G54", "G55"}),
+            (Texts{"G54  X 0 … 30   Y 0 … 4   Z 0 … 5", "G55  X 10 … 30   Y 0 … 0   Z 5 … 5"}));
+  EXPECT_EQ(s.extents().texts(RunExtents::Of::all, {"", "G54", "G55"}),
+            (Texts{"G54  X 0 … 30   Y 0 … 4   Z 0 … 5", "G55  X 10 … 30   Y 0 … 0   Z 0 … 5"}));
+  EXPECT_EQ(s.caption(Lang::en), "cutting, mm:  G54  X 0 … 30   Y 0 … 4   Z 0 … 5;   G55  X 10 … 30   Y 0 … 0   Z 5 … 5");
+}
+
+TEST(summary, the_unit_is_that_of_the_cutting) {
+  const Motion fast = straight(rapid, {25.4, 0, 0}), slow = straight(feed, {50.8, 0, 0}, 100);
+  EXPECT_EQ(moved({in_system(fast, 0, false), in_system(slow, 0, true)}).extents().unit(), LengthUnit::inch);
+  EXPECT_EQ(moved({in_system(fast, 0, true), in_system(slow, 0, false)}).extents().unit(), LengthUnit::mm);
+  EXPECT_EQ(moved({in_system(slow, 0, true), in_system(slow, 0, false)}).extents().unit(), LengthUnit::mixed);
+  EXPECT_EQ(moved({in_system(fast, 0, true)}).extents().unit(), LengthUnit::inch) << "nothing is cut";
+  const std::string text = moved({in_system(fast, 0, true), in_system(slow, 0, true)}).text(2, Lang::en);
+  EXPECT_NE(text.find("path, in        cutting 1, rapid 1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("cutting, in     X 1 … 2   Y 0 … 0   Z 0 … 0\n"), std::string::npos) << text;
+}
+
+TEST(summary, rotary_axes_have_ranges_in_degrees) {
+  Motion turns = straight(feed, {10, 0, 0}, 100);
+  turns.to[3] = 90;
+  turns.inch = true;
+  EXPECT_NE(moved({turns}, 8).text(1, Lang::en).find("Z 0 … 0   A 0 … 90°\n"), std::string::npos);
+  EXPECT_EQ(moved({straight(feed, {10, 0, 0}, 100)}, 8).text(1, Lang::en).find('A'), std::string::npos) << "it stands";
+}
+
 TEST(summary, durations) {
   EXPECT_EQ(duration_text(0), "0:00.0");
   EXPECT_EQ(duration_text(59.96), "1:00.0");
