@@ -13,8 +13,6 @@
 
 namespace kadr::cli {
 
-void complain(const std::string& text) { fmt::print(stderr, "kadr: {}\n", text); }
-
 Lang language(const Options& options) {
   if (options.lang == "ru") return Lang::ru;
   if (options.lang == "en") return Lang::en;
