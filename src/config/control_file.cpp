@@ -2,6 +2,7 @@
 
 #include "config/control_loader.h"
 #include "config/embedded.h"
+#include "config/nearest.h"
 #include "config/parameter_table.h"
 #include "config/read_file.h"
 #include "config/told.h"
@@ -82,12 +83,14 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
     if (!text) return Failed(text.error());
     return parse_control(*text, name);
   }
-  const std::string file = "controls/" + name + ".toml";
-  auto table = is_control(name) ? built_in(file, From::table) : std::nullopt;
+  const std::string id = in_small_letters(name), file = "controls/" + id + ".toml";
+  auto table = is_control(id) ? built_in(file, From::table) : std::nullopt;
   if (!table) {
     std::string known;
-    for (const std::string& id : built_in_controls()) known += (known.empty() ? "" : ", ") + id;
-    return Failed("no control '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)");
+    for (const std::string& one : built_in_controls()) known += (known.empty() ? "" : ", ") + one;
+    return Failed(told("no control '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)",
+                       "УЧПУ «" + name + "» нет; есть: " + known + " или свой файл (ИМЯ.toml)") +
+                  did_you_mean(name, built_in_controls()));
   }
   auto def = load(std::move(*table), file, From::table);
   return def ? def : load(*built_in(file, From::text), file, From::text);
