@@ -40,7 +40,7 @@ FAULTS = [
     ('from 0 0\nline 60 0\nline 60 8\nline 0 8\nclose\n', [], 1, 'tool_does_not_fit'),
     (TEXT, ['--stepover', '120%'], 2, 'mill_stepover'),
     (TEXT, ['--stepover', 'wide'], 2, 'mill_value'),
-    (TEXT, ['--scheme', 'star'], 2, 'mill_value'),
+    (TEXT, ['--scheme', 'star'], 2, "--scheme: 'star' is none of zigzag"),
     (TEXT, ['--scheme', 'СПИР ПЧС', '--direction', 'ЧС'], 2, 'mill_value'),
     (TEXT, ['--feed', '-3'], 2, 'mill_value'),
     (TEXT, ['--plunge', 'hole', '--hole', '30', '20'], 1, 'mill_hole'),

@@ -13,6 +13,7 @@
 #include "cli/program_files.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
+#include "cli/terminal.h"
 #include "cli/unstated.h"
 #include "config/told.h"
 #include "out/alarm_print.h"
@@ -31,7 +32,8 @@ struct Report {
   std::vector<Unreadable> unreadable;
 
   void add(const AlarmReport& report, Finding finding, const AlarmTexts& texts, Lang lang) {
-    if (text != nullptr) fmt::print(text, "{}", alarm_text(report, texts, lang));
+    if (text == stderr) say(alarm_text(report, texts, lang, colours()));
+    else if (text != nullptr) fmt::print(text, "{}", alarm_text(report, texts, lang));
     else findings.push_back(std::move(finding));
   }
 };
@@ -148,7 +150,7 @@ void print_count(const Options& options, std::size_t files, Count count, std::si
   const auto many = [](std::size_t n) { return n == 1 ? "" : "s"; };
   if (language(options) == Lang::ru) {
     fmt::print("Проверено программ: {}. Ошибок: {}, предупреждений: {}.", files, faults, warnings);
-    if (known != 0) fmt::print(" Известных замечаний пропущено: {}.", known);
+    if (known != 0) fmt::print(" Уже известных пропущено: {}.", known);
   } else {
     fmt::print("{} program{} checked: {} error{}, {} warning{}.", files, many(files), faults, many(faults), warnings, many(warnings));
     if (known != 0) fmt::print(" {} known finding{} left out.", known, many(known));
@@ -198,7 +200,7 @@ int check(const Options& given) {
   for (const Unreadable& file : programs.unreadable) complain(fmt::format("{}: {}", file.path, file.reason));
   int status = programs.unreadable.empty() ? ok : wrong_usage;
   report.unreadable = std::move(programs.unreadable);
-  if (programs.files.empty()) return complain(told("no program to check there", "проверять нечего: УП там нет")), wrong_usage;
+  if (programs.files.empty()) return complain(told("no program to check there", "там нет УП для проверки")), wrong_usage;
   Count count;
   std::size_t checked = 0;
   for (const std::string& file : programs.files) {

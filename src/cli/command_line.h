@@ -20,10 +20,18 @@ struct Commands {
   StateOptions state;
   SetupOptions setup;
   MillOptions mill;
-  std::string shell;  // of completion
+  std::string machine;  // of machines; empty: all
+  std::string shell;    // of completion
 };
 
+/// Its texts are in the language of told().
 std::unique_ptr<CLI::App> make_app(Commands& commands);
+
+/// What --lang says anywhere on the line, so that a wrong line, too, is answered in that language; empty: nothing.
+std::string language_on(int argc, const char* const* argv);
+
+/// Every command answers in that language.
+void speak(Commands& commands, const std::string& lang);
 
 std::string manual_page(const CLI::App& app);
 /// `shell`: bash, zsh or fish.

@@ -9,11 +9,10 @@
 #include "cli/command_line.h"
 #include "cli/outputs.h"
 #include "cli/stop.h"
+#include "cli/usage_error.h"
 #include "config/told.h"
 
 namespace kadr::cli {
-
-void complain(const std::string& text) { fmt::print(stderr, "kadr: {}\n", text); }
 
 Lang language(const Options& options) {
   if (options.lang == "ru") return Lang::ru;
@@ -26,22 +25,13 @@ Lang language(const Options& options) {
 
 namespace {
 
-/// The language that any of the commands was given: one was called.
-Lang language(const Commands& commands) {
-  Options said;
-  for (const std::string* const lang : {&commands.options.lang, &commands.explain.lang, &commands.tape.lang, &commands.setup.program.lang,
-                                        &commands.state.lang, &commands.mill.lang})
-    if (!lang->empty()) said.lang = *lang;
-  return kadr::cli::language(said);
-}
-
 int perform(const CLI::App& app, const Commands& commands) {
-  tell_in(language(commands));
   if (app.got_subcommand("run")) return run(commands.options);
   if (app.got_subcommand("check")) return check(commands.options);
   if (app.got_subcommand("explain")) return explain(commands.explain);
   if (app.got_subcommand("setup")) return write_setup(commands.setup);
   if (app.got_subcommand("controls")) return list_controls(commands.options.lang);
+  if (app.got_subcommand("machines")) return list_machines(commands.machine);
   if (app.got_subcommand("tape")) {
     TapeOptions options = commands.tape;
     options.decode = app.get_subcommand("tape")->got_subcommand("decode");
@@ -73,12 +63,18 @@ int main(int argc, char** argv) {
   catch_interrupts();
   Commands commands;
   commands.options.limits.stop = stop_token();
+  commands.options.lang = language_on(argc, argv);
+  const kadr::Lang lang = language(commands.options);
+  kadr::tell_in(lang);
   const auto app = make_app(commands);
+  app->failure_message(
+      [](const CLI::App* root, const CLI::Error& error) { return usage_error(*root, dynamic_cast<const CLI::ParseError&>(error)); });
   try {
     app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app->exit(error) == 0 ? printed(ok) : wrong_usage;
   }
+  speak(commands, lang == kadr::Lang::ru ? "ru" : "en");
   try {
     return printed(perform(*app, commands));
   } catch (const std::bad_alloc&) {

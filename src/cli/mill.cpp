@@ -12,6 +12,7 @@
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
+#include "cli/terminal.h"
 #include "config/contour.h"
 #include "config/control_file.h"
 #include "out/alarm_print.h"
@@ -79,6 +80,7 @@ class MillCommand {
 
  private:
   bool ru() const { return lang_ == Lang::ru; }
+  const char* mm() const { return ru() ? "мм" : "mm"; }
 
   void watch(Job& job) {
     job.watch.stop = stop_token();
@@ -95,7 +97,7 @@ class MillCommand {
     progress_.reset();
     if (alarm.id == AlarmId::interrupted) return complain(ru() ? "прервано: ничего не записано" : "interrupted: nothing is written");
     complain(fmt::format("{}: {}: {}", options_.contour, name_of(alarm.id), texts_.sentence(alarm, lang_)));
-    if (const std::string hint = texts_.hint(alarm, lang_); !hint.empty()) fmt::print(stderr, "  {}\n", hint);
+    if (const std::string hint = texts_.hint(alarm, lang_); !hint.empty()) kadr::cli::say("  " + hint + "\n");
   }
 
   void say(const ContourFault& fault, std::string_view text) {
@@ -108,7 +110,7 @@ class MillCommand {
     report.origin.column = fault.alarm.where.begin + 1;
     report.line_text = line_of(text, fault.line);
     if (fault.alarm.where.end > report.line_text.size()) report.alarm.where = {};
-    fmt::print(stderr, "{}", alarm_text(report, texts_, lang_));
+    kadr::cli::say(alarm_text(report, texts_, lang_, colours()));
   }
 
   tl::expected<Shape, ContourFault> shape_of(std::string_view text) const {
@@ -179,21 +181,22 @@ class MillCommand {
     const auto blocks = std::count(program.text.begin(), program.text.end(), '\n');
     line("zone", "зона", zone_text(shape));
     line("scheme", "схема",
-         fmt::format("{}, {} {} mm ({} %)", scheme_name(job), ru() ? "шаг" : "step", number_text(path.path.step, 3),
+         fmt::format("{}, {} {} {} ({} %)", scheme_name(job), ru() ? "шаг" : "step", number_text(path.path.step, 3), mm(),
                      number_text(50 * path.path.step / job.radius, 1)));
     line("path", "траектория",
-         fmt::format("{} mm, {} × Z, {}: {}", number_text(o.length, 1), path.path.layers, ru() ? "подъёмов" : "lifts", path.path.lifts));
+         fmt::format("{} {}, {} × Z, {}: {}", number_text(o.length, 1), mm(), path.path.layers, ru() ? "подъёмов" : "lifts",
+                     path.path.lifts));
     if (std::isfinite(o.nearest_wall))
       line("wall", "стенка",
-           fmt::format("{} mm ({} {})", number_text(o.nearest_wall, 3), ru() ? "нужно" : "wanted", number_text(o.wanted, 3)));
+           fmt::format("{} {} ({} {})", number_text(o.nearest_wall, 3), mm(), ru() ? "нужно" : "wanted", number_text(o.wanted, 3)));
     line("uncut", "не обработано",
-         fmt::format("{} mm²; {} {} mm²", number_text(o.uncut, 2), ru() ? "недоступно фрезе" : "out of the tool's reach",
-                     number_text(o.out_of_reach, 2)));
+         fmt::format("{0} {3}²; {1} {2} {3}²", number_text(o.uncut, 2), ru() ? "недоступно фрезе" : "out of the tool's reach",
+                     number_text(o.out_of_reach, 2), mm()));
     line("plunge", "врезание", plunge_text(path.path.plunges, job));
     for (const Vec2 hole : path.path.holes) line("drill before", "засверлить", place(hole));
-    if (path.path.step < job.step) line("note", "замечание", ru() ? "шаг уменьшен: острые углы" : "the step was reduced: sharp corners");
+    if (path.path.step < job.step) line("note", "примечание", ru() ? "шаг уменьшен: острые углы" : "the step was reduced: sharp corners");
     if (path.path.fields > shape.zones.size())
-      line("note", "замечание", ru() ? "зона распалась: есть места уже фрезы" : "the zone falls apart: places narrower than the tool");
+      line("note", "примечание", ru() ? "зона распалась: есть места уже фрезы" : "the zone falls apart: places narrower than the tool");
     line(
         "program", "УП",
         fmt::format("{} {}, {}", blocks, ru() ? "кадров" : "blocks", ru() ? "прочитана обратно: путь тот же" : "read back: the same path"));

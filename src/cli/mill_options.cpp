@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "config/contour.h"
+#include "config/nearest.h"
 
 namespace kadr::cli {
 namespace {
@@ -46,11 +47,19 @@ std::string without_blanks(std::string_view text) {
 
 template <class T, std::size_t n>
 bool find(const Name<T> (&names)[n], std::string_view text, T& value) {
-  const std::string wanted = without_blanks(text);
+  const std::string wanted = without_blanks(in_small_letters(text));
   for (const Name<T>& name : names)
     for (const std::string_view known : {name.name, name.source, name.small})
       if (wanted == without_blanks(known)) return value = name.value, true;
   return false;
+}
+
+template <class T, std::size_t n>
+std::vector<std::string> names_of(const Name<T> (&names)[n]) {
+  std::vector<std::string> list;
+  for (const Name<T>& name : names) list.emplace_back(name.name);
+  for (const Name<T>& name : names) list.emplace_back(name.source);
+  return list;
 }
 
 /// A scheme, and the direction where its name ends with one, as it is printed: СПИР ПЧС, АСПИР ЧС.
@@ -135,6 +144,26 @@ Result<area::Job> mill_job(const MillOptions& o) {
   if (o.hole.size() == 2) job.hole = Vec2{o.hole[0], o.hole[1]};
   return job;
 }
+
+bool is_scheme(std::string_view name) {
+  Scheme scheme;
+  std::optional<Direction> direction;
+  return find_scheme(name, scheme, direction);
+}
+
+bool is_direction(std::string_view name) {
+  Direction direction;
+  return find(directions, name, direction);
+}
+
+bool is_plunge(std::string_view name) {
+  Plunge plunge;
+  return find(plunges, name, plunge);
+}
+
+std::vector<std::string> scheme_names() { return names_of(schemes); }
+std::vector<std::string> direction_names() { return names_of(directions); }
+std::vector<std::string> plunge_names() { return names_of(plunges); }
 
 std::string_view russian_name(area::Scheme scheme) {
   for (const auto& name : schemes)

@@ -63,6 +63,8 @@ struct ExplainOptions {
 };
 int explain(const ExplainOptions& options);
 int list_controls(const std::string& lang);
+/// `id`: of the machine whose axes are told; empty: all machines, a line each.
+int list_machines(const std::string& id);
 
 struct SetupOptions {
   Options program;

@@ -6,20 +6,23 @@
 #include <algorithm>
 #include <string>
 
+#include "cli/terminal.h"
+#include "config/told.h"
+#include "out/source_line.h"
+
 namespace kadr::cli {
 namespace {
 
 constexpr auto first_after = std::chrono::milliseconds(800);
 constexpr auto again_after = std::chrono::milliseconds(200);
-constexpr int width = 40;  // characters of the bar
+constexpr int most_width = 40, least_width = 5;  // characters of the bar
+constexpr int beside = 12;                       // of its brackets, the percents and what keeps off the last column
 
 }  // namespace
 
 Progress::Progress(bool quiet) : on_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
-  if (shown_) fmt::print(stderr, "\r{:{}}\r", "", width + 40);
-}
+Progress::~Progress() { erase_bar(); }
 
 bool Progress::is_due() const {
   if (!on_) return false;
@@ -29,17 +32,18 @@ bool Progress::is_due() const {
 
 void Progress::show(const Control& control) {
   if (control.bytes() == 0) return;
-  show(static_cast<double>(control.bytes_read()) / static_cast<double>(control.bytes()), fmt::format("{} blocks", control.blocks()));
+  show(static_cast<double>(control.bytes_read()) / static_cast<double>(control.bytes()),
+       told(fmt::format("{} blocks", control.blocks()), told_count(control.blocks(), "кадр", "кадра", "кадров")));
 }
 
 void Progress::show(double part, const std::string& what) {
   last_ = Clock::now();
-  shown_ = true;
   part = std::clamp(part, 0.0, 1.0);
-  const int full = static_cast<int>(part * width);
-  fmt::print(stderr, "\r[{}{}] {:3.0f} %  {:<24}", std::string(static_cast<std::size_t>(full), '#'),
-             std::string(static_cast<std::size_t>(width - full), '.'), part * 100, what);
-  std::fflush(stderr);
+  const int room = terminal_width() - beside - static_cast<int>(characters_before(what, what.size()));  // a line that is full may break
+  if (room < least_width) return;
+  const int width = std::min(room, most_width), full = static_cast<int>(part * width);
+  show_bar(fmt::format("[{}{}] {:3.0f} %  {}", std::string(static_cast<std::size_t>(full), '#'),
+                       std::string(static_cast<std::size_t>(width - full), '.'), part * 100, what));
 }
 
 }  // namespace kadr::cli

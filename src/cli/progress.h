@@ -11,7 +11,10 @@ namespace kadr::cli {
 class Progress {
  public:
   explicit Progress(bool quiet);
+  /// Leaves nothing on the terminal.
   ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
   /// Something is to be shown; nothing off a terminal.
   bool is_due() const;
   void show(const Control& control);
@@ -21,7 +24,6 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
   bool on_;
-  bool shown_ = false;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };

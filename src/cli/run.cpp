@@ -1,6 +1,7 @@
 // kadr run: carry a program out, or the programs of several channels; trace, summary, plot.
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include "cli/progress.h"
 #include "cli/state.h"
 #include "cli/stop.h"
+#include "cli/terminal.h"
 #include "cli/unstated.h"
 #include "config/read_file.h"
 #include "config/setup_names.h"
@@ -61,10 +63,18 @@ struct View {
   double waited = 0;                    // s
 };
 
+/// A bar among lines of a trace would be neither.
+bool writes_to_terminal(const Options& options) { return (options.trace == "-" || options.samples == "-") && ::isatty(STDOUT_FILENO) != 0; }
+
 class RunCommand {
  public:
   RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, const Outputs& outputs)
-      : options_(options), job_(job), lang_(language(options)), channels_(channels), outputs_(outputs), progress_(options.quiet) {
+      : options_(options),
+        job_(job),
+        lang_(language(options)),
+        channels_(channels),
+        outputs_(outputs),
+        progress_(options.quiet || writes_to_terminal(options)) {
     std::FILE* const trace = outputs.stream("--trace");
     std::FILE* const samples = outputs.stream("--samples");
     for (const Channel& channel : channels) {
@@ -100,6 +110,7 @@ class RunCommand {
     bool written = write_last_lines(stopped);
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
+    erase_bar();  // the summary may go to the same terminal
     if (!options_.quiet) print_summary();
     if (options_.why) print_why();
     if (!written) return wrong_usage;
@@ -142,7 +153,7 @@ class RunCommand {
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
-      fmt::print(stderr, "{}", alarm_text(report, job_.texts(), lang_));
+      kadr::cli::say(alarm_text(report, job_.texts(), lang_, colours()));
     };
     return {.action = {},
             .warning = say,
@@ -209,7 +220,7 @@ class RunCommand {
   void tell_unstated() {
     for (const Channel& channel : channels_) {
       if (channel.number != job_.setup.channel) continue;
-      if (const auto note = unstated(*channel.control, job_)) fmt::print(stderr, "{}", alarm_text(*note, job_.texts(), lang_));
+      if (const auto note = unstated(*channel.control, job_)) kadr::cli::say(alarm_text(*note, job_.texts(), lang_, colours()));
     }
   }
 
@@ -354,9 +365,9 @@ void tell_unwritten(const Options& options, const std::vector<Channel>& channels
   std::size_t shown = 0;
   for (const auto& [path, bytes] : files) {
     if (++shown > most_shown) break;
-    fmt::print(stderr, "  {:<30} {} {}\n", path, bytes, ru ? "байт" : bytes == 1 ? "byte" : "bytes");
+    say(fmt::format("  {:<30} {} {}\n", path, bytes, ru ? "байт" : bytes == 1 ? "byte" : "bytes"));
   }
-  if (files.size() > most_shown) fmt::print(stderr, "  … {}\n", files.size());
+  if (files.size() > most_shown) say(fmt::format("  … {}\n", files.size()));
 }
 
 /// What the run has read besides the program must not be written over either.
@@ -373,7 +384,8 @@ int run(const Options& options) {
   const std::string& file = options.programs.front();
   if (!can_draw("--plot", options.plot) || !can_draw("--plot-speed", options.plot_speed)) return wrong_usage;
   if (!options.colour.empty() && options.plot.empty())
-    return complain(told("--colour: of the path in --plot FILE, which is missing", "--colour раскрашивает путь в --plot ФАЙЛ, а его нет")),
+    return complain(
+               told("--colour: of the path in --plot FILE, which is missing", "--colour: цвет траектории на --plot ФАЙЛ, а он не указан")),
            wrong_usage;
   auto job = make_job(options, file);
   if (!job) return wrong_usage;

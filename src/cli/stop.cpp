@@ -11,6 +11,7 @@
 #include <csignal>
 #include <thread>
 
+#include "cli/terminal.h"
 #include "out/result_file.h"
 
 namespace kadr::cli {
@@ -30,6 +31,7 @@ void watch(sigset_t signals) {
   asked = true;
   std::this_thread::sleep_for(grace);
   ResultFile::discard_all();
+  erase_bar();
   ::_exit(first_of_signals + signal);
 }
 

@@ -3,6 +3,7 @@
 #include "config/control_loader.h"
 #include "config/embedded.h"
 #include "config/loader_texts.h"
+#include "config/nearest.h"
 #include "config/parameter_table.h"
 #include "config/read_file.h"
 #include "config/told.h"
@@ -86,12 +87,13 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
     if (!text) return Failed(text.error());
     return parse_control(*text, name);
   }
-  const std::string file = "controls/" + name + ".toml";
-  auto table = is_control(name) ? built_in(file, From::table) : std::nullopt;
+  const std::string id = in_small_letters(name), file = "controls/" + id + ".toml";
+  auto table = is_control(id) ? built_in(file, From::table) : std::nullopt;
   if (!table) {
     std::string known;
-    for (const std::string& id : built_in_controls()) known += (known.empty() ? "" : ", ") + id;
-    return Failed(say("no control '{}'; there are: {}, or a file of your own (NAME.toml)", name, known));
+    for (const std::string& one : built_in_controls()) known += (known.empty() ? "" : ", ") + one;
+    return Failed(say("no control '{}'; there are: {}, or a file of your own (NAME.toml)", name, known) +
+                  did_you_mean(name, built_in_controls()));
   }
   auto def = load(std::move(*table), file, From::table);
   return def ? def : load(*built_in(file, From::text), file, From::text);

@@ -10,7 +10,7 @@
 
 namespace kadr {
 
-/// The control with that id, or in that file if `name` ends with .toml.
+/// The control with that id, in small letters or capitals, or in that file if `name` ends with .toml.
 ///   returns  an error sentence with file and line: unknown key, function, group, word; a code twice; …
 tl::expected<ControlDef, std::string> load_control(const std::string& name);
 

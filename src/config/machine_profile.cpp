@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "config/embedded.h"
+#include "config/nearest.h"
 #include "config/read_file.h"
 #include "config/told.h"
 #include "config/toml_tools.h"
@@ -95,15 +96,20 @@ tl::expected<MachineProfile, std::string> load_machine(const std::string& name) 
     if (!text) return Failed(text.error());
     return parse(*text, name);
   }
-  const std::string file = std::string(folder) + name + std::string(ending);
+  const std::string file = std::string(folder) + in_small_letters(name) + std::string(ending);
   if (const auto text = toml_tools::embedded_text(file)) return parse(*text, file);
   std::string known;
-  for (const EmbeddedFile& built_in : embedded_files())
-    if (built_in.name.starts_with(folder))
-      known += (known.empty() ? "" : ", ") +
-               std::string(built_in.name.substr(folder.size(), built_in.name.size() - folder.size() - ending.size()));
+  for (const std::string& id : built_in_machines()) known += (known.empty() ? "" : ", ") + id;
   return Failed(told("no machine '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)",
-                     "станка «" + name + "» нет; есть: " + known + " или свой файл (ИМЯ.toml)"));
+                     "станка «" + name + "» нет; есть: " + known + " или свой файл (ИМЯ.toml)") +
+                did_you_mean(name, built_in_machines()));
+}
+
+std::vector<std::string> built_in_machines() {
+  std::vector<std::string> ids;
+  for (const EmbeddedFile& file : embedded_files())
+    if (file.name.starts_with(folder)) ids.emplace_back(file.name.substr(folder.size(), file.name.size() - folder.size() - ending.size()));
+  return ids;
 }
 
 }  // namespace kadr

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 namespace kadr {
 
@@ -31,7 +32,10 @@ struct MachineProfile {
   PlannerMode planner = PlannerMode::programmed;
 };
 
-/// `name`: built-in id, or a file that ends with .toml.
+/// `name`: built-in id, in small letters or capitals, or a file that ends with .toml.
 tl::expected<MachineProfile, std::string> load_machine(const std::string& name);
+
+/// Ids of the built-in machines.
+std::vector<std::string> built_in_machines();
 
 }  // namespace kadr

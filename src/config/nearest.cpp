@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/told.h"
+
 namespace kadr {
 namespace {
 
@@ -11,14 +13,16 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 }  // namespace
 
 std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> before, above, row(b.size() + 1);  // rows i - 2, i - 1, i
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  const auto same = [&](std::size_t i, std::size_t j) { return lower(a[i]) == lower(b[j]); };
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
+    before = std::exchange(above, row);
+    row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+      row[j] = std::min({above[j - 1] + (same(i - 1, j - 1) ? 0 : 1), above[j] + 1, row[j - 1] + 1});
+      const bool swapped = i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1);
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return row.back();
@@ -27,14 +31,31 @@ std::size_t edits(std::string_view a, std::string_view b) {
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known) {
   constexpr std::size_t longest = 64;  // a longer name is no mistyped one
   if (name.size() > longest) return std::nullopt;
+  const auto begins_alike = [&](const std::string& one) { return !name.empty() && !one.empty() && lower(name[0]) == lower(one[0]); };
   const std::string* best = nullptr;
   std::size_t fewest = 0;
   for (const std::string& one : known) {
     const std::size_t n = edits(name, one);
-    if (best == nullptr || n < fewest) best = &one, fewest = n;
+    const bool likelier = best != nullptr && n == fewest && begins_alike(one) && !begins_alike(*best);  // few mistype the first letter
+    if (best == nullptr || n < fewest || likelier) best = &one, fewest = n;
   }
   if (best == nullptr || 2 * fewest > std::max(name.size(), best->size())) return std::nullopt;
   return *best;
+}
+
+std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
+  const auto near = nearest(name, known);
+  return near ? told("; did you mean '" + *near + "'?", "; возможно, «" + *near + "»?") : "";
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(), lower);
+  return small;
 }
 
 }  // namespace kadr

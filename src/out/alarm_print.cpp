@@ -19,6 +19,25 @@ const char* severity_word(Severity severity, Lang lang) {
   return lang == Lang::ru ? "ошибка" : "alarm";
 }
 
+constexpr const char* green = "32";
+
+const char* colour_of(Severity severity) {
+  if (severity == Severity::note) return "1;36";  // bold cyan
+  return severity == Severity::warning ? "1;33" : "1;31";
+}
+
+std::string coloured(const std::string& text, const char* colour, Colours colours) {
+  return colours == Colours::none || text.empty() ? text : fmt::format("\033[{}m{}\033[0m", colour, text);
+}
+
+/// The program's line, its mark below coloured.
+std::string marked(std::string_view line, Span place, Colours colours) {
+  const std::string text = marked_line(line, place);
+  const std::size_t second = text.find('\n') + 1;
+  if (second == 0 || second >= text.size()) return text;
+  return text.substr(0, second) + coloured(text.substr(second, text.size() - second - 1), green, colours) + "\n";
+}
+
 std::string call_text(const AlarmReport::Call& call, Lang lang) {
   const std::string block = call.has_block ? fmt::format(" N{}", call.block) : "";
   return lang == Lang::ru ? fmt::format("вызов {} в строке {}{}", call.what, call.line, block)
@@ -66,12 +85,12 @@ Json result_json(const Finding& finding, std::size_t rule) {
 }
 
 /// The second place of a finding: its line with the place marked.
-std::string other_place(const Finding& finding, Lang lang) {
+std::string other_place(const Finding& finding, Lang lang, Colours colours) {
   const AlarmReport::Line& other = finding.other;
   if (other.number == 0) return {};
   const std::string file = other.file == finding.file ? "" : other.file + ", ";
   std::string text = fmt::format(fmt::runtime(lang == Lang::ru ? "  см. {}строку {}:\n" : "  see {}line {}:\n"), file, other.number);
-  if (!other.text.empty()) text += marked_line(other.text, other.where);
+  if (!other.text.empty()) text += marked(other.text, other.where, colours);
   return text;
 }
 
@@ -112,13 +131,14 @@ Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang
   return f;
 }
 
-std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang) {
+std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang, Colours colours) {
   const Finding f = finding_of(report, texts, lang);
-  std::string text = fmt::format("{}:{}:{}: {} {}: {}", f.file, f.line, f.column, severity_word(f.severity, lang), name_of(f.id), f.text);
+  const std::string word = coloured(severity_word(f.severity, lang), colour_of(f.severity), colours);
+  std::string text = fmt::format("{}:{}:{}: {} {}: {}", f.file, f.line, f.column, word, name_of(f.id), f.text);
   if (!f.number.empty()) text += fmt::format(" [{}]", f.number);
   text += '\n';
-  if (!f.line_text.empty()) text += marked_line(f.line_text, report.alarm.where);
-  text += other_place(f, lang);
+  if (!f.line_text.empty()) text += marked(f.line_text, report.alarm.where, colours);
+  text += other_place(f, lang, colours);
   if (!f.hint.empty()) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "подсказка" : "hint", f.hint);
   for (auto call = f.calls.rbegin(); call != f.calls.rend(); ++call) text += fmt::format("  {}\n", *call);
   return text;

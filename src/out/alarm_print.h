@@ -1,6 +1,7 @@
 #pragma once
 // Alarms for people (text with the place marked) and for programs (JSON, SARIF 2.1.0).
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,12 @@
 
 namespace kadr {
 
+/// For a terminal: the alarm's word red, of a warning yellow, of a note cyan, the mark under the line green, by ECMA-48 sequences.
+enum class Colours : std::uint8_t { none, terminal };
+
 /// `file:line:column: alarm ID: text`, the source line with the place marked, the hint, the calls. Ends in '\n'.
 ///   law  columns count characters; tabs stay tabs, other control characters are shown as pictures; long lines are clipped
-std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang);
+std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang, Colours colours = Colours::none);
 
 /// The alarm's sentence; a program's own words whole.
 std::string sentence_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang);

@@ -3,9 +3,9 @@
 #include "out/page_file.h"
 
 #include <cstdio>
-#include <cstring>
 #include <memory>
 
+#include "config/read_file.h"
 #include "config/told.h"
 #include "out/cairo_canvas.h"
 
@@ -26,7 +26,7 @@ tl::expected<void, std::string> write_svg(const ResultFile& file, double width, 
                                           const std::function<void(Canvas&)>& draw) {
   SvgCanvas canvas(file.get(), width, height, says);
   draw(canvas);
-  if (const int error = canvas.finish(); error != 0) return tl::unexpected(file.name() + ": " + std::strerror(error));
+  if (const int error = canvas.finish(); error != 0) return tl::unexpected(file.name() + ": " + told_errno(error));
   return {};
 }
 
@@ -44,7 +44,7 @@ tl::expected<void, std::string> write_png(const ResultFile& file, double width, 
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_status(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_write_to_png_stream(surface.get(), write_bytes, file.get());
   if (status == CAIRO_STATUS_SUCCESS) return {};
-  return tl::unexpected(file.name() + ": " + cairo->status_to_string(status));
+  return tl::unexpected(file.name() + ": " + told(cairo->status_to_string(status), "картинка не записана"));
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+#pragma once
+// The parts that command_line.cpp puts together: each adds its commands. Every text stands here in both languages (told.h).
+
+#include "cli/command_line.h"
+
+namespace kadr::cli {
+
+/// run, check, setup (program_commands.cpp).
+void add_run(CLI::App& app, Commands& commands);
+void add_check(CLI::App& app, Commands& commands);
+void add_setup(CLI::App& app, Commands& commands);
+/// mill (mill_command.cpp).
+void add_mill(CLI::App& app, Commands& commands);
+
+void control_option(CLI::App& app, std::string& control);
+void language_option(CLI::App& app, std::string& lang);
+void quiet_option(CLI::App& app, bool& quiet);
+
+}  // namespace kadr::cli

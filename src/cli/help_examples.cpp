@@ -1,0 +1,157 @@
+// Examples and exit status under the help of each command.
+
+#include "cli/help_text.h"
+#include "config/told.h"
+
+namespace kadr::cli {
+
+std::string run_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr run flange.nc                              guess the control, print the summary\n"
+      "  kadr run flange.nc --control s2c42 --plot f.svg draw the path\n"
+      "  kadr run part.tap --control mach3 --trace -     every action as a line of JSON\n"
+      "  kadr run part.nc --setup shop.json --lang ru    offsets and start from a file, in Russian\n"
+      "Exit status: 0 ran to its end, 1 stopped by an alarm, 2 wrong usage or unreadable file.",
+      "Примеры:\n"
+      "  kadr run flange.nc                              УЧПУ определить по тексту, вывести сводку\n"
+      "  kadr run flange.nc --control s2c42 --plot f.svg вычертить траекторию\n"
+      "  kadr run part.tap --control mach3 --trace -     каждое действие строкой JSON\n"
+      "  kadr run part.nc --setup shop.json --lang ru    корректоры и исходное положение из файла, по-русски\n"
+      "Код возврата: 0 — УП дошла до конца, 1 — остановлена ошибкой, 2 — неверная команда или файл не читается.");
+}
+
+std::string check_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr check programs/                            every program of a folder, every fault\n"
+      "  kadr check a.nc b.nc --control gost\n"
+      "  kadr check programs/ --format sarif >r.sarif    for an editor or a code host\n"
+      "  kadr check . --exclude 'old/*' --control-for '*.nct=nct' --strict\n"
+      "  kadr check . --format json --output known.json; kadr check . --baseline known.json\n"
+      "Exit status: 0 no error, 1 errors found, 2 wrong usage or unreadable file.",
+      "Примеры:\n"
+      "  kadr check programs/                            все УП папки, все ошибки\n"
+      "  kadr check a.nc b.nc --control gost\n"
+      "  kadr check programs/ --format sarif >r.sarif    для редактора или хранилища программ\n"
+      "  kadr check . --exclude 'old/*' --control-for '*.nct=nct' --strict\n"
+      "  kadr check . --format json --output known.json; kadr check . --baseline known.json\n"
+      "Код возврата: 0 — ошибок нет, 1 — найдены ошибки, 2 — неверная команда или файл не читается.");
+}
+
+std::string explain_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr explain s2c42 G41         a code: group, words, source\n"
+      "  kadr explain s2c42 L83         a cycle and its body\n"
+      "  kadr explain mach3 X           an address\n"
+      "  kadr explain mach3             the whole control\n"
+      "  kadr explain mach3 radius_mismatch   an alarm and what to do\n"
+      "  kadr explain nct setup         the keys of a set-up\n"
+      "Exit status: 0, 2 wrong usage, or the control has nothing of that name.",
+      "Примеры:\n"
+      "  kadr explain s2c42 G41         код: группа, слова, источник\n"
+      "  kadr explain s2c42 L83         цикл и его тело\n"
+      "  kadr explain mach3 X           адрес\n"
+      "  kadr explain mach3             всё УЧПУ\n"
+      "  kadr explain mach3 radius_mismatch   ошибка и что делать\n"
+      "  kadr explain nct setup         ключи исходного состояния\n"
+      "Код возврата: 0; 2 — неверная команда или у УЧПУ нет ничего с таким именем.");
+}
+
+std::string controls_examples() {
+  return told("Exit status: 0.\nSee also: kadr explain ID, kadr machines.",
+              "Код возврата: 0.\nСм. также: kadr explain ОБОЗНАЧЕНИЕ, kadr machines.");
+}
+
+std::string machines_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr machines                  all of them, a line each\n"
+      "  kadr machines nct-vmc          the axes of one: rapid rates, travels, accelerations\n"
+      "  kadr machines shop.toml        of one's own file: whether it is right\n"
+      "Exit status: 0, 2 no such machine, or its file is wrong.",
+      "Примеры:\n"
+      "  kadr machines                  все станки, по строке на каждый\n"
+      "  kadr machines nct-vmc          оси одного: быстрые ходы, перемещения, ускорения\n"
+      "  kadr machines shop.toml        свой файл: верен ли он\n"
+      "Код возврата: 0; 2 — такого станка нет или его файл с ошибкой.");
+}
+
+std::string setup_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr setup part.nc --control nct                what is to be filled in, to standard output\n"
+      "  kadr setup part.nc --control nct --out shop.json; kadr run part.nc --control nct --setup shop.json\n"
+      "Exit status: 0 written, 2 wrong usage, unreadable file, or the file --out is there already.",
+      "Примеры:\n"
+      "  kadr setup part.nc --control nct                что надо заполнить, на стандартный вывод\n"
+      "  kadr setup part.nc --control nct --out shop.json; kadr run part.nc --control nct --setup shop.json\n"
+      "Код возврата: 0 — записано; 2 — неверная команда, файл не читается или файл --out уже есть.");
+}
+
+std::string tape_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr tape encode flange.nc flange.tape     text to rows with even parity\n"
+      "  kadr tape decode flange.tape               rows to text; parity errors by row on stderr\n"
+      "  kadr tape encode part.nc part.tape --code eia   rows of EIA RS-244, odd parity\n"
+      "Exit status: 0 all well, 1 parity errors, a tape that lies wrongly or a character that has no code, 2 wrong usage.",
+      "Примеры:\n"
+      "  kadr tape encode flange.nc flange.tape     текст в строки перфоленты с чётным числом отверстий\n"
+      "  kadr tape decode flange.tape               строки в текст; ошибки чётности построчно в stderr\n"
+      "  kadr tape encode part.nc part.tape --code eia   строки в коде EIA RS-244, нечётное число отверстий\n"
+      "Код возврата: 0 — без ошибок; 1 — ошибки чётности, лента считана не так или у символа нет кода; 2 — неверная команда.");
+}
+
+std::string state_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr state check shop.state                    sound, or what is damaged in it\n"
+      "  kadr state recover shop.state --out new.state  what is sound, in a new file; the old one stays as it is\n"
+      "Exit status: 0 sound, 1 damaged, 2 wrong usage, or no state that can be read.",
+      "Примеры:\n"
+      "  kadr state check shop.state                    исправен ли файл или что в нём повреждено\n"
+      "  kadr state recover shop.state --out new.state  уцелевшее — в новый файл; прежний не меняется\n"
+      "Код возврата: 0 — исправен, 1 — повреждён, 2 — неверная команда или это не читаемый файл состояния.");
+}
+
+std::string mill_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr mill pocket cover.dxf --tool-diameter 10 --depth 12 --pass 4 --control s2c42 --output cover.nc\n"
+      "  kadr mill pocket cam.txt --tool-diameter 8 --depth 5 --scheme СПИР --stepover 60% --control mach3\n"
+      "  kadr mill face plate.svg --tool-diameter 50 --depth 1 --control nct --plot face.svg\n"
+      "  kadr mill slot groove.txt --tool-diameter 8 --depth 6 --pass 2 --control gost\n"
+      "Exit status: 0 written and verified, 1 the contour or the path is faulty, 2 wrong usage or unreadable file.",
+      "Примеры:\n"
+      "  kadr mill pocket cover.dxf --tool-diameter 10 --depth 12 --pass 4 --control s2c42 --output cover.nc\n"
+      "  kadr mill pocket cam.txt --tool-diameter 8 --depth 5 --scheme СПИР --stepover 60% --control mach3\n"
+      "  kadr mill face plate.svg --tool-diameter 50 --depth 1 --control nct --plot face.svg\n"
+      "  kadr mill slot groove.txt --tool-diameter 8 --depth 6 --pass 2 --control gost\n"
+      "Код возврата: 0 — записано и проверено, 1 — ошибка в контуре или траектории, 2 — неверная команда или файл не читается.");
+}
+
+std::string man_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr man >kadr.1; man -l kadr.1\n"
+      "  kadr man --lang ru >kadr.1     the page in Russian",
+      "Примеры:\n"
+      "  kadr man --lang ru >kadr.1; man -l kadr.1\n"
+      "  kadr man --lang en >kadr.1     страница по-английски");
+}
+
+std::string completion_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr completion bash >~/.local/share/bash-completion/completions/kadr\n"
+      "  kadr completion zsh >~/.zfunc/_kadr              a folder of fpath\n"
+      "  kadr completion fish >~/.config/fish/completions/kadr.fish",
+      "Примеры:\n"
+      "  kadr completion bash >~/.local/share/bash-completion/completions/kadr\n"
+      "  kadr completion zsh >~/.zfunc/_kadr              папка из fpath\n"
+      "  kadr completion fish >~/.config/fish/completions/kadr.fish");
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,33 @@
+#pragma once
+// The help of the commands: how it is set, and the examples at its end.
+
+#include <memory>
+#include <string>
+
+namespace CLI {
+class App;
+class FormatterBase;
+}  // namespace CLI
+
+namespace kadr::cli {
+
+/// Sets names of options and what they do in two columns, counted in characters, in the language of told().
+std::shared_ptr<CLI::FormatterBase> help_formatter();
+
+/// "kadr tape decode".
+std::string whole_name(const CLI::App& command);
+
+/// Examples and exit status of a command, as told().
+std::string run_examples();
+std::string check_examples();
+std::string explain_examples();
+std::string controls_examples();
+std::string machines_examples();
+std::string setup_examples();
+std::string tape_examples();
+std::string state_examples();
+std::string mill_examples();
+std::string man_examples();
+std::string completion_examples();
+
+}  // namespace kadr::cli

@@ -1,0 +1,89 @@
+// kadr machines: the machine profiles that are built in, or what one of them can do.
+
+#include <fmt/core.h>
+
+#include "cli/options.h"
+#include "config/machine_profile.h"
+#include "config/told.h"
+#include "out/source_line.h"
+
+namespace kadr::cli {
+namespace {
+
+std::string name_of(const MachineProfile& machine) { return told(machine.name_en, machine.name_ru); }
+
+/// Padded to so many characters.
+std::string padded(std::string text, std::size_t width) {
+  const std::size_t characters = characters_before(text, text.size());
+  if (characters < width) text += std::string(width - characters, ' ');
+  return text;
+}
+
+std::string number_of(double value) { return fmt::format("{:.12g}", value); }
+
+/// "X Y 30000, Z 24000": axes one behind the other that go equally fast stand together.
+std::string rapids_of(const MachineProfile& machine) {
+  std::string list, axes;
+  for (auto axis = machine.axes.begin(); axis != machine.axes.end(); ++axis) {
+    axes += (axes.empty() ? "" : " ") + axis->first;
+    const auto next = std::next(axis);
+    if (next != machine.axes.end() && next->second.rapid == axis->second.rapid) continue;
+    list += (list.empty() ? "" : ", ") + axes + " " + number_of(axis->second.rapid);
+    axes.clear();
+  }
+  return list;
+}
+
+void print_list() {
+  constexpr std::size_t id_width = 15, name_width = 42;
+  fmt::print("{}{}{}\n", padded(told("id", "обозначение"), id_width), padded(told("machine", "станок"), name_width),
+             told("rapid rates, mm/min, degrees/min", "быстрые ходы, мм/мин, град/мин"));
+  for (const std::string& id : built_in_machines()) {
+    const auto machine = load_machine(id);
+    if (machine) fmt::print("{}{}{}\n", padded(id, id_width), padded(name_of(*machine), name_width), rapids_of(*machine));
+  }
+}
+
+std::string planner_of(const MachineProfile& machine) {
+  switch (machine.planner) {
+    case PlannerMode::control: return told("as the control makes it with these accelerations", "как её ведёт УЧПУ с этими ускорениями");
+    case PlannerMode::optimal: return told("the least time", "наименьшее время");
+    default: return told("programmed feeds and rapid rates", "программные подачи и быстрые ходы");
+  }
+}
+
+std::string travel_of(const AxisProfile& axis) {
+  if (axis.least <= AxisProfile{}.least && axis.most >= AxisProfile{}.most) return told("no limits", "без пределов");
+  const std::string least = axis.least <= AxisProfile{}.least ? "…" : number_of(axis.least);
+  return least + " … " + (axis.most >= AxisProfile{}.most ? "" : number_of(axis.most));
+}
+
+void print_one(const MachineProfile& machine) {
+  constexpr std::size_t first = 20, column = 18;
+  fmt::print("{}: {}\n", machine.id, name_of(machine));
+  const auto line = [](const std::string& what, const std::string& value) { fmt::print("{}{}\n", padded(what, first), value); };
+  line(told("speed", "скорость"), planner_of(machine));
+  line(told("tool change", "смена инструмента"), number_of(machine.tool_change_s) + told(" s", " с"));
+  line(told("spindle start", "разгон шпинделя"), number_of(machine.spindle_start_s) + told(" s", " с"));
+  line(told("corners within", "допуск на углах"), number_of(machine.tolerance) + told(" mm", " мм"));
+  fmt::print("{}{}{}{}{}\n", padded(told("axis", "ось"), 5), padded(told("rapid rate /min", "быстрый ход /мин"), column),
+             padded(told("travel", "перемещение"), column), padded(told("acceleration /s²", "ускорение /с²"), column),
+             told("jerk /s³", "рывок /с³"));
+  for (const auto& [name, axis] : machine.axes)
+    fmt::print("{}{}{}{}{}\n", padded(name, 5), padded(number_of(axis.rapid), column), padded(travel_of(axis), column),
+               padded(number_of(axis.acceleration), column), number_of(axis.jerk));
+  fmt::print("{}\n", told("mm, of rotary axes degrees; travel in machine coordinates",
+                          "мм, у поворотных осей градусы; перемещение в координатах станка"));
+}
+
+}  // namespace
+
+int list_machines(const std::string& id) {
+  if (id.empty()) return print_list(), ok;
+  const auto machine = load_machine(id);
+  if (!machine) return complain(machine.error()), wrong_usage;
+  print_one(*machine);
+  return ok;
+}
+
+}  // namespace kadr::cli

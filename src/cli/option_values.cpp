@@ -1,0 +1,106 @@
+#include "cli/option_values.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "config/control_file.h"
+#include "config/machine_profile.h"
+#include "config/nearest.h"
+#include "config/told.h"
+#include "lang/encoding.h"
+
+namespace kadr::cli {
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : between) + word;
+  return list;
+}
+
+std::string none_of(const std::string& word, const std::vector<std::string>& words) {
+  return told(fmt::format("'{}' is none of {}", word, joined(words, ", ")),
+              fmt::format("значения «{}» нет, есть: {}", word, joined(words, ", "))) +
+         did_you_mean(word, words);
+}
+
+/// Made the word as it is listed.
+CLI::Validator among(std::vector<std::string> words) {
+  const auto find = [words = std::move(words)](std::string& word) {
+    for (const std::string& known : words)
+      if (same_letters(word, known)) return word = known, std::string();
+    return none_of(word, words);
+  };
+  return CLI::Validator(find, "");
+}
+
+/// An id in small letters; a file of one's own stays as it is. Whoever reads it says whether there is one.
+CLI::Option* id_of(CLI::Option* option, std::vector<std::string> ids) {
+  const auto find = [ids = std::move(ids)](std::string& word) {
+    for (const std::string& id : ids)
+      if (same_letters(word, id)) word = id;
+    return std::string();
+  };
+  return takes(option, "ID", "ОБОЗНАЧЕНИЕ")->transform(CLI::Validator(find, ""));
+}
+
+/// "from 1 to 9", "not less than 0", or nothing.
+std::string limits_told(double least, double most) {
+  const auto text = [](double n) { return std::abs(n) < 1e15 ? fmt::format("{:.15g}", n) : fmt::format("{}", n); };
+  if (std::isinf(least) && std::isinf(most)) return {};
+  if (std::isinf(most)) return told(" not less than " + text(least), " не меньше " + text(least));
+  return told(fmt::format(" from {} to {}", text(least), text(most)), fmt::format(" от {} до {}", text(least), text(most)));
+}
+
+CLI::Option* limited(CLI::Option* option, bool whole, double least, double most) {
+  const auto check = [=](std::string& word) {
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    const bool is_one = end != word.c_str() && *end == '\0' && !std::isnan(value) &&
+                        (!whole || word.find_first_not_of("+-0123456789") == std::string::npos);
+    if (is_one && value >= least && value <= most) return std::string();
+    return told(fmt::format("'{}': a {}number{} is wanted", word, whole ? "whole " : "", limits_told(least, most)),
+                fmt::format("«{}»: нужно {}число{}", word, whole ? "целое " : "", limits_told(least, most)));
+  };
+  return option->check(CLI::Validator(check, ""));
+}
+
+}  // namespace
+
+CLI::Option* takes(CLI::Option* option, const char* en, const char* ru) { return option->type_name(told(en, ru)); }
+CLI::Option* takes_file(CLI::Option* option) { return takes(option, "FILE", "ФАЙЛ"); }
+
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
+  return option->type_name(joined(words, "|"))->transform(among(words));
+}
+
+CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
+                      const std::vector<std::string>& words) {
+  const auto check = [=](std::string& word) { return knows(word) ? std::string() : none_of(word, words); };
+  return takes(option, en, ru)->check(CLI::Validator(check, ""));
+}
+
+bool takes_nothing(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
+
+CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least, double most) {
+  return limited(takes(option, en, ru), false, least, most);
+}
+
+CLI::Option* whole_number(CLI::Option* option, double least, double most) { return limited(takes(option, "N", "N"), true, least, most); }
+
+CLI::Option* control_id(CLI::Option* option) { return id_of(option, built_in_controls()); }
+CLI::Option* machine_id(CLI::Option* option) { return id_of(option, built_in_machines()); }
+
+CLI::Option* encoding(CLI::Option* option) {
+  const auto knows = [](std::string_view word) { return encoding_named(word).has_value(); };
+  return known_by(option, "NAME", "КОДИРОВКА", knows, encodings());
+}
+
+const std::vector<std::string>& encodings() {
+  static const std::vector<std::string> names = {"utf-8", "cp1251", "koi8-r", "cp866", "utf-16", "utf-16le", "utf-16be", "iso7", "eia"};
+  return names;
+}
+
+}  // namespace kadr::cli

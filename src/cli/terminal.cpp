@@ -1,0 +1,70 @@
+#include "cli/terminal.h"
+
+#include <fmt/core.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+
+#include "cli/options.h"
+#include "out/source_line.h"
+
+namespace kadr::cli {
+namespace {
+
+std::mutex writing;     // the thread that waits for Ctrl-C erases, too
+std::size_t shown = 0;  // characters of the bar
+
+void erase_shown() {
+  if (shown == 0) return;
+  fmt::print(stderr, "\r{}\r", std::string(shown, ' '));  // not by an escape sequence: every terminal knows a blank
+  std::fflush(stderr);
+  shown = 0;
+}
+
+bool says(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+}  // namespace
+
+bool has_colours() {
+  static const bool has = [] {
+    const char* const kind = std::getenv("TERM");
+    return ::isatty(STDERR_FILENO) != 0 && !says("NO_COLOR") && kind != nullptr && *kind != '\0' && std::string_view(kind) != "dumb";
+  }();
+  return has;
+}
+
+void show_bar(const std::string& bar) {
+  const std::lock_guard lock(writing);
+  const std::size_t characters = characters_before(bar, bar.size());
+  const std::size_t rest = shown > characters ? shown - characters : 0;
+  fmt::print(stderr, "\r{}{}", bar, std::string(rest, ' '));
+  std::fflush(stderr);
+  shown = characters + rest;
+}
+
+void erase_bar() {
+  const std::lock_guard lock(writing);
+  erase_shown();
+}
+
+int terminal_width() {
+  constexpr int usual = 80;
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+}
+
+void say(const std::string& text) {
+  const std::lock_guard lock(writing);
+  erase_shown();
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void complain(const std::string& text) { say("kadr: " + text + "\n"); }
+
+}  // namespace kadr::cli

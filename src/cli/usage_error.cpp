@@ -1,0 +1,120 @@
+#include "cli/usage_error.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+
+#include "cli/help_text.h"
+#include "cli/option_values.h"
+#include "config/nearest.h"
+#include "config/told.h"
+
+namespace kadr::cli {
+namespace {
+
+/// The command that was called, as far as the line names one.
+const CLI::App& called(const CLI::App& app) {
+  const auto parsed = app.get_subcommands();
+  return parsed.empty() ? app : called(*parsed.front());
+}
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* const sub : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(sub->get_name());
+  return names;
+}
+
+std::vector<std::string> options_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : app.get_options({}))
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// A command is wanted, and this is none.
+std::string no_command(const CLI::App& app, const std::string& word) {
+  const auto names = commands_of(app);
+  const std::string meant = did_you_mean(word, names);
+  return told("no command '" + word + "'", "команды «" + word + "» нет") +
+         (meant.empty() ? told("; there are: ", "; есть: ") + listed(names) : meant);
+}
+
+/// The first word that nobody takes; an option before others, for its value is left over with it.
+std::optional<std::string> left_over(const CLI::App& app, const CLI::App& command) {
+  const std::vector<std::string> words = app.remaining(true);
+  const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-' && word != "--"; };
+  const auto option = std::find_if(words.begin(), words.end(), is_option);
+  if (option != words.end()) {
+    const std::string name = option->substr(0, option->find('='));
+    return told("no option '" + name + "' of " + whole_name(command), "у " + whole_name(command) + " нет ключа «" + name + "»") +
+           did_you_mean(name, options_of(command));
+  }
+  const auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w != "--"; });
+  if (word == words.end()) return std::nullopt;
+  if (!commands_of(command).empty()) return no_command(command, *word);
+  return told("'" + *word + "' is too many: " + whole_name(command) + " takes no more",
+              "«" + *word + "» — лишнее: " + whole_name(command) + " столько не берёт");
+}
+
+/// What is required and not there.
+std::string missing(const CLI::App& command) {
+  for (const CLI::Option* const option : command.get_options({}))
+    if (option->get_required() && option->count() == 0)
+      return told(option->get_name() + " is missing: ", "не указано " + option->get_name() + ": ") + option->get_description();
+  return told("a command is missing; there are: ", "не указана команда; есть: ") + listed(commands_of(command));
+}
+
+/// The option that CLI11's own sentence is about; it stands first in it, or behind the first ": ".
+const CLI::Option* option_of(const CLI::App& command, const std::string& sentence) {
+  const CLI::Option* found = nullptr;
+  std::size_t first = std::string::npos;
+  for (const CLI::Option* const option : command.get_options({})) {
+    const std::size_t at = sentence.find(option->get_name());
+    // Of --plot and --plot-speed in one place the longer one.
+    if (at < first || (at != std::string::npos && at == first && option->get_name().size() > found->get_name().size()))
+      first = at, found = option;
+  }
+  return found;
+}
+
+/// Too few values, too many, or one where none may stand.
+std::string wrong_count(const CLI::App& command, const std::string& sentence) {
+  const CLI::Option* const option = option_of(command, sentence);
+  if (option == nullptr) return sentence;
+  const std::string name = option->get_name();
+  if (takes_nothing(*option)) return told(name + " takes no value", name + ": значения не имеет");
+  const int wanted = option->get_items_expected_min();
+  if (static_cast<int>(option->count()) > std::max(wanted, 1))
+    return told(name + " is given more than once", name + ": указано больше одного раза");
+  if (wanted > 1)
+    return told(fmt::format("{} wants {} values: ", name, wanted), fmt::format("{}: нужно значений: {}: ", name, wanted)) +
+           option->get_description();
+  return told(name + ": a value is missing: ", name + ": нет значения: ") + option->get_type_name();
+}
+
+std::string sentence_of(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
+  const bool required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  if (required || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    if (const auto word = left_over(app, command)) return *word;
+  if (required) return missing(command);
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return error.what();  // ours: cli/option_values
+  return wrong_count(command, error.what());
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = called(app);
+  const std::string help = whole_name(command) + " --help";
+  return fmt::format("kadr: {}\n{}\n", sentence_of(app, command, error), told("Help: " + help, "Справка: " + help));
+}
+
+}  // namespace kadr::cli
