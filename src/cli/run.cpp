@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 
 #include "cli/channels.h"
 #include "cli/outputs.h"
@@ -16,6 +15,7 @@
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "cli/unstated.h"
+#include "cli/written_files.h"
 #include "config/read_file.h"
 #include "config/setup_names.h"
 #include "config/state_json.h"
@@ -340,42 +340,6 @@ Outputs outputs_of(const Options& options, const Job& job) {
   outputs.writes("--plot", options.plot);
   outputs.writes("--plot-speed", options.plot_speed);
   return outputs;
-}
-
-/// The folder for what the program writes: made, if only its last part is missing.
-bool make_folder(const std::string& folder) {
-  std::error_code error;
-  if (folder.empty() || std::filesystem::is_directory(folder, error)) return true;
-  if (std::filesystem::create_directory(folder, error)) return true;
-  complain(fmt::format("--files {}: {}", folder, told_errno(error ? error.value() : ENOTDIR)));
-  return false;
-}
-
-/// Without --files a program writes nothing: what it would have written.
-void tell_unwritten(const Options& options, const std::vector<Channel>& channels) {
-  if (!options.files.empty() || options.quiet) return;
-  WrittenFiles files;
-  for (const Channel& channel : channels)
-    for (const auto& [path, bytes] : channel.control->files_written()) files[path] += bytes;
-  if (files.empty()) return;
-  const bool ru = language(options) == Lang::ru;
-  complain(ru ? "УП записала бы файлы (с --files ПАПКА запишет их туда):"
-              : "the program would write files (with --files DIR it writes them there):");
-  constexpr std::size_t most_shown = 20;
-  std::size_t shown = 0;
-  for (const auto& [path, bytes] : files) {
-    if (++shown > most_shown) break;
-    say(fmt::format("  {:<30} {} {}\n", path, bytes, ru ? "байт" : bytes == 1 ? "byte" : "bytes"));
-  }
-  if (files.size() > most_shown) say(fmt::format("  … {}\n", files.size()));
-}
-
-/// What the run has read besides the program must not be written over either.
-std::vector<std::string> files_read(const std::vector<Channel>& channels) {
-  std::vector<std::string> files;
-  for (const Channel& channel : channels)
-    for (std::string& file : channel.control->files_read()) files.push_back(std::move(file));
-  return files;
 }
 
 }  // namespace
