@@ -9,8 +9,8 @@
 
 #include "cli/channels.h"
 #include "cli/outputs.h"
-#include "cli/planned.h"
 #include "cli/progress.h"
+#include "cli/run_view.h"
 #include "cli/state.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
@@ -20,13 +20,9 @@
 #include "config/setup_names.h"
 #include "config/state_json.h"
 #include "config/told.h"
-#include "motion/look_ahead.h"
 #include "out/alarm_print.h"
 #include "out/page_file.h"
-#include "out/plot.h"
 #include "out/plot_page.h"
-#include "out/summary.h"
-#include "out/trace.h"
 
 namespace kadr::cli {
 namespace {
@@ -48,20 +44,6 @@ bool needs_planner(const Options& options, const MachineProfile& profile) {
 bool has_threads(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
 }
-
-/// What looks at one channel.
-struct View {
-  View(const Channel& channel, const Rates& rates, const ToolPosition& stand)
-      : statistics(channel.control->axes(), channel.control->rotary(), rates, stand) {
-    statistics.start_with(channel.setup.spindle().rpm, static_cast<std::uint32_t>(std::max(channel.setup.tool, 0)));
-  }
-  Statistics statistics;
-  std::optional<TraceWriter> trace;
-  std::optional<LookAhead> look_ahead;  // where something limits the speed
-  std::optional<Plot> plot;             // of the program's own channel
-  std::unique_ptr<Planned> planned;     // of the program's own channel
-  double waited = 0;                    // s
-};
 
 /// A bar among lines of a trace would be neither.
 bool writes_to_terminal(const Options& options) { return (options.trace == "-" || options.samples == "-") && ::isatty(STDOUT_FILENO) != 0; }
@@ -86,7 +68,7 @@ class RunCommand {
       const AxisMask rotary = channel.control->rotary();
       if (trace != nullptr) view.trace.emplace(trace, axes, rotary, stand, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
-      if (channels.size() == 1) look_ahead(view, channel, rates, stand, job.profile);
+      if (channels.size() == 1) view.begin_look_ahead(channel, rates, stand, job.profile);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
       if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand, options.limits.stop);
@@ -119,36 +101,6 @@ class RunCommand {
   }
 
  private:
-  /// Several channels wait for each other by their programmed times: their speeds are not planned.
-  static void look_ahead(View& view, const Channel& channel, const Rates& rates, const ToolPosition& stand, const MachineProfile& profile) {
-    const Control& control = *channel.control;
-    SpeedRules rules = speed_rules(channel.setup, control.axes(), profile);
-    if (control.has_machine_parameters()) obey_parameters(rules, channel.setup, control.axes());
-    else rules.blend = profile.tolerance;  // INFERRED: of all that state no limit at corners
-    if (!rules.in_force) return;
-    view.statistics.count_by(rules.accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
-    view.look_ahead.emplace(AxisRoles::of(control.axes(), control.rotary()), rules, rates.rapid, stand,
-                            [&view](const Action& action, const MotionTime& time, double longer) {
-                              if (const auto* const motion = std::get_if<Motion>(&action.what)) view.statistics.lengthen(*motion, longer);
-                              if (view.trace) view.trace->write(action, time);
-                            });
-  }
-
-  /// The time of what the look-ahead holds counts as programmed; another tool, only when all motions of the one before are through.
-  static void show(View& view, const Action& action) {
-    const bool is_motion = std::holds_alternative<Motion>(action.what);
-    const MotionTime time = is_motion ? view.statistics.take(action) : MotionTime();
-    if (view.look_ahead) view.look_ahead->take(action, time);
-    else if (view.trace) view.trace->write(action, time);
-    if (!is_motion) view.statistics.take(action);
-  }
-
-  /// Whoever draws, before who times what is drawn.
-  static void look(View& view, const Action& action) {
-    if (view.plot) view.plot->take(action);
-    if (view.planned) view.planned->take(action);
-  }
-
   /// The outlets of one channel, without its actions.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
@@ -160,14 +112,9 @@ class RunCommand {
             .alarm = [say](const AlarmReport& report) { return say(report), false; },
             .progress = &progress_,
             .time = [&view] { return virtual_time(view.statistics.time()); },
-            .programmed = programmed_of(view),
+            .programmed = view.programmed(),
             .writable = [&view] { return (!view.trace || view.trace->ok()) && (!view.planned || view.planned->ok()); },
             .stop = options_.limits.stop};
-  }
-
-  static std::function<void(const Action&)> programmed_of(View& view) {
-    if (!view.plot) return {};
-    return [&view](const Action& action) { view.plot->take_programmed(action); };
   }
 
   Stopped run_alone() {
@@ -177,8 +124,8 @@ class RunCommand {
     if (options_.quiet && !outlets.works_long) outlets.action = [&view](const Action& action) { view.statistics.take_time(action); };
     else
       outlets.action = [&view](const Action& action) {
-        show(view, action);
-        look(view, action);
+        view.show(action);
+        view.look(action);
       };
     Stopped stopped = carry_out(*channels_.front().control, job_, outlets);
     if (view.look_ahead) view.look_ahead->finish();
@@ -200,7 +147,7 @@ class RunCommand {
       outlets.own.back().action = [&view, &together, i](const Action& action) {
         const double at = together->now(i);
         together->show(i, at, action, view.statistics.take(action));
-        look(view, action);
+        view.look(action);
       };
     }
     together = std::make_unique<Channels>(channels_, job_, outlets);

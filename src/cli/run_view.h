@@ -1,0 +1,41 @@
+#pragma once
+// What looks at one channel of a run: its statistics, and the trace, picture and planner that were asked for.
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "cli/channels.h"
+#include "cli/planned.h"
+#include "motion/look_ahead.h"
+#include "out/plot.h"
+#include "out/summary.h"
+#include "out/trace.h"
+
+namespace kadr::cli {
+
+struct View {
+  View(const Channel& channel, const Rates& rates, const ToolPosition& stand);
+
+  /// Of a channel alone: several wait for each other by their programmed times, and their speeds are not planned.
+  void begin_look_ahead(const Channel& channel, const Rates& rates, const ToolPosition& stand, const MachineProfile& profile);
+
+  /// To the statistics and the trace. The time of what the look-ahead holds counts as programmed; another tool, only when all motions of
+  /// the one before are through.
+  void show(const Action& action);
+
+  /// To whoever draws, before who times what is drawn.
+  void look(const Action& action);
+
+  /// Takes the motions as programmed, before compensation; empty: nobody looks.
+  std::function<void(const Action&)> programmed();
+
+  Statistics statistics;
+  std::optional<TraceWriter> trace;
+  std::optional<LookAhead> look_ahead;  // where something limits the speed
+  std::optional<Plot> plot;             // of the program's own channel
+  std::unique_ptr<Planned> planned;     // of the program's own channel
+  double waited = 0;                    // s
+};
+
+}  // namespace kadr::cli
