@@ -1,5 +1,7 @@
 #include "cli/command_line.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 
 #include "cli/command_parts.h"
@@ -112,6 +114,11 @@ void add_pages(CLI::App& app, Commands& c) {
       app.add_subcommand("completion", told("print the completion script of a shell", "вывести сценарий дополнения команд для оболочки"));
   one_of(complete->add_option(told("SHELL", "ОБОЛОЧКА"), c.shell, told("bash, zsh or fish", "bash, zsh или fish")), {"bash", "zsh", "fish"})
       ->required();
+  const auto print_codes = [](const std::string& control) {
+    fmt::print("{}", codes_of(control));
+    throw CLI::Success();
+  };
+  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // asked by the scripts alone
   language_option(*complete, c.options.lang);
   complete->footer(completion_examples());
 }

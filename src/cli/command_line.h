@@ -36,5 +36,7 @@ void speak(Commands& commands, const std::string& lang);
 std::string manual_page(const CLI::App& app);
 /// `shell`: bash, zsh or fish.
 std::string completion(const CLI::App& app, const std::string& shell);
+/// What `kadr explain CONTROL` may be asked for, a line each; empty: no such control.
+std::string codes_of(const std::string& control);
 
 }  // namespace kadr::cli

@@ -1,117 +1,129 @@
-// Manual page and shell completion, from the tree of commands.
+// The manual page, in roff, from the tree of commands.
 
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/command_line.h"
-#include "config/control_file.h"
+#include "cli/help_text.h"
+#include "cli/option_values.h"
+#include "config/told.h"
 
 namespace kadr::cli {
 namespace {
 
-std::vector<const CLI::App*> subcommands(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
-std::vector<const CLI::Option*> options(const CLI::App& app) {
-  return app.get_options([&](const CLI::Option* option) { return option != app.get_help_ptr(); });
-}
-
-/// Text for roff: backslashes, dashes and leading dots.
+/// Text for roff: backslashes, dashes, and what would be a request at the beginning of a line.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '\\' || c == '-') out += '\\';
-    if (c == '\n') {
-      out += "\n";
-      continue;
-    }
-    if (c == '.' && (out.empty() || out.back() == '\n')) out += "\\&";
-    out += c;
+    const bool begins = out.empty() || out.back() == '\n';
+    if (begins && (c == '.' || c == '\'')) out += "\\&";
+    if (c == '\\') out += "\\e";
+    else if (c == '-') out += "\\-";
+    else if (c == '`' || c == '^' || c == '~') out += c == '`' ? "\\(ga" : c == '^' ? "\\(ha" : "\\(ti";
+    else if (c == '\'') out += "\\(aq";
+    else out += c;
   }
   return out;
 }
 
-void manual_of(const CLI::App& app, const std::string& name, std::string& page) {
-  page += fmt::format(".SS {}\n{}.\n", roff(name), roff(app.get_description()));
-  for (const CLI::Option* const option : options(app))
-    page += fmt::format(".TP\n.B {}\n{}\n", roff(option->get_name(true)), roff(option->get_description()));
-  if (!app.get_footer().empty()) page += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(app.get_footer()));
-  for (const CLI::App* const sub : subcommands(app)) manual_of(*sub, name + " " + sub->get_name(), page);
+std::string bold(const std::string& text) { return "\\fB" + roff(text) + "\\fR"; }
+std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR"; }
+
+std::string tag_of(const CLI::Option& option) {
+  if (option.get_positional()) return italic(option.get_name(true, false));
+  std::string tag;
+  for (const std::string& name : option.get_snames()) tag += (tag.empty() ? "" : ", ") + bold("-" + name);
+  for (const std::string& name : option.get_lnames()) tag += (tag.empty() ? "" : ", ") + bold("--" + name);
+  return takes_nothing(option) ? tag : tag + " " + italic(option.get_type_name());
 }
 
-/// Words that may follow a command: its subcommands and long options.
-std::string words_of(const CLI::App& app) {
-  std::string words = "--help";
-  for (const CLI::App* const sub : subcommands(app)) words += " " + sub->get_name();
-  for (const CLI::Option* const option : options(app))
-    for (const std::string& name : option->get_lnames()) words += " --" + name;
-  return words;
-}
-
-std::string controls_list() {
-  std::string words;
-  for (const std::string& id : built_in_controls()) words += (words.empty() ? "" : " ") + id;
-  return words;
-}
-
-std::string bash_script(const CLI::App& app) {
-  std::string cases;
-  for (const CLI::App* const sub : subcommands(app)) {
-    cases += fmt::format("    {}) words=\"{}\" ;;\n", sub->get_name(), words_of(*sub));
+void options_of(const CLI::App& app, std::string& page) {
+  for (const CLI::Option* const option : app.get_options([&](const CLI::Option* o) { return o != app.get_help_ptr(); })) {
+    if (option->get_group().empty()) continue;
+    std::string text = option->get_description();
+    if (!takes_nothing(*option) && !option->get_default_str().empty())
+      text += told(" (default: ", " (по умолчанию ") + option->get_default_str() + ")";
+    page += fmt::format(".TP\n{}\n{}\n", tag_of(*option), roff(text));
   }
-  return fmt::format(
-      "# bash completion of kadr; made by `kadr completion bash`\n"
-      "_kadr() {{\n"
-      "  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} words\n"
-      "  case $before in\n"
-      "    --control|explain) COMPREPLY=($(compgen -W \"{0}\" -- \"$word\") $(compgen -f -X '!*.toml' -- \"$word\")); return ;;\n"
-      "    --lang) COMPREPLY=($(compgen -W \"en ru\" -- \"$word\")); return ;;\n"
-      "    --format) COMPREPLY=($(compgen -W \"text json sarif\" -- \"$word\")); return ;;\n"
-      "    --encoding) COMPREPLY=($(compgen -W \"utf-8 cp1251 koi8-r cp866 utf-16 utf-16le utf-16be iso7 eia\" -- \"$word\")); return ;;\n"
-      "  esac\n"
-      "  case ${{COMP_WORDS[1]}} in\n{1}    *) words=\"{2}\" ;;\n  esac\n"
-      "  COMPREPLY=($(compgen -W \"$words\" -- \"$word\") $(compgen -f -- \"$word\"))\n"
-      "}}\n"
-      "complete -o filenames -F _kadr kadr\n",
-      controls_list(), cases, words_of(app));
 }
 
-std::string quoted(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out;
+void command_of(const CLI::App& app, std::string& page) {
+  page += fmt::format(".SS \"{}\"\n{}.\n", roff(whole_name(app)), roff(app.get_description()));
+  options_of(app, page);
+  for (const CLI::App* const sub : app.get_subcommands([](const CLI::App*) { return true; })) command_of(*sub, page);
+  const CLI::App* const above = app.get_parent();
+  const bool told_above = above != nullptr && above->get_footer() == app.get_footer();
+  if (!app.get_footer().empty() && !told_above) page += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(app.get_footer()));
 }
 
-std::string fish_script(const CLI::App& app) {
-  std::string script = "# fish completion of kadr; made by `kadr completion fish`\n";
-  for (const CLI::App* const sub : subcommands(app)) {
-    script += fmt::format("complete -c kadr -n __fish_use_subcommand -a {} -d '{}'\n", sub->get_name(), quoted(sub->get_description()));
-    for (const CLI::Option* const option : options(*sub))
-      for (const std::string& name : option->get_lnames())
-        script += fmt::format("complete -c kadr -n '__fish_seen_subcommand_from {}' -l {} -d '{}'\n", sub->get_name(), name,
-                              quoted(option->get_description()));
-  }
-  return script + fmt::format("complete -c kadr -l control -x -a '{}'\n", controls_list());
+void section(const char* en, const char* ru, const std::string& text, std::string& page) {
+  page += fmt::format(".SH \"{}\"\n{}", told(en, ru), text);
+}
+
+/// A list of things and what they are.
+std::string list(std::initializer_list<std::pair<std::string, std::string>> items) {
+  std::string text;
+  for (const auto& [what, meaning] : items) text += fmt::format(".TP\n{}\n{}\n", what, roff(meaning));
+  return text;
+}
+
+std::string exit_statuses() {
+  return list({{"0", told("All well: ran to its end, no error, written.", "Без ошибок: УП дошла до конца, ошибок нет, записано.")},
+               {"1", told("Stopped by an alarm, or errors found, or what was to be written is faulty.",
+                          "Остановлено ошибкой УП, найдены ошибки или записать нечего из-за ошибки.")},
+               {"2", told("Wrong usage, an unreadable file, or an output that could not be written whole.",
+                          "Неверная команда, файл не читается или вывод не записан целиком.")},
+               {"130, 143", told("Ended by Ctrl-C, by SIGTERM: within 0.2 s; what is not complete is removed.",
+                                 "Прервано Ctrl-C, сигналом SIGTERM: не позже чем через 0,2 с; недописанное удаляется.")}});
+}
+
+std::string files() {
+  return list({{italic(told("NAME.toml", "ИМЯ.toml")), told("A control or a machine of one's own, for --control and --machine.",
+                                                            "Своё УЧПУ или свой станок: для --control и --machine.")},
+               {italic(told("SETUP.json", "СОСТОЯНИЕ.json")),
+                told("State before the start; `kadr setup` writes one to be filled in, `kadr explain ID setup` names its keys.",
+                     "Исходное состояние; бланк выдаёт `kadr setup`, ключи называет `kadr explain ОБОЗНАЧЕНИЕ setup`.")},
+               {told("The controls and machines that Kadr knows", "УЧПУ и станки, которые знает Kadr"),
+                told("are a part of the program: `kadr controls`, `kadr machines`.",
+                     "входят в саму программу: `kadr controls`, `kadr machines`.")}});
+}
+
+std::string environment() {
+  return list({{bold("LC_ALL") + ", " + bold("LC_MESSAGES") + ", " + bold("LANG"),
+                told("Language of help and messages, where --lang does not say: Russian, if the first of them that is set begins with ru.",
+                     "Язык справки и сообщений, если его не указывает --lang: русский, если первая из заданных начинается с ru.")},
+               {bold("NO_COLOR"), told("If set and not empty: no colours. There are none, either, beside a terminal or where TERM is dumb.",
+                                       "Если задана и не пуста — без цвета. Без цвета и не на терминале или при TERM=dumb.")},
+               {bold("TERM"), told("Kind of the terminal.", "Вид терминала.")}});
 }
 
 }  // namespace
 
 std::string manual_page(const CLI::App& app) {
-  std::string page = fmt::format(
-      ".TH KADR 1 \"\" \"kadr {}\" \"User Commands\"\n.SH NAME\nkadr \\- reads part programs as a given control would\n", KADR_VERSION);
-  page += ".SH SYNOPSIS\n.B kadr\n.I command\n[options]\n.SH DESCRIPTION\n" + roff(app.get_description()) + "\n.SH COMMANDS\n";
-  for (const CLI::App* const sub : subcommands(app)) manual_of(*sub, sub->get_name(), page);
-  page += ".SH EXIT STATUS\n0: all well. 1: stopped by an alarm, or errors found. 2: wrong usage or unreadable file.\n";
-  page += ".SH SEE ALSO\nThe documentation in docs/ of the project.\n";
+  std::string page = fmt::format(".TH KADR 1 \"\" \"kadr {}\" \"{}\"\n", KADR_VERSION, told("User Commands", "Команды пользователя"));
+  section("NAME", "ИМЯ",
+          "kadr \\- " + told("reads part programs as a given control would", "читает управляющие программы, как их прочло бы УЧПУ") + "\n",
+          page);
+  section("SYNOPSIS", "ВЫЗОВ",
+          fmt::format("{} {} [{}]\n.br\n{} {} {}\n", bold("kadr"), italic(told("COMMAND", "КОМАНДА")), italic(told("OPTIONS", "КЛЮЧИ")),
+                      bold("kadr"), italic(told("COMMAND", "КОМАНДА")), bold("--help")),
+          page);
+  section("DESCRIPTION", "ОПИСАНИЕ", roff(app.get_description()) + "\n", page);
+  section("OPTIONS", "ОБЩИЕ КЛЮЧИ", "", page);
+  options_of(app, page);
+  section("COMMANDS", "КОМАНДЫ", "", page);
+  for (const CLI::App* const sub : app.get_subcommands([](const CLI::App*) { return true; })) command_of(*sub, page);
+  section("EXIT STATUS", "КОД ВОЗВРАТА", exit_statuses(), page);
+  section("FILES", "ФАЙЛЫ", files(), page);
+  section("ENVIRONMENT", "ПЕРЕМЕННЫЕ СРЕДЫ", environment(), page);
+  section("SEE ALSO", "СМ. ТАКЖЕ",
+          bold("kadr") + " " + italic(told("COMMAND", "КОМАНДА")) + " " + bold("--help") +
+              told(", and the pages of docs/ of the project: commands, controls, set-up.",
+                   ", а также страницы docs/ru/ проекта: команды, УЧПУ, исходное состояние.") +
+              "\n",
+          page);
   return page;
-}
-
-std::string completion(const CLI::App& app, const std::string& shell) {
-  if (shell == "fish") return fish_script(app);
-  if (shell == "zsh") return "#compdef kadr\nautoload -U +X bashcompinit && bashcompinit\n" + bash_script(app);
-  return bash_script(app);
 }
 
 }  // namespace kadr::cli
