@@ -38,6 +38,8 @@ LINES = [
     ('kadr run --lang ', 'en ru', 'p.nc'),
     ('kadr --lang ru ru', 'run', 'p.nc'),
     ('kadr run --setup ', 'setup.json sub', 'p.nc own.toml'),
+    ('kadr run --rate ', '', 'p.nc sub'),
+    ('kadr run --trace ', 'p.nc sub', 'nct'),
     ('kadr run --files ', 'sub', 'p.nc'),
     ('kadr run --plot ', 'old.svg sub', 'p.nc'),
     ('kadr run ', 'p.nc sub', 'nct'),

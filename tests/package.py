@@ -20,7 +20,8 @@ DOC = 'usr/share/doc/kadr'
 # In it, and a piece of what stands there; None: no text is looked for.
 FILES = [
     ('usr/bin/kadr', None),
-    ('usr/share/man/man1/kadr.1.gz', '.SH NAME'),
+    ('usr/share/man/man1/kadr.1.gz', 'kadr run'),
+    ('usr/share/man/ru/man1/kadr.1.gz', 'станк'),
     ('usr/share/bash-completion/completions/kadr', 'complete '),
     ('usr/share/zsh/vendor-completions/_kadr', '#compdef kadr'),
     ('usr/share/fish/vendor_completions.d/kadr.fish', 'complete -c kadr'),

@@ -96,7 +96,7 @@ def leave(kadr, folder, command, text):
     error = process.stderr.read().decode(errors='replace')
     expect(process.returncode == 2, f'exit status {process.returncode}, expected 2; {error[:300]}')
     said = [line for line in error.splitlines() if line.startswith('kadr:')]
-    expect(len(said) == 1 and 'ipe' in said[0], f'one line should name the pipe: {error!r}')
+    expect(len(said) == 1 and 'reader has gone' in said[0], f'one line should name the pipe: {error!r}')
     expect(time.monotonic() - begin < ENDED_S + SLOWNESS_S, 'it went on for nobody')
 
 

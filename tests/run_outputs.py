@@ -170,7 +170,7 @@ def check_what_cannot_be_written_leaves_all_as_it_was(kadr):
         other = '--samples' if option == '--trace' else '--trace'
         kadr.file('old', 'old')
         text = kadr.run('run', 'q.nc', '--control', 'mach3', option, '/dev/full', other, 'old', expected=2)
-        expect('/dev/full' in text and 'space' in text, text)
+        expect('/dev/full' in text and 'disk is full' in text, text)
         expect((kadr.folder / 'old').read_text() == 'old', f'{other} was replaced')
     kadr.file('p.nc', PROGRAM)
     with open('/dev/full', 'wb') as full:
@@ -227,7 +227,7 @@ def check_full_standard_output(kadr):
     for command in commands:
         with open('/dev/full', 'wb') as full:
             text = kadr.run(*command, stdout=full, expected=2)
-        expect('space' in text, f'{command}: {text!r}')
+        expect('disk is full' in text, f'{command}: {text!r}')
 
 
 # ---- what the program itself writes

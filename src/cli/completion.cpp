@@ -14,9 +14,10 @@ namespace {
 
 /// What may stand behind an option, or in the place of an argument.
 struct Values {
-  std::string words;   // separated by blanks; empty: files
+  std::string words;   // separated by blanks
   std::string ending;  // of files, an extended pattern of names: "json", "@(svg|png)"; empty: any
   bool folders = false;
+  bool files = false;  // any
 };
 
 std::string joined(const std::vector<std::string>& words) {
@@ -42,6 +43,7 @@ Values values_of(const std::string& name, const CLI::Option& option) {
   if (name == "--plot" || name == "--plot-speed") return {"", "@(svg|png)", false};
   if (name == "--files") return {"", "", true};
   std::string words = option.get_type_name();
+  if (words == "FILE" || words == "ФАЙЛ") return {"", "", false, true};
   if (words.find('|') == std::string::npos || words.find('%') != std::string::npos) return {};
   for (char& c : words)
     if (c == '|') c = ' ';
@@ -63,7 +65,7 @@ std::string shell_reply(const Values& values) {
   if (!values.words.empty()) reply += fmt::format("_kadr_words \"{}\"; ", values.words);
   if (values.folders) reply += "_kadr_files -d; ";
   else if (!values.ending.empty()) reply += fmt::format("_kadr_files '!*.{}'; ", values.ending);
-  else if (values.words.empty()) reply += "_kadr_files; ";
+  else if (values.files) reply += "_kadr_files; ";
   return reply;
 }
 
@@ -107,13 +109,14 @@ _kadr_words() {
   for one in $1; do [[ ${one,,} == "${word,,}"* ]] && COMPREPLY+=("$one"); done
 }
 _kadr_files() {  # folders, and files unless the pattern leaves them out
-  local IFS=$'\n' one
+  local IFS=$'\n' one pattern=()
+  [[ -n $1 ]] && pattern=(-X "$1")
   compopt -o filenames 2>/dev/null
   for one in $(compgen -d -- "$word"); do COMPREPLY+=("$one"); done
   [[ $1 == -d ]] && return
   local extglob=$(shopt -p extglob)
   shopt -s extglob
-  for one in $(compgen -f ${1:+-X "$1"} -- "$word"); do [[ -d $one ]] || COMPREPLY+=("$one"); done
+  for one in $(compgen -f "${pattern[@]}" -- "$word"); do [[ -d $one ]] || COMPREPLY+=("$one"); done
   eval "$extglob"
 }
 _kadr_explain() {  # the control, then its codes
@@ -194,7 +197,8 @@ std::string fish_values(const Values& values) {
   if (values.folders) offer += "(__fish_complete_directories)";
   else if (values.ending == "@(svg|png)") offer += "(__fish_complete_suffix .svg .png)";
   else if (!values.ending.empty()) offer += "(__fish_complete_suffix ." + values.ending + ")";
-  return offer.empty() ? " -r" : " -x -a " + in_quotes(offer);
+  if (offer.empty()) return values.files ? " -r" : " -x";
+  return " -x -a " + in_quotes(offer);
 }
 
 void fish_lines(const CLI::App& app, const std::string& condition, std::string& script) {

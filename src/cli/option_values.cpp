@@ -9,7 +9,7 @@
 #include "config/machine_profile.h"
 #include "config/nearest.h"
 #include "config/told.h"
-#include "lang/encoding.h"
+#include "lang/utf16.h"
 
 namespace kadr::cli {
 namespace {
@@ -94,7 +94,10 @@ CLI::Option* control_id(CLI::Option* option) { return id_of(option, built_in_con
 CLI::Option* machine_id(CLI::Option* option) { return id_of(option, built_in_machines()); }
 
 CLI::Option* encoding(CLI::Option* option) {
-  const auto knows = [](std::string_view word) { return encoding_named(word).has_value(); };
+  const auto knows = [](std::string_view word) {
+    SaidEncoding said;
+    return read_encoding(word, said);
+  };
   return known_by(option, "NAME", "КОДИРОВКА", knows, encodings());
 }
 

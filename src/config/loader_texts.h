@@ -24,7 +24,7 @@ inline constexpr Row rows[] = {
     {"{}: id is missing: a file that extends another is a control of its own",
      "{}: нет id: файл, дополняющий другой, описывает самостоятельную систему"},
     {"{}: extends itself", "{}: extends указывает на сам этот файл"},
-    {"no control '{}'; there are: {}, or a file of your own (NAME.toml)", "системы «{}» нет; есть: {} или свой файл (ИМЯ.toml)"},
+    {"no control '{}'; there are: {}, or a file of your own (NAME.toml)", "УЧПУ «{}» нет; есть: {} или свой файл (ИМЯ.toml)"},
     {"{} must be a whole number from {} to {}", "{}: должно быть целое число от {} до {}"},
     {"{} must be a number from 0 to 1000000", "{}: должно быть число от 0 до 1000000"},
     {"{} must be more than 0", "{}: должно быть больше 0"},

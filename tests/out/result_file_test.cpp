@@ -55,13 +55,13 @@ TEST(result_file, a_full_disk_is_told) {
   std::fputs("new", file->get());
   const auto kept = file->keep();
   ASSERT_FALSE(kept);
-  EXPECT_EQ(kept.error(), "/dev/full: No space left on device");
+  EXPECT_EQ(kept.error(), "/dev/full: the disk is full");
 }
 
 TEST(result_file, places_that_cannot_be) {
   const Folder f;
-  EXPECT_EQ(ResultFile::open(f.root.string()).error(), f.root.string() + ": Is a directory");
-  EXPECT_EQ(ResultFile::open(f.at("no/folder")).error(), f.at("no/folder") + ": No such file or directory");
+  EXPECT_EQ(ResultFile::open(f.root.string()).error(), f.root.string() + ": it is a directory");
+  EXPECT_EQ(ResultFile::open(f.at("no/folder")).error(), f.at("no/folder") + ": there is no such file");
 }
 
 TEST(result_file, of_a_process_that_ends_at_once_nothing_is_left) {
