@@ -14,6 +14,13 @@ inline constexpr std::size_t max_axes = 16;
 /// A value per axis, in the order of the axis table; mm, or degrees for rotary axes.
 using Axes = std::array<double, max_axes>;
 
+/// Is any of them other than 0?
+constexpr bool any_nonzero(const Axes& axes) {
+  for (const double v : axes)
+    if (v != 0) return true;
+  return false;
+}
+
 /// A bit per axis.
 using AxisMask = std::uint32_t;
 

@@ -209,7 +209,7 @@ int check(const Options& given) {
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
     if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // of a folder not every file is a program
-      report.unreadable.push_back({file, "cannot be checked"});
+      report.unreadable.push_back({file, told("cannot be checked", "не может быть проверен")});
       status = wrong_usage;
     }
     if (interrupted()) return interrupted_status();

@@ -1,6 +1,6 @@
 // kadr explain, kadr controls: the rows of the control files.
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "cli/options.h"
 #include "config/control_file.h"
@@ -27,12 +27,6 @@ std::string setup_page_of_all(Lang lang) {
   return setup_page(controls, lang);
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 /// The built-in controls that have what this one has not.
 std::vector<std::string> controls_with(const std::string& code, const std::string& not_this, Lang lang) {
   std::vector<std::string> ids;
@@ -51,9 +45,9 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
   std::string text = ru ? fmt::format("{}: нет кода, адреса, цикла, параметра, переменной или ошибки '{}'", def.id, code)
                         : fmt::format("{}: no code, address, cycle, parameter, variable or alarm '{}'", def.id, code);
   if (const auto ids = controls_with(code, def.id, lang); !ids.empty())
-    text += fmt::format("; {}: {}", ru ? "есть у" : "known to", listed(ids));
+    text += fmt::format("; {}: {}", ru ? "есть у" : "known to", fmt::join(ids, ", "));
   if (const auto names = nearest_to(def, code); !names.empty())
-    text += fmt::format("; {} {}?", ru ? "может быть," : "did you mean", listed(names));
+    text += fmt::format("; {} {}?", ru ? "может быть," : "did you mean", fmt::join(names, ", "));
   return text;
 }
 

@@ -24,7 +24,6 @@
 namespace kadr::cli {
 namespace {
 
-using area::Job;
 using area::Zone;
 
 /// What is milled: zones, or lines that the tool goes along.
@@ -82,7 +81,7 @@ class MillCommand {
   bool ru() const { return lang_ == Lang::ru; }
   const char* mm() const { return ru() ? "мм" : "mm"; }
 
-  void watch(Job& job) {
+  void watch(area::Job& job) {
     job.watch.stop = stop_token();
     progress_.emplace(options_.quiet);
     job.watch.show = [this](area::Stage stage, double part) {
@@ -131,7 +130,7 @@ class MillCommand {
     return Shape{std::move(*zones), {}};
   }
 
-  static Result<area::Verified> along_lines(const Shape& shape, const Job& job) {
+  static Result<area::Verified> along_lines(const Shape& shape, const area::Job& job) {
     auto path = area::slot_path(shape.lines, job);
     if (!path) return fail(path.error());
     const area::Outcome outcome = area::verified(shape.zones, job, path->moves);
@@ -140,7 +139,7 @@ class MillCommand {
   }
 
   /// The program, its path read back by the control's interpreter and verified like the first.
-  Result<PartProgram> written(const area::Verified& path, const Shape& shape, const Job& job) const {
+  Result<PartProgram> written(const area::Verified& path, const Shape& shape, const area::Job& job) const {
     Technology technology;
     technology.feed = options_.feed;
     technology.plunge_feed = options_.plunge_feed < 0 ? std::max(1.0, std::round(options_.feed / 3)) : options_.plunge_feed;
@@ -157,7 +156,7 @@ class MillCommand {
     return program;
   }
 
-  bool draw(const area::Verified& path, const Shape& shape, const Job& job) const {
+  bool draw(const area::Verified& path, const Shape& shape, const area::Job& job) const {
     const std::size_t slash = options_.contour.find_last_of("/\\");
     const std::string title = options_.contour.substr(slash == std::string::npos ? 0 : slash + 1);
     const std::string subtitle =
@@ -168,11 +167,11 @@ class MillCommand {
     return drawn.has_value();
   }
 
-  std::string scheme_name(const Job& job) const {
+  std::string scheme_name(const area::Job& job) const {
     return fmt::format("{} {}", russian_name(job.scheme), job.direction == area::Direction::ccw ? "ПЧС" : "ЧС");
   }
 
-  void print(const area::Verified& path, const Shape& shape, const Job& job, const PartProgram& program) const {
+  void print(const area::Verified& path, const Shape& shape, const area::Job& job, const PartProgram& program) const {
     std::FILE* const to = options_.output.empty() || options_.output == "-" ? stderr : stdout;
     const area::Outcome& o = path.outcome;
     const auto line = [&](const char* en, const char* russian, const std::string& value) {
@@ -205,7 +204,7 @@ class MillCommand {
   static std::string place(Vec2 p) { return fmt::format("X{} Y{}", number_text(p.x, 3), number_text(p.y, 3)); }
 
   /// How the tool goes down into material not yet cut. Straight down is told, for not every tool cuts over its centre.
-  std::string plunge_text(const area::Plunges& p, const Job& job) const {
+  std::string plunge_text(const area::Plunges& p, const area::Job& job) const {
     std::string text;
     const auto add = [&](std::size_t count, const char* en, const char* russian) {
       if (count > 0) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", ru() ? russian : en, count);

@@ -5,10 +5,10 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <system_error>
 
+#include "base/ascii.h"
 #include "config/guess.h"
 #include "config/read_file.h"
 #include "lang/utf16.h"
@@ -23,9 +23,7 @@ constexpr const char* program_endings[] = {".nc",   ".ngc", ".tap", ".txt", ".is
                                            ".tape", ".min", ".pim", ".fnc", ".sub", ".mac", ".fan", ".hnc"};
 
 /// O1001 has no ending, and 1.001, O0010.2 have numbers for one.
-bool has_no_ending(const std::string& ending) {
-  return ending.empty() || std::all_of(ending.begin() + 1, ending.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
-}
+bool has_no_ending(const std::string& ending) { return ending.empty() || std::all_of(ending.begin() + 1, ending.end(), is_digit); }
 
 bool looks_like_program(const std::string& path) {
   auto source = open_text(path).source;
@@ -36,7 +34,7 @@ bool looks_like_program(const std::string& path) {
 
 bool is_program(const fs::path& path) {
   std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(ending.begin(), ending.end(), ending.begin(), to_lower);
   if (has_no_ending(ending)) return looks_like_program(path.string());
   return std::find(std::begin(program_endings), std::end(program_endings), ending) != std::end(program_endings);
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/ascii.h"
 #include "config/setup_names.h"
 
 namespace kadr::cli {
@@ -23,7 +24,6 @@ std::optional<double> number_of(std::string_view text) {
 }
 
 bool is_whole(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// A name and a number: "r8", "X-400", "X=-400".
 struct Named {

@@ -1,6 +1,6 @@
 #include "cli/usage_error.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -33,18 +33,12 @@ std::vector<std::string> options_of(const CLI::App& app) {
   return names;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 /// A command is wanted, and this is none.
 std::string no_command(const CLI::App& app, const std::string& word) {
   const auto names = commands_of(app);
   const std::string meant = did_you_mean(word, names);
   return told("no command '" + word + "'", "команды «" + word + "» нет") +
-         (meant.empty() ? told("; there are: ", "; есть: ") + listed(names) : meant);
+         (meant.empty() ? fmt::format("{}{}", told("; there are: ", "; есть: "), fmt::join(names, ", ")) : meant);
 }
 
 /// The first word that nobody takes; an option before others, for its value is left over with it.
@@ -69,7 +63,8 @@ std::string missing(const CLI::App& command) {
   for (const CLI::Option* const option : command.get_options({}))
     if (option->get_required() && option->count() == 0)
       return told(option->get_name() + " is missing: ", "не указано " + option->get_name() + ": ") + option->get_description();
-  return told("a command is missing; there are: ", "не указана команда; есть: ") + listed(commands_of(command));
+  return fmt::format("{}{}", told("a command is missing; there are: ", "не указана команда; есть: "),
+                     fmt::join(commands_of(command), ", "));
 }
 
 /// The option that CLI11's own sentence is about; it stands first in it, or behind the first ": ".

@@ -15,7 +15,7 @@ namespace {
 
 using svg::Matrix;
 
-constexpr int deepest = 100;  // groups in groups
+constexpr int deepest_group = 100;  // groups in groups
 
 /// A length and its unit in mm; `unit`: 0 where none stands.
 struct Length {
@@ -128,7 +128,7 @@ class SvgReader {
   }
 
   Wrong children(const pugi::xml_node& parent, const Matrix& matrix, bool open, int depth) {
-    if (depth > deepest) return wrong(parent, parent.name());
+    if (depth > deepest_group) return wrong(parent, parent.name());
     for (const pugi::xml_node& node : parent.children()) {
       const std::string_view name = node.name();
       const bool group = name == "g" || name == "svg" || name == "a";

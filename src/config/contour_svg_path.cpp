@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/ascii.h"
 #include "base/tolerance.h"
 #include "config/contour_svg_pen.h"
 
@@ -33,7 +34,7 @@ class PathReader {
   std::size_t read() {
     char command = 0;
     for (skip(); at_ < d_.size() && !pen_.full(); skip()) {
-      if (std::isalpha(static_cast<unsigned char>(d_[at_])) != 0) command = d_[at_++];
+      if (is_letter(d_[at_])) command = d_[at_++];
       else if (command == 0 || command == 'Z' || command == 'z') return at_;
       if (!step(command)) return at_;
       if (command == 'M') command = 'L';

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "config/control_loader.h"
 
 namespace kadr {
@@ -21,8 +22,7 @@ constexpr std::string_view variable_kinds[] = {
 constexpr std::uint32_t most_number = 2 * first_unwritten_variable;
 
 bool is_symbol(std::string_view text) {
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; });
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return is_capital(c) || is_digit(c) || c == '_'; });
 }
 
 }  // namespace

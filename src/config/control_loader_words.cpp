@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/ascii.h"
 #include "config/control_loader.h"
 #include "config/told.h"
 #include "lang/format.h"
@@ -14,8 +15,6 @@ using toml_tools::place;
 using toml_tools::text_of;
 
 namespace {
-
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
 /// Keys of [grammar] that are true or false.
 constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
@@ -166,21 +165,21 @@ Done ControlLoader::grammar() {
   g.parameter_address = first_letter(*t, "formal_parameter");
   g.label_address = first_letter(*t, "label");
   g.long_parameters = (*t)["long_parameters"].value_or(g.long_parameters);
-  if (!std::all_of(g.long_parameters.begin(), g.long_parameters.end(), is_letter) || g.long_parameters.size() > 3)
+  if (!std::all_of(g.long_parameters.begin(), g.long_parameters.end(), is_capital) || g.long_parameters.size() > 3)
     return Failed(place(name_, *t, "long_parameters") + say("long_parameters: at most three letters A to Z"));
   g.section_address = first_letter(*t, "section");
   const std::string end = text(*t, "end_of_block");
   if (end == "line_only") g.end_of_block = EndOfBlock::line_only;
   else if (!end.empty() && end != "line") return Failed(place(name_, *t, "end_of_block") + say("end_of_block: line or line_only"));
   for (const char letter : text(*t, "parameters_in")) {
-    if (!is_letter(letter)) return Failed(place(name_, *t, "parameters_in") + say("parameters_in: letters A to Z"));
+    if (!is_capital(letter)) return Failed(place(name_, *t, "parameters_in") + say("parameters_in: letters A to Z"));
     g.word(letter).parameter = true;
   }
   if (t->contains("most_codes") && !(*t)["most_codes"].is_table())
     return Failed(place(name_, *t, "most_codes") + say("most_codes must be a table: { M = 2 }"));
   if (const toml::table* const most = (*t)["most_codes"].as_table())
     for (const auto& [letter, node] : *most) {
-      if (letter.str().size() != 1 || !is_letter(letter.str()[0])) return Failed(place(name_, node) + say("most_codes: letters A to Z"));
+      if (letter.str().size() != 1 || !is_capital(letter.str()[0])) return Failed(place(name_, node) + say("most_codes: letters A to Z"));
       most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(whole(*most, letter.str(), 0, limits::block_words));
     }
   return {};
@@ -189,7 +188,7 @@ Done ControlLoader::grammar() {
 char ControlLoader::first_letter(const toml::table& t, std::string_view key) {
   const std::string letter = text(t, key);
   if (letter.empty()) return '\0';
-  const bool good = letter.size() == 1 && is_letter(letter[0]);
+  const bool good = letter.size() == 1 && is_capital(letter[0]);
   if (!good && bad_value_.empty()) bad_value_ = place(name_, t, key) + say("{} must be a letter A to Z", key);
   return good ? letter[0] : '\0';
 }

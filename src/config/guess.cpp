@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ascii.h"
 #include "config/text_kind.h"
 #include "lang/encoding.h"
 
@@ -33,15 +34,13 @@ struct Sign {
   }
 };
 
-bool digit(char c) { return c >= '0' && c <= '9'; }
-
 /// A code that of all our controls only nct has: `G54.1`, not `G54.12`. Empty: none.
 std::string_view nct_code(std::string_view line) {
   constexpr std::array<std::string_view, 11> codes = {"G54.1", "G84.2", "G84.3", "G68.2", "G43.4", "G43.5",
                                                       "G43.7", "G51.1", "G10.9", "G53.6", "G66.1"};
   for (const std::string_view code : codes)
     for (std::size_t at = line.find(code); at != std::string_view::npos; at = line.find(code, at + 1))
-      if (at + code.size() >= line.size() || !digit(line[at + code.size()])) return code;
+      if (at + code.size() >= line.size() || !is_digit(line[at + code.size()])) return code;
   for (const std::string_view call : {"G65P", "G65 P", "G65<", "G65 <", "G66P", "G66 P", "M98<", "M98 <"})
     if (line.find(call) != std::string_view::npos) return call;
   return {};
@@ -56,7 +55,7 @@ std::string_view nct_form(std::string_view line) {
     if (line.find(word) != std::string_view::npos) return word;
   for (std::size_t i = 0; i + 2 < line.size(); ++i) {
     const char after = line[i + 2];
-    if (!digit(after) && after != '-' && after != '.') continue;
+    if (!is_digit(after) && after != '-' && after != '.') continue;
     if (line[i + 1] == 'I' && std::string_view("XYZUVWABCR").find(line[i]) != std::string_view::npos) return line.substr(i, 3);
     if (line[i] == ',' && std::string_view("CRA").find(line[i + 1]) != std::string_view::npos) return line.substr(i, 3);
   }
@@ -119,7 +118,7 @@ class Clues {
   /// `%012`: spec/gost 1; `%O1000` and a bare `%` stand in programs of others, too.
   void tape_begins(std::string_view line) {
     behind_percent_ = true;
-    if (line.size() > 1 && digit(line[1])) tape_number_.see(line.substr(0, std::min<std::size_t>(line.size(), 6)), number_);
+    if (line.size() > 1 && is_digit(line[1])) tape_number_.see(line.substr(0, std::min<std::size_t>(line.size(), 6)), number_);
   }
   static bool is_program_number(std::string_view line) {
     return line[0] == 'O' && line.size() > 1 && line.find_first_not_of("0123456789", 1) == std::string_view::npos;
@@ -174,16 +173,16 @@ class Clues {
     const char c = line[i];
     const char next = line[i + 1];
     const auto see = [&](Sign& sign, std::size_t length) { sign.see(line.substr(i, length), number_); };
-    if (c == ':' && digit(next)) see(main_blocks_, 2);
-    if ((c == 'G' || c == 'M') && digit(next)) ++(i + 2 < line.size() && digit(line[i + 2]) ? two_digit_codes_ : one_digit_codes_);
-    if (std::string_view("XYZIJK").find(c) != std::string_view::npos && next == '+' && i + 2 < line.size() && digit(line[i + 2]))
+    if (c == ':' && is_digit(next)) see(main_blocks_, 2);
+    if ((c == 'G' || c == 'M') && is_digit(next)) ++(i + 2 < line.size() && is_digit(line[i + 2]) ? two_digit_codes_ : one_digit_codes_);
+    if (std::string_view("XYZIJK").find(c) != std::string_view::npos && next == '+' && i + 2 < line.size() && is_digit(line[i + 2]))
       see(plus_signs_, 3);
-    if (c == 'R' && digit(next) && i + 2 < line.size() && (line[i + 2] == '+' || line[i + 2] == '-')) see(parameters_, 3);
+    if (c == 'R' && is_digit(next) && i + 2 < line.size() && (line[i + 2] == '+' || line[i + 2] == '-')) see(parameters_, 3);
     if ((c == '+' || c == '-') && next == 'R') see(parameters_, 3);
-    if (c == 'L' && next == '8' && i + 2 < line.size() && digit(line[i + 2])) see(l_cycles_, 3);
-    if (c == 'L' && digit(next) && i + 3 < line.size() && line[i + 2] == ' ' && digit(line[i + 3])) see(pairs_, 5);
+    if (c == 'L' && next == '8' && i + 2 < line.size() && is_digit(line[i + 2])) see(l_cycles_, 3);
+    if (c == 'L' && is_digit(next) && i + 3 < line.size() && line[i + 2] == ' ' && is_digit(line[i + 3])) see(pairs_, 5);
     if (c == 'G' && line.substr(i).starts_with("G79")) see(pocket_, 3);
-    if (c == 'O' && digit(next)) see(o_words_, std::min(line.find_first_not_of("0123456789", i + 1), line.size()) - i);
+    if (c == 'O' && is_digit(next)) see(o_words_, std::min(line.find_first_not_of("0123456789", i + 1), line.size()) - i);
     if ((c == 'X' || c == 'Y' || c == 'Z') && long_integer(line, i + 1)) ++long_integers_;
   }
 
@@ -191,7 +190,7 @@ class Clues {
   static bool long_integer(std::string_view line, std::size_t at) {
     if (at < line.size() && (line[at] == '+' || line[at] == '-')) ++at;
     std::size_t digits = 0;
-    while (at < line.size() && digit(line[at])) ++at, ++digits;
+    while (at < line.size() && is_digit(line[at])) ++at, ++digits;
     return digits >= 4 && (at >= line.size() || line[at] != '.');
   }
 

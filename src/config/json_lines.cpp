@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest = 64;  // tables in tables: far beyond any set-up
+constexpr int deepest_table = 64;  // tables in tables: far beyond any set-up
 
 /// Hands the text out and counts its lines: what stands behind the last byte handed out has not been looked at.
 class CountingIterator {
@@ -51,7 +51,7 @@ class Listener {
   Listener(JsonLines& to, const std::uint32_t& line) : to_(to), line_(line) {}
 
   void event(int depth, Json::parse_event_t event, const Json& parsed) {
-    if (depth > deepest) throw TooDeep();
+    if (depth > deepest_table) throw TooDeep();
     switch (event) {
       case Json::parse_event_t::object_start: open(false); break;
       case Json::parse_event_t::array_start: open(true); break;
@@ -123,8 +123,8 @@ tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text) {
     if (const std::size_t bracket = what.find("] "); bracket != std::string_view::npos) what.remove_prefix(bracket + 2);
     if (const std::size_t colon = what.find(": "); what.starts_with("parse error at") && colon != std::string_view::npos)
       what.remove_prefix(colon + 2);
-    return tl::unexpected(JsonFault{line, fmt::format("the setup is not JSON: {}", what),
-                                    "это не JSON: нужны пары «\"ключ\": значение» через запятую"});
+    return tl::unexpected(
+        JsonFault{line, fmt::format("the setup is not JSON: {}", what), "это не JSON: нужны пары «\"ключ\": значение» через запятую"});
   }
   return result;
 }

@@ -6,15 +6,13 @@
 #include <optional>
 #include <set>
 
+#include "base/ascii.h"
 #include "config/read_file.h"
 #include "config/told.h"
 #include "lang/encoding.h"
 
 namespace kadr {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// A character as UTF-8.
 void append(unsigned code, std::string& to) {
@@ -26,9 +24,9 @@ void append(unsigned code, std::string& to) {
 }
 
 /// Grammar of RFC 8259, one method a rule; false: a fault was found.
-class Scan {
+class JsonScan {
  public:
-  Scan(std::string_view text, const std::string& file) : text_(text), file_(file) {
+  JsonScan(std::string_view text, const std::string& file) : text_(text), file_(file) {
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
   }
 
@@ -74,8 +72,8 @@ class Scan {
       return fault("more than " + std::to_string(limits::json_values) + " values",
                    "более " + std::to_string(limits::json_values) + " значений");
     const char c = at_ < text_.size() ? text_[at_] : '\0';
-    if (c == '{') return within(&Scan::table);
-    if (c == '[') return within(&Scan::list);
+    if (c == '{') return within(&JsonScan::table);
+    if (c == '[') return within(&JsonScan::list);
     if (c == '"') return string().has_value();
     if (is_digit(c) || c == '-' || c == '+' || c == '.') return number();
     if (is_letter(c)) return word();
@@ -83,7 +81,7 @@ class Scan {
     return missing("a value", "значение");
   }
 
-  bool within(bool (Scan::*read)()) {
+  bool within(bool (JsonScan::*read)()) {
     if (depth_ == limits::json_depth)
       return fault("more than " + std::to_string(limits::json_depth) + " brackets in brackets",
                    "скобки вложены более чем на " + told_count(limits::json_depth, "уровень", "уровня", "уровней"));
@@ -235,7 +233,7 @@ class Scan {
 
 std::string told_json_fault(std::string_view text, const std::string& file) {
   if (std::string fault = told_no_text(text, file); !fault.empty()) return fault;
-  return Scan(text, file).run();
+  return JsonScan(text, file).run();
 }
 
 }  // namespace kadr

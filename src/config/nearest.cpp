@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/ascii.h"
 #include "config/told.h"
 
 namespace kadr {
-namespace {
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-}  // namespace
-
 std::size_t edits(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, above, row(b.size() + 1);  // rows i - 2, i - 1, i
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  const auto same = [&](std::size_t i, std::size_t j) { return lower(a[i]) == lower(b[j]); };
+  const auto same = [&](std::size_t i, std::size_t j) { return to_lower(a[i]) == to_lower(b[j]); };
   for (std::size_t i = 1; i <= a.size(); ++i) {
     before = std::exchange(above, row);
     row[0] = i;
@@ -31,7 +26,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known) {
   constexpr std::size_t longest = 64;  // a longer name is no mistyped one
   if (name.size() > longest) return std::nullopt;
-  const auto begins_alike = [&](const std::string& one) { return !name.empty() && !one.empty() && lower(name[0]) == lower(one[0]); };
+  const auto begins_alike = [&](const std::string& one) { return !name.empty() && !one.empty() && to_lower(name[0]) == to_lower(one[0]); };
   const std::string* best = nullptr;
   std::size_t fewest = 0;
   for (const std::string& one : known) {
@@ -49,12 +44,12 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
 }
 
 bool same_letters(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return to_lower(x) == to_lower(y); });
 }
 
 std::string in_small_letters(std::string_view text) {
   std::string small(text);
-  std::transform(small.begin(), small.end(), small.begin(), lower);
+  std::transform(small.begin(), small.end(), small.begin(), to_lower);
   return small;
 }
 

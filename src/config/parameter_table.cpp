@@ -20,8 +20,8 @@ using toml_tools::place;
 constexpr std::array<std::string_view, 4> scopes = {"global", "channel", "axis", "spindle"};
 constexpr std::array<std::string_view, 4> types = {"bits", "whole", "real", "text"};
 constexpr std::array<std::string_view, 3> classes = {"run_time", "restart", "emergency"};
-constexpr std::array<std::string_view, 11> known_keys = {"scope", "type", "when", "least", "most",  "initial",
-                                                         "bits",  "used", "en",   "ru",    "manual"};
+constexpr std::array<std::string_view, 11> keys_of_row = {"scope", "type", "when", "least", "most",  "initial",
+                                                          "bits",  "used", "en",   "ru",    "manual"};
 constexpr std::size_t bits_with_number = 8;   // of one parameter (24.0)
 constexpr std::size_t most_bits = 48;         // a value is a double: whole to 2^53
 constexpr double whole_least = -2147483648.;  // 24.0: signed or unsigned, 32 bits
@@ -34,7 +34,7 @@ class RowReader {
 
   ParameterRow row(std::string_view key) {
     for (const auto& [name, node] : table_)
-      if (std::find(known_keys.begin(), known_keys.end(), name.str()) == known_keys.end())
+      if (std::find(keys_of_row.begin(), keys_of_row.end(), name.str()) == keys_of_row.end())
         fault_at(name.str(), "unknown key '" + std::string(name.str()) + "'");
     ParameterRow row;
     row.name = key;

@@ -1,5 +1,6 @@
 #include "config/setup.h"
 
+#include "base/ascii.h"
 #include "config/alarm_texts.h"
 #include "config/json_scan.h"
 #include "config/read_file.h"
@@ -17,7 +18,7 @@ void plane(const Json& value, const std::string& key, Setup& setup) {
   constexpr std::size_t longest = 6;
   setup.plane = word(value, key);
   if (setup.plane.empty()) return;
-  const auto is_symbol = [](char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto is_symbol = [](char c) { return is_digit(c) || is_capital(c) || c == '_'; };
   const bool known =
       setup.plane.size() >= 2 && setup.plane.size() <= longest && std::all_of(setup.plane.begin(), setup.plane.end(), is_symbol);
   if (!known) wrong(key, "the names of its two axes, \"XY\"");

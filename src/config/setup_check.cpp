@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 using Json = nlohmann::json;
-using Words = SetupNamesOf::Words;
+using Sentence = SetupNamesOf::Words;
 
 struct Wrong {
   SetupFault fault;
@@ -33,7 +33,7 @@ bool is_neutral(const Json& value) {
 
 bool is_unserved(std::string_view path) { return path == "search" || path == "kinematics" || path == "frame"; }
 
-Words range_words(SetupRange range) {
+Sentence range_words(SetupRange range) {
   const bool least = range.least > -1e299, most = range.most < 1e299;
   if (least && most && range.least == -range.most) return {fmt::format("at most {}", range.most), fmt::format("не более {}", range.most)};
   if (least && most) return {fmt::format("{} to {}", range.least, range.most), fmt::format("от {} до {}", range.least, range.most)};
@@ -67,8 +67,8 @@ class Checker {
   }
 
  private:
-  [[noreturn]] static void wrong(const std::string& key, Words words) { throw Wrong{{key, std::move(words.en), std::move(words.ru)}}; }
-  [[noreturn]] static void must_be(const std::string& key, const Words& form) {
+  [[noreturn]] static void wrong(const std::string& key, Sentence words) { throw Wrong{{key, std::move(words.en), std::move(words.ru)}}; }
+  [[noreturn]] static void must_be(const std::string& key, const Sentence& form) {
     wrong(key,
           {fmt::format("setup key '{}' must be {}", key, form.en), fmt::format("ключ «{}» исходного состояния: нужно: {}", key, form.ru)});
   }
@@ -98,8 +98,8 @@ class Checker {
 
   [[noreturn]] void not_of_control(const SetupKey& row, const std::string& key) const {
     const std::string& id = names_.control()->id;
-    Words words{fmt::format("setup key '{}': the control {} has no such thing", key, id),
-                fmt::format("ключ «{}» исходного состояния: у УЧПУ {} этого нет", key, id)};
+    Sentence words{fmt::format("setup key '{}': the control {} has no such thing", key, id),
+                   fmt::format("ключ «{}» исходного состояния: у УЧПУ {} этого нет", key, id)};
     const SetupKey* const instead = row.instead.empty() ? nullptr : setup_key(row.instead);
     if (instead != nullptr && names_.knows(*instead)) {
       words.en += fmt::format("; did you mean '{}'?", row.instead);
@@ -209,8 +209,8 @@ std::vector<std::string> axes_in(const Json& table, const ControlDef& def) {
 }  // namespace
 
 SetupNamesOf::Words form_of(const SetupKey& row, SetupRange range) {
-  const Words within = range_words(range);
-  const auto with = [&](const char* en, const char* ru) -> Words {
+  const Sentence within = range_words(range);
+  const auto with = [&](const char* en, const char* ru) -> Sentence {
     if (within.en.empty()) return {en, ru};
     return {fmt::format("{}, {}", en, within.en), fmt::format("{}, {}", ru, within.ru)};
   };

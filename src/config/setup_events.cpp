@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "base/ascii.h"
 #include "config/setup_reader.h"
 
 namespace kadr::setup_reader {
@@ -24,7 +25,7 @@ constexpr std::array<std::pair<std::string_view, Do>, 9> deeds = {{{"set", Do::s
 
 /// "N30", ":5", "M90", "G53.1".
 bool is_word(std::string_view text, bool (*letter)(char)) {
-  const auto digit_or_point = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
+  const auto digit_or_point = [](char c) { return is_digit(c) || c == '.'; };
   return text.size() >= 2 && letter(text[0]) && text[1] != '.' && std::all_of(text.begin() + 1, text.end(), digit_or_point);
 }
 

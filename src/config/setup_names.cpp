@@ -6,34 +6,31 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/ascii.h"
 #include "config/setup.h"
 #include "lang/block.h"
 
 namespace kadr {
 namespace {
 
-constexpr int most_number = 999'999'999;                       // as the name of a row
+constexpr int most_row = 999'999'999;                          // as the name of a row
 constexpr int turning_zeros = 9;                               // G92 /A/ of the 2С42's turning machines
 constexpr int extended_systems = 99;                           // G54.1 P1 … P99 (nct 10.2.2)
 constexpr int dynamic_systems = 8;                             // G54.2 P1 … P8 (nct 25.4)
 constexpr std::int32_t first_system = 540, last_system = 590;  // tenths: G54 … G59
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-bool all_of(std::string_view text, bool (*is)(char)) { return !text.empty() && std::all_of(text.begin(), text.end(), is); }
 
 /// "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {
   constexpr std::size_t longest_number = 7, longest_symbol = 31;
   if (name.size() < 2 || name[0] != '#') return false;
   std::string_view rest = name.substr(1);
-  if (rest[0] != '_') return rest.size() <= longest_number && all_of(rest, is_digit);
+  if (rest[0] != '_') return rest.size() <= longest_number && all_are(rest, is_digit);
   if (const std::size_t open = rest.find('['); open != std::string_view::npos) {
-    if (rest.back() != ']' || !all_of(rest.substr(open + 1, rest.size() - open - 2), is_digit)) return false;
+    if (rest.back() != ']' || !all_are(rest.substr(open + 1, rest.size() - open - 2), is_digit)) return false;
     rest = rest.substr(0, open);
   }
   const auto is_symbol = [](char c) { return is_digit(c) || is_capital(c) || c == '_'; };
-  return rest.size() >= 2 && rest.size() <= longest_symbol && all_of(rest, is_symbol);
+  return rest.size() >= 2 && rest.size() <= longest_symbol && all_are(rest, is_symbol);
 }
 
 bool names_formal_parameter(std::string_view name) { return name.size() == 2 && name[0] == 'R' && is_digit(name[1]); }
@@ -44,7 +41,7 @@ bool names_place(std::string_view name) {
   const std::size_t slash = name.find('/');
   if (slash == std::string_view::npos) return false;
   const std::string_view magazine = name.substr(0, slash), pocket = name.substr(slash + 1);
-  return all_of(magazine, is_digit) && all_of(pocket, is_digit) && std::max(magazine.size(), pocket.size()) <= most_digits;
+  return all_are(magazine, is_digit) && all_are(pocket, is_digit) && std::max(magazine.size(), pocket.size()) <= most_digits;
 }
 
 /// "common", "G54", "G54.1 P2": of any control.
@@ -53,8 +50,8 @@ bool is_like_work_offset(std::string_view name) {
   if (!name.starts_with("G")) return false;
   const std::size_t blank = name.find(' ');
   const auto digit_or_point = [](char c) { return is_digit(c) || c == '.'; };
-  if (!all_of(name.substr(1, blank == std::string_view::npos ? blank : blank - 1), digit_or_point)) return false;
-  return blank == std::string_view::npos || (name.substr(blank).starts_with(" P") && all_of(name.substr(blank + 2), is_digit));
+  if (!all_are(name.substr(1, blank == std::string_view::npos ? blank : blank - 1), digit_or_point)) return false;
+  return blank == std::string_view::npos || (name.substr(blank).starts_with(" P") && all_are(name.substr(blank + 2), is_digit));
 }
 
 /// The 2С42 numbers its zeros otherwise than its codes: G55 is zero 3.
@@ -136,7 +133,7 @@ SetupNamesOf::SetupNamesOf(const ControlDef* def, std::vector<std::string> axes,
 }
 
 SetupNamesOf::Numbers SetupNamesOf::numbers(SetupNames kind) const {
-  const int offsets = def_ == nullptr ? most_number : static_cast<int>(def_->behaviour.offsets);
+  const int offsets = def_ == nullptr ? most_row : static_cast<int>(def_->behaviour.offsets);
   switch (kind) {
     case SetupNames::offset:
     case SetupNames::corrector: return {1, offsets};
@@ -146,7 +143,7 @@ SetupNamesOf::Numbers SetupNamesOf::numbers(SetupNames kind) const {
     case SetupNames::probe_input:
     case SetupNames::channel: return {1, 8};
     case SetupNames::tool_row:
-    case SetupNames::tool_form: return {0, most_number};
+    case SetupNames::tool_form: return {0, most_row};
     default: return {0, -1};
   }
 }
@@ -180,7 +177,7 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
     case SetupNames::shift: return among(all(kind));
     default: {
       const auto [least, most] = numbers(kind);
-      const bool digits = all_of(name, is_digit) && name.size() <= 9 && (name.size() == 1 || name[0] != '0');
+      const bool digits = all_are(name, is_digit) && name.size() <= 9 && (name.size() == 1 || name[0] != '0');
       const int number = digits ? std::atoi(std::string(name).c_str()) : -1;
       return number >= least && number <= most;
     }
@@ -234,8 +231,8 @@ SetupNamesOf::Words SetupNamesOf::form(SetupNames kind) const {
   }
   const auto [least, most] = numbers(kind);
   if (least == most) return {fmt::format("named {}", most), fmt::format("номер {}", most)};
-  if (most == most_number && least == 0) return {"named by a whole number", "номер — целое число"};
-  if (most == most_number) return {"named by a whole number, 1 or above", "номер — целое число от 1"};
+  if (most == most_row && least == 0) return {"named by a whole number", "номер — целое число"};
+  if (most == most_row) return {"named by a whole number, 1 or above", "номер — целое число от 1"};
   return {fmt::format("named by a whole number, {} to {}", least, most), fmt::format("номер — целое число от {} до {}", least, most)};
 }
 

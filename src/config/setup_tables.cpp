@@ -1,15 +1,13 @@
 // Keys of the set-up that are tables of the control: offsets, tools, parameters.
 
+#include "base/ascii.h"
 #include "config/setup_reader.h"
 
 namespace kadr {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_capital_or_digit(char c) { return is_digit(c) || is_capital(c); }
-bool is_letter_or_digit(char c) { return is_capital_or_digit(c) || (c >= 'a' && c <= 'z'); }
-bool all_of(std::string_view text, bool (*is)(char)) { return !text.empty() && std::all_of(text.begin(), text.end(), is); }
+bool is_letter_or_digit(char c) { return is_capital_or_digit(c) || is_lower(c); }
 
 constexpr std::size_t parameter_digits = 4;
 
@@ -19,28 +17,28 @@ std::optional<ParameterKey> parameter_key(std::string_view text) {
   ParameterKey key;
   if (const std::size_t at = text.find('#'); at != std::string_view::npos) {
     key.bit = text.substr(at + 1);
-    if (!all_of(key.bit, is_letter_or_digit)) return std::nullopt;
+    if (!all_are(key.bit, is_letter_or_digit)) return std::nullopt;
     text = text.substr(0, at);
   }
   if (const std::size_t at = text.find('.'); at != std::string_view::npos) {
     key.index = text.substr(at + 1);
-    if (!all_of(key.index, is_capital_or_digit)) return std::nullopt;
+    if (!all_are(key.index, is_capital_or_digit)) return std::nullopt;
     text = text.substr(0, at);
   }
   if (text.size() < 2 || !is_capital(text[0])) return std::nullopt;
   if (text[0] != 'N' || !is_digit(text[1])) {
     key.name = text;
-    return all_of(text, is_capital_or_digit) ? std::optional(key) : std::nullopt;
+    return all_are(text, is_capital_or_digit) ? std::optional(key) : std::nullopt;
   }
   text.remove_prefix(1);
-  if (text.size() > parameter_digits || !all_of(text, is_digit)) return std::nullopt;
+  if (text.size() > parameter_digits || !all_are(text, is_digit)) return std::nullopt;
   key.name = std::string(parameter_digits - text.size(), '0') + std::string(text);
   return key;
 }
 
 std::string text_of(const ParameterKey& key) {
   std::string text = key.name;
-  if (all_of(text, is_digit)) text = "N" + std::string(parameter_digits - std::min(text.size(), parameter_digits), '0') + text;
+  if (all_are(text, is_digit)) text = "N" + std::string(parameter_digits - std::min(text.size(), parameter_digits), '0') + text;
   if (!key.index.empty()) text += "." + key.index;
   if (!key.bit.empty()) text += "#" + key.bit;
   return text;
@@ -145,7 +143,7 @@ void place_table(const Json& value, const std::string& key, PlaceTable& to) {
   for (const auto& [name, row] : table(value, key).items()) {
     const std::size_t slash = std::min(name.find('/'), name.size());
     const std::string magazine = name.substr(0, slash), pocket = name.substr(std::min(slash + 1, name.size()));
-    if (!all_of(magazine, is_digit) || !all_of(pocket, is_digit) || std::max(magazine.size(), pocket.size()) > most_digits)
+    if (!all_are(magazine, is_digit) || !all_are(pocket, is_digit) || std::max(magazine.size(), pocket.size()) > most_digits)
       wrong(key + "." + name, "named magazine/pocket, \"10/1\"");
     to[{std::stoi(magazine), std::stoi(pocket)}] = whole_within(row, key + "." + name, {0, most_number});
   }

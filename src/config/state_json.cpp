@@ -6,29 +6,29 @@
 namespace kadr {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double most_exact = 9007199254740992;  // 2^53: below it a whole double is printed as a whole number
 
-Json number(double value) {
+OrderedJson number(double value) {
   if (!std::isfinite(value)) return nullptr;
   if (std::abs(value) < most_exact && value == std::trunc(value)) return static_cast<std::int64_t>(value);
   return value;
 }
 
-void put_if(Json& to, const char* key, double value) {
+void put_if(OrderedJson& to, const char* key, double value) {
   if (value != 0) to[key] = number(value);
 }
 
-Json axes(const AxisValues& values) {
-  Json to = Json::object();
+OrderedJson axes(const AxisValues& values) {
+  OrderedJson to = OrderedJson::object();
   for (const auto& [axis, value] : values) to[axis] = number(value);
   return to;
 }
 
 /// {"name": row} of each row; nothing where there is none.
 template <class Map, class Name, class Row>
-void put_table(Json& to, const char* key, const Map& rows, Name name, Row row) {
+void put_table(OrderedJson& to, const char* key, const Map& rows, Name name, Row row) {
   for (const auto& [number_or_name, value] : rows) to[key][name(number_or_name)] = row(value);
 }
 
@@ -36,9 +36,10 @@ std::string row_name(int n) { return std::to_string(n); }
 std::string own_name(const std::string& name) { return name; }
 std::string pocket_name(const std::pair<int, int>& place) { return std::to_string(place.first) + "/" + std::to_string(place.second); }
 
-Json offset(const ToolOffset& o) {
-  Json to = {{"length", number(o.length)},           {"length_wear", number(o.length_wear)}, {"radius", number(o.radius)},
-             {"radius_wear", number(o.radius_wear)}, {"corner_radius", number(o.corner)},    {"corner_radius_wear", number(o.corner_wear)}};
+OrderedJson offset(const ToolOffset& o) {
+  OrderedJson to = {{"length", number(o.length)},        {"length_wear", number(o.length_wear)},
+                    {"radius", number(o.radius)},        {"radius_wear", number(o.radius_wear)},
+                    {"corner_radius", number(o.corner)}, {"corner_radius_wear", number(o.corner_wear)}};
   put_if(to, "length_x", o.length_x);
   put_if(to, "length_x_wear", o.length_x_wear);
   put_if(to, "length_y", o.length_y);
@@ -47,27 +48,27 @@ Json offset(const ToolOffset& o) {
   return to;
 }
 
-Json tool_info(std::uint32_t info) {
+OrderedJson tool_info(std::uint32_t info) {
   if (info >> tool_info_letters.size() != 0) return info;
   std::string text;
   for (std::size_t bit = tool_info_letters.size(); bit-- > 0;) text += tool_info_letters[bit][info >> bit & 1U];
   return text;
 }
 
-Json tool_row(const ToolRow& row) {
-  Json to = {{"T", number(row.type)},
-             {"info", tool_info(row.info)},
-             {"form", row.form},
-             {"status", row.status},
-             {"counter", number(row.counter)},
-             {"life", number(row.life)},
-             {"warn", number(row.warn)},
-             {"H", number(row.h)},
-             {"D", number(row.d)},
-             {"G", number(row.g)},
-             {"W", number(row.w)},
-             {"S", number(row.s)},
-             {"F", number(row.f)}};
+OrderedJson tool_row(const ToolRow& row) {
+  OrderedJson to = {{"T", number(row.type)},
+                    {"info", tool_info(row.info)},
+                    {"form", row.form},
+                    {"status", row.status},
+                    {"counter", number(row.counter)},
+                    {"life", number(row.life)},
+                    {"warn", number(row.warn)},
+                    {"H", number(row.h)},
+                    {"D", number(row.d)},
+                    {"G", number(row.g)},
+                    {"W", number(row.w)},
+                    {"S", number(row.s)},
+                    {"F", number(row.f)}};
   put_if(to, "user_bits", row.user_bits);
   std::size_t used = row.user.size();
   while (used > 0 && row.user[used - 1] == 0) --used;
@@ -75,7 +76,7 @@ Json tool_row(const ToolRow& row) {
   return to;
 }
 
-Json tool_form(const ToolForm& form) {
+OrderedJson tool_form(const ToolForm& form) {
   return {{"left", number(form.left)},
           {"right", number(form.right)},
           {"up", number(form.up)},
@@ -83,14 +84,14 @@ Json tool_form(const ToolForm& form) {
           {"geometry", number(form.geometry)}};
 }
 
-Json parameter_value(const ParameterValue& value) {
+OrderedJson parameter_value(const ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return number(std::get<double>(value));
 }
 
 /// What is fixed from the set-up, what turns from the run.
-Json spindle(const SpindleSetup& fixed, const RunState::SpindleState& now) {
-  Json to = Json::object();
+OrderedJson spindle(const SpindleSetup& fixed, const RunState::SpindleState& now) {
+  OrderedJson to = OrderedJson::object();
   if (!fixed.name.empty()) to["name"] = fixed.name;
   if (fixed.channel != 1) to["channel"] = fixed.channel;
   for (const auto& [least, most] : fixed.ranges) to["ranges"].push_back({number(least), number(most)});
@@ -99,12 +100,12 @@ Json spindle(const SpindleSetup& fixed, const RunState::SpindleState& now) {
   to["loop"] = now.loop;
   to["surface_speed"] = number(now.surface_speed);
   to["css_axis"] = now.css_axis;
-  to["master"] = now.master == 0 ? Json(nullptr) : Json(now.master);
+  to["master"] = now.master == 0 ? OrderedJson(nullptr) : OrderedJson(now.master);
   if (now.angle) to["angle"] = number(*now.angle);
   return to;
 }
 
-void put_spindles(Json& to, const RunState& state) {
+void put_spindles(OrderedJson& to, const RunState& state) {
   std::map<int, RunState::SpindleState> spindles = state.spindles;
   for (const auto& [n, s] : state.tables.spindles)
     spindles.insert({n, {s.loop, s.rpm, s.dir, s.surface_speed, s.css_axis, s.master, s.angle}});
@@ -114,7 +115,7 @@ void put_spindles(Json& to, const RunState& state) {
   }
 }
 
-void put_switches(Json& to, const Setup& tables) {
+void put_switches(OrderedJson& to, const Setup& tables) {
   if (!tables.skip.empty()) to["skip"] = tables.skip;
   if (tables.optional_stop) to["optional_stop"] = true;
   if (tables.single_block) to["single_block"] = true;
@@ -125,7 +126,7 @@ void put_switches(Json& to, const Setup& tables) {
 
 std::string state_json(const RunState& state) {
   const Setup& t = state.tables;
-  Json to = Json::object();
+  OrderedJson to = OrderedJson::object();
   for (const auto& [n, row] : t.offsets)
     if (row != ToolOffset{}) to["offsets"][row_name(n)] = offset(row);
   put_table(to, "work_offsets", t.work_offsets, own_name, axes);
@@ -142,7 +143,7 @@ std::string state_json(const RunState& state) {
   put_table(to, "place_table", t.place_table, pocket_name, [](int row) { return row; });
   put_table(to, "form_table", t.form_table, row_name, tool_form);
   put_switches(to, t);
-  return to.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return to.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 }  // namespace kadr

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "base/ascii.h"
 
 namespace kadr {
 namespace {
@@ -37,14 +38,14 @@ bool letter(char c) { return c >= 'A' && c <= 'Z'; }
 bool beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0xC0; }
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-bool begins_value(char c) { return (c >= '0' && c <= '9') || std::string_view("+-.#[<=(").find(c) != std::string_view::npos; }
+bool begins_value(char c) { return is_digit(c) || std::string_view("+-.#[<=(").find(c) != std::string_view::npos; }
 
 /// Addresses with values, and words of letters, of a line in capitals.
-struct Words {
+struct WordCount {
   int addresses = 0, words = 0;
 };
-Words words_of(std::string_view line) {
-  Words count;
+WordCount words_of(std::string_view line) {
+  WordCount count;
   for (std::size_t i = 0; i < line.size();) {
     if (line[i] == ';') break;
     if (line[i] == '<') i = std::min(line.find('>', i), line.size() - 1);  // a name: O<name>, #<name>
@@ -74,7 +75,7 @@ Words words_of(std::string_view line) {
 
 bool is_like_block(const std::string& line) {
   if (line[0] == '%' || line[0] == ';' || line[0] == '/') return true;
-  const Words count = words_of(line);
+  const WordCount count = words_of(line);
   return count.addresses > count.words;
 }
 
@@ -105,7 +106,7 @@ std::string bare_line(std::string_view line) {
   for (const char c : line) {
     if (c == '(') inside = true;
     else if (c == ')') inside = false;
-    else if (!inside && c != '\r') text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    else if (!inside && c != '\r') text += to_upper(c);
   }
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string::npos) return {};

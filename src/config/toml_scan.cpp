@@ -8,9 +8,9 @@
 namespace kadr {
 namespace {
 
-class Scan {
+class TomlScan {
  public:
-  Scan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  TomlScan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   std::string run() {
     while (at_ < text_.size() && fault_.empty()) {
@@ -92,6 +92,6 @@ class Scan {
 
 }  // namespace
 
-std::string told_toml_limit(std::string_view text, const std::string& file) { return Scan(text, file).run(); }
+std::string told_toml_limit(std::string_view text, const std::string& file) { return TomlScan(text, file).run(); }
 
 }  // namespace kadr

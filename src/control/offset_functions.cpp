@@ -98,12 +98,6 @@ Status data_words_used(Machinery& m, bool of_tool) {
   return {};
 }
 
-bool any(const Axes& axes) {
-  for (const double v : axes)
-    if (v != 0) return true;
-  return false;
-}
-
 }  // namespace
 
 namespace functions {
@@ -200,7 +194,7 @@ Status part_zero(Machinery& m, const Call& call) {
 /// scaled and turned: with X at 4 `G52 X7` makes X read -3.
 Status temporary_shift(Machinery& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
-  if (any(m.set_position) && !m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G52", "G92"));
+  if (any_nonzero(m.set_position) && !m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G52", "G92"));
   const Axes zero = m.transform.to_work(Axes{});
   Axes amounts = m.transform.to_programmed(sum(m.set_position, zero, +1));
   AxisMask named = 0;
@@ -217,7 +211,7 @@ Status temporary_shift(Machinery& m, const Call& call) {
 /// laid so that the tool, turned and scaled, reads them. Behind G40 the current point is where the tool stands.
 Status set_position(Machinery& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
-  if (any(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
+  if (any_nonzero(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
   if (compensates(m.modal)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   take_up_contour(m);
   Axes reads = m.position.programmed;

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/ascii.h"
 #include "lang/eia.h"
 
 namespace kadr {
@@ -12,8 +13,7 @@ namespace {
 /// A line that cannot be read may still begin or end a loop: the other half is then no second fault.
 std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
   std::string capitals(text.substr(0, text.find('(')));
-  for (char& c : capitals)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  for (char& c : capitals) c = to_upper(c);
   const auto number_behind = [&](std::string_view word) -> std::uint8_t {
     for (std::size_t at = capitals.find(word); at != std::string::npos; at = capitals.find(word, at + 1)) {
       const std::size_t digit = capitals.find_first_not_of(' ', at + word.size());

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstring>
 
+#include "base/ascii.h"
 #include "lang/eia.h"
 #include "lang/tape_side.h"
 
@@ -45,8 +46,6 @@ const HighHalf& high_half(Encoding encoding) {
   static const HighHalf cp866 = load_high_half("CP866");
   return encoding == Encoding::cp1251 ? cp1251 : encoding == Encoding::koi8r ? koi8r : cp866;
 }
-
-bool is_high(char byte) { return (static_cast<unsigned char>(byte) & 0x80) != 0; }
 
 /// How many bytes at the beginning are ASCII; eight at a time.
 std::size_t ascii_run(std::string_view bytes) {

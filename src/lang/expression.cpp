@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ascii.h"
 #include "base/vec.h"
 #include "lang/encoding.h"
 #include "lang/macro_arithmetic.h"
@@ -14,10 +15,6 @@ constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e
                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::size_t exact_digits = 15;    // so many digits are a whole number exactly in a double
 constexpr std::size_t number_digits = 300;  // more than any double needs: the number is refused
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 struct FunctionName {
   std::string_view name;
@@ -43,7 +40,7 @@ constexpr OperatorName operators[] = {
 bool starts_with(std::string_view text, std::size_t at, std::string_view word) {
   if (text.size() - at < word.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i)
-    if (upper(text[at + i]) != word[i]) return false;
+    if (to_upper(text[at + i]) != word[i]) return false;
   return true;
 }
 
@@ -151,7 +148,7 @@ class Compiler {
   Status end_of_expression(std::size_t at) {
     const char c = cursor_.peek();
     if (c == ']' || c == '\0') return {};
-    const bool is_value = c == '#' || c == '[' || c == '.' || (c >= '0' && c <= '9');  // an operator is missing in front of it
+    const bool is_value = c == '#' || c == '[' || c == '.' || is_digit(c);  // an operator is missing in front of it
     return fail(alarm(is_value ? AlarmId::expression_syntax : AlarmId::operator_unknown, span(at, at + 1), text_at(at)));
   }
 

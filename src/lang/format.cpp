@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
+
 namespace kadr {
 namespace {
 
 using Failed = tl::unexpected<std::string>;
 
 constexpr std::string_view decimal_sign = "DS";
-constexpr std::string_view codes = "GM";           // written G0, G01, M2 whatever the format says of zeros
+constexpr std::string_view code_letters = "GM";    // written G0, G01, M2 whatever the format says of zeros
 constexpr std::string_view without_point = "NGM";  // a number or a code has no fraction, with DS too
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 bool holds(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
 Failed not_understood(std::string_view piece, std::string_view reason) {
@@ -73,7 +73,7 @@ class Descriptor {
     const auto count = static_cast<std::uint8_t>(counted ? rest_[0] - '0' : 0);
     if (counted) rest_.remove_prefix(1);
     if (counted && count == 0) return not_understood(piece, "a count is 1 to 9");
-    if (rest_.empty() || !is_letter(rest_[0])) return not_understood(piece, "an address is a letter A to Z");
+    if (rest_.empty() || !is_capital(rest_[0])) return not_understood(piece, "an address is a letter A to Z");
     const char letter = rest_[0];
     if (holds(seen_, letter)) return not_understood(piece, "the address stands twice");
     seen_ += letter;
@@ -93,7 +93,7 @@ class Descriptor {
     format.second_number = word.second_number;
     format.parameter = word.parameter;
     if (holds(without_point, letter)) format.point = false;
-    if (holds(codes, letter)) {
+    if (holds(code_letters, letter)) {
       if (!format.drop_zeros) format.code_digits = format.whole_digits;
       format.code = format.drop_zeros = true;
     }

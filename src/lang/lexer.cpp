@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ascii.h"
 #include "lang/encoding.h"
 #include "lang/expression.h"
 #include "lang/statement_reader.h"
@@ -11,11 +12,6 @@
 
 namespace kadr {
 namespace {
-
-bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
-bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 /// Reads one block; a method a kind of thing that may stand in it.
 class Lexer {
@@ -94,7 +90,7 @@ class Lexer {
     const char c = cursor_.text[cursor_.at];
     if (block_.statement.kind != StatementKind::none && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // behind its comment
       return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
-    if (is_upper(c)) return word(c, 1);
+    if (is_capital(c)) return word(c, 1);
     if (is_blank(c)) {
       ++cursor_.at;
       return {};
@@ -113,7 +109,7 @@ class Lexer {
       default: break;
     }
     if (is_high(c) || c == '\x0e') return wide();
-    if (is_lower(c) && grammar_.lower_case) return word(static_cast<char>(c - 'a' + 'A'), 1);
+    if (is_lower(c) && grammar_.lower_case) return word(to_upper(c), 1);
     return unexpected();
   }
 
@@ -122,7 +118,7 @@ class Lexer {
     if (letter == 'L' && words_.marks_end("LF", begin)) return end_mark(2);
     if (grammar_.macro) {
       const char next = begin + bytes < cursor_.text.size() ? cursor_.text[begin + bytes] : '\0';
-      if (is_upper(next) || is_lower(next)) {
+      if (is_letter(next)) {
         if (const Keyword keyword = statements_.keyword_here(); keyword != Keyword::none) return statements_.read(keyword);
         if ((letter == 'A') && (next == 'X' || next == 'x')) return words_.axis_by_number(begin);
       }
@@ -167,7 +163,7 @@ class Lexer {
   Status comma_word() {
     const std::size_t begin = cursor_.at++;
     cursor_.skip_blanks();
-    const char letter = upper(cursor_.peek());
+    const char letter = to_upper(cursor_.peek());
     const char address = comma_address(letter);
     if (address == 0) return fail(alarm(AlarmId::unexpected_character, span(begin, begin + 1), ','));
     return word_of(address, 1, begin);

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "lang/encoding.h"
 #include "lang/expression.h"
 
 namespace kadr {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 struct Name {
   std::string_view text;
@@ -223,7 +220,7 @@ class MacroCompiler {
     std::string name;
     const std::size_t from = cursor_.at;
     while (cursor_.peek() != '\0' && cursor_.peek() != ']' && cursor_.peek() != ' ' && name.size() < 8)
-      name += upper(cursor_.text[cursor_.at++]);
+      name += to_upper(cursor_.text[cursor_.at++]);
     const Span where = span(from, cursor_.at);
     KADR_TRY(close(open));
     const std::uint8_t axis = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z'
@@ -275,7 +272,7 @@ class MacroCompiler {
   Status symbol(bool& constant_number, double& number) {
     const std::size_t begin = cursor_.at++;
     std::string name;
-    while (is_letter(cursor_.peek()) || is_digit(cursor_.peek()) || cursor_.peek() == '_') name += upper(cursor_.text[cursor_.at++]);
+    while (is_letter(cursor_.peek()) || is_digit(cursor_.peek()) || cursor_.peek() == '_') name += to_upper(cursor_.text[cursor_.at++]);
     const auto found = std::lower_bound(grammar_.symbols.begin(), grammar_.symbols.end(), name,
                                         [](const VariableName& row, const std::string& text) { return row.text < text; });
     if (found == grammar_.symbols.end() || found->text != name)
@@ -301,7 +298,7 @@ class MacroCompiler {
   bool starts_with(std::string_view word) const {
     if (cursor_.text.size() - cursor_.at < word.size()) return false;
     for (std::size_t i = 0; i < word.size(); ++i)
-      if (upper(cursor_.text[cursor_.at + i]) != word[i]) return false;
+      if (to_upper(cursor_.text[cursor_.at + i]) != word[i]) return false;
     return true;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ascii.h"
 #include "lang/encoding.h"
 #include "lang/word_reader.h"
 
@@ -21,8 +22,6 @@ constexpr KeywordRow keywords[] = {
     {"PRM", Keyword::prm},
 };
 
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 /// Is #number one whose value is a message (23.1.8)?
 bool is_message(double number) { return number == 3000 || number == 3006 || number == 3106 || number == 3107; }
 
@@ -31,7 +30,7 @@ bool is_message(double number) { return number == 3000 || number == 3006 || numb
 Keyword StatementReader::keyword_here() const {
   for (const KeywordRow& row : keywords) {
     if (cursor_.text.size() - cursor_.at < row.text.size()) continue;
-    const auto same = [&](std::size_t i) { return upper(cursor_.text[cursor_.at + i]) == row.text[i]; };
+    const auto same = [&](std::size_t i) { return to_upper(cursor_.text[cursor_.at + i]) == row.text[i]; };
     std::size_t i = 0;
     while (i < row.text.size() && same(i)) ++i;
     if (i == row.text.size()) return row.keyword;
@@ -178,7 +177,8 @@ Status StatementReader::file_of_program() {
     cursor_.at = close + 1;
     return {};
   }
-  if (upper(cursor_.peek()) != 'P') return fail(alarm(AlarmId::program_name_missing, span(block_.statement.where.begin, begin), "FOPEN"));
+  if (to_upper(cursor_.peek()) != 'P')
+    return fail(alarm(AlarmId::program_name_missing, span(block_.statement.where.begin, begin), "FOPEN"));
   ++cursor_.at;
   cursor_.skip_blanks();
   const auto program = compile_macro_value(cursor_, grammar_, block_, MacroValue::operand);

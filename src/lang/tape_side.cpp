@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "lang/eia.h"
 
 namespace kadr {
@@ -29,9 +30,6 @@ std::optional<char> character_of(TapeCode code, std::uint8_t row) {
   return static_cast<char>(c);
 }
 
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// How much rows are like a program in a code.
 struct Likeness {
   bool is_tape = false;
@@ -50,10 +48,10 @@ Likeness likeness(std::string_view rows, TapeCode code, std::size_t least_count)
     if (*c == 0 || *c == ' ') continue;
     digits += is_digit(*c) ? 1u : 0u;
     const bool sign = *c == '+' || *c == '-', last_sign = last == '+' || last == '-';
-    forward += is_letter(last) && (is_digit(*c) || sign) ? 1u : 0u;
-    forward += last == '\n' && (is_letter(*c) || *c == '%') ? 1u : 0u;
-    backward += (is_digit(last) || last_sign) && is_letter(*c) ? 1u : 0u;
-    backward += *c == '\n' && is_letter(last) ? 1u : 0u;
+    forward += is_capital(last) && (is_digit(*c) || sign) ? 1u : 0u;
+    forward += last == '\n' && (is_capital(*c) || *c == '%') ? 1u : 0u;
+    backward += (is_digit(last) || last_sign) && is_capital(*c) ? 1u : 0u;
+    backward += *c == '\n' && is_capital(last) ? 1u : 0u;
     last = *c;
   }
   Likeness like;

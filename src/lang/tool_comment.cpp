@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "base/ascii.h"
 #include "base/units.h"
 
 namespace kadr {
@@ -14,7 +15,7 @@ std::string capitals(std::string_view text) {
   std::string out(text);
   for (std::size_t i = 0; i < out.size(); ++i) {
     const auto c = static_cast<unsigned char>(out[i]);
-    if (c >= 'a' && c <= 'z') out[i] = static_cast<char>(c - 'a' + 'A');
+    if (is_lower(out[i])) out[i] = to_upper(out[i]);
     if (i + 1 >= out.size()) continue;
     const auto next = static_cast<unsigned char>(out[i + 1]);
     if (c == 0xD0 && next >= 0xB0 && next <= 0xBF) out[i + 1] = static_cast<char>(next - 0x20);
@@ -23,8 +24,7 @@ std::string capitals(std::string_view text) {
   return out;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80; }
+bool is_name_letter(char c) { return is_capital(c) || is_high(c); }
 
 /// Words and numbers of a comment, in order.
 struct Piece {
@@ -52,11 +52,11 @@ std::vector<Piece> pieces_of(std::string_view text) {
       std::from_chars(digits.data(), digits.data() + digits.size(), value);
       pieces.push_back({"", value, joined, equals});
       joined = true, equals = false;
-    } else if (is_letter(c) || c == '"') {
+    } else if (is_name_letter(c) || c == '"') {
       std::string word;
       if (c == '"') word = text[i++];
       else
-        for (; i < text.size() && is_letter(text[i]); ++i) word += text[i];
+        for (; i < text.size() && is_name_letter(text[i]); ++i) word += text[i];
       pieces.push_back({word, 0, joined, false});
       joined = true, equals = false;
     } else {

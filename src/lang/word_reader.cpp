@@ -4,14 +4,13 @@
 #include <cmath>
 #include <string>
 
+#include "base/ascii.h"
+
 namespace kadr {
 namespace {
 
 constexpr std::size_t least_parameter_digits = 2, most_parameter_digits = 3;  // R01, R123 (spec/correctors 3)
 constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 }  // namespace
 
@@ -351,7 +350,7 @@ const AddressName* WordReader::name_here() const {
   for (const AddressName& row : grammar_.names) {
     if (cursor_.text.size() - cursor_.at < row.text.size() || (best != nullptr && best->text.size() >= row.text.size())) continue;
     std::size_t i = 0;
-    while (i < row.text.size() && upper(cursor_.text[cursor_.at + i]) == row.text[i]) ++i;
+    while (i < row.text.size() && to_upper(cursor_.text[cursor_.at + i]) == row.text[i]) ++i;
     if (i < row.text.size()) continue;
     Cursor behind{cursor_.text, cursor_.at + i};
     behind.skip_blanks();

@@ -1,6 +1,7 @@
 #pragma once
 // One word: address known, digits → value by the address's format. Used by the lexer only.
 
+#include "base/ascii.h"
 #include "base/result.h"
 #include "lang/block.h"
 #include "lang/expression.h"
@@ -8,7 +9,6 @@
 
 namespace kadr {
 
-inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\0' || c == '\x7f'; }
 
 class WordReader {

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/ascii.h"
 #include "out/source_line.h"
 
 namespace kadr {
@@ -50,8 +51,7 @@ std::string dumped(const Json& json) { return json.dump(1, ' ', false, Json::err
 std::string uri_of(const std::string& file) {
   std::string uri;
   for (const char c : file) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       std::string_view("-._~/").find(c) != std::string_view::npos;
+    const bool plain = is_letter(c) || is_digit(c) || std::string_view("-._~/").find(c) != std::string_view::npos;
     if (plain) uri += c;
     else if (c == '\\') uri += '/';
     else uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/alarm.h"
+#include "base/ascii.h"
 #include "config/nearest.h"
 
 namespace kadr {
@@ -30,17 +31,15 @@ std::string latin_capitals(std::string_view what) {
         std::find_if(lookalikes.begin(), lookalikes.end(), [&](const Lookalike& one) { return what.starts_with(one.cyrillic); });
     const bool cyrillic = found != lookalikes.end();
     const char c = cyrillic ? found->latin : what.front();
-    text += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    text += to_upper(c);
     what.remove_prefix(cyrillic ? found->cyrillic.size() : 1);
   }
   return text;
 }
 
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-
 /// The number behind a single letter: "G5.1" → 5.1; nothing, if it is no such word.
 std::optional<double> number_of(const std::string& code) {
-  if (code.size() < 2 || !is_letter(code[0]) || code.find_first_not_of("0123456789.", 1) != std::string::npos) return std::nullopt;
+  if (code.size() < 2 || !is_capital(code[0]) || code.find_first_not_of("0123456789.", 1) != std::string::npos) return std::nullopt;
   char* end = nullptr;
   const double number = std::strtod(code.c_str() + 1, &end);
   if (*end != '\0' || end == code.c_str() + 1) return std::nullopt;
@@ -69,7 +68,7 @@ std::vector<std::string> nearest_numbers(const ControlDef& def, const std::strin
 
 std::string code_asked(std::string_view what) {
   std::string code = latin_capitals(what);
-  if (code.empty() || !is_letter(code[0])) return code;
+  if (code.empty() || !is_capital(code[0])) return code;
   const std::size_t digits = code.find_first_not_of('0', 1);
   if (!number_of(code) || code[0] == 'N') return code;  // N0107: a parameter's digits
   code.erase(1, (digits == std::string::npos || code[digits] == '.' ? std::min(digits, code.size()) - 1 : digits) - 1);

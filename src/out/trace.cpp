@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ascii.h"
 #include "motion/polar_feed.h"
 #include "out/alarm_print.h"
 #include "out/trace_fields.h"
@@ -15,11 +16,6 @@ constexpr std::size_t most_digits = 20;  // of a block number
 
 constexpr std::array<std::string_view, 7> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home", "thread"};
 constexpr std::array<std::string_view, 3> unit_names = {"mm/min", "mm/rev", "1/min"};
-
-template <class E>
-constexpr std::size_t index(E value) {
-  return static_cast<std::size_t>(value);
-}
 
 char* put_block(char* at, const Origin& origin) {
   *at++ = origin.main_block ? ':' : 'N';
@@ -37,8 +33,7 @@ char* put_field(char* at, std::string_view key, double value) { return put_numbe
 /// A control's number as a JSON number if it is one.
 std::string number_or_text(const std::string& number) {
   if (number.empty()) return "null";
-  const bool digits =
-      number.size() <= 9 && number[0] != '0' && std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool digits = number.size() <= 9 && number[0] != '0' && std::all_of(number.begin(), number.end(), is_digit);
   return digits ? number : json_string(number);
 }
 
@@ -88,12 +83,12 @@ char* TraceWriter::put_arc(char* at, const Motion& motion) const {
 
 /// The line of a plain motion is written at once; what few motions have follows in pieces of its own.
 void TraceWriter::write_motion(const Motion& motion, const Origin& origin, const MotionTime& time) {
-  char* at = put_head(out_.room(line_room_), motion_names[index(motion.kind)], origin);
+  char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], origin);
   at = put_axes(put_axes(at, R"(,"to":)", motion.to), R"(,"machine":)", motion.machine);
   if (is_arc(motion.kind)) at = put_arc(at, motion);
   if (motion.feed > 0) {
     at = put_field(at, R"(,"feed":)", motion.feed);
-    at = put_text(put_text(at, R"(,"unit":")"), unit_names[index(motion.unit)]);
+    at = put_text(put_text(at, R"(,"unit":")"), unit_names[row_of(motion.unit)]);
     *at++ = '"';
   }
   if (motion.kind != MotionKind::rapid) at = put_text(at, motion.exact ? R"(,"exact":true)" : R"(,"exact":false)");

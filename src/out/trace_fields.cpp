@@ -12,11 +12,6 @@ constexpr std::array<std::string_view, 3> coolant_names = {"off", "mist", "flood
 constexpr std::array<std::string_view, 3> coolant_codes = {"M9", "M7", "M8"};
 constexpr std::array<std::string_view, 4> reason_names = {"", "", "single_block", "message"};  // `do` says the first two
 
-template <class E>
-constexpr std::size_t index(E value) {
-  return static_cast<std::size_t>(value);
-}
-
 std::string field(std::string_view key, double value) { return ",\"" + std::string(key) + "\":" + number_string(value); }
 std::string field(std::string_view key, const std::optional<double>& value) { return value ? field(key, *value) : std::string(); }
 std::string field(std::string_view key, std::string_view text) { return ",\"" + std::string(key) + "\":" + json_string(text); }
@@ -41,14 +36,14 @@ struct Fields {
   std::string operator()(const ContourCheck&) const { return {}; }
   std::string operator()(const Dwell& d) const { return "dwell\"" + field("seconds", d.seconds); }
   std::string operator()(const Spindle& s) const {
-    return "spindle\"" + field("spindle", s.number) + field("dir", dir_names[index(s.dir)]) + field("rpm", s.rpm) + field("turn", s.turn) +
+    return "spindle\"" + field("spindle", s.number) + field("dir", dir_names[row_of(s.dir)]) + field("rpm", s.rpm) + field("turn", s.turn) +
            field("angle", s.angle);
   }
   std::string operator()(const Speed& s) const {
     return "speed\"" + field("spindle", s.number) + field(s.surface ? "surface_speed" : "rpm", s.value) + field_if("range", s.range);
   }
   std::string operator()(const CoolantSwitch& c) const {
-    return "coolant\"" + field("what", coolant_names[index(c.what)]) + field("code", coolant_codes[index(c.what)]);
+    return "coolant\"" + field("what", coolant_names[row_of(c.what)]) + field("code", coolant_codes[row_of(c.what)]);
   }
   std::string operator()(const ToolSelect& t) const {
     return "tool\"" + field("tool", t.tool) + field_if("corrector", t.corrector) + place(t.place);
@@ -61,7 +56,7 @@ struct Fields {
     return "aux\"" + field("address", std::string_view(&a.address, 1)) + field("value", a.value);
   }
   std::string operator()(const Stop& s) const {
-    const std::string_view reason = reason_names[index(s.reason)];
+    const std::string_view reason = reason_names[row_of(s.reason)];
     return (s.optional ? "optional_stop\"" : "stop\"") + (reason.empty() ? std::string() : field("reason", reason));
   }
   std::string operator()(const Message& m) const {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/ascii.h"
+
 namespace kadr {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Place of a number in a range: which of the families, and which of its numbers.
 struct Place {
@@ -94,7 +94,7 @@ std::optional<std::string> explain_variable(const ControlDef& def, const std::st
   std::string name = what.substr(start, what.find('[') - start);
   if (what[0] == '#' && std::all_of(name.begin(), name.end(), is_digit) && name.size() <= 9)
     return by_number(def, static_cast<std::uint32_t>(std::stoul(name)), lang);
-  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (char& c : name) c = to_upper(c);
   const std::string family = name.substr(0, name.find_last_not_of("0123456789") + 1);
   for (const VariableRow& row : def.variables) {
     if (row.symbol.empty()) continue;

@@ -6,7 +6,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_pieces = 1000;
+constexpr int most_bezier_pieces = 1000;
 
 double size(const Axes& way) {
   double squares = 0;
@@ -76,7 +76,7 @@ int Bezier::pieces(double chord) const {
     end[a] = 6 * (2 * end_pull_[a] + start_pull_[a] - way);
   }
   const double count = std::ceil(std::sqrt(std::max(size(start), size(end)) / (8 * chord)));
-  return static_cast<int>(std::clamp(count, 1.0, double{most_pieces}));
+  return static_cast<int>(std::clamp(count, 1.0, double{most_bezier_pieces}));
 }
 
 }  // namespace kadr

@@ -14,7 +14,7 @@ namespace kadr::nct {
 namespace {
 
 constexpr double most_pecks = 1e6;
-constexpr double most_passes = 99'999'999;
+constexpr double most_holes = 99'999'999;
 
 /// The cycle's row in force, or -1.
 std::int16_t cycle_row(const Machinery& m) {
@@ -82,7 +82,7 @@ class Drilling {
     KADR_TRY(remember(*bottom));
     double passes = 1;
     if (m_.has('L')) {
-      const auto given = m_.whole('L', 0, most_passes);
+      const auto given = m_.whole('L', 0, most_holes);
       if (!given) return fail(given.error());
       passes = *given;
     }

@@ -35,7 +35,7 @@ Status placed(const Status& status, Span where) {
   return fail(alarm);
 }
 
-Result<double> value_of(Machinery& m, Expression expression) {
+Result<double> value_or_zero(Machinery& m, Expression expression) {
   if (!expression) return 0.0;
   return evaluate(*m.block, expression, Reading{m});
 }
@@ -90,7 +90,7 @@ Status open_file_of(Machinery& m, const Statement& s, double mode) {
     const bool of_name = !opened && opened.error().id != AlarmId::file_mode && opened.error().id != AlarmId::file_already_open;
     return placed(opened, of_name ? m.block->file_name : s.where);
   }
-  const auto number = value_of(m, s.program);
+  const auto number = value_or_zero(m, s.program);
   if (!number) return fail(number.error());
   return placed(output.open_number(mode, *number, program_path(m)), s.where);
 }
@@ -102,7 +102,7 @@ Status output(Machinery& m, const Statement& s) {
   if (s.kind == StatementKind::print_binary) return print(m, s, PrintKind::binary);
   OutputFile& output = m.nct->output;
   if (s.kind == StatementKind::close_file) return placed(output.close_file(), s.where);
-  const auto number = value_of(m, s.value);
+  const auto number = value_or_zero(m, s.value);
   if (!number) return fail(number.error());
   switch (s.kind) {
     case StatementKind::open_port: return placed(output.open_device(*number, program_path(m)), s.where);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ascii.h"
 #include "lang/encoding.h"
 
 namespace kadr::nct {
@@ -36,11 +37,9 @@ constexpr Mode modes[] = {
 
 // ---- names
 
-char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 std::string capitals(std::string_view text) {
   std::string all(text);
-  std::transform(all.begin(), all.end(), all.begin(), capital);
+  std::transform(all.begin(), all.end(), all.begin(), to_upper);
   return all;
 }
 
@@ -206,7 +205,7 @@ Result<int> open_regular(const Place& place, const Mode& rule, std::string_view 
 
 Result<std::string> path_in_root(std::string_view name, std::string_view program) {
   const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, name)); };
-  const bool drive = name.size() >= 2 && name[1] == ':' && capital(name[0]) >= 'A' && capital(name[0]) <= 'Z';
+  const bool drive = name.size() >= 2 && name[1] == ':' && to_upper(name[0]) >= 'A' && to_upper(name[0]) <= 'Z';
   if (drive) return bad(AlarmId::file_outside);
   const std::optional<std::size_t> length = count_characters(name);
   if (!length || *length > longest_name) return bad(AlarmId::file_name);

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/ascii.h"
+
 namespace kadr::nct {
 namespace {
 
@@ -26,7 +28,7 @@ bool needs_index(ParameterScope scope) { return scope == ParameterScope::axis ||
 
 bool is_whole(double value) { return value == std::floor(value); }
 
-bool is_name_character(char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
+bool is_name_character(char c) { return is_capital(c) || is_digit(c); }
 
 /// The number of a word as an int, or nothing if it is not whole or beyond.
 std::optional<int> whole_within(double value, double least, double most) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/ascii.h"
 #include "lang/encoding.h"
 
 namespace kadr::nct {
@@ -13,12 +14,9 @@ namespace {
 
 constexpr int most_digits = 15;          // 0 < c + d < 16
 constexpr int most_binary_decimals = 8;  // c
-constexpr std::string_view line_end = "\r\n";
+constexpr std::string_view end_of_line = "\r\n";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
-char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 Span span(std::size_t begin, std::size_t end) { return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}; }
 
@@ -116,7 +114,7 @@ Result<PrintText> parse_print(std::string_view text, PrintKind kind, const ReadV
       result.pieces.push_back(*piece);
       at = open + format->size;
     } else if (is_letter(c) || is_digit(c) || c == '/' || c == '+' || c == '-' || c == '*') {
-      const char sent = c == '*' ? ' ' : capital(c);
+      const char sent = c == '*' ? ' ' : to_upper(c);
       add_text(result.pieces, {&sent, 1});
       ++at;
     } else if (is_blank(c)) {
@@ -185,7 +183,7 @@ std::string joined(const std::vector<PrintPiece>& pieces, PrintValues values, Pr
 }
 
 std::string decimal(const std::vector<PrintPiece>& pieces, PrintValues values, PrintFill fill) {
-  return joined(pieces, values, fill).append(line_end);
+  return joined(pieces, values, fill).append(end_of_line);
 }
 
 Result<std::string> binary(const std::vector<PrintPiece>& pieces, PrintValues values) {
@@ -206,7 +204,7 @@ Result<std::string> binary(const std::vector<PrintPiece>& pieces, PrintValues va
     const auto word = static_cast<std::uint32_t>(static_cast<std::int32_t>(number));
     for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(word >> shift & 0xFF);
   }
-  return bytes.append(line_end);
+  return bytes.append(end_of_line);
 }
 
 }  // namespace kadr::nct

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/ascii.h"
 #include "control/machinery.h"
 #include "lang/utf16.h"
 
@@ -20,7 +21,7 @@ constexpr std::size_t most_files = 10'000;  // of a folder that are looked at
 constexpr std::size_t most_head = 512;      // bytes of a file in which its number is looked for
 
 bool alike(std::string a, std::string b) {
-  const auto small = [](std::string& s) { std::transform(s.begin(), s.end(), s.begin(), [](unsigned char c) { return std::tolower(c); }); };
+  const auto small = [](std::string& s) { std::transform(s.begin(), s.end(), s.begin(), to_lower); };
   small(a);
   small(b);
   return a == b;

@@ -23,15 +23,9 @@ AxisValues by_name(const Machinery& m, const Axes& axes) {
   return values;
 }
 
-bool any(const Axes& axes) {
-  for (const double v : axes)
-    if (v != 0) return true;
-  return false;
-}
-
 void add_zeros(const Machinery& m, Setup& tables) {
   const auto add = [&](const std::string& name, const Axes& zero, Vec3 angles) {
-    if (!any(zero) && angles == Vec3{}) return;
+    if (!any_nonzero(zero) && angles == Vec3{}) return;
     AxisValues& values = tables.work_offsets[name];
     values = by_name(m, zero);
     if (angles.x != 0) values["G17"] = angles.x;

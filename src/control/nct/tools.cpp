@@ -248,7 +248,7 @@ Result<int> needed_whole(const DataBlock& block, char letter, std::string_view c
 }
 
 /// Decimal digits read as binary ones: Q10001 is 17. Leading zeros may be dropped.
-Result<std::uint32_t> bits(const DataWord& word, int most_digits) {
+Result<std::uint32_t> bits(const DataWord& word, int most_bits) {
   std::string digits(word.digits);
   if (digits.empty()) {
     if (!(word.value >= 0 && word.value <= most_dword) || word.value != std::floor(word.value)) return out_of_range(word);
@@ -258,7 +258,7 @@ Result<std::uint32_t> bits(const DataWord& word, int most_digits) {
   for (const char digit : digits) {
     if (digit != '0' && digit != '1') return out_of_range(word);
     value = value * 2 + static_cast<std::uint32_t>(digit - '0');
-    if (value >> most_digits != 0) return out_of_range(word);
+    if (value >> most_bits != 0) return out_of_range(word);
   }
   return value;
 }

@@ -166,7 +166,7 @@ Status take_simple(Machinery& m, const Call& call) {
 }
 
 /// G77.7 along the first axis, G79.7 along the second: in, the cut, out, back.
-Status cut(Machinery& m, const Call& call) {
+Status cut_once(Machinery& m, const Call& call) {
   const TurningMemory& kept = m.nct->state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
   const bool along_first = call.row->arg == 777;
@@ -294,7 +294,7 @@ Status turning_simple(Machinery& m, const Call& call) {
   if (m.block_axes_taken || !m.has_axis_words()) return {};
   KADR_TRY(nct::possible(m, call));
   KADR_TRY(nct::take_simple(m, call));
-  return call.row->arg == 787 ? nct::simple_thread(m, call) : nct::cut(m, call);
+  return call.row->arg == 787 ? nct::simple_thread(m, call) : nct::cut_once(m, call);
 }
 
 }  // namespace kadr::functions

@@ -11,7 +11,7 @@
 namespace kadr::nct {
 namespace {
 
-constexpr double most_passes = 1e6;
+constexpr double most_cuts = 1e6;
 constexpr int halvings = 60;
 
 /// Along the contour to the last motion; the program goes on behind it.
@@ -216,7 +216,7 @@ Status rough(Machinery& m, const Call& call, Vec2 allowance) {
   if (!(kept.depth > 0)) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, facing ? 0 : 1), call.row->code));
   auto profile = Profile::of(contour->pieces, facing, call.where);
   if (!profile) return fail(profile.error());
-  if (profile->deepest() / kept.depth > most_passes)
+  if (profile->deepest() / kept.depth > most_cuts)
     return fail(alarm(AlarmId::value_out_of_range, call.where, letter_of(m, facing ? 0 : 1), kept.depth));
   KADR_TRY(m.feed_known(call.where));
   m.running = std::make_unique<RoughRun>(std::move(*contour), std::move(*profile), allowance, kept);

@@ -29,7 +29,7 @@ Status each_axis(const Machinery& m, Use use) {
   return {};
 }
 
-bool is_increment(const Machinery& m, const Word& w) {
+bool written_as_increment(const Machinery& m, const Word& w) {
   return w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
@@ -103,7 +103,7 @@ Status work_system_extended(Machinery& m, const Call& call) {
 Status local_system(Machinery& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
-    const bool adds = !m.modal.absolute || is_increment(m, w);
+    const bool adds = !m.modal.absolute || written_as_increment(m, w);
     m.modal.local[a] = adds ? m.modal.local[a] + v : v;
     return {};
   }));
@@ -123,7 +123,7 @@ Status new_system(Machinery& m, const Call& call) {
   }
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
-    if (is_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
+    if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     const double here = m.position.work[a] + m.modal.local[a];  // 16: G92 data are not transformed
     m.modal.new_system[a] += here - v;
     m.modal.local[a] = 0;
@@ -142,7 +142,7 @@ Status machine_move(Machinery& m, const Call& call) {
   AxisMask named = 0;
   m.nct->rolled = 0;
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
-    if (is_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
+    if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     to[a] = v;
     named |= 1u << a;
     if (const nct::AxisSettings& axis = m.nct->settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
@@ -188,7 +188,7 @@ Status diameter_switch(Machinery& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   return each_axis(m, [&](std::size_t a, double, const Word& w) -> Status {
     const bool linear = (m.def.rotary >> a & 1u) == 0;
-    if (!linear || is_increment(m, w)) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
+    if (!linear || written_as_increment(m, w)) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
     if (w.value != 0 && w.value != 1) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
     if (!m.nct->settings.axes[a].switches_by_code)
       return fail(alarm(AlarmId::not_available, call.where, "G10.9"));  // MGD=0: the machine switches

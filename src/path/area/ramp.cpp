@@ -10,7 +10,7 @@ namespace kadr::area {
 namespace {
 
 constexpr double fine = tol::area_wall / 4;         // mm between an arc and its chords on a ramp that may run along a wall
-constexpr double rough = 0.02;                      // mm: the same where there is room; fewer blocks
+constexpr double coarse = 0.02;                     // mm: the same where there is room; fewer blocks
 constexpr double shortest = 2, longest = 6;         // tool radii that a stroke is long, where there is room
 constexpr double good_extent = 2;                   // tool radii: a ramp as wide as the tool needs no better one
 constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // tool radii; up to 1 no core stays
@@ -75,7 +75,7 @@ class Search {
 
   /// As corners that stay in the field; none where they do not.
   std::optional<Polygon> held(const Edges& way) const {
-    for (const double chord : {rough, fine}) {
+    for (const double chord : {coarse, fine}) {
       Polygon corners = flattened(way, chord);
       if (length(corners.back() - way.back().to) > tol::same_point) corners.push_back(way.back().to);
       if (field_.roomy.holds(corners, tol::area_chord)) return corners;

@@ -10,8 +10,8 @@
 namespace kadr::area {
 namespace {
 
-constexpr double chord = 10 * tol::area_chord;  // for areas; cusps are far larger
-constexpr double same_level = tol::area_cusp;   // mm: levels are rounded to the digits of the control's Z word
+constexpr double verified_chord = 10 * tol::area_chord;  // for areas; cusps are far larger
+constexpr double same_level = tol::area_cusp;            // mm: levels are rounded to the digits of the control's Z word
 
 class Check {
  public:
@@ -44,7 +44,7 @@ class Check {
         (e.open ? open : walls).push_back(flattened({e}, tol::area_chord));
       }
     allowed_ = joined(allowed_, joined(area, swept(open, job_.radius + job_.overrun, tol::area_chord)));
-    Polygons left = job_.allowance > 0 ? less(area, swept(walls, job_.allowance, chord)) : area;
+    Polygons left = job_.allowance > 0 ? less(area, swept(walls, job_.allowance, verified_chord)) : area;
     outcome_.out_of_reach += area_of(left) - area_of(area);
     for (const Field& field : fields_of(zone, job_)) {
       outcome_.out_of_reach -= area_of(common(field.wanted, left));
@@ -98,7 +98,7 @@ class Check {
       else lines.push_back(std::move(corners));
     }
     double sum = 0;
-    for (const Polygons& part : parts_of(less(wanted_, swept_all(lines, job_.radius + tol::area_cusp, chord, job_.watch)))) {
+    for (const Polygons& part : parts_of(less(wanted_, swept_all(lines, job_.radius + tol::area_cusp, verified_chord, job_.watch)))) {
       const double area = area_of(part);
       if (area > tol::area_cusp * tol::area_cusp) sum += area;
     }
