@@ -51,7 +51,7 @@ MOST_AXES = 16
 # Keys that are not named as the field they fill.
 GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address"}
 GRAMMAR_KEYS |= {"formal_parameter", "parameters_in", "label", "section", "most_codes"}
-TOP_KEYS = {"id", "name", "spec", "extends", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
+TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
             "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many"}

@@ -20,7 +20,7 @@ HEAD = 'id = "mine"\nname = { en = "x", ru = "x" }\n'
 REFUSED = [
     # What ended in a segmentation fault.
     ("gost", "[grammar]\nmacro = true\nexpressions = true\nvariables = 999\n", ["own.toml:5: ", "macro", "machine of the NCT"]),
-    ("nct", "[behaviour]\nmachine_axes = false\n", ["own.toml:5: ", "macro", "machine_axes"]),
+    ("nct", 'dialect = "iso"\n', ["own.toml:4: ", "macro", "dialect"]),
     ("mach3", '[g]\n"68" = { does = "plane_rotation_on", takes = "XYR" }\n', ["own.toml:5: ", "G68", "'plane_rotation_on'", "machine of the NCT"]),
     ("gost", '[m]\n"30" = { does = "call_program", takes = "P" }\n', ["own.toml:5: ", "M30", "'call_program'"]),
     ("gost", '[address]\nE = { does = "rapid" }\n', ["own.toml:5: ", "E: ", "'rapid'", "[g] or [m]"]),

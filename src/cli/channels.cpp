@@ -58,7 +58,7 @@ Setup setup_of_channel(const Setup& main, int number) {
 
 std::optional<std::vector<Channel>> make_channels(const Job& job, Program program, RunLimits limits) {
   const Setup& main = job.setup;
-  if (!main.channels.empty() && !job.def->behaviour.machine_axes)
+  if (!main.channels.empty() && !job.def->machine_axes())
     return complain(told(fmt::format("{}: the control {} has no channels", job.setup_file, job.def->id),
                          fmt::format("{}: у системы {} каналов нет", job.setup_file, job.def->id))),
            std::nullopt;

@@ -18,7 +18,7 @@ void under(Map& to, const Map& stored) {
 }  // namespace
 
 std::optional<StateFile> open_state(const std::string& path, Job& job) {
-  if (!job.def->behaviour.machine_axes)
+  if (!job.def->machine_axes())
     return complain(told(fmt::format("--state: the control {} keeps no state", job.def->id),
                          fmt::format("--state: система {} состояния не хранит", job.def->id))),
            std::nullopt;

@@ -209,7 +209,6 @@ struct Behaviour {
   bool feed_of_axis = false;            // F right behind an axis' word, others follow: the feed of that axis (GOST 20999-83)
   bool diameter_by_setup = false;       // the set-up may say which axes are programmed as diameters (spec/gost 5)
   bool label_is_number = false;         // O0001 right behind % numbers the program (spec/gost 1)
-  bool machine_axes = false;            // the axes and their names are the machine's: the set-up says them (nct 2)
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;
@@ -221,12 +220,17 @@ struct AlarmText {
   Text hint;
 };
 
+/// Who does what no row of a control's file can say (`dialect = "…"`; control/dialect.h). iso: nobody.
+enum class DialectId : std::uint8_t { iso, nct };
+inline constexpr std::array<std::string_view, 2> dialect_names = {"iso", "nct"};
+
 struct ControlDef {
   std::string id;
   Text name;
   std::string spec;                  // where its rules stand
   std::vector<std::string> lineage;  // "gost" for a file that extends it
   std::string descriptor;            // the format string
+  DialectId dialect = DialectId::iso;
   Grammar grammar;
   Behaviour behaviour;
   std::vector<std::string> axes;                      // names in order
@@ -255,6 +259,8 @@ struct ControlDef {
   std::int32_t m_user_to = -1;
   std::int32_t m_user_row = -1;
 
+  /// The axes and their names are the machine's: the set-up says them (nct 2).
+  bool machine_axes() const { return dialect == DialectId::nct; }
   const AddressRow& address(char letter) const { return addresses[static_cast<std::size_t>(letter - 'A')]; }
   /// Row of a code word, or -1.
   std::int32_t row_of(char letter, std::int32_t tenth) const;

@@ -58,6 +58,7 @@ class ControlLoader {
   }
   /// Number of a key within its range; where it is none, load() fails.
   void ranged(const toml::table& row, std::string_view key, const NumberRange& range, double& to);
+  Done dialect();
   Done grammar();
   char first_letter(const toml::table& t, std::string_view key);
   Done behaviour();

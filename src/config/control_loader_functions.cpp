@@ -62,7 +62,7 @@ std::string quoted(Function function) { return "'" + std::string(traits_of(funct
 
 std::string written(Needs needs) {
   switch (needs) {
-    case Needs::nct: return say("the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)");
+    case Needs::nct: return say("the machine of the NCT: extends = \"nct\" (dialect = \"nct\")");
     case Needs::correctors: return "[behaviour] correctors = true";
     case Needs::sections: return "[behaviour] subprograms_by_section = true";
     case Needs::labels: return "[grammar] label";
@@ -74,8 +74,8 @@ std::string written(Needs needs) {
 
 bool ControlLoader::has(Needs needs) const {
   switch (needs) {
-    case Needs::nct: return def_.behaviour.machine_axes;
-    case Needs::no_nct: return !def_.behaviour.machine_axes;
+    case Needs::nct: return def_.machine_axes();
+    case Needs::no_nct: return !def_.machine_axes();
     case Needs::correctors: return def_.behaviour.correctors;
     case Needs::sections: return def_.behaviour.subprograms_by_section;
     case Needs::labels: return def_.grammar.label_address != 0;
@@ -97,7 +97,7 @@ tl::expected<Function, std::string> ControlLoader::function_of(const toml::table
                                         : say("{} belongs to a word, [address]", quoted(function)));
   if (has(needs_of(function))) return function;
   if (needs_of(function) == Needs::no_nct)
-    return refused(say("{} does not work with the machine of the NCT ([behaviour] machine_axes = true)", quoted(function)));
+    return refused(say("{} does not work with the machine of the NCT (dialect = \"nct\")", quoted(function)));
   return refused(say("{} needs {}", quoted(function), written(needs_of(function))));
 }
 
@@ -139,7 +139,7 @@ Done ControlLoader::check_address(char letter, const toml::table& row, const Add
   if (!is_number) KADR_LOAD(no_effect(row, "scale", who + say("`scale` has no effect: {} is no value", quoted(a.function))));
   if (a.function != Function::corrector_word && row["second"].value_or(false))
     return Failed(place(name_, row, "second") + who + say("`second` needs does = \"corrector_word\": nothing else takes a second number"));
-  const bool of_nct = def_.behaviour.machine_axes;
+  const bool of_nct = def_.machine_axes();
   if (!of_nct && (a.function == Function::block_number || a.function == Function::label))
     for (const char* key : {"least", "most", "whole"})
       KADR_LOAD(no_effect(row, key, who + say("`{}` has no effect: {} is not limited on this control", key, quoted(a.function))));

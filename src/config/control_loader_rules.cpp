@@ -96,36 +96,34 @@ Done ControlLoader::check_machine() {
   const toml::table* const words = section("grammar");
   const toml::table* const behaves = section("behaviour");
   const auto at = [&](std::string_view key) {  // the key of the user's own file, if it stands there
-    const toml::node* const own = behaves == nullptr ? nullptr : behaves->get("machine_axes");
+    const toml::node* const own = file_.get("dialect");
     const bool blames_machine = own != nullptr && is_own(*own);
     if (blames_machine) return place(name_, *own);
     return words == nullptr ? name_ + ": " : place(name_, *words, key);
   };
   for (const auto& [key, flag] : nct_grammar)
-    if (g.*flag && !b.machine_axes)
-      return Failed(at(key) + say("[grammar] {} needs the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)", key));
-  if (!b.machine_axes) return {};
+    if (g.*flag && !def_.machine_axes())
+      return Failed(at(key) + say("[grammar] {} needs the machine of the NCT: extends = \"nct\" (dialect = \"nct\")", key));
+  if (!def_.machine_axes()) return {};
   if (!g.macro || !g.expressions)
-    return Failed(at(g.macro ? "expressions" : "macro") + say("[behaviour] machine_axes needs [grammar] macro and expressions"));
-  if (file_.get("parameters") == nullptr)
-    return Failed(at("macro") + say("[behaviour] machine_axes needs `parameters` = \"nct-parameters\""));
-  if (g.variables < 100'000) return Failed(at("variables") + say("[behaviour] machine_axes needs [grammar] variables of 100000 and more"));
-  if (g.label_address != 'O') return Failed(at("label") + say("[behaviour] machine_axes needs [grammar] label = \"O\""));
+    return Failed(at(g.macro ? "expressions" : "macro") + say("dialect = \"nct\" needs [grammar] macro and expressions"));
+  if (file_.get("parameters") == nullptr) return Failed(at("macro") + say("dialect = \"nct\" needs `parameters` = \"nct-parameters\""));
+  if (g.variables < 100'000) return Failed(at("variables") + say("dialect = \"nct\" needs [grammar] variables of 100000 and more"));
+  if (g.label_address != 'O') return Failed(at("label") + say("dialect = \"nct\" needs [grammar] label = \"O\""));
   for (const auto& [key, on] : {std::pair<std::string_view, bool>{"formal_parameter", g.parameter_address != 0},
                                 {"section", g.section_address != 0},
                                 {"zero_between_slashes", g.zero_between_slashes},
                                 {"block_number_required", g.block_number_required},
                                 {"main_blocks", g.main_blocks}})
     if (on)
-      return Failed(at(key) +
-                    say("{} does not work with the machine of the NCT ([behaviour] machine_axes = true)", "[grammar] " + std::string(key)));
+      return Failed(at(key) + say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[grammar] " + std::string(key)));
   for (const auto& [key, on] :
        {std::pair<std::string_view, bool>{"correctors", b.correctors}, {"subprograms_by_section", b.subprograms_by_section}})
     if (on)
-      return Failed(place(name_, *behaves, key) + say("{} does not work with the machine of the NCT ([behaviour] machine_axes = true)",
-                                                      "[behaviour] " + std::string(key)));
+      return Failed(place(name_, *behaves, key) +
+                    say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[behaviour] " + std::string(key)));
   for (const std::string_view key : not_of_nct)
-    KADR_LOAD(no_effect(*behaves, key, say("{} has no effect with the machine of the NCT ([behaviour] machine_axes = true)", key)));
+    KADR_LOAD(no_effect(*behaves, key, say("{} has no effect with the machine of the NCT (dialect = \"nct\")", key)));
   return {};
 }
 
@@ -182,7 +180,7 @@ Done ControlLoader::check_behaviour() {
   if (b.fixtures == 0) return Failed(place(name_, *t, "fixtures") + say("{} must be a whole number from {} to {}", "fixtures", 1, 1000));
   if (b.correctors && !does({Function::corrector_word}))
     return Failed(place(name_, *t, "correctors") + say("correctors: [address] L must be 'corrector_word'"));
-  if (b.machine_axes) return {};
+  if (def_.machine_axes()) return {};
   for (const LooksAt& row : behaviour_of_functions()) {
     const bool looked_at = std::any_of(row.functions.begin(), row.functions.end(), [&](Function f) { return does({f}); });
     if (!looked_at)
@@ -197,7 +195,7 @@ Done ControlLoader::check_behaviour() {
 
 /// Every axis has its word; where something works in a plane there are three of them.
 Done ControlLoader::check_axes() const {
-  if (def_.behaviour.machine_axes) return {};
+  if (def_.machine_axes()) return {};
   const auto words = [&](Function function) {
     std::uint32_t axes = 0;
     for (const AddressRow& row : def_.addresses)
@@ -233,9 +231,8 @@ Done ControlLoader::check_functions() {
         return Failed((codes == nullptr ? name_ + ": " : place(name_, *codes)) +
                       say("{}: '{}' needs [[variables]] is = \"{}\"", row.code, traits_of(row.function).name, s.name));
   }
-  if (def_.behaviour.machine_axes && (!def_.feed_codes.empty() || !def_.speed_codes.empty()))
-    return Failed(name_ + ": " +
-                  say("[feed_codes] and [speed_codes] do not work with the machine of the NCT ([behaviour] machine_axes = true)"));
+  if (def_.machine_axes() && (!def_.feed_codes.empty() || !def_.speed_codes.empty()))
+    return Failed(name_ + ": " + say("[feed_codes] and [speed_codes] do not work with the machine of the NCT (dialect = \"nct\")"));
   if (!def_.feed_codes.empty() && !does({Function::feed_word}))
     return Failed(say("{}: [{}] has no effect without an address that does '{}'", name_, "feed_codes", "feed_word"));
   if (!def_.speed_codes.empty() && !does({Function::speed_word}))
@@ -276,11 +273,11 @@ Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const
 
 /// A variable that the engine can keep.
 Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v) const {
-  if (def_.behaviour.machine_axes) return {};
+  if (def_.machine_axes()) return {};
   const std::string kind(row["is"].value_or(std::string()));
   const std::string who = "'" + kind + "': ";
   if (v.kind > VariableKind::fixture || v.kind == VariableKind::free)
-    return Failed(place(name_, row, "is") + who + say("needs the machine of the NCT: extends = \"nct\" ([behaviour] machine_axes = true)"));
+    return Failed(place(name_, row, "is") + who + say("needs the machine of the NCT: extends = \"nct\" (dialect = \"nct\")"));
   for (const char* const key : {"ranges", "symbol", "first", "arg", "bit", "of", "access", "works"})
     if (row.contains(key)) return Failed(place(name_, row, key) + who + say("`{}` has no effect without the machine of the NCT", key));
   const VariableRange& range = v.ranges.front();

@@ -61,8 +61,9 @@ Done ControlLoader::sections() {
   if (const toml::table* const name = section("name")) def_.name = text_of(*name);
   def_.spec = text(file_, "spec");
   KADR_LOAD(known_keys(
-      file_, {"id",     "name", "spec", "extends", "format",    "grammar",    "behaviour", "axes",     "order",      "address",
-              "groups", "g",    "m",    "cycle",   "variables", "parameters", "alarms",    "defaults", "feed_codes", "speed_codes"}));
+      file_, {"id",     "name", "spec", "extends", "dialect",   "format",     "grammar", "behaviour", "axes",       "order",      "address",
+              "groups", "g",    "m",    "cycle",   "variables", "parameters", "alarms",  "defaults",  "feed_codes", "speed_codes"}));
+  KADR_LOAD(dialect());
   KADR_LOAD(grammar());
   KADR_LOAD(behaviour());
   KADR_LOAD(check_machine());
@@ -83,6 +84,20 @@ Done ControlLoader::sections() {
   KADR_LOAD(check_behaviour());
   KADR_LOAD(check_axes());
   return check_functions();
+}
+
+/// Who does what no row can say.
+Done ControlLoader::dialect() {
+  const toml::node* const node = file_.get("dialect");
+  if (node == nullptr) return {};
+  const std::string name = text(file_, "dialect");
+  const auto found = std::find(dialect_names.begin(), dialect_names.end(), name);
+  if (found == dialect_names.end()) {
+    const std::string_view near = toml_tools::nearest(name, {dialect_names.begin(), dialect_names.end()});
+    return Failed(place(name_, *node) + say("unknown dialect '{}'", name) + (near.empty() ? "" : say(", nearest: '{}'", near)));
+  }
+  def_.dialect = static_cast<DialectId>(found - dialect_names.begin());
+  return {};
 }
 
 std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most) {
@@ -235,7 +250,6 @@ Done ControlLoader::behaviour() {
   flag("feed_of_axis", b.feed_of_axis);
   flag("label_is_number", b.label_is_number);
   flag("diameter_by_setup", b.diameter_by_setup);
-  flag("machine_axes", b.machine_axes);
   count("call_depth", b.call_depth, 255);
   count("offsets", b.offsets, 9999);
   count("fixtures", b.fixtures, 1000);

@@ -11,12 +11,12 @@ namespace kadr {
 /// What calls a function: a row of [address], or one of [g] and [m].
 enum class CalledBy : std::uint8_t { word, code };
 
-/// What a function needs. The machine of the NCT ([behaviour] machine_axes) has axes, spindles, offsets and calls of its own: what works
+/// What a function needs. The machine of the NCT (dialect = "nct") has axes, spindles, offsets and calls of its own: what works
 /// on it does not work beside it, and the other way round.
 enum class Needs : std::uint8_t {
   nothing,
-  nct,         // [behaviour] machine_axes = true
-  no_nct,      // … = false
+  nct,         // dialect = "nct"
+  no_nct,      // another one, or none
   correctors,  // [behaviour] correctors = true
   sections,    // [behaviour] subprograms_by_section = true
   labels,      // [grammar] label

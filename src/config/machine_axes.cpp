@@ -200,7 +200,7 @@ class Fitter {
 }  // namespace
 
 std::string fit_to_machine(ControlDef& def, const Setup& setup) {
-  if (!def.behaviour.machine_axes) return {};
+  if (!def.machine_axes()) return {};
   return Fitter(def, setup).run();
 }
 

@@ -200,7 +200,7 @@ class Checker {
 /// Axes that the set-up names, or those of the control.
 std::vector<std::string> axes_in(const Json& table, const ControlDef& def) {
   std::vector<std::string> axes;
-  if (def.behaviour.machine_axes && table.is_object() && table.contains("axes") && table["axes"].is_array())
+  if (def.machine_axes() && table.is_object() && table.contains("axes") && table["axes"].is_array())
     for (const Json& axis : table["axes"])
       if (axis.is_string()) axes.push_back(axis.get<std::string>());
   return axes.empty() ? def.axes : axes;

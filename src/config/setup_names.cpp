@@ -85,9 +85,9 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::turning_lengths: return has_variable(def, VariableKind::offset_x);
     case SetupNeeds::tool_management: return has_variable(def, VariableKind::tool_data);
     case SetupNeeds::clock: return has_variable(def, VariableKind::date);
-    case SetupNeeds::diameters: return def.behaviour.machine_axes || def.behaviour.diameter_by_setup;
+    case SetupNeeds::diameters: return def.machine_axes() || def.behaviour.diameter_by_setup;
     case SetupNeeds::probe: return has_function(def, {Function::probe, Function::measure, Function::measure_length});
-    case SetupNeeds::machine_axes: return def.behaviour.machine_axes;
+    case SetupNeeds::machine_axes: return def.machine_axes();
   }
   return true;
 }
@@ -139,7 +139,7 @@ SetupNamesOf::Numbers SetupNamesOf::numbers(SetupNames kind) const {
     case SetupNames::corrector: return {1, offsets};
     case SetupNames::zero: return {1, turning_zeros};
     case SetupNames::reference_point: return {1, 4};
-    case SetupNames::spindle: return {1, def_ == nullptr || def_->behaviour.machine_axes ? 16 : 1};
+    case SetupNames::spindle: return {1, def_ == nullptr || def_->machine_axes() ? 16 : 1};
     case SetupNames::probe_input:
     case SetupNames::channel: return {1, 8};
     case SetupNames::tool_row:

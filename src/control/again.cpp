@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "control/machinery.h"
-#include "control/nct/calls.h"
-#include "control/nct/nct.h"
 
 namespace kadr {
 
@@ -21,7 +19,7 @@ Status Machinery::begin_again(Span where, Position from) {
   const bool alike = !pass_varies && !logic_acts;
   if (!alike && flow.restart(from)) {
     pass_varies = false;
-    if (nct) nct->endless.forget();
+    if (dialect) dialect->begin_again();
     return {};
   }
   warn(note(alike ? AlarmId::program_begins_again : AlarmId::passes_done, where, double(done)));
@@ -40,12 +38,12 @@ bool Machinery::may_have_steered() const {
 /// After an end that came too early the open call or repetition is left, so that one fault is not found again and again.
 void Machinery::go_on() {
   stopped_ = false;
-  if (nct) nct->endless.note_fault(*this, may_have_steered());
+  if (dialect) dialect->note_fault(*this, may_have_steered());
   damaged_ = false;
   keep_from_faulty_block();
   if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
   const bool at_end_of_file = report.alarm.where.end == 0;
-  if (nct) return nct::leave_call(*this);
+  if (dialect && dialect->leave_call(*this)) return;
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
@@ -66,7 +64,7 @@ void Machinery::keep_from_faulty_block() {
     const std::int32_t row = w.address == 'M' && w.code >= 0 ? def.row_of('M', w.code) : -1;
     if (row < 0) continue;
     const Function f = def.codes[static_cast<std::size_t>(row)].function;
-    if (f == Function::return_program && nct) nct::leave_call(*this);
+    if (f == Function::return_program && dialect) (void)dialect->leave_call(*this);
     if (f == Function::subprogram_end) (void)flow.end_subprogram(w.where);
     if (f == Function::repetition_end) (void)flow.end_repetition(w.where);
   }

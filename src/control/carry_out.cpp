@@ -2,9 +2,6 @@
 
 #include "control/contour.h"
 #include "control/machinery.h"
-#include "control/nct/drilling.h"
-#include "control/nct/nct.h"
-#include "control/nct/sides.h"
 
 namespace kadr {
 namespace {
@@ -71,11 +68,11 @@ Status Machinery::carry_out(const PlanItem& item) {
   const CodeRow* const row = row_of(item);
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
-  if (nct && nct->state.compensates && nct::interrupts_contour(function)) emit(ContourBreak{});
+  if (dialect) dialect->before_function(*this, function);
   const std::int32_t code = w != nullptr ? w->code : -1;  // a jump may put another block in hand
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
-  if (nct && row != nullptr) nct::note_code(*this, *row, code);
+  if (dialect && row != nullptr) dialect->after_code(*this, *row, code);
   return {};
 }
 
@@ -148,7 +145,7 @@ void Machinery::take_moment() {
   variables.begin_block();
   moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
   kept_offset_.first = 0;
-  if (nct) nct->keep_all(*this);
+  if (dialect) dialect->keep(*this);
   if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
 }
 
@@ -159,7 +156,7 @@ void Machinery::take_back(std::size_t actions) {
   stop_cycles();
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
-  if (nct) nct->take_back(*this);
+  if (dialect) dialect->take_back(*this);
   if (small_moment_taken_) {
     modal.feed = small_moment_.feed;
     modal.feed_known = small_moment_.feed_known;
@@ -180,7 +177,7 @@ void Machinery::take_back(std::size_t actions) {
   set_position = moment_.set_position;
   set_position_by_g52 = moment_.set_position_by_g52;
   tables.zero_shift = moment_.zero_shift;
-  if (nct) nct::follow_from_here(*this);
+  if (dialect) dialect->taken_back(*this);
   if (def.behaviour.correctors) corrector_applied = kept_corrections_;
   if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
 }

@@ -9,8 +9,6 @@
 #include "control/correctors/correctors.h"
 #include "control/functions.h"
 #include "control/machinery.h"
-#include "control/nct/arcs.h"
-#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -170,11 +168,13 @@ Status circular(Machinery& m, const Call& call, Turn turn, MotionMode mode) {
   }
   m.cycle_memory.row = -1;
   if (m.block_axes_taken) return {};
-  if (m.nct) return nct::arc(m, call, turn);
-  return Circular(m, turn).run(call.where);
+  if (m.dialect) return m.dialect->arc(m, call, turn);
+  return m.plain_arc(turn, call.where);
 }
 
 }  // namespace
+
+Status Machinery::plain_arc(Turn turn, Span where) { return Circular(*this, turn).run(where); }
 
 Status functions::arc_cw(Machinery& m, const Call& call) { return circular(m, call, Turn::cw, MotionMode::arc_cw); }
 Status functions::arc_ccw(Machinery& m, const Call& call) { return circular(m, call, Turn::ccw, MotionMode::arc_ccw); }

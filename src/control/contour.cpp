@@ -110,7 +110,7 @@ Status contour_allows_infeed(const Machinery& m, Span where) {
 }
 
 Status contour_allows_motion(const Machinery& m) {
-  if (m.nct || !m.def.behaviour.contour_blocks_checked || m.modal.contour == ContourPhase::off || !m.has_axis_words()) return {};
+  if (!m.def.behaviour.contour_blocks_checked || m.modal.contour == ContourPhase::off || !m.has_axis_words()) return {};
   Axes to;
   AxisMask named = 0;
   KADR_TRY(m.target(to, named));

@@ -4,7 +4,6 @@
 
 #include "config/machine_axes.h"
 #include "control/machinery.h"
-#include "control/nct/nct.h"
 #include "control/shared_memory.h"
 
 namespace kadr {
@@ -13,12 +12,12 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
     : shared_(std::move(shared)) {
   std::unique_ptr<ControlDef> own;
   std::string error;
-  if (def.behaviour.machine_axes) {
+  if (def.machine_axes()) {
     own = std::make_unique<ControlDef>(def);
     error = fit_to_machine(*own, setup);
   }
   machinery_ = std::make_unique<Machinery>(def, std::move(own), setup, std::move(program), limits,
-                                           shared_ ? shared_->commons : std::make_shared<nct::Commons>());
+                                           shared_ ? shared_->commons : std::make_shared<Commons>());
   if (shared_) shared_->share_offsets(machinery_->tables.offsets, static_cast<int>(setup_number(setup, "1401")));
   if (!error.empty()) machinery_->start_fault = {"axes", error, error};
   machinery_->on_warning = &on_warning;
@@ -26,6 +25,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
   machinery_->on_changes = &on_changes;
 }
 Control::~Control() = default;
+MachineSide* Control::machine_side() const { return machinery_->dialect ? machinery_->dialect->machine_side() : nullptr; }
 
 Control::State Control::run(ActionBatch& batch) {
   if (!shared_) [[likely]]
@@ -79,59 +79,36 @@ AlarmReport::Line Control::line_at(const Origin& origin) const {
 
 void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { machinery_->check_uncalled(on_fault); }
 void Control::set_signal(const std::string& name, double value) {
-  if (!machinery_->nct) return;
-  double& signal = machinery_->nct->signals[name];
-  if (name == nct::interrupt_signal && signal == 0 && value != 0) machinery_->nct->signal_rose = true;
-  signal = value;
+  MachineSide* const side = machine_side();
+  if (side == nullptr) return;
+  side->set_signal(name, value);
   if (on_signal) on_signal(name, value != 0);
-  if (nct::waiting_suspended(*machinery_)) machinery_->waiting.meeting.reset();
+  if (side->waiting_suspended()) machinery_->waiting.meeting.reset();
 }
 void Control::set_skip(int number, bool on) {
   if (number >= 1 && number < 10) machinery_->skip_switches[static_cast<std::size_t>(number)] = on;
 }
 void Control::set_answer(double answer) {
-  if (machinery_->nct) machinery_->nct->answer = answer;
+  if (MachineSide* const side = machine_side()) side->set_answer(answer);
 }
 void Control::synchronise(int slave, int master) {
-  if (!machinery_->nct) return;
-  for (int n = 1; n <= static_cast<int>(nct::most_spindles); ++n) {
-    if (slave != n && slave != 0) continue;
-    nct::SpindleState& s = machinery_->nct->spindle(n);
-    s.master = master;
-    if (master < 1 || master > static_cast<int>(nct::most_spindles)) continue;
-    nct::SpindleState& leads = machinery_->nct->spindle(master);  // both loops are closed, the slave has the master's speed (nct 11.7.4)
-    s.rpm = leads.rpm;
-    s.dir = leads.dir;
-    s.loop_closed = leads.loop_closed = true;
-  }
+  if (MachineSide* const side = machine_side()) side->synchronise(slave, master);
 }
 void Control::couple_axes(const std::vector<std::string>& axes, bool on) {
   for (const std::string& name : axes)
-    if (machinery_->nct) nct::couple_axis(*machinery_, name, on);
+    if (MachineSide* const side = machine_side()) side->couple_axis(*machinery_, name, on);
 }
 void Control::convert_spindle(int number, bool to_axis) {
-  if (!machinery_->nct || number < 1 || number > static_cast<int>(nct::most_spindles)) return;
-  nct::SpindleState& s = machinery_->nct->spindle(number);
-  s.dir = SpindleDir::stop;
-  s.master = 0;
-  s.loop_closed = to_axis;
-  s.referenced = false;
+  if (MachineSide* const side = machine_side()) side->convert_spindle(number, to_axis);
 }
 void Control::power_cycle() { machinery_->power_cycle(); }
 void Control::set_time(double now_ms, double cutting_ms) {
-  if (!machinery_->nct) return;
-  nct::Nct& nct = *machinery_->nct;
-  nct.now_ms = now_ms;
-  const double cut = cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms);
-  nct.cutting_ms += cut;  // the program may have set it
-  constexpr double ms_per_s = 1000;
-  if (nct.counts_time) nct.tools.add_time(cut / ms_per_s);
-  nct.counts_time = nct.tools.counts_time();
+  if (MachineSide* const side = machine_side()) side->set_time(now_ms, cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms));
 }
 bool Control::reads_clock() const { return machinery_->reads_clock; }
 std::optional<RunState> Control::run_state() const {
-  if (!machinery_->nct) return std::nullopt;
-  return machinery_->nct->run_state(*machinery_);
+  const MachineSide* const side = machine_side();
+  return side == nullptr ? std::nullopt : std::optional(side->run_state(*machinery_));
 }
 std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const {
   return machinery_->flow.file(file).texts_of(lines);
@@ -139,7 +116,8 @@ std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint3
 std::vector<std::string> Control::files_read() const { return machinery_->flow.paths(); }
 const WrittenFiles& Control::files_written() const {
   static const WrittenFiles none;
-  return machinery_->nct ? machinery_->nct->output.files() : none;
+  const MachineSide* const side = machine_side();
+  return side == nullptr ? none : side->files_written();
 }
 const std::string& Control::file_name(std::uint16_t file) const { return machinery_->flow.file(file).path(); }
 Ending Control::ending() const { return machinery_->ending(); }
@@ -151,7 +129,7 @@ bool Control::encoding_was_guessed() const { return machinery_->flow.program().e
 const std::vector<std::string>& Control::axes() const { return machinery_->axis_names; }
 const ProgramUse& Control::use() const { return machinery_->use; }
 void Control::watch_use() { machinery_->use.watch(); }
-bool Control::has_machine_parameters() const { return machinery_->nct != nullptr; }
+bool Control::has_machine_parameters() const { return machine_side() != nullptr; }
 std::uint32_t Control::rotary() const { return machinery_->def.rotary; }
 const SetupFault& Control::setup_fault() const { return machinery_->start_fault; }
 

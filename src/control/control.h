@@ -25,7 +25,7 @@ namespace kadr {
 struct RunLimits {
   std::uint64_t repeated_blocks = 20'000'000;  // blocks carried out again after a jump back
   std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
-  bool writes_files = false;                   // FOPEN, POPEN of nct; false: as far as can be known without writing
+  bool writes_files = false;                   // FOPEN, POPEN; false: as far as can be known without writing
   std::string files = ".";                     // folder of the program memory, outside of which nothing is written
   FileSet untouched{};                         // files of the run itself, which no program writes
   StopToken stop{};                            // asked for at least each block
@@ -41,6 +41,7 @@ struct Program {
 using WrittenFiles = std::map<std::string, std::uint64_t>;
 
 class Machinery;     // control/machinery.h
+class MachineSide;   // control/dialect.h
 class SharedMemory;  // control/shared_memory.h
 
 class Control {
@@ -155,6 +156,9 @@ class Control {
   std::uint32_t rotary() const;
 
  private:
+  /// What the machine may tell the control; nullptr: nothing.
+  MachineSide* machine_side() const;
+
   std::unique_ptr<Machinery> machinery_;
   std::shared_ptr<SharedMemory> shared_;
   double cutting_seen_ms_ = 0;

@@ -2,7 +2,6 @@
 
 #include "control/behind_fault.h"
 #include "control/functions.h"
-#include "control/nct/nct.h"
 #include "control/s2c42/calls.h"
 
 namespace kadr {
@@ -16,11 +15,7 @@ Status end_program(Machinery& m, Span where) {
     if (m.def.behaviour.subprograms_by_section) return fail(alarm(AlarmId::subprogram_end_missing, where, double(top.name)));
   }
   m.flow.end();
-  if (m.nct) {
-    if (m.nct->settings.part_code == 0) m.nct->parts_done += 1;  // nct 13.1; else nct::note_code
-    m.nct->end_program(m);
-    return {};
-  }
+  if (m.dialect && m.dialect->end_program(m)) return {};
   for (const std::int32_t row_index : m.def.end_codes) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];
     const std::size_t silent = m.batch->size();

@@ -27,7 +27,7 @@ Status set_plane(Machinery& m, Plane plane) {
 
 Status set_feed_mode(Machinery& m, FeedMode mode) {
   Modal& modal = m.modal;
-  if (modal.feed_mode != mode && m.nct) {  // each unit has its own (nct 6.2.1)
+  if (modal.feed_mode != mode && m.dialect && m.dialect->keeps_both_feeds()) {  // each unit has its own (nct 6.2.1)
     std::swap(modal.feed, modal.other_feed);
     std::swap(modal.feed_known, modal.other_feed_known);
   } else if (modal.feed_mode != mode) {

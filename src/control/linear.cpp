@@ -5,9 +5,6 @@
 #include "base/tolerance.h"
 #include "control/correctors/correctors.h"
 #include "control/functions.h"
-#include "control/nct/automatic_geometry.h"
-#include "control/nct/nct.h"
-#include "control/nct/sides.h"
 
 namespace kadr {
 namespace {
@@ -50,7 +47,7 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
   }
   m.cycle_memory.row = -1;
   if (m.block_axes_taken) return {};
-  if (m.nct && nct::has_geometry_words(m)) return nct::shaped_line(m, call, kind);
+  if (m.dialect && m.dialect->shapes_lines(m)) return m.dialect->straight(m, call, kind);
   AxisMask named = 0;
   Axes to;
   KADR_TRY(m.target(to, named));
@@ -63,7 +60,7 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
   if (named == 0) return {};  // the code alone: only the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
-  if (m.nct && nct::only_shifts_length(m)) return m.move_to(to, m.transform.to_work(to), named), Status();
+  if (m.dialect && m.dialect->only_shifts(m)) return m.move_to(to, m.transform.to_work(to), named), Status();
   return m.straight(kind, to, named);
 }
 
@@ -190,10 +187,11 @@ Status probe(Machinery& m, const Call& call) {
 /// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
 void Machinery::answer(const ProbeAnswer& answer) {
   pass_varies = true;
-  if (nct) {
-    if (const Status taken = nct::take_answer(*this, answer); !taken) fail_with(taken.error());
-    return;
-  }
+  const Status taken = dialect ? dialect->take_answer(*this, answer) : note_answer(answer);
+  if (!taken) fail_with(taken.error());
+}
+
+Status Machinery::note_answer(const ProbeAnswer& answer) {
   needs_probe = false;
   const std::uint32_t first = variables.first(VariableKind::probe_point);
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -203,7 +201,8 @@ void Machinery::answer(const ProbeAnswer& answer) {
   }
   (void)variables.take_frames_changed();
   position.programmed = transform.to_programmed(position.work);
-  if (!answer.touched) fail_with(alarm(AlarmId::probe_no_contact, probe_where));
+  if (!answer.touched) return fail(alarm(AlarmId::probe_no_contact, probe_where));
+  return {};
 }
 
 }  // namespace kadr

@@ -7,18 +7,12 @@
 #include "base/made_in.h"
 #include "base/tolerance.h"
 #include "control/file_end.h"
-#include "control/nct/blocks.h"
-#include "control/nct/calls.h"
-#include "control/nct/drilling.h"
-#include "control/nct/interrupt.h"
-#include "control/nct/nct.h"
-#include "control/nct/sides.h"
 
 namespace kadr {
 
 // NOLINTNEXTLINE(readability-function-size): what it is made of, called in one place
 Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
-                     const RunLimits& limits, std::shared_ptr<nct::Commons> commons)
+                     const RunLimits& limits, std::shared_ptr<Commons> commons)
     : own_def(std::move(own)),
       def(own_def ? *own_def : control),
       letters(def),
@@ -26,11 +20,7 @@ Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own,
       flow(def, std::move(program), limits),
       stop_(limits.stop) {
   modal.rows.fill(-1);
-  if (def.behaviour.machine_axes) nct = std::make_unique<nct::Nct>(*this, setup, limits, std::move(commons));
-  waiting.known = nct::channels_of(setup);
-  for (const VariableRow& row : def.variables)
-    if (row.kind == VariableKind::clock || row.kind == VariableKind::cutting_clock || row.kind == VariableKind::time)
-      for (const VariableRange& range : row.ranges) clocks_.push_back(range.from);
+  dialect = make_dialect(*this, setup, limits, std::move(commons));
   read_setup(setup);
   start_modal(setup);
 }
@@ -60,10 +50,10 @@ Control::State Machinery::run(ActionBatch& to) {
       continue;
     }
     if (flow.ended()) return Control::State::ended;
-    if (nct && !nct->finishing.empty()) {
-      const auto left = nct::end_contour(*this);
-      if (!left) fail_with(left.error());
-      if (!left || *left) continue;
+    if (dialect && dialect->has_unfinished()) {
+      const auto waits = dialect->finish(*this);
+      if (!waits) fail_with(waits.error());
+      if (!waits || *waits) continue;
     }
     auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
     again_ = false;
@@ -76,8 +66,8 @@ Control::State Machinery::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
-    if (got && nct && !reads_clock && !block->no_clock && !block->code.empty()) {
-      if (may_read_clock()) {
+    if (got && dialect && !reads_clock && !block->no_clock && !block->code.empty()) {
+      if (dialect->reads_clock(*block)) {
         reads_clock = each_block = again_ = true;
         return Control::State::running;
       }
@@ -101,8 +91,8 @@ Control::State Machinery::run(ActionBatch& to) {
 
 /// What the block changed of the things that survive power-off.
 void Machinery::report_changes() {
-  if (!nct || on_changes == nullptr || !*on_changes) return;
-  const StateChanges changes = nct->changes.take(*this);
+  if (!dialect || on_changes == nullptr || !*on_changes) return;
+  const StateChanges changes = dialect->take_changes(*this);
   if (!changes.rows.empty()) (*on_changes)(changes);
 }
 
@@ -111,30 +101,30 @@ void Machinery::take_block() {
     return watch_block();
   if (const Status status = execute(); !status) fail_with(status.error());
   else report_changes();
-  block_open = !stopped_ && nct && nct->interrupt_program;  // M96 has come
+  block_open = !stopped_ && dialect && dialect->watches_blocks();  // M96 has come
 }
 
 /// The machine's logic looks at each block, or an interrupt macro may come.
-bool Machinery::is_watched() const { return (on_block != nullptr && *on_block) || (nct && nct->interrupt_program); }
+bool Machinery::is_watched() const { return (on_block != nullptr && *on_block) || (dialect && dialect->watches_blocks()); }
 
 /// A block with what the machine's logic does before it; behind it: end_block, when its actions have been handed over (nct 23.4).
 /// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
 void Machinery::watch_block() {
   const bool is_skipped = block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)];
-  in_interrupt_ = nct && nct->interrupted.active;
+  in_interrupt_ = dialect && dialect->in_interrupt();
   const bool put_off = resumed_ && !in_interrupt_ && *resumed_ == block->position;
   if (put_off || !in_interrupt_) resumed_.reset();
   Result<bool> instead = false;
   if (!put_off && !is_skipped) {
     if (on_block != nullptr && *on_block) (*on_block)(origin, false);
     if (flow.ended()) return;  // the power went off
-    if (nct) instead = nct::call_interrupt(*this, nct::BlockMoment::start);
+    if (dialect) instead = dialect->interrupt(*this, BlockMoment::start);
   }
   if (instead && *instead) {
     resumed_ = block->position;
     return;
   }
-  if (block->skip != 0 && !is_skipped && nct) nct::note_skip_mark(*this);
+  if (block->skip != 0 && !is_skipped && dialect) dialect->note_skip_mark(*this);
   const std::uint8_t skip = is_skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // looked at before the start
   const Status status = instead ? execute() : Status(fail(instead.error()));
   if (!is_skipped) block->skip = skip;
@@ -146,43 +136,16 @@ void Machinery::watch_block() {
 /// The end of a watched block: the interrupt macro, then the machine's logic.
 void Machinery::end_block() {
   block_open = false;
-  if (nct && !in_interrupt_) {
-    const auto called = nct::call_interrupt(*this, nct::BlockMoment::end);
+  if (dialect && !in_interrupt_) {
+    const auto called = dialect->interrupt(*this, BlockMoment::end);
     if (!called) fail_with(called.error());
   }
   if (!stopped_ && on_block != nullptr && *on_block) (*on_block)(origin, true);
 }
 
-/// A clock variable stands in the block, or one by a computed number, or a text with variables (nct 23.1.9). Its value must be
-/// that of the moment: all actions before it are handed over first, and from then on each block's.
-bool Machinery::may_read_clock() const {
-  const StatementKind kind = block->statement.kind;
-  if (kind == StatementKind::message || kind >= StatementKind::open_port) return true;
-  for (const Instruction& i : block->code) {
-    if (i.op == Op::variable) return true;
-    if (!(i.number > nct::last_common)) continue;
-    const bool constant = i.op == Op::number || i.op == Op::variable_at;
-    if (constant && std::find(clocks_.begin(), clocks_.end(), i.number) != clocks_.end()) return true;
-  }
-  return false;
-}
-
 /// Power off and on (nct 23.5): the program is over.
 void Machinery::power_cycle() {
-  if (!nct) return;
-  ActionBatch unseen;
-  ActionBatch* const kept = std::exchange(batch, &unseen);
-  const bool keeps_codes = std::exchange(nct->settings.keeps_codes, false);  // codes begin anew, whatever CLR says
-  nct::disengage(*this);
-  nct->end_program(*this);
-  nct->couplings = {};
-  nct::couple_gantries(*this);
-  nct->settings.keeps_codes = keeps_codes;
-  batch = kept;
-  nct->variables.power_off();
-  nct->clock_offset_ms = nct->now_ms;
-  nct->tool_magazine = 10;
-  nct->answer = 0;
+  if (!dialect || !dialect->lose_power(*this)) return;
   stop_cycles();
   waiting_count_ = 0;
   waiting.meeting.reset();
@@ -236,15 +199,15 @@ Status Machinery::execute() {
   if (block->skip != 0) {
     pass_varies = true;
     use.note(UseKind::skip_switch, block->skip, origin);
-    if (nct) nct::note_skip_mark(*this);
+    if (dialect) dialect->note_skip_mark(*this);
     if (skip_switches[std::min<std::size_t>(block->skip, 9)]) return {};
   }
-  const bool data = nct && nct->data_mode != nct::DataMode::none && block->has_number;
+  const bool data = dialect && block->has_number && dialect->takes_data();
   if (def.grammar.macro && !data) KADR_TRY(check_numbers());
   if (block->empty() && block->comments.empty() && !data) return {};
   if (block->statement.kind != StatementKind::none) {
     pass_varies = true;
-    return nct::run_statement(*this);
+    return dialect ? dialect->statement(*this) : Status();
   }
   return attempt();
 }
@@ -268,8 +231,8 @@ Status Machinery::attempt() {
   waiting_count_ = 0;
   flow_before_.reset();
   shape_ = shapes_.of(def, *block);
-  if (nct) nct->begin_block();
-  if (!block->code.empty() && !nct) {  // nct assigns in blocks of their own
+  if (dialect) dialect->begin_block(*this);
+  if (!block->code.empty() && macro_variables == nullptr) {  // else assignments are statements: blocks of their own
     take_moment();
     variables.begin_block();
   }
@@ -280,15 +243,19 @@ Status Machinery::attempt() {
 
 Status Machinery::words() {
   KADR_TRY(evaluate_words());
-  if (nct) {
-    const auto done = nct::before_plan(*this);
+  if (dialect) {
+    const auto done = dialect->takes_block(*this);
     if (!done) return fail(done.error());
     if (*done) return {};
-    if (nct->active_modal_calls != 0 || !nct->pending.empty()) flow_before_ = flow.place();  // a call behind the block may fail
+  } else {
+    KADR_TRY(take_words());
   }
   KADR_TRY(plan());
-  if (!each_block && changes_little()) take_small_moment();
-  else if (each_block || !changes_only_position()) take_moment();
+  const BlockChanges changes = each_block ? BlockChanges::anything
+                               : dialect  ? dialect->changes_of(*this, *plan_now_)
+                                          : changes_of_block(*plan_now_);
+  if (changes == BlockChanges::little) take_small_moment();
+  else if (changes == BlockChanges::anything) take_moment();
   const s2c42::BlockBefore before = s2c42::before(*this);
   KADR_TRY(carry_out(*plan_now_));
   if (moment_taken_) {
@@ -296,13 +263,13 @@ Status Machinery::words() {
     KADR_TRY(check_zero_kept());
   }
   if (def.behaviour.musts_checked) s2c42::check_musts(*this, before);
-  return nct ? nct::after_block(*this) : Status();
+  return dialect ? dialect->after_block(*this) : Status();
 }
 
 /// The block's plan: that of its shape; of one that a loop carries out again, that of the last pass where nothing it depends on has
 /// changed.
 Status Machinery::plan() {
-  const std::int16_t motion_row = nct ? nct::motion_row(*this) : modal.motion_row;
+  const std::int16_t motion_row = dialect ? dialect->motion_row(*this) : modal.motion_row;
   if (ShapeFacts* const facts = shape(); facts != nullptr) [[likely]] {
     plan_now_ = &facts->plan;
     if (facts->planned && facts->motion_row == motion_row) return {};
@@ -326,16 +293,9 @@ Status Machinery::plan() {
   return {};
 }
 
-/// A motion that either fails before anything has changed, or is carried out.
-bool Machinery::changes_only_position() const {
-  if (!plan_now_->moves_only || modal.polar || nct || modal.motion == MotionMode::cycle || !transform.identity) return false;
-  return !def.behaviour.correctors || !has('L');
-}
-
-/// G0 to G3 with F, or a call: what an alarm takes back is little (nct).
-bool Machinery::changes_little() const {
-  if (!nct || modal.polar_data || nct::drilling_on(*this) || !transform.identity || flow_before_) return false;
-  return plan_now_->moves_and_feeds || plan_now_->calls_only;
+BlockChanges Machinery::changes_of_block(const Plan& plan) const {
+  if (!plan.moves_only || modal.polar || modal.motion == MotionMode::cycle || !transform.identity) return BlockChanges::anything;
+  return def.behaviour.correctors && has('L') ? BlockChanges::anything : BlockChanges::position;
 }
 
 /// Shifts and factors must not carry the tool beyond what a number of the control can hold.
@@ -349,7 +309,7 @@ Status Machinery::check_place() const {
 
 /// The zero cannot move under a contour that is being compensated (2С42 6.4.1, Mach3 10.7.18; INFERRED for all that moves it).
 Status Machinery::check_zero_kept() const {
-  if (nct || modal.radius_side == 0 || frames.origin == moment_.frames.origin) return {};
+  if ((dialect && dialect->zero_may_move()) || modal.radius_side == 0 || frames.origin == moment_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));
 }
 

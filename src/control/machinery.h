@@ -11,24 +11,22 @@
 #include "config/setup_file.h"
 #include "control/control.h"
 #include "control/cycles/cycle_run.h"
+#include "control/dialect.h"
 #include "control/ellipse_run.h"
 #include "control/flow.h"
-#include "control/nct/waiting.h"
+#include "control/macro_variables.h"
 #include "control/plan.h"
 #include "control/s2c42/musts.h"
 #include "control/shapes.h"
 #include "control/state.h"
 #include "control/usage.h"
 #include "control/variables.h"
+#include "control/waiting.h"
 
 namespace kadr {
 
-namespace nct {
-class Nct;
-struct Commons;
-}  // namespace nct
-
 class Machinery;
+struct Call;
 
 inline constexpr double farthest = 1e7;        // mm, degrees: a coordinate beyond ten kilometres is a mistake
 inline constexpr std::size_t batch_size = 64;  // actions handed on at a time
@@ -60,7 +58,7 @@ class Machinery {
  public:
   /// `own`: the control's definition made fit for this machine, or nullptr (then `control` is used as it is).
   Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, const RunLimits& limits,
-            std::shared_ptr<nct::Commons> commons);
+            std::shared_ptr<Commons> commons);
   ~Machinery();
 
   Control::State run(ActionBatch& batch);
@@ -153,6 +151,26 @@ class Machinery {
   /// The addresses of the block, anew: words were taken away (address 0) or given back.
   void note_addresses();
 
+  /// The state is kept: an alarm later in the block brings it back.
+  void take_moment();
+  /// The same of where the program goes on.
+  void keep_flow_place() { flow_before_ = flow.place(); }
+  bool keeps_flow_place() const { return flow_before_.has_value(); }
+  /// A block does not begin again, a cycle does not go on: the program is over.
+  void stop_cycles();
+
+  // ---- what the file alone says (a dialect may say otherwise)
+
+  /// The words' ranges, and assignments that act with them.
+  Status take_words();
+  Status axis_words(Axes& to, AxisMask& named) const;
+  void frames_by_tables();
+  SurfaceSpeed speed_by_x() const;
+  Status note_answer(const ProbeAnswer& answer);
+  Status emit_machine_function(const Call& call);
+  Status plain_arc(Turn turn, Span where);
+  BlockChanges changes_of_block(const Plan& plan) const;
+
   // ---- what the functions work on
 
   const std::unique_ptr<ControlDef> own_def;
@@ -168,14 +186,15 @@ class Machinery {
   CycleMemory cycle_memory;
   CycleRun cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<Running> running;  // a cycle of the NCT
+  std::unique_ptr<Running> running;  // a cycle of the dialect
   PocketCycle pocket;
   std::vector<PocketCut> pockets_cut;
   s2c42::Musts musts;
-  std::vector<bool> correctors_set;       // by number: the set-up names it, or its absence has been told of (spec/correctors 1)
-  std::unique_ptr<nct::Nct> nct;          // where the control is an NCT
-  std::vector<double> corrector_applied;  // by corrector and axis: what it added last (spec/correctors 1)
-  Axes set_position{};                    // G92 / G52 shift (Mach3), mm
+  std::vector<bool> correctors_set;           // by number: the set-up names it, or its absence has been told of (spec/correctors 1)
+  std::unique_ptr<Dialect> dialect;           // nullptr: the control's file says everything
+  MacroVariables* macro_variables = nullptr;  // those of the dialect, where it has levels of locals
+  std::vector<double> corrector_applied;      // by corrector and axis: what it added last (spec/correctors 1)
+  Axes set_position{};                        // G92 / G52 shift (Mach3), mm
   bool set_position_by_g52 = false;
   bool has_fixtures = false;               // its work systems are Modal::fixture, else Modal::work_zero
   bool block_axes_taken = false;           // a code of this block has its axis words: a motion code beside it only sets the mode
@@ -186,9 +205,9 @@ class Machinery {
   Span probe_where;
   bool optional_stop_on = false;
   bool each_block = false;   // hand over after each block
-  bool reads_clock = false;  // nct: a block that may read a clock has come
+  bool reads_clock = false;  // a block that may read a clock has come
   bool block_open = false;   // a watched block has been carried out, its end is to come
-  nct::WaitingCodes waiting;
+  WaitingCodes waiting;
   std::array<bool, 10> skip_switches{};
   std::array<bool, max_axes> mirror_switches{};  // panel mode of the 2С42 (6.8)
 
@@ -232,7 +251,6 @@ class Machinery {
   bool is_watched() const;
   void end_block();
   void report_changes();
-  bool may_read_clock() const;
   Status attempt();
   Status check_numbers() const;
   Status words();
@@ -247,20 +265,16 @@ class Machinery {
   Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
   Status after_cycle();
   Status next_of_cycle();
-  void stop_cycles();
   Status evaluate_word(Word& w);
   bool reads_variables() const;
   bool may_have_steered() const;
   Status find_axis(Word& w);
   Status assign();
   Status plan();
-  bool changes_only_position() const;
-  bool changes_little() const;
   Status check_place() const;
   Status structure();
   Span label_place() const;
   Status end_of_file();
-  void take_moment();
   void take_small_moment() {
     small_moment_taken_ = true;
     small_moment_.feed = modal.feed;
@@ -316,7 +330,6 @@ class Machinery {
   bool again_ = false;               // the block in hand comes once more
   std::uint64_t unserved_ = 0;       // groups that a code which does not work was in at the start
   std::optional<Position> resumed_;  // the block that was to begin when an interrupt macro came
-  std::vector<double> clocks_;       // numbers of the clock variables
   bool first_frames_ = true;
   std::vector<std::string> watch_;
   bool damaged_ = false;  // the block in hand could not be read

@@ -7,8 +7,6 @@
 #include "base/tolerance.h"
 #include "control/contour.h"
 #include "control/machinery.h"
-#include "control/nct/coordinates.h"
-#include "control/nct/nct.h"
 
 namespace kadr {
 
@@ -20,8 +18,9 @@ double Machinery::axis_target(const Word& w, std::size_t axis) const {
   return absolute ? v : position.programmed[axis] + v;
 }
 
-Status Machinery::target(Axes& to, AxisMask& named) const {
-  if (nct) return nct::target(*this, to, named);
+Status Machinery::target(Axes& to, AxisMask& named) const { return dialect ? dialect->target(*this, to, named) : axis_words(to, named); }
+
+Status Machinery::axis_words(Axes& to, AxisMask& named) const {
   to = position.programmed;
   named = 0;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -68,7 +67,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   motion.center = {};
   motion.inch = modal.inch;
   motion.system = has_fixtures ? static_cast<std::uint8_t>(modal.fixture) : modal.work_zero;
-  if (nct) nct::note_motion(*this, motion);
+  if (dialect) dialect->note_motion(*this, motion);
   else if (modal.contour != ContourPhase::off) note_contour(*this, motion, moved_from);
   return motion;
 }
@@ -97,7 +96,7 @@ Status Machinery::within_reach(const Axes& work) const {
 }
 
 Status Machinery::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
-  if (modal.surface != PathSurface::plane) return nct::surface_line(*this, kind, programmed, named);
+  if (modal.surface != PathSurface::plane && dialect) return dialect->surface_line(*this, kind, programmed, named);
   if (transform.identity) [[likely]] {
     move_to(programmed, programmed, named);
   } else {
@@ -126,7 +125,7 @@ double Machinery::feed_by_axes(const Motion& motion) const {
 }
 
 Status Machinery::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
-  if (nct) KADR_TRY(nct::not_following(*this, named));
+  if (dialect) KADR_TRY(dialect->may_move(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
     position.machine[a] = machine[a];
@@ -172,7 +171,7 @@ void Machinery::set_feed(Motion& motion) {
     case FeedMode::per_minute:
       motion.unit = FeedUnit::mm_per_min;
       motion.feed = feed_limited(modal.feed);
-      if (nct && modal.inch) motion.feed = nct::inch_feed(*this, motion, moved_from);
+      if (modal.inch && dialect) motion.feed = dialect->inch_feed(*this, motion, moved_from);
       break;
     case FeedMode::per_revolution:
       motion.unit = FeedUnit::mm_per_rev;
@@ -192,8 +191,9 @@ double Machinery::radius_in_force() const {
   return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].whole_radius() : 0.0;
 }
 
-SurfaceSpeed Machinery::surface_speed() const {
-  if (nct) return nct->surface_speed(*this);
+SurfaceSpeed Machinery::surface_speed() const { return dialect ? dialect->surface_speed(*this) : speed_by_x(); }
+
+SurfaceSpeed Machinery::speed_by_x() const {
   const auto x = std::find(axis_names.begin(), axis_names.end(), "X");
   const bool there = x != axis_names.end();
   return {modal.surface_speed, 1, there ? static_cast<std::uint8_t>(x - axis_names.begin()) : SurfaceSpeed::no_axis, modal.rpm};
@@ -202,7 +202,11 @@ SurfaceSpeed Machinery::surface_speed() const {
 FrameChange Machinery::frame_change() const { return {frames.origin, frames.length, position.work, frames.rotation, frames.shift}; }
 
 void Machinery::refresh_frames() {
-  if (nct) return nct::refresh_frames(*this);
+  if (dialect) dialect->refresh_frames(*this);
+  else frames_by_tables();
+}
+
+void Machinery::frames_by_tables() {
   const std::uint32_t fixtures = variables.first(VariableKind::fixture);
   for (std::size_t a = 0; a < axis_count; ++a) {
     double origin_of_axis = tables.common[a] + tables.zero_shift[a] + set_position[a];
@@ -225,7 +229,7 @@ void Machinery::change_frames() {
   if (before == frames) return;
   if (before.rotation || frames.rotation) {
     position.work = frames.work_of(position.machine);
-    if (nct) nct::roll_positions(*this, position.work);
+    if (dialect) dialect->roll(*this, position.work);
     emit(frame_change());
     position.programmed = transform.to_programmed(position.work);
     return;
@@ -236,7 +240,7 @@ void Machinery::change_frames() {
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;
   }
-  if (nct) nct::roll_positions(*this, position.work);
+  if (dialect) dialect->roll(*this, position.work);
   emit(frame_change());
   position.programmed = transform.to_programmed(position.work);
 }

@@ -2,8 +2,6 @@
 // The instructions' view of a control's variables (lang/expression evaluates with it).
 
 #include "control/machinery.h"
-#include "control/nct/nct.h"
-#include "control/nct/system_variables.h"
 
 namespace kadr {
 
@@ -11,7 +9,7 @@ struct Reading {
   Machinery& m;
 
   bool known(double number, double& value) const {
-    if (m.nct == nullptr || !m.nct->variables.known(number, value)) return false;
+    if (m.macro_variables == nullptr || !m.macro_variables->known(number, value)) return false;
     if (is_vacant(value) && m.use.watches()) [[unlikely]]
       note_read(m, number);
     return true;
@@ -19,16 +17,18 @@ struct Reading {
   Result<double> variable(double number, Span where) const {
     if (m.use.watches()) [[unlikely]]
       note_read(m, number);
-    return m.nct != nullptr ? nct::read_variable(m, number, where) : m.variables.variable(number, where);
+    return m.dialect ? m.dialect->read_variable(m, number, where) : m.variables.variable(number, where);
   }
   Result<double> parameter(int index, Span where) const {
     if (m.use.watches()) note_read_parameter(m, index);
     return m.variables.parameter(index, where);
   }
   /// Number of an element of a system variable with a name (nct 23.1.1).
-  Result<double> element(double symbol, double index, Span where) const { return nct::number_of_element(m, symbol, index, where); }
+  Result<double> element(double symbol, double index, Span where) const {
+    return m.dialect ? m.dialect->number_of_element(m, symbol, index, where) : Result<double>(0.0);
+  }
   Result<double> control_value(double number, double bit, double index, Span where) const {
-    return nct::read_parameter(m, number, bit, index, where);
+    return m.dialect ? m.dialect->control_value(m, number, bit, index, where) : Result<double>(0.0);
   }
 };
 

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "control/machinery.h"
-#include "control/nct/nct.h"
 #include "control/plan.h"
 #include "lang/encoding.h"
 
@@ -113,13 +112,13 @@ Ending Machinery::ending() {
   Ending e;
   e.position = position.work;
   e.machine_position = position.machine;
-  if (nct) nct::add_variables(*this, e, watch_);
-  for (std::uint32_t n = 1; !nct && n <= variables.highest() && def.grammar.variables != 0; ++n)
+  if (dialect) dialect->add_variables(*this, e, watch_);
+  for (std::uint32_t n = 1; macro_variables == nullptr && n <= variables.highest() && def.grammar.variables != 0; ++n)
     if (variables.is_set(n)) e.variables.emplace_back("#" + std::to_string(n), *variables.variable(n, {}));
   for (int i = 0; i < variables.parameter_count(); ++i)
     if (variables.parameter_set(i)) e.variables.emplace_back(variables.name_of_parameter(i), variables.raw_parameter(i));
   for (const std::string& name : watch_) {
-    if (nct) break;
+    if (macro_variables != nullptr) break;
     const auto same = [&](const auto& v) { return v.first == name; };
     if (std::any_of(e.variables.begin(), e.variables.end(), same)) continue;
     const auto read =

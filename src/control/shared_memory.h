@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "config/setup.h"
-#include "control/nct/macro_variables.h"
+#include "control/macro_variables.h"
 
 namespace kadr {
 
 class SharedMemory {
  public:
-  std::shared_ptr<nct::Commons> commons = std::make_shared<nct::Commons>();
+  std::shared_ptr<Commons> commons = std::make_shared<Commons>();
 
   /// Offsets 1 … `count` (N1401) are common: the first channel that comes brings them.
   void share_offsets(std::vector<ToolOffset>& of_channel, int count) {

@@ -4,8 +4,6 @@
 
 #include "config/setup_names.h"
 #include "control/machinery.h"
-#include "control/nct/coordinates.h"
-#include "control/nct/nct.h"
 #include "lang/lexer.h"
 
 namespace kadr {
@@ -42,7 +40,8 @@ void Machinery::check_setup(const Setup& setup) {
   const auto row_known = [&](const std::string& key, int number, std::size_t size) {
     if (number < 0 || static_cast<std::size_t>(number) >= size) note(key + "." + std::to_string(number));
   };
-  if (!nct) {
+  const bool plain = !dialect || dialect->machine_side() == nullptr;
+  if (plain) {
     if (!setup.parameters.empty()) note("parameters");
     if (!setup.tool_table.empty() || !setup.place_table.empty()) note("tool_table");
     if (!setup.channels.empty() || setup.channel != 1) note("channels");
@@ -63,7 +62,7 @@ void Machinery::check_setup(const Setup& setup) {
   for (const auto& [number, point] : setup.reference_points)
     row_known("reference_points", number, tables.reference.size()), axes_known("reference_points", point);
   for (const auto& [name, zero] : setup.work_offsets) {
-    if (nct) break;
+    if (!plain) break;
     if (zero_number(work_systems(def), name) < 0) note("work_offsets." + name);
     axes_known("work_offsets", zero);
   }
@@ -72,10 +71,6 @@ void Machinery::check_setup(const Setup& setup) {
 void Machinery::read_setup(const Setup& setup) {
   axis_names = def.axes;
   axis_count = axis_names.size();
-  if (nct) {
-    tables.zeros.resize(nct::all_systems);
-    tables.rotations.resize(nct::all_systems);
-  }
   tables.offsets.resize(def.behaviour.offsets + 1);
   tables.correctors.resize(def.behaviour.offsets + 1);
   corrector_applied.resize((def.behaviour.offsets + 1) * 3);
@@ -104,7 +99,7 @@ void Machinery::read_setup(const Setup& setup) {
   for (const auto& [name, offset] : setup.work_offsets) {
     const int number = zero_number(systems, name);
     const Axes values = axes_of(offset, axis_names);
-    if (nct && number > 0 && static_cast<std::size_t>(number) < tables.rotations.size()) {
+    if (number > 0 && static_cast<std::size_t>(number) < tables.rotations.size()) {
       const auto angle = [&offset = offset](const char* plane) {
         const auto found = offset.find(plane);
         return found == offset.end() ? 0.0 : found->second;
@@ -119,7 +114,7 @@ void Machinery::read_setup(const Setup& setup) {
   write(variables.first(VariableKind::home), tables.reference[1]);
   write(variables.first(VariableKind::home_second), tables.reference[2]);
   for (const auto& [name, value] : setup.variables) {
-    if (nct) break;  // Nct::take_setup writes them
+    if (macro_variables != nullptr) break;  // Dialect::take_setup writes them
     if (!value || name.size() < 2) continue;
     if (const int parameter = variables.parameter_named(name); parameter >= 0) variables.set_parameter(parameter, *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())
@@ -136,7 +131,7 @@ void Machinery::read_setup(const Setup& setup) {
 
 /// A mode of the set-up that is not in this version: in force all the same, and what needs it not to be will say so.
 bool Machinery::note_unserved() {
-  for (std::uint32_t i = 0; nct && i < block->word_count; ++i) {
+  for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];
     const std::int32_t index = w.code < 0 ? -1 : def.row_of(w.address, w.code);
     if (index < 0 || def.codes[static_cast<std::size_t>(index)].works || !def.codes[static_cast<std::size_t>(index)].modal) continue;
@@ -150,7 +145,7 @@ bool Machinery::note_unserved() {
 
 /// Runs the initial code of each group and the set-up's code words like a block, without moving.
 void Machinery::start_modal(const Setup& setup) {
-  if (!nct) modal.diameter = def.diameter;
+  modal.diameter = def.diameter;
   for (std::size_t a = 0; a < axis_count && def.behaviour.diameter_by_setup; ++a)
     if (const auto found = setup.diameter.find(axis_names[a]); found != setup.diameter.end())
       modal.diameter = found->second ? modal.diameter | 1u << a : modal.diameter & ~(1u << a);
@@ -172,15 +167,14 @@ void Machinery::start_modal(const Setup& setup) {
     if (!lex_block(text, 0, true, plain, *block) || note_unserved()) return;
     (void)execute();
   };
-  if (nct) nct->start(*this, setup);
-  else run_words(words);
+  if (!dialect || !dialect->start(*this, setup)) run_words(words);
   for (const std::string& word : setup.modal)
     if (start_fault.empty() && !starts(word))
       start_fault = {"modal", "setup key 'modal': the control " + def.id + " has no '" + word + "'",
                      "ключ «modal» исходного состояния: у УЧПУ " + def.id + " нет «" + word + "»"};
   std::string given;
   for (const std::string& word : setup.modal) {
-    if (nct) run_words(word);
+    if (dialect && dialect->starts_code_by_code()) run_words(word);
     else given += word + " ";
   }
   run_words(given);
@@ -192,7 +186,7 @@ void Machinery::start_modal(const Setup& setup) {
   modal.spindle = setup.spindle().dir == "cw" ? SpindleDir::cw : setup.spindle().dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
   modal.tool = modal.tool_selected = static_cast<std::uint32_t>(std::max(setup.tool, 0));
   apply_mirror();
-  if (nct) nct->take_setup(*this, setup);
+  if (dialect) dialect->take_setup(*this, setup);
   refresh_frames();
   const Axes start = axes_of(setup.start, axis_names);
   for (std::size_t a = 0; a < max_axes; ++a) {
@@ -200,10 +194,9 @@ void Machinery::start_modal(const Setup& setup) {
     position.machine[a] = setup.start_in_work ? start[a] + shift : start[a];
     position.work[a] = position.machine[a] - shift;
   }
-  if (nct) nct::roll_positions(*this, position.work);
-  if (nct) nct::roll_positions(*this, position.machine);
+  if (dialect) dialect->roll(*this, position.work), dialect->roll(*this, position.machine);
   position.programmed = transform.to_programmed(position.work);
-  if (nct) nct::couple_gantries(*this);
+  if (dialect) dialect->started(*this);
   flow.started = false;
   block->clear();
   batch = nullptr;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "control/functions.h"
-#include "control/nct/nct.h"
 
 namespace kadr {
 namespace {
@@ -89,7 +88,7 @@ Status common_feed(Machinery& m, Span where, double value) {
   if (most > 0 && feed > most && m.modal.feed_mode == FeedMode::per_minute) m.warn(warning(AlarmId::feed_limited, where, feed, most));
   m.modal.feed = feed;
   m.modal.feed_known = true;
-  if (m.nct) m.nct->thread_lead = 0;
+  if (m.dialect) m.dialect->note_feed(m);
   return {};
 }
 
@@ -190,12 +189,8 @@ Status dwell(Machinery& m, const Call& call) {
 Status dwell_word(Machinery& m, const Call& call) { return dwell_for(m, call.word->address); }
 
 Status machine_function(Machinery& m, const Call& call) {
-  if (m.nct) return nct::machine_code(m, call);
-  MachineFunction function{static_cast<std::uint32_t>(call.word->code / 10), {}, {}};
-  if ((call.row->takes & letter_bit('P')) != 0 && m.has('P')) function.p = m.value('P');
-  if ((call.row->takes & letter_bit('Q')) != 0 && m.has('Q')) function.q = m.value('Q');
-  m.emit(function);
-  return {};
+  if (m.dialect) return m.dialect->machine_code(m, call);
+  return m.emit_machine_function(call);
 }
 
 Status program_stop(Machinery& m, const Call&) {
@@ -211,4 +206,13 @@ Status optional_stop(Machinery& m, const Call&) {
 }
 
 }  // namespace functions
+
+Status Machinery::emit_machine_function(const Call& call) {
+  MachineFunction function{static_cast<std::uint32_t>(call.word->code / 10), {}, {}};
+  if ((call.row->takes & letter_bit('P')) != 0 && has('P')) function.p = value('P');
+  if ((call.row->takes & letter_bit('Q')) != 0 && has('Q')) function.q = value('Q');
+  emit(function);
+  return {};
+}
+
 }  // namespace kadr

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "control/machinery.h"
-#include "control/nct/nct.h"
 
 namespace kadr {
 
@@ -36,7 +35,7 @@ void note_work_zero(Machinery& m, std::uint32_t row) {
   if (!m.has_code({Function::work_zero, Function::fixture, Function::work_system, Function::work_system_extended, Function::zero_shift}))
     return;
   bool zero = true;
-  const std::uint32_t first = m.nct ? 0 : m.variables.first(VariableKind::fixture);
+  const std::uint32_t first = m.variables.first(VariableKind::fixture);
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     if (first == 0) zero = zero && row < m.tables.zeros.size() && m.tables.zeros[row][a] == 0;
     else if (a < 6) zero = zero && m.variables.raw(m.variables.first(VariableKind::fixture, row - 1) + static_cast<std::uint32_t>(a)) == 0;
@@ -48,9 +47,9 @@ void note_read(Machinery& m, double number) {
   const double nearest = std::round(number);
   if (!(nearest >= 1) || nearest > 1e6) return;
   const auto n = static_cast<std::uint32_t>(nearest);
-  if (m.nct) {
-    const bool is_common = n >= static_cast<std::uint32_t>(nct::first_common) && n <= static_cast<std::uint32_t>(nct::last_common);
-    if (is_common && is_vacant(m.nct->variables.common(static_cast<int>(n)))) m.use.note(UseKind::variable, n, m.origin, true);
+  if (m.macro_variables != nullptr) {
+    const bool is_common = n >= static_cast<std::uint32_t>(first_common) && n <= static_cast<std::uint32_t>(last_common);
+    if (is_common && is_vacant(m.macro_variables->common(static_cast<int>(n)))) m.use.note(UseKind::variable, n, m.origin, true);
     return;
   }
   if (n <= m.variables.highest() && !m.variables.is_set(n) && !m.variables.is_system(n)) m.use.note(UseKind::variable, n, m.origin, true);

@@ -5,7 +5,6 @@
 
 #include "base/tolerance.h"
 #include "control/machinery.h"
-#include "control/nct/nct.h"
 #include "control/reading.h"
 #include "lang/expression.h"
 
@@ -43,15 +42,18 @@ Status Machinery::find_axis(Word& w) {
 }
 
 Status Machinery::evaluate_words() {
-  if (block->code.empty()) return nct ? Status() : check_ranges();
+  if (block->code.empty()) return {};
   pass_varies = pass_varies || reads_variables();
   if (!def.behaviour.delayed_assignment) KADR_TRY(assign());
   for (std::uint32_t i = 0; i < block->word_count; ++i)
     if (Word& w = block->words[i]; w.expression) KADR_TRY(evaluate_word(w));
   if (def.grammar.macro && block->evaluates) note_addresses();
-  if (nct) return {};  // nct::before_plan checks the ranges: an argument of a macro may be any number
+  return {};
+}
+
+Status Machinery::take_words() {
   KADR_TRY(check_ranges());
-  return def.behaviour.delayed_assignment ? assign() : Status();
+  return def.behaviour.delayed_assignment && !block->code.empty() ? assign() : Status();
 }
 
 /// Which addresses the block has, after some were found vacant or taken away.

@@ -104,7 +104,7 @@ TEST(nct, writes_macros) {
   const Grammar& g = nct().grammar;
   EXPECT_TRUE(g.macro && g.operator_i && g.comments_span_lines && g.comma_words && g.file_names);
   EXPECT_FALSE(load_control("mach3").value().grammar.macro);
-  EXPECT_TRUE(nct().behaviour.machine_axes);
+  EXPECT_TRUE(nct().machine_axes());
 }
 
 TEST(nct, codes_take_every_axis_of_the_channel) {

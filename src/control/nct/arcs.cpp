@@ -38,9 +38,9 @@ class Arc {
   Status run() {
     if (has_geometry_words(m_) || (m_.has('R') && has_center())) KADR_TRY(geometry());
     const double angle_before = m_.modal.polar_data ? start_angle() : 0;
-    m_.nct->absolute_block = over_determined();
+    nct_of(m_).absolute_block = over_determined();
     const Status read = m_.target(end_, named_);
-    m_.nct->absolute_block = false;
+    nct_of(m_).absolute_block = false;
     KADR_TRY(read);
     const bool has_data = m_.has('R') || has_center();
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
@@ -115,20 +115,20 @@ class Arc {
       const char letter = m_.has(letters_.first) ? letters_.first : letters_.second;
       return fail(alarm(AlarmId::surface_state, m_.where(letter), letter));
     }
-    const bool absolute = m_.nct->settings.centers_absolute;
+    const bool absolute = nct_of(m_).settings.centers_absolute;
     const Axes& here = m_.position.programmed;
     const Vec2 words{m_.length_value(letters_.first), m_.length_value(letters_.second)};
     const Vec2 center = absolute ? words : Vec2{here[plane_.first], here[plane_.second]} + words;
-    const double difference = m_.has('L') ? any_difference : m_.nct->settings.radius_difference;
+    const double difference = m_.has('L') ? any_difference : nct_of(m_).settings.radius_difference;
     auto arc = arc_around(from_, to_, placed_point(center), turn_, difference);
     if (!arc) return placed(arc.error());
-    if (polar_turns_ && length(center) <= m_.nct->settings.radius_difference) arc->turns = *polar_turns_;
+    if (polar_turns_ && length(center) <= nct_of(m_).settings.radius_difference) arc->turns = *polar_turns_;
     return arc;
   }
 
   Result<PlaneArc> by_radius() {
     const double radius = m_.length_value('R') * m_.transform.radius_scale(plane_);
-    const double most = m_.nct->settings.radius_difference;
+    const double most = nct_of(m_).settings.radius_difference;
     const Vec2 pole = placed_point({});
     if (polar_turns_ && std::fabs(length(from_ - pole) - std::fabs(radius)) <= most) return PlaneArc{pole, *polar_turns_};
     const double half = length(to_ - from_) / 2, r = std::fabs(radius);
@@ -165,7 +165,7 @@ class Arc {
     KADR_TRY(m_.within_reach(work));
     const bool cw = turn_ == Turn::cw;
     if (m_.modal.surface == PathSurface::polar)
-      work = polar_work(m_, work, m_.nct->surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
+      work = polar_work(m_, work, nct_of(m_).surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
     Motion& motion = move(arc, work);
     if (m_.modal.surface == PathSurface::cylinder) motion.center = in_axes(arc.center);
     if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);
@@ -180,7 +180,7 @@ class Arc {
     m_.set_feed(motion);
     motion.center = arc.center;
     motion.turns = arc.turns;
-    motion.along = m_.nct->settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
+    motion.along = nct_of(m_).settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
     return motion;
   }
 

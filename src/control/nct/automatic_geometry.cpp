@@ -61,7 +61,7 @@ Status end_by_angle(const Machinery& m, Axes& to, AxisMask& named) {
   const PlaneWords words = plane_words(m);
   if (!words.one()) return {};
   const Span where = m.where(comma_angle);
-  if (m.modal.polar_data && !m.nct->cartesian_block) return fail(alarm(AlarmId::not_together, where, "G16", ",A"));
+  if (m.modal.polar_data && !nct_of(m).cartesian_block) return fail(alarm(AlarmId::not_together, where, "G16", ",A"));
   const SinCos angle = sincos_deg(m.value(comma_angle));
   const std::size_t given = words.first ? m.modal.axes.first : m.modal.axes.second;
   const std::size_t other = words.first ? m.modal.axes.second : m.modal.axes.first;
@@ -103,9 +103,9 @@ Status shaped_line(Machinery& m, const Call& call, MotionKind kind) {
   if (m.has('Q') && contour.on != SupportingCurve::line) return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
   Axes to;
   AxisMask named = 0;
-  m.nct->absolute_block = contour.on == SupportingCurve::line;
+  nct_of(m).absolute_block = contour.on == SupportingCurve::line;
   const Status read = m.target(to, named);
-  m.nct->absolute_block = false;
+  nct_of(m).absolute_block = false;
   KADR_TRY(read);
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (supports) named |= AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second;
@@ -128,7 +128,7 @@ Status circle_words(const Machinery& m, Vec2 center, Vec2 end, ContourData& cont
   contour.farther = m.value('Q') > 0;
   if (!(contour.radius > 0 && contour.radius <= farthest)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
   const double there = length(end - center);
-  if (std::fabs(there - contour.radius) <= m.nct->settings.radius_difference) return {};
+  if (std::fabs(there - contour.radius) <= nct_of(m).settings.radius_difference) return {};
   return fail(alarm(AlarmId::radius_mismatch, m.block->where, contour.radius, there));
 }
 

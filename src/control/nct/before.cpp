@@ -5,7 +5,7 @@
 
 namespace kadr::nct {
 
-void Nct::begin_block() {
+void Nct::begin_block(Machinery&) {
   before_.words = state.words;
   before_.in_thread = in_thread;
   before_.thread_lead = thread_lead;
@@ -37,7 +37,7 @@ void Nct::keep_all(const Machinery& m) {
   parameters.begin_block();
 }
 
-void Nct::take_back(const Machinery& m) {
+void Nct::take_back(Machinery& m) {
   state.words = before_.words;
   in_thread = before_.in_thread;
   thread_lead = before_.thread_lead;

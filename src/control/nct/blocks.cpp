@@ -26,7 +26,7 @@ void give_back(Machinery& m) {
 
 /// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
 Status take_bare_words(Machinery& m) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   nct.plane_axes = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
@@ -95,7 +95,7 @@ Status one_meaning_of_p(const Machinery& m) {
 
 /// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
 Status take_spindle_words(Machinery& m) {
-  m.nct->spindle_by_p = 0;
+  nct_of(m).spindle_by_p = 0;
   if ((m.block->letters & m.letters.spindles) == 0) return {};
   const Word* first = nullptr;
   bool codes = false;
@@ -113,7 +113,7 @@ Status take_spindle_words(Machinery& m) {
   if (m.block->word_count > 2) return fail(alarm(AlarmId::own_block, p->where, m.block->text_of(first->where)));  // 11.1.1
   const auto number = m.whole('P', 1, most_spindles);
   if (!number) return fail(number.error());
-  m.nct->spindle_by_p = static_cast<int>(*number);
+  nct_of(m).spindle_by_p = static_cast<int>(*number);
   p->address = 0;
   m.block->altered = true;
   m.note_addresses();
@@ -124,7 +124,7 @@ bool has_words(const Machinery& m) { return m.block->word_count != 0; }
 
 /// G66.1: the block's words are arguments (23.3.3).
 Result<bool> call_with_block(Machinery& m) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   if (nct.active_modal_calls == 0 || !nct.modal_calls[nct.active_modal_calls - 1u].each_block) return false;
   if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
   Locals arguments;
@@ -135,7 +135,7 @@ Result<bool> call_with_block(Machinery& m) {
 
 /// What #4101 … give (23.1.14).
 void note_words(Machinery& m) {
-  ModalWords& words = m.nct->state.words;
+  ModalWords& words = nct_of(m).state.words;
   if (m.block->has_number) words.n = m.block->number;
   const auto take = [&](char letter, double& to) {
     if (const Word* const w = m.word(letter); w != nullptr) to = w->value;
@@ -153,13 +153,13 @@ void note_words(Machinery& m) {
 /// The blocks of programs 8000–8999 and 9000–9999 count as one with their call, unless the parameter lists them (23.3.9).
 bool hidden(const Machinery& m) {
   const std::uint32_t number = number_of_file(m.flow.file());
-  const Settings& s = m.nct->settings;
+  const Settings& s = nct_of(m).settings;
   return (number >= 8000 && number < 9000 && !s.lists_8000) || (number >= 9000 && number < 10000 && !s.lists_9000);
 }
 
 bool may_stop(const Machinery& m) {
   constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
-  const Nct& nct = *m.nct;
+  const Nct& nct = nct_of(m);
   return nct.single_block && (nct.control_1 & 1u) == 0 && (nct.control_2 & m_ov) == 0 && m.modal.rows[nct.stop_group] != nct.inhibiting;
 }
 
@@ -167,7 +167,7 @@ bool may_stop(const Machinery& m) {
 void stop_single_block(Machinery& m, bool was_hidden) {
   if (!may_stop(m) || m.block->word_count == 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
-  const bool macro = returned || !m.nct->pending.empty() ||
+  const bool macro = returned || !nct_of(m).pending.empty() ||
                      m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});
   if (hidden(m) || (macro && !(returned && was_hidden)) || m.has_code({Function::program_end})) return;
   m.emit(Stop{false, StopReason::single_block});
@@ -184,7 +184,7 @@ Status check_values(Machinery& m) {
 }
 
 Result<bool> before_plan(Machinery& m) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   nct.moved = nct.stops_reading = nct.holds_vector = false;
   nct.uncompensated = nct.state.compensates && m.has_code({Function::machine_move, Function::reference_return});
   if (nct.single_block) nct.was_hidden = hidden(m);
@@ -232,7 +232,7 @@ Result<bool> before_plan(Machinery& m) {
 }
 
 Status after_block(Machinery& m) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   if (nct.state.side_step != SideStep::none) end_side_block(m);
   KADR_TRY(check_drilling(m));
   if (nct.single_block) stop_single_block(m, nct.was_hidden);

@@ -35,7 +35,7 @@ bool may_call(const Machinery& m, char address, std::int32_t code) {
     if (frame.called_by == address && (frame.called_code == code || code < 0)) return false;
     others = others || frame.called_by != 'G' || address != 'G';
   }
-  return !others || m.nct->settings.calls_inside_calls;
+  return !others || nct_of(m).settings.calls_inside_calls;
 }
 
 Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& run) {
@@ -43,7 +43,7 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
   if (w.written == 'M' && &w != first)
     return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N before it
   CallRequest request;
-  const auto place = m.nct->programs.system(m, static_cast<std::uint32_t>(program), w.where);
+  const auto place = nct_of(m).programs.system(m, static_cast<std::uint32_t>(program), w.where);
   if (!place) return fail(place.error());
   request.place = *place;
   request.name = static_cast<std::uint32_t>(program);
@@ -53,7 +53,7 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
   Locals arguments;
   KADR_TRY(arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()), arguments));
   if (!run.modal) return call(m, request, arguments, w.where);
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   nct.keep_all(m);  // a negative parameter: G66 or G66.1 (23.3.4)
   nct.modal_calls.resize(nct.active_modal_calls);
   nct.modal_calls.push_back(
@@ -64,27 +64,27 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
 
 /// Takes the word out of the block; the subprogram follows behind the block.
 void pend(Machinery& m, Word& w, int program) {
-  m.nct->pending.push_back({program, w.written, w.code, w.where});
+  nct_of(m).pending.push_back({program, w.written, w.code, w.where});
   w.address = 0;
   m.block->altered = true;
 }
 
 /// A, B, C, S, T and the four ASCII letters: the value goes to a variable, a subprogram follows (23.3.7, 23.3.8).
 bool letter_calls(Machinery& m, Word& w) {
-  const Settings& s = m.nct->settings;
+  const Settings& s = nct_of(m).settings;
   if (w.written > 'Z') return false;
   const std::size_t nth = letters_in_order.find(w.written);
   if (nth != std::string_view::npos && s.letters_call[nth]) {
     if (!may_call(m, w.written, -1)) return false;
-    m.nct->keep_common(letter_variables + static_cast<int>(nth));
-    m.nct->variables.set_common(letter_variables + static_cast<int>(nth), w.value);
+    nct_of(m).keep_common(letter_variables + static_cast<int>(nth));
+    nct_of(m).variables.set_common(letter_variables + static_cast<int>(nth), w.value);
     pend(m, w, letter_programs + static_cast<int>(nth));
     return true;
   }
   for (std::size_t i = 0; i < s.ascii.size(); ++i) {
     if (s.ascii[i] != w.written || s.ascii_programs[i] == 0 || !may_call(m, w.written, -1)) continue;
-    m.nct->keep_common(ascii_variables + static_cast<int>(i));
-    m.nct->variables.set_common(ascii_variables + static_cast<int>(i), w.value);
+    nct_of(m).keep_common(ascii_variables + static_cast<int>(i));
+    nct_of(m).variables.set_common(ascii_variables + static_cast<int>(i), w.value);
     pend(m, w, s.ascii_programs[i]);
     return true;
   }
@@ -94,7 +94,7 @@ bool letter_calls(Machinery& m, Word& w) {
 }  // namespace
 
 Result<bool> call_by_code(Machinery& m) {
-  const Settings& s = m.nct->settings;
+  const Settings& s = nct_of(m).settings;
   if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there they are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
@@ -112,13 +112,13 @@ Result<bool> call_by_code(Machinery& m) {
     if (w.written != 'M') (void)letter_calls(m, w);
     else if (const int sub = program_of(s.m_programs, w.value); sub >= 0 && may_call(m, 'M', w.code)) pend(m, w, sub);
   }
-  if (!m.nct->pending.empty()) m.note_addresses();
+  if (!nct_of(m).pending.empty()) m.note_addresses();
   return false;
 }
 
 /// The last one first: so the others run before it. INFERRED: in the order of writing.
 Status call_pending(Machinery& m) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   for (; !nct.pending.empty(); nct.pending.pop_back()) {
     const PendingCall& pending = nct.pending.back();
     CallRequest request;

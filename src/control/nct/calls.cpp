@@ -29,7 +29,7 @@ Result<CallRequest> named_program(Machinery& m, const Call& code, bool name_allo
   CallRequest request;
   if (m.block->file_name.end != 0) {
     if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));  // 23.3: a file name with G65 only
-    const auto place = m.nct->programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
+    const auto place = nct_of(m).programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());
     request.place = *place;
     return request;
@@ -39,7 +39,7 @@ Result<CallRequest> named_program(Machinery& m, const Call& code, bool name_allo
   const auto number = m.whole('P', 0, 99'999'999);
   if (!number) return fail(number.error());
   request.name = *number;
-  const auto place = m.nct->programs.by_number(m, *number, p->where);
+  const auto place = nct_of(m).programs.by_number(m, *number, p->where);
   if (!place) return fail(place.error());
   request.place = *place;
   return request;
@@ -62,12 +62,12 @@ void leave_call(Machinery& m) {
   const CallFrame frame = *top;
   const std::size_t depth = m.flow.depth();
   m.flow.abandon(std::nullopt);
-  close_call(*m.nct, frame, depth);
-  if (frame.kind == CallFrame::Kind::interrupt) m.nct->end_interrupt(m, true);
+  close_call(nct_of(m), frame, depth);
+  if (frame.kind == CallFrame::Kind::interrupt) nct_of(m).end_interrupt(m, true);
 }
 
 Status call(Machinery& m, const CallRequest& request, const Locals& arguments, Span where) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   CallFrame frame;
   frame.kind = request.macro ? CallFrame::Kind::macro : CallFrame::Kind::subprogram;
   frame.name = request.name;
@@ -85,7 +85,7 @@ Status call(Machinery& m, const CallRequest& request, const Locals& arguments, S
 }
 
 Status call_modal(Machinery& m, const Locals& arguments) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   const ModalCall& modal = nct.modal_calls[nct.active_modal_calls - 1u];
   CallRequest request;
   request.place = {modal.reader, modal.start};
@@ -100,7 +100,7 @@ Status call_modal(Machinery& m, const Locals& arguments) {
 }
 
 Status return_from(Machinery& m, const Call& code) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   const Word* const p = m.word('P');
   if (p != nullptr && !(p->value >= 0 && p->value <= most_repeats))
     return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
@@ -152,7 +152,7 @@ Status macro_call(Machinery& m, const Call& call) {
   if (!times) return fail(times.error());
   request->times = *times;
   request->macro = true;
-  nct::Locals arguments;
+  Locals arguments;
   KADR_TRY(nct::arguments_of(m, nct::index_of(m, call.word), arguments));
   return nct::call(m, *request, arguments, call.where);
 }
@@ -164,9 +164,9 @@ Status macro_modal(Machinery& m, const Call& call) {
   if (!request) return fail(request.error());
   const auto times = nct::repeats_of(m);
   if (!times) return fail(times.error());
-  nct::Locals arguments;
+  Locals arguments;
   KADR_TRY(nct::arguments_of(m, nct::index_of(m, call.word), arguments));
-  nct::Nct& nct = *m.nct;
+  nct::Nct& nct = nct_of(m);
   if (nct.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
   nct.modal_calls.resize(nct.active_modal_calls);  // INFERRED: inside a call those that do not act there are gone
   nct.modal_calls.push_back({request->place.reader, request->place.start, *times, request->name, call.row->arg == 661, 0, -1, arguments});
@@ -176,7 +176,7 @@ Status macro_modal(Machinery& m, const Call& call) {
 
 /// G67: the last modal call is over.
 Status macro_modal_off(Machinery& m, const Call& call) {
-  nct::Nct& nct = *m.nct;
+  nct::Nct& nct = nct_of(m);
   if (!nct.modal_calls.empty()) nct.modal_calls.pop_back();
   nct.active_modal_calls = std::min<std::uint8_t>(nct.active_modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
   (void)call;

@@ -12,7 +12,7 @@ using Rows = std::map<std::pair<StateTable, std::string>, StateValue>;
 
 /// Rows of all tables as they are now.
 Rows rows_now(Machinery& m) {
-  Setup tables = m.nct->run_state(m).tables;
+  Setup tables = nct_of(m).run_state(m).tables;
   tables.variables.clear();
   Rows rows;
   for (StateRow& row : rows_of(tables)) rows[{row.table, std::move(row.key)}] = std::move(row.value);
@@ -37,7 +37,7 @@ void note_number(StateChanges& changes, const char* name, double now, double& sa
 }  // namespace
 
 StateChanges Changes::take(Machinery& m) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   StateChanges changes;
   for (int n = first_kept; all_ && n <= last_common; ++n)
     if (!is_vacant(nct.variables.common(n)))

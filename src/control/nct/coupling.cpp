@@ -18,7 +18,7 @@ int axis_named(const Machinery& m, const std::string& name) {
 
 /// The axis with the number in N2101 of this one, if it is another axis of the channel.
 std::optional<std::size_t> master_of(const Machinery& m, std::size_t axis) {
-  const ParameterStore& store = m.nct->parameters;
+  const ParameterStore& store = nct_of(m).parameters;
   const double number = store.value(store.named("2101"), m.def.axis_numbers[axis]);
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (a != axis && number > 0 && m.def.axis_numbers[a] == number) return a;
@@ -26,7 +26,7 @@ std::optional<std::size_t> master_of(const Machinery& m, std::size_t axis) {
 }
 
 bool bit_of(const Machinery& m, std::size_t axis, int bit) {
-  const ParameterStore& store = m.nct->parameters;
+  const ParameterStore& store = nct_of(m).parameters;
   return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
 }
 
@@ -52,7 +52,7 @@ void sort(std::vector<Follower>& followers) {
 }
 
 void add(Machinery& m, std::size_t axis, std::size_t master, double sign) {
-  Couplings& c = m.nct->couplings;
+  Couplings& c = nct_of(m).couplings;
   c.followers.push_back({static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(master), sign});
   c.axes |= AxisMask{1} << axis;
   sort(c.followers);
@@ -61,7 +61,7 @@ void add(Machinery& m, std::size_t axis, std::size_t master, double sign) {
 
 /// The signed way of a follower whose master rolls over, and its place then.
 void roll(Machinery& m, const Follower& follower, MotionDetail& detail) {
-  const AxisSettings& settings = m.nct->settings.axes[follower.axis];
+  const AxisSettings& settings = nct_of(m).settings.axes[follower.axis];
   const double way = follower.sign * detail.travel[follower.master];
   double& work = m.position.work[follower.axis];
   const double from = work;
@@ -89,7 +89,7 @@ void couple_gantries(Machinery& m) {
   for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
     constexpr int psn = 4;
     const auto master = bit_of(m, axis, psn) ? master_of(m, axis) : std::nullopt;
-    if (!master || follows(m.nct->couplings, *master, axis)) continue;
+    if (!master || follows(nct_of(m).couplings, *master, axis)) continue;
     add(m, axis, *master, 1);
     m.position.machine[axis] = m.position.machine[*master];
     m.position.work[axis] = m.position.machine[axis] - m.frames.origin[axis] - m.frames.length[axis];
@@ -102,7 +102,7 @@ void couple_axis(Machinery& m, const std::string& name, bool on) {
   const int found = axis_named(m, name);
   if (found < 0) return;
   const auto axis = static_cast<std::size_t>(found);
-  Couplings& c = m.nct->couplings;
+  Couplings& c = nct_of(m).couplings;
   constexpr int msy = 0, psn = 4;
   if (!on && !bit_of(m, axis, psn)) {
     std::erase_if(c.followers, [&](const Follower& follower) { return follower.axis == axis; });
@@ -119,7 +119,7 @@ void couple_axis(Machinery& m, const std::string& name, bool on) {
 }
 
 Status not_following(const Machinery& m, AxisMask named) {
-  const AxisMask wrong = named & m.nct->couplings.axes;
+  const AxisMask wrong = named & nct_of(m).couplings.axes;
   if (wrong == 0) [[likely]]
     return {};
   const auto axis = static_cast<std::size_t>(__builtin_ctz(wrong));
@@ -129,7 +129,7 @@ Status not_following(const Machinery& m, AxisMask named) {
 }
 
 void follow(Machinery& m, Motion& motion) {
-  const Couplings& c = m.nct->couplings;
+  const Couplings& c = nct_of(m).couplings;
   MotionDetail& detail = detail_of(m, motion);
   detail.followers = c.followers;
   Axes& machine = m.position.machine;
@@ -152,7 +152,7 @@ void follow(Machinery& m, Motion& motion) {
 }
 
 void follow_from_here(Machinery& m) {
-  Couplings& c = m.nct->couplings;
+  Couplings& c = nct_of(m).couplings;
   for (const Follower& f : c.followers) c.lead[f.axis] = m.position.machine[f.axis] - f.sign * m.position.machine[f.master];
 }
 

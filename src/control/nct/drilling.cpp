@@ -18,7 +18,7 @@ constexpr double most_holes = 99'999'999;
 
 /// The cycle's row in force, or -1.
 std::int16_t cycle_row(const Machinery& m) {
-  const std::int16_t row = m.modal.rows[m.nct->drilling_group];
+  const std::int16_t row = m.modal.rows[nct_of(m).drilling_group];
   return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
 }
 
@@ -31,7 +31,7 @@ bool moves_by_code(const Machinery& m) {
 int drilling_direction(const Machinery& m) { return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3; }
 
 bool has_direction(const Machinery& m, std::size_t axis, int direction) {
-  const int role = m.nct->settings.axes[axis].role;
+  const int role = nct_of(m).settings.axes[axis].role;
   return role == direction || role == direction + 4;
 }
 
@@ -56,10 +56,10 @@ Result<const Word*> bottom_word(const Machinery& m) {
 int drilling_axis(const Machinery& m, const Word* bottom) {
   if (bottom != nullptr) return m.def.address(bottom->address).axis;
   const int direction = drilling_direction(m);
-  if (const std::size_t axis = m.nct->state.drilling.axis; drilling_on(m) && has_direction(m, axis, direction))
+  if (const std::size_t axis = nct_of(m).state.drilling.axis; drilling_on(m) && has_direction(m, axis, direction))
     return static_cast<int>(axis);
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (m.nct->settings.axes[a].role == direction) return static_cast<int>(a);
+    if (nct_of(m).settings.axes[a].role == direction) return static_cast<int>(a);
   return -1;
 }
 
@@ -67,7 +67,7 @@ int drilling_axis(const Machinery& m, const Word* bottom) {
 class Drilling {
  public:
   Drilling(Machinery& m, const Call& call)
-      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(m.nct->state.drilling) {}
+      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(nct_of(m).state.drilling) {}
 
   Status run() {
     KADR_TRY(possible());
@@ -94,7 +94,7 @@ class Drilling {
     KADR_TRY(m_.feed_known(call_.where));
     KADR_TRY(over_hole(m_, kept_.axis));
     KADR_TRY(within_reach(job));
-    m_.nct->moved = true;
+    nct_of(m_).moved = true;
     m_.running = std::make_unique<DrillingRun>(job);
     return {};
   }
@@ -103,14 +103,16 @@ class Drilling {
   bool is_tap() const { return code_ == 842 || code_ == 843; }
   bool shifts() const { return code_ == 760 || (code_ == 870 && spindle().orients); }
   bool has_percent() const { return code_ == 850 || code_ == 890 || is_tap(); }
-  const SpindleSettings& spindle() const { return m_.nct->settings.spindles[static_cast<std::size_t>(m_.nct->state.current_spindle)]; }
+  const SpindleSettings& spindle() const {
+    return nct_of(m_).settings.spindles[static_cast<std::size_t>(nct_of(m_).state.current_spindle)];
+  }
   std::string_view code_text() const { return call_.row->code; }
 
   Status possible() const {
     if (m_.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call_.where, code_text()));
     if (code_ == 760 && !spindle().orients) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
     if (is_tap() && !spindle().indexes)
-      return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(m_.nct->state.current_spindle)));
+      return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(nct_of(m_).state.current_spindle)));
     if (m_.has(comma_angle) && m_.has_axis_words()) KADR_TRY(one_coordinate(m_));
     for (const char letter : {'I', 'J', 'K'})
       if (m_.has(letter) && !belongs(letter)) return fail(alarm(AlarmId::illegal_address, m_.where(letter), letter));
@@ -141,7 +143,7 @@ class Drilling {
   /// Where the tool stood before a new length of this block: that acts in operation 3 only.
   Axes before_new_length() const {
     Frames frames = m_.frames;
-    frames.length = m_.nct->lengths_before();
+    frames.length = nct_of(m_).lengths_before();
     return m_.transform.to_programmed(frames.work_of(m_.position.machine));
   }
 
@@ -190,7 +192,7 @@ class Drilling {
 
   /// What is missing comes from the parameters; INFERRED: a percentage of 0 there is not set and means 100.
   Status data(DrillingRun::Job& job) const {
-    const Settings& s = m_.nct->settings;
+    const Settings& s = nct_of(m_).settings;
     const auto percent = [](double value) { return value > 0 ? value : 100; };
     job.code = code_;
     job.peck = kept_.peck;
@@ -231,7 +233,7 @@ class Drilling {
     AxisMask named = 0;
     if (job.passes == 1 || m_.modal.polar_data) return {};
     KADR_TRY(hole_position(m_, kept_.axis, second, named));
-    m_.nct->rolled = 0;
+    nct_of(m_).rolled = 0;
     for (std::size_t a = 0; a < m_.axis_count; ++a) {
       const double last = first[a] + (second[a] - first[a]) * (job.passes - 1);
       if ((named >> a & 1u) != 0 && !(std::fabs(last) <= farthest))
@@ -250,7 +252,7 @@ class Drilling {
 Status known(const Machinery& m, const Call& call) {
   const bool alias = call.row->arg != 0;
   const bool replaced = call.row->tenth == 730 || call.row->tenth == 740 || call.row->tenth == 760;
-  const bool lathe = m.nct->settings.lathe_codes;
+  const bool lathe = nct_of(m).settings.lathe_codes;
   if (alias ? lathe : !(replaced && lathe)) return {};
   return fail(
       alarm(AlarmId::code_unknown, call.where, call.word != nullptr ? m.block->text_of(call.where) : std::string_view(call.row->code)));
@@ -274,10 +276,11 @@ int drills_along(const Machinery& m) {
 }
 
 void note_code(Machinery& m, const CodeRow& row, std::int32_t tenth) {
-  if (row.letter == 'M' && m.nct->settings.part_code != 0 && tenth == 10 * m.nct->settings.part_code) m.nct->parts_done += 1;  // 13.1
+  if (row.letter == 'M' && nct_of(m).settings.part_code != 0 && tenth == 10 * nct_of(m).settings.part_code)
+    nct_of(m).parts_done += 1;  // 13.1
   note_mirror_code(m, row);
-  if (row.group != m.nct->motion_group) return;
-  if (row.function != Function::turning_simple) m.nct->state.turning.code = 0;  // the data of a simple turning cycle (19.1)
+  if (row.group != nct_of(m).motion_group) return;
+  if (row.function != Function::turning_simple) nct_of(m).state.turning.code = 0;  // the data of a simple turning cycle (19.1)
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
 }
 
@@ -308,7 +311,7 @@ Status drilling(Machinery& m, const Call& call) {
 /// G80 (18.1.4), or a code of group 1: the data are deleted, G98 is in force.
 Status drilling_off(Machinery& m, const Call&) {
   if (!nct::drilling_on(m)) return {};
-  m.nct->state.drilling = {};
+  nct_of(m).state.drilling = {};
   if (!m.has_code({Function::retract_level})) m.run_modes({Function::retract_initial});
   return {};
 }

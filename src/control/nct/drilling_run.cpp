@@ -75,19 +75,19 @@ Status over_hole(Machinery& m, std::size_t drill) {
   Axes to;
   AxisMask named = 0;
   KADR_TRY(hole_position(m, drill, to, named));
-  if (is_there(m, to, named) && m.nct->rolled == 0) return {};
+  if (is_there(m, to, named) && nct_of(m).rolled == 0) return {};
   return m.straight(MotionKind::rapid, to, named);
 }
 
-double tapping_rpm(const Machinery& m) { return m.nct->spindle(m.nct->state.current_spindle).rpm; }
+double tapping_rpm(const Machinery& m) { return nct_of(m).spindle(nct_of(m).state.current_spindle).rpm; }
 
 DrillingRun::DrillingRun(const Job& job) : job_(job), cycle_(cycle_of(job)) {}
 
 Status DrillingRun::check(const Machinery& m) const {
-  const bool turns = is_tap() ? tapping_rpm(m) > 0 : m.nct->spindle_rpm(m) > 0;
+  const bool turns = is_tap() ? tapping_rpm(m) > 0 : nct_of(m).spindle_rpm(m) > 0;
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
-  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !m.nct->settings.dwell_seconds;
+  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !nct_of(m).settings.dwell_seconds;
   if (!is_tap() && !(dwells && revolutions)) return {};  // 8: a dwell in revolutions would never end
   const auto code = static_cast<std::size_t>(m.def.row_of('G', job_.code));
   return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));
@@ -184,10 +184,10 @@ Status DrillingRun::tap_in(Machinery& m) {
 /// 18.1.9 operation 4: M19, or only the loop is closed.
 Status DrillingRun::close_loop(Machinery& m) {
   if (job_.orients_tap) return spindle_function(m, 19);
-  const int number = m.nct->state.current_spindle;
-  const int code = m.nct->settings.spindles[static_cast<std::size_t>(number)].closing_code;
+  const int number = nct_of(m).state.current_spindle;
+  const int code = nct_of(m).settings.spindles[static_cast<std::size_t>(number)].closing_code;
   if (code == 0) {
-    SpindleState& s = m.nct->spindle(number);
+    SpindleState& s = nct_of(m).spindle(number);
     s.loop_closed = true;
     s.referenced = false;
     s.dir = SpindleDir::stop;
@@ -202,7 +202,7 @@ Status DrillingRun::close_loop(Machinery& m) {
 /// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
 Status DrillingRun::dwell(Machinery& m) {
   if (!(job_.dwell > 0)) return {};
-  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !m.nct->settings.dwell_seconds;
+  const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !nct_of(m).settings.dwell_seconds;
   if (is_tap() && revolutions) {
     m.emit(Dwell{job_.dwell * 60 / tapping_rpm(m)});
     return {};

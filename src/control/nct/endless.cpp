@@ -46,7 +46,7 @@ bool same(const ModalWords& a, const ModalWords& b) {
 }
 
 void take(const Machinery& m, Moment& to) {
-  const Nct& nct = *m.nct;
+  const Nct& nct = nct_of(m);
   to.blocks = m.flow.blocks();
   to.frames = m.flow.frames();
   to.levels = nct.variables.levels();
@@ -68,7 +68,7 @@ void take(const Machinery& m, Moment& to) {
 }
 
 bool same_variables(const Machinery& m, const Moment& then) {
-  const MacroVariables& now = m.nct->variables;
+  const MacroVariables& now = nct_of(m).variables;
   if (now.levels().size() != then.levels.size()) return false;
   for (std::size_t i = then.levels.size(); i-- > 0;)
     if (!same(now.levels()[i], then.levels[i])) return false;
@@ -80,7 +80,7 @@ bool same_variables(const Machinery& m, const Moment& then) {
 }
 
 bool same_calls(const Machinery& m, const Moment& then) {
-  const Nct& nct = *m.nct;
+  const Nct& nct = nct_of(m);
   const auto& frames = m.flow.frames();
   if (!std::equal(frames.begin(), frames.end(), then.frames.begin(), then.frames.end(),
                   [](const CallFrame& a, const CallFrame& b) { return same(a, b); }))
@@ -95,7 +95,7 @@ bool same_calls(const Machinery& m, const Moment& then) {
 
 /// What system variables show, as far as a program changes it.
 bool same_surroundings(const Machinery& m, const Moment& then) {
-  const Nct& nct = *m.nct;
+  const Nct& nct = nct_of(m);
   const ProgramPosition &a = m.position, &b = then.position;
   return nct.endless.changes() == then.changes && a.programmed == b.programmed && a.work == b.work && a.machine == b.machine &&
          same(nct.state.words, then.words) && nct.now_ms == then.now_ms && nct.cutting_ms == then.cutting_ms &&
@@ -103,7 +103,7 @@ bool same_surroundings(const Machinery& m, const Moment& then) {
 }
 
 bool same(const Machinery& m, const Moment& then) {
-  const Nct& nct = *m.nct;
+  const Nct& nct = nct_of(m);
   return same_variables(m, then) && m.modal.rows == then.rows && nct.active_modal_calls == then.active_modal_calls &&
          nct.finishing.size() == then.finishing && nct.parameters.version() == then.parameters && same_calls(m, then) &&
          (nct.endless.readings() == then.readings || same_surroundings(m, then));

@@ -33,7 +33,7 @@ std::shared_ptr<const FrameRotation> rotation_of(const Machinery& m, const std::
 
 int main_axis(const Machinery& m, int role) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (m.nct->settings.axes[a].role == role) return static_cast<int>(a);
+    if (nct_of(m).settings.axes[a].role == role) return static_cast<int>(a);
   return -1;
 }
 
@@ -72,7 +72,7 @@ MotionDetail& detail_of(Machinery& m, Motion& motion) {
 /// In [0, R), whatever the number of turns was (5.6).
 void roll_positions(const Machinery& m, Axes& positions) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
-    const AxisSettings& axis = m.nct->settings.axes[a];
+    const AxisSettings& axis = nct_of(m).settings.axes[a];
     if (axis.rolls && (m.def.rotary >> a & 1u) != 0) positions[a] = rolled_position(positions[a], axis.period);
   }
 }
@@ -93,7 +93,7 @@ namespace {
 
 /// Only G1, with G40, G64 and G80 (4.7).
 std::uint8_t smoothing_of(const Machinery& m, const Motion& motion) {
-  const AxisMask smoothed = m.nct->smoothed != 0 ? m.nct->smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
+  const AxisMask smoothed = nct_of(m).smoothed != 0 ? nct_of(m).smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
   const bool alone = m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane && m.modal.motion == MotionMode::linear;
   const bool continues = motion.corner_speed == CornerSpeed::limited && (motion.named & ~smoothed) == 0;
   return motion.kind == MotionKind::feed && alone && continues ? m.modal.smoothing : std::uint8_t{0};
@@ -102,7 +102,7 @@ std::uint8_t smoothing_of(const Machinery& m, const Motion& motion) {
 }  // namespace
 
 void note_motion(Machinery& m, Motion& motion) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   nct.moved = true;
   if (motion.kind != MotionKind::thread) nct.in_thread = false;
   motion.along = FeedAlong::all_axes;                      // 4.2: millimetres and degrees alike

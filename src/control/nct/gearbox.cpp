@@ -19,7 +19,7 @@ tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
 
 /// Place of the axis that a parameter names, in the channel.
 Result<std::size_t> axis_of(const Machinery& m, const Call& call, const char* parameter) {
-  const auto& store = m.nct->parameters;
+  const auto& store = nct_of(m).parameters;
   const std::string name = store.text(store.named(parameter));
   for (std::size_t a = 0; a < m.axis_count && !name.empty(); ++a)
     if (m.axis_names[a] == name) return a;
@@ -28,9 +28,9 @@ Result<std::size_t> axis_of(const Machinery& m, const Call& call, const char* pa
 
 /// Spindle of N1801: by its name in the set-up, else "S2" is spindle 2 and "S" the main one (INFERRED).
 Result<int> master_of(const Machinery& m, const Call& call, const std::string& name) {
-  for (const auto& [number, named] : m.nct->spindle_names)
+  for (const auto& [number, named] : nct_of(m).spindle_names)
     if (!name.empty() && named == name) return number;
-  if (name == "S") return m.nct->state.main_spindle;
+  if (name == "S") return nct_of(m).state.main_spindle;
   const int number = name.size() > 1 && name[0] == 'S' ? static_cast<int>(std::strtol(name.c_str() + 1, nullptr, 10)) : 0;
   if (number >= 1 && number <= static_cast<int>(nct::most_spindles)) return number;
   constexpr double parameter = 1801;
@@ -71,7 +71,7 @@ namespace functions {
 
 /// G81.8 T L R Q P: couples, or couples anew; G81.8 Q P: only the helix compensation, while coupled.
 Status gear_on(Machinery& m, const Call& call) {
-  nct::Nct& nct = *m.nct;
+  nct::Nct& nct = nct_of(m);
   const auto& store = nct.parameters;
   const std::string master_name = store.text(store.named("1801"));
   const auto master = master_of(m, call, master_name);
@@ -121,9 +121,9 @@ Status gear_off(Machinery& m, const Call&) {
 namespace nct {
 
 void disengage(Machinery& m) {
-  if (!m.nct->state.gear.on) return;
-  m.nct->state.gear = {};
-  m.emit(Uncouple{m.nct->parameters.text(m.nct->parameters.named("1802"))});
+  if (!nct_of(m).state.gear.on) return;
+  nct_of(m).state.gear = {};
+  m.emit(Uncouple{nct_of(m).parameters.text(nct_of(m).parameters.named("1802"))});
 }
 
 }  // namespace nct

@@ -25,7 +25,7 @@ bool is_free(const Nct& nct, int code, int own) { return !nct.settings.interrupt
 
 /// A running interrupt macro is aborted (13.1). INFERRED: as by M99, the calls it made included.
 Status abort_interrupt(Machinery& m, const Call& call) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   while (nct.interrupted.active && m.flow.depth() != 0) {
     m.flow.innermost()->left = 1;
     KADR_TRY(return_from(m, call));
@@ -36,7 +36,7 @@ Status abort_interrupt(Machinery& m, const Call& call) {
 }  // namespace
 
 Result<bool> interrupt_code(Machinery& m, const Call& call) {
-  const Settings& s = m.nct->settings;
+  const Settings& s = nct_of(m).settings;
   if (!s.interrupts || !s.interrupt_own_codes) return false;
   const int code = call.word->code / 10;
   if (code != s.interrupt_on && code != s.interrupt_off) return false;
@@ -45,7 +45,7 @@ Result<bool> interrupt_code(Machinery& m, const Call& call) {
 }
 
 Result<bool> call_interrupt(Machinery& m, BlockMoment moment) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   if (!nct.interrupt_program || nct.interrupted.active) return false;
   if (nct.settings.interrupt_at_end != (moment == BlockMoment::end) || !asked(nct)) return false;
   CallFrame frame;
@@ -85,7 +85,7 @@ namespace kadr::functions {
 
 /// M96 P, M96 <file>: from now on the signal calls that program.
 Status interrupt_on(Machinery& m, const Call& call) {
-  nct::Nct& nct = *m.nct;
+  nct::Nct& nct = nct_of(m);
   if (nct::is_free(nct, call.word->code / 10, nct.settings.interrupt_on)) return nct::machine_code(m, call);
   nct.signal_rose = false;  // INFERRED: an edge before it does not count
   if (m.block->file_name.end != 0) {
@@ -105,8 +105,8 @@ Status interrupt_on(Machinery& m, const Call& call) {
 }
 
 Status interrupt_off(Machinery& m, const Call& call) {
-  if (nct::is_free(*m.nct, call.word->code / 10, m.nct->settings.interrupt_off)) return nct::machine_code(m, call);
-  m.nct->interrupt_program.reset();
+  if (nct::is_free(nct_of(m), call.word->code / 10, nct_of(m).settings.interrupt_off)) return nct::machine_code(m, call);
+  nct_of(m).interrupt_program.reset();
   return nct::abort_interrupt(m, call);
 }
 

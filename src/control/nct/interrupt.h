@@ -2,6 +2,7 @@
 // Interrupt macro: M96, M97, the signal CP_MINT (spec/nct/23 23.4).
 
 #include "base/result.h"
+#include "control/dialect.h"
 
 namespace kadr {
 class Machinery;
@@ -9,8 +10,6 @@ struct Call;
 }  // namespace kadr
 
 namespace kadr::nct {
-
-enum class BlockMoment : std::uint8_t { start, end };
 
 /// With N1758 #4 MCD the codes of N1759 and N1760 do what M96 and M97 do.
 ///   returns  true: it was such a code

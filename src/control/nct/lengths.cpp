@@ -11,7 +11,7 @@ namespace kadr {
 namespace {}  // namespace
 
 std::uint32_t nct::most_offsets(const Machinery& m) {
-  const int most = m.nct->tools.limits().offsets;
+  const int most = nct_of(m).tools.limits().offsets;
   return most > 0 ? std::min(static_cast<std::uint32_t>(most), m.def.behaviour.offsets) : m.def.behaviour.offsets;
 }
 
@@ -21,14 +21,14 @@ namespace {
 Result<std::uint32_t> offset_number(const Machinery& m, char letter) {
   const auto number = m.whole(letter, 0, nct::most_offsets(m));
   if (!number) return number;
-  const int by_tool = m.nct->settings.offset_by_tool;
+  const int by_tool = nct_of(m).settings.offset_by_tool;
   if (by_tool == 0 || *number != static_cast<std::uint32_t>(by_tool)) return number;
-  return m.nct->offset_of_tool(letter);
+  return nct_of(m).offset_of_tool(letter);
 }
 
 /// Axes that take the length (15.3): those of the block, Z, or the normal of the plane.
 AxisMask length_axes(const Machinery& m) {
-  const int mode = m.nct->settings.length_axes;
+  const int mode = nct_of(m).settings.length_axes;
   const auto bit = [](int axis) { return axis >= 0 ? 1u << static_cast<unsigned>(axis) : 0u; };
   if (const int axis = nct::drills_along(m); axis >= 0) return bit(axis);
   if (mode == 1) return bit(nct::main_axis(m, 3));
@@ -38,7 +38,7 @@ AxisMask length_axes(const Machinery& m) {
     const Word& w = m.block->words[i];
     if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
     const std::size_t a = m.def.address(w.address).axis;
-    if (m.nct->settings.axes[a].role != 0) axes |= 1u << a;
+    if (nct_of(m).settings.axes[a].role != 0) axes |= 1u << a;
   }
   return axes;
 }
@@ -83,7 +83,7 @@ namespace functions {
 Status length_comp(Machinery& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
   const bool turning = call.row->arg == 437;
-  if (turning && !m.nct->settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
+  if (turning && !nct_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
   m.modal.turning_lengths = turning;
   if (call.row->arg == 0) {
     m.modal.length_sign = 0;
@@ -96,7 +96,7 @@ Status length_comp(Machinery& m, const Call& call) {
     const auto number = offset_number(m, 'H');
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
-    m.nct->state.words.h = *number;
+    nct_of(m).state.words.h = *number;
   } else if (!m.has_axis_words() && !turning) {
     return {};
   }
@@ -114,7 +114,7 @@ Status length_number(Machinery& m, const Call& call) {
   if (!number) return fail(number.error());
   const bool changes = m.modal.length_number != *number;
   m.modal.length_number = *number;
-  m.nct->state.words.h = *number;
+  nct_of(m).state.words.h = *number;
   if (m.modal.length_sign == 0) return {};
   if (changes && !m.modal.turning_lengths && length_axes(m) == 0)
     m.warn(warning(AlarmId::length_no_axis, call.where, m.block->text_of(call.where)));
@@ -127,14 +127,14 @@ Status radius_number(Machinery& m, const Call&) {
   const auto number = offset_number(m, 'D');
   if (!number) return fail(number.error());
   m.modal.offset_number = *number;
-  m.nct->state.words.d = *number;
-  m.nct->state.tool_radius = m.radius_in_force();
+  nct_of(m).state.words.d = *number;
+  nct_of(m).state.tool_radius = m.radius_in_force();
   return {};
 }
 
 /// arg 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane begins or ends compensation; I, J, K give it a direction.
 Status radius_side(Machinery& m, const Call& call) {
-  nct::Volatile& state = m.nct->state;
+  nct::Volatile& state = nct_of(m).state;
   const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
   if (side != 0 && m.modal.radius_side == 0) state.side_step = SideStep::begins;
   else if (side == 0) state.side_step = state.compensates ? SideStep::ends : SideStep::none;
@@ -147,8 +147,8 @@ Status radius_side(Machinery& m, const Call& call) {
   state.way.reset();
   if (const auto way = nct::plane_direction(m)) state.way = *way;
   m.modal.radius_side = side;
-  if (state.side_step == SideStep::begins && m.nct->settings.contour_check != state.contour_check) {
-    state.contour_check = m.nct->settings.contour_check;
+  if (state.side_step == SideStep::begins && nct_of(m).settings.contour_check != state.contour_check) {
+    state.contour_check = nct_of(m).settings.contour_check;
     m.emit(state.contour_check);
   }
   return {};
@@ -157,7 +157,7 @@ Status radius_side(Machinery& m, const Call& call) {
 /// G38 (15.5.5): the motion of its block, a line, ends with the vector that it begins with.
 Status vector_hold(Machinery& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
-  m.nct->holds_vector = true;
+  nct_of(m).holds_vector = true;
   return {};
 }
 

@@ -65,7 +65,7 @@ Status torque_possible(const Machinery& m, const Call& call, AxisMask named) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((named >> a & 1u) != 0 && ++count == 2)
       return fail(alarm(AlarmId::probe_torque_axis, call.where, std::string_view(m.axis_names[a])));
-  if (!m.nct->settings.torque_known) return fail(alarm(AlarmId::probe_torque_unknown, call.where));
+  if (!nct_of(m).settings.torque_known) return fail(alarm(AlarmId::probe_torque_unknown, call.where));
   return {};
 }
 
@@ -90,13 +90,13 @@ Status probe_motion(Machinery& m, const Axes& to, AxisMask named, double feed, i
   detail.input = input;
   if (input == torque_input) detail.torque = m.value('Q') / full_torque * 100;
   m.needs_probe = true;
-  m.nct->stops_reading = true;
+  nct_of(m).stops_reading = true;
   return {};
 }
 
 /// N3004 and N3005 (21.3): both positive, the rapid distance the greater. INFERRED: else their number is out of its limits.
 Status distances_fit(const Machinery& m, const Call& call) {
-  const nct::Settings& s = m.nct->settings;
+  const nct::Settings& s = nct_of(m).settings;
   constexpr double rapid_distance = 3004, alarm_distance = 3005;
   if (!(s.length_alarm > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'N', alarm_distance));
   if (!(s.length_rapid > s.length_alarm)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'N', rapid_distance));
@@ -141,17 +141,17 @@ Status measure(Machinery& m, const Call& call) {
   Axes to;
   KADR_TRY(m.target(to, named));
   if (*input == torque_input) KADR_TRY(torque_possible(m, call, named));
-  const nct::Settings& s = m.nct->settings;
+  const nct::Settings& s = nct_of(m).settings;
   const auto feed = measuring_feed(m, s.measure_parameter_feed, s.measure_feed, call.where);
   if (!feed) return fail(feed.error());
-  m.nct->measurement = {};
+  nct_of(m).measurement = {};
   m.probe_where = call.where;
   return probe_motion(m, to, named, *feed, *input);
 }
 
 /// G37 (21.3): at rapid to N3004 before the expected place, at feed to the signal or N3005 beyond it.
 Status measure_length(Machinery& m, const Call& call) {
-  const nct::Settings& s = m.nct->settings;
+  const nct::Settings& s = nct_of(m).settings;
   KADR_TRY(state_allows(m, call));
   if (m.modal.length_sign == 0 || m.modal.length_number == 0) return fail(alarm(AlarmId::word_missing, call.where, 'H', call.row->code));
   KADR_TRY(distances_fit(m, call));
@@ -166,7 +166,7 @@ Status measure_length(Machinery& m, const Call& call) {
   const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: from where the axis comes
   to[*axis] = expected + side * s.length_rapid;
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
-  m.nct->measurement = {true, *axis, expected, s.length_alarm, m.modal.length_number};
+  nct_of(m).measurement = {true, *axis, expected, s.length_alarm, m.modal.length_number};
   m.probe_where = call.where;
   to[*axis] = expected - side * s.length_alarm;
   return probe_motion(m, to, named, *feed, 1);  // INFERRED: input 1
@@ -183,17 +183,17 @@ Status correct_length(Machinery& m, const Measurement& of, double there) {
   if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
   m.keep_offset(of.offset);
   ToolOffset& offset = m.tables.offsets[of.offset];
-  double& corrected = m.nct->settings.length_wear ? offset.length_wear : offset.length;
+  double& corrected = nct_of(m).settings.length_wear ? offset.length_wear : offset.length;
   const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: the table of a diameter axis holds diameters
-  corrected += m.nct->settings.length_adds ? entered : -entered;
-  m.nct->changed_offsets.push_back(of.offset);
+  corrected += nct_of(m).settings.length_adds ? entered : -entered;
+  nct_of(m).changed_offsets.push_back(of.offset);
   return {};
 }
 
 }  // namespace
 
 Status take_answer(Machinery& m, const ProbeAnswer& answer) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   nct.endless.note_change();
   m.needs_probe = false;
   for (std::size_t a = 0; a < m.axis_count; ++a) m.position.work[a] = answer.at[a];

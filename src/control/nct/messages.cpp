@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "control/nct/nct.h"
 #include "control/nct/output.h"
 #include "control/reading.h"
 #include "lang/expression.h"
@@ -41,7 +42,7 @@ Status question(Machinery& m, const Statement& s, int number) {
   if (number < 100 || number > 299) return fail(alarm(AlarmId::message_number, s.where, double(number)));
   auto text = embedded_values(m, text_of(m), s.where);
   if (!text) return fail(text.error());
-  m.nct->answer = number < 200 ? 1 : 2;
+  nct_of(m).answer = number < 200 ? 1 : 2;
   m.emit(Message{std::move(*text), number, true});
   return {};
 }

@@ -15,7 +15,7 @@ constexpr int extended_zero = 187;  // P of G54.1
 }  // namespace
 
 double modal_group(const Machinery& m, int family, std::uint32_t group) {
-  const Interrupted& interrupted = m.nct->interrupted;
+  const Interrupted& interrupted = nct_of(m).interrupted;
   const Modal& modal = family == 2 && interrupted.active ? interrupted.modal : m.modal;
   const std::string name = std::to_string(group);
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
@@ -28,8 +28,8 @@ double modal_group(const Machinery& m, int family, std::uint32_t group) {
 
 double modal_word(const Machinery& m, int arg) {
   const int family = arg / family_step;
-  const Interrupted& interrupted = m.nct->interrupted;
-  const ModalWords& w = family == 2 && interrupted.active ? interrupted.words : m.nct->state.words;
+  const Interrupted& interrupted = nct_of(m).interrupted;
+  const ModalWords& w = family == 2 && interrupted.active ? interrupted.words : nct_of(m).state.words;
   switch (arg % family_step) {
     case 'A': return w.aux[0];
     case 'B': return w.aux[1];

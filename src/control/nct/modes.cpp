@@ -25,10 +25,10 @@ Status smoothing(Machinery& m, const Call& call) {
   if (!q) return fail(q.error());
   if (*q >= 2 && m.modal.feed_mode != FeedMode::per_minute) return fail(alarm(AlarmId::not_together, call.where, call.row->code, "G95"));
   m.modal.smoothing = static_cast<std::uint8_t>(*q);
-  m.nct->smoothed = 0;
+  nct_of(m).smoothed = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const char letter = m.block->words[i].address;
-    if (letter != 0 && (m.letters.axes & letter_bit(letter)) != 0) m.nct->smoothed |= AxisMask{1} << m.def.address(letter).axis;
+    if (letter != 0 && (m.letters.axes & letter_bit(letter)) != 0) nct_of(m).smoothed |= AxisMask{1} << m.def.address(letter).axis;
   }
   return {};
 }
@@ -68,7 +68,7 @@ Status thread(Machinery& m, const Call& call) {
   if (named == 0) return {};
   if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
   if (const int count = __builtin_popcount(named); count > 2) return fail(alarm(AlarmId::thread_axes, call.where, double(count)));
-  const bool first = !m.nct->in_thread;
+  const bool first = !nct_of(m).in_thread;
   KADR_TRY(m.straight(MotionKind::thread, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.own_override = motion.no_hold = true;
@@ -77,7 +77,7 @@ Status thread(Machinery& m, const Call& call) {
   MotionDetail& detail = nct::detail_of(m, motion);
   detail.lead = lead;
   if (first) detail.start_angle = m.value('Q');
-  m.nct->in_thread = true;
+  nct_of(m).in_thread = true;
   return {};
 }
 
@@ -91,16 +91,16 @@ namespace kadr::nct {
 
 /// F is the common modal word, E a lead of its own until the next F (4.4, recommended reading).
 double take_lead(Machinery& m) {
-  if (m.has('E')) m.nct->thread_lead = mm_per_inch / m.value('E');
-  else if (m.has('F')) m.nct->thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
-  if (m.nct->thread_lead > 0) return m.nct->thread_lead;
+  if (m.has('E')) nct_of(m).thread_lead = mm_per_inch / m.value('E');
+  else if (m.has('F')) nct_of(m).thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
+  if (nct_of(m).thread_lead > 0) return nct_of(m).thread_lead;
   return m.modal.feed_known ? m.modal.feed : 0;
 }
 
 Result<double> dwell_seconds(Machinery& m, double p, Span where) {
   if (!(p >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'P', p));
-  if (m.modal.feed_mode != FeedMode::per_revolution || m.nct->settings.dwell_seconds) return p;
-  const double rpm = m.nct->spindle_rpm(m);
+  if (m.modal.feed_mode != FeedMode::per_revolution || nct_of(m).settings.dwell_seconds) return p;
+  const double rpm = nct_of(m).spindle_rpm(m);
   const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
   if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: the dwell would never end
   return p * 60 / rpm;

@@ -8,6 +8,7 @@
 #include "control/nct/coordinates.h"
 #include "control/nct/system_variables.h"
 #include "control/nct/transformations.h"
+#include "control/nct/waiting.h"
 
 namespace kadr::nct {
 namespace {
@@ -65,8 +66,8 @@ std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) 
 
 /// Every modal group's initial code is in force; `keep`: the bits of CLR G Table are obeyed.
 void reset_codes(Machinery& m, bool keep) {
-  const Settings& s = m.nct->settings;
-  m.nct->plane_axes = 0;
+  const Settings& s = nct_of(m).settings;
+  nct_of(m).plane_axes = 0;
   Block* const block = m.block;
   Block none;
   m.block = &none;  // the functions find no words
@@ -74,7 +75,7 @@ void reset_codes(Machinery& m, bool keep) {
     const GroupRow& group = m.def.groups[g];
     const int number = group_number(group);
     constexpr int gear_group = 34;
-    if (number == gear_group && m.nct->state.gear.on) continue;        // 20.1.4: with RCE=0 a reset leaves it on
+    if (number == gear_group && nct_of(m).state.gear.on) continue;     // 20.1.4: with RCE=0 a reset leaves it on
     const bool always = number == 15 || number == 17 || number == 21;  // G64, G15, G13.1: whatever CLR says (6.3.3, 5.4, 4.5)
     if (group.power_on < 0 || (!always && keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
                                s.kept_groups[static_cast<std::size_t>(number)]))
@@ -98,7 +99,7 @@ void reset_shifts(Machinery& m) {
   m.modal.smoothing = 0;
   m.modal.diameter = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (m.nct->settings.axes[a].diameter) m.modal.diameter |= 1u << a;
+    if (nct_of(m).settings.axes[a].diameter) m.modal.diameter |= 1u << a;
 }
 
 }  // namespace
@@ -137,6 +138,13 @@ Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_
   inhibiting = static_cast<std::int16_t>(m.def.row_of('G', 630));
   slowing = static_cast<std::int16_t>(m.def.row_of('G', 620));
   stop_group = group_of(630);
+  m.macro_variables = &variables;
+  m.waiting.known = channels_of(setup);
+  m.tables.zeros.resize(all_systems);
+  m.tables.rotations.resize(all_systems);
+  for (const VariableRow& row : m.def.variables)
+    if (row.kind == VariableKind::clock || row.kind == VariableKind::cutting_clock || row.kind == VariableKind::time)
+      for (const VariableRange& range : row.ranges) clocks_.push_back(range.from);
 }
 
 Nct::~Nct() = default;
@@ -148,7 +156,7 @@ void Nct::refresh_settings(const Machinery& m) {
   settings = read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
 }
 
-void Nct::start(Machinery& m, const Setup& setup) {
+bool Nct::start(Machinery& m, const Setup& setup) {
   refresh_settings(m);
   for (const auto& [number, spindle_setup] : setup.spindles) {
     if (number < 1 || number > static_cast<int>(most_spindles)) continue;
@@ -176,6 +184,7 @@ void Nct::start(Machinery& m, const Setup& setup) {
   m.modal.other_feed = feeds[per_minute ? 1 : 0];
   m.modal.feed_known = m.modal.feed > 0;
   m.modal.other_feed_known = m.modal.other_feed > 0;
+  return true;
 }
 
 void Nct::take_setup(Machinery& m, const Setup& setup) {
@@ -202,30 +211,30 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
 /// M5, M9 at the end of the program (13.1, "usually"): the codes of the table's `end`; all spindles of the channel stand.
 void stop_machine(Machinery& m) {
   const std::size_t silent = m.batch->size();
-  const double parts = m.nct->parts_done;
+  const double parts = nct_of(m).parts_done;
   for (const std::int32_t index : m.def.end_codes) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
     if (row.letter != 'M') continue;
     (void)handler_of(row.function)(m, {&row, nullptr, {}});
     if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(index);
   }
-  for (SpindleState& s : m.nct->state.spindles) {
+  for (SpindleState& s : nct_of(m).state.spindles) {
     if (s.known && s.channel != m.def.channel) continue;
     s.dir = SpindleDir::stop;
     s.loop_closed = s.referenced = false;
     s.master = 0;
   }
-  m.nct->parts_done = parts;
+  nct_of(m).parts_done = parts;
   m.batch->cut(silent);
 }
 
 /// Where a tool's life is counted in time, the machine's time is looked at behind each block.
 void watch_tool_time(Machinery& m) {
-  if (!m.nct->tools.counts_time()) return;
-  m.reads_clock = m.each_block = m.nct->counts_time = true;
+  if (!nct_of(m).tools.counts_time()) return;
+  m.reads_clock = m.each_block = nct_of(m).counts_time = true;
 }
 
-void Nct::end_program(Machinery& m) {
+void Nct::reset_program(Machinery& m) {
   output.abort();
   data_mode = DataMode::none;
   modal_calls.clear();
@@ -247,3 +256,9 @@ void Nct::end_program(Machinery& m) {
 }
 
 }  // namespace kadr::nct
+
+namespace kadr {
+
+nct::Nct& nct_of(const Machinery& m) { return static_cast<nct::Nct&>(*m.dialect); }
+
+}  // namespace kadr

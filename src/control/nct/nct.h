@@ -9,12 +9,12 @@
 
 #include "config/setup.h"
 #include "control/action.h"
-#include "control/control.h"
+#include "control/dialect.h"
+#include "control/macro_variables.h"
 #include "control/nct/changes.h"
 #include "control/nct/coupling.h"
 #include "control/nct/drilling.h"
 #include "control/nct/endless.h"
-#include "control/nct/macro_variables.h"
 #include "control/nct/measuring.h"
 #include "control/nct/output_file.h"
 #include "control/nct/parameters.h"
@@ -141,10 +141,10 @@ struct InterruptedCycles {
   std::uint8_t active_modal_calls = 0;
 };
 
-class Nct {
+class Nct : public Dialect, public MachineSide {
  public:
   Nct(Machinery& machinery, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
-  ~Nct();
+  ~Nct() override;
 
   // ---- parameters and what follows from them
   /// Parameters have changed: what follows from them is worked out anew.
@@ -153,23 +153,23 @@ class Nct {
 
   // ---- start and end
   /// Power-on state, then what the set-up says.
-  void start(Machinery& m, const Setup& setup);
+  bool start(Machinery& m, const Setup& setup) override;
   /// Variables, plane, diameter of the set-up, after its modal codes.
-  void take_setup(Machinery& m, const Setup& setup);
-  /// M2, M30, or the file's end: the end-of-program reset (3.4) follows an M code.
-  void end_program(Machinery& m);
+  void take_setup(Machinery& m, const Setup& setup) override;
+  /// What the program has set is as at power-on (3.4).
+  void reset_program(Machinery& m);
   /// Whole state for the last line of a trace, in the form of a set-up.
-  RunState run_state(const Machinery& m) const;
+  RunState run_state(const Machinery& m) const override;
 
   // ---- what an alarm takes back
   /// A word block begins.
-  void begin_block();
+  void begin_block(Machinery& m) override;
   /// It may change more than where the tool is.
   void keep_all(const Machinery& m);
   /// A number of a table is about to be written.
   void keep_cell(double& cell) { before_.cells.emplace_back(&cell, cell); }
   void keep_common(int n) { before_.commons.emplace_back(n, variables.common(n)); }
-  void take_back(const Machinery& m);
+  void take_back(Machinery& m) override;
 
   // ---- tools
   Result<std::uint32_t> offset_of_tool(char letter) const;
@@ -183,7 +183,7 @@ class Nct {
   /// Speed of the main spindle now, rev/min; 0 if it stands.
   double spindle_rpm(const Machinery& m) const;
   /// What G96, G97 make of the main spindle's speed (11.5); said where anything of it changes.
-  SurfaceSpeed surface_speed(const Machinery& m) const;
+  SurfaceSpeed surface_speed(const Machinery& m) const override;
   void tell_surface_speed(Machinery& m) const;
   double css_rpm(const Machinery& m) const;
 
@@ -191,6 +191,64 @@ class Nct {
   const Axes& lengths_before() const { return lengths_before_; }
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
   void end_interrupt(Machinery& m, bool restore);
+
+  // ---- what the machine tells (machine_side.cpp)
+  MachineSide* machine_side() override { return this; }
+  void set_signal(const std::string& name, double value) override;
+  void set_answer(double to) override { answer = to; }
+  void synchronise(int slave, int master) override;
+  void couple_axis(Machinery& m, const std::string& name, bool on) override;
+  void convert_spindle(int number, bool to_axis) override;
+  void set_time(double at_ms, double cut_ms) override;
+  const WrittenFiles& files_written() const override { return output.files(); }
+  bool waiting_suspended() const override;
+
+  // ---- what the interpreter asks (dialect.cpp): each is a function of this folder
+  bool starts_code_by_code() const override { return true; }
+  void started(Machinery& m) override;
+  bool end_program(Machinery& m) override;
+  bool lose_power(Machinery& m) override;
+  void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch) override;
+  StateChanges take_changes(Machinery& m) override;
+  bool has_unfinished() const override { return !finishing.empty(); }
+  Result<bool> finish(Machinery& m) override;
+  bool reads_clock(const Block& block) const override;
+  void note_skip_mark(Machinery& m) override;
+  bool watches_blocks() const override { return interrupt_program.has_value(); }
+  bool in_interrupt() const override { return interrupted.active; }
+  Result<bool> interrupt(Machinery& m, BlockMoment moment) override;
+  bool takes_data() const override { return data_mode != DataMode::none; }
+  Status statement(Machinery& m) override;
+  Result<bool> takes_block(Machinery& m) override;
+  std::int16_t motion_row(const Machinery& m) const override;
+  BlockChanges changes_of(const Machinery& m, const Plan& plan) const override;
+  void before_function(Machinery& m, Function function) override;
+  void after_code(Machinery& m, const CodeRow& row, std::int32_t code) override;
+  Status after_block(Machinery& m) override;
+  void keep(Machinery& m) override { keep_all(m); }
+  void taken_back(Machinery& m) override;
+  void note_fault(Machinery& m, bool may_have_steered) override { endless.note_fault(m, may_have_steered); }
+  void begin_again() override { endless.forget(); }
+  bool leave_call(Machinery& m) override;
+  Status target(const Machinery& m, Axes& to, AxisMask& named) const override;
+  bool shapes_lines(const Machinery& m) const override;
+  Status straight(Machinery& m, const Call& call, MotionKind kind) override;
+  bool only_shifts(const Machinery& m) const override;
+  Status arc(Machinery& m, const Call& call, Turn turn) override;
+  Status surface_line(Machinery& m, MotionKind kind, const Axes& programmed, AxisMask named) override;
+  Status may_move(const Machinery& m, AxisMask named) const override;
+  void note_motion(Machinery& m, Motion& motion) override;
+  double inch_feed(const Machinery& m, const Motion& motion, const Axes& from) const override;
+  void note_feed(Machinery&) override { thread_lead = 0; }
+  bool keeps_both_feeds() const override { return true; }  // 6.2.1
+  void refresh_frames(Machinery& m) override;
+  bool zero_may_move() const override { return true; }
+  void roll(const Machinery& m, Axes& positions) const override;
+  Status take_answer(Machinery& m, const ProbeAnswer& at) override;
+  Status machine_code(Machinery& m, const Call& call) override;
+  Result<double> read_variable(Machinery& m, double number, Span where) const override;
+  Result<double> number_of_element(const Machinery& m, double symbol, double index, Span where) const override;
+  Result<double> control_value(Machinery& m, double number, double bit, double index, Span where) const override;
 
   MacroVariables variables;
   ParameterStore parameters;
@@ -256,6 +314,7 @@ class Nct {
   std::uint64_t parameters_seen_ = 0;
   Axes lengths_before_{};
   Before before_;
+  std::vector<double> clocks_;  // numbers of the clock variables
 
  public:
   InterruptedCycles interrupted_cycles;
@@ -287,3 +346,10 @@ void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>&
 Status set_tables(Machinery& m, const Call& call);
 
 }  // namespace kadr::nct
+
+namespace kadr {
+
+/// The dialect of an interpreter that has this one.
+nct::Nct& nct_of(const Machinery& m);
+
+}  // namespace kadr

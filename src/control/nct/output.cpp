@@ -21,7 +21,7 @@ std::string program_path(const Machinery& m) {
     std::error_code error;  // no working directory: the path as it is
     return fs::absolute(path, error).lexically_normal();
   };
-  const fs::path main = whole(m.flow.main_file()), root = whole(m.nct->output.root() + "/").parent_path();
+  const fs::path main = whole(m.flow.main_file()), root = whole(nct_of(m).output.root() + "/").parent_path();
   const fs::path from_root = main.lexically_relative(root);
   const bool inside = !from_root.empty() && *from_root.begin() != "..";
   return whole(m.flow.file()).lexically_relative(inside ? root : main.parent_path()).generic_string();
@@ -73,16 +73,16 @@ Status print(Machinery& m, const Statement& s, PrintKind kind) {
     return fail(alarm);
   }
   if (kind == PrintKind::decimal) {
-    const PrintFill fill = m.nct->settings.print_bare ? PrintFill::none : PrintFill::spaces;
-    return placed(m.nct->output.print(decimal(pieces->pieces, values->values(), fill), kind), s.where);
+    const PrintFill fill = nct_of(m).settings.print_bare ? PrintFill::none : PrintFill::spaces;
+    return placed(nct_of(m).output.print(decimal(pieces->pieces, values->values(), fill), kind), s.where);
   }
   const auto bytes = binary(pieces->pieces, values->values());
   if (!bytes) return placed(fail(bytes.error()), s.where);
-  return placed(m.nct->output.print(*bytes, kind), s.where);
+  return placed(nct_of(m).output.print(*bytes, kind), s.where);
 }
 
 Status open_file_of(Machinery& m, const Statement& s, double mode) {
-  OutputFile& output = m.nct->output;
+  OutputFile& output = nct_of(m).output;
   if (m.block->file_name.end != 0) {
     Span place = m.block->file_name;
     const std::string name = m.flow.shown(m.block->text_of(m.block->file_name), place);
@@ -100,7 +100,7 @@ Status open_file_of(Machinery& m, const Statement& s, double mode) {
 Status output(Machinery& m, const Statement& s) {
   if (s.kind == StatementKind::print_decimal) return print(m, s, PrintKind::decimal);
   if (s.kind == StatementKind::print_binary) return print(m, s, PrintKind::binary);
-  OutputFile& output = m.nct->output;
+  OutputFile& output = nct_of(m).output;
   if (s.kind == StatementKind::close_file) return placed(output.close_file(), s.where);
   const auto number = value_or_zero(m, s.value);
   if (!number) return fail(number.error());
@@ -114,7 +114,7 @@ Status output(Machinery& m, const Statement& s) {
 Result<std::string> embedded_values(Machinery& m, const std::string& text, Span) {
   auto values = std::make_unique<Values>(m);
   const PrintText pieces = parse_message(text, [&](std::string_view rest) { return values->read(rest); });
-  const PrintFill fill = m.nct->settings.print_bare ? PrintFill::none : PrintFill::spaces;
+  const PrintFill fill = nct_of(m).settings.print_bare ? PrintFill::none : PrintFill::spaces;
   return joined(pieces.pieces, values->values(), fill);
 }
 

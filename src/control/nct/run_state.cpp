@@ -51,7 +51,7 @@ const char* name_of(SpindleDir dir) {
 void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch) {
   const auto add = [&](int n) {
     double value = 0;
-    if (m.nct->variables.known(n, value) && !is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);
+    if (nct_of(m).variables.known(n, value) && !is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);
   };
   for (int n = 1; n <= static_cast<int>(most_locals); ++n) add(n);
   for (int n = first_common; n <= last_common; ++n) add(n);

@@ -30,15 +30,15 @@ Status set_zero(Machinery& m, const Call& call, std::uint32_t index, bool common
     if (!(std::fabs(zero[row.axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, zero[row.axis]));
   }
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (zero[a] != table[a]) m.nct->keep_cell(table[a]), table[a] = zero[a];
+    if (zero[a] != table[a]) nct_of(m).keep_cell(table[a]), table[a] = zero[a];
   if (!common) {
     Vec3& angles = m.tables.rotations[index];
     double* const parts[] = {&angles.x, &angles.y, &angles.z};
     for (std::size_t i = 0; i < 3; ++i)
-      if (m.has(rotation_letters[i])) m.nct->keep_cell(*parts[i]), *parts[i] = m.value(rotation_letters[i]) + (adds ? *parts[i] : 0.0);
+      if (m.has(rotation_letters[i])) nct_of(m).keep_cell(*parts[i]), *parts[i] = m.value(rotation_letters[i]) + (adds ? *parts[i] : 0.0);
   }
   (void)call;
-  m.nct->tables_changed = true;
+  nct_of(m).tables_changed = true;
   m.change_frames();
   return {};
 }
@@ -68,7 +68,7 @@ Status set_offset(Machinery& m, const Call& call, std::uint32_t l) {
   const Word& r = *m.word('R');
   const bool adds = !m.modal.absolute || r.incremental;
   *to = (adds ? *to : 0.0) + r.value * m.unit_scale();
-  m.nct->changed_offsets.push_back(*number);
+  nct_of(m).changed_offsets.push_back(*number);
   return {};
 }
 
@@ -92,7 +92,7 @@ Status set_turning_offset(Machinery& m, const Call& call, bool wear) {
     *to = (adds ? *to : 0.0) + w->value * m.unit_scale();
   }
   if (m.has('Q')) offset.tip_position = *q;
-  m.nct->changed_offsets.push_back(*number);
+  nct_of(m).changed_offsets.push_back(*number);
   return {};
 }
 
@@ -100,22 +100,22 @@ Status set_turning_offset(Machinery& m, const Call& call, bool wear) {
 Status open_data(Machinery& m, const Call& call, std::uint32_t l) {
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   if (l == 52) {
-    m.nct->data_mode = DataMode::parameters;
+    nct_of(m).data_mode = DataMode::parameters;
     return {};
   }
-  return m.nct->open_tool_data(m, l, m.has('P') ? m.value('P') : 0, call.where);
+  return nct_of(m).open_tool_data(m, l, m.has('P') ? m.value('P') : 0, call.where);
 }
 
 }  // namespace
 
 Status set_tables(Machinery& m, const Call& call) {
   if (!m.has('L')) return fail(alarm(AlarmId::word_missing, call.where, 'L', call.row->code));
-  m.nct->endless.note_change();
+  nct_of(m).endless.note_change();
   const auto l = m.whole('L', 1, 999);
   if (!l) return fail(l.error());
   if (*l == 52 || (*l >= 75 && *l <= 77)) return open_data(m, call, *l);
   const bool of_turning = *l >= 200 && *l <= 203;
-  if (of_turning && !m.nct->settings.turning_offsets) return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
+  if (of_turning && !nct_of(m).settings.turning_offsets) return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
   if (*l == 200 || *l == 201) return set_turning_offset(m, call, *l == 200);
   ToolOffset unused;
   if (offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
@@ -133,16 +133,16 @@ Status set_tables(Machinery& m, const Call& call) {
 Status data_line(Machinery& m) {
   if (m.has_code({Function::set_tables_end})) {
     if (m.block->word_count > 1) return fail(alarm(AlarmId::own_block, m.block->words[0].where, "G11"));
-    m.nct->close_data();
+    nct_of(m).close_data();
     return {};
   }
-  if (m.nct->data_mode == DataMode::parameters) return m.nct->parameter_line(m);
-  return m.nct->tool_line(m);
+  if (nct_of(m).data_mode == DataMode::parameters) return nct_of(m).parameter_line(m);
+  return nct_of(m).tool_line(m);
 }
 
 /// One code of each exclusive group; one spindle code (13.1, 11.2).
 Status check_m_codes(const Machinery& m) {
-  const Settings& s = m.nct->settings;
+  const Settings& s = nct_of(m).settings;
   const auto is_spindle = [&](int code) {
     if (code == 3 || code == 4 || code == 5 || code == 19) return true;
     for (const SpindleSettings& spindle : s.spindles)

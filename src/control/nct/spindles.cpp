@@ -40,14 +40,14 @@ int range_of(const Nct& nct, int number, double rpm) {
 }
 
 std::string name_of_spindle(const Machinery& m, int number) {
-  const auto found = m.nct->spindle_names.find(number);
-  return found != m.nct->spindle_names.end() && !found->second.empty() ? found->second : "S" + std::to_string(number);
+  const auto found = nct_of(m).spindle_names.find(number);
+  return found != nct_of(m).spindle_names.end() && !found->second.empty() ? found->second : "S" + std::to_string(number);
 }
 
 /// INFERRED: a number that the set-up has not, where it has spindles, is alarm 2017.
 Status own_spindle(const Machinery& m, int number, Span where) {
-  const SpindleState& s = m.nct->spindle(number);
-  if (!s.known && !m.nct->spindle_names.empty())
+  const SpindleState& s = nct_of(m).spindle(number);
+  if (!s.known && !nct_of(m).spindle_names.empty())
     return fail(alarm(AlarmId::illegal_address, where, std::string_view(name_of_spindle(m, number))));
   if (!s.known || s.channel == m.def.channel) return {};
   return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(s.channel)));
@@ -55,7 +55,7 @@ Status own_spindle(const Machinery& m, int number, Span where) {
 
 /// Turns the spindle by `degrees` in the position loop.
 void turn(Machinery& m, int number, double degrees, bool absolute) {
-  SpindleState& s = m.nct->spindle(number);
+  SpindleState& s = nct_of(m).spindle(number);
   s.angle += degrees;
   s.angle -= 360 * std::floor(s.angle / 360);
   Spindle action{SpindleDir::position, 0, static_cast<std::uint8_t>(number), degrees, {}};
@@ -65,7 +65,7 @@ void turn(Machinery& m, int number, double degrees, bool absolute) {
 
 /// The spindle that a word of the block names, or plain S means; without one the spindle referred to last (11.1.1, 11.2).
 int spindle_of_block(const Machinery& m) {
-  const Nct& nct = *m.nct;
+  const Nct& nct = nct_of(m);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     if (w.address == 0 || m.def.address(w.address).function != Function::spindle_word) continue;
@@ -85,7 +85,7 @@ double limited(const Nct& nct, int number, double rpm) {
 }
 
 Status loop_closed(const Machinery& m, int number, Span where) {
-  if (m.nct->spindle(number).loop_closed) return {};
+  if (nct_of(m).spindle(number).loop_closed) return {};
   return fail(alarm(AlarmId::spindle_loop_open, where, std::string_view(name_of_spindle(m, number))));
 }
 
@@ -119,7 +119,7 @@ namespace kadr::functions {
 
 /// S, S1=…, SSB…, S… P: a speed for one spindle; with G96 plain S is the surface speed (11.1, 11.5.1).
 Status spindle_word(Machinery& m, const Call& call) {
-  nct::Nct& nct = *m.nct;
+  nct::Nct& nct = nct_of(m);
   if (m.has_code({Function::new_system})) return {};  // G92 S limits the speed (11.5.2)
   const double value = call.word->value;
   if (!(value >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, call.word->address, value));
@@ -143,7 +143,7 @@ Status spindle_word(Machinery& m, const Call& call) {
 
 /// M3, M4, M5, M19 for the spindle referred to last (11.2).
 Status spindle_code(Machinery& m, const Call& call) {
-  nct::Nct& nct = *m.nct;
+  nct::Nct& nct = nct_of(m);
   const int number = nct.state.current_spindle;
   nct::SpindleState& s = nct.spindle(number);
   s.master = 0;
@@ -170,11 +170,11 @@ Status spindle_code(Machinery& m, const Call& call) {
 /// M11 … M18 (11.3): of the spindle that the block names. A speed in force that lies outside is limited (11.1).
 Status gear_range(Machinery& m, const Call& call) {
   const int number = nct::spindle_of_block(m);
-  nct::SpindleState& s = m.nct->spindle(number);
+  nct::SpindleState& s = nct_of(m).spindle(number);
   s.range = call.row->arg;
   m.emit(MachineFunction{static_cast<std::uint32_t>(call.word->code / 10), {}, {}, static_cast<std::uint8_t>(number)});
-  if (m.modal.surface_speed) m.nct->tell_surface_speed(m);
-  const double rpm = nct::limited(*m.nct, number, s.rpm);
+  if (m.modal.surface_speed) nct_of(m).tell_surface_speed(m);
+  const double rpm = nct::limited(nct_of(m), number, s.rpm);
   if (rpm != s.rpm && !m.modal.surface_speed && !nct::has_spindle_word(m)) {
     s.rpm = rpm;
     m.emit(Speed{rpm, false, static_cast<std::uint8_t>(number), static_cast<std::uint8_t>(s.range)});
@@ -187,7 +187,7 @@ Status spindle_axis_word(Machinery& m, const Call& call) {
   const int number = m.def.address(call.word->address).number;
   KADR_TRY(nct::own_spindle(m, number, call.where));
   KADR_TRY(nct::loop_closed(m, number, call.where));
-  nct::SpindleState& s = m.nct->spindle(number);
+  nct::SpindleState& s = nct_of(m).spindle(number);
   const double value = call.word->value;
   if (!m.modal.absolute || call.word->incremental) return nct::turn(m, number, value, false), Status();
   if (!s.referenced) return fail(alarm(AlarmId::spindle_not_referenced, call.where, std::string_view(nct::name_of_spindle(m, number))));
@@ -206,21 +206,21 @@ Status css_on(Machinery& m, const Call&) {
     if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) ==
         numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
       return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED, as AX[n] (23.2.12)
-    m.nct->state.css_axis = static_cast<int>(*axis);
+    nct_of(m).state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;
-  m.nct->tell_surface_speed(m);
+  nct_of(m).tell_surface_speed(m);
   return {};
 }
 
 /// G97: the last speed of G96 stays (11.5.1).
 Status css_off(Machinery& m, const Call&) {
   if (m.modal.surface_speed && m.batch != nullptr) {
-    nct::SpindleState& s = m.nct->spindle(m.nct->state.main_spindle);
-    if (s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw) s.rpm = m.nct->css_rpm(m);
+    nct::SpindleState& s = nct_of(m).spindle(nct_of(m).state.main_spindle);
+    if (s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw) s.rpm = nct_of(m).css_rpm(m);
   }
   m.modal.surface_speed = false;
-  m.nct->tell_surface_speed(m);
+  nct_of(m).tell_surface_speed(m);
   return {};
 }
 
@@ -235,7 +235,7 @@ Status machine_code(Machinery& m, const Call& call) {
   if (own_code && !*own_code) own_code = interrupt_code(m, call);
   if (!own_code) return fail(own_code.error());
   if (*own_code) return {};
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   const int code = call.word->code / 10;
   const int number = nct.state.current_spindle;
   for (int i = 0; i <= static_cast<int>(most_spindles); ++i) {
@@ -267,13 +267,13 @@ void find_spindle_axes(Machinery& m, const Setup& setup) {
     if (event.what != SetupEvent::Do::spindle_to_axis) continue;
     const std::string name = "C" + std::to_string(event.spindle);
     for (std::size_t a = 0; a < m.axis_count; ++a)
-      if (m.axis_names[a] == name || (event.spindle == 1 && m.axis_names[a] == "C")) m.nct->spindle_axes.emplace_back(a, event.spindle);
+      if (m.axis_names[a] == name || (event.spindle == 1 && m.axis_names[a] == "C")) nct_of(m).spindle_axes.emplace_back(a, event.spindle);
   }
 }
 
 void watch_spindle_axes(Machinery& m, AxisMask named) {
-  for (const auto& [axis, number] : m.nct->spindle_axes) {
-    const SpindleDir dir = m.nct->spindle(number).dir;
+  for (const auto& [axis, number] : nct_of(m).spindle_axes) {
+    const SpindleDir dir = nct_of(m).spindle(number).dir;
     if ((named >> axis & 1u) == 0 || (dir != SpindleDir::cw && dir != SpindleDir::ccw)) continue;
     m.warn(warning(AlarmId::axis_is_spindle, m.block->where, std::string_view(m.axis_names[axis]),
                    std::string_view(name_of_spindle(m, number))));

@@ -4,7 +4,9 @@
 
 #include "control/nct/blocks.h"
 #include "control/nct/messages.h"
+#include "control/nct/nct.h"
 #include "control/nct/output.h"
+#include "control/nct/system_variables.h"
 #include "control/reading.h"
 #include "lang/expression.h"
 
@@ -33,7 +35,7 @@ Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, wher
 /// A jump back that would be made for ever is none.
 Status jump_to(Machinery& m, Position target, Span where) {
   if (target.offset <= m.block->position.offset) {
-    switch (m.nct->endless.look(m, target, m.flow.reader(), m.flow.blocks())) {
+    switch (nct_of(m).endless.look(m, target, m.flow.reader(), m.flow.blocks())) {
       case Endless::Verdict::go: break;
       case Endless::Verdict::leave: return {};
       case Endless::Verdict::endless: return fail(alarm(AlarmId::endless_program, where, double(m.flow.repeated())));

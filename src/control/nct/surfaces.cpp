@@ -16,7 +16,7 @@ bool is_rotary(const Machinery& m, std::size_t axis) { return (m.def.rotary >> a
 void to_polar(const Machinery& m, const Axes& programmed, double near, Axes& work) {
   const PlaneAxes& plane = m.modal.axes;
   const double u = programmed[plane.first], w = programmed[plane.second];
-  const double offset = m.nct->settings.axes[plane.second].polar_offset;
+  const double offset = nct_of(m).settings.axes[plane.second].polar_offset;
   const double side = m.modal.surface_side;
   const double r2 = u * u + w * w - offset * offset;
   const double r = r2 > 0 ? std::sqrt(r2) : 0;
@@ -41,8 +41,8 @@ void set_surface(const Machinery& m, MotionDetail& detail, const Axes& from, con
   if (m.modal.surface == PathSurface::polar) {
     detail.flat_from = {from[plane.first], from[plane.second]};
     detail.flat_to = {to[plane.first], to[plane.second]};
-    detail.offset = m.nct->settings.axes[plane.second].polar_offset;
-    detail.rotary_most = m.nct->settings.axes[plane.second].feed_most;
+    detail.offset = nct_of(m).settings.axes[plane.second].polar_offset;
+    detail.rotary_most = nct_of(m).settings.axes[plane.second].feed_most;
     detail.programmed = to;
     detail.has_programmed = true;
   } else {
@@ -63,7 +63,7 @@ Vec2 flat_point(const Machinery& m, const Axes& point) {
 /// The motion's end in real axes: transformed in the programmed plane, then rolled up (4.5, INFERRED).
 Axes surface_work(const Machinery& m, const Axes& programmed) {
   const Axes point = transformed(m, programmed);
-  return m.modal.surface == PathSurface::polar ? polar_work(m, point, m.nct->surface_angle) : point;
+  return m.modal.surface == PathSurface::polar ? polar_work(m, point, nct_of(m).surface_angle) : point;
 }
 
 Axes polar_work(const Machinery& m, const Axes& point, double near) {
@@ -104,7 +104,7 @@ void finish_surface(Machinery& m, Motion& motion, const Axes& from) {
   if (m.modal.surface == PathSurface::polar) detail_of(m, motion).programmed = m.position.programmed;
   motion.first = static_cast<std::uint8_t>(m.modal.axes.first);
   motion.second = static_cast<std::uint8_t>(m.modal.axes.second);
-  if (m.modal.surface == PathSurface::polar) m.nct->surface_angle = m.position.work[m.modal.axes.second];
+  if (m.modal.surface == PathSurface::polar) nct_of(m).surface_angle = m.position.work[m.modal.axes.second];
 }
 
 Status surface_line(Machinery& m, MotionKind kind, const Axes& programmed, AxisMask named) {
@@ -154,9 +154,9 @@ Status polar_surface_on(Machinery& m, const Call& call) {
     return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.second]), rotary));
   m.modal.surface = PathSurface::polar;
   m.modal.surface_side = linear > 0 ? 1 : -1;
-  m.nct->surface_angle = rotary;
+  nct_of(m).surface_angle = rotary;
   Axes at = m.position.work;  // in the virtual plane
-  at[plane.second] = m.nct->settings.axes[plane.second].polar_offset;
+  at[plane.second] = nct_of(m).settings.axes[plane.second].polar_offset;
   m.position.programmed = m.transform.to_programmed(at);
   return {};
 }

@@ -56,12 +56,12 @@ double axis_value(const Machinery& m, VariableKind kind, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
   const double length = m.frames.length[a];
-  const bool with_length = !m.nct->settings.without_length;
+  const bool with_length = !nct_of(m).settings.without_length;
   switch (kind) {
     case VariableKind::end_position: return shown(m, axis, before_transform(m)[a]);
     case VariableKind::machine_position: return shown(m, axis, m.position.machine[a]);
     case VariableKind::work_position: return shown(m, axis, m.position.work[a] + (with_length ? length : 0));
-    case VariableKind::probe_position: return shown(m, axis, m.nct->probe_position[a] + (with_length ? m.nct->probe_length[a] : 0));
+    case VariableKind::probe_position: return shown(m, axis, nct_of(m).probe_position[a] + (with_length ? nct_of(m).probe_length[a] : 0));
     case VariableKind::length_in_force: return shown(m, axis, length);
     default: return 0;  // lag, distance to go, handwheel shift: the virtual machine has none
   }
@@ -123,7 +123,7 @@ double mirror_bits(const Machinery& m) {
 }
 
 double read_plain(const Machinery& m, const Found& f) {
-  const Nct& n = *m.nct;
+  const Nct& n = nct_of(m);
   const VariableRow& row = *f.row;
   switch (row.kind) {
     case VariableKind::empty: return vacant;
@@ -180,7 +180,7 @@ Status write_control(std::uint32_t& control, const VariableRow& row, double valu
 }
 
 Status write_plain(Machinery& m, const Found& f, double value, Span where) {
-  Nct& n = *m.nct;
+  Nct& n = nct_of(m);
   switch (f.row->kind) {
     case VariableKind::plc_out: {
       const auto on = bit_value(value, where);
@@ -218,8 +218,8 @@ Result<std::uint32_t> whole_number(double number, Span where) {
 Result<double> read_variable(Machinery& m, double number, Span where) {
   const auto n = whole_number(number, where);
   if (!n) return fail(n.error());
-  if (double value = 0; m.nct->variables.known(*n, value)) return value;
-  m.nct->endless.note_reading();
+  if (double value = 0; nct_of(m).variables.known(*n, value)) return value;
+  nct_of(m).endless.note_reading();
   const auto f = find(m.def, *n);
   if (!f) return fail(alarm(AlarmId::variable_unknown, where, number));
   if (!f->row->read) return fail(alarm(AlarmId::variable_write_only, where, number));
@@ -233,7 +233,7 @@ Result<double> read_variable(Machinery& m, double number, Span where) {
   if (is_zero(kind)) return axis < 0 ? 0.0 : shown(m, axis, *zero_field(m, *f, axis));
   if (kind >= VariableKind::end_position && kind <= VariableKind::distance_to_go) return axis_value(m, kind, axis);
   if (kind == VariableKind::tool_data)
-    return m.nct->tools.spindle_data(static_cast<int>(m.nct->tool_magazine), static_cast<int>(*n)).value_or(vacant);
+    return nct_of(m).tools.spindle_data(static_cast<int>(nct_of(m).tool_magazine), static_cast<int>(*n)).value_or(vacant);
   if (!f->row->works) return fail(alarm(AlarmId::not_available, where, "#" + std::to_string(*n)));
   return read_plain(m, *f);
 }
@@ -241,7 +241,7 @@ Result<double> read_variable(Machinery& m, double number, Span where) {
 Status write_variable(Machinery& m, double number, double value, Span where) {
   const auto n = whole_number(number, where);
   if (!n) return fail(n.error());
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   const auto plain = static_cast<int>(*n);
   if (plain >= 1 && plain <= static_cast<int>(most_locals)) return nct.variables.locals()[*n] = value, Status();
   const bool is_protected = nct.settings.protect_high != 0 && plain >= nct.settings.protect_low && plain <= nct.settings.protect_high;
@@ -271,7 +271,7 @@ Status write_variable(Machinery& m, double number, double value, Span where) {
 }
 
 Status set_start_value(Machinery& m, double number, double value) {
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   const auto n = whole_number(number, {});
   if (!n) return fail(n.error());
   const auto plain = static_cast<int>(*n);
@@ -301,8 +301,8 @@ Result<double> number_of_element(const Machinery& m, double symbol, double index
 Result<double> read_parameter(Machinery& m, double number, double bit, double index, Span where) {
   const auto given = [](double v) { return is_vacant(v) ? std::optional<double>() : std::optional(v); };
   if (is_vacant(number)) return fail(alarm(AlarmId::expression_syntax, where, "PRM"));
-  m.nct->endless.note_reading();
-  return m.nct->parameters.read(number, given(bit), given(index), where);
+  nct_of(m).endless.note_reading();
+  return nct_of(m).parameters.read(number, given(bit), given(index), where);
 }
 
 }  // namespace kadr::nct

@@ -59,7 +59,7 @@ double coordinate(const Machinery& m, const Word& w, std::size_t axis) {
 }
 
 bool is_increment(const Machinery& m, const Word& w) {
-  if (m.nct->absolute_block) return false;
+  if (nct_of(m).absolute_block) return false;
   return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
@@ -88,7 +88,7 @@ double roll_travel(const AxisSettings& axis, double c, double programmed, bool i
 Status target(const Machinery& m, Axes& to, AxisMask& named) {
   to = m.position.programmed;
   named = 0;
-  Nct& nct = *m.nct;
+  Nct& nct = nct_of(m);
   nct.rolled = 0;
   const PlaneAxes& plane = m.modal.axes;
   const bool is_polar = m.modal.polar_data && !nct.cartesian_block;

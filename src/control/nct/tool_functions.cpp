@@ -12,9 +12,9 @@ ToolPlace place_of(const nct::ToolCall& call) {
 
 /// What was prepared comes into the spindle.
 void change(Machinery& m, nct::CountUse count) {
-  m.nct->endless.note_change();
-  m.pass_varies = m.pass_varies || m.nct->tools.enabled();  // its life may end
-  const nct::ToolCall now = m.nct->tools.change(nct::ToolManagement::main_spindle, count);
+  nct_of(m).endless.note_change();
+  m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // its life may end
+  const nct::ToolCall now = nct_of(m).tools.change(nct::ToolManagement::main_spindle, count);
   m.modal.tool = now.tool;
   m.use.change_to(now.tool);
   m.emit(ToolChange{now.tool, place_of(now)});
@@ -26,7 +26,7 @@ namespace functions {
 
 /// T: the tool is looked for and prepared; where the machine changes on T it is changed (12.1, 12.2).
 Status tool_call(Machinery& m, const Call& call) {
-  nct::Nct& nct = *m.nct;
+  nct::Nct& nct = nct_of(m);
   const auto number = m.whole('T', 0, 99'999'999);
   if (!number) return fail(number.error());
   bool by_place = false;
@@ -49,14 +49,14 @@ Status tool_call(Machinery& m, const Call& call) {
 
 /// M6: what was prepared comes into the spindle (12.2).
 Status exchange_tool(Machinery& m, const Call&) {
-  change(m, m.nct->settings.life_counts_on_t ? nct::CountUse::no : nct::CountUse::yes);
+  change(m, nct_of(m).settings.life_counts_on_t ? nct::CountUse::no : nct::CountUse::yes);
   return {};
 }
 
 /// A, B, C, U, V, W as auxiliary functions (13.2).
 Status auxiliary_word(Machinery& m, const Call& call) {
   const std::uint8_t number = m.def.address(call.word->address).number;
-  m.nct->state.words.aux[number - 1u] = call.word->value;
+  nct_of(m).state.words.aux[number - 1u] = call.word->value;
   m.emit(AuxiliaryFunction{call.word->address, call.word->value});
   return {};
 }

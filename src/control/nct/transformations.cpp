@@ -14,7 +14,7 @@ namespace {
 template <class Change>
 void change_transform(Machinery& m, Change change) {
   const Axes tool = before_transform(m);
-  DrillingMemory& drilling = m.nct->state.drilling;
+  DrillingMemory& drilling = nct_of(m).state.drilling;
   Axes initial = m.position.programmed;
   initial[drilling.axis] = drilling.initial;
   initial = m.transform.to_work(initial);

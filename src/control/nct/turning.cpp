@@ -53,7 +53,7 @@ Status take_r(const Machinery& m, double& to) {
 
 /// G71.7 W5 R1, G72.7 V5 R1: the depth of a pass along the infeed axis (19.A 4), the retract.
 Status first_of_rough(Machinery& m, const Call& call) {
-  TurningMemory& kept = m.nct->state.turning;
+  TurningMemory& kept = nct_of(m).state.turning;
   const std::size_t infeed = call.row->arg == 717 ? 1 : 0;
   const auto d = distances(m);
   if (!d) return fail(d.error());
@@ -71,7 +71,7 @@ Status first_of_rough(Machinery& m, const Call& call) {
 /// G73.7 U3 W3 R4: the relief of the first pass, the number of passes.
 Status first_of_pattern(Machinery& m) {
   constexpr double most_passes = 9999;
-  TurningMemory& kept = m.nct->state.turning;
+  TurningMemory& kept = nct_of(m).state.turning;
   const auto d = distances(m);
   if (!d) return fail(d.error());
   if (d->word[0] != nullptr) kept.relief.x = d->value[0];
@@ -86,7 +86,7 @@ Status first_of_pattern(Machinery& m) {
 /// G76.7 Pmmrraa QΔmin Rd.
 Status first_of_thread(Machinery& m) {
   constexpr double angles[] = {80, 60, 55, 30, 29, 0};
-  TurningMemory& kept = m.nct->state.turning;
+  TurningMemory& kept = nct_of(m).state.turning;
   if (m.has('P')) {
     const auto digits = m.whole('P', 0, 999'999);
     if (!digits) return fail(digits.error());
@@ -125,7 +125,7 @@ Status first_line(Machinery& m, const Call& call) {
     case 767: return first_of_thread(m);
     default:
       if (!m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
-      return take_r(m, m.nct->state.turning.groove_back);
+      return take_r(m, nct_of(m).state.turning.groove_back);
   }
 }
 
@@ -150,7 +150,7 @@ Status possible(const Machinery& m, const Call& call) {
 
 /// Words of a simple cycle: what is not given stays as in the block before.
 Status take_simple(Machinery& m, const Call& call) {
-  TurningMemory& kept = m.nct->state.turning;
+  TurningMemory& kept = nct_of(m).state.turning;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());
   for (std::size_t i = 0; i < 2; ++i) {
@@ -167,7 +167,7 @@ Status take_simple(Machinery& m, const Call& call) {
 
 /// G77.7 along the first axis, G79.7 along the second: in, the cut, out, back.
 Status cut_once(Machinery& m, const Call& call) {
-  const TurningMemory& kept = m.nct->state.turning;
+  const TurningMemory& kept = nct_of(m).state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
   const bool along_first = call.row->arg == 777;
   KADR_TRY(m.feed_known(call.where));
@@ -179,7 +179,7 @@ Status cut_once(Machinery& m, const Call& call) {
 
 /// G78.7; the length of the chamfer-out is not known: INFERRED none.
 Status simple_thread(Machinery& m, const Call& call) {
-  const TurningMemory& kept = m.nct->state.turning;
+  const TurningMemory& kept = nct_of(m).state.turning;
   const auto lead = lead_of(m, call);
   if (!lead) return fail(lead.error());
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
@@ -196,9 +196,9 @@ class FinishingRun final : public Running {
     frame.name = name_;
     frame.left = 1;
     frame.caller = m.origin;
-    frame.modal_calls = m.nct->active_modal_calls;
+    frame.modal_calls = nct_of(m).active_modal_calls;
     KADR_TRY(m.flow.call_at(m.flow.reader(), first_, frame, m.block->where));
-    m.nct->finishing.push_back({m.flow.depth(), behind_.offset, plane_point(m), m.origin});
+    nct_of(m).finishing.push_back({m.flow.depth(), behind_.offset, plane_point(m), m.origin});
     return false;
   }
 
@@ -238,10 +238,10 @@ Result<PlaneTarget> plane_target(Machinery& m) {
   }
   Axes to;
   AxisMask named = 0;
-  m.nct->cartesian_block = true;
+  nct_of(m).cartesian_block = true;
   const Status read = m.target(to, named);
-  m.nct->cartesian_block = false;
-  m.nct->rolled = 0;
+  nct_of(m).cartesian_block = false;
+  nct_of(m).rolled = 0;
   if (!read) return fail(read.error());
   target.to = {to[m.modal.axes.first], to[m.modal.axes.second]};
   return target;
@@ -255,7 +255,7 @@ Status finish(Machinery& m, const Call& call) {
 }
 
 Result<bool> end_contour(Machinery& m) {
-  std::vector<Finishing>& all = m.nct->finishing;
+  std::vector<Finishing>& all = nct_of(m).finishing;
   while (!all.empty() && m.flow.depth() < all.back().depth) all.pop_back();  // left by M99 or a restart
   if (all.empty() || m.flow.depth() != all.back().depth || m.flow.position().offset < all.back().behind) return false;
   const Finishing ended = all.back();
@@ -275,7 +275,7 @@ namespace kadr::functions {
 Status turning_cycle(Machinery& m, const Call& call) {
   KADR_TRY(nct::possible(m, call));
   if (nct::is_first_line(m, call.row->arg)) return nct::first_line(m, call);
-  m.nct->moved = true;
+  nct_of(m).moved = true;
   if (call.row->arg == 707) return nct::finish(m, call);
   return nct::second_line(m, call);
 }
@@ -284,7 +284,7 @@ Status turning_cycle(Machinery& m, const Call& call) {
 Status turning_simple(Machinery& m, const Call& call) {
   m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   m.modal.motion = MotionMode::linear;
-  nct::TurningMemory& kept = m.nct->state.turning;
+  nct::TurningMemory& kept = nct_of(m).state.turning;
   if (kept.code != call.row->arg) {
     kept.target = {};
     kept.known = {};

@@ -22,9 +22,9 @@ class DryRun {
         block_(m.block),
         batch_(m.batch),
         axes_taken_(m.block_axes_taken),
-        state_(m.nct->state),
-        moved_(m.nct->moved),
-        in_thread_(m.nct->in_thread) {
+        state_(nct_of(m).state),
+        moved_(nct_of(m).moved),
+        in_thread_(nct_of(m).in_thread) {
     m.batch = &actions;
     m.block_axes_taken = false;
     m.modal.feed_known = true;  // F of the contour is for finishing
@@ -36,9 +36,9 @@ class DryRun {
     m_.block = block_;
     m_.batch = batch_;
     m_.block_axes_taken = axes_taken_;
-    m_.nct->state = state_;
-    m_.nct->moved = moved_;
-    m_.nct->in_thread = in_thread_;
+    nct_of(m_).state = state_;
+    nct_of(m_).moved = moved_;
+    nct_of(m_).in_thread = in_thread_;
   }
   DryRun(const DryRun&) = delete;
   DryRun& operator=(const DryRun&) = delete;

@@ -93,7 +93,7 @@ Status groove(Machinery& m, const Call& call) {
   }
   if (m.has('R') && !(m.value('R') >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
   if (job.target.y != job.start.y) job.relief = m.length_value('R');  // INFERRED: else there is no side to go to
-  job.back = m.nct->state.turning.groove_back;
+  job.back = nct_of(m).state.turning.groove_back;
   KADR_TRY(m.feed_known(call.where));
   if (std::fabs(job.target.x - job.start.x) / job.peck > most_steps)
     return fail(alarm(AlarmId::value_out_of_range, m.where(peck), peck, m.value(peck)));

@@ -209,7 +209,7 @@ class PatternRun final : public Running {
 
 /// arg 717: infeed along the plane's second axis, 727: along the first (19.A 4).
 Status rough(Machinery& m, const Call& call, Vec2 allowance) {
-  const TurningMemory& kept = m.nct->state.turning;
+  const TurningMemory& kept = nct_of(m).state.turning;
   const bool facing = call.row->arg == 727;
   auto contour = read_contour(m, call);
   if (!contour) return fail(contour.error());
@@ -224,7 +224,7 @@ Status rough(Machinery& m, const Call& call, Vec2 allowance) {
 }
 
 Status pattern(Machinery& m, const Call& call, Vec2 allowance) {
-  const TurningMemory& kept = m.nct->state.turning;
+  const TurningMemory& kept = nct_of(m).state.turning;
   auto contour = read_contour(m, call);
   if (!contour) return fail(contour.error());
   if (kept.passes == 0) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));

@@ -23,8 +23,8 @@ Status cut_thread(Machinery& m, Vec2 to, double lead, double angle) {
   motion.feed = lead;
   MotionDetail& detail = detail_of(m, motion);
   detail.lead = lead;
-  if (!m.nct->in_thread) detail.start_angle = angle;
-  m.nct->in_thread = true;
+  if (!nct_of(m).in_thread) detail.start_angle = angle;
+  nct_of(m).in_thread = true;
   return {};
 }
 
@@ -81,7 +81,7 @@ class ThreadRun final : public Running {
 }  // namespace
 
 Status thread_pass(Machinery& m, const ThreadPass& pass) {
-  m.nct->in_thread = false;
+  nct_of(m).in_thread = false;
   KADR_TRY(go(m, MotionKind::rapid, pass.from));
   const Vec2 way = pass.to - pass.from;
   double out = std::min(pass.chamfer, std::fabs(way.x));
@@ -122,7 +122,7 @@ Status compound_thread(Machinery& m, const Call& call) {
   }
   const auto lead = lead_of(m, call);
   if (!lead) return fail(lead.error());
-  job.data = m.nct->state.turning;
+  job.data = nct_of(m).state.turning;
   job.start = plane_point(m);
   job.target = target->to;
   job.taper = m.length_value('R');

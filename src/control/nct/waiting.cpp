@@ -45,14 +45,14 @@ std::uint32_t channels_of(const Setup& setup) {
   return channels;
 }
 
-bool waiting_suspended(const Machinery& m) {
-  const auto found = m.nct->signals.find(no_waiting_signal);
-  return found != m.nct->signals.end() && found->second != 0;
+bool waiting_suspended(const Nct& nct) {
+  const auto found = nct.signals.find(no_waiting_signal);
+  return found != nct.signals.end() && found->second != 0;
 }
 
 Result<bool> waiting_code(Machinery& m, const Call& call) {
   const int code = call.word->code / 10;
-  if (!is_waiting_code(m.nct->settings, code)) return false;
+  if (!is_waiting_code(nct_of(m).settings, code)) return false;
   const std::string name = "M" + std::to_string(code);
   if (!stands_alone(m)) return fail(alarm(AlarmId::own_block, call.where, std::string_view(name)));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', std::string_view(name)));
@@ -62,7 +62,7 @@ Result<bool> waiting_code(Machinery& m, const Call& call) {
   if (!channels) return fail(channels.error());
   m.pass_varies = m.pass_varies || m.waiting.known != 0;  // what the others do may differ
   const bool alone = *channels == 1u << m.def.channel;
-  if (m.waiting.mode == Control::Waiting::pass || waiting_suspended(m)) return true;
+  if (m.waiting.mode == Control::Waiting::pass || waiting_suspended(nct_of(m))) return true;
   if (m.waiting.mode == Control::Waiting::alarm && !alone)
     return fail(alarm(AlarmId::channels_wait, call.where, double(m.def.channel), std::string_view(name)));
   if (m.waiting.mode == Control::Waiting::meet) m.waiting.meeting = Control::Meeting{static_cast<std::uint32_t>(code), *channels, m.origin};

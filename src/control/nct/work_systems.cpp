@@ -37,8 +37,8 @@ bool written_as_increment(const Machinery& m, const Word& w) {
 int axis_of_direction(const Machinery& m, int d) {
   int parallel = -1;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
-    if ((m.nct->plane_axes >> a & 1u) == 0) continue;
-    const int role = m.nct->settings.axes[a].role;
+    if ((nct_of(m).plane_axes >> a & 1u) == 0) continue;
+    const int role = nct_of(m).settings.axes[a].role;
     if (role == d) return static_cast<int>(a);
     if (role == d + 4) parallel = static_cast<int>(a);
   }
@@ -47,14 +47,15 @@ int axis_of_direction(const Machinery& m, int d) {
 
 bool names_direction(const Machinery& m, int d) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if ((m.nct->plane_axes >> a & 1u) != 0 && (m.nct->settings.axes[a].role == d || m.nct->settings.axes[a].role == d + 4)) return true;
+    if ((nct_of(m).plane_axes >> a & 1u) != 0 && (nct_of(m).settings.axes[a].role == d || nct_of(m).settings.axes[a].role == d + 4))
+      return true;
   return false;
 }
 
 /// A rotary axis named beside one direction of the plane takes the place of the other (4.5, 4.6).
 int named_rotary(const Machinery& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if ((m.nct->plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);
+    if ((nct_of(m).plane_axes >> a & 1u) != 0 && (m.def.rotary >> a & 1u) != 0) return static_cast<int>(a);
   return -1;
 }
 
@@ -114,8 +115,8 @@ Status local_system(Machinery& m, const Call& call) {
 /// G92 (10.2.6): the tool point gets the given coordinates in every work system; G52 of these axes is gone. S: 11.5.2.
 Status new_system(Machinery& m, const Call& call) {
   if (m.has('S')) {
-    m.nct->state.css_most = m.value('S');
-    if (m.modal.surface_speed) m.nct->tell_surface_speed(m);
+    nct_of(m).state.css_most = m.value('S');
+    if (m.modal.surface_speed) nct_of(m).tell_surface_speed(m);
   }
   if (!m.has_axis_words()) {
     if (m.has('S')) return {};
@@ -135,27 +136,27 @@ Status new_system(Machinery& m, const Call& call) {
 
 /// G53 (10.1.1): at rapid to machine coordinates, always absolute, without compensations; alone: the buffer is emptied.
 Status machine_move(Machinery& m, const Call& call) {
-  m.nct->stops_reading = true;
+  nct_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
   KADR_TRY(plane_surface(m, call));
   Axes to = m.position.machine;
   AxisMask named = 0;
-  m.nct->rolled = 0;
+  nct_of(m).rolled = 0;
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     to[a] = v;
     named |= 1u << a;
-    if (const nct::AxisSettings& axis = m.nct->settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
+    if (const nct::AxisSettings& axis = nct_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
       const double from = nct::rolled_position(m.position.machine[a], axis.period);
-      m.nct->travel[a] = nct::roll_travel(axis, from, v, false);
-      m.nct->rolled |= 1u << a;
-      to[a] = from + m.nct->travel[a];
+      nct_of(m).travel[a] = nct::roll_travel(axis, from, v, false);
+      nct_of(m).rolled |= 1u << a;
+      to[a] = from + nct_of(m).travel[a];
     }
     if (!(std::fabs(v) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, v));
     return {};
   }));
   KADR_TRY(m.to_machine(MotionKind::rapid, to, named, 0));
-  m.nct->moved = false;
+  nct_of(m).moved = false;
   return {};
 }
 
@@ -170,16 +171,16 @@ Status reference_return(Machinery& m, const Call& call) {
     point = *number;
   }
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
-  m.nct->cartesian_block = true;
+  nct_of(m).cartesian_block = true;
   AxisMask named = 0;
   Axes through;
   const Status read = m.target(through, named);
-  m.nct->cartesian_block = false;
+  nct_of(m).cartesian_block = false;
   if (!read) return read;
   KADR_TRY(m.straight(MotionKind::rapid, through, named));
   KADR_TRY(m.to_machine(MotionKind::rapid, m.tables.reference[point], named, 0));
-  m.nct->moved = false;
-  m.nct->stops_reading = true;
+  nct_of(m).moved = false;
+  nct_of(m).stops_reading = true;
   return {};
 }
 
@@ -190,7 +191,7 @@ Status diameter_switch(Machinery& m, const Call& call) {
     const bool linear = (m.def.rotary >> a & 1u) == 0;
     if (!linear || written_as_increment(m, w)) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
     if (w.value != 0 && w.value != 1) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
-    if (!m.nct->settings.axes[a].switches_by_code)
+    if (!nct_of(m).settings.axes[a].switches_by_code)
       return fail(alarm(AlarmId::not_available, call.where, "G10.9"));  // MGD=0: the machine switches
     if (w.value == 1) m.modal.diameter |= 1u << a;
     else m.modal.diameter &= ~(1u << a);

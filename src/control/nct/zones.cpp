@@ -35,14 +35,14 @@ Status work_area_on(Machinery& m, const Call& call) {
   zone.outside_forbidden = *p == 1;
   m.emit(zone);
   m.each_block = true;  // from here on the machine may refuse a motion
-  m.nct->stops_reading = true;
+  nct_of(m).stops_reading = true;
   return {};
 }
 
 /// G23: the zone of the parameters again.
 Status work_area_off(Machinery& m, const Call&) {
   m.emit(ZoneChange{});
-  m.nct->stops_reading = true;
+  nct_of(m).stops_reading = true;
   return {};
 }
 

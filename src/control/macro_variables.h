@@ -8,7 +8,7 @@
 
 #include "lang/expression.h"
 
-namespace kadr::nct {
+namespace kadr {
 
 inline constexpr std::size_t most_locals = 33;
 inline constexpr int first_common = 100, last_common = 999, first_kept = 500;
@@ -73,4 +73,4 @@ class MacroVariables {
   std::array<bool, last_common - first_kept + 1> is_changed_{};
 };
 
-}  // namespace kadr::nct
+}  // namespace kadr

@@ -1,9 +1,9 @@
-#include "control/nct/macro_variables.h"
+#include "control/macro_variables.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace kadr::nct {
+namespace kadr {
 
 Locals no_locals() {
   Locals all;
@@ -30,4 +30,4 @@ void MacroVariables::power_off() {
   levels_.assign(1, no_locals());
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr

@@ -1,0 +1,171 @@
+#pragma once
+// Dialect: what a control does that no row of its file can say (`dialect = "…"` in controls/*.toml). One object a channel; it stands where
+// the interpreter asks, block by block or motion by motion, never word by word. Each default here is what all controls do: ISO 6983. A
+// control whose file says everything has none (Machinery::dialect is nullptr), so that its blocks pay for nothing.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "base/vec.h"
+#include "config/control_def.h"
+#include "config/setup.h"
+#include "config/setup_file.h"
+#include "config/state_file.h"
+#include "control/arc.h"
+#include "control/control.h"
+#include "lang/block.h"
+
+namespace kadr {
+
+class Machinery;
+struct Call;
+struct Commons;
+struct Plan;
+struct RunLimits;
+
+/// When the machine's logic and an interrupt macro are looked at.
+enum class BlockMoment : std::uint8_t { start, end };
+
+/// What a block may change, and so what is kept of the state before it: an alarm takes the block back.
+enum class BlockChanges : std::uint8_t {
+  position,  // nothing else: the motion either fails before, or is made
+  little,    // motion code and feed
+  anything,
+};
+
+/// What the machine, its logic and its operator tell a control that can be told it, and ask of it. NCT 11.7, 11.8, 20.2, 23.1, 23.4.
+class MachineSide {
+ public:
+  virtual ~MachineSide() = default;
+  virtual void set_signal(const std::string& name, double value) = 0;
+  /// To the question of a message (#3107).
+  virtual void set_answer(double answer) = 0;
+  /// Spindle `slave` follows `master`; 0: no more. `slave` 0: all spindles.
+  virtual void synchronise(int slave, int master) = 0;
+  virtual void couple_axis(Machinery& m, const std::string& name, bool on) = 0;
+  virtual void convert_spindle(int number, bool to_axis) = 0;
+  /// ms since the start of the run, and ms at feed since the last call.
+  virtual void set_time(double now_ms, double cut_ms) = 0;
+  virtual RunState run_state(const Machinery& m) const = 0;
+  /// What the program has written: path, bytes.
+  virtual const WrittenFiles& files_written() const = 0;
+  /// Waiting codes have no effect.
+  virtual bool waiting_suspended() const = 0;
+};
+
+class Dialect {
+ public:
+  virtual ~Dialect() = default;
+
+  /// nullptr: there is no machine whose logic, operator or parameters are known.
+  virtual MachineSide* machine_side() { return nullptr; }
+
+  // ---- start and end
+
+  /// Power-on, instead of the codes that the file's groups begin with. true: done.
+  virtual bool start(Machinery& m, const Setup& setup);
+  /// The modal codes of a set-up are carried out one by one, not as one block.
+  virtual bool starts_code_by_code() const { return false; }
+  /// What the set-up says, after its modal codes.
+  virtual void take_setup(Machinery& m, const Setup& setup);
+  /// The tool stands where the set-up says.
+  virtual void started(Machinery& m);
+  /// M2, M30, instead of the file's end codes. true: done.
+  virtual bool end_program(Machinery& m);
+  /// Power off and on: what only the power kept is lost. false: nothing is known of that.
+  virtual bool lose_power(Machinery& m);
+  /// Variables that hold something, and those that are asked for.
+  virtual void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch);
+  /// What the block changed of the things that survive power-off.
+  virtual StateChanges take_changes(Machinery& m);
+
+  // ---- a block
+
+  /// Something is to be finished before the next block is read.
+  virtual bool has_unfinished() const { return false; }
+  /// Does a part of it. true: the next block must wait.
+  virtual Result<bool> finish(Machinery& m);
+  /// The block's expressions ask the time: it must be that of the moment.
+  virtual bool reads_clock(const Block& block) const;
+  /// A block with `/`, whether it is skipped or not.
+  virtual void note_skip_mark(Machinery& m);
+  /// Blocks are looked at one by one: an interrupt macro may come.
+  virtual bool watches_blocks() const { return false; }
+  virtual bool in_interrupt() const { return false; }
+  /// Calls the interrupt macro where it is asked for. true: it was called.
+  virtual Result<bool> interrupt(Machinery& m, BlockMoment moment);
+  /// Numbered lines are data (of a G10), not blocks.
+  virtual bool takes_data() const { return false; }
+  /// IF, WHILE, GOTO, #1=…: a block that is no words.
+  virtual Status statement(Machinery& m);
+  virtual void begin_block(Machinery& m);
+  /// The words have their values. true: the block is done with that (its words were arguments of a macro, data …).
+  virtual Result<bool> takes_block(Machinery& m);
+  /// Row of the motion code that axis words alone would carry out; -1: none.
+  virtual std::int16_t motion_row(const Machinery& m) const;
+  virtual BlockChanges changes_of(const Machinery& m, const Plan& plan) const;
+  /// Before and after each function of the block; `code` is the tenth of the word's number, -1: none.
+  virtual void before_function(Machinery& m, Function function);
+  virtual void after_code(Machinery& m, const CodeRow& row, std::int32_t code);
+  virtual Status after_block(Machinery& m);
+  /// The block may change anything: what of it is kept here.
+  virtual void keep(Machinery& m);
+  /// The block was faulty: what it had changed here, as it was; then, when all the rest is as it was before.
+  virtual void take_back(Machinery& m);
+  virtual void taken_back(Machinery& m);
+
+  // ---- behind a faulty block, for people who check
+
+  virtual void note_fault(Machinery& m, bool may_have_steered);
+  /// A main program begins again: what was noted of its passes is forgotten.
+  virtual void begin_again() {}
+  /// The innermost call is left although its end is missing. true: done.
+  virtual bool leave_call(Machinery& m);
+
+  // ---- motion and frames
+
+  /// End point by the block's axis words.
+  virtual Status target(const Machinery& m, Axes& to, AxisMask& named) const;
+  /// The block has words that make of G0, G1 something else: then straight() carries it out.
+  virtual bool shapes_lines(const Machinery& m) const;
+  virtual Status straight(Machinery& m, const Call& call, MotionKind kind);
+  /// The words only shift the start point: nothing moves.
+  virtual bool only_shifts(const Machinery& m) const;
+  virtual Status arc(Machinery& m, const Call& call, Turn turn);
+  /// A straight motion where the plane is a surface (PathSurface).
+  virtual Status surface_line(Machinery& m, MotionKind kind, const Axes& programmed, AxisMask named);
+  /// These axes may be moved.
+  virtual Status may_move(const Machinery& m, AxisMask named) const;
+  virtual void note_motion(Machinery& m, Motion& motion);
+  /// Feed of a motion programmed in inches.
+  virtual double inch_feed(const Machinery& m, const Motion& motion, const Axes& from) const;
+  /// A feed of its own comes into force.
+  virtual void note_feed(Machinery& m);
+  /// Feeds per minute and per revolution stand side by side; else a change of the unit forgets the feed.
+  virtual bool keeps_both_feeds() const { return false; }
+  virtual SurfaceSpeed surface_speed(const Machinery& m) const;
+  /// Origin, length, shifts by the tables and the modal state.
+  virtual void refresh_frames(Machinery& m);
+  /// The zero may move under a contour that is being compensated.
+  virtual bool zero_may_move() const { return false; }
+  /// Positions as they are shown: axes that roll over within their turn.
+  virtual void roll(const Machinery& m, Axes& positions) const;
+  virtual Status take_answer(Machinery& m, const ProbeAnswer& answer);
+  /// M codes of the machine.
+  virtual Status machine_code(Machinery& m, const Call& call);
+
+  // ---- variables beyond those that the file lists
+
+  virtual Result<double> read_variable(Machinery& m, double number, Span where) const;
+  /// Number of an element of a variable with a name.
+  virtual Result<double> number_of_element(const Machinery& m, double symbol, double index, Span where) const;
+  /// A parameter of the control; NaN bit, index: left out.
+  virtual Result<double> control_value(Machinery& m, double number, double bit, double index, Span where) const;
+};
+
+/// The dialect that the control's file names, or nullptr. `commons`: variables that all channels of the machine share.
+std::unique_ptr<Dialect> make_dialect(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
+
+}  // namespace kadr

@@ -1,0 +1,49 @@
+// What the machine's logic and its operator tell the NCT (spec/nct 11.7, 11.8, 12.3, 20.2, 23.1.9, 23.4).
+
+#include "control/nct/coupling.h"
+#include "control/nct/nct.h"
+#include "control/nct/waiting.h"
+
+namespace kadr::nct {
+
+void Nct::set_signal(const std::string& name, double value) {
+  double& signal = signals[name];
+  if (name == interrupt_signal && signal == 0 && value != 0) signal_rose = true;
+  signal = value;
+}
+
+void Nct::synchronise(int slave, int master) {
+  for (int n = 1; n <= static_cast<int>(most_spindles); ++n) {
+    if (slave != n && slave != 0) continue;
+    SpindleState& s = spindle(n);
+    s.master = master;
+    if (master < 1 || master > static_cast<int>(most_spindles)) continue;
+    SpindleState& leads = spindle(master);  // both loops are closed, the slave has the master's speed (11.7.4)
+    s.rpm = leads.rpm;
+    s.dir = leads.dir;
+    s.loop_closed = leads.loop_closed = true;
+  }
+}
+
+void Nct::couple_axis(Machinery& m, const std::string& name, bool on) { nct::couple_axis(m, name, on); }
+
+void Nct::convert_spindle(int number, bool to_axis) {
+  if (number < 1 || number > static_cast<int>(most_spindles)) return;
+  SpindleState& s = spindle(number);
+  s.dir = SpindleDir::stop;
+  s.master = 0;
+  s.loop_closed = to_axis;
+  s.referenced = false;
+}
+
+void Nct::set_time(double at_ms, double cut_ms) {
+  now_ms = at_ms;
+  cutting_ms += cut_ms;  // the program may have set it
+  constexpr double ms_per_s = 1000;
+  if (counts_time) tools.add_time(cut_ms / ms_per_s);
+  counts_time = tools.counts_time();
+}
+
+bool Nct::waiting_suspended() const { return nct::waiting_suspended(*this); }
+
+}  // namespace kadr::nct
