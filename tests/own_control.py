@@ -32,11 +32,11 @@ REFUSED = [
     ("gost", "".join(f"[groups.own{i}]\n" for i in range(60)), ["own.toml:", "groups"]),
     # Settings that the engine cannot do together.
     ("nct", '[g]\n"17" = { does = "plane_xy" }\n', ["own.toml:5: ", "G17", "'plane_xy'", "machine of the NCT"]),
-    ("nct", "[behaviour]\ncorrectors = true\n", ["own.toml:5: ", "correctors"]),
+    ("nct", "dialect = \"correctors\"\n", ["own.toml:4: ", "dialect"]),
     ("mach3", '[grammar]\nformal_parameter = "R"\n', ["own.toml:5: ", "formal_parameter", "R"]),
     ("mach3", "[grammar]\nprogram_start_required = true\n", ["percent_ignored", "program_start_required"]),
     ("gost", "[behaviour]\nsubprograms_by_section = true\n", ["section"]),
-    ("gost", "[behaviour]\ncorrectors = true\n", ["own.toml:5: ", "correctors", "L"]),
+    ("gost", "dialect = \"correctors\"\n", ["own.toml:4: ", "correctors", "L"]),
     ("correctors", '[m]\n"98" = { does = "call_subprogram", takes = "P" }\n', ["own.toml:5: ", "M98", "'call_subprogram'", "label"]),
     ("gost", '[g]\n"10" = { does = "set_data", takes = "LPXYZ" }\n', ["G10", "'set_data'", "fixture"]),
     ("mach3", "[grammar]\nvariables = 999\n", ["beyond"]),

@@ -204,8 +204,6 @@ struct Behaviour {
   bool end_required = false;            // a program without M2 or M30 is warned of
   bool ends_reading = true;             // nothing after the end is read (GOST)
   bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
-  bool correctors = false;              // axis correctors (spec/correctors)
-  bool musts_checked = false;           // 2С42: warnings where its instruction demands something else
   bool feed_of_axis = false;            // F right behind an axis' word, others follow: the feed of that axis (GOST 20999-83)
   bool diameter_by_setup = false;       // the set-up may say which axes are programmed as diameters (spec/gost 5)
   bool label_is_number = false;         // O0001 right behind % numbers the program (spec/gost 1)
@@ -221,8 +219,8 @@ struct AlarmText {
 };
 
 /// Who does what no row of a control's file can say (`dialect = "…"`; control/dialect.h). iso: nobody.
-enum class DialectId : std::uint8_t { iso, nct };
-inline constexpr std::array<std::string_view, 2> dialect_names = {"iso", "nct"};
+enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct };
+inline constexpr std::array<std::string_view, 4> dialect_names = {"iso", "s2c42", "correctors", "nct"};
 
 struct ControlDef {
   std::string id;
@@ -261,6 +259,8 @@ struct ControlDef {
 
   /// The axes and their names are the machine's: the set-up says them (nct 2).
   bool machine_axes() const { return dialect == DialectId::nct; }
+  /// It has axis correctors (spec/correctors).
+  bool has_correctors() const { return dialect == DialectId::correctors; }
   const AddressRow& address(char letter) const { return addresses[static_cast<std::size_t>(letter - 'A')]; }
   /// Row of a code word, or -1.
   std::int32_t row_of(char letter, std::int32_t tenth) const;

@@ -63,7 +63,7 @@ std::string quoted(Function function) { return "'" + std::string(traits_of(funct
 std::string written(Needs needs) {
   switch (needs) {
     case Needs::nct: return say("the machine of the NCT: extends = \"nct\" (dialect = \"nct\")");
-    case Needs::correctors: return "[behaviour] correctors = true";
+    case Needs::correctors: return "dialect = \"correctors\"";
     case Needs::sections: return "[behaviour] subprograms_by_section = true";
     case Needs::labels: return "[grammar] label";
     default: return "";
@@ -76,7 +76,7 @@ bool ControlLoader::has(Needs needs) const {
   switch (needs) {
     case Needs::nct: return def_.machine_axes();
     case Needs::no_nct: return !def_.machine_axes();
-    case Needs::correctors: return def_.behaviour.correctors;
+    case Needs::correctors: return def_.has_correctors();
     case Needs::sections: return def_.behaviour.subprograms_by_section;
     case Needs::labels: return def_.grammar.label_address != 0;
     default: return true;

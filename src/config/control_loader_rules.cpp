@@ -117,11 +117,9 @@ Done ControlLoader::check_machine() {
                                 {"main_blocks", g.main_blocks}})
     if (on)
       return Failed(at(key) + say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[grammar] " + std::string(key)));
-  for (const auto& [key, on] :
-       {std::pair<std::string_view, bool>{"correctors", b.correctors}, {"subprograms_by_section", b.subprograms_by_section}})
-    if (on)
-      return Failed(place(name_, *behaves, key) +
-                    say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[behaviour] " + std::string(key)));
+  if (b.subprograms_by_section)
+    return Failed(place(name_, *behaves, "subprograms_by_section") +
+                  say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[behaviour] subprograms_by_section"));
   for (const std::string_view key : not_of_nct)
     KADR_LOAD(no_effect(*behaves, key, say("{} has no effect with the machine of the NCT (dialect = \"nct\")", key)));
   return {};
@@ -178,8 +176,8 @@ Done ControlLoader::check_behaviour() {
   if (b.call_depth == 0)
     return Failed(place(name_, *t, "call_depth") + say("{} must be a whole number from {} to {}", "call_depth", 1, 255));
   if (b.fixtures == 0) return Failed(place(name_, *t, "fixtures") + say("{} must be a whole number from {} to {}", "fixtures", 1, 1000));
-  if (b.correctors && !does({Function::corrector_word}))
-    return Failed(place(name_, *t, "correctors") + say("correctors: [address] L must be 'corrector_word'"));
+  if (def_.has_correctors() && !does({Function::corrector_word}))
+    return Failed(place(name_, file_, "dialect") + say("dialect = \"correctors\": [address] L must be 'corrector_word'"));
   if (def_.machine_axes()) return {};
   for (const LooksAt& row : behaviour_of_functions()) {
     const bool looked_at = std::any_of(row.functions.begin(), row.functions.end(), [&](Function f) { return does({f}); });
@@ -212,8 +210,8 @@ Done ControlLoader::check_axes() const {
   if (def_.axes.size() < 3)
     if (const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), in_plane); row != def_.codes.end())
       return Failed(place(name_, t, "names") + say("{}: '{}' needs three axes", row->code, traits_of(row->function).name));
-  if (def_.axes.size() < 3 && (def_.behaviour.correctors || def_.behaviour.subprograms_by_section))
-    return Failed(place(name_, t, "names") + say("[behaviour] correctors and subprograms_by_section need three axes"));
+  if (def_.axes.size() < 3 && (def_.has_correctors() || def_.behaviour.subprograms_by_section))
+    return Failed(place(name_, t, "names") + say("dialect = \"correctors\" and [behaviour] subprograms_by_section need three axes"));
   if (def_.behaviour.helix_by_lead && (centers & 7u) != 7u)
     return Failed(place(name_, t, "names") + say("[behaviour] helix_by_lead needs a 'center' for each of the first three axes"));
   return {};

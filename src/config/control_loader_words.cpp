@@ -245,8 +245,6 @@ Done ControlLoader::behaviour() {
   flag("end_required", b.end_required);
   flag("ends_reading", b.ends_reading);
   flag("delayed_assignment", b.delayed_assignment);
-  flag("correctors", b.correctors);
-  flag("musts_checked", b.musts_checked);
   flag("feed_of_axis", b.feed_of_axis);
   flag("label_is_number", b.label_is_number);
   flag("diameter_by_setup", b.diameter_by_setup);

@@ -17,7 +17,7 @@ enum class Needs : std::uint8_t {
   nothing,
   nct,         // dialect = "nct"
   no_nct,      // another one, or none
-  correctors,  // [behaviour] correctors = true
+  correctors,  // dialect = "correctors"
   sections,    // [behaviour] subprograms_by_section = true
   labels,      // [grammar] label
 };

@@ -78,7 +78,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::work_offsets:
       return has_function(def, {Function::work_zero, Function::fixture, Function::work_system}) && !numbers_zeros_itself(def);
     case SetupNeeds::zeros: return numbers_zeros_itself(def);
-    case SetupNeeds::correctors: return def.behaviour.correctors;
+    case SetupNeeds::correctors: return def.has_correctors();
     case SetupNeeds::variables: return def.grammar.variables > 0 || def.grammar.macro || def.grammar.parameter_address != 0;
     case SetupNeeds::parameters: return !def.parameters.empty();
     case SetupNeeds::corner_radius: return has_variable(def, VariableKind::offset_corner);

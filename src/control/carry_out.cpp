@@ -143,10 +143,9 @@ void Machinery::take_moment() {
   if (moment_taken_) return;
   moment_taken_ = true;
   variables.begin_block();
-  moment_ = {modal, transform, position, frames, cycle_memory, pocket, set_position, set_position_by_g52, tables.zero_shift};
+  moment_ = {modal, transform, position, frames, cycle_memory, set_position, set_position_by_g52, tables.zero_shift};
   kept_offset_.first = 0;
   if (dialect) dialect->keep(*this);
-  if (def.behaviour.correctors) kept_corrections_ = corrector_applied;
 }
 
 /// Nothing of a faulty block is done (design.md 4).
@@ -173,12 +172,10 @@ void Machinery::take_back(std::size_t actions) {
   position = moment_.position;
   frames = moment_.frames;
   cycle_memory = moment_.cycle_memory;
-  pocket = moment_.pocket;
   set_position = moment_.set_position;
   set_position_by_g52 = moment_.set_position_by_g52;
   tables.zero_shift = moment_.zero_shift;
   if (dialect) dialect->taken_back(*this);
-  if (def.behaviour.correctors) corrector_applied = kept_corrections_;
   if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
 }
 

@@ -6,7 +6,6 @@
 #include "base/tolerance.h"
 #include "control/arc.h"
 #include "control/contour.h"
-#include "control/correctors/correctors.h"
 #include "control/functions.h"
 #include "control/machinery.h"
 
@@ -37,7 +36,7 @@ class Circular {
     AxisMask named = 0;
     Axes end;
     KADR_TRY(m_.target(end, named));
-    const bool corrected = m_.def.behaviour.correctors && m_.has('L');
+    const bool corrected = m_.dialect && m_.dialect->adds_to_motion(m_);
     const std::uint64_t used =
         m_.letters.axes | m_.letters.centers | (m_.def.behaviour.arc_radius_word ? letter_bit('R') : std::uint64_t{0});
     if ((m_.block->letters & used) == 0 && !corrected) return {};  // the code alone: only the mode
@@ -58,9 +57,9 @@ class Circular {
  private:
   /// L moves the end point (spec/correctors 1); INFERRED: the centre is where I, J, K say, from the point at which the tool stands.
   Status correct(AxisMask& named) {
-    const auto corrected = correctors::apply(m_);
-    if (!corrected) return fail(corrected.error());
-    named |= *corrected;
+    const auto added = m_.dialect->add_to_motion(m_);
+    if (!added) return fail(added.error());
+    named |= *added;
     m_.position.programmed = m_.transform.to_programmed(m_.position.work);
     return {};
   }

@@ -31,12 +31,15 @@ BlockChanges Dialect::changes_of(const Machinery& m, const Plan& plan) const { r
 void Dialect::before_function(Machinery&, Function) {}
 void Dialect::after_code(Machinery&, const CodeRow&, std::int32_t) {}
 Status Dialect::after_block(Machinery&) { return {}; }
+void Dialect::note_shadowed(Machinery&, std::uint32_t, Span) {}
 void Dialect::keep(Machinery&) {}
 void Dialect::take_back(Machinery&) {}
 void Dialect::taken_back(Machinery&) {}
 void Dialect::note_fault(Machinery&, bool) {}
 bool Dialect::leave_call(Machinery&) { return false; }
 Status Dialect::target(const Machinery& m, Axes& to, AxisMask& named) const { return m.axis_words(to, named); }
+bool Dialect::adds_to_motion(const Machinery&) const { return false; }
+Result<AxisMask> Dialect::add_to_motion(Machinery&) { return AxisMask{0}; }
 bool Dialect::shapes_lines(const Machinery&) const { return false; }
 Status Dialect::straight(Machinery&, const Call&, MotionKind) { return {}; }
 bool Dialect::only_shifts(const Machinery&) const { return false; }
@@ -57,10 +60,10 @@ Result<double> Dialect::read_variable(Machinery& m, double number, Span where) c
 Result<double> Dialect::number_of_element(const Machinery&, double, double, Span) const { return 0.0; }
 Result<double> Dialect::control_value(Machinery&, double, double, double, Span) const { return 0.0; }
 
-std::unique_ptr<Dialect> make_nct_dialect(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
-
 std::unique_ptr<Dialect> make_dialect(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons) {
   switch (m.def.dialect) {
+    case DialectId::s2c42: return make_s2c42_dialect();
+    case DialectId::correctors: return make_correctors_dialect(m, setup);
     case DialectId::nct: return make_nct_dialect(m, setup, limits, std::move(commons));
     case DialectId::iso: break;
   }

@@ -116,6 +116,9 @@ class Dialect {
   virtual void take_back(Machinery& m);
   virtual void taken_back(Machinery& m);
 
+  /// A subprogram of the program has the number of a cycle, which is called instead. `where`: the call, or its first block.
+  virtual void note_shadowed(Machinery& m, std::uint32_t number, Span where);
+
   // ---- behind a faulty block, for people who check
 
   virtual void note_fault(Machinery& m, bool may_have_steered);
@@ -128,6 +131,9 @@ class Dialect {
 
   /// End point by the block's axis words.
   virtual Status target(const Machinery& m, Axes& to, AxisMask& named) const;
+  /// The block has words that add to its motion; add_to_motion() does. Returns the axes it moves besides those of the words.
+  virtual bool adds_to_motion(const Machinery& m) const;
+  virtual Result<AxisMask> add_to_motion(Machinery& m);
   /// The block has words that make of G0, G1 something else: then straight() carries it out.
   virtual bool shapes_lines(const Machinery& m) const;
   virtual Status straight(Machinery& m, const Call& call, MotionKind kind);
@@ -164,6 +170,11 @@ class Dialect {
   /// A parameter of the control; NaN bit, index: left out.
   virtual Result<double> control_value(Machinery& m, double number, double bit, double index, Span where) const;
 };
+
+// Each stands in the folder of its name.
+std::unique_ptr<Dialect> make_s2c42_dialect();
+std::unique_ptr<Dialect> make_correctors_dialect(const Machinery& m, const Setup& setup);
+std::unique_ptr<Dialect> make_nct_dialect(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
 /// The dialect that the control's file names, or nullptr. `commons`: variables that all channels of the machine share.
 std::unique_ptr<Dialect> make_dialect(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);

@@ -2,7 +2,7 @@
 
 #include "control/behind_fault.h"
 #include "control/functions.h"
-#include "control/s2c42/calls.h"
+#include "control/section_calls.h"
 
 namespace kadr {
 namespace {
@@ -31,7 +31,7 @@ Status leave_subprogram(Machinery& m, Span where) {
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
   if (!*left) return {};
-  s2c42::restore_zero(m, **left);
+  restore_zero(m, **left);
   const auto then = (*left)->then;  // the rest of the calling block; one of it may end a subprogram too
   for (const std::int16_t row : then) {
     if (row < 0) break;
@@ -88,8 +88,8 @@ Status repetition_end(Machinery& m, const Call& call) {
   return m.flow.end_repetition(call.where);
 }
 
-/// L of the 2С42: a subprogram or a canned cycle.
-Status call_word(Machinery& m, const Call& call) { return s2c42::call(m, call); }
+/// L: a subprogram or a canned cycle.
+Status call_word(Machinery& m, const Call& call) { return call_section(m, call); }
 
 }  // namespace functions
 }  // namespace kadr

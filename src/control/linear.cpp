@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/correctors/correctors.h"
 #include "control/functions.h"
 
 namespace kadr {
@@ -52,10 +51,10 @@ Status straight(Machinery& m, const Call& call, MotionKind kind, MotionMode mode
   Axes to;
   KADR_TRY(m.target(to, named));
   if (m.modal.polar) polar_target(m, to, named);
-  if (m.def.behaviour.correctors) {
-    auto corrected = correctors::apply(m);
-    if (!corrected) return fail(corrected.error());
-    named |= *corrected;
+  if (m.dialect && m.dialect->adds_to_motion(m)) {
+    const auto added = m.dialect->add_to_motion(m);
+    if (!added) return fail(added.error());
+    named |= *added;
   }
   if (named == 0) return {};  // the code alone: only the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));

@@ -256,13 +256,11 @@ Status Machinery::words() {
                                           : changes_of_block(*plan_now_);
   if (changes == BlockChanges::little) take_small_moment();
   else if (changes == BlockChanges::anything) take_moment();
-  const s2c42::BlockBefore before = s2c42::before(*this);
   KADR_TRY(carry_out(*plan_now_));
   if (moment_taken_) {
     KADR_TRY(check_place());
     KADR_TRY(check_zero_kept());
   }
-  if (def.behaviour.musts_checked) s2c42::check_musts(*this, before);
   return dialect ? dialect->after_block(*this) : Status();
 }
 
@@ -295,7 +293,7 @@ Status Machinery::plan() {
 
 BlockChanges Machinery::changes_of_block(const Plan& plan) const {
   if (!plan.moves_only || modal.polar || modal.motion == MotionMode::cycle || !transform.identity) return BlockChanges::anything;
-  return def.behaviour.correctors && has('L') ? BlockChanges::anything : BlockChanges::position;
+  return BlockChanges::position;
 }
 
 /// Shifts and factors must not carry the tool beyond what a number of the control can hold.

@@ -16,7 +16,6 @@
 #include "control/flow.h"
 #include "control/macro_variables.h"
 #include "control/plan.h"
-#include "control/s2c42/musts.h"
 #include "control/shapes.h"
 #include "control/state.h"
 #include "control/usage.h"
@@ -39,19 +38,6 @@ class Running {
   virtual Result<bool> next(Machinery& m) = 0;
   /// The other functions of its block act before it goes on (drilling, nct 18.0); else those behind the motion wait for its end.
   virtual bool functions_first() const { return false; }
-};
-
-/// Parameters of G87 of the generic Soviet control (spec/correctors 3), kept for G79.
-struct PocketCycle {
-  bool defined = false;
-  double x = 0, y = 0, z = 0, clearance = 0, corner = 0, stepover = 0, direction = 0, pass = 0;
-  double feed = 0;  // 0: that in force
-};
-
-/// A pocket that G79 has cut: programmed coordinates.
-struct PocketCut {
-  Vec2 middle, half;
-  double face = 0, floor = 0;
 };
 
 class Machinery {
@@ -186,14 +172,9 @@ class Machinery {
   CycleMemory cycle_memory;
   CycleRun cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<Running> running;  // a cycle of the dialect
-  PocketCycle pocket;
-  std::vector<PocketCut> pockets_cut;
-  s2c42::Musts musts;
-  std::vector<bool> correctors_set;           // by number: the set-up names it, or its absence has been told of (spec/correctors 1)
+  std::unique_ptr<Running> running;           // a cycle of the dialect
   std::unique_ptr<Dialect> dialect;           // nullptr: the control's file says everything
   MacroVariables* macro_variables = nullptr;  // those of the dialect, where it has levels of locals
-  std::vector<double> corrector_applied;      // by corrector and axis: what it added last (spec/correctors 1)
   Axes set_position{};                        // G92 / G52 shift (Mach3), mm
   bool set_position_by_g52 = false;
   bool has_fixtures = false;               // its work systems are Modal::fixture, else Modal::work_zero
@@ -233,7 +214,6 @@ class Machinery {
     ProgramPosition position;
     Frames frames;
     CycleMemory cycle_memory;
-    PocketCycle pocket;
     Axes set_position;
     bool set_position_by_g52;
     Axes zero_shift;
@@ -273,6 +253,7 @@ class Machinery {
   Status plan();
   Status check_place() const;
   Status structure();
+  void note_section();
   Span label_place() const;
   Status end_of_file();
   void take_small_moment() {
@@ -317,7 +298,6 @@ class Machinery {
   bool small_moment_taken_ = false;
   bool moment_taken_ = false;
   std::vector<double> assigned_;
-  std::vector<double> kept_corrections_;                // corrector_applied before the block
   std::pair<std::uint32_t, ToolOffset> kept_offset_{};  // [0] is none
   StopToken stop_;
   bool stopped_ = false;

@@ -163,7 +163,7 @@ class Planner {
   /// Axis words alone: the motion code in force acts again.
   Status motion_in_force(std::int16_t motion_row) {
     std::uint64_t starts = letters_.axes | letters_.centers;
-    if (def_.behaviour.correctors) starts |= letter_bit('L');
+    if (def_.address('L').function == Function::corrector_word) starts |= letter_bit('L');
     if (def_.grammar.comma_words) starts |= letter_bit(comma_chamfer) | letter_bit(comma_rounding) | letter_bit(comma_angle);
     const std::uint64_t loose = block_.letters & starts & ~plan_.taken;
     if (loose == 0 || motion_coded_ || axes_taker_ != nullptr) {

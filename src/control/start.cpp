@@ -73,10 +73,6 @@ void Machinery::read_setup(const Setup& setup) {
   axis_count = axis_names.size();
   tables.offsets.resize(def.behaviour.offsets + 1);
   tables.correctors.resize(def.behaviour.offsets + 1);
-  corrector_applied.resize((def.behaviour.offsets + 1) * 3);
-  correctors_set.resize(tables.correctors.size());
-  for (const auto& [number, mm] : setup.correctors)
-    if (number >= 0 && static_cast<std::size_t>(number) < correctors_set.size()) correctors_set[static_cast<std::size_t>(number)] = true;
   check_setup(setup);
   for (const auto& [number, offset] : setup.offsets)
     if (number >= 0 && static_cast<std::size_t>(number) < tables.offsets.size()) tables.offsets[static_cast<std::size_t>(number)] = offset;

@@ -1,7 +1,7 @@
 // The signs that structure a file: '%', sections of subprograms, labels.
 
 #include "control/machinery.h"
-#include "control/s2c42/calls.h"
+#include "control/section_calls.h"
 
 namespace kadr {
 
@@ -40,11 +40,18 @@ Status Machinery::structure() {
   constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: zeros are not dropped
   if (skipping_section_ && block->has_number && block->number_digits != digits_of_label)
     return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
-  if (skipping_section_ && def.behaviour.musts_checked) s2c42::note_subprogram(*this);
+  if (skipping_section_ && dialect) note_section();
   if (skipping_section_ || flow.started || block->empty()) return {};
   flow.started = true;
   if (!def.grammar.program_start_required) return {};
   return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
+}
+
+/// The first block of a subprogram of the program: one whose number is a cycle's cannot be called (2С42 6.7.1).
+void Machinery::note_section() {
+  constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
+  const std::uint32_t number = block->number / blocks_a_subprogram;
+  if (block->has_number && called_cycle(def, number) != nullptr) dialect->note_shadowed(*this, number, block->number_where);
 }
 
 }  // namespace kadr

@@ -6,8 +6,14 @@
 #include "base/tolerance.h"
 #include "control/correctors/pocket.h"
 #include "control/functions.h"
+#include "control/machinery.h"
 
 namespace kadr {
+
+using correctors::correctors_of;
+using correctors::PocketCut;
+using correctors::PocketCycle;
+
 namespace {
 
 constexpr std::size_t corrected_axes = 3;  // X, Y, Z
@@ -51,30 +57,60 @@ double tool_radius(Machinery& m) {
 /// Coaxial pockets (3, figure b): one whose face lies deeper than another's begins on the floor of a larger one. Elsewhere the rapid down
 /// to the clearance would go into the part, as far as the program shows.
 void warn_above_solid(Machinery& m, Span where, const Axes& middle) {
+  correctors::Correctors& own = correctors_of(m);
   constexpr std::size_t most_pockets = 1000;
-  const PocketCut now = {{middle[0], middle[1]}, {m.pocket.x / 2, m.pocket.y / 2}, middle[2], middle[2] + m.pocket.z};
+  const PocketCut now = {{middle[0], middle[1]}, {own.pocket.x / 2, own.pocket.y / 2}, middle[2], middle[2] + own.pocket.z};
   bool deeper = false, begun = false;
-  for (const PocketCut& cut : m.pockets_cut) {
+  for (const PocketCut& cut : own.pockets_cut) {
     deeper = deeper || now.face < cut.face - tol::same_point;
     const bool inside = std::fabs(now.middle.x - cut.middle.x) + now.half.x <= cut.half.x + tol::same_point &&
                         std::fabs(now.middle.y - cut.middle.y) + now.half.y <= cut.half.y + tol::same_point;
     begun = begun || (inside && cut.floor <= now.face + tol::same_point);
   }
   if (deeper && !begun) m.warn(warning(AlarmId::pocket_above_solid, where, now.face));
-  if (m.pockets_cut.size() < most_pockets) m.pockets_cut.push_back(now);
+  if (own.pockets_cut.size() < most_pockets) own.pockets_cut.push_back(now);
 }
 
 }  // namespace
 
-Result<AxisMask> correctors::apply(Machinery& m) {
+namespace correctors {
+
+Correctors::Correctors(const Machinery& m, const Setup& setup)
+    : is_set_(m.def.behaviour.offsets + 1), applied_((m.def.behaviour.offsets + 1) * corrected_axes) {
+  for (const auto& [number, mm] : setup.correctors)
+    if (number >= 0 && static_cast<std::size_t>(number) < is_set_.size()) is_set_[static_cast<std::size_t>(number)] = true;
+}
+
+Correctors& correctors_of(const Machinery& m) { return static_cast<Correctors&>(*m.dialect); }
+
+BlockChanges Correctors::changes_of(const Machinery& m, const Plan& plan) const {
+  return m.has('L') ? BlockChanges::anything : Dialect::changes_of(m, plan);
+}
+
+void Correctors::begin_block(Machinery&) { kept_ = false; }
+
+void Correctors::keep(Machinery&) {
+  before_ = {pocket, applied_};
+  kept_ = true;
+}
+
+void Correctors::take_back(Machinery&) {
+  if (!kept_) return;
+  pocket = before_.pocket;
+  applied_ = before_.applied;
+}
+
+bool Correctors::adds_to_motion(const Machinery& m) const { return m.has('L'); }
+
+Result<AxisMask> Correctors::add_to_motion(Machinery& m) {
   AxisMask moved = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     if (w.address != 'L') continue;
     const auto named = read(m, w);
     if (!named) return fail(named.error());
-    if (!m.correctors_set[named->number]) {  // nobody has set it on the panel: its motion is short by what it should add
-      m.correctors_set[named->number] = true;
+    if (!is_set_[named->number]) {  // nobody has set it on the panel: its motion is short by what it should add
+      is_set_[named->number] = true;
       m.warn(warning(AlarmId::corrector_not_set, w.where, double(named->number)));
     }
     const double stored = m.tables.correctors[named->number];
@@ -82,7 +118,7 @@ Result<AxisMask> correctors::apply(Machinery& m) {
     const double counted = m.modal.corrector_sign == 0 ? stored : m.modal.corrector_sign * std::fabs(stored);
     for (std::size_t a = 0; a < corrected_axes; ++a) {
       if ((named->axes >> a & 1u) == 0) continue;
-      double& applied = m.corrector_applied[named->number * corrected_axes + a];
+      double& applied = applied_[named->number * corrected_axes + a];
       double& added = m.transform.added[a];
       moved |= 1u << a;
       if (m.has_code({Function::corrector_cancel})) {
@@ -100,6 +136,8 @@ Result<AxisMask> correctors::apply(Machinery& m) {
   if (moved != 0) m.transform.refresh();
   return moved;
 }
+
+}  // namespace correctors
 
 namespace functions {
 
@@ -135,30 +173,35 @@ Status pocket_define(Machinery& m, const Call& call) {
   if (p.clearance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('B'), 'B', p.clearance));
   for (const char letter : {'X', 'Y'})
     if (!(m.value(letter) > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
-  m.pocket = p;
+  correctors_of(m).pocket = p;
   return {};
 }
 
 /// G79: runs it at a point, in the plane XY.
 Status pocket_run(Machinery& m, const Call& call) {
-  if (!m.pocket.defined) return fail(alarm(AlarmId::cycle_undefined, call.where, call.row->code));
+  const PocketCycle& pocket = correctors_of(m).pocket;
+  if (!pocket.defined) return fail(alarm(AlarmId::cycle_undefined, call.where, call.row->code));
   if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   if (!m.has('Z')) return fail(alarm(AlarmId::word_missing, call.where, 'Z', call.row->code));
   const double radius = tool_radius(m);
   if (radius == 0) return fail(alarm(AlarmId::pocket_tool_missing, call.where, double(m.modal.corrector)));
-  const auto rounds = correctors::PocketRounds::of(m.pocket, radius, call.where);
+  const auto rounds = correctors::PocketRounds::of(pocket, radius, call.where);
   if (!rounds) return fail(rounds.error());
-  const double all = rounds->count() * correctors::PocketRun::passes(m.pocket);
+  const double all = rounds->count() * correctors::PocketRun::passes(pocket);
   if (!(all <= most_rounds)) return fail(alarm(AlarmId::pocket_too_long, call.where, all));
-  if (m.pocket.feed > 0) m.modal.feed = m.pocket.feed;
+  if (pocket.feed > 0) m.modal.feed = pocket.feed;
   KADR_TRY(m.feed_known(call.where));
   Axes middle;
   AxisMask named = 0;
   KADR_TRY(m.target(middle, named));
   warn_above_solid(m, call.where, middle);
-  m.running = std::make_unique<correctors::PocketRun>(m.pocket, *rounds, middle);
+  m.running = std::make_unique<correctors::PocketRun>(pocket, *rounds, middle);
   return {};
 }
 
 }  // namespace functions
+std::unique_ptr<Dialect> make_correctors_dialect(const Machinery& m, const Setup& setup) {
+  return std::make_unique<correctors::Correctors>(m, setup);
+}
+
 }  // namespace kadr

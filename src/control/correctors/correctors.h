@@ -1,13 +1,55 @@
 #pragma once
-// Axis correctors of the generic Soviet ISO control (spec/correctors 1) and its pocket cycle (3).
+// The dialect of the generic Soviet ISO control: axis correctors (spec/correctors 1), pockets (3).
 
-#include "control/machinery.h"
+#include <vector>
+
+#include "control/dialect.h"
 
 namespace kadr::correctors {
 
-/// Adds the block's correctors to its motion: sets Transform::added.
-///   returns  the axes it moves besides those of the words
-///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown
-Result<AxisMask> apply(Machinery& m);
+/// Parameters of G87, kept for G79 (3).
+struct PocketCycle {
+  bool defined = false;
+  double x = 0, y = 0, z = 0, clearance = 0, corner = 0, stepover = 0, direction = 0, pass = 0;
+  double feed = 0;  // 0: that in force
+};
+
+/// A pocket that G79 has cut: programmed coordinates.
+struct PocketCut {
+  Vec2 middle, half;
+  double face = 0, floor = 0;
+};
+
+class Correctors final : public Dialect {
+ public:
+  Correctors(const Machinery& m, const Setup& setup);
+
+  BlockChanges changes_of(const Machinery& m, const Plan& plan) const override;
+  void keep(Machinery& m) override;
+  void begin_block(Machinery& m) override;
+  void take_back(Machinery& m) override;
+
+  /// An L stands in the block.
+  bool adds_to_motion(const Machinery& m) const override;
+  /// Adds the block's correctors to its motion: sets Transform::added.
+  ///   returns  the axes it moves besides those of the words
+  ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown
+  Result<AxisMask> add_to_motion(Machinery& m) override;
+
+  PocketCycle pocket;
+  std::vector<PocketCut> pockets_cut;
+
+ private:
+  std::vector<bool> is_set_;     // by number: the set-up names it, or its absence has been told of (1)
+  std::vector<double> applied_;  // by corrector and axis: what it added last (1)
+  struct Before {
+    PocketCycle pocket;
+    std::vector<double> applied;
+  };
+  Before before_;
+  bool kept_ = false;
+};
+
+Correctors& correctors_of(const Machinery& m);
 
 }  // namespace kadr::correctors

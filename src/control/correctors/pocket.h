@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "base/vec.h"
+#include "control/correctors/correctors.h"
 #include "control/machinery.h"
 
 namespace kadr::correctors {

@@ -1,22 +1,16 @@
-#include "control/s2c42/calls.h"
+#include "control/section_calls.h"
 
 #include <cmath>
 
 #include "base/tolerance.h"
 #include "control/contour.h"
 
-namespace kadr::s2c42 {
+namespace kadr {
 namespace {
 
 constexpr double mm_per_increment = 0.001;  // 6.5.1
 constexpr double pass_dwell = 0.3;          // s: `G4 E3` of L83's body, table 9
 constexpr double most_passes = 100'000;
-
-const CycleRow* cycle_of(const ControlDef& def, std::uint32_t number) {
-  for (const CycleRow& cycle : def.cycles)
-    if (cycle.call_number == number) return &cycle;
-  return nullptr;
-}
 
 /// L83: R1 depth, R2 retract, R3 one pass, R0 feed. With G91 R1 and R2 are increments (6.7.2); INFERRED: R1 from where the
 /// tool stands, R2 from the bottom. The direction is R1's; R3 counts by its size.
@@ -51,16 +45,22 @@ Status start_deep_drilling(Machinery& m, const CycleRow& cycle, Span where) {
 
 }  // namespace
 
-Status call(Machinery& m, const Call& call) {
+const CycleRow* called_cycle(const ControlDef& def, std::uint32_t number) {
+  for (const CycleRow& cycle : def.cycles)
+    if (cycle.call_number == number) return &cycle;
+  return nullptr;
+}
+
+Status call_section(Machinery& m, const Call& call) {
   const Word& w = *call.word;
   if (w.digits != 2 && w.digits != 4) return fail(alarm(AlarmId::call_digits, w.where, double(w.digits)));
   const auto number = static_cast<std::uint32_t>(w.value);
   const std::uint32_t name = w.digits == 2 ? number : number / 100;
   const std::uint32_t times = w.digits == 2 ? 1 : number % 100;
   if (times == 0) return fail(alarm(AlarmId::value_out_of_range, w.where, 'L', w.value));
-  const CycleRow* const cycle = cycle_of(m.def, name);
+  const CycleRow* const cycle = called_cycle(m.def, name);
   if (cycle != nullptr) {
-    if (m.flow.has_subprogram(name)) warn_of_shadow(m, name, w.where);
+    if (m.dialect && m.flow.has_subprogram(name)) m.dialect->note_shadowed(m, name, w.where);
     if (cycle->needs_override_off && m.modal.override_permission != 0) return fail(alarm(AlarmId::cycle_override, w.where, cycle->name));
     if (!cycle->body.empty()) {
       m.call_where = w.where;
@@ -87,12 +87,6 @@ Status call(Machinery& m, const Call& call) {
   return {};
 }
 
-void note_subprogram(Machinery& m) {
-  constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (6.3.5)
-  const std::uint32_t number = m.block->number / blocks_a_subprogram;
-  if (m.block->has_number && cycle_of(m.def, number) != nullptr) warn_of_shadow(m, number, m.block->number_where);
-}
-
 void restore_zero(Machinery& m, const CallFrame& left) {
   if (!m.def.behaviour.subprogram_zero_local || left.kind != CallFrame::Kind::subprogram) return;
   m.modal.work_zero = left.work_zero;
@@ -101,4 +95,4 @@ void restore_zero(Machinery& m, const CallFrame& left) {
   m.change_frames();
 }
 
-}  // namespace kadr::s2c42
+}  // namespace kadr

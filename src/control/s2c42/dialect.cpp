@@ -1,0 +1,121 @@
+// What the instruction of the 2С42 demands and its control does not stop for: warnings (6.3.6, 6.4.1, 6.7).
+//   reference_again, reference_late  G25 once only, at the beginning of the program (6.4.1)
+//   plane_without_stop               G9 at a change of planes, not needed with G0 (6.4.1); table 9 writes it beside G17
+//   return_not_alone                 M17 in a block of its own, without motions (6.4.2)
+//   length_beside_radius             one code of group 9 in a block (6.4.1): G43 beside G41
+//   subprogram_shadowed              a cycle hides the program's own subprogram of that number (6.7.1); once each
+
+#include "control/dialect.h"
+
+#include "control/machinery.h"
+
+namespace kadr::s2c42 {
+namespace {
+
+/// The first code of the block that calls one of these functions, or nullptr.
+const Word* code_of(const Machinery& m, std::initializer_list<Function> functions) {
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t row = w.code >= 0 ? m.def.row_of(w.address, w.code) : -1;
+    if (row < 0) continue;
+    for (const Function function : functions)
+      if (m.def.codes[static_cast<std::size_t>(row)].function == function) return &w;
+  }
+  return nullptr;
+}
+
+/// Of the program so far.
+struct Seen {
+  bool reference = false;  // G25
+  bool moved = false;
+  bool at_rest = true;        // the last motion came to a stop at its end
+  std::uint64_t shadows = 0;  // bit per number of a cycle whose own subprogram has been told of
+};
+
+void check_reference(Machinery& m, Seen& seen) {
+  const Word* const reference = code_of(m, {Function::approach_reference});
+  if (reference == nullptr) return;
+  if (seen.reference) m.warn(warning(AlarmId::reference_again, reference->where));
+  else if (seen.moved) m.warn(warning(AlarmId::reference_late, reference->where));
+  seen.reference = true;
+}
+
+/// INFERRED: G9 stands in the block with the new plane, as in table 9, or in the last one before it that moves.
+void check_plane(Machinery& m, const Seen& seen, Plane before) {
+  const Word* const plane = code_of(m, {Function::plane_xy, Function::plane_zx, Function::plane_yz});
+  if (plane == nullptr || m.modal.plane == before || seen.at_rest || m.block_exact) return;
+  m.warn(warning(AlarmId::plane_without_stop, plane->where, m.block->text_of(plane->where)));
+}
+
+/// M2 beside it ends the section (6.3.5).
+void check_return(Machinery& m) {
+  const Word* const end = code_of(m, {Function::subprogram_end});
+  if (end == nullptr) return;
+  const bool ends_section = code_of(m, {Function::program_end}) != nullptr;
+  const std::uint32_t own = ends_section ? 2 : 1;
+  if (m.block->word_count > own || !m.block->assignments.empty()) m.warn(warning(AlarmId::return_not_alone, end->where));
+}
+
+void check_length(Machinery& m) {
+  const Word* const length = code_of(m, {Function::length_plus, Function::length_minus});
+  const Word* const radius = code_of(m, {Function::radius_comp_left, Function::radius_comp_right, Function::compensation_off});
+  if (length == nullptr || radius == nullptr) return;
+  const Word* const second = length > radius ? length : radius;
+  const Word* const first = length > radius ? radius : length;
+  m.warn(warning(AlarmId::length_beside_radius, second->where, m.block->text_of(second->where), m.block->text_of(first->where)));
+}
+
+void note_moved(const Machinery& m, Seen& seen) {
+  const bool calls = m.has('L');  // the cycles end at rest (table 9)
+  const bool stands = code_of(m, {Function::dwell, Function::program_stop, Function::optional_stop, Function::change_tool}) != nullptr;
+  const bool machine = code_of(m, {Function::approach_reference, Function::machine_point}) != nullptr;
+  const bool takes_axes = code_of(m, {Function::zero_shift}) != nullptr;
+  const bool moves = m.has_axis_words() && !takes_axes;
+  if (moves && !machine) seen.at_rest = m.block_exact || m.modal.motion == MotionMode::rapid;
+  if (stands || machine || calls) seen.at_rest = true;
+  seen.moved = seen.moved || moves || machine || calls;
+}
+
+class S2c42 final : public Dialect {
+ public:
+  Result<bool> takes_block(Machinery& m) override {
+    in_body_ = m.flow.in_body();
+    plane_ = m.modal.plane;
+    return Dialect::takes_block(m);
+  }
+
+  Status after_block(Machinery& m) override {
+    if (in_body_) {
+      seen_.moved = seen_.at_rest = true;
+      return {};
+    }
+    check_reference(m, seen_);
+    check_plane(m, seen_, plane_);
+    check_return(m);
+    check_length(m);
+    note_moved(m, seen_);
+    return {};
+  }
+
+  void note_shadowed(Machinery& m, std::uint32_t number, Span where) override {
+    const std::uint64_t bit = number < 128 && number >= 64 ? std::uint64_t{1} << (number - 64) : 0;
+    if (bit == 0 || (seen_.shadows & bit) != 0) return;
+    seen_.shadows |= bit;
+    m.warn(warning(AlarmId::subprogram_shadowed, where, double(number)));
+  }
+
+ private:
+  Seen seen_;
+  // of the block, before it is carried out
+  bool in_body_ = false;  // of a cycle
+  Plane plane_ = Plane::xy;
+};
+
+}  // namespace
+}  // namespace kadr::s2c42
+
+namespace kadr {
+
+std::unique_ptr<Dialect> make_s2c42_dialect() { return std::make_unique<s2c42::S2c42>(); }
+
+}  // namespace kadr
