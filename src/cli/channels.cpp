@@ -107,8 +107,8 @@ Channels::Channels(std::vector<Channel>& channels, const Job& job, ChannelOutlet
     logic_.channels.push_back(&control);
     control.hand_over_each_block();
     control.set_waiting(Control::Waiting::meet);
-    carriers_.push_back(std::make_unique<Carrier>(control, job.profile, channels[i].setup, outlets.own[i], logic_));
-    (void)carriers_.back()->now();  // the clock runs from the start
+    runs_.push_back(std::make_unique<ChannelRun>(control, job.profile, channels[i].setup, outlets.own[i], logic_));
+    (void)runs_.back()->now();  // the clock runs from the start
   }
 }
 
@@ -141,15 +141,15 @@ std::vector<Stopped> Channels::run() {
 }
 
 void Channels::step(std::size_t i) {
-  switch (carriers_[i]->step()) {
-    case Carrier::Step::running: break;
-    case Carrier::Step::waiting: begin_waiting(i); break;
-    case Carrier::Step::ended:
+  switch (runs_[i]->step()) {
+    case ChannelRun::Step::running: break;
+    case ChannelRun::Step::waiting: begin_waiting(i); break;
+    case ChannelRun::Step::ended:
       states_[i] = State::ended;
-      stopped_[i] = carriers_[i]->stopped();
+      stopped_[i] = runs_[i]->stopped();
       break;
-    case Carrier::Step::stopped:
-      stopped_[i] = carriers_[i]->stopped();
+    case ChannelRun::Step::stopped:
+      stopped_[i] = runs_[i]->stopped();
       states_[i] = State::stopped;
       if (outlets_.stop_together) stop_all(i);
       return;
@@ -170,7 +170,7 @@ void Channels::release(const Rendezvous::Met& met, std::size_t last) {
   const Origin origin = channels_[last].control->meeting()->origin;
   for (const std::uint8_t number : met.channels) {
     const std::size_t i = index_of(number);
-    carriers_[i]->wait_until(met.at);
+    runs_[i]->wait_until(met.at);
     channels_[i].control->release();
     states_[i] = State::running;
   }
@@ -182,7 +182,7 @@ void Channels::wake(double at) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (states_[i] != State::waiting || channels_[i].control->meeting()) continue;
     rendezvous_.leave(channels_[i].number);
-    carriers_[i]->wait_until(at);
+    runs_[i]->wait_until(at);
     states_[i] = State::running;
   }
 }

@@ -69,8 +69,8 @@ class Channels {
   ///   returns  how each came to its end, by index
   std::vector<Stopped> run();
 
-  double now(std::size_t channel) { return carriers_[channel]->now(); }
-  double waited(std::size_t channel) const { return carriers_[channel]->waited(); }
+  double now(std::size_t channel) { return runs_[channel]->now(); }
+  double waited(std::size_t channel) const { return runs_[channel]->waited(); }
   /// An outlet's action begins now: it is shown when its time has come.
   void show(std::size_t channel, double at, const Action& action, const MotionTime& time) { order_.put(channel, at, action, time); }
 
@@ -89,7 +89,7 @@ class Channels {
   std::vector<Channel>& channels_;
   ChannelOutlets& outlets_;
   Logic logic_;
-  std::vector<std::unique_ptr<Carrier>> carriers_;
+  std::vector<std::unique_ptr<ChannelRun>> runs_;
   std::vector<State> states_;
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;

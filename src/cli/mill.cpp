@@ -20,6 +20,7 @@
 #include "out/page_file.h"
 #include "out/part_program.h"
 #include "path/area/verify.h"
+#include "session/program_moves.h"
 
 namespace kadr::cli {
 namespace {

@@ -138,7 +138,7 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
 
 VirtualTime virtual_time(const TimeSplit& split) { return {split.total(), split.cutting}; }
 
-Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic)
+ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic)
     : control_(control),
       setup_(setup),
       outlets_(outlets),
@@ -160,7 +160,7 @@ Carrier::Carrier(Control& control, const MachineProfile& profile, const Setup& s
   control.on_block = [this](const Origin& origin, bool at_end) { apply(logic_.plc.block(origin, at_end), control_, logic_.channels); };
 }
 
-Carrier::~Carrier() {
+ChannelRun::~ChannelRun() {
   ahead_.reset();  // before what the control calls goes
   control_.on_block = nullptr;
   control_.on_signal = nullptr;
@@ -168,18 +168,18 @@ Carrier::~Carrier() {
 }
 
 /// Beside a compensated contour the control knows the programmed point only.
-void Carrier::note_place() {
+void ChannelRun::note_place() {
   if (compensation_.beside()) stopped_.machine_stood = machine_.position();
 }
 
-Carrier::Step Carrier::stop(const AlarmReport& report) {
+ChannelRun::Step ChannelRun::stop(const AlarmReport& report) {
   note_place();
   stopped_.report = report;
   return Step::stopped;
 }
 
 /// lang, control: blocks → actions.
-Control::State Carrier::next_batch() {
+Control::State ChannelRun::next_batch() {
   if (ahead_ && ahead_->is_going()) {
     const Control::State state = ahead_->take(batch_, early_warnings_);
     for (const AlarmReport& warning : early_warnings_) outlets_.warning(warning);
@@ -195,12 +195,12 @@ Control::State Carrier::next_batch() {
 }
 
 /// The control, to be asked for something.
-Control& Carrier::settled() {
+Control& ChannelRun::settled() {
   if (ahead_) ahead_->settle();
   return control_;
 }
 
-Carrier::Step Carrier::step() {
+ChannelRun::Step ChannelRun::step() {
   const Control::State state = next_batch();
   const bool is_ahead = ahead_ && ahead_->is_going();              // then control_ is settled() only
   const auto corner_fault = corners_.take(batch_, behind(state));  // path: calculated corners, roundings
@@ -254,7 +254,7 @@ Carrier::Step Carrier::step() {
 }
 
 /// An alarm of `path`: the control was ahead of it.
-bool Carrier::goes_on_after(const std::optional<CompensationFault>& fault) {
+bool ChannelRun::goes_on_after(const std::optional<CompensationFault>& fault) {
   if (!fault) return true;
   const AlarmReport report = settled().report_for(fault->alarm, fault->origin);
   if (outlets_.alarm(report)) return true;
@@ -263,7 +263,7 @@ bool Carrier::goes_on_after(const std::optional<CompensationFault>& fault) {
   return false;
 }
 
-VirtualTime Carrier::spent() {
+VirtualTime ChannelRun::spent() {
   if (outlets_.time) return outlets_.time();
   if (!estimate_) {
     estimate_.emplace(machine_.roles(), rates_);
@@ -272,9 +272,9 @@ VirtualTime Carrier::spent() {
   return virtual_time(estimate_->split());
 }
 
-double Carrier::now() { return goes_on_at_ + (spent().now - spent_then_); }
+double ChannelRun::now() { return goes_on_at_ + (spent().now - spent_then_); }
 
-void Carrier::wait_until(double at) {
+void ChannelRun::wait_until(double at) {
   const double from = now();
   if (!(at > from)) return;
   waited_ += at - from;
@@ -283,7 +283,7 @@ void Carrier::wait_until(double at) {
 }
 
 /// motion: what the batch takes, where nobody else counts.
-void Carrier::count_time(const ToolPosition& from) {
+void ChannelRun::count_time(const ToolPosition& from) {
   ToolPosition at = from;
   for (const Action& action : batch_) {
     if (const auto* const motion = std::get_if<Motion>(&action.what))
@@ -294,7 +294,7 @@ void Carrier::count_time(const ToolPosition& from) {
 }
 
 /// motion: a feed that an axis cannot do is told once; the motion takes what it takes at rapid.
-void Carrier::watch_feed(const ToolPosition& from) {
+void ChannelRun::watch_feed(const ToolPosition& from) {
   const auto is_suspect = [this](const Action& action) {
     const auto* const motion = std::get_if<Motion>(&action.what);
     return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
@@ -320,13 +320,13 @@ void Carrier::watch_feed(const ToolPosition& from) {
 
 Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
   Logic logic{Plc(job.setup.events), {&control}};
-  Carrier carrier(control, job.profile, job.setup, outlets, logic);
+  ChannelRun run(control, job.profile, job.setup, outlets, logic);
   for (;;) {
-    const Carrier::Step step = carrier.step();
-    if (step == Carrier::Step::stopped) return carrier.stopped();
-    if (step != Carrier::Step::ended) continue;
+    const ChannelRun::Step step = run.step();
+    if (step == ChannelRun::Step::stopped) return run.stopped();
+    if (step != ChannelRun::Step::ended) continue;
     apply(logic.plc.program_end(), control, logic.channels);
-    return carrier.stopped();
+    return run.stopped();
   }
 }
 

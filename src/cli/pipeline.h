@@ -15,6 +15,7 @@
 #include "machine/virtual_machine.h"
 #include "motion/estimate.h"
 #include "path/contour_corners.h"
+#include "session/plc_commands.h"
 
 namespace kadr::cli {
 
@@ -94,12 +95,12 @@ struct Logic {
 };
 
 /// One channel on its way: its control, its part of the machine, its clock. What it is made of must outlive it.
-class Carrier {
+class ChannelRun {
  public:
-  Carrier(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic);
-  Carrier(const Carrier&) = delete;  // the control calls it back
-  Carrier& operator=(const Carrier&) = delete;
-  ~Carrier();
+  ChannelRun(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic);
+  ChannelRun(const ChannelRun&) = delete;  // the control calls it back
+  ChannelRun& operator=(const ChannelRun&) = delete;
+  ~ChannelRun();
 
   enum class Step : std::uint8_t { running, waiting, stopped, ended };
   /// Carries out what the control hands over at once.

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 
 /// A variable, R or a parameter of the control stands in an expression of the block, or is written.
-bool Machinery::reads_variables() const {
+bool Interpreter::reads_variables() const {
   return !block->assignments.empty() || std::any_of(block->code.begin(), block->code.end(), [](const Instruction& i) {
     return i.op == Op::variable || i.op == Op::variable_at || i.op == Op::parameter || i.op == Op::element || i.op == Op::control_value;
   });
 }
 
-Status Machinery::begin_again(Span where, Position from) {
+Status Interpreter::begin_again(Span where, Position from) {
   const bool logic_acts = on_block != nullptr && *on_block;
   const std::uint32_t done = flow.passes();
   const bool alike = !pass_varies && !logic_acts;
@@ -28,7 +28,7 @@ Status Machinery::begin_again(Span where, Position from) {
 }
 
 /// Would the block, had it been right, have written a variable, called or jumped? Of one that could not be read its text tells.
-bool Machinery::may_have_steered() const {
+bool Interpreter::may_have_steered() const {
   if (block->statement.kind != StatementKind::none) return true;
   if (!damaged_) return has_code({Function::macro_call, Function::macro_modal, Function::call_program});
   const auto holds = [this](std::string_view text) { return block->text.find(text) != std::string_view::npos; };
@@ -36,7 +36,7 @@ bool Machinery::may_have_steered() const {
 }
 
 /// After an end that came too early the open call or repetition is left, so that one fault is not found again and again.
-void Machinery::go_on() {
+void Interpreter::go_on() {
   stopped_ = false;
   if (dialect) dialect->note_fault(*this, may_have_steered());
   damaged_ = false;
@@ -49,7 +49,7 @@ void Machinery::go_on() {
 
 /// What the faulty block would have left to those behind it, so that one fault is one alarm: a feed, the end of a
 /// subprogram or repetition.
-void Machinery::keep_from_faulty_block() {
+void Interpreter::keep_from_faulty_block() {
   if (block->position.line != report.origin.line) return;
   const AlarmId id = report.alarm.id;
   const bool of_flow = id == AlarmId::return_without_call || id == AlarmId::repeat_end_alone || id == AlarmId::repeat_end_missing ||

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 
 /// The end of a call or repetition that is to be made very often, behind a fault that `kadr check` has told: one pass shows the faults in
 /// it, the others cost minutes and end with a false endless_program. INFERRED: 1000 passes are still made, so that increments add up.
-inline void shorten_behind_fault(Machinery& m) {
+inline void shorten_behind_fault(Interpreter& m) {
   constexpr std::uint32_t most_passes = 1000;
   if (m.report.alarm.id == AlarmId::count || m.flow.depth() == 0) return;
   std::uint32_t& left = m.flow.frames().back().left;

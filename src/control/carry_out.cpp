@@ -1,7 +1,7 @@
 // A planned block carried out in the order of execution, and taken back where it fails: nothing of a faulty block is done.
 
 #include "control/contour.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 namespace {
@@ -21,7 +21,7 @@ bool ends_or_stops(const CodeRow* row) {
 
 }  // namespace
 
-Status Machinery::carry_out(const Plan& plan) {
+Status Interpreter::carry_out(const Plan& plan) {
   if (def.grammar.expressions)
     for (const Span comment : block->comments) {
       const std::string_view text = block->text_of(comment);
@@ -64,7 +64,7 @@ Status Machinery::carry_out(const Plan& plan) {
   return {};
 }
 
-Status Machinery::carry_out(const PlanItem& item) {
+Status Interpreter::carry_out(const PlanItem& item) {
   const CodeRow* const row = row_of(item);
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
@@ -78,12 +78,12 @@ Status Machinery::carry_out(const PlanItem& item) {
 
 /// In a drilling cycle's block M0 acts behind operation 1, the end of the program behind the last hole; in a turning cycle's
 /// all that follows a motion waits.
-bool Machinery::waits_for(const Running& cycle, const PlanItem& item) const {
+bool Interpreter::waits_for(const Running& cycle, const PlanItem& item) const {
   if (cycle.functions_first()) return ends(row_of(item));
   return def.order[static_cast<std::size_t>(phase_of(item))] > def.order[static_cast<std::size_t>(Phase::motion)];
 }
 
-bool Machinery::is_call(const PlanItem& item) const {
+bool Interpreter::is_call(const PlanItem& item) const {
   const CodeRow* const row = row_of(item);
   const Function f = row != nullptr ? row->function : def.address(item.address).function;
   return f == Function::call_word || f == Function::call_subprogram;
@@ -91,7 +91,7 @@ bool Machinery::is_call(const PlanItem& item) const {
 
 /// An end that waits must be one that can come: what would fail then fails now, before anything is done.
 ///   depth  calls and repetitions open around the block
-Status Machinery::end_possible(const PlanItem& item, std::size_t depth) const {
+Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const {
   const Span at = block->words[item.word].where;
   const CallFrame* const around = depth == 0 ? nullptr : &flow.frames()[depth - 1];
   const bool in_repetition = around != nullptr && around->kind == CallFrame::Kind::repetition;
@@ -111,7 +111,7 @@ Status Machinery::end_possible(const PlanItem& item, std::size_t depth) const {
 }
 
 /// `L03 M17`: the call first, what the block ends when it is over (2С42 6.3.4, 6.3.5).
-void Machinery::keep_for_return(const PlanItem& item) {
+void Interpreter::keep_for_return(const PlanItem& item) {
   for (std::int16_t& row : flow.frames().back().then)
     if (row < 0) {
       row = item.row;
@@ -120,7 +120,7 @@ void Machinery::keep_for_return(const PlanItem& item) {
 }
 
 /// Measuring looks at the modes itself (nct 21.1); any other motion is not possible in one that Kadr has not.
-Status Machinery::modes_served(const PlanItem& item) const {
+Status Interpreter::modes_served(const PlanItem& item) const {
   const CodeRow* const moves = row_of(item);
   if (moves != nullptr && (moves->function == Function::measure || moves->function == Function::measure_length)) return {};
   for (std::size_t group = 0; group < most_groups; ++group) {
@@ -132,14 +132,14 @@ Status Machinery::modes_served(const PlanItem& item) const {
 }
 
 /// M0, M2 and their like in the block of a cycle: the holes come first (order of execution: motion, stop, flow).
-Status Machinery::after_cycle() {
+Status Interpreter::after_cycle() {
   const std::size_t count = waiting_count_;
   waiting_count_ = 0;
   for (std::size_t i = 0; i < count; ++i) KADR_TRY(carry_out(plan_now_->items[waiting_[i]]));
   return {};
 }
 
-void Machinery::take_moment() {
+void Interpreter::take_moment() {
   if (moment_taken_) return;
   moment_taken_ = true;
   variables.begin_block();
@@ -149,7 +149,7 @@ void Machinery::take_moment() {
 }
 
 /// Nothing of a faulty block is done (design.md 4).
-void Machinery::take_back(std::size_t actions) {
+void Interpreter::take_back(std::size_t actions) {
   batch->cut(actions);
   needs_probe = false;
   stop_cycles();
@@ -179,12 +179,12 @@ void Machinery::take_back(std::size_t actions) {
   if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
 }
 
-void Machinery::refused() {
+void Interpreter::refused() {
   if (batch != nullptr) take_back(0);
   moment_taken_ = false;
 }
 
-void Machinery::run_modes(std::initializer_list<Function> functions) {
+void Interpreter::run_modes(std::initializer_list<Function> functions) {
   for (const Function function : functions)
     for (std::size_t i = 0; i < def.codes.size(); ++i) {
       const CodeRow& row = def.codes[i];

@@ -2,14 +2,14 @@
 // Cutter radius compensation on the control's side, for the controls other than NCT: the order of the blocks around G41, G42, G40, and what
 // each motion tells `path`. 2С42 6.4.7, 6.6.7, 6.8; Mach3 10.7.13; GOST as the 2С42 (INFERRED).
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 
 /// G41 (side -1), G42 (+1) are in force from the block's motion on. INFERRED: behind a G40 that has not led off the contour yet, as
 /// if that had not been.
 ///   alarms  compensation_active: the tool still stands beside a contour of another plane
-Status begin_contour(Machinery& m, const Call& call, std::int8_t side);
+Status begin_contour(Interpreter& m, const Call& call, std::int8_t side);
 
 /// G41, G42 are in force. Behind G40 they are not, though the tool may still stand beside the contour until the next motion in its
 /// plane: plane, unit and zero may change there (RS274/NGC: the mode ends with G40).
@@ -17,30 +17,30 @@ bool compensates(const Modal& modal);
 
 /// Where the tool still stands beside the contour, that place becomes the programmed one: for codes that mean "the current point"
 /// (G92, G16: Mach3 10.7.27, 10.7.6).
-void take_up_contour(Machinery& m);
+void take_up_contour(Interpreter& m);
 
 /// An arc has its centre: where the tool stands at its end.
-void note_arc_end(Machinery& m, const Motion& arc);
+void note_arc_end(Interpreter& m, const Motion& arc);
 
 /// G40: the next motion in the plane leads off the contour; alone it moves nothing.
 ///   alarms  compensation_two_blocks: one block of the contour only (2С42 6.4.7)
-Status end_contour(Machinery& m, const Call& call);
+Status end_contour(Interpreter& m, const Call& call);
 
 /// Before the motion of a block that is written with axis words.
 ///   alarms  compensation_two_blocks: no motion in the plane between G41, G42 and the second block of the contour (2С42 6.4.7);
 ///           compensation_closing: G40 in the block that closes the contour (2С42 6.4.7; INFERRED: it ends where the first one ended)
-Status contour_allows_motion(const Machinery& m);
+Status contour_allows_motion(const Interpreter& m);
 
 /// A motion along the tool alone, by a cycle or its block.
 ///   alarms  compensation_two_blocks, as above
-Status contour_allows_infeed(const Machinery& m, Span where);
+Status contour_allows_infeed(const Interpreter& m, Span where);
 
 /// An arc leads neither onto the contour nor off it (INFERRED).
 ///   alarms  compensation_begins_in_arc, compensation_ends_in_arc
-Status arc_beside_contour(const Machinery& m, Span where, std::string_view code);
+Status arc_beside_contour(const Interpreter& m, Span where, std::string_view code);
 
 /// Side, radius and joint of a motion that is handed on; counts the blocks of the contour.
 ///   from  work coordinates at its beginning
-void note_contour(Machinery& m, Motion& motion, const Axes& from);
+void note_contour(Interpreter& m, Motion& motion, const Axes& from);
 
 }  // namespace kadr

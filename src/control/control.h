@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "action/action.h"
 #include "base/file_id.h"
 #include "base/stop.h"
 #include "config/control_def.h"
 #include "config/setup.h"
 #include "config/setup_file.h"
 #include "config/state_file.h"
-#include "control/action.h"
 #include "control/usage.h"
 #include "lang/block_reader.h"
 
@@ -40,7 +40,7 @@ struct Program {
 /// Files that a program writes (nct 23.2.13): path from the folder of the program memory, bytes.
 using WrittenFiles = std::map<std::string, std::uint64_t>;
 
-class Machinery;     // control/machinery.h
+class Interpreter;   // control/interpreter.h
 class MachineSide;   // control/dialect.h
 class SharedMemory;  // control/shared_memory.h
 
@@ -159,7 +159,7 @@ class Control {
   /// What the machine may tell the control; nullptr: nothing.
   MachineSide* machine_side() const;
 
-  std::unique_ptr<Machinery> machinery_;
+  std::unique_ptr<Interpreter> interpreter_;
   std::shared_ptr<SharedMemory> shared_;
   double cutting_seen_ms_ = 0;
 };

@@ -1,7 +1,7 @@
 #pragma once
 // Dialect: what a control does that no row of its file can say (`dialect = "…"` in controls/*.toml). One object a channel; it stands where
 // the interpreter asks, block by block or motion by motion, never word by word. Each default here is what all controls do: ISO 6983. A
-// control whose file says everything has none (Machinery::dialect is nullptr), so that its blocks pay for nothing.
+// control whose file says everything has none (Interpreter::dialect is nullptr), so that its blocks pay for nothing.
 
 #include <cstdint>
 #include <memory>
@@ -19,7 +19,7 @@
 
 namespace kadr {
 
-class Machinery;
+class Interpreter;
 struct Call;
 struct Commons;
 struct Plan;
@@ -44,11 +44,11 @@ class MachineSide {
   virtual void set_answer(double answer) = 0;
   /// Spindle `slave` follows `master`; 0: no more. `slave` 0: all spindles.
   virtual void synchronise(int slave, int master) = 0;
-  virtual void couple_axis(Machinery& m, const std::string& name, bool on) = 0;
+  virtual void couple_axis(Interpreter& m, const std::string& name, bool on) = 0;
   virtual void convert_spindle(int number, bool to_axis) = 0;
   /// ms since the start of the run, and ms at feed since the last call.
   virtual void set_time(double now_ms, double cut_ms) = 0;
-  virtual RunState run_state(const Machinery& m) const = 0;
+  virtual RunState run_state(const Interpreter& m) const = 0;
   /// What the program has written: path, bytes.
   virtual const WrittenFiles& files_written() const = 0;
   /// Waiting codes have no effect.
@@ -65,118 +65,118 @@ class Dialect {
   // ---- start and end
 
   /// Power-on, instead of the codes that the file's groups begin with. true: done.
-  virtual bool start(Machinery& m, const Setup& setup);
+  virtual bool start(Interpreter& m, const Setup& setup);
   /// The modal codes of a set-up are carried out one by one, not as one block.
   virtual bool starts_code_by_code() const { return false; }
   /// What the set-up says, after its modal codes.
-  virtual void take_setup(Machinery& m, const Setup& setup);
+  virtual void take_setup(Interpreter& m, const Setup& setup);
   /// The tool stands where the set-up says.
-  virtual void started(Machinery& m);
+  virtual void started(Interpreter& m);
   /// M2, M30, instead of the file's end codes. true: done.
-  virtual bool end_program(Machinery& m);
+  virtual bool end_program(Interpreter& m);
   /// Power off and on: what only the power kept is lost. false: nothing is known of that.
-  virtual bool lose_power(Machinery& m);
+  virtual bool lose_power(Interpreter& m);
   /// Variables that hold something, and those that are asked for.
-  virtual void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch);
+  virtual void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch);
   /// What the block changed of the things that survive power-off.
-  virtual StateChanges take_changes(Machinery& m);
+  virtual StateChanges take_changes(Interpreter& m);
 
   // ---- a block
 
   /// Something is to be finished before the next block is read.
   virtual bool has_unfinished() const { return false; }
   /// Does a part of it. true: the next block must wait.
-  virtual Result<bool> finish(Machinery& m);
+  virtual Result<bool> finish(Interpreter& m);
   /// The block's expressions ask the time: it must be that of the moment.
   virtual bool reads_clock(const Block& block) const;
   /// A block with `/`, whether it is skipped or not.
-  virtual void note_skip_mark(Machinery& m);
+  virtual void note_skip_mark(Interpreter& m);
   /// Blocks are looked at one by one: an interrupt macro may come.
   virtual bool watches_blocks() const { return false; }
   virtual bool in_interrupt() const { return false; }
   /// Calls the interrupt macro where it is asked for. true: it was called.
-  virtual Result<bool> interrupt(Machinery& m, BlockMoment moment);
+  virtual Result<bool> interrupt(Interpreter& m, BlockMoment moment);
   /// Numbered lines are data (of a G10), not blocks.
   virtual bool takes_data() const { return false; }
   /// IF, WHILE, GOTO, #1=…: a block that is no words.
-  virtual Status statement(Machinery& m);
-  virtual void begin_block(Machinery& m);
+  virtual Status statement(Interpreter& m);
+  virtual void begin_block(Interpreter& m);
   /// The words have their values. true: the block is done with that (its words were arguments of a macro, data …).
-  virtual Result<bool> takes_block(Machinery& m);
+  virtual Result<bool> takes_block(Interpreter& m);
   /// Row of the motion code that axis words alone would carry out; -1: none.
-  virtual std::int16_t motion_row(const Machinery& m) const;
-  virtual BlockChanges changes_of(const Machinery& m, const Plan& plan) const;
+  virtual std::int16_t motion_row(const Interpreter& m) const;
+  virtual BlockChanges changes_of(const Interpreter& m, const Plan& plan) const;
   /// Before and after each function of the block; `code` is the tenth of the word's number, -1: none.
-  virtual void before_function(Machinery& m, Function function);
-  virtual void after_code(Machinery& m, const CodeRow& row, std::int32_t code);
-  virtual Status after_block(Machinery& m);
+  virtual void before_function(Interpreter& m, Function function);
+  virtual void after_code(Interpreter& m, const CodeRow& row, std::int32_t code);
+  virtual Status after_block(Interpreter& m);
   /// The block may change anything: what of it is kept here.
-  virtual void keep(Machinery& m);
+  virtual void keep(Interpreter& m);
   /// The block was faulty: what it had changed here, as it was; then, when all the rest is as it was before.
-  virtual void take_back(Machinery& m);
-  virtual void taken_back(Machinery& m);
+  virtual void take_back(Interpreter& m);
+  virtual void taken_back(Interpreter& m);
 
   /// A subprogram of the program has the number of a cycle, which is called instead. `where`: the call, or its first block.
-  virtual void note_shadowed(Machinery& m, std::uint32_t number, Span where);
+  virtual void note_shadowed(Interpreter& m, std::uint32_t number, Span where);
 
   // ---- behind a faulty block, for people who check
 
-  virtual void note_fault(Machinery& m, bool may_have_steered);
+  virtual void note_fault(Interpreter& m, bool may_have_steered);
   /// A main program begins again: what was noted of its passes is forgotten.
   virtual void begin_again() {}
   /// The innermost call is left although its end is missing. true: done.
-  virtual bool leave_call(Machinery& m);
+  virtual bool leave_call(Interpreter& m);
 
   // ---- motion and frames
 
   /// End point by the block's axis words.
-  virtual Status target(const Machinery& m, Axes& to, AxisMask& named) const;
+  virtual Status target(const Interpreter& m, Axes& to, AxisMask& named) const;
   /// The block has words that add to its motion; add_to_motion() does. Returns the axes it moves besides those of the words.
-  virtual bool adds_to_motion(const Machinery& m) const;
-  virtual Result<AxisMask> add_to_motion(Machinery& m);
+  virtual bool adds_to_motion(const Interpreter& m) const;
+  virtual Result<AxisMask> add_to_motion(Interpreter& m);
   /// The block has words that make of G0, G1 something else: then straight() carries it out.
-  virtual bool shapes_lines(const Machinery& m) const;
-  virtual Status straight(Machinery& m, const Call& call, MotionKind kind);
+  virtual bool shapes_lines(const Interpreter& m) const;
+  virtual Status straight(Interpreter& m, const Call& call, MotionKind kind);
   /// The words only shift the start point: nothing moves.
-  virtual bool only_shifts(const Machinery& m) const;
-  virtual Status arc(Machinery& m, const Call& call, Turn turn);
+  virtual bool only_shifts(const Interpreter& m) const;
+  virtual Status arc(Interpreter& m, const Call& call, Turn turn);
   /// A straight motion where the plane is a surface (PathSurface).
-  virtual Status surface_line(Machinery& m, MotionKind kind, const Axes& programmed, AxisMask named);
+  virtual Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named);
   /// These axes may be moved.
-  virtual Status may_move(const Machinery& m, AxisMask named) const;
-  virtual void note_motion(Machinery& m, Motion& motion);
+  virtual Status may_move(const Interpreter& m, AxisMask named) const;
+  virtual void note_motion(Interpreter& m, Motion& motion);
   /// Feed of a motion programmed in inches.
-  virtual double inch_feed(const Machinery& m, const Motion& motion, const Axes& from) const;
+  virtual double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) const;
   /// A feed of its own comes into force.
-  virtual void note_feed(Machinery& m);
+  virtual void note_feed(Interpreter& m);
   /// Feeds per minute and per revolution stand side by side; else a change of the unit forgets the feed.
   virtual bool keeps_both_feeds() const { return false; }
-  virtual SurfaceSpeed surface_speed(const Machinery& m) const;
+  virtual SurfaceSpeed surface_speed(const Interpreter& m) const;
   /// Origin, length, shifts by the tables and the modal state.
-  virtual void refresh_frames(Machinery& m);
+  virtual void refresh_frames(Interpreter& m);
   /// The zero may move under a contour that is being compensated.
   virtual bool zero_may_move() const { return false; }
   /// Positions as they are shown: axes that roll over within their turn.
-  virtual void roll(const Machinery& m, Axes& positions) const;
-  virtual Status take_answer(Machinery& m, const ProbeAnswer& answer);
+  virtual void roll(const Interpreter& m, Axes& positions) const;
+  virtual Status take_answer(Interpreter& m, const ProbeAnswer& answer);
   /// M codes of the machine.
-  virtual Status machine_code(Machinery& m, const Call& call);
+  virtual Status machine_code(Interpreter& m, const Call& call);
 
   // ---- variables beyond those that the file lists
 
-  virtual Result<double> read_variable(Machinery& m, double number, Span where) const;
+  virtual Result<double> read_variable(Interpreter& m, double number, Span where) const;
   /// Number of an element of a variable with a name.
-  virtual Result<double> number_of_element(const Machinery& m, double symbol, double index, Span where) const;
+  virtual Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where) const;
   /// A parameter of the control; NaN bit, index: left out.
-  virtual Result<double> control_value(Machinery& m, double number, double bit, double index, Span where) const;
+  virtual Result<double> control_value(Interpreter& m, double number, double bit, double index, Span where) const;
 };
 
 // Each stands in the folder of its name.
 std::unique_ptr<Dialect> make_s2c42_dialect();
-std::unique_ptr<Dialect> make_correctors_dialect(const Machinery& m, const Setup& setup);
-std::unique_ptr<Dialect> make_nct_dialect(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
+std::unique_ptr<Dialect> make_correctors_dialect(const Interpreter& m, const Setup& setup);
+std::unique_ptr<Dialect> make_nct_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
 /// The dialect that the control's file names, or nullptr. `commons`: variables that all channels of the machine share.
-std::unique_ptr<Dialect> make_dialect(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
+std::unique_ptr<Dialect> make_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
 }  // namespace kadr

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 namespace {
@@ -24,7 +24,7 @@ void EllipseRun::start(const Job& job) {
   pieces_ = static_cast<std::uint32_t>(std::clamp(std::ceil(std::fabs(job.sweep_deg) / step_deg), 1.0, most_pieces));
 }
 
-Status EllipseRun::next(Machinery& m) {
+Status EllipseRun::next(Interpreter& m) {
   const double part = static_cast<double>(++done_) / pieces_;
   const bool last = done_ == pieces_;
   Axes to = job_.to;

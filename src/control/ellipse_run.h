@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-class Machinery;
+class Interpreter;
 
 class EllipseRun {
  public:
@@ -30,7 +30,7 @@ class EllipseRun {
   void start(const Job& job);
 
   /// Hands the next straight motion on.
-  Status next(Machinery& m);
+  Status next(Interpreter& m);
 
  private:
   Job job_;

@@ -8,7 +8,7 @@ namespace kadr {
 namespace {
 
 /// End of the program: nothing may be open; the control's end-of-program codes come into force.
-Status end_program(Machinery& m, Span where) {
+Status end_program(Interpreter& m, Span where) {
   if (m.flow.depth() != 0) {
     const CallFrame& top = m.flow.frames().back();
     if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
@@ -26,7 +26,7 @@ Status end_program(Machinery& m, Span where) {
   return {};
 }
 
-Status leave_subprogram(Machinery& m, Span where) {
+Status leave_subprogram(Interpreter& m, Span where) {
   shorten_behind_fault(m);
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
@@ -46,13 +46,13 @@ Status leave_subprogram(Machinery& m, Span where) {
 
 namespace functions {
 
-Status program_end(Machinery& m, const Call& call) { return end_program(m, call.where); }
-Status tape_end(Machinery& m, const Call& call) { return end_program(m, call.where); }
+Status program_end(Interpreter& m, const Call& call) { return end_program(m, call.where); }
+Status tape_end(Interpreter& m, const Call& call) { return end_program(m, call.where); }
 
-Status repeat_program(Machinery& m, const Call& call) { return m.begin_again(call.where); }
+Status repeat_program(Interpreter& m, const Call& call) { return m.begin_again(call.where); }
 
 /// M98 P (Mach3): L or Q times.
-Status call_subprogram(Machinery& m, const Call& call) {
+Status call_subprogram(Interpreter& m, const Call& call) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', "M98"));
   const auto name = m.whole('P', 0, 999'999'999);
   if (!name) return fail(name.error());
@@ -68,28 +68,28 @@ Status call_subprogram(Machinery& m, const Call& call) {
 }
 
 /// M99: back to the caller; in the main program: from its beginning again (spec/mach3 1).
-Status subprogram_return(Machinery& m, const Call& call) {
+Status subprogram_return(Interpreter& m, const Call& call) {
   if (m.flow.depth() == 0) return m.begin_again(call.where);
   return leave_subprogram(m, call.where);
 }
 
 /// M17 (2С42 6.3.6).
-Status subprogram_end(Machinery& m, const Call& call) { return leave_subprogram(m, call.where); }
+Status subprogram_end(Interpreter& m, const Call& call) { return leave_subprogram(m, call.where); }
 
 /// H: the blocks from the next one to M20, so many times (2С42 6.4.6).
-Status repeat_word(Machinery& m, const Call& call) {
+Status repeat_word(Interpreter& m, const Call& call) {
   const auto times = m.whole('H', 1, 9999);
   if (!times) return fail(times.error());
   return m.flow.repeat(*times, m.origin, call.where);
 }
 
-Status repetition_end(Machinery& m, const Call& call) {
+Status repetition_end(Interpreter& m, const Call& call) {
   shorten_behind_fault(m);
   return m.flow.end_repetition(call.where);
 }
 
 /// L: a subprogram or a canned cycle.
-Status call_word(Machinery& m, const Call& call) { return call_section(m, call); }
+Status call_word(Interpreter& m, const Call& call) { return call_section(m, call); }
 
 }  // namespace functions
 }  // namespace kadr

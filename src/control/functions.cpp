@@ -17,7 +17,7 @@ constexpr Handler handlers[] = {
 };
 static_assert(std::size(handlers) == static_cast<std::size_t>(Function::count));
 
-Status set_plane(Machinery& m, Plane plane) {
+Status set_plane(Interpreter& m, Plane plane) {
   if (compensates(m.modal) && m.modal.plane != plane) return fail(alarm(AlarmId::compensation_active, m.block->where, "G17, G18, G19"));
   m.modal.plane = plane;
   m.modal.axes = axes_of(plane);
@@ -25,7 +25,7 @@ Status set_plane(Machinery& m, Plane plane) {
   return {};
 }
 
-Status set_feed_mode(Machinery& m, FeedMode mode) {
+Status set_feed_mode(Interpreter& m, FeedMode mode) {
   Modal& modal = m.modal;
   if (modal.feed_mode != mode && m.dialect && m.dialect->keeps_both_feeds()) {  // each unit has its own (nct 6.2.1)
     std::swap(modal.feed, modal.other_feed);
@@ -38,7 +38,7 @@ Status set_feed_mode(Machinery& m, FeedMode mode) {
 }
 
 /// Not under radius compensation (RS274/NGC).
-Status set_unit(Machinery& m, const Call& call, bool inch) {
+Status set_unit(Interpreter& m, const Call& call, bool inch) {
   if (compensates(m.modal) && m.modal.inch != inch) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   m.modal.inch = m.variables.inch = inch;
   return {};
@@ -51,62 +51,62 @@ Handler handler_of(Function function) { return handlers[static_cast<std::size_t>
 namespace functions {
 
 // Addresses that other functions read: nothing to do by themselves.
-Status block_number(Machinery&, const Call&) { return {}; }
-Status axis(Machinery&, const Call&) { return {}; }
-Status center(Machinery&, const Call&) { return {}; }
-Status word_of_code(Machinery&, const Call&) { return {}; }
-Status formal_parameter(Machinery&, const Call&) { return {}; }
-Status code(Machinery&, const Call&) { return {}; }
-Status label(Machinery&, const Call&) { return {}; }
-Status corrector_word(Machinery&, const Call&) { return {}; }
+Status block_number(Interpreter&, const Call&) { return {}; }
+Status axis(Interpreter&, const Call&) { return {}; }
+Status center(Interpreter&, const Call&) { return {}; }
+Status word_of_code(Interpreter&, const Call&) { return {}; }
+Status formal_parameter(Interpreter&, const Call&) { return {}; }
+Status code(Interpreter&, const Call&) { return {}; }
+Status label(Interpreter&, const Call&) { return {}; }
+Status corrector_word(Interpreter&, const Call&) { return {}; }
 
-Status plane_xy(Machinery& m, const Call&) { return set_plane(m, Plane::xy); }
-Status plane_zx(Machinery& m, const Call&) { return set_plane(m, Plane::zx); }
-Status plane_yz(Machinery& m, const Call&) { return set_plane(m, Plane::yz); }
-Status absolute(Machinery& m, const Call&) { return m.modal.absolute = true, Status(); }
-Status incremental(Machinery& m, const Call&) { return m.modal.absolute = false, Status(); }
-Status centers_absolute(Machinery& m, const Call&) { return m.modal.centers_absolute = true, Status(); }
-Status centers_incremental(Machinery& m, const Call&) { return m.modal.centers_absolute = false, Status(); }
-Status inch(Machinery& m, const Call& call) { return set_unit(m, call, true); }
-Status millimetre(Machinery& m, const Call& call) { return set_unit(m, call, false); }
-Status feed_inverse_time(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
-Status feed_per_minute(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::per_minute); }
-Status feed_per_revolution(Machinery& m, const Call&) { return set_feed_mode(m, FeedMode::per_revolution); }
-Status surface_speed(Machinery& m, const Call&) {
+Status plane_xy(Interpreter& m, const Call&) { return set_plane(m, Plane::xy); }
+Status plane_zx(Interpreter& m, const Call&) { return set_plane(m, Plane::zx); }
+Status plane_yz(Interpreter& m, const Call&) { return set_plane(m, Plane::yz); }
+Status absolute(Interpreter& m, const Call&) { return m.modal.absolute = true, Status(); }
+Status incremental(Interpreter& m, const Call&) { return m.modal.absolute = false, Status(); }
+Status centers_absolute(Interpreter& m, const Call&) { return m.modal.centers_absolute = true, Status(); }
+Status centers_incremental(Interpreter& m, const Call&) { return m.modal.centers_absolute = false, Status(); }
+Status inch(Interpreter& m, const Call& call) { return set_unit(m, call, true); }
+Status millimetre(Interpreter& m, const Call& call) { return set_unit(m, call, false); }
+Status feed_inverse_time(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
+Status feed_per_minute(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::per_minute); }
+Status feed_per_revolution(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::per_revolution); }
+Status surface_speed(Interpreter& m, const Call&) {
   m.modal.surface_speed = true;
   m.emit(m.surface_speed());
   return {};
 }
 /// The spindle keeps the speed that it has.
-Status spindle_rpm(Machinery& m, const Call&) {
+Status spindle_rpm(Interpreter& m, const Call&) {
   if (m.modal.surface_speed) m.modal.rpm = m.surface_speed().rpm(m.position.work, m.modal.rpm);
   m.modal.surface_speed = false;
   m.emit(m.surface_speed());
   return {};
 }
-Status exact_stop_block(Machinery& m, const Call&) { return m.block_exact = true, Status(); }
-Status exact_stop_mode(Machinery& m, const Call&) {
+Status exact_stop_block(Interpreter& m, const Call&) { return m.block_exact = true, Status(); }
+Status exact_stop_mode(Interpreter& m, const Call&) {
   m.modal.exact = true;
   m.modal.blend_tolerance = 0;
   return {};
 }
 /// G64, with P the path tolerance (RS274/NGC; Mach3 itself has none).
-Status constant_velocity(Machinery& m, const Call&) {
+Status constant_velocity(Interpreter& m, const Call&) {
   const double tolerance = m.length_value('P');
   if (tolerance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', tolerance));
   m.modal.exact = false;
   m.modal.blend_tolerance = tolerance;
   return {};
 }
-Status corner_arc(Machinery& m, const Call&) { return m.modal.corner_join = CornerJoin::arc, Status(); }
-Status corner_line(Machinery& m, const Call&) { return m.modal.corner_join = CornerJoin::straight, Status(); }
-Status retract_initial(Machinery& m, const Call&) { return m.modal.retract_initial = true, Status(); }
-Status retract_level(Machinery& m, const Call&) { return m.modal.retract_initial = false, Status(); }
-Status override_permission(Machinery& m, const Call& call) {
+Status corner_arc(Interpreter& m, const Call&) { return m.modal.corner_join = CornerJoin::arc, Status(); }
+Status corner_line(Interpreter& m, const Call&) { return m.modal.corner_join = CornerJoin::straight, Status(); }
+Status retract_initial(Interpreter& m, const Call&) { return m.modal.retract_initial = true, Status(); }
+Status retract_level(Interpreter& m, const Call&) { return m.modal.retract_initial = false, Status(); }
+Status override_permission(Interpreter& m, const Call& call) {
   return m.modal.override_permission = static_cast<std::uint8_t>(call.row->arg), Status();
 }
-Status override_on(Machinery& m, const Call&) { return m.modal.override_enabled = true, Status(); }
-Status override_off(Machinery& m, const Call&) { return m.modal.override_enabled = false, Status(); }
+Status override_on(Interpreter& m, const Call&) { return m.modal.override_enabled = true, Status(); }
+Status override_off(Interpreter& m, const Call&) { return m.modal.override_enabled = false, Status(); }
 
 }  // namespace functions
 }  // namespace kadr

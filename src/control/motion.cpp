@@ -6,11 +6,11 @@
 
 #include "base/tolerance.h"
 #include "control/contour.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 
-double Machinery::axis_target(const Word& w, std::size_t axis) const {
+double Interpreter::axis_target(const Word& w, std::size_t axis) const {
   const bool is_length = def.address(w.address).unit == WordUnit::length;
   double v = w.value * def.address(w.address).scale * (is_length && modal.inch ? mm_per_inch : 1.0);
   if ((modal.diameter >> axis & 1u) != 0) v /= 2;
@@ -18,9 +18,9 @@ double Machinery::axis_target(const Word& w, std::size_t axis) const {
   return absolute ? v : position.programmed[axis] + v;
 }
 
-Status Machinery::target(Axes& to, AxisMask& named) const { return dialect ? dialect->target(*this, to, named) : axis_words(to, named); }
+Status Interpreter::target(Axes& to, AxisMask& named) const { return dialect ? dialect->target(*this, to, named) : axis_words(to, named); }
 
-Status Machinery::axis_words(Axes& to, AxisMask& named) const {
+Status Interpreter::axis_words(Axes& to, AxisMask& named) const {
   to = position.programmed;
   named = 0;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -34,7 +34,7 @@ Status Machinery::axis_words(Axes& to, AxisMask& named) const {
   return {};
 }
 
-Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
+Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   Action& action = batch->add();
   action.origin = origin;
   Motion* const reused = std::get_if<Motion>(&action.what);
@@ -72,7 +72,7 @@ Motion& Machinery::add_motion(MotionKind kind, AxisMask named) {
   return motion;
 }
 
-void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
+void Interpreter::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
   if (modal.inch || modal.contour != ContourPhase::off || modal.feeds_of_axes != 0) moved_from = position.work;
   named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
@@ -89,13 +89,13 @@ void Machinery::move_to(const Axes& programmed, const Axes& work, AxisMask named
   position.programmed = programmed;
 }
 
-Status Machinery::within_reach(const Axes& work) const {
+Status Interpreter::within_reach(const Axes& work) const {
   for (std::size_t a = 0; a < axis_count; ++a)
     if (!(std::fabs(work[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], work[a]));
   return {};
 }
 
-Status Machinery::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
+Status Interpreter::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
   if (modal.surface != PathSurface::plane && dialect) return dialect->surface_line(*this, kind, programmed, named);
   if (transform.identity) [[likely]] {
     move_to(programmed, programmed, named);
@@ -112,7 +112,7 @@ Status Machinery::straight(MotionKind kind, const Axes& programmed, AxisMask nam
 
 /// Along a line on which an axis has a feed of its own (GOST 20999-83). INFERRED: the line stays; the axis, or the others together, that
 /// need the longest time say how fast it is gone.
-double Machinery::feed_by_axes(const Motion& motion) const {
+double Interpreter::feed_by_axes(const Motion& motion) const {
   double time = 0, rest = 0, all = 0;
   for (std::size_t a = 0; a < axis_count; ++a) {
     const double way = motion.to[a] - moved_from[a];
@@ -124,7 +124,7 @@ double Machinery::feed_by_axes(const Motion& motion) const {
   return time > 0 ? feed_limited(std::sqrt(all) / time) : motion.feed;
 }
 
-Status Machinery::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
+Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
   if (dialect) KADR_TRY(dialect->may_move(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
@@ -139,7 +139,7 @@ Status Machinery::to_machine(MotionKind kind, const Axes& machine, AxisMask name
   return {};
 }
 
-Status Machinery::feed_known(Span at) {
+Status Interpreter::feed_known(Span at) {
   if (modal.feed_mode == FeedMode::inverse_time) {
     if (!has('F')) return fail(alarm(AlarmId::feed_missing, at));
     return {};
@@ -153,7 +153,7 @@ Status Machinery::feed_known(Span at) {
 }
 
 /// Each axis that the block names has a feed of its own.
-bool Machinery::axes_have_feeds() const {
+bool Interpreter::axes_have_feeds() const {
   const bool arc = modal.motion == MotionMode::arc_cw || modal.motion == MotionMode::arc_ccw;
   AxisMask named = 0;
   for (std::size_t a = 0; a < axis_count; ++a)
@@ -161,12 +161,12 @@ bool Machinery::axes_have_feeds() const {
   return !arc && named != 0 && (named & ~modal.feeds_of_axes) == 0;
 }
 
-double Machinery::feed_limited(double feed) const {
+double Interpreter::feed_limited(double feed) const {
   const double most = def.behaviour.feed_most;
   return most > 0 && feed > most ? most : feed;  // 2С42 6.5.2: at most 5 m/min
 }
 
-void Machinery::set_feed(Motion& motion) {
+void Interpreter::set_feed(Motion& motion) {
   switch (modal.feed_mode) {
     case FeedMode::per_minute:
       motion.unit = FeedUnit::mm_per_min;
@@ -186,27 +186,27 @@ void Machinery::set_feed(Motion& motion) {
 
 // ---- frames
 
-double Machinery::radius_in_force() const {
+double Interpreter::radius_in_force() const {
   if (modal.radius_by_word >= 0) return modal.radius_by_word;
   return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].whole_radius() : 0.0;
 }
 
-SurfaceSpeed Machinery::surface_speed() const { return dialect ? dialect->surface_speed(*this) : speed_by_x(); }
+SurfaceSpeed Interpreter::surface_speed() const { return dialect ? dialect->surface_speed(*this) : speed_by_x(); }
 
-SurfaceSpeed Machinery::speed_by_x() const {
+SurfaceSpeed Interpreter::speed_by_x() const {
   const auto x = std::find(axis_names.begin(), axis_names.end(), "X");
   const bool there = x != axis_names.end();
   return {modal.surface_speed, 1, there ? static_cast<std::uint8_t>(x - axis_names.begin()) : SurfaceSpeed::no_axis, modal.rpm};
 }
 
-FrameChange Machinery::frame_change() const { return {frames.origin, frames.length, position.work, frames.rotation, frames.shift}; }
+FrameChange Interpreter::frame_change() const { return {frames.origin, frames.length, position.work, frames.rotation, frames.shift}; }
 
-void Machinery::refresh_frames() {
+void Interpreter::refresh_frames() {
   if (dialect) dialect->refresh_frames(*this);
   else frames_by_tables();
 }
 
-void Machinery::frames_by_tables() {
+void Interpreter::frames_by_tables() {
   const std::uint32_t fixtures = variables.first(VariableKind::fixture);
   for (std::size_t a = 0; a < axis_count; ++a) {
     double origin_of_axis = tables.common[a] + tables.zero_shift[a] + set_position[a];
@@ -223,7 +223,7 @@ void Machinery::frames_by_tables() {
   frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].whole_length();
 }
 
-void Machinery::change_frames() {
+void Interpreter::change_frames() {
   const Frames before = frames;
   refresh_frames();
   if (before == frames) return;
@@ -245,7 +245,7 @@ void Machinery::change_frames() {
   position.programmed = transform.to_programmed(position.work);
 }
 
-void Machinery::apply_mirror() {
+void Interpreter::apply_mirror() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool on = mirror_switches[a];
     if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: with G18 Y is not mirrored

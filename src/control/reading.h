@@ -1,12 +1,12 @@
 #pragma once
 // The instructions' view of a control's variables (lang/expression evaluates with it).
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 
 struct Reading {
-  Machinery& m;
+  Interpreter& m;
 
   bool known(double number, double& value) const {
     if (m.macro_variables == nullptr || !m.macro_variables->known(number, value)) return false;

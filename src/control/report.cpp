@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/plan.h"
 #include "lang/encoding.h"
 
@@ -30,12 +30,12 @@ void to_own_line(AlarmReport& r) {
 
 }  // namespace
 
-void Machinery::warn(const Alarm& alarm) {
+void Interpreter::warn(const Alarm& alarm) {
   if (*on_warning) (*on_warning)(report_of(alarm, origin, block->text));
 }
 
 /// Addresses of several characters by their names (`,C`, `XDE`).
-Alarm Machinery::with_names(Alarm alarm) const {
+Alarm Interpreter::with_names(Alarm alarm) const {
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {
     if (alarm.args[i].is_number() || alarm.args[i].text().size() != 1 || alarm.args[i].text()[0] <= 'Z') continue;
     const char address = alarm.args[i].text()[0];
@@ -47,7 +47,7 @@ Alarm Machinery::with_names(Alarm alarm) const {
 }
 
 /// Pieces of a text that was not decoded (a comment, DPRNT) become UTF-8.
-void Machinery::decode_arguments(Alarm& alarm) const {
+void Interpreter::decode_arguments(Alarm& alarm) const {
   for (AlarmArg& arg : alarm.args) {
     std::string text;
     if (arg.is_number() || append_utf8(arg.text(), Encoding::utf8, text)) continue;
@@ -56,7 +56,7 @@ void Machinery::decode_arguments(Alarm& alarm) const {
   }
 }
 
-AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
+AlarmReport Interpreter::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
   AlarmReport r{def.grammar.macro ? with_names(alarm) : alarm, flow.file(), {}, at, {}, {}};
   decode_arguments(r.alarm);
   const bool in_body = flow.in_body() && !line_text.empty();
@@ -74,7 +74,7 @@ AlarmReport Machinery::report_of(const Alarm& alarm, const Origin& at, std::stri
   return r;
 }
 
-Origin Machinery::origin_of_block() const {
+Origin Interpreter::origin_of_block() const {
   Origin o;
   o.line = block->position.line;
   o.column = block->where.begin == 0 ? 1 : characters(block->text.substr(0, block->where.begin)) + 1;
@@ -89,7 +89,7 @@ Origin Machinery::origin_of_block() const {
 
 // ---- one block
 
-void Machinery::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) {
+void Interpreter::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) {
   auto plan = std::make_unique<Plan>();
   flow.each_uncalled([&](Result<BlockReader::Got> got, const Block& read) {
     Status status = got ? Status() : Status(fail(got.error()));
@@ -108,7 +108,7 @@ void Machinery::check_uncalled(const std::function<void(const AlarmReport&)>& on
   });
 }
 
-Ending Machinery::ending() {
+Ending Interpreter::ending() {
   Ending e;
   e.position = position.work;
   e.machine_position = position.machine;

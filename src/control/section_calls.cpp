@@ -14,7 +14,7 @@ constexpr double most_passes = 100'000;
 
 /// L83: R1 depth, R2 retract, R3 one pass, R0 feed. With G91 R1 and R2 are increments (6.7.2); INFERRED: R1 from where the
 /// tool stands, R2 from the bottom. The direction is R1's; R3 counts by its size.
-Status start_deep_drilling(Machinery& m, const CycleRow& cycle, Span where) {
+Status start_deep_drilling(Interpreter& m, const CycleRow& cycle, Span where) {
   double r[4];
   for (const int i : {0, 1, 2, 3}) {
     if (m.use.watches()) note_read_parameter(m, i);
@@ -51,7 +51,7 @@ const CycleRow* called_cycle(const ControlDef& def, std::uint32_t number) {
   return nullptr;
 }
 
-Status call_section(Machinery& m, const Call& call) {
+Status call_section(Interpreter& m, const Call& call) {
   const Word& w = *call.word;
   if (w.digits != 2 && w.digits != 4) return fail(alarm(AlarmId::call_digits, w.where, double(w.digits)));
   const auto number = static_cast<std::uint32_t>(w.value);
@@ -87,7 +87,7 @@ Status call_section(Machinery& m, const Call& call) {
   return {};
 }
 
-void restore_zero(Machinery& m, const CallFrame& left) {
+void restore_zero(Interpreter& m, const CallFrame& left) {
   if (!m.def.behaviour.subprogram_zero_local || left.kind != CallFrame::Kind::subprogram) return;
   m.modal.work_zero = left.work_zero;
   m.tables.zero_shift = left.zero_shift;

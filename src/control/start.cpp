@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "config/setup_names.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "lang/lexer.h"
 
 namespace kadr {
@@ -27,7 +27,7 @@ int zero_number(const std::vector<WorkSystem>& systems, const std::string& name)
 
 /// What the set-up names and this control has not: axes, numbers beyond its tables. A file's set-up has been asked before, key by key
 /// (config/setup_check); this holds for one that a program made.
-void Machinery::check_setup(const Setup& setup) {
+void Interpreter::check_setup(const Setup& setup) {
   const auto note = [&](const std::string& key) {
     if (start_fault.empty())
       start_fault = {key, "setup key '" + key + "': the control " + def.id + " has no such thing",
@@ -68,7 +68,7 @@ void Machinery::check_setup(const Setup& setup) {
   }
 }
 
-void Machinery::read_setup(const Setup& setup) {
+void Interpreter::read_setup(const Setup& setup) {
   axis_names = def.axes;
   axis_count = axis_names.size();
   tables.offsets.resize(def.behaviour.offsets + 1);
@@ -126,7 +126,7 @@ void Machinery::read_setup(const Setup& setup) {
 }
 
 /// A mode of the set-up that is not in this version: in force all the same, and what needs it not to be will say so.
-bool Machinery::note_unserved() {
+bool Interpreter::note_unserved() {
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];
     const std::int32_t index = w.code < 0 ? -1 : def.row_of(w.address, w.code);
@@ -140,7 +140,7 @@ bool Machinery::note_unserved() {
 }
 
 /// Runs the initial code of each group and the set-up's code words like a block, without moving.
-void Machinery::start_modal(const Setup& setup) {
+void Interpreter::start_modal(const Setup& setup) {
   modal.diameter = def.diameter;
   for (std::size_t a = 0; a < axis_count && def.behaviour.diameter_by_setup; ++a)
     if (const auto found = setup.diameter.find(axis_names[a]); found != setup.diameter.end())
@@ -199,7 +199,7 @@ void Machinery::start_modal(const Setup& setup) {
 }
 
 /// Is it a code word of this control?
-bool Machinery::starts(const std::string& text) const {
+bool Interpreter::starts(const std::string& text) const {
   if (text.size() < 2) return false;
   if (text[0] < 'A' || text[0] > 'Z') return false;
   if (text[0] != 'G' && text[0] != 'M') return def.grammar.word(text[0]).known;

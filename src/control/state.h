@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include "action/action.h"
 #include "base/vec.h"
 #include "config/function_needs.h"
 #include "config/setup.h"
-#include "control/action.h"
 
 namespace kadr {
 

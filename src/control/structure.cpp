@@ -1,12 +1,12 @@
 // The signs that structure a file: '%', sections of subprograms, labels.
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/section_calls.h"
 
 namespace kadr {
 
 /// The letter of the block's label; the whole block where it is written in other letters.
-Span Machinery::label_place() const {
+Span Interpreter::label_place() const {
   const std::size_t from = block->has_number ? block->number_where.end : block->where.begin;
   const std::size_t at = block->text.find(def.grammar.label_address, from);
   if (at >= block->where.end) return block->where;
@@ -14,7 +14,7 @@ Span Machinery::label_place() const {
 }
 
 /// '%', sections of subprograms, labels: where a program begins.
-Status Machinery::structure() {
+Status Interpreter::structure() {
   switch (block->marker) {
     case Marker::program_start:
       if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading) {
@@ -48,7 +48,7 @@ Status Machinery::structure() {
 }
 
 /// The first block of a subprogram of the program: one whose number is a cycle's cannot be called (2С42 6.7.1).
-void Machinery::note_section() {
+void Interpreter::note_section() {
   constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
   const std::uint32_t number = block->number / blocks_a_subprogram;
   if (block->has_number && called_cycle(def, number) != nullptr) dialect->note_shadowed(*this, number, block->number_where);

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/reading.h"
 #include "lang/expression.h"
 
 namespace kadr {
 
 /// The value of a word written as an expression; a vacant one is as if not written (nct 23.1.6).
-Status Machinery::evaluate_word(Word& w) {
+Status Interpreter::evaluate_word(Word& w) {
   const auto result = evaluate(*block, w.expression, Reading{*this});
   if (!result) return fail(result.error());
   w.value = *result;
@@ -30,7 +30,7 @@ Status Machinery::evaluate_word(Word& w) {
 }
 
 /// AX[n]=…: the channel's axis of that control-wide number (nct 23.2.12).
-Status Machinery::find_axis(Word& w) {
+Status Interpreter::find_axis(Word& w) {
   const auto number = evaluate(*block, w.axis, Reading{*this});
   if (!number) return fail(number.error());
   for (std::size_t a = 0; a < axis_count; ++a)
@@ -41,7 +41,7 @@ Status Machinery::find_axis(Word& w) {
   return fail(alarm(AlarmId::axis_number_wrong, w.where, *number));
 }
 
-Status Machinery::evaluate_words() {
+Status Interpreter::evaluate_words() {
   if (block->code.empty()) return {};
   pass_varies = pass_varies || reads_variables();
   if (!def.behaviour.delayed_assignment) KADR_TRY(assign());
@@ -51,13 +51,13 @@ Status Machinery::evaluate_words() {
   return {};
 }
 
-Status Machinery::take_words() {
+Status Interpreter::take_words() {
   KADR_TRY(check_ranges());
   return def.behaviour.delayed_assignment && !block->code.empty() ? assign() : Status();
 }
 
 /// Which addresses the block has, after some were found vacant or taken away.
-void Machinery::note_addresses() {
+void Interpreter::note_addresses() {
   block->letters = 0;
   for (std::uint32_t i = block->word_count; i-- > 0;) {
     const char address = block->words[i].address;
@@ -68,7 +68,7 @@ void Machinery::note_addresses() {
 }
 
 /// All values first, then all assignments: `#1=5 X#1` uses the old #1 (spec/mach3 1).
-Status Machinery::assign() {
+Status Interpreter::assign() {
   assigned_.clear();
   for (const Assignment& a : block->assignments) {
     const auto target = evaluate(*block, a.target, Reading{*this});
@@ -87,7 +87,7 @@ Status Machinery::assign() {
   return {};
 }
 
-Status Machinery::check_ranges() const {
+Status Interpreter::check_ranges() const {
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];
     if (w.address == 0) continue;
@@ -101,12 +101,12 @@ Status Machinery::check_ranges() const {
 
 // ---- words
 
-double Machinery::value(char letter) const {
+double Interpreter::value(char letter) const {
   const Word* const w = block->find(letter);
   return w == nullptr ? 0.0 : w->value * def.address(letter).scale;
 }
 
-bool Machinery::has_code(std::initializer_list<Function> functions) const {
+bool Interpreter::has_code(std::initializer_list<Function> functions) const {
   if (const ShapeFacts* const facts = shape(); facts != nullptr && facts->shape == block->shape) [[likely]]
     return std::any_of(functions.begin(), functions.end(), [&](Function f) { return facts->functions[static_cast<std::size_t>(f)]; });
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -118,12 +118,12 @@ bool Machinery::has_code(std::initializer_list<Function> functions) const {
   return false;
 }
 
-Span Machinery::where(char letter) const {
+Span Interpreter::where(char letter) const {
   const Word* const w = block->find(letter);
   return w == nullptr ? block->where : w->where;
 }
 
-Result<std::uint32_t> Machinery::whole(char letter, double least, double most) const {
+Result<std::uint32_t> Interpreter::whole(char letter, double least, double most) const {
   const double v = value(letter);
   const double nearest = std::round(v);
   if (std::fabs(v - nearest) > tol::whole_number) return fail(alarm(AlarmId::word_not_integer, where(letter), letter, v));

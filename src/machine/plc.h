@@ -4,13 +4,12 @@
 //
 //   block start ─▶ block carried out ─▶ its actions ─▶ block end ─▶ next block          (a command acts at once)
 
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "action/action.h"
 #include "config/setup.h"
-#include "control/control.h"
 
 namespace kadr {
 
@@ -73,8 +72,5 @@ class Plc {
   std::vector<PlcCommand> commands_;
   std::string error_;
 };
-
-/// Signals, switches and spindles are the machine's: all channels see them (INFERRED). An answer goes to the channel that asked.
-void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Control* const> channels);
 
 }  // namespace kadr

@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "action/action.h"
 #include "base/result.h"
 #include "config/setup.h"
-#include "control/action.h"
 #include "machine/machine_parameters.h"
 #include "machine/zone_box.h"
 

@@ -12,8 +12,8 @@
 #include <functional>
 #include <vector>
 
+#include "action/action.h"
 #include "base/stop.h"
-#include "control/action.h"
 #include "motion/least_time.h"
 #include "motion/rest_to_rest.h"
 #include "motion/timed_cells.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "control/action.h"
+#include "action/action.h"
 #include "motion/planner.h"
 
 namespace kadr {

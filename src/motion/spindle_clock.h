@@ -2,8 +2,8 @@
 // SpindleClock: the angle of the main spindle over the time of the axes' motion. Commands reach it when they are read, motions when
 // they are handed out, later: what is planned keeps the rate at which the spindle turned when it was read.
 
+#include "action/action.h"
 #include "config/setup.h"
-#include "control/action.h"
 #include "motion/spindle_turning.h"
 #include "motion/timed_cells.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "control/action.h"
+#include "action/action.h"
 
 namespace kadr {
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "control/action.h"
+#include "action/action.h"
 #include "motion/planner.h"
 #include "motion/timed_cells.h"
 

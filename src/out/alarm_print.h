@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "action/action.h"
 #include "config/alarm_texts.h"
-#include "control/action.h"
 
 namespace kadr {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "control/nct/drill_steps.h"
+#include "config/drill_steps.h"
 #include "out/asked_code.h"
 
 namespace kadr {
@@ -44,8 +44,8 @@ constexpr std::array<Words, static_cast<std::size_t>(CycleStep::count)> step_wor
      {"passes of R3 from R2 down to R1: feed R0 to the pass level, dwell 0.3 s, rapid to R2",
       "проходы по R3 от R2 до R1: на подаче R0 до уровня прохода, выдержка 0,3 с, быстро на R2"}}};
 
-// In the order of nct::DrillStep; `stop` and `end` are no motions.
-constexpr std::array<Words, static_cast<std::size_t>(nct::DrillStep::manual) + 1> drill_words = {
+// In the order of DrillStep; `stop` and `end` are no motions.
+constexpr std::array<Words, static_cast<std::size_t>(DrillStep::manual) + 1> drill_words = {
     {{"", ""},
      to_level,
      {"", ""},
@@ -79,10 +79,10 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
   return text;
 }
 
-std::vector<std::string> drilling_steps(const nct::DrillCycle& cycle, Lang lang) {
+std::vector<std::string> drilling_steps(const DrillCycle& cycle, Lang lang) {
   std::vector<std::string> steps;
-  if (cycle.steps[0] == nct::DrillStep::approach || cycle.code == nct::back_boring) steps.push_back(said(over_hole, lang));
-  for (const nct::DrillStep step : cycle.steps)
+  if (cycle.steps[0] == DrillStep::approach || cycle.code == back_boring) steps.push_back(said(over_hole, lang));
+  for (const DrillStep step : cycle.steps)
     if (const std::string text = said(drill_words[static_cast<std::size_t>(step)], lang); !text.empty()) steps.push_back(text);
   return steps;
 }
@@ -145,7 +145,7 @@ std::uint64_t bits(std::string_view letters) {
 std::string_view head(Lang lang) { return lang == Lang::ru ? "шаги" : "steps"; }
 
 /// G87: by a bit of the set-up either boring with manual withdrawal or back boring (nct 18.1.13).
-bool may_bore_back(const nct::DrillCycle& cycle) { return cycle.code + 1000 == nct::back_boring; }
+bool may_bore_back(const DrillCycle& cycle) { return cycle.code + 1000 == back_boring; }
 
 std::int32_t drill_code(const CodeRow& row) { return row.arg != 0 ? row.arg : row.tenth; }
 
@@ -165,30 +165,30 @@ std::string steps_text(const ControlDef& def, const CycleRow& row, Lang lang) {
 
 std::string steps_text(const CodeRow& row, Lang lang) {
   if (row.function != Function::drilling) return {};
-  const nct::DrillCycle* const cycle = nct::drill_cycle(drill_code(row));
+  const DrillCycle* const cycle = drill_cycle(drill_code(row));
   if (cycle == nullptr) return {};
   std::string text = numbered(drilling_steps(*cycle, lang), head(lang));
   if (!may_bore_back(*cycle)) return text;
   const std::string_view oriented = lang == Lang::ru ? "шаги, если шпиндель ориентируется (N0607 #1 ORI = 1)"
                                                      : "steps, where the spindle can be oriented (N0607 #1 ORI = 1)";
-  return text + numbered(drilling_steps(*nct::drill_cycle(nct::back_boring), lang), oriented);
+  return text + numbered(drilling_steps(*drill_cycle(back_boring), lang), oriented);
 }
 
 std::uint64_t words_used(const CodeRow& row) {
   std::uint64_t used = ~bits("QEPIJK");
-  const auto take = [&](const nct::DrillCycle& cycle) {
-    using enum nct::DrillStep;
-    for (const nct::DrillStep step : cycle.steps) {
+  const auto take = [&](const DrillCycle& cycle) {
+    using enum DrillStep;
+    for (const DrillStep step : cycle.steps) {
       if (step == break_chips || step == clear_chips || step == tap_down) used |= bits("QE");
       if (step == pause) used |= bits("P");
       if (step == shift_out) used |= bits("IJK");
     }
   };
   if (row.function != Function::drilling) return ~0ull;
-  const nct::DrillCycle* const cycle = nct::drill_cycle(drill_code(row));
+  const DrillCycle* const cycle = drill_cycle(drill_code(row));
   if (cycle == nullptr) return ~0ull;
   take(*cycle);
-  if (may_bore_back(*cycle)) take(*nct::drill_cycle(nct::back_boring));
+  if (may_bore_back(*cycle)) take(*drill_cycle(back_boring));
   return used;
 }
 

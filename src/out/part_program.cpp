@@ -303,4 +303,18 @@ Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::
   return Writer(def, technology).write(moves);
 }
 
+Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {
+  constexpr double bulge_off = 0.1;  // rounded ends and centres turn an arc by that much at most: it is at least ten increments long
+  const auto differs = [](const area::Move& a, const area::Move& b) {
+    return (a.kind == area::MoveKind::rapid) != (b.kind == area::MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||
+           std::abs(a.bulge - b.bulge) > bulge_off;
+  };
+  const std::size_t count = std::min(written.size(), read.size());
+  for (std::size_t i = 0; i < count; ++i)
+    if (differs(written[i], read[i])) return fail(alarm(AlarmId::mill_read_back, {}, written[i].to.x, written[i].to.y));
+  if (written.size() == read.size()) return {};
+  const Vec3 at = written.empty() ? Vec3{} : written[std::min(count, written.size() - 1)].to;
+  return fail(alarm(AlarmId::mill_read_back, {}, at.x, at.y));
+}
+
 }  // namespace kadr

@@ -30,10 +30,6 @@ struct PartProgram {
 ///   alarms  word_has_no_room, function_has_no_code
 Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::Move>& moves, const Technology& technology);
 
-/// The motions of a program, as the control's interpreter makes them; it starts at the control's zero.
-///   alarms  those of the program
-Result<std::vector<area::Move>> program_moves(const ControlDef& def, const std::string& program);
-
 /// The two go the same way, point by point.
 ///   alarms  mill_read_back
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read);

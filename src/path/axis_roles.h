@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "control/action.h"
+#include "action/action.h"
 
 namespace kadr {
 

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "control/action.h"
+#include "action/action.h"
 
 namespace kadr {
 

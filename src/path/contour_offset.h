@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "action/action.h"
 #include "base/vec.h"
-#include "control/action.h"
 
 namespace kadr {
 

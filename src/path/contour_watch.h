@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "action/action.h"
 #include "base/made_in.h"
-#include "control/action.h"
 #include "path/plane_distance.h"
 
 namespace kadr {

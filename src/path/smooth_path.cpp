@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "control/action.h"
+#include "action/action.h"
 #include "path/soft_corner.h"
 
 namespace kadr {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 namespace {

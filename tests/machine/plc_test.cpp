@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "config/control_file.h"
+#include "session/plc_commands.h"
 
 namespace kadr {
 namespace {

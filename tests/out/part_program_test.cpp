@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "config/control_file.h"
+#include "session/program_moves.h"
 
 namespace kadr {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/tolerance.h"
 #include "control/correctors/pocket.h"
 #include "control/functions.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 
@@ -26,7 +26,7 @@ struct Named {
 };
 
 /// `L2 15`: axes by a bit sum 1 X, 2 Y, 4 Z, then the corrector. `L17`: corrector 17 on the one axis that moves.
-Result<Named> read(const Machinery& m, const Word& w) {
+Result<Named> read(const Interpreter& m, const Word& w) {
   Named named;
   const bool pair = !std::isnan(w.second);
   const double number = pair ? w.second : w.value;
@@ -45,7 +45,7 @@ Result<Named> read(const Machinery& m, const Word& w) {
 }
 
 /// Of the corrector that T names (2: T0915, corrector 15 = radius), mm; 0: not known.
-double tool_radius(Machinery& m) {
+double tool_radius(Interpreter& m) {
   const std::size_t number = m.modal.corrector;
   if (number == 0 || number >= m.tables.correctors.size()) return 0;
   const double stored = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_radius() : 0.0;
@@ -56,7 +56,7 @@ double tool_radius(Machinery& m) {
 
 /// Coaxial pockets (3, figure b): one whose face lies deeper than another's begins on the floor of a larger one. Elsewhere the rapid down
 /// to the clearance would go into the part, as far as the program shows.
-void warn_above_solid(Machinery& m, Span where, const Axes& middle) {
+void warn_above_solid(Interpreter& m, Span where, const Axes& middle) {
   correctors::Correctors& own = correctors_of(m);
   constexpr std::size_t most_pockets = 1000;
   const PocketCut now = {{middle[0], middle[1]}, {own.pocket.x / 2, own.pocket.y / 2}, middle[2], middle[2] + own.pocket.z};
@@ -75,34 +75,34 @@ void warn_above_solid(Machinery& m, Span where, const Axes& middle) {
 
 namespace correctors {
 
-Correctors::Correctors(const Machinery& m, const Setup& setup)
+Correctors::Correctors(const Interpreter& m, const Setup& setup)
     : is_set_(m.def.behaviour.offsets + 1), applied_((m.def.behaviour.offsets + 1) * corrected_axes) {
   for (const auto& [number, mm] : setup.correctors)
     if (number >= 0 && static_cast<std::size_t>(number) < is_set_.size()) is_set_[static_cast<std::size_t>(number)] = true;
 }
 
-Correctors& correctors_of(const Machinery& m) { return static_cast<Correctors&>(*m.dialect); }
+Correctors& correctors_of(const Interpreter& m) { return static_cast<Correctors&>(*m.dialect); }
 
-BlockChanges Correctors::changes_of(const Machinery& m, const Plan& plan) const {
+BlockChanges Correctors::changes_of(const Interpreter& m, const Plan& plan) const {
   return m.has('L') ? BlockChanges::anything : Dialect::changes_of(m, plan);
 }
 
-void Correctors::begin_block(Machinery&) { kept_ = false; }
+void Correctors::begin_block(Interpreter&) { kept_ = false; }
 
-void Correctors::keep(Machinery&) {
+void Correctors::keep(Interpreter&) {
   before_ = {pocket, applied_};
   kept_ = true;
 }
 
-void Correctors::take_back(Machinery&) {
+void Correctors::take_back(Interpreter&) {
   if (!kept_) return;
   pocket = before_.pocket;
   applied_ = before_.applied;
 }
 
-bool Correctors::adds_to_motion(const Machinery& m) const { return m.has('L'); }
+bool Correctors::adds_to_motion(const Interpreter& m) const { return m.has('L'); }
 
-Result<AxisMask> Correctors::add_to_motion(Machinery& m) {
+Result<AxisMask> Correctors::add_to_motion(Interpreter& m) {
   AxisMask moved = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -141,16 +141,16 @@ Result<AxisMask> Correctors::add_to_motion(Machinery& m) {
 
 namespace functions {
 
-Status corrector_plus(Machinery& m, const Call&) { return m.modal.corrector_sign = +1, Status(); }
-Status corrector_minus(Machinery& m, const Call&) { return m.modal.corrector_sign = -1, Status(); }
-Status corrector_cancel(Machinery& m, const Call& call) {
+Status corrector_plus(Interpreter& m, const Call&) { return m.modal.corrector_sign = +1, Status(); }
+Status corrector_minus(Interpreter& m, const Call&) { return m.modal.corrector_sign = -1, Status(); }
+Status corrector_cancel(Interpreter& m, const Call& call) {
   m.modal.corrector_sign = 0;
   if (call.row->group != 0) m.modal.rows[call.row->group] = -1;
   return {};
 }
 
 /// G87: stores a rectangular pocket; nothing moves.
-Status pocket_define(Machinery& m, const Call& call) {
+Status pocket_define(Interpreter& m, const Call& call) {
   for (const char letter : {'X', 'Y', 'Z', 'R', 'I', 'J', 'K'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   constexpr double most_stepover = 40;  // % of the tool's diameter (spec/correctors 3)
@@ -178,7 +178,7 @@ Status pocket_define(Machinery& m, const Call& call) {
 }
 
 /// G79: runs it at a point, in the plane XY.
-Status pocket_run(Machinery& m, const Call& call) {
+Status pocket_run(Interpreter& m, const Call& call) {
   const PocketCycle& pocket = correctors_of(m).pocket;
   if (!pocket.defined) return fail(alarm(AlarmId::cycle_undefined, call.where, call.row->code));
   if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
@@ -200,7 +200,7 @@ Status pocket_run(Machinery& m, const Call& call) {
 }
 
 }  // namespace functions
-std::unique_ptr<Dialect> make_correctors_dialect(const Machinery& m, const Setup& setup) {
+std::unique_ptr<Dialect> make_correctors_dialect(const Interpreter& m, const Setup& setup) {
   return std::make_unique<correctors::Correctors>(m, setup);
 }
 

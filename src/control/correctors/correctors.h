@@ -22,19 +22,19 @@ struct PocketCut {
 
 class Correctors final : public Dialect {
  public:
-  Correctors(const Machinery& m, const Setup& setup);
+  Correctors(const Interpreter& m, const Setup& setup);
 
-  BlockChanges changes_of(const Machinery& m, const Plan& plan) const override;
-  void keep(Machinery& m) override;
-  void begin_block(Machinery& m) override;
-  void take_back(Machinery& m) override;
+  BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
+  void keep(Interpreter& m) override;
+  void begin_block(Interpreter& m) override;
+  void take_back(Interpreter& m) override;
 
   /// An L stands in the block.
-  bool adds_to_motion(const Machinery& m) const override;
+  bool adds_to_motion(const Interpreter& m) const override;
   /// Adds the block's correctors to its motion: sets Transform::added.
   ///   returns  the axes it moves besides those of the words
   ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown
-  Result<AxisMask> add_to_motion(Machinery& m) override;
+  Result<AxisMask> add_to_motion(Interpreter& m) override;
 
   PocketCycle pocket;
   std::vector<PocketCut> pockets_cut;
@@ -50,6 +50,6 @@ class Correctors final : public Dialect {
   bool kept_ = false;
 };
 
-Correctors& correctors_of(const Machinery& m);
+Correctors& correctors_of(const Interpreter& m);
 
 }  // namespace kadr::correctors

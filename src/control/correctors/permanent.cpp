@@ -5,7 +5,7 @@
 namespace kadr {
 
 /// The words of the block set the parameters that its row names; what is left out keeps its value ("the actual path is set by them").
-Status functions::permanent_subprogram(Machinery& m, const Call& call) {
+Status functions::permanent_subprogram(Interpreter& m, const Call& call) {
   const CycleRow& cycle = m.def.cycles[call.row->cycle - std::size_t{1}];
   m.call_where = call.where;
   m.call_text = m.flow.shown(m.block->text, m.call_where);

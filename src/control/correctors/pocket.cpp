@@ -51,7 +51,7 @@ double PocketRun::passes(const PocketCycle& pocket) { return steps(-pocket.z, po
 
 double PocketRun::floor_of(double pass) const { return middle_[2] - std::min((pass + 1) * pocket_.pass, -pocket_.z); }
 
-Status PocketRun::move(Machinery& m, MotionKind kind, Vec2 at, double z, AxisMask named) const {
+Status PocketRun::move(Interpreter& m, MotionKind kind, Vec2 at, double z, AxisMask named) const {
   Axes to = m.position.programmed;
   to[0] = middle_[0] + at.x;
   to[1] = middle_[1] + at.y;
@@ -60,7 +60,7 @@ Status PocketRun::move(Machinery& m, MotionKind kind, Vec2 at, double z, AxisMas
 }
 
 /// Over the middle at the height where the tool stands, or at the clearance if it stands lower; INFERRED.
-Status PocketRun::approach(Machinery& m) const {
+Status PocketRun::approach(Interpreter& m) const {
   const double z = std::max(m.position.programmed[2], clear());
   if (z > m.position.programmed[2]) {
     Axes up = m.position.programmed;
@@ -71,7 +71,7 @@ Status PocketRun::approach(Machinery& m) const {
   return move(m, MotionKind::rapid, {}, clear(), along_tool);
 }
 
-Status PocketRun::round(Machinery& m, const PocketRound& round) const {
+Status PocketRun::round(Interpreter& m, const PocketRound& round) const {
   const double z = m.position.programmed[2];
   KADR_TRY(move(m, MotionKind::feed, {round.x, 0}, z, in_plane));
   for (const PocketPiece& piece : pieces_of(round, pocket_.direction)) {
@@ -91,7 +91,7 @@ Status PocketRun::round(Machinery& m, const PocketRound& round) const {
   return {};
 }
 
-Result<bool> PocketRun::next(Machinery& m) {
+Result<bool> PocketRun::next(Interpreter& m) {
   const auto done = [](const Status& status, bool more) -> Result<bool> {
     if (!status) return fail(status.error());
     return more;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr {
 
@@ -16,7 +16,7 @@ void CycleRun::start(const Job& job, SpindleDir spindle) {
   in_hole_ = false;
 }
 
-Status CycleRun::next(Machinery& m) {
+Status CycleRun::next(Interpreter& m) {
   if (!in_hole_) {
     if (hole_ == job_.holes) {
       stop();
@@ -35,7 +35,7 @@ Status CycleRun::next(Machinery& m) {
 }
 
 /// Up to R if below it (once), over the hole, down to R (spec/mach3 4, preliminary motion).
-Status CycleRun::begin_hole(Machinery& m) {
+Status CycleRun::begin_hole(Interpreter& m) {
   in_hole_ = true;
   step_ = 0;
   part_ = 0;
@@ -47,7 +47,7 @@ Status CycleRun::begin_hole(Machinery& m) {
   return drill_to(m, MotionKind::rapid, job_.level);
 }
 
-Status CycleRun::step(Machinery& m) {
+Status CycleRun::step(Interpreter& m) {
   const CycleStep now = cycle_->steps[step_];
   if (now == CycleStep::peck_full) return peck(m, true);
   if (now == CycleStep::peck_break) return peck(m, false);
@@ -74,7 +74,7 @@ Status CycleRun::step(Machinery& m) {
 }
 
 /// Down by the peck; out to R and back to just above the bottom (G83), or back a little and down again (G73).
-Status CycleRun::peck(Machinery& m, bool full) {
+Status CycleRun::peck(Interpreter& m, bool full) {
   switch (part_) {
     case 0:
       depth_ = std::max(job_.bottom, depth_ - job_.peck);
@@ -92,7 +92,7 @@ Status CycleRun::peck(Machinery& m, bool full) {
 }
 
 /// L83 of the 2С42 (table 9): pass i begins at rapid at R2 + i·R3, a pass down, 0.3 s, rapid to R2; the last stops at R1.
-Status CycleRun::passes(Machinery& m) {
+Status CycleRun::passes(Interpreter& m) {
   const double down = job_.bottom < job_.level ? -job_.peck : job_.peck;
   switch (part_) {
     case 0: part_ = 1; return drill_to(m, MotionKind::rapid, depth_);
@@ -110,14 +110,14 @@ Status CycleRun::passes(Machinery& m) {
   }
 }
 
-Status CycleRun::drill_to(Machinery& m, MotionKind kind, double level) {
+Status CycleRun::drill_to(Interpreter& m, MotionKind kind, double level) {
   Axes to = m.position.programmed;
   if (std::fabs(to[job_.drill] - level) <= tol::level) return {};
   to[job_.drill] = level;
   return m.straight(kind, to, 1u << job_.drill);
 }
 
-Status CycleRun::plane_to(Machinery& m, double first, double second) {
+Status CycleRun::plane_to(Interpreter& m, double first, double second) {
   Axes to = m.position.programmed;
   if (std::fabs(to[job_.first] - first) <= tol::level && std::fabs(to[job_.second] - second) <= tol::level) return {};
   to[job_.first] = first;

@@ -4,14 +4,14 @@
 
 #include <cstdint>
 
+#include "action/action.h"
 #include "base/result.h"
 #include "config/control_def.h"
-#include "control/action.h"
 #include "control/state.h"
 
 namespace kadr {
 
-class Machinery;
+class Interpreter;
 
 /// Words that stay known while blocks of the same cycle follow each other (spec/mach3 4: "sticky").
 struct CycleMemory {
@@ -44,15 +44,15 @@ class CycleRun {
   void start(const Job& job, SpindleDir spindle);
 
   /// Hands the next action(s) on: at most a few.
-  Status next(Machinery& m);
+  Status next(Interpreter& m);
 
  private:
-  Status begin_hole(Machinery& m);
-  Status step(Machinery& m);
-  Status peck(Machinery& m, bool full);
-  Status passes(Machinery& m);
-  Status drill_to(Machinery& m, MotionKind kind, double level);
-  Status plane_to(Machinery& m, double first, double second);
+  Status begin_hole(Interpreter& m);
+  Status step(Interpreter& m);
+  Status peck(Interpreter& m, bool full);
+  Status passes(Interpreter& m);
+  Status drill_to(Interpreter& m, MotionKind kind, double level);
+  Status plane_to(Interpreter& m, double first, double second);
 
   const CycleRow* cycle_ = nullptr;
   Job job_;

@@ -25,7 +25,7 @@ CycleAxes cycle_axes(Plane plane) {
 
 class Drilling {
  public:
-  Drilling(Machinery& m, const Call& call)
+  Drilling(Interpreter& m, const Call& call)
       : m_(m), call_(call), cycle_(m.def.cycles[call.row->cycle - 1u]), axes_(cycle_axes(m.modal.plane)), memory_(m.cycle_memory) {}
 
   Status run() {
@@ -154,7 +154,7 @@ class Drilling {
     return within_reach(job, last);
   }
 
-  Machinery& m_;
+  Interpreter& m_;
   const Call& call_;
   const CycleRow& cycle_;
   CycleAxes axes_;
@@ -163,6 +163,6 @@ class Drilling {
 
 }  // namespace
 
-Status functions::cycle(Machinery& m, const Call& call) { return Drilling(m, call).run(); }
+Status functions::cycle(Interpreter& m, const Call& call) { return Drilling(m, call).run(); }
 
 }  // namespace kadr

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/automatic_geometry.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
@@ -29,7 +29,7 @@ CenterLetters center_letters(Plane plane) {
 /// The arc is found behind the transformations (16.0): start, end and centre are transformed, the sense by their determinant.
 class Arc {
  public:
-  Arc(Machinery& m, const Call& call, Turn turn)
+  Arc(Interpreter& m, const Call& call, Turn turn)
       : m_(m), call_(call), programmed_turn_(turn), plane_(m.modal.axes), letters_(center_letters(m.modal.plane)) {
     const bool reversed = m.transform.reverses(plane_);
     turn_ = (turn == Turn::cw) != reversed ? Turn::cw : Turn::ccw;
@@ -204,7 +204,7 @@ class Arc {
     return fail(alarm);
   }
 
-  Machinery& m_;
+  Interpreter& m_;
   const Call& call_;
   Turn programmed_turn_;
   Turn turn_;  // behind the transformations, as from_ and to_
@@ -219,6 +219,6 @@ class Arc {
 
 }  // namespace
 
-Status arc(Machinery& m, const Call& call, Turn turn) { return Arc(m, call, turn).run(); }
+Status arc(Interpreter& m, const Call& call, Turn turn) { return Arc(m, call, turn).run(); }
 
 }  // namespace kadr::nct

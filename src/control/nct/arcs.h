@@ -4,7 +4,7 @@
 #include "control/arc.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 struct Call;
 }  // namespace kadr
 
@@ -12,6 +12,6 @@ namespace kadr::nct {
 
 /// The arc of the block, if it has one.
 ///   alarms  center_missing, arc_not_in_plane (2015), radius_mismatch (2012), value_out_of_range (L), those of automatic_geometry.h
-Status arc(Machinery& m, const Call& call, Turn turn);
+Status arc(Interpreter& m, const Call& call, Turn turn);
 
 }  // namespace kadr::nct

@@ -1,6 +1,6 @@
 // Words of a block → #1 … #33 (spec/nct/23 23.3, types 1 and 2 mixed, in the order of writing).
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/calls.h"
 
 namespace kadr::nct {
@@ -39,7 +39,7 @@ class Assigner {
 
 }  // namespace
 
-Status arguments_of(const Machinery& m, std::uint32_t caller, Locals& to) {
+Status arguments_of(const Interpreter& m, std::uint32_t caller, Locals& to) {
   Assigner assigner(to);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];

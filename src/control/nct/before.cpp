@@ -1,11 +1,11 @@
-// What a faulty block has changed is taken back (design.md 4); Machinery::take_moment does the same for what all controls have.
+// What a faulty block has changed is taken back (design.md 4); Interpreter::take_moment does the same for what all controls have.
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
 
-void Nct::begin_block(Machinery&) {
+void Nct::begin_block(Interpreter&) {
   before_.words = state.words;
   before_.in_thread = in_thread;
   before_.thread_lead = thread_lead;
@@ -17,7 +17,7 @@ void Nct::begin_block(Machinery&) {
   before_.all = false;
 }
 
-void Nct::keep_all(const Machinery& m) {
+void Nct::keep_all(const Interpreter& m) {
   if (before_.all) return;
   lengths_before_ = m.modal.lengths;
   before_.all = true;
@@ -37,7 +37,7 @@ void Nct::keep_all(const Machinery& m) {
   parameters.begin_block();
 }
 
-void Nct::take_back(Machinery& m) {
+void Nct::take_back(Interpreter& m) {
   state.words = before_.words;
   in_thread = before_.in_thread;
   thread_lead = before_.thread_lead;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_m_codes = 8;  // 13.1
 
 /// Words that an earlier run of the same block took away are there again.
-void give_back(Machinery& m) {
+void give_back(Interpreter& m) {
   if (!m.block->altered) return;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
     if (Word& w = m.block->words[i]; !w.expression) w.address = w.written;
@@ -25,7 +25,7 @@ void give_back(Machinery& m) {
 }
 
 /// `G17 X`: the letter alone says which axis the plane has; it moves nothing (10.4).
-Status take_bare_words(Machinery& m) {
+Status take_bare_words(Interpreter& m) {
   Nct& nct = nct_of(m);
   nct.plane_axes = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -42,7 +42,7 @@ Status take_bare_words(Machinery& m) {
 }
 
 /// G is no argument of G65, G66, G66.1: #10 holds their own number (23.3).
-Status one_g(const Machinery& m) {
+Status one_g(const Interpreter& m) {
   bool found = false;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -54,7 +54,7 @@ Status one_g(const Machinery& m) {
 }
 
 /// One word an address, however it is spelled; at most eight M codes, one of each exclusive group (13.1).
-Status check_words(const Machinery& m) {
+Status check_words(const Interpreter& m) {
   std::uint64_t seen = 0;
   std::size_t m_codes = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -74,7 +74,7 @@ Status check_words(const Machinery& m) {
 }
 
 /// P has one meaning in a block (8, 10.2.2, 14.4.2).
-Status one_meaning_of_p(const Machinery& m) {
+Status one_meaning_of_p(const Interpreter& m) {
   if (!m.has('P')) return {};
   const CodeRow* first = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -94,7 +94,7 @@ Status one_meaning_of_p(const Machinery& m) {
 }
 
 /// One spindle a block; `S1500 P2` names it by its number, in a block of its own (11.1.1).
-Status take_spindle_words(Machinery& m) {
+Status take_spindle_words(Interpreter& m) {
   nct_of(m).spindle_by_p = 0;
   if ((m.block->letters & m.letters.spindles) == 0) return {};
   const Word* first = nullptr;
@@ -120,10 +120,10 @@ Status take_spindle_words(Machinery& m) {
   return {};
 }
 
-bool has_words(const Machinery& m) { return m.block->word_count != 0; }
+bool has_words(const Interpreter& m) { return m.block->word_count != 0; }
 
 /// G66.1: the block's words are arguments (23.3.3).
-Result<bool> call_with_block(Machinery& m) {
+Result<bool> call_with_block(Interpreter& m) {
   Nct& nct = nct_of(m);
   if (nct.active_modal_calls == 0 || !nct.modal_calls[nct.active_modal_calls - 1u].each_block) return false;
   if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
@@ -134,7 +134,7 @@ Result<bool> call_with_block(Machinery& m) {
 }
 
 /// What #4101 … give (23.1.14).
-void note_words(Machinery& m) {
+void note_words(Interpreter& m) {
   ModalWords& words = nct_of(m).state.words;
   if (m.block->has_number) words.n = m.block->number;
   const auto take = [&](char letter, double& to) {
@@ -151,20 +151,20 @@ void note_words(Machinery& m) {
 }
 
 /// The blocks of programs 8000–8999 and 9000–9999 count as one with their call, unless the parameter lists them (23.3.9).
-bool hidden(const Machinery& m) {
+bool hidden(const Interpreter& m) {
   const std::uint32_t number = number_of_file(m.flow.file());
   const Settings& s = nct_of(m).settings;
   return (number >= 8000 && number < 9000 && !s.lists_8000) || (number >= 9000 && number < 10000 && !s.lists_9000);
 }
 
-bool may_stop(const Machinery& m) {
+bool may_stop(const Interpreter& m) {
   constexpr std::uint32_t m_ov = 2;  // #3004 bit 1
   const Nct& nct = nct_of(m);
   return nct.single_block && (nct.control_1 & 1u) == 0 && (nct.control_2 & m_ov) == 0 && m.modal.rows[nct.stop_group] != nct.inhibiting;
 }
 
 /// Single block: a stop behind NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
-void stop_single_block(Machinery& m, bool was_hidden) {
+void stop_single_block(Interpreter& m, bool was_hidden) {
   if (!may_stop(m) || m.block->word_count == 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
   const bool macro = returned || !nct_of(m).pending.empty() ||
@@ -175,15 +175,15 @@ void stop_single_block(Machinery& m, bool was_hidden) {
 
 }  // namespace
 
-bool stops_each_block(const Machinery& m) { return may_stop(m) && !hidden(m); }
+bool stops_each_block(const Interpreter& m) { return may_stop(m) && !hidden(m); }
 
-Status check_values(Machinery& m) {
+Status check_values(Interpreter& m) {
   for (std::uint32_t i = 0; m.block->evaluates && i < m.block->word_count; ++i)
     if (Word& w = m.block->words[i]; w.expression && w.address != 0 && m.def.address(w.address).whole) w.value = std::round(w.value);
   return m.check_ranges();
 }
 
-Result<bool> before_plan(Machinery& m) {
+Result<bool> before_plan(Interpreter& m) {
   Nct& nct = nct_of(m);
   nct.moved = nct.stops_reading = nct.holds_vector = false;
   nct.uncompensated = nct.state.compensates && m.has_code({Function::machine_move, Function::reference_return});
@@ -231,7 +231,7 @@ Result<bool> before_plan(Machinery& m) {
   return false;
 }
 
-Status after_block(Machinery& m) {
+Status after_block(Interpreter& m) {
   Nct& nct = nct_of(m);
   if (nct.state.side_step != SideStep::none) end_side_block(m);
   KADR_TRY(check_drilling(m));

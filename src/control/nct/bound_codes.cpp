@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/blocks.h"
 #include "control/nct/calls.h"
 
@@ -28,7 +28,7 @@ int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** r
 
 /// May a word of that address and code call here? Nowhere inside its own call (13.1, 23.3.4 … 23.3.7); inside another, if N1755 #1 ENC
 /// says so. ENC is not about one G code inside another (23.3.4).
-bool may_call(const Machinery& m, char address, std::int32_t code) {
+bool may_call(const Interpreter& m, char address, std::int32_t code) {
   bool others = false;
   for (const CallFrame& frame : m.flow.frames()) {
     if (frame.called_by == 0) continue;
@@ -38,7 +38,7 @@ bool may_call(const Machinery& m, char address, std::int32_t code) {
   return !others || nct_of(m).settings.calls_inside_calls;
 }
 
-Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& run) {
+Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& run) {
   const Word* const first = m.block->words.data();
   if (w.written == 'M' && &w != first)
     return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N before it
@@ -63,14 +63,14 @@ Status macro_by_code(Machinery& m, const Word& w, int program, const CodeRun& ru
 }
 
 /// Takes the word out of the block; the subprogram follows behind the block.
-void pend(Machinery& m, Word& w, int program) {
+void pend(Interpreter& m, Word& w, int program) {
   nct_of(m).pending.push_back({program, w.written, w.code, w.where});
   w.address = 0;
   m.block->altered = true;
 }
 
 /// A, B, C, S, T and the four ASCII letters: the value goes to a variable, a subprogram follows (23.3.7, 23.3.8).
-bool letter_calls(Machinery& m, Word& w) {
+bool letter_calls(Interpreter& m, Word& w) {
   const Settings& s = nct_of(m).settings;
   if (w.written > 'Z') return false;
   const std::size_t nth = letters_in_order.find(w.written);
@@ -93,7 +93,7 @@ bool letter_calls(Machinery& m, Word& w) {
 
 }  // namespace
 
-Result<bool> call_by_code(Machinery& m) {
+Result<bool> call_by_code(Interpreter& m) {
   const Settings& s = nct_of(m).settings;
   if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there they are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -117,7 +117,7 @@ Result<bool> call_by_code(Machinery& m) {
 }
 
 /// The last one first: so the others run before it. INFERRED: in the order of writing.
-Status call_pending(Machinery& m) {
+Status call_pending(Interpreter& m) {
   Nct& nct = nct_of(m);
   for (; !nct.pending.empty(); nct.pending.pop_back()) {
     const PendingCall& pending = nct.pending.back();

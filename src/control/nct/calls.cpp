@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t most_repeats = 99'999'999;
 
 /// L of a call; missing: 1.
-Result<std::uint32_t> repeats_of(const Machinery& m) {
+Result<std::uint32_t> repeats_of(const Interpreter& m) {
   const Word* const l = m.word('L');
   if (l == nullptr) return 1u;
   const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1
@@ -25,7 +25,7 @@ Result<std::uint32_t> repeats_of(const Machinery& m) {
 }
 
 /// The program that P or <name> of the block names.
-Result<CallRequest> named_program(Machinery& m, const Call& code, bool name_allowed) {
+Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_allowed) {
   CallRequest request;
   if (m.block->file_name.end != 0) {
     if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));  // 23.3: a file name with G65 only
@@ -45,7 +45,7 @@ Result<CallRequest> named_program(Machinery& m, const Call& code, bool name_allo
   return request;
 }
 
-std::uint32_t index_of(const Machinery& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
+std::uint32_t index_of(const Interpreter& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
 
 /// What belonged to a call that is over.
 void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
@@ -56,7 +56,7 @@ void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
 
 }  // namespace
 
-void leave_call(Machinery& m) {
+void leave_call(Interpreter& m) {
   const CallFrame* const top = m.flow.innermost();
   if (top == nullptr) return;
   const CallFrame frame = *top;
@@ -66,7 +66,7 @@ void leave_call(Machinery& m) {
   if (frame.kind == CallFrame::Kind::interrupt) nct_of(m).end_interrupt(m, true);
 }
 
-Status call(Machinery& m, const CallRequest& request, const Locals& arguments, Span where) {
+Status call(Interpreter& m, const CallRequest& request, const Locals& arguments, Span where) {
   Nct& nct = nct_of(m);
   CallFrame frame;
   frame.kind = request.macro ? CallFrame::Kind::macro : CallFrame::Kind::subprogram;
@@ -84,7 +84,7 @@ Status call(Machinery& m, const CallRequest& request, const Locals& arguments, S
   return {};
 }
 
-Status call_modal(Machinery& m, const Locals& arguments) {
+Status call_modal(Interpreter& m, const Locals& arguments) {
   Nct& nct = nct_of(m);
   const ModalCall& modal = nct.modal_calls[nct.active_modal_calls - 1u];
   CallRequest request;
@@ -99,7 +99,7 @@ Status call_modal(Machinery& m, const Locals& arguments) {
   return {};
 }
 
-Status return_from(Machinery& m, const Call& code) {
+Status return_from(Interpreter& m, const Call& code) {
   Nct& nct = nct_of(m);
   const Word* const p = m.word('P');
   if (p != nullptr && !(p->value >= 0 && p->value <= most_repeats))
@@ -145,7 +145,7 @@ namespace kadr::functions {
 using nct::CallRequest;
 
 /// G65 P L arguments, G65 <file> (23.3.1).
-Status macro_call(Machinery& m, const Call& call) {
+Status macro_call(Interpreter& m, const Call& call) {
   auto request = nct::named_program(m, call, true);
   if (!request) return fail(request.error());
   const auto times = nct::repeats_of(m);
@@ -158,7 +158,7 @@ Status macro_call(Machinery& m, const Call& call) {
 }
 
 /// G66 P L arguments: after each movement; G66.1: with each block, this one too (23.3.2, 23.3.3).
-Status macro_modal(Machinery& m, const Call& call) {
+Status macro_modal(Interpreter& m, const Call& call) {
   constexpr std::size_t most_modal_calls = 16;
   auto request = nct::named_program(m, call, false);
   if (!request) return fail(request.error());
@@ -175,7 +175,7 @@ Status macro_modal(Machinery& m, const Call& call) {
 }
 
 /// G67: the last modal call is over.
-Status macro_modal_off(Machinery& m, const Call& call) {
+Status macro_modal_off(Interpreter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   if (!nct.modal_calls.empty()) nct.modal_calls.pop_back();
   nct.active_modal_calls = std::min<std::uint8_t>(nct.active_modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
@@ -184,7 +184,7 @@ Status macro_modal_off(Machinery& m, const Call& call) {
 }
 
 /// M98 P L, M98 <file> L (14.4.2): the locals stay.
-Status call_program(Machinery& m, const Call& call) {
+Status call_program(Interpreter& m, const Call& call) {
   auto request = nct::named_program(m, call, true);
   if (!request) return fail(request.error());
   const auto times = nct::repeats_of(m);
@@ -193,6 +193,6 @@ Status call_program(Machinery& m, const Call& call) {
   return nct::call(m, *request, {}, call.where);
 }
 
-Status return_program(Machinery& m, const Call& call) { return nct::return_from(m, call); }
+Status return_program(Interpreter& m, const Call& call) { return nct::return_from(m, call); }
 
 }  // namespace kadr::functions

@@ -1,6 +1,6 @@
 #include "control/nct/changes.h"
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
@@ -11,7 +11,7 @@ constexpr double cutting_step_ms = 1000;  // the cutting time is kept to a secon
 using Rows = std::map<std::pair<StateTable, std::string>, StateValue>;
 
 /// Rows of all tables as they are now.
-Rows rows_now(Machinery& m) {
+Rows rows_now(Interpreter& m) {
   Setup tables = nct_of(m).run_state(m).tables;
   tables.variables.clear();
   Rows rows;
@@ -36,7 +36,7 @@ void note_number(StateChanges& changes, const char* name, double now, double& sa
 
 }  // namespace
 
-StateChanges Changes::take(Machinery& m) {
+StateChanges Changes::take(Interpreter& m) {
   Nct& nct = nct_of(m);
   StateChanges changes;
   for (int n = first_kept; all_ && n <= last_common; ++n)

@@ -7,7 +7,7 @@
 #include "config/state_file.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 }
 
 namespace kadr::nct {
@@ -17,7 +17,7 @@ class Changes {
  public:
   /// What has changed since the last call; empty where nothing may have. The first call gives everything: a set-up may have
   /// put its tables over what the file holds.
-  StateChanges take(Machinery& m);
+  StateChanges take(Interpreter& m);
 
  private:
   std::map<std::pair<StateTable, std::string>, StateValue> tables_;  // saved rows of all tables but the variables

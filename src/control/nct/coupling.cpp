@@ -4,20 +4,20 @@
 #include <cmath>
 #include <optional>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
 namespace {
 
-int axis_named(const Machinery& m, const std::string& name) {
+int axis_named(const Interpreter& m, const std::string& name) {
   const auto found = std::find(m.axis_names.begin(), m.axis_names.end(), name);
   return found == m.axis_names.end() ? -1 : static_cast<int>(found - m.axis_names.begin());
 }
 
 /// The axis with the number in N2101 of this one, if it is another axis of the channel.
-std::optional<std::size_t> master_of(const Machinery& m, std::size_t axis) {
+std::optional<std::size_t> master_of(const Interpreter& m, std::size_t axis) {
   const ParameterStore& store = nct_of(m).parameters;
   const double number = store.value(store.named("2101"), m.def.axis_numbers[axis]);
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -25,7 +25,7 @@ std::optional<std::size_t> master_of(const Machinery& m, std::size_t axis) {
   return std::nullopt;
 }
 
-bool bit_of(const Machinery& m, std::size_t axis, int bit) {
+bool bit_of(const Interpreter& m, std::size_t axis, int bit) {
   const ParameterStore& store = nct_of(m).parameters;
   return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
 }
@@ -51,7 +51,7 @@ void sort(std::vector<Follower>& followers) {
   followers = std::move(sorted);
 }
 
-void add(Machinery& m, std::size_t axis, std::size_t master, double sign) {
+void add(Interpreter& m, std::size_t axis, std::size_t master, double sign) {
   Couplings& c = nct_of(m).couplings;
   c.followers.push_back({static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(master), sign});
   c.axes |= AxisMask{1} << axis;
@@ -60,7 +60,7 @@ void add(Machinery& m, std::size_t axis, std::size_t master, double sign) {
 }
 
 /// The signed way of a follower whose master rolls over, and its place then.
-void roll(Machinery& m, const Follower& follower, MotionDetail& detail) {
+void roll(Interpreter& m, const Follower& follower, MotionDetail& detail) {
   const AxisSettings& settings = nct_of(m).settings.axes[follower.axis];
   const double way = follower.sign * detail.travel[follower.master];
   double& work = m.position.work[follower.axis];
@@ -76,7 +76,7 @@ void roll(Machinery& m, const Follower& follower, MotionDetail& detail) {
 
 }  // namespace
 
-SetupFault coupling_fault(const Machinery& m, const std::vector<SetupEvent>& events) {
+SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events) {
   for (const SetupEvent& event : events)
     for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>())
       if (const int axis = axis_named(m, name); axis >= 0 && !master_of(m, static_cast<std::size_t>(axis)))
@@ -85,7 +85,7 @@ SetupFault coupling_fault(const Machinery& m, const std::vector<SetupEvent>& eve
   return {};
 }
 
-void couple_gantries(Machinery& m) {
+void couple_gantries(Interpreter& m) {
   for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
     constexpr int psn = 4;
     const auto master = bit_of(m, axis, psn) ? master_of(m, axis) : std::nullopt;
@@ -98,7 +98,7 @@ void couple_gantries(Machinery& m) {
   follow_from_here(m);
 }
 
-void couple_axis(Machinery& m, const std::string& name, bool on) {
+void couple_axis(Interpreter& m, const std::string& name, bool on) {
   const int found = axis_named(m, name);
   if (found < 0) return;
   const auto axis = static_cast<std::size_t>(found);
@@ -118,7 +118,7 @@ void couple_axis(Machinery& m, const std::string& name, bool on) {
   add(m, axis, *master, bit_of(m, axis, msy) ? -1 : 1);
 }
 
-Status not_following(const Machinery& m, AxisMask named) {
+Status not_following(const Interpreter& m, AxisMask named) {
   const AxisMask wrong = named & nct_of(m).couplings.axes;
   if (wrong == 0) [[likely]]
     return {};
@@ -128,7 +128,7 @@ Status not_following(const Machinery& m, AxisMask named) {
       alarm(AlarmId::axis_follows, letter != 0 && m.has(letter) ? m.where(letter) : m.block->where, std::string_view(m.axis_names[axis])));
 }
 
-void follow(Machinery& m, Motion& motion) {
+void follow(Interpreter& m, Motion& motion) {
   const Couplings& c = nct_of(m).couplings;
   MotionDetail& detail = detail_of(m, motion);
   detail.followers = c.followers;
@@ -151,7 +151,7 @@ void follow(Machinery& m, Motion& motion) {
   if (detail.rolled != 0) follow_from_here(m);
 }
 
-void follow_from_here(Machinery& m) {
+void follow_from_here(Interpreter& m) {
   Couplings& c = nct_of(m).couplings;
   for (const Follower& f : c.followers) c.lead[f.axis] = m.position.machine[f.axis] - f.sign * m.position.machine[f.master];
 }

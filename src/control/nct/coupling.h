@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "action/action.h"
 #include "base/result.h"
 #include "config/setup_file.h"
-#include "control/action.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 }
 
 namespace kadr::nct {
@@ -22,21 +22,21 @@ struct Couplings {
 };
 
 /// What the set-up's events ask for and cannot be: a sentence; empty: all can.
-SetupFault coupling_fault(const Machinery& m, const std::vector<SetupEvent>& events);
+SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events);
 
 /// Gantry axes (N2102 #4 PSN=1) stand where their masters stand, and follow them from now on.
-void couple_gantries(Machinery& m);
+void couple_gantries(Interpreter& m);
 
 /// The machine's logic lets an axis follow the master that N2101 names, or not any more; an axis of another channel is none of ours.
-void couple_axis(Machinery& m, const std::string& name, bool on);
+void couple_axis(Interpreter& m, const std::string& name, bool on);
 
 /// alarms  axis_follows: one of the named axes follows another
-Status not_following(const Machinery& m, AxisMask named);
+Status not_following(const Interpreter& m, AxisMask named);
 
 /// The motion's masters stand at its end: the followers get theirs.
-void follow(Machinery& m, Motion& motion);
+void follow(Interpreter& m, Motion& motion);
 
 /// The tool stands elsewhere (a probe has touched, a block is taken back): followers that roll over count on from there.
-void follow_from_here(Machinery& m);
+void follow_from_here(Interpreter& m);
 
 }  // namespace kadr::nct

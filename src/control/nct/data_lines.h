@@ -4,15 +4,15 @@
 #include "base/result.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 }
 
 namespace kadr::nct {
 
 /// One data line.
 ///   alarms  value_out_of_range (2002), word_missing (2004), parameter_not_writable (2193), data_block
-Status data_line(Machinery& m);
+Status data_line(Interpreter& m);
 /// Two M codes of one exclusive group, or two spindle codes. alarms m_codes_contradict
-Status check_m_codes(const Machinery& m);
+Status check_m_codes(const Interpreter& m);
 
 }  // namespace kadr::nct

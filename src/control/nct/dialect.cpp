@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/arcs.h"
 #include "control/nct/automatic_geometry.h"
 #include "control/nct/blocks.h"
@@ -20,22 +20,22 @@
 
 namespace kadr {
 
-std::unique_ptr<Dialect> make_nct_dialect(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons) {
+std::unique_ptr<Dialect> make_nct_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons) {
   return std::make_unique<nct::Nct>(m, setup, limits, std::move(commons));
 }
 
 namespace nct {
 
-void Nct::started(Machinery& m) { couple_gantries(m); }
+void Nct::started(Interpreter& m) { couple_gantries(m); }
 
-bool Nct::end_program(Machinery& m) {
+bool Nct::end_program(Interpreter& m) {
   if (settings.part_code == 0) parts_done += 1;  // 13.1; else note_code
   reset_program(m);
   return true;
 }
 
 /// Power off and on (23.5).
-bool Nct::lose_power(Machinery& m) {
+bool Nct::lose_power(Interpreter& m) {
   ActionBatch unseen;
   ActionBatch* const kept = std::exchange(m.batch, &unseen);
   const bool keeps_codes = std::exchange(settings.keeps_codes, false);  // codes begin anew, whatever CLR says
@@ -52,11 +52,11 @@ bool Nct::lose_power(Machinery& m) {
   return true;
 }
 
-void Nct::add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch) { nct::add_variables(m, ending, watch); }
+void Nct::add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) { nct::add_variables(m, ending, watch); }
 
-StateChanges Nct::take_changes(Machinery& m) { return changes.take(m); }
+StateChanges Nct::take_changes(Interpreter& m) { return changes.take(m); }
 
-Result<bool> Nct::finish(Machinery& m) { return end_contour(m); }
+Result<bool> Nct::finish(Interpreter& m) { return end_contour(m); }
 
 /// A clock variable stands in the block, or one by a computed number, or a text with variables (23.1.9). Its value must be that of the
 /// moment: all actions before it are handed over first, and from then on each block's.
@@ -72,75 +72,75 @@ bool Nct::reads_clock(const Block& block) const {
   return false;
 }
 
-void Nct::note_skip_mark(Machinery& m) { nct::note_skip_mark(m); }
+void Nct::note_skip_mark(Interpreter& m) { nct::note_skip_mark(m); }
 
-Result<bool> Nct::interrupt(Machinery& m, BlockMoment moment) { return call_interrupt(m, moment); }
+Result<bool> Nct::interrupt(Interpreter& m, BlockMoment moment) { return call_interrupt(m, moment); }
 
-Status Nct::statement(Machinery& m) { return run_statement(m); }
+Status Nct::statement(Interpreter& m) { return run_statement(m); }
 
-Result<bool> Nct::takes_block(Machinery& m) {
+Result<bool> Nct::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
   if (done && !*done && (active_modal_calls != 0 || !pending.empty())) m.keep_flow_place();  // a call behind the block may fail
   return done;
 }
 
-std::int16_t Nct::motion_row(const Machinery& m) const { return nct::motion_row(m); }
+std::int16_t Nct::motion_row(const Interpreter& m) const { return nct::motion_row(m); }
 
-BlockChanges Nct::changes_of(const Machinery& m, const Plan& plan) const {
+BlockChanges Nct::changes_of(const Interpreter& m, const Plan& plan) const {
   if (m.modal.polar_data || drilling_on(m) || !m.transform.identity || m.keeps_flow_place()) return BlockChanges::anything;
   return plan.moves_and_feeds || plan.calls_only ? BlockChanges::little : BlockChanges::anything;
 }
 
-void Nct::before_function(Machinery& m, Function function) {
+void Nct::before_function(Interpreter& m, Function function) {
   if (state.compensates && interrupts_contour(function)) m.emit(ContourBreak{});
 }
 
-void Nct::after_code(Machinery& m, const CodeRow& row, std::int32_t code) { note_code(m, row, code); }
+void Nct::after_code(Interpreter& m, const CodeRow& row, std::int32_t code) { note_code(m, row, code); }
 
-Status Nct::after_block(Machinery& m) { return nct::after_block(m); }
+Status Nct::after_block(Interpreter& m) { return nct::after_block(m); }
 
-void Nct::taken_back(Machinery& m) { follow_from_here(m); }
+void Nct::taken_back(Interpreter& m) { follow_from_here(m); }
 
-bool Nct::leave_call(Machinery& m) {
+bool Nct::leave_call(Interpreter& m) {
   nct::leave_call(m);
   return true;
 }
 
-Status Nct::target(const Machinery& m, Axes& to, AxisMask& named) const { return nct::target(m, to, named); }
+Status Nct::target(const Interpreter& m, Axes& to, AxisMask& named) const { return nct::target(m, to, named); }
 
-bool Nct::shapes_lines(const Machinery& m) const { return has_geometry_words(m); }
+bool Nct::shapes_lines(const Interpreter& m) const { return has_geometry_words(m); }
 
-Status Nct::straight(Machinery& m, const Call& call, MotionKind kind) { return shaped_line(m, call, kind); }
+Status Nct::straight(Interpreter& m, const Call& call, MotionKind kind) { return shaped_line(m, call, kind); }
 
-bool Nct::only_shifts(const Machinery& m) const { return only_shifts_length(m); }
+bool Nct::only_shifts(const Interpreter& m) const { return only_shifts_length(m); }
 
-Status Nct::arc(Machinery& m, const Call& call, Turn turn) { return nct::arc(m, call, turn); }
+Status Nct::arc(Interpreter& m, const Call& call, Turn turn) { return nct::arc(m, call, turn); }
 
-Status Nct::surface_line(Machinery& m, MotionKind kind, const Axes& programmed, AxisMask named) {
+Status Nct::surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
   return nct::surface_line(m, kind, programmed, named);
 }
 
-Status Nct::may_move(const Machinery& m, AxisMask named) const { return not_following(m, named); }
+Status Nct::may_move(const Interpreter& m, AxisMask named) const { return not_following(m, named); }
 
-void Nct::note_motion(Machinery& m, Motion& motion) { nct::note_motion(m, motion); }
+void Nct::note_motion(Interpreter& m, Motion& motion) { nct::note_motion(m, motion); }
 
-double Nct::inch_feed(const Machinery& m, const Motion& motion, const Axes& from) const { return nct::inch_feed(m, motion, from); }
+double Nct::inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) const { return nct::inch_feed(m, motion, from); }
 
-void Nct::refresh_frames(Machinery& m) { nct::refresh_frames(m); }
+void Nct::refresh_frames(Interpreter& m) { nct::refresh_frames(m); }
 
-void Nct::roll(const Machinery& m, Axes& positions) const { roll_positions(m, positions); }
+void Nct::roll(const Interpreter& m, Axes& positions) const { roll_positions(m, positions); }
 
-Status Nct::take_answer(Machinery& m, const ProbeAnswer& at) { return nct::take_answer(m, at); }
+Status Nct::take_answer(Interpreter& m, const ProbeAnswer& at) { return nct::take_answer(m, at); }
 
-Status Nct::machine_code(Machinery& m, const Call& call) { return nct::machine_code(m, call); }
+Status Nct::machine_code(Interpreter& m, const Call& call) { return nct::machine_code(m, call); }
 
-Result<double> Nct::read_variable(Machinery& m, double number, Span where) const { return nct::read_variable(m, number, where); }
+Result<double> Nct::read_variable(Interpreter& m, double number, Span where) const { return nct::read_variable(m, number, where); }
 
-Result<double> Nct::number_of_element(const Machinery& m, double symbol, double index, Span where) const {
+Result<double> Nct::number_of_element(const Interpreter& m, double symbol, double index, Span where) const {
   return nct::number_of_element(m, symbol, index, where);
 }
 
-Result<double> Nct::control_value(Machinery& m, double number, double bit, double index, Span where) const {
+Result<double> Nct::control_value(Interpreter& m, double number, double bit, double index, Span where) const {
   return read_parameter(m, number, bit, index, where);
 }
 

@@ -9,7 +9,7 @@
 #include "base/vec.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 struct CodeRow;
 }  // namespace kadr
 
@@ -30,17 +30,17 @@ struct DrillingMemory {
 };
 
 /// A cycle of group 9 is in force.
-bool drilling_on(const Machinery& m);
+bool drilling_on(const Interpreter& m);
 /// The row of the code that axis words alone call in this block: the cycle in force, or the code of group 1 (18.0).
-std::int16_t motion_row(const Machinery& m);
+std::int16_t motion_row(const Interpreter& m);
 /// Axis that drills if the block carries a cycle out, else -1: the one its length offset acts on (15.3, 18.2).
-int drills_along(const Machinery& m);
+int drills_along(const Interpreter& m);
 /// A code has been carried out: one of group 1 deletes the cycle mode (18.0).
-void note_code(Machinery& m, const CodeRow& row, std::int32_t tenth);
+void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth);
 /// What the cycle of this block needs from words that act behind operation 1: S, M3.
 ///   alarms  spindle_not_turning
-Status check_drilling(const Machinery& m);
+Status check_drilling(const Interpreter& m);
 /// Operator I after R: R is an increment only in a cycle (5.1). alarms increment_not_allowed
-Status check_increment_of_r(const Machinery& m);
+Status check_increment_of_r(const Interpreter& m);
 
 }  // namespace kadr::nct

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "config/drill_steps.h"
 #include "control/functions.h"
 #include "control/nct/blocks.h"
 #include "control/nct/coordinates.h"
-#include "control/nct/drill_steps.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
@@ -16,35 +16,16 @@ namespace {
 
 using enum DrillStep;
 
-constexpr DrillCycle drill_cycles[] = {
-    //  code  operations                                                                                         manual
-    {730, {approach, stop, break_chips, retract}},                                                                        // 18.1.1
-    {740, {approach, stop, cut_fixed, pause, cw, back_fixed, ccw, clear}},                                                // 18.1.2
-    {760, {approach, stop, cut, pause, orient, shift_out, retract, shift_back, cw}},                                      // 18.1.3
-    {810, {approach, stop, cut, retract}},                                                                                // 18.1.5
-    {820, {approach, stop, cut, pause, retract}},                                                                         // 18.1.6
-    {830, {approach, stop, clear_chips, retract}},                                                                        // 18.1.7
-    {840, {approach, stop, cut_fixed, pause, ccw, back_fixed, cw, clear}},                                                // 18.1.8
-    {842, {approach, stop, catch_spindle, tap_down, pause, tap_up, clear}},                                               // 18.1.9, 18.1.10
-    {843, {approach, stop, catch_spindle, tap_down, pause, tap_up, clear}},                                               // 18.1.9, 18.1.10
-    {850, {approach, stop, cut, back, clear}},                                                                            // 18.1.11
-    {860, {approach, stop, cut, halt, retract, cw}},                                                                      // 18.1.12
-    {870, {approach, stop, cut, halt, manual, retract, cw}},                                                              // 18.1.13 A
-    {back_boring, {orient, shift_out, approach, stop, shift_back, cw, cut, orient, shift_out, initial, shift_back, cw}},  // 18.1.13 B
-    {880, {approach, stop, cut, pause, halt, manual, retract, cw}},                                                       // 18.1.14
-    {890, {approach, stop, cut, pause, back, clear}},                                                                     // 18.1.15
-};
-
 const DrillCycle& cycle_of(const DrillingRun::Job& job) { return *drill_cycle(job.back_boring ? back_boring : job.code); }
 
 /// M3, M4, M5, M19 of the cycle itself.
-Status spindle_function(Machinery& m, std::int32_t code) {
+Status spindle_function(Interpreter& m, std::int32_t code) {
   const std::int32_t row = m.def.row_of('M', code * 10);
   if (row < 0) return {};
   return functions::spindle_code(m, {&m.def.codes[static_cast<std::size_t>(row)], nullptr, m.block->where});
 }
 
-bool is_there(const Machinery& m, const Axes& to, AxisMask named) {
+bool is_there(const Interpreter& m, const Axes& to, AxisMask named) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((named >> a & 1u) != 0 && std::fabs(to[a] - m.position.programmed[a]) > tol::level) return false;
   return true;
@@ -52,13 +33,7 @@ bool is_there(const Machinery& m, const Axes& to, AxisMask named) {
 
 }  // namespace
 
-const DrillCycle* drill_cycle(std::int32_t code) {
-  const auto* const found =
-      std::find_if(std::begin(drill_cycles), std::end(drill_cycles), [&](const DrillCycle& c) { return c.code == code; });
-  return found == std::end(drill_cycles) ? nullptr : found;
-}
-
-Status hole_position(const Machinery& m, std::size_t drill, Axes& to, AxisMask& named) {
+Status hole_position(const Interpreter& m, std::size_t drill, Axes& to, AxisMask& named) {
   Word* hidden = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
@@ -71,7 +46,7 @@ Status hole_position(const Machinery& m, std::size_t drill, Axes& to, AxisMask& 
   return status;
 }
 
-Status over_hole(Machinery& m, std::size_t drill) {
+Status over_hole(Interpreter& m, std::size_t drill) {
   Axes to;
   AxisMask named = 0;
   KADR_TRY(hole_position(m, drill, to, named));
@@ -79,11 +54,11 @@ Status over_hole(Machinery& m, std::size_t drill) {
   return m.straight(MotionKind::rapid, to, named);
 }
 
-double tapping_rpm(const Machinery& m) { return nct_of(m).spindle(nct_of(m).state.current_spindle).rpm; }
+double tapping_rpm(const Interpreter& m) { return nct_of(m).spindle(nct_of(m).state.current_spindle).rpm; }
 
 DrillingRun::DrillingRun(const Job& job) : job_(job), cycle_(cycle_of(job)) {}
 
-Status DrillingRun::check(const Machinery& m) const {
+Status DrillingRun::check(const Interpreter& m) const {
   const bool turns = is_tap() ? tapping_rpm(m) > 0 : nct_of(m).spindle_rpm(m) > 0;
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
@@ -93,7 +68,7 @@ Status DrillingRun::check(const Machinery& m) const {
   return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));
 }
 
-Result<bool> DrillingRun::next(Machinery& m) {
+Result<bool> DrillingRun::next(Interpreter& m) {
   if (pass_ == job_.passes) return false;
   if (at_ == 0) {
     KADR_TRY(begin_pass(m));
@@ -113,7 +88,7 @@ Result<bool> DrillingRun::next(Machinery& m) {
 }
 
 /// Operation 1; of the first pass it stands before the functions of the block.
-Status DrillingRun::begin_pass(Machinery& m) {
+Status DrillingRun::begin_pass(Interpreter& m) {
   if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
   hole_ = m.position.programmed;
   depth_ = job_.level;
@@ -122,7 +97,7 @@ Status DrillingRun::begin_pass(Machinery& m) {
   return {};
 }
 
-Status DrillingRun::step(Machinery& m, DrillStep step) {
+Status DrillingRun::step(Interpreter& m, DrillStep step) {
   switch (step) {
     case approach: return rapid(m, job_.level);
     case stop: single_block(m); return {};
@@ -144,7 +119,7 @@ Status DrillingRun::step(Machinery& m, DrillStep step) {
   }
 }
 
-Status DrillingRun::spindle_step(Machinery& m, DrillStep step) {
+Status DrillingRun::spindle_step(Interpreter& m, DrillStep step) {
   switch (step) {
     case cw: return spindle_function(m, 3);
     case ccw: return spindle_function(m, 4);
@@ -157,7 +132,7 @@ Status DrillingRun::spindle_step(Machinery& m, DrillStep step) {
 }
 
 /// 18.1.1, 18.1.7: down by Q, at rapid back by E or to R and near the bottom again. The last peck takes the rest.
-Status DrillingRun::pecks(Machinery& m, bool to_level) {
+Status DrillingRun::pecks(Interpreter& m, bool to_level) {
   switch (part_) {
     case 1: part_ = 2; return rapid(m, job_.level);
     case 2: part_ = 3; return rapid(m, back_to(m));
@@ -169,7 +144,7 @@ Status DrillingRun::pecks(Machinery& m, bool to_level) {
 }
 
 /// 18.1.9, 18.1.10: INFERRED: every motion is synchronous; N1507 for the way back to R, N1506 for that back by E.
-Status DrillingRun::tap_in(Machinery& m) {
+Status DrillingRun::tap_in(Interpreter& m) {
   if (job_.peck == 0) return tap(m, job_.bottom, 100);
   switch (part_) {
     case 1: part_ = 2; return tap(m, job_.level, job_.between_percent);
@@ -182,7 +157,7 @@ Status DrillingRun::tap_in(Machinery& m) {
 }
 
 /// 18.1.9 operation 4: M19, or only the loop is closed.
-Status DrillingRun::close_loop(Machinery& m) {
+Status DrillingRun::close_loop(Interpreter& m) {
   if (job_.orients_tap) return spindle_function(m, 19);
   const int number = nct_of(m).state.current_spindle;
   const int code = nct_of(m).settings.spindles[static_cast<std::size_t>(number)].closing_code;
@@ -200,7 +175,7 @@ Status DrillingRun::close_loop(Machinery& m) {
 }
 
 /// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
-Status DrillingRun::dwell(Machinery& m) {
+Status DrillingRun::dwell(Interpreter& m) {
   if (!(job_.dwell > 0)) return {};
   const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !nct_of(m).settings.dwell_seconds;
   if (is_tap() && revolutions) {
@@ -214,7 +189,7 @@ Status DrillingRun::dwell(Machinery& m) {
 }
 
 /// By a way of the machine from the hole: no mirroring, rotation or scaling acts on it (18.0).
-Status DrillingRun::shift(Machinery& m, Vec2 by) {
+Status DrillingRun::shift(Interpreter& m, Vec2 by) {
   const PlaneAxes& plane = m.modal.axes;
   Axes to = hole_;
   to[job_.axis] = m.position.programmed[job_.axis];
@@ -228,14 +203,14 @@ Status DrillingRun::shift(Machinery& m, Vec2 by) {
   return is_there(m, to, named) ? Status() : m.straight(MotionKind::rapid, to, named);
 }
 
-Status DrillingRun::rapid(Machinery& m, double level) {
+Status DrillingRun::rapid(Interpreter& m, double level) {
   Axes to = m.position.programmed;
   if (std::fabs(to[job_.axis] - level) <= tol::level) return {};
   to[job_.axis] = level;
   return m.straight(MotionKind::rapid, to, 1u << job_.axis);
 }
 
-Status DrillingRun::feed(Machinery& m, double level, double percent) {
+Status DrillingRun::feed(Interpreter& m, double level, double percent) {
   Axes to = m.position.programmed;
   if (std::fabs(to[job_.axis] - level) <= tol::level) return {};
   to[job_.axis] = level;
@@ -247,7 +222,7 @@ Status DrillingRun::feed(Machinery& m, double level, double percent) {
 }
 
 /// 18.1.9: a turn a lead, clockwise into the hole with G84.2. The feed is handed on in mm/min: the spindle turns with the axis.
-Status DrillingRun::tap(Machinery& m, double level, double percent) {
+Status DrillingRun::tap(Interpreter& m, double level, double percent) {
   const double way = level - m.position.programmed[job_.axis];
   if (std::fabs(way) <= tol::level) return {};
   const double rpm = tapping_rpm(m);
@@ -261,20 +236,20 @@ Status DrillingRun::tap(Machinery& m, double level, double percent) {
   return {};
 }
 
-void DrillingRun::single_block(Machinery& m) const {
+void DrillingRun::single_block(Interpreter& m) const {
   if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
 /// Machine millimetres to one programmed millimetre of the drilling axis.
-double DrillingRun::scale(const Machinery& m) const { return std::fabs(m.transform.scale[job_.axis]); }
+double DrillingRun::scale(const Interpreter& m) const { return std::fabs(m.transform.scale[job_.axis]); }
 
-double DrillingRun::next_depth(const Machinery& m) const {
+double DrillingRun::next_depth(const Interpreter& m) const {
   const double next = depth_ + down() * job_.peck / scale(m);
   return down() * (job_.bottom - next) <= tol::level ? job_.bottom : next;
 }
 
 /// E above the depth reached, not beyond R.
-double DrillingRun::back_to(const Machinery& m) const {
+double DrillingRun::back_to(const Interpreter& m) const {
   const double back = depth_ - down() * job_.clearance / scale(m);
   return down() * (back - job_.level) < 0 ? job_.level : back;
 }

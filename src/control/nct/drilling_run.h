@@ -5,20 +5,18 @@
 #include <cstdint>
 
 #include "base/result.h"
-#include "control/machinery.h"
+#include "config/drill_steps.h"
+#include "control/interpreter.h"
 
 namespace kadr::nct {
 
-enum class DrillStep : std::uint8_t;
-struct DrillCycle;
-
 /// Hole position of the block from where the tool stands: its axis words without that of the drilling axis. `to`: programmed.
 ///   alarms  those of the coordinates (5)
-Status hole_position(const Machinery& m, std::size_t drill, Axes& to, AxisMask& named);
+Status hole_position(const Interpreter& m, std::size_t drill, Axes& to, AxisMask& named);
 /// Operation 1: at rapid over the hole; nothing if the tool is there.
-Status over_hole(Machinery& m, std::size_t drill);
+Status over_hole(Interpreter& m, std::size_t drill);
 /// Speed that rigid tapping couples the axis with: S of the spindle referred to last, rev/min.
-double tapping_rpm(const Machinery& m);
+double tapping_rpm(const Interpreter& m);
 
 /// Operations 2 … 10 of the first pass and all of the others that L asks for. Nothing fails in it that check_drilling has let pass.
 class DrillingRun final : public Running {
@@ -42,28 +40,28 @@ class DrillingRun final : public Running {
   explicit DrillingRun(const Job& job);
 
   /// Speeds that it needs, after the block's S and M codes. alarms spindle_not_turning
-  Status check(const Machinery& m) const;
-  Result<bool> next(Machinery& m) override;
+  Status check(const Interpreter& m) const;
+  Result<bool> next(Interpreter& m) override;
   bool functions_first() const override { return true; }
 
  private:
-  Status begin_pass(Machinery& m);
-  Status step(Machinery& m, DrillStep step);
-  Status spindle_step(Machinery& m, DrillStep step);
-  Status pecks(Machinery& m, bool to_level);
-  Status tap_in(Machinery& m);
-  Status close_loop(Machinery& m);
-  Status dwell(Machinery& m);
-  Status shift(Machinery& m, Vec2 by);
-  Status rapid(Machinery& m, double level);
-  Status feed(Machinery& m, double level, double percent);
-  Status tap(Machinery& m, double level, double percent);
-  void single_block(Machinery& m) const;
+  Status begin_pass(Interpreter& m);
+  Status step(Interpreter& m, DrillStep step);
+  Status spindle_step(Interpreter& m, DrillStep step);
+  Status pecks(Interpreter& m, bool to_level);
+  Status tap_in(Interpreter& m);
+  Status close_loop(Interpreter& m);
+  Status dwell(Interpreter& m);
+  Status shift(Interpreter& m, Vec2 by);
+  Status rapid(Interpreter& m, double level);
+  Status feed(Interpreter& m, double level, double percent);
+  Status tap(Interpreter& m, double level, double percent);
+  void single_block(Interpreter& m) const;
   bool is_tap() const { return job_.code == 842 || job_.code == 843; }
   double down() const { return job_.bottom < job_.level ? -1 : 1; }
-  double scale(const Machinery& m) const;
-  double next_depth(const Machinery& m) const;
-  double back_to(const Machinery& m) const;
+  double scale(const Interpreter& m) const;
+  double next_depth(const Interpreter& m) const;
+  double back_to(const Interpreter& m) const;
 
   Job job_;
   const DrillCycle& cycle_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
@@ -45,7 +45,7 @@ bool same(const ModalWords& a, const ModalWords& b) {
          a.t == b.t && a.extended_zero == b.extended_zero;
 }
 
-void take(const Machinery& m, Moment& to) {
+void take(const Interpreter& m, Moment& to) {
   const Nct& nct = nct_of(m);
   to.blocks = m.flow.blocks();
   to.frames = m.flow.frames();
@@ -67,7 +67,7 @@ void take(const Machinery& m, Moment& to) {
   to.parts_done = nct.parts_done;
 }
 
-bool same_variables(const Machinery& m, const Moment& then) {
+bool same_variables(const Interpreter& m, const Moment& then) {
   const MacroVariables& now = nct_of(m).variables;
   if (now.levels().size() != then.levels.size()) return false;
   for (std::size_t i = then.levels.size(); i-- > 0;)
@@ -79,7 +79,7 @@ bool same_variables(const Machinery& m, const Moment& then) {
   return true;
 }
 
-bool same_calls(const Machinery& m, const Moment& then) {
+bool same_calls(const Interpreter& m, const Moment& then) {
   const Nct& nct = nct_of(m);
   const auto& frames = m.flow.frames();
   if (!std::equal(frames.begin(), frames.end(), then.frames.begin(), then.frames.end(),
@@ -94,7 +94,7 @@ bool same_calls(const Machinery& m, const Moment& then) {
 }
 
 /// What system variables show, as far as a program changes it.
-bool same_surroundings(const Machinery& m, const Moment& then) {
+bool same_surroundings(const Interpreter& m, const Moment& then) {
   const Nct& nct = nct_of(m);
   const ProgramPosition &a = m.position, &b = then.position;
   return nct.endless.changes() == then.changes && a.programmed == b.programmed && a.work == b.work && a.machine == b.machine &&
@@ -102,7 +102,7 @@ bool same_surroundings(const Machinery& m, const Moment& then) {
          nct.parts_done == then.parts_done;
 }
 
-bool same(const Machinery& m, const Moment& then) {
+bool same(const Interpreter& m, const Moment& then) {
   const Nct& nct = nct_of(m);
   return same_variables(m, then) && m.modal.rows == then.rows && nct.active_modal_calls == then.active_modal_calls &&
          nct.finishing.size() == then.finishing && nct.parameters.version() == then.parameters && same_calls(m, then) &&
@@ -110,7 +110,7 @@ bool same(const Machinery& m, const Moment& then) {
 }
 
 /// The machine's logic, its operator or another channel may end the loop.
-bool others_act(const Machinery& m) { return (m.on_block != nullptr && *m.on_block) || m.waiting.known != 0; }
+bool others_act(const Interpreter& m) { return (m.on_block != nullptr && *m.on_block) || m.waiting.known != 0; }
 
 }  // namespace
 
@@ -128,7 +128,7 @@ void Endless::forget() {
   for (Watch& w : watches_) w.target = ~std::uint64_t{0};
 }
 
-void Endless::note_fault(const Machinery& m, bool may_steer) {
+void Endless::note_fault(const Interpreter& m, bool may_steer) {
   any_fault_ = true;
   for (Watch& w : watches_) w.next_look = 0;  // each jump is looked at from now on
   if (may_steer && faults_.size() < most_faults) faults_.push_back({m.block->position.offset, m.flow.blocks(), m.flow.reader()});
@@ -141,7 +141,7 @@ bool Endless::holds_fault(const Watch& w) const {
 }
 
 /// What a fault leaves behind may loop for long although no pass is like another: a check shall not.
-bool Endless::took_too_long(const Machinery& m, const Watch& w) {
+bool Endless::took_too_long(const Interpreter& m, const Watch& w) {
   if (looked_ == &w) looped_ += m.flow.blocks() - looked_at_;
   looked_ = &w;
   looked_at_ = m.flow.blocks();
@@ -157,7 +157,7 @@ bool Endless::is_inside_another(const Watch& w) const {
   });
 }
 
-Endless::Verdict Endless::look_closely(const Machinery& m, Watch& w) {
+Endless::Verdict Endless::look_closely(const Interpreter& m, Watch& w) {
   w.from = m.block->position.offset;
   w.depth = m.flow.depth();
   if (any_fault_ && (holds_fault(w) || took_too_long(m, w))) return Verdict::leave;

@@ -17,7 +17,7 @@
 #include "lang/block_reader.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 }
 
 namespace kadr::nct {
@@ -35,7 +35,7 @@ class Endless {
     leave,    // behind a fault: the program goes on behind the loop
   };
   /// A jump back to `target`, in the file being read, is about to be made.
-  Verdict look(const Machinery& m, Position target, std::uint16_t reader, std::uint64_t blocks) {
+  Verdict look(const Interpreter& m, Position target, std::uint16_t reader, std::uint64_t blocks) {
     Watch& w = watches_[(target.offset ^ reader * 17u) % watches_.size()];
     if (w.target != target.offset || w.reader != reader) [[unlikely]]
       start(w, target, reader);
@@ -50,7 +50,7 @@ class Endless {
   /// Something that system variables show, and nothing else, has changed.
   void note_change() { ++changes_; }
   /// The block in hand was faulty, and the run goes on. `may_steer`: it would have written a variable, called or jumped.
-  void note_fault(const Machinery& m, bool may_steer);
+  void note_fault(const Interpreter& m, bool may_steer);
   /// Another pass of the whole program: what was seen counts no more.
   void forget();
 
@@ -74,9 +74,9 @@ class Endless {
     std::uint16_t reader = 0;
   };
   void start(Watch& w, Position target, std::uint16_t reader);
-  Verdict look_closely(const Machinery& m, Watch& w);
+  Verdict look_closely(const Interpreter& m, Watch& w);
   bool is_inside_another(const Watch& w) const;
-  bool took_too_long(const Machinery& m, const Watch& w);
+  bool took_too_long(const Interpreter& m, const Watch& w);
   bool holds_fault(const Watch& w) const;
 
   std::array<Watch, 64> watches_;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 #include "control/nct/sides.h"
@@ -19,7 +19,7 @@ std::array<Vec3, 3> rotation_rows(Vec3 angles) {
           Vec3{-b.sin, b.cos * a.sin, b.cos * a.cos}};
 }
 
-std::shared_ptr<const FrameRotation> rotation_of(const Machinery& m, const std::shared_ptr<const FrameRotation>& before) {
+std::shared_ptr<const FrameRotation> rotation_of(const Interpreter& m, const std::shared_ptr<const FrameRotation>& before) {
   const Vec3 angles = m.tables.rotations[m.modal.work_zero];
   if (angles == Vec3{}) return nullptr;
   FrameRotation rotation;
@@ -31,15 +31,15 @@ std::shared_ptr<const FrameRotation> rotation_of(const Machinery& m, const std::
 
 }  // namespace
 
-int main_axis(const Machinery& m, int role) {
+int main_axis(const Interpreter& m, int role) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (nct_of(m).settings.axes[a].role == role) return static_cast<int>(a);
   return -1;
 }
 
-std::string plane_name(const Machinery& m) { return m.axis_names[m.modal.axes.first] + m.axis_names[m.modal.axes.second]; }
+std::string plane_name(const Interpreter& m) { return m.axis_names[m.modal.axes.first] + m.axis_names[m.modal.axes.second]; }
 
-void refresh_frames(Machinery& m) {
+void refresh_frames(Interpreter& m) {
   Frames& f = m.frames;
   f.rotation = rotation_of(m, f.rotation);
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -61,7 +61,7 @@ void refresh_frames(Machinery& m) {
   }
 }
 
-MotionDetail& detail_of(Machinery& m, Motion& motion) {
+MotionDetail& detail_of(Interpreter& m, Motion& motion) {
   (void)m;
   auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
   MotionDetail& filled = *detail;
@@ -70,14 +70,14 @@ MotionDetail& detail_of(Machinery& m, Motion& motion) {
 }
 
 /// In [0, R), whatever the number of turns was (5.6).
-void roll_positions(const Machinery& m, Axes& positions) {
+void roll_positions(const Interpreter& m, Axes& positions) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const AxisSettings& axis = nct_of(m).settings.axes[a];
     if (axis.rolls && (m.def.rotary >> a & 1u) != 0) positions[a] = rolled_position(positions[a], axis.period);
   }
 }
 
-double inch_feed(const Machinery& m, const Motion& motion, const Axes& from) {
+double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) {
   double linear = 0, rotary = 0;  // squares of the ways, mm and degrees
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const bool rolls = motion.detail && (motion.detail->rolled >> a & 1u) != 0;
@@ -92,7 +92,7 @@ double inch_feed(const Machinery& m, const Motion& motion, const Axes& from) {
 namespace {
 
 /// Only G1, with G40, G64 and G80 (4.7).
-std::uint8_t smoothing_of(const Machinery& m, const Motion& motion) {
+std::uint8_t smoothing_of(const Interpreter& m, const Motion& motion) {
   const AxisMask smoothed = nct_of(m).smoothed != 0 ? nct_of(m).smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
   const bool alone = m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane && m.modal.motion == MotionMode::linear;
   const bool continues = motion.corner_speed == CornerSpeed::limited && (motion.named & ~smoothed) == 0;
@@ -101,7 +101,7 @@ std::uint8_t smoothing_of(const Machinery& m, const Motion& motion) {
 
 }  // namespace
 
-void note_motion(Machinery& m, Motion& motion) {
+void note_motion(Interpreter& m, Motion& motion) {
   Nct& nct = nct_of(m);
   nct.moved = true;
   if (motion.kind != MotionKind::thread) nct.in_thread = false;

@@ -18,7 +18,7 @@ tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
 }
 
 /// Place of the axis that a parameter names, in the channel.
-Result<std::size_t> axis_of(const Machinery& m, const Call& call, const char* parameter) {
+Result<std::size_t> axis_of(const Interpreter& m, const Call& call, const char* parameter) {
   const auto& store = nct_of(m).parameters;
   const std::string name = store.text(store.named(parameter));
   for (std::size_t a = 0; a < m.axis_count && !name.empty(); ++a)
@@ -27,7 +27,7 @@ Result<std::size_t> axis_of(const Machinery& m, const Call& call, const char* pa
 }
 
 /// Spindle of N1801: by its name in the set-up, else "S2" is spindle 2 and "S" the main one (INFERRED).
-Result<int> master_of(const Machinery& m, const Call& call, const std::string& name) {
+Result<int> master_of(const Interpreter& m, const Call& call, const std::string& name) {
   for (const auto& [number, named] : nct_of(m).spindle_names)
     if (!name.empty() && named == name) return number;
   if (name == "S") return nct_of(m).state.main_spindle;
@@ -38,7 +38,7 @@ Result<int> master_of(const Machinery& m, const Call& call, const std::string& n
 }
 
 /// T, L: the ratio. L0 is illegal (INFERRED).
-Result<double> ratio(const Machinery& m, const Call& call) {
+Result<double> ratio(const Interpreter& m, const Call& call) {
   if (!m.has('T')) return fail(alarm(AlarmId::word_missing, call.where, 'T', call.row->code));
   const auto teeth = m.whole('T', 1, most_teeth);
   if (!teeth) return fail(teeth.error());
@@ -48,14 +48,14 @@ Result<double> ratio(const Machinery& m, const Call& call) {
   return starts / *teeth;
 }
 
-Status within(const Machinery& m, char letter, double least, double most) {
+Status within(const Interpreter& m, char letter, double least, double most) {
   const double value = m.value(letter);
   if (value >= least && value <= most) return {};
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, value));
 }
 
 /// Degrees of the table for a mm along the gear's axis (20.1.3). INFERRED: the equation is that of the gear, the sign that of P.
-Result<double> helix(const Machinery& m, const Call& call, double teeth) {
+Result<double> helix(const Interpreter& m, const Call& call, double teeth) {
   for (const char letter : {'Q', 'P'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   constexpr double module_least = 0.05, module_most = 60, pitch_least = 0.1, pitch_most = 508, right_angle = 90;
@@ -70,7 +70,7 @@ Result<double> helix(const Machinery& m, const Call& call, double teeth) {
 namespace functions {
 
 /// G81.8 T L R Q P: couples, or couples anew; G81.8 Q P: only the helix compensation, while coupled.
-Status gear_on(Machinery& m, const Call& call) {
+Status gear_on(Interpreter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const auto& store = nct.parameters;
   const std::string master_name = store.text(store.named("1801"));
@@ -111,7 +111,7 @@ Status gear_on(Machinery& m, const Call& call) {
 }
 
 /// G80.8: the table stands, the spindle goes on.
-Status gear_off(Machinery& m, const Call&) {
+Status gear_off(Interpreter& m, const Call&) {
   nct::disengage(m);
   return {};
 }
@@ -120,7 +120,7 @@ Status gear_off(Machinery& m, const Call&) {
 
 namespace nct {
 
-void disengage(Machinery& m) {
+void disengage(Interpreter& m) {
   if (!nct_of(m).state.gear.on) return;
   nct_of(m).state.gear = {};
   m.emit(Uncouple{nct_of(m).parameters.text(nct_of(m).parameters.named("1802"))});

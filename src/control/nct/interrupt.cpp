@@ -24,7 +24,7 @@ bool asked(Nct& nct) {
 bool is_free(const Nct& nct, int code, int own) { return !nct.settings.interrupts || (nct.settings.interrupt_own_codes && code != own); }
 
 /// A running interrupt macro is aborted (13.1). INFERRED: as by M99, the calls it made included.
-Status abort_interrupt(Machinery& m, const Call& call) {
+Status abort_interrupt(Interpreter& m, const Call& call) {
   Nct& nct = nct_of(m);
   while (nct.interrupted.active && m.flow.depth() != 0) {
     m.flow.innermost()->left = 1;
@@ -35,7 +35,7 @@ Status abort_interrupt(Machinery& m, const Call& call) {
 
 }  // namespace
 
-Result<bool> interrupt_code(Machinery& m, const Call& call) {
+Result<bool> interrupt_code(Interpreter& m, const Call& call) {
   const Settings& s = nct_of(m).settings;
   if (!s.interrupts || !s.interrupt_own_codes) return false;
   const int code = call.word->code / 10;
@@ -44,7 +44,7 @@ Result<bool> interrupt_code(Machinery& m, const Call& call) {
   return true;
 }
 
-Result<bool> call_interrupt(Machinery& m, BlockMoment moment) {
+Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   Nct& nct = nct_of(m);
   if (!nct.interrupt_program || nct.interrupted.active) return false;
   if (nct.settings.interrupt_at_end != (moment == BlockMoment::end) || !asked(nct)) return false;
@@ -64,7 +64,7 @@ Result<bool> call_interrupt(Machinery& m, BlockMoment moment) {
 }
 
 /// Plain M99 brings the modal state back; what it says is in force again (23.4). M99 P does not.
-void Nct::end_interrupt(Machinery& m, bool restore) {
+void Nct::end_interrupt(Interpreter& m, bool restore) {
   interrupted.active = false;
   signal_rose = false;  // one during the macro does not count
   if (!restore) return;
@@ -84,7 +84,7 @@ void Nct::end_interrupt(Machinery& m, bool restore) {
 namespace kadr::functions {
 
 /// M96 P, M96 <file>: from now on the signal calls that program.
-Status interrupt_on(Machinery& m, const Call& call) {
+Status interrupt_on(Interpreter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   if (nct::is_free(nct, call.word->code / 10, nct.settings.interrupt_on)) return nct::machine_code(m, call);
   nct.signal_rose = false;  // INFERRED: an edge before it does not count
@@ -104,7 +104,7 @@ Status interrupt_on(Machinery& m, const Call& call) {
   return {};
 }
 
-Status interrupt_off(Machinery& m, const Call& call) {
+Status interrupt_off(Interpreter& m, const Call& call) {
   if (nct::is_free(nct_of(m), call.word->code / 10, nct_of(m).settings.interrupt_off)) return nct::machine_code(m, call);
   nct_of(m).interrupt_program.reset();
   return nct::abort_interrupt(m, call);

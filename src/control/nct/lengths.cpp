@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {}  // namespace
 
-std::uint32_t nct::most_offsets(const Machinery& m) {
+std::uint32_t nct::most_offsets(const Interpreter& m) {
   const int most = nct_of(m).tools.limits().offsets;
   return most > 0 ? std::min(static_cast<std::uint32_t>(most), m.def.behaviour.offsets) : m.def.behaviour.offsets;
 }
@@ -18,7 +18,7 @@ std::uint32_t nct::most_offsets(const Machinery& m) {
 namespace {
 
 /// The number in the word; N2923 means that of the tool in the spindle.
-Result<std::uint32_t> offset_number(const Machinery& m, char letter) {
+Result<std::uint32_t> offset_number(const Interpreter& m, char letter) {
   const auto number = m.whole(letter, 0, nct::most_offsets(m));
   if (!number) return number;
   const int by_tool = nct_of(m).settings.offset_by_tool;
@@ -27,7 +27,7 @@ Result<std::uint32_t> offset_number(const Machinery& m, char letter) {
 }
 
 /// Axes that take the length (15.3): those of the block, Z, or the normal of the plane.
-AxisMask length_axes(const Machinery& m) {
+AxisMask length_axes(const Interpreter& m) {
   const int mode = nct_of(m).settings.length_axes;
   const auto bit = [](int axis) { return axis >= 0 ? 1u << static_cast<unsigned>(axis) : 0u; };
   if (const int axis = nct::drills_along(m); axis >= 0) return bit(axis);
@@ -45,10 +45,10 @@ AxisMask length_axes(const Machinery& m) {
 
 /// What a length of the table shifts the axis by: on one programmed in diameter it is a diameter (5.3, 15.3). Decided when the
 /// length is called: the table does not know its axis, and G10.9 leaves the machine where it is.
-double shift_by(const Machinery& m, std::size_t axis, double length) { return nct::is_diameter(m, axis) ? length / 2 : length; }
+double shift_by(const Interpreter& m, std::size_t axis, double length) { return nct::is_diameter(m, axis) ? length / 2 : length; }
 
 /// G43.7 (15.4): the sums of the table for turning on X, Y, Z at once.
-void register_turning(Machinery& m, std::uint32_t number) {
+void register_turning(Interpreter& m, std::uint32_t number) {
   const ToolOffset none, &offset = number == 0 || number >= m.tables.offsets.size() ? none : m.tables.offsets[number];
   if (number != 0) m.use.note(UseKind::length, number, m.origin, offset == none);
   const double lengths[] = {offset.length_x + offset.length_x_wear, offset.length_y + offset.length_y_wear, offset.whole_length()};
@@ -59,7 +59,7 @@ void register_turning(Machinery& m, std::uint32_t number) {
     }
 }
 
-void register_length(Machinery& m, std::uint32_t number) {
+void register_length(Interpreter& m, std::uint32_t number) {
   if (m.modal.turning_lengths) return register_turning(m, number);
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
@@ -70,7 +70,7 @@ void register_length(Machinery& m, std::uint32_t number) {
 
 }  // namespace
 
-bool nct::only_shifts_length(const Machinery& m) {
+bool nct::only_shifts_length(const Interpreter& m) {
   if (m.modal.absolute || !(m.has('H') || m.has_code({Function::length_comp}))) return false;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (const char letter = m.letters.axis_letter[a]; letter != 0 && m.has(letter) && m.value(letter) != 0) return false;
@@ -80,7 +80,7 @@ bool nct::only_shifts_length(const Machinery& m) {
 namespace functions {
 
 /// arg 1 G43, 2 G44, 0 G49, 437 G43.7.
-Status length_comp(Machinery& m, const Call& call) {
+Status length_comp(Interpreter& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
   const bool turning = call.row->arg == 437;
   if (turning && !nct_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
@@ -108,7 +108,7 @@ Status length_comp(Machinery& m, const Call& call) {
 }
 
 /// H: in the state of G43, G44 the new value acts at once; else only the number is kept.
-Status length_number(Machinery& m, const Call& call) {
+Status length_number(Interpreter& m, const Call& call) {
   if (m.has_code({Function::length_comp})) return {};
   const auto number = offset_number(m, 'H');
   if (!number) return fail(number.error());
@@ -123,7 +123,7 @@ Status length_number(Machinery& m, const Call& call) {
   return {};
 }
 
-Status radius_number(Machinery& m, const Call&) {
+Status radius_number(Interpreter& m, const Call&) {
   const auto number = offset_number(m, 'D');
   if (!number) return fail(number.error());
   m.modal.offset_number = *number;
@@ -133,7 +133,7 @@ Status radius_number(Machinery& m, const Call&) {
 }
 
 /// arg 0 G40, 1 G41, 2 G42 (15.5.1, 15.5.3). The next motion in the plane begins or ends compensation; I, J, K give it a direction.
-Status radius_side(Machinery& m, const Call& call) {
+Status radius_side(Interpreter& m, const Call& call) {
   nct::Volatile& state = nct_of(m).state;
   const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
   if (side != 0 && m.modal.radius_side == 0) state.side_step = SideStep::begins;
@@ -155,14 +155,14 @@ Status radius_side(Machinery& m, const Call& call) {
 }
 
 /// G38 (15.5.5): the motion of its block, a line, ends with the vector that it begins with.
-Status vector_hold(Machinery& m, const Call& call) {
+Status vector_hold(Interpreter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   nct_of(m).holds_vector = true;
   return {};
 }
 
 /// G39 (15.5.6): about the programmed point, to where the next motion begins or to I, J, K. Nothing else moves in its block.
-Status vector_corner(Machinery& m, const Call& call) {
+Status vector_corner(Interpreter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   m.emit(ContourCorner{nct::plane_direction(m)});

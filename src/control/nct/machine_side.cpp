@@ -25,7 +25,7 @@ void Nct::synchronise(int slave, int master) {
   }
 }
 
-void Nct::couple_axis(Machinery& m, const std::string& name, bool on) { nct::couple_axis(m, name, on); }
+void Nct::couple_axis(Interpreter& m, const std::string& name, bool on) { nct::couple_axis(m, name, on); }
 
 void Nct::convert_spindle(int number, bool to_axis) {
   if (number < 1 || number > static_cast<int>(most_spindles)) return;

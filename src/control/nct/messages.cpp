@@ -14,14 +14,14 @@ namespace {
 
 constexpr int alarm_base = 4000, stop_base = 5000;
 
-std::string text_of(Machinery& m) {
+std::string text_of(Interpreter& m) {
   if (m.block->comments.empty()) return {};
   Span all;
   return m.flow.shown(m.block->text_of(m.block->comments.front()), all);
 }
 
 /// The number before the text: at most three digits; nothing: 0.
-Result<int> number_of(Machinery& m, const Statement& s) {
+Result<int> number_of(Interpreter& m, const Statement& s) {
   if (!s.value) return 0;
   const auto value = evaluate(*m.block, s.value, Reading{m});
   if (!value) return fail(value.error());
@@ -31,14 +31,14 @@ Result<int> number_of(Machinery& m, const Statement& s) {
 }
 
 /// #3000: the program stops with alarm ii4nnn00, ii the channel.
-Status program_alarm(Machinery& m, const Statement& s, int number) {
+Status program_alarm(Interpreter& m, const Statement& s, int number) {
   const std::string code = fmt::format("{:02}{}00", m.def.channel, alarm_base + number);
   const std::string text = text_of(m);
   return fail(alarm(AlarmId::program_alarm, s.where, std::string_view(code), double(alarm_base + number), std::string_view(text)));
 }
 
 /// #3107: a question; its answer is read from #3107 (an event of the set-up, otherwise OK or Yes).
-Status question(Machinery& m, const Statement& s, int number) {
+Status question(Interpreter& m, const Statement& s, int number) {
   if (number < 100 || number > 299) return fail(alarm(AlarmId::message_number, s.where, double(number)));
   auto text = embedded_values(m, text_of(m), s.where);
   if (!text) return fail(text.error());
@@ -49,7 +49,7 @@ Status question(Machinery& m, const Statement& s, int number) {
 
 }  // namespace
 
-Status message(Machinery& m, const Statement& s) {
+Status message(Interpreter& m, const Statement& s) {
   const auto number = number_of(m, s);
   if (!number) return fail(number.error());
   const Instruction& target = m.block->code[s.target.begin];

@@ -5,17 +5,17 @@
 #include "lang/block.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 }
 
 namespace kadr::nct {
 
 /// #3000=n(text) and its like.
 ///   alarms  program_alarm (code, number, text), message_number
-Status message(Machinery& m, const Statement& s);
+Status message(Interpreter& m, const Statement& s);
 /// On with the block of that number in the file being read (23.2.8). alarms block_not_found (2125)
-Status go_to_block(Machinery& m, double number, Span where);
+Status go_to_block(Interpreter& m, double number, Span where);
 /// The same for M99 P of a main program, which makes another pass where it goes back (14.4.4).
-Status go_to_block_again(Machinery& m, double number, Span where);
+Status go_to_block_again(Interpreter& m, double number, Span where);
 
 }  // namespace kadr::nct

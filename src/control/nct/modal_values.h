@@ -5,14 +5,14 @@
 #include <cstdint>
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 }
 
 namespace kadr::nct {
 
 /// Code of a group: 100·decimal + whole part; 0: none.
-double modal_group(const Machinery& m, int family, std::uint32_t group);
+double modal_group(const Interpreter& m, int family, std::uint32_t group);
 /// A word by its letter; `arg` = 1000·family + letter (controls/nct.toml).
-double modal_word(const Machinery& m, int arg);
+double modal_word(const Interpreter& m, int arg);
 
 }  // namespace kadr::nct

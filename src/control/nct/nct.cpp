@@ -65,7 +65,7 @@ std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) 
 }
 
 /// Every modal group's initial code is in force; `keep`: the bits of CLR G Table are obeyed.
-void reset_codes(Machinery& m, bool keep) {
+void reset_codes(Interpreter& m, bool keep) {
   const Settings& s = nct_of(m).settings;
   nct_of(m).plane_axes = 0;
   Block* const block = m.block;
@@ -93,7 +93,7 @@ void reset_codes(Machinery& m, bool keep) {
   m.block = block;
 }
 
-void reset_shifts(Machinery& m) {
+void reset_shifts(Interpreter& m) {
   m.modal.new_system = m.modal.local = {};
   m.modal.surface = PathSurface::plane;
   m.modal.smoothing = 0;
@@ -105,7 +105,7 @@ void reset_shifts(Machinery& m) {
 }  // namespace
 
 /// "_ALM" without its underscore; -1: unknown.
-double number_of_symbol(const Machinery& m, const std::string& name) {
+double number_of_symbol(const Interpreter& m, const std::string& name) {
   const std::string plain = name.substr(0, name.find('['));
   const double index = name.find('[') == std::string::npos ? 1 : std::strtod(name.c_str() + name.find('[') + 1, nullptr);
   for (const VariableName& row : m.def.grammar.symbols)
@@ -120,7 +120,7 @@ ToolLimits tool_limits(const ParameterStore& p) {
   return {whole("2902"), columns > 0 ? columns : ToolLimits().user_data, whole("1400")};
 }
 
-Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
+Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
     : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
       parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
       tools(setup, tool_limits(parameters)),
@@ -149,14 +149,14 @@ Nct::Nct(Machinery& m, const Setup& setup, const RunLimits& limits, std::shared_
 
 Nct::~Nct() = default;
 
-void Nct::refresh_settings(const Machinery& m) {
+void Nct::refresh_settings(const Interpreter& m) {
   if (parameters_seen_ == parameters.version() + 1) return;
   parameters_seen_ = parameters.version() + 1;
   tools.set_limits(tool_limits(parameters));
   settings = read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
 }
 
-bool Nct::start(Machinery& m, const Setup& setup) {
+bool Nct::start(Interpreter& m, const Setup& setup) {
   refresh_settings(m);
   for (const auto& [number, spindle_setup] : setup.spindles) {
     if (number < 1 || number > static_cast<int>(most_spindles)) continue;
@@ -187,7 +187,7 @@ bool Nct::start(Machinery& m, const Setup& setup) {
   return true;
 }
 
-void Nct::take_setup(Machinery& m, const Setup& setup) {
+void Nct::take_setup(Interpreter& m, const Setup& setup) {
   for (const auto& [name, value] : setup.variables) {
     if (name.size() < 2 || name[0] != '#') continue;
     const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
@@ -209,7 +209,7 @@ void Nct::take_setup(Machinery& m, const Setup& setup) {
 }
 
 /// M5, M9 at the end of the program (13.1, "usually"): the codes of the table's `end`; all spindles of the channel stand.
-void stop_machine(Machinery& m) {
+void stop_machine(Interpreter& m) {
   const std::size_t silent = m.batch->size();
   const double parts = nct_of(m).parts_done;
   for (const std::int32_t index : m.def.end_codes) {
@@ -229,12 +229,12 @@ void stop_machine(Machinery& m) {
 }
 
 /// Where a tool's life is counted in time, the machine's time is looked at behind each block.
-void watch_tool_time(Machinery& m) {
+void watch_tool_time(Interpreter& m) {
   if (!nct_of(m).tools.counts_time()) return;
   m.reads_clock = m.each_block = nct_of(m).counts_time = true;
 }
 
-void Nct::reset_program(Machinery& m) {
+void Nct::reset_program(Interpreter& m) {
   output.abort();
   data_mode = DataMode::none;
   modal_calls.clear();
@@ -259,6 +259,6 @@ void Nct::reset_program(Machinery& m) {
 
 namespace kadr {
 
-nct::Nct& nct_of(const Machinery& m) { return static_cast<nct::Nct&>(*m.dialect); }
+nct::Nct& nct_of(const Interpreter& m) { return static_cast<nct::Nct&>(*m.dialect); }
 
 }  // namespace kadr

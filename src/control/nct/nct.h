@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "action/action.h"
 #include "config/setup.h"
-#include "control/action.h"
 #include "control/dialect.h"
 #include "control/macro_variables.h"
 #include "control/nct/changes.h"
@@ -25,7 +25,7 @@
 #include "control/state.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 struct Call;
 struct CallFrame;
 }  // namespace kadr
@@ -143,61 +143,61 @@ struct InterruptedCycles {
 
 class Nct : public Dialect, public MachineSide {
  public:
-  Nct(Machinery& machinery, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
+  Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
   ~Nct() override;
 
   // ---- parameters and what follows from them
   /// Parameters have changed: what follows from them is worked out anew.
-  void refresh_settings(const Machinery& m);
-  Status parameter_line(Machinery& m);
+  void refresh_settings(const Interpreter& m);
+  Status parameter_line(Interpreter& m);
 
   // ---- start and end
   /// Power-on state, then what the set-up says.
-  bool start(Machinery& m, const Setup& setup) override;
+  bool start(Interpreter& m, const Setup& setup) override;
   /// Variables, plane, diameter of the set-up, after its modal codes.
-  void take_setup(Machinery& m, const Setup& setup) override;
+  void take_setup(Interpreter& m, const Setup& setup) override;
   /// What the program has set is as at power-on (3.4).
-  void reset_program(Machinery& m);
+  void reset_program(Interpreter& m);
   /// Whole state for the last line of a trace, in the form of a set-up.
-  RunState run_state(const Machinery& m) const override;
+  RunState run_state(const Interpreter& m) const override;
 
   // ---- what an alarm takes back
   /// A word block begins.
-  void begin_block(Machinery& m) override;
+  void begin_block(Interpreter& m) override;
   /// It may change more than where the tool is.
-  void keep_all(const Machinery& m);
+  void keep_all(const Interpreter& m);
   /// A number of a table is about to be written.
   void keep_cell(double& cell) { before_.cells.emplace_back(&cell, cell); }
   void keep_common(int n) { before_.commons.emplace_back(n, variables.common(n)); }
-  void take_back(Machinery& m) override;
+  void take_back(Interpreter& m) override;
 
   // ---- tools
   Result<std::uint32_t> offset_of_tool(char letter) const;
-  Status open_tool_data(Machinery& m, std::uint32_t l, double p, Span where);
-  Status tool_line(Machinery& m);
+  Status open_tool_data(Interpreter& m, std::uint32_t l, double p, Span where);
+  Status tool_line(Interpreter& m);
   void close_data() { data_mode = DataMode::none; }
 
   // ---- spindles
   SpindleState& spindle(int number) { return state.spindles[static_cast<std::size_t>(number)]; }
   const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
   /// Speed of the main spindle now, rev/min; 0 if it stands.
-  double spindle_rpm(const Machinery& m) const;
+  double spindle_rpm(const Interpreter& m) const;
   /// What G96, G97 make of the main spindle's speed (11.5); said where anything of it changes.
-  SurfaceSpeed surface_speed(const Machinery& m) const override;
-  void tell_surface_speed(Machinery& m) const;
-  double css_rpm(const Machinery& m) const;
+  SurfaceSpeed surface_speed(const Interpreter& m) const override;
+  void tell_surface_speed(Interpreter& m) const;
+  double css_rpm(const Interpreter& m) const;
 
   /// Tool lengths by axis before the block.
   const Axes& lengths_before() const { return lengths_before_; }
   /// The modal state of the interrupted block comes back (23.4). `restore`: plain M99.
-  void end_interrupt(Machinery& m, bool restore);
+  void end_interrupt(Interpreter& m, bool restore);
 
   // ---- what the machine tells (machine_side.cpp)
   MachineSide* machine_side() override { return this; }
   void set_signal(const std::string& name, double value) override;
   void set_answer(double to) override { answer = to; }
   void synchronise(int slave, int master) override;
-  void couple_axis(Machinery& m, const std::string& name, bool on) override;
+  void couple_axis(Interpreter& m, const std::string& name, bool on) override;
   void convert_spindle(int number, bool to_axis) override;
   void set_time(double at_ms, double cut_ms) override;
   const WrittenFiles& files_written() const override { return output.files(); }
@@ -205,50 +205,50 @@ class Nct : public Dialect, public MachineSide {
 
   // ---- what the interpreter asks (dialect.cpp): each is a function of this folder
   bool starts_code_by_code() const override { return true; }
-  void started(Machinery& m) override;
-  bool end_program(Machinery& m) override;
-  bool lose_power(Machinery& m) override;
-  void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch) override;
-  StateChanges take_changes(Machinery& m) override;
+  void started(Interpreter& m) override;
+  bool end_program(Interpreter& m) override;
+  bool lose_power(Interpreter& m) override;
+  void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) override;
+  StateChanges take_changes(Interpreter& m) override;
   bool has_unfinished() const override { return !finishing.empty(); }
-  Result<bool> finish(Machinery& m) override;
+  Result<bool> finish(Interpreter& m) override;
   bool reads_clock(const Block& block) const override;
-  void note_skip_mark(Machinery& m) override;
+  void note_skip_mark(Interpreter& m) override;
   bool watches_blocks() const override { return interrupt_program.has_value(); }
   bool in_interrupt() const override { return interrupted.active; }
-  Result<bool> interrupt(Machinery& m, BlockMoment moment) override;
+  Result<bool> interrupt(Interpreter& m, BlockMoment moment) override;
   bool takes_data() const override { return data_mode != DataMode::none; }
-  Status statement(Machinery& m) override;
-  Result<bool> takes_block(Machinery& m) override;
-  std::int16_t motion_row(const Machinery& m) const override;
-  BlockChanges changes_of(const Machinery& m, const Plan& plan) const override;
-  void before_function(Machinery& m, Function function) override;
-  void after_code(Machinery& m, const CodeRow& row, std::int32_t code) override;
-  Status after_block(Machinery& m) override;
-  void keep(Machinery& m) override { keep_all(m); }
-  void taken_back(Machinery& m) override;
-  void note_fault(Machinery& m, bool may_have_steered) override { endless.note_fault(m, may_have_steered); }
+  Status statement(Interpreter& m) override;
+  Result<bool> takes_block(Interpreter& m) override;
+  std::int16_t motion_row(const Interpreter& m) const override;
+  BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
+  void before_function(Interpreter& m, Function function) override;
+  void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
+  Status after_block(Interpreter& m) override;
+  void keep(Interpreter& m) override { keep_all(m); }
+  void taken_back(Interpreter& m) override;
+  void note_fault(Interpreter& m, bool may_have_steered) override { endless.note_fault(m, may_have_steered); }
   void begin_again() override { endless.forget(); }
-  bool leave_call(Machinery& m) override;
-  Status target(const Machinery& m, Axes& to, AxisMask& named) const override;
-  bool shapes_lines(const Machinery& m) const override;
-  Status straight(Machinery& m, const Call& call, MotionKind kind) override;
-  bool only_shifts(const Machinery& m) const override;
-  Status arc(Machinery& m, const Call& call, Turn turn) override;
-  Status surface_line(Machinery& m, MotionKind kind, const Axes& programmed, AxisMask named) override;
-  Status may_move(const Machinery& m, AxisMask named) const override;
-  void note_motion(Machinery& m, Motion& motion) override;
-  double inch_feed(const Machinery& m, const Motion& motion, const Axes& from) const override;
-  void note_feed(Machinery&) override { thread_lead = 0; }
+  bool leave_call(Interpreter& m) override;
+  Status target(const Interpreter& m, Axes& to, AxisMask& named) const override;
+  bool shapes_lines(const Interpreter& m) const override;
+  Status straight(Interpreter& m, const Call& call, MotionKind kind) override;
+  bool only_shifts(const Interpreter& m) const override;
+  Status arc(Interpreter& m, const Call& call, Turn turn) override;
+  Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) override;
+  Status may_move(const Interpreter& m, AxisMask named) const override;
+  void note_motion(Interpreter& m, Motion& motion) override;
+  double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) const override;
+  void note_feed(Interpreter&) override { thread_lead = 0; }
   bool keeps_both_feeds() const override { return true; }  // 6.2.1
-  void refresh_frames(Machinery& m) override;
+  void refresh_frames(Interpreter& m) override;
   bool zero_may_move() const override { return true; }
-  void roll(const Machinery& m, Axes& positions) const override;
-  Status take_answer(Machinery& m, const ProbeAnswer& at) override;
-  Status machine_code(Machinery& m, const Call& call) override;
-  Result<double> read_variable(Machinery& m, double number, Span where) const override;
-  Result<double> number_of_element(const Machinery& m, double symbol, double index, Span where) const override;
-  Result<double> control_value(Machinery& m, double number, double bit, double index, Span where) const override;
+  void roll(const Interpreter& m, Axes& positions) const override;
+  Status take_answer(Interpreter& m, const ProbeAnswer& at) override;
+  Status machine_code(Interpreter& m, const Call& call) override;
+  Result<double> read_variable(Interpreter& m, double number, Span where) const override;
+  Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where) const override;
+  Result<double> control_value(Interpreter& m, double number, double bit, double index, Span where) const override;
 
   MacroVariables variables;
   ParameterStore parameters;
@@ -323,33 +323,33 @@ class Nct : public Dialect, public MachineSide {
 };
 
 /// Groups of the offset table: N1400, else what the variables have room for (15.1).
-std::uint32_t most_offsets(const Machinery& m);
+std::uint32_t most_offsets(const Interpreter& m);
 /// Axes that the machine makes of spindles (11.8), as far as the set-up's events say that it does.
-void find_spindle_axes(Machinery& m, const Setup& setup);
+void find_spindle_axes(Interpreter& m, const Setup& setup);
 /// A warning where one of these axes moves while it turns as a spindle.
-void watch_spindle_axes(Machinery& m, AxisMask named);
+void watch_spindle_axes(Interpreter& m, AxisMask named);
 /// Lead of a thread by the block's E or F, or the last one, mm; 0: none (4.4).
-double take_lead(Machinery& m);
+double take_lead(Interpreter& m);
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
-Result<double> dwell_seconds(Machinery& m, double p, Span where);
+Result<double> dwell_seconds(Interpreter& m, double p, Span where);
 /// M codes for the machine: indexing, closing the loop, optional spindle codes, all others (11, 13.1).
-Status machine_code(Machinery& m, const Call& call);
+Status machine_code(Interpreter& m, const Call& call);
 /// The gearbox, if it is on, stops (20.1).
-void disengage(Machinery& m);
+void disengage(Interpreter& m);
 /// A tool's life may be counted in time (12.3.1).
-void watch_tool_time(Machinery& m);
+void watch_tool_time(Interpreter& m);
 /// The block has a word for a spindle.
-bool has_spindle_word(const Machinery& m);
+bool has_spindle_word(const Interpreter& m);
 /// Variables that hold something, and those that are asked for ("#5061", "#_ALM").
-void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch);
+void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch);
 /// G10 L… (set_tables.cpp).
-Status set_tables(Machinery& m, const Call& call);
+Status set_tables(Interpreter& m, const Call& call);
 
 }  // namespace kadr::nct
 
 namespace kadr {
 
 /// The dialect of an interpreter that has this one.
-nct::Nct& nct_of(const Machinery& m);
+nct::Nct& nct_of(const Interpreter& m);
 
 }  // namespace kadr

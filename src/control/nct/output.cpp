@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/nct.h"
 #include "control/nct/print.h"
 #include "control/reading.h"
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 /// Path of the running program from the folder of the program memory. INFERRED: a program that lies elsewhere counts as if it
 /// stood in that folder.
-std::string program_path(const Machinery& m) {
+std::string program_path(const Interpreter& m) {
   const auto whole = [](const std::string& path) {
     std::error_code error;  // no working directory: the path as it is
     return fs::absolute(path, error).lexically_normal();
@@ -35,7 +35,7 @@ Status placed(const Status& status, Span where) {
   return fail(alarm);
 }
 
-Result<double> value_or_zero(Machinery& m, Expression expression) {
+Result<double> value_or_zero(Interpreter& m, Expression expression) {
   if (!expression) return 0.0;
   return evaluate(*m.block, expression, Reading{m});
 }
@@ -43,7 +43,7 @@ Result<double> value_or_zero(Machinery& m, Expression expression) {
 /// Values of the variables named in a text, in order; a vacant one: none.
 class Values {
  public:
-  explicit Values(Machinery& m) : m_(m) { scratch_.text = {}; }
+  explicit Values(Interpreter& m) : m_(m) { scratch_.text = {}; }
 
   Result<std::size_t> read(std::string_view rest) {
     Cursor cursor{rest, 0};
@@ -58,12 +58,12 @@ class Values {
   PrintValues values() const { return values_; }
 
  private:
-  Machinery& m_;
+  Interpreter& m_;
   Block scratch_;
   std::vector<std::optional<double>> values_;
 };
 
-Status print(Machinery& m, const Statement& s, PrintKind kind) {
+Status print(Interpreter& m, const Statement& s, PrintKind kind) {
   auto values = std::make_unique<Values>(m);
   const std::string_view text = m.block->text_of(s.text);
   const auto pieces = parse_print(text, kind, [&](std::string_view rest) { return values->read(rest); });
@@ -81,7 +81,7 @@ Status print(Machinery& m, const Statement& s, PrintKind kind) {
   return placed(nct_of(m).output.print(*bytes, kind), s.where);
 }
 
-Status open_file_of(Machinery& m, const Statement& s, double mode) {
+Status open_file_of(Interpreter& m, const Statement& s, double mode) {
   OutputFile& output = nct_of(m).output;
   if (m.block->file_name.end != 0) {
     Span place = m.block->file_name;
@@ -97,7 +97,7 @@ Status open_file_of(Machinery& m, const Statement& s, double mode) {
 
 }  // namespace
 
-Status output(Machinery& m, const Statement& s) {
+Status output(Interpreter& m, const Statement& s) {
   if (s.kind == StatementKind::print_decimal) return print(m, s, PrintKind::decimal);
   if (s.kind == StatementKind::print_binary) return print(m, s, PrintKind::binary);
   OutputFile& output = nct_of(m).output;
@@ -111,7 +111,7 @@ Status output(Machinery& m, const Statement& s) {
   }
 }
 
-Result<std::string> embedded_values(Machinery& m, const std::string& text, Span) {
+Result<std::string> embedded_values(Interpreter& m, const std::string& text, Span) {
   auto values = std::make_unique<Values>(m);
   const PrintText pieces = parse_message(text, [&](std::string_view rest) { return values->read(rest); });
   const PrintFill fill = nct_of(m).settings.print_bare ? PrintFill::none : PrintFill::spaces;

@@ -4,10 +4,10 @@
 
 namespace kadr::functions {
 
-Status machine_axis(Machinery&, const Call&) { return {}; }
-Status increment_axis(Machinery&, const Call&) { return {}; }
-Status argument_only(Machinery&, const Call&) { return {}; }
-Status not_available(Machinery&, const Call& call) {
+Status machine_axis(Interpreter&, const Call&) { return {}; }
+Status increment_axis(Interpreter&, const Call&) { return {}; }
+Status argument_only(Interpreter&, const Call&) { return {}; }
+Status not_available(Interpreter&, const Call& call) {
   return fail(alarm(AlarmId::not_available, call.where, call.row != nullptr ? call.row->code : std::string()));
 }
 

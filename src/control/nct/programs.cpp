@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "base/ascii.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "lang/utf16.h"
 
 namespace kadr::nct {
@@ -49,7 +49,7 @@ bool is_below(const fs::path& file, const fs::path& folder) {
 }
 
 /// Within the program memory: the main program's folder, or the one that was given to the run.
-bool is_inside(const Machinery& m, const fs::path& file) {
+bool is_inside(const Interpreter& m, const fs::path& file) {
   const std::string& given = m.flow.limits().files;
   return is_below(file, fs::path(m.flow.main_file()).parent_path()) || (!given.empty() && is_below(file, given));
 }
@@ -119,7 +119,7 @@ bool begins_with(const fs::path& path, std::uint32_t number) {
 /// A file of that number in another form, or (`by_word`) one that begins with it: in the caller's folder, then in that of --files.
 ///   returns  "": there is none
 ///   alarms  label_twice
-Result<std::string> other_file(Machinery& m, std::uint32_t number, const std::string& extension, bool by_word, Span where) {
+Result<std::string> other_file(Interpreter& m, std::uint32_t number, const std::string& extension, bool by_word, Span where) {
   if (!by_word && names_are_strict(extension)) return std::string();
   const fs::path own = fs::path(m.flow.file()).parent_path();
   for (const fs::path& folder : {own.empty() ? fs::path(".") : own, fs::path(m.flow.limits().files)}) {
@@ -155,7 +155,7 @@ std::uint32_t number_of_file(const std::string& path) {
   return static_cast<std::uint32_t>(std::stoul(stem.substr(1)));
 }
 
-Result<ProgramPlace> Programs::by_number(Machinery& m, std::uint32_t number, Span where) {
+Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, Span where) {
   const std::pair key{std::uint32_t{m.flow.reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
   const fs::path caller(m.flow.file());
@@ -193,7 +193,7 @@ Result<ProgramPlace> Programs::by_number(Machinery& m, std::uint32_t number, Spa
   return place;
 }
 
-Result<ProgramPlace> Programs::by_name(Machinery& m, std::string_view name, Span where) {
+Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Span where) {
   if (name.empty() || characters(name) > most_name || name.find('/') != std::string_view::npos)
     return fail(alarm(AlarmId::file_name, where, name));
   const fs::path folder = fs::path(m.flow.file()).parent_path();
@@ -206,7 +206,7 @@ Result<ProgramPlace> Programs::by_name(Machinery& m, std::string_view name, Span
   return ProgramPlace{*reader, {}};
 }
 
-Result<ProgramPlace> Programs::system(Machinery& m, std::uint32_t number, Span where) {
+Result<ProgramPlace> Programs::system(Interpreter& m, std::uint32_t number, Span where) {
   if (const auto known = systems_.find(number); known != systems_.end()) return known->second;
   const std::string folder = fmt::format("SystemMacros/Channel{}", m.def.channel);
   fs::path base = fs::path(m.flow.main_file()).parent_path();

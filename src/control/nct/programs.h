@@ -11,7 +11,7 @@
 #include "lang/block.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 }
 
 namespace kadr::nct {
@@ -30,12 +30,12 @@ class Programs {
   /// that number in another form (not .nct, .prg), in the caller's folder or in that of --files; else the control's own; else a file that
   /// begins with `O` or `:` and the number.
   ///   alarms  program_missing (2147), label_twice
-  Result<ProgramPlace> by_number(Machinery& m, std::uint32_t number, Span where);
+  Result<ProgramPlace> by_number(Interpreter& m, std::uint32_t number, Span where);
   /// M98 <path\\name.ext> from the caller's folder, within the main program's folder or that of --files.
   ///   alarms  file_missing (2132), file_name, file_outside
-  Result<ProgramPlace> by_name(Machinery& m, std::string_view name, Span where);
+  Result<ProgramPlace> by_name(Interpreter& m, std::string_view name, Span where);
   /// A system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
-  Result<ProgramPlace> system(Machinery& m, std::uint32_t number, Span where);
+  Result<ProgramPlace> system(Interpreter& m, std::uint32_t number, Span where);
 
  private:
   std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramPlace> numbers_;  // {reader of the caller, number}

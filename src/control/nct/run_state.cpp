@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/nct.h"
 #include "control/nct/system_variables.h"
@@ -17,13 +17,13 @@ bool is_set(const ToolOffset& o) {
   return false;
 }
 
-AxisValues by_name(const Machinery& m, const Axes& axes) {
+AxisValues by_name(const Interpreter& m, const Axes& axes) {
   AxisValues values;
   for (std::size_t a = 0; a < m.axis_count; ++a) values[m.axis_names[a]] = axes[a];
   return values;
 }
 
-void add_zeros(const Machinery& m, Setup& tables) {
+void add_zeros(const Interpreter& m, Setup& tables) {
   const auto add = [&](const std::string& name, const Axes& zero, Vec3 angles) {
     if (!any_nonzero(zero) && angles == Vec3{}) return;
     AxisValues& values = tables.work_offsets[name];
@@ -48,7 +48,7 @@ const char* name_of(SpindleDir dir) {
 
 }  // namespace
 
-void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>& watch) {
+void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) {
   const auto add = [&](int n) {
     double value = 0;
     if (nct_of(m).variables.known(n, value) && !is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);
@@ -65,7 +65,7 @@ void add_variables(Machinery& m, Ending& ending, const std::vector<std::string>&
   }
 }
 
-RunState Nct::run_state(const Machinery& m) const {
+RunState Nct::run_state(const Interpreter& m) const {
   RunState s;
   for (std::size_t i = 1; i < m.tables.offsets.size(); ++i)
     if (is_set(m.tables.offsets[i])) s.tables.offsets[static_cast<int>(i)] = m.tables.offsets[i];

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "action/action.h"
 #include "base/vec.h"
-#include "control/action.h"
 
 namespace kadr::nct {
 

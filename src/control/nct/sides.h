@@ -3,27 +3,27 @@
 
 #include <optional>
 
+#include "action/action.h"
 #include "base/vec.h"
 #include "config/function.h"
-#include "control/action.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 }
 
 namespace kadr::nct {
 
 /// Side, radius and step of a motion in the plane; the step is taken by the first one.
-void note_side(Machinery& m, Motion& motion);
+void note_side(Interpreter& m, Motion& motion);
 /// Codes that interrupt compensation: the tool's centre goes to the programmed point before them (15.5.2).
 bool interrupts_contour(Function function);
 /// A block with `/`: whether it is skipped or not, it interrupts compensation where N1337 #4 CBB is 0 (15.5.2).
-void note_skip_mark(Machinery& m);
+void note_skip_mark(Interpreter& m);
 /// Increments of zero beside a new length: the start point is shifted by it, nothing moves (15.3).
-bool only_shifts_length(const Machinery& m);
+bool only_shifts_length(const Interpreter& m);
 /// G41, G42, G40 in a block that did not move in the plane.
-void end_side_block(Machinery& m);
+void end_side_block(Interpreter& m);
 /// I, J, K of the plane as a direction, mirrored and turned as the contour is (15.5.1, 15.5.6); nothing if none stands in the block.
-std::optional<Vec2> plane_direction(const Machinery& m);
+std::optional<Vec2> plane_direction(const Interpreter& m);
 
 }  // namespace kadr::nct

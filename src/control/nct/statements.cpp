@@ -13,16 +13,16 @@
 namespace kadr::nct {
 namespace {
 
-Result<double> value_of(Machinery& m, Expression expression) { return evaluate(*m.block, expression, Reading{m}); }
+Result<double> value_of(Interpreter& m, Expression expression) { return evaluate(*m.block, expression, Reading{m}); }
 
 /// The number of the variable to be written: mostly a constant.
-Result<double> target_of(Machinery& m, const Statement& s) {
+Result<double> target_of(Interpreter& m, const Statement& s) {
   const Instruction& first = m.block->code[s.target.begin];
   if (s.target.end - s.target.begin == 1 && first.op == Op::number) return first.number;
   return value_of(m, s.target);
 }
 
-Status assign(Machinery& m, const Statement& s) {
+Status assign(Interpreter& m, const Statement& s) {
   const auto target = target_of(m, s);
   if (!target) return fail(target.error());
   const auto value = value_of(m, s.value);
@@ -33,7 +33,7 @@ Status assign(Machinery& m, const Statement& s) {
 Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, where, double(loop.number))); }
 
 /// A jump back that would be made for ever is none.
-Status jump_to(Machinery& m, Position target, Span where) {
+Status jump_to(Interpreter& m, Position target, Span where) {
   if (target.offset <= m.block->position.offset) {
     switch (nct_of(m).endless.look(m, target, m.flow.reader(), m.flow.blocks())) {
       case Endless::Verdict::go: break;
@@ -46,7 +46,7 @@ Status jump_to(Machinery& m, Position target, Span where) {
 }
 
 /// WHILE[…] DOm, DOm: on with the body, or behind the END (23.2.11).
-Status loop(Machinery& m, const Statement& s, bool holds) {
+Status loop(Interpreter& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
   const Loop* const found = file.loop_from(m.block->position);
   if (found == nullptr) return {};  // more loops than are looked at
@@ -56,7 +56,7 @@ Status loop(Machinery& m, const Statement& s, bool holds) {
 }
 
 /// ENDm goes back to its DOm, found by the text: a loop may be entered by a jump.
-Status loop_end(Machinery& m, const Statement& s) {
+Status loop_end(Interpreter& m, const Statement& s) {
   const Loop* const found = m.flow.program_file().loop_to(m.block->position);
   if (found == nullptr) return fail(alarm(AlarmId::end_without_do, s.where, double(s.loop)));
   if (found->damaged) return {};
@@ -65,7 +65,7 @@ Status loop_end(Machinery& m, const Statement& s) {
 }
 
 /// All conditions of IF and WHILE.
-Result<bool> holds(Machinery& m, const Statement& s) {
+Result<bool> holds(Interpreter& m, const Statement& s) {
   for (std::uint8_t i = 0; i < s.condition_count; ++i) {
     const auto value = value_of(m, s.conditions[i]);
     if (!value) return fail(value.error());
@@ -75,7 +75,7 @@ Result<bool> holds(Machinery& m, const Statement& s) {
 }
 
 /// Where the file being read has the block of that number.
-Result<Position> block_numbered(Machinery& m, double number, Span where) {
+Result<Position> block_numbered(Interpreter& m, double number, Span where) {
   if (is_vacant(number)) return fail(alarm(AlarmId::block_number_vacant, where));
   const double nearest = std::round(number);
   const auto missing = [&] { return fail(alarm(AlarmId::block_not_found, where, number)); };
@@ -85,7 +85,7 @@ Result<Position> block_numbered(Machinery& m, double number, Span where) {
   return *found;
 }
 
-Status jump(Machinery& m, const Statement& s) {
+Status jump(Interpreter& m, const Statement& s) {
   const auto number = value_of(m, s.value);
   if (!number) return fail(number.error());
   return go_to_block(m, *number, s.where);
@@ -93,13 +93,13 @@ Status jump(Machinery& m, const Statement& s) {
 
 }  // namespace
 
-Status go_to_block(Machinery& m, double number, Span where) {
+Status go_to_block(Interpreter& m, double number, Span where) {
   const auto found = block_numbered(m, number, where);
   if (!found) return fail(found.error());
   return jump_to(m, *found, where);
 }
 
-Status go_to_block_again(Machinery& m, double number, Span where) {
+Status go_to_block_again(Interpreter& m, double number, Span where) {
   const auto found = block_numbered(m, number, where);
   if (!found) return fail(found.error());
   if (found->offset <= m.block->position.offset) return m.begin_again(where, *found);
@@ -107,7 +107,7 @@ Status go_to_block_again(Machinery& m, double number, Span where) {
   return {};
 }
 
-Status run_statement(Machinery& m) {
+Status run_statement(Interpreter& m) {
   const Statement& s = m.block->statement;
   const auto condition = holds(m, s);
   if (!condition) return fail(condition.error());

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/clock.h"
 #include "control/nct/coordinates.h"
 #include "control/nct/modal_values.h"
@@ -33,26 +33,26 @@ std::optional<Found> find(const ControlDef& def, std::uint32_t number) {
 }
 
 /// Index in the channel of the axis with that control-wide number; -1: another channel's, or none.
-int axis_of(const Machinery& m, std::uint32_t number) {
+int axis_of(const Interpreter& m, std::uint32_t number) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.def.axis_numbers[a] == number) return static_cast<int>(a);
   return -1;
 }
 
 /// A length in the program's unit; a diameter as one.
-double shown(const Machinery& m, int axis, double mm) {
+double shown(const Interpreter& m, int axis, double mm) {
   if ((m.def.rotary >> axis & 1u) != 0) return mm;
   const double v = (m.modal.diameter >> axis & 1u) != 0 ? 2 * mm : mm;
   return m.modal.inch ? v / mm_per_inch : v;
 }
-double kept(const Machinery& m, int axis, double value) {
+double kept(const Interpreter& m, int axis, double value) {
   if ((m.def.rotary >> axis & 1u) != 0) return value;
   const double mm = m.modal.inch ? value * mm_per_inch : value;
   return (m.modal.diameter >> axis & 1u) != 0 ? mm / 2 : mm;
 }
 
 /// Positions and lengths by axis; another channel's axis reads 0.
-double axis_value(const Machinery& m, VariableKind kind, int axis) {
+double axis_value(const Interpreter& m, VariableKind kind, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
   const double length = m.frames.length[a];
@@ -68,7 +68,7 @@ double axis_value(const Machinery& m, VariableKind kind, int axis) {
 }
 
 /// The field of the offset table, or nullptr.
-double* offset_field(Machinery& m, VariableKind kind, std::uint32_t number) {
+double* offset_field(Interpreter& m, VariableKind kind, std::uint32_t number) {
   if (number >= m.tables.offsets.size()) return nullptr;
   ToolOffset& o = m.tables.offsets[number];
   switch (kind) {
@@ -93,7 +93,7 @@ std::size_t system_of(const Found& f) {
   return extended ? basic_systems + f.family : static_cast<std::size_t>(f.row->arg);
 }
 
-double* rotation_field(Machinery& m, const Found& f) {
+double* rotation_field(Interpreter& m, const Found& f) {
   Vec3& angles = m.tables.rotations[system_of(f)];
   return f.index == 1 ? &angles.x : f.index == 2 ? &angles.y : &angles.z;
 }
@@ -103,7 +103,7 @@ bool is_zero(VariableKind kind) {
 }
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
-double* zero_field(Machinery& m, const Found& f, int axis) {
+double* zero_field(Interpreter& m, const Found& f, int axis) {
   Axes* const zero = f.row->kind == VariableKind::zero_common ? &m.tables.common : &m.tables.zeros[system_of(f)];
   return zero->data() + axis;
 }
@@ -115,14 +115,14 @@ double bits_to_word(const std::array<double, 32>& bits) {
   return word;
 }
 
-double mirror_bits(const Machinery& m) {
+double mirror_bits(const Interpreter& m) {
   std::uint32_t bits = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.transform.mirror[a] < 0 && m.def.axis_numbers[a] >= 1) bits |= 1u << (m.def.axis_numbers[a] - 1u);
   return bits;
 }
 
-double read_plain(const Machinery& m, const Found& f) {
+double read_plain(const Interpreter& m, const Found& f) {
   const Nct& n = nct_of(m);
   const VariableRow& row = *f.row;
   switch (row.kind) {
@@ -179,7 +179,7 @@ Status write_control(std::uint32_t& control, const VariableRow& row, double valu
   return {};
 }
 
-Status write_plain(Machinery& m, const Found& f, double value, Span where) {
+Status write_plain(Interpreter& m, const Found& f, double value, Span where) {
   Nct& n = nct_of(m);
   switch (f.row->kind) {
     case VariableKind::plc_out: {
@@ -215,7 +215,7 @@ Result<std::uint32_t> whole_number(double number, Span where) {
 
 }  // namespace
 
-Result<double> read_variable(Machinery& m, double number, Span where) {
+Result<double> read_variable(Interpreter& m, double number, Span where) {
   const auto n = whole_number(number, where);
   if (!n) return fail(n.error());
   if (double value = 0; nct_of(m).variables.known(*n, value)) return value;
@@ -238,7 +238,7 @@ Result<double> read_variable(Machinery& m, double number, Span where) {
   return read_plain(m, *f);
 }
 
-Status write_variable(Machinery& m, double number, double value, Span where) {
+Status write_variable(Interpreter& m, double number, double value, Span where) {
   const auto n = whole_number(number, where);
   if (!n) return fail(n.error());
   Nct& nct = nct_of(m);
@@ -270,7 +270,7 @@ Status write_variable(Machinery& m, double number, double value, Span where) {
   return write_plain(m, *f, value, where);
 }
 
-Status set_start_value(Machinery& m, double number, double value) {
+Status set_start_value(Interpreter& m, double number, double value) {
   Nct& nct = nct_of(m);
   const auto n = whole_number(number, {});
   if (!n) return fail(n.error());
@@ -290,7 +290,7 @@ Status set_start_value(Machinery& m, double number, double value) {
   return write_variable(m, number, value, {});
 }
 
-Result<double> number_of_element(const Machinery& m, double symbol, double index, Span where) {
+Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where) {
   const VariableName& name = m.def.grammar.symbols[static_cast<std::size_t>(symbol)];
   const double nearest = std::round(index);
   if (!(nearest >= name.first_index && nearest < name.first_index + name.count))
@@ -298,7 +298,7 @@ Result<double> number_of_element(const Machinery& m, double symbol, double index
   return name.number + nearest - name.first_index;
 }
 
-Result<double> read_parameter(Machinery& m, double number, double bit, double index, Span where) {
+Result<double> read_parameter(Interpreter& m, double number, double bit, double index, Span where) {
   const auto given = [](double v) { return is_vacant(v) ? std::optional<double>() : std::optional(v); };
   if (is_vacant(number)) return fail(alarm(AlarmId::expression_syntax, where, "PRM"));
   nct_of(m).endless.note_reading();

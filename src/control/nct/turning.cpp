@@ -12,10 +12,10 @@
 namespace kadr::nct {
 namespace {
 
-std::size_t axis_of(const Machinery& m, std::size_t which) { return which == 0 ? m.modal.axes.first : m.modal.axes.second; }
+std::size_t axis_of(const Interpreter& m, std::size_t which) { return which == 0 ? m.modal.axes.first : m.modal.axes.second; }
 
 /// 0 or 1: first or second axis of the plane; anything else: not in it.
-std::size_t place_in_plane(const Machinery& m, const Word& w) {
+std::size_t place_in_plane(const Interpreter& m, const Word& w) {
   const std::size_t axis = m.def.address(w.address).axis;
   return axis == m.modal.axes.first ? 0 : axis == m.modal.axes.second ? 1 : 2;
 }
@@ -25,7 +25,7 @@ struct Distances {
   std::array<double, 2> value{};
   std::array<const Word*, 2> word{};
 };
-Result<Distances> distances(const Machinery& m) {
+Result<Distances> distances(const Interpreter& m) {
   Distances d;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -39,12 +39,12 @@ Result<Distances> distances(const Machinery& m) {
   return d;
 }
 
-Status out_of_range(const Machinery& m, char letter) {
+Status out_of_range(const Interpreter& m, char letter) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
 }
 
 /// R of a first line: not negative; stays as it was where it is not given.
-Status take_r(const Machinery& m, double& to) {
+Status take_r(const Interpreter& m, double& to) {
   if (!m.has('R')) return {};
   if (!(m.value('R') >= 0)) return out_of_range(m, 'R');
   to = m.length_value('R');
@@ -52,7 +52,7 @@ Status take_r(const Machinery& m, double& to) {
 }
 
 /// G71.7 W5 R1, G72.7 V5 R1: the depth of a pass along the infeed axis (19.A 4), the retract.
-Status first_of_rough(Machinery& m, const Call& call) {
+Status first_of_rough(Interpreter& m, const Call& call) {
   TurningMemory& kept = nct_of(m).state.turning;
   const std::size_t infeed = call.row->arg == 717 ? 1 : 0;
   const auto d = distances(m);
@@ -69,7 +69,7 @@ Status first_of_rough(Machinery& m, const Call& call) {
 }
 
 /// G73.7 U3 W3 R4: the relief of the first pass, the number of passes.
-Status first_of_pattern(Machinery& m) {
+Status first_of_pattern(Interpreter& m) {
   constexpr double most_passes = 9999;
   TurningMemory& kept = nct_of(m).state.turning;
   const auto d = distances(m);
@@ -84,7 +84,7 @@ Status first_of_pattern(Machinery& m) {
 }
 
 /// G76.7 Pmmrraa QΔmin Rd.
-Status first_of_thread(Machinery& m) {
+Status first_of_thread(Interpreter& m) {
   constexpr double angles[] = {80, 60, 55, 30, 29, 0};
   TurningMemory& kept = nct_of(m).state.turning;
   if (m.has('P')) {
@@ -106,7 +106,7 @@ Status first_of_thread(Machinery& m) {
 }
 
 /// Which of the two lines of a compound cycle the block is: the second names the contour, the target or the pecks.
-bool is_first_line(const Machinery& m, int code) {
+bool is_first_line(const Interpreter& m, int code) {
   switch (code) {
     case 707: return false;
     case 717:
@@ -117,7 +117,7 @@ bool is_first_line(const Machinery& m, int code) {
   }
 }
 
-Status first_line(Machinery& m, const Call& call) {
+Status first_line(Interpreter& m, const Call& call) {
   switch (call.row->arg) {
     case 717:
     case 727: return first_of_rough(m, call);
@@ -129,7 +129,7 @@ Status first_line(Machinery& m, const Call& call) {
   }
 }
 
-Status second_line(Machinery& m, const Call& call) {
+Status second_line(Interpreter& m, const Call& call) {
   switch (call.row->arg) {
     case 747:
     case 757: return groove(m, call);
@@ -142,14 +142,14 @@ Status second_line(Machinery& m, const Call& call) {
   return call.row->arg == 737 ? pattern(m, call, by) : rough(m, call, by);
 }
 
-Status possible(const Machinery& m, const Call& call) {
+Status possible(const Interpreter& m, const Call& call) {
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   return {};
 }
 
 /// Words of a simple cycle: what is not given stays as in the block before.
-Status take_simple(Machinery& m, const Call& call) {
+Status take_simple(Interpreter& m, const Call& call) {
   TurningMemory& kept = nct_of(m).state.turning;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());
@@ -166,7 +166,7 @@ Status take_simple(Machinery& m, const Call& call) {
 }
 
 /// G77.7 along the first axis, G79.7 along the second: in, the cut, out, back.
-Status cut_once(Machinery& m, const Call& call) {
+Status cut_once(Interpreter& m, const Call& call) {
   const TurningMemory& kept = nct_of(m).state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
   const bool along_first = call.row->arg == 777;
@@ -178,7 +178,7 @@ Status cut_once(Machinery& m, const Call& call) {
 }
 
 /// G78.7; the length of the chamfer-out is not known: INFERRED none.
-Status simple_thread(Machinery& m, const Call& call) {
+Status simple_thread(Interpreter& m, const Call& call) {
   const TurningMemory& kept = nct_of(m).state.turning;
   const auto lead = lead_of(m, call);
   if (!lead) return fail(lead.error());
@@ -191,7 +191,7 @@ class FinishingRun final : public Running {
  public:
   FinishingRun(Position first, Position behind, std::uint32_t name) : first_(first), behind_(behind), name_(name) {}
 
-  Result<bool> next(Machinery& m) override {
+  Result<bool> next(Interpreter& m) override {
     CallFrame frame;
     frame.name = name_;
     frame.left = 1;
@@ -209,9 +209,9 @@ class FinishingRun final : public Running {
 
 }  // namespace
 
-Vec2 plane_point(const Machinery& m) { return {m.position.programmed[m.modal.axes.first], m.position.programmed[m.modal.axes.second]}; }
+Vec2 plane_point(const Interpreter& m) { return {m.position.programmed[m.modal.axes.first], m.position.programmed[m.modal.axes.second]}; }
 
-Status go(Machinery& m, MotionKind kind, Vec2 to) {
+Status go(Interpreter& m, MotionKind kind, Vec2 to) {
   const PlaneAxes& plane = m.modal.axes;
   const Vec2 here = plane_point(m);
   AxisMask named = 0;
@@ -221,13 +221,13 @@ Status go(Machinery& m, MotionKind kind, Vec2 to) {
   return named == 0 ? Status() : m.straight(kind, end, named);
 }
 
-void end_pass(Machinery& m) {
+void end_pass(Interpreter& m) {
   if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
-char letter_of(const Machinery& m, std::size_t which) { return m.letters.axis_letter[axis_of(m, which)]; }
+char letter_of(const Interpreter& m, std::size_t which) { return m.letters.axis_letter[axis_of(m, which)]; }
 
-Result<PlaneTarget> plane_target(Machinery& m) {
+Result<PlaneTarget> plane_target(Interpreter& m) {
   PlaneTarget target;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -247,14 +247,14 @@ Result<PlaneTarget> plane_target(Machinery& m) {
   return target;
 }
 
-Status finish(Machinery& m, const Call& call) {
+Status finish(Interpreter& m, const Call& call) {
   const auto contour = find_contour(m, call);
   if (!contour) return fail(contour.error());
   m.running = std::make_unique<FinishingRun>(contour->first, contour->behind, static_cast<std::uint32_t>(m.value('P')));
   return {};
 }
 
-Result<bool> end_contour(Machinery& m) {
+Result<bool> end_contour(Interpreter& m) {
   std::vector<Finishing>& all = nct_of(m).finishing;
   while (!all.empty() && m.flow.depth() < all.back().depth) all.pop_back();  // left by M99 or a restart
   if (all.empty() || m.flow.depth() != all.back().depth || m.flow.position().offset < all.back().behind) return false;
@@ -272,7 +272,7 @@ Result<bool> end_contour(Machinery& m) {
 namespace kadr::functions {
 
 /// G70.7 … G76.7 (19.2). arg: ten times the number without its tenth (707).
-Status turning_cycle(Machinery& m, const Call& call) {
+Status turning_cycle(Interpreter& m, const Call& call) {
   KADR_TRY(nct::possible(m, call));
   if (nct::is_first_line(m, call.row->arg)) return nct::first_line(m, call);
   nct_of(m).moved = true;
@@ -281,7 +281,7 @@ Status turning_cycle(Machinery& m, const Call& call) {
 }
 
 /// G77.7, G78.7, G79.7 (19.1): each block with an axis repeats the cycle, which ends where it began.
-Status turning_simple(Machinery& m, const Call& call) {
+Status turning_simple(Interpreter& m, const Call& call) {
   m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   m.modal.motion = MotionMode::linear;
   nct::TurningMemory& kept = nct_of(m).state.turning;

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "action/action.h"
 #include "base/result.h"
 #include "base/vec.h"
-#include "control/action.h"
 
 namespace kadr {
-class Machinery;
+class Interpreter;
 struct Call;
 struct CodeRow;
 }  // namespace kadr
@@ -49,23 +49,23 @@ struct Finishing {
 
 /// Behind the last block of a contour: back to the start, and on behind G70.7.
 ///   returns  true: it has been left
-Result<bool> end_contour(Machinery& m);
+Result<bool> end_contour(Interpreter& m);
 
 // ---- for the cycles' own files
 
 /// A point of the plane where the tool stands, programmed.
-Vec2 plane_point(const Machinery& m);
+Vec2 plane_point(const Interpreter& m);
 /// A straight motion in the plane; only of the axes that change.
-Status go(Machinery& m, MotionKind kind, Vec2 to);
+Status go(Interpreter& m, MotionKind kind, Vec2 to);
 /// A pass is over: the stop of single-block operation (19.B, INFERRED).
-void end_pass(Machinery& m);
+void end_pass(Interpreter& m);
 
 /// Second lines of the compound cycles.
-Status finish(Machinery& m, const Call& call);
-Status rough(Machinery& m, const Call& call, Vec2 allowance);
-Status pattern(Machinery& m, const Call& call, Vec2 allowance);
-Status groove(Machinery& m, const Call& call);
-Status compound_thread(Machinery& m, const Call& call);
+Status finish(Interpreter& m, const Call& call);
+Status rough(Interpreter& m, const Call& call, Vec2 allowance);
+Status pattern(Interpreter& m, const Call& call, Vec2 allowance);
+Status groove(Interpreter& m, const Call& call);
+Status compound_thread(Interpreter& m, const Call& call);
 
 /// Target of the cycle's axis words in the plane, which are Cartesian. `given`: which of the two stand in the block.
 ///   alarms  illegal_address: an axis that is not in the plane
@@ -73,9 +73,9 @@ struct PlaneTarget {
   Vec2 to;
   std::array<bool, 2> given{};
 };
-Result<PlaneTarget> plane_target(Machinery& m);
+Result<PlaneTarget> plane_target(Interpreter& m);
 /// Letter of the plane's first (0) or second (1) axis.
-char letter_of(const Machinery& m, std::size_t which);
+char letter_of(const Interpreter& m, std::size_t which);
 
 /// One pass of a thread: at rapid to the depth of `from`, along it to `to`, out, back to the start.
 struct ThreadPass {
@@ -85,8 +85,8 @@ struct ThreadPass {
   double angle = 0;    // of the spindle at the start, degrees
   double chamfer = 0;  // mm along the thread's axis, at its end: out at 45°
 };
-Status thread_pass(Machinery& m, const ThreadPass& pass);
+Status thread_pass(Interpreter& m, const ThreadPass& pass);
 /// F or E: lead in mm; without them the last one. alarms thread_definition, not_together (G96)
-Result<double> lead_of(Machinery& m, const Call& call);
+Result<double> lead_of(Interpreter& m, const Call& call);
 
 }  // namespace kadr::nct

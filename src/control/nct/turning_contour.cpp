@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t most_pieces = 10'000;
 
-/// The machinery looks at blocks that are not carried out; its state is as before at the end.
+/// The interpreter looks at blocks that are not carried out; its state is as before at the end.
 class DryRun {
  public:
-  explicit DryRun(Machinery& m)
+  explicit DryRun(Interpreter& m)
       : m_(m),
         modal_(m.modal),
         position_(m.position),
@@ -46,7 +46,7 @@ class DryRun {
   ActionBatch actions;
 
  private:
-  Machinery& m_;
+  Interpreter& m_;
   Modal modal_;
   ProgramPosition position_;
   Block* block_;
@@ -58,7 +58,7 @@ class DryRun {
 
 class Reader {
  public:
-  Reader(Machinery& m, const Call& call) : m_(m), call_(call), run_(m) {}
+  Reader(Interpreter& m, const Call& call) : m_(m), call_(call), run_(m) {}
 
   Status run(const ContourPlace& place, std::vector<ContourPiece>& pieces) {
     ProgramFile& file = m_.flow.program_file();
@@ -164,7 +164,7 @@ class Reader {
     return {};
   }
 
-  Machinery& m_;
+  Interpreter& m_;
   const Call& call_;
   DryRun run_;
   Block block_;
@@ -183,7 +183,7 @@ Vec2 ContourPiece::at(double part) const {
   return center + (r0 + (r1 - r0) * part) * Vec2{direction.cos, direction.sin};
 }
 
-Result<ContourPlace> find_contour(Machinery& m, const Call& call) {
+Result<ContourPlace> find_contour(Interpreter& m, const Call& call) {
   constexpr double highest = 99'999'999;
   for (const char letter : {'P', 'Q'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
@@ -203,7 +203,7 @@ Result<ContourPlace> find_contour(Machinery& m, const Call& call) {
   return ContourPlace{*first, *last, reader.position()};
 }
 
-Result<Contour> read_contour(Machinery& m, const Call& call) {
+Result<Contour> read_contour(Interpreter& m, const Call& call) {
   const auto place = find_contour(m, call);
   if (!place) return fail(place.error());
   if (!m.transform.identity) return fail(alarm(AlarmId::not_available, call.where, call.row->code));  // 19.B: not considered
@@ -238,7 +238,7 @@ std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces) {
   return cut;
 }
 
-Status emit(Machinery& m, const ContourPiece& piece, Vec2 shift) {
+Status emit(Interpreter& m, const ContourPiece& piece, Vec2 shift) {
   const Vec2 end = piece.to + shift;
   if (!piece.is_arc()) return go(m, piece.kind, end);
   const PlaneAxes& plane = m.modal.axes;

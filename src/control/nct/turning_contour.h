@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 namespace kadr::nct {
 
@@ -34,16 +34,16 @@ struct ContourPlace {
   Position behind;  // the last
 };
 /// By the words P and Q of the block in hand. alarms  word_missing, contour_block_missing, contour_order
-Result<ContourPlace> find_contour(Machinery& m, const Call& call);
+Result<ContourPlace> find_contour(Interpreter& m, const Call& call);
 
 /// The contour from where the tool stands.
 ///   alarms  those of find_contour; contour_shape: a block that is no G0, G1, G2, G3 in the plane; not_available: G41, G42, ,C ,R
-Result<Contour> read_contour(Machinery& m, const Call& call);
+Result<Contour> read_contour(Interpreter& m, const Call& call);
 
 /// Arcs cut where one of the axes turns back: in each piece both run one way only.
 std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces);
 
 /// One motion of the contour, shifted; lines at rapid where the program says so, all else at the feed in force.
-Status emit(Machinery& m, const ContourPiece& piece, Vec2 shift);
+Status emit(Interpreter& m, const ContourPiece& piece, Vec2 shift);
 
 }  // namespace kadr::nct

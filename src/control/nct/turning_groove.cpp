@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/machinery.h"
+#include "control/interpreter.h"
 #include "control/nct/nct.h"
 #include "control/nct/turning.h"
 
@@ -25,7 +25,7 @@ class GrooveRun final : public Running {
   };
   explicit GrooveRun(const Job& job) : job_(job), depth_(job.start.x), place_(job.start.y) {}
 
-  Result<bool> next(Machinery& m) override {
+  Result<bool> next(Interpreter& m) override {
     if (over_) return false;
     if (depth_ == job_.target.x) {
       KADR_TRY(leave(m));
@@ -41,10 +41,10 @@ class GrooveRun final : public Running {
   /// From a to b by at most `way`.
   static double toward(double a, double b, double way) { return std::fabs(b - a) <= way + tol::level ? b : a + (b < a ? -way : way); }
 
-  Status to(Machinery& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
+  Status to(Interpreter& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
 
   /// Off the wall, out, over the next place; behind the last one back to the start.
-  Status leave(Machinery& m) {
+  Status leave(Interpreter& m) {
     const double off = job_.target.y < job_.start.y ? job_.relief : -job_.relief;
     KADR_TRY(to(m, MotionKind::rapid, {depth_, place_ + off}));
     KADR_TRY(to(m, MotionKind::rapid, {job_.start.x, place_ + off}));
@@ -62,7 +62,7 @@ class GrooveRun final : public Running {
 };
 
 /// P belongs to the second axis, Q to the first.
-Result<double> distance(const Machinery& m, const Call& call, char letter) {
+Result<double> distance(const Interpreter& m, const Call& call, char letter) {
   if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   if (!(m.value(letter) > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
   return m.length_value(letter);
@@ -70,7 +70,7 @@ Result<double> distance(const Machinery& m, const Call& call, char letter) {
 
 }  // namespace
 
-Status groove(Machinery& m, const Call& call) {
+Status groove(Interpreter& m, const Call& call) {
   GrooveRun::Job job;
   job.deep_first = call.row->arg == 747;
   const std::size_t deep = job.deep_first ? 0 : 1;

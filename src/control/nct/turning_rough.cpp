@@ -15,7 +15,7 @@ constexpr double most_cuts = 1e6;
 constexpr int halvings = 60;
 
 /// Along the contour to the last motion; the program goes on behind it.
-Status jump_behind(Machinery& m, const Contour& contour) {
+Status jump_behind(Interpreter& m, const Contour& contour) {
   if (contour.follows) m.flow.jump(contour.behind);
   return {};
 }
@@ -116,7 +116,7 @@ class RoughRun final : public Running {
   RoughRun(Contour contour, Profile profile, Vec2 allowance, const TurningMemory& data)
       : contour_(std::move(contour)), profile_(std::move(profile)), allowance_(allowance), depth_(data.depth), back_(data.back) {}
 
-  Result<bool> next(Machinery& m) override {
+  Result<bool> next(Interpreter& m) override {
     if (!began_) {
       began_ = true;
       KADR_TRY(to(m, MotionKind::rapid, profile_.start(), 0));
@@ -140,9 +140,9 @@ class RoughRun final : public Running {
   }
 
  private:
-  Status to(Machinery& m, MotionKind kind, double u, double depth) const { return go(m, kind, profile_.at(u, depth) + allowance_); }
+  Status to(Interpreter& m, MotionKind kind, double u, double depth) const { return go(m, kind, profile_.at(u, depth) + allowance_); }
 
-  Status cut(Machinery& m) {
+  Status cut(Interpreter& m) {
     const Profile::Cut now = cuts_[cut_++];
     const bool last = cut_ == cuts_.size();
     if (now.open) {
@@ -179,7 +179,7 @@ class PatternRun final : public Running {
   PatternRun(Contour contour, Vec2 allowance, Vec2 relief, std::uint32_t passes)
       : contour_(std::move(contour)), allowance_(allowance), relief_(relief), passes_(passes) {}
 
-  Result<bool> next(Machinery& m) override {
+  Result<bool> next(Interpreter& m) override {
     const double left = passes_ == 1 ? 0 : double(passes_ - 1 - pass_) / (passes_ - 1);
     const Vec2 shift = allowance_ + left * relief_;
     const Vec2 start = contour_.pieces.front().from;
@@ -208,7 +208,7 @@ class PatternRun final : public Running {
 }  // namespace
 
 /// arg 717: infeed along the plane's second axis, 727: along the first (19.A 4).
-Status rough(Machinery& m, const Call& call, Vec2 allowance) {
+Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = nct_of(m).state.turning;
   const bool facing = call.row->arg == 727;
   auto contour = read_contour(m, call);
@@ -223,7 +223,7 @@ Status rough(Machinery& m, const Call& call, Vec2 allowance) {
   return {};
 }
 
-Status pattern(Machinery& m, const Call& call, Vec2 allowance) {
+Status pattern(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = nct_of(m).state.turning;
   auto contour = read_contour(m, call);
   if (!contour) return fail(contour.error());

@@ -10,7 +10,7 @@ namespace kadr::functions {
 
 /// G22 X Y Z I J K P: limits in machine coordinates. INFERRED: a limit left out is none; without P inside is forbidden; an axis
 /// in diameter programming has diameters here too.
-Status work_area_on(Machinery& m, const Call& call) {
+Status work_area_on(Interpreter& m, const Call& call) {
   constexpr double none = std::numeric_limits<double>::infinity();
   constexpr char most_letters[] = {'X', 'Y', 'Z'}, least_letters[] = {'I', 'J', 'K'};
   if (m.block->letters == 0) return {};  // power-on (3.4): no limits yet
@@ -40,7 +40,7 @@ Status work_area_on(Machinery& m, const Call& call) {
 }
 
 /// G23: the zone of the parameters again.
-Status work_area_off(Machinery& m, const Call&) {
+Status work_area_off(Interpreter& m, const Call&) {
   m.emit(ZoneChange{});
   nct_of(m).stops_reading = true;
   return {};

@@ -9,25 +9,25 @@
 namespace kadr::area {
 namespace {
 
-constexpr double off = 3 * tol::area_chord;  // mm between a corner and its carrier: chords of the source, of the offset, and of a third
+constexpr double off = 3 * tol::area_chord;  // mm between a corner and its channel_run: chords of the source, of the offset, and of a third
 constexpr std::size_t across = 64;           // cells of the index in each direction
 
-double away(const Carrier& c, Vec2 p) { return c.line ? std::abs(cross(c.way, p - c.point)) : std::abs(length(p - c.point) - c.radius); }
+double away(const ChannelRun& c, Vec2 p) { return c.line ? std::abs(cross(c.way, p - c.point)) : std::abs(length(p - c.point) - c.radius); }
 
-Vec2 on_carrier(const Carrier& c, Vec2 p) {
+Vec2 on_carrier(const ChannelRun& c, Vec2 p) {
   if (c.line) return c.point + dot(c.way, p - c.point) * c.way;
   const Vec2 out = p - c.point;
   return c.point + (c.radius / std::max(length(out), tol::same_point)) * out;
 }
 
-bool carries(const Carrier& c, Vec2 a, Vec2 b) {
+bool carries(const ChannelRun& c, Vec2 a, Vec2 b) {
   if (away(c, a) > off || away(c, b) > off) return false;
   if (c.line) return true;
   const double chord = length(b - a);
   return chord * chord <= 16 * off * c.radius && c.radius > off;  // the chord's own height
 }
 
-void add_feet(std::vector<Vec2>& points, const Carrier& line, const Carrier& circle) {
+void add_feet(std::vector<Vec2>& points, const ChannelRun& line, const ChannelRun& circle) {
   const Vec2 foot = line.point + dot(line.way, circle.point - line.point) * line.way;
   const double apart = length(foot - circle.point);
   if (apart > circle.radius + off) return;
@@ -36,7 +36,7 @@ void add_feet(std::vector<Vec2>& points, const Carrier& line, const Carrier& cir
   points.push_back(foot - half * line.way);
 }
 
-std::vector<Vec2> meetings(const Carrier& a, const Carrier& b) {
+std::vector<Vec2> meetings(const ChannelRun& a, const ChannelRun& b) {
   std::vector<Vec2> points;
   if (a.line && b.line) {
     const double turn = cross(a.way, b.way);
@@ -62,7 +62,7 @@ double turned(Vec2 centre, Vec2 a, Vec2 b, double about) {
 }
 
 /// Of a path on the circle that turns by `about` degrees, the arc from a to b.
-void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, double about) {
+void emit_arc(Edges& path, const ChannelRun& c, Vec2 a, Vec2 b, double about) {
   const double sweep = turned(c.point, a, b, about);
   const int pieces = std::abs(sweep) > 180 ? 2 : 1;
   const double bulge = std::tan(sweep / pieces / 4 * rad_per_deg);
@@ -73,15 +73,15 @@ void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, double about) {
 
 }  // namespace
 
-/// Chords in a row on one carrier.
+/// Chords in a row on one channel_run.
 struct Carriers::Run {
   std::size_t first = 0, count = 0;  // chords
-  std::optional<std::uint32_t> carrier;
+  std::optional<std::uint32_t> channel_run;
 };
 
 void Carriers::add(const Edges& source, double by) {
   cells_.clear();
-  const auto boxed = [&](Carrier c, const Edge& e) {
+  const auto boxed = [&](ChannelRun c, const Edge& e) {
     c.box.take(e);
     const double room = by + 2 * off;
     c.box = {c.box.least - Vec2{room, room}, c.box.most + Vec2{room, room}};
@@ -108,7 +108,7 @@ void Carriers::index() const {
   if (!cells_.empty()) return;
   cells_.resize(across * across);
   box_ = {};
-  for (const Carrier& c : all_) box_.take(c.box.least), box_.take(c.box.most);
+  for (const ChannelRun& c : all_) box_.take(c.box.least), box_.take(c.box.most);
   const Vec2 size = box_.most - box_.least;
   const auto cell = [](double at, double least, double extent) {
     return static_cast<std::size_t>(std::clamp((at - least) / std::max(extent, off) * across, 0.0, across - 1.0));
@@ -152,7 +152,7 @@ std::vector<Carriers::Run> Carriers::runs(const Polygon& corners, bool closed) c
     const auto ends = [&](std::size_t i) { return std::pair(corners[(start + i) % count], corners[(start + i + 1) % count]); };
     std::vector<std::uint32_t> left = on(ends(done).first, ends(done).second);
     while (!left.empty()) {
-      run.carrier = left.front();
+      run.channel_run = left.front();
       if (done + run.count == chords) break;
       const auto [a, b] = ends(done + run.count);
       std::erase_if(left, [&, from = a, to = b](std::uint32_t i) { return !carries(all_[i], from, to); });
@@ -174,11 +174,11 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
   };
   const auto joint = [&](const Run& before, const Run& after) {
     const Vec2 corner = corners[after.first];
-    const auto& nearest = before.carrier ? before.carrier : after.carrier;
+    const auto& nearest = before.channel_run ? before.channel_run : after.channel_run;
     Vec2 best = nearest ? on_carrier(all_[*nearest], corner) : corner;
     double least = std::max(2 * off, std::min(reach(before), reach(after)));
-    if (before.carrier && after.carrier && before.carrier != after.carrier)
-      for (const Vec2 p : meetings(all_[*before.carrier], all_[*after.carrier]))
+    if (before.channel_run && after.channel_run && before.channel_run != after.channel_run)
+      for (const Vec2 p : meetings(all_[*before.channel_run], all_[*after.channel_run]))
         if (length(p - corner) < least) least = length(p - corner), best = p;
     return best;
   };
@@ -187,11 +187,11 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
     const bool begins = !closed && i == 0, ends = !closed && i + 1 == all.size();
     const Vec2 a = begins ? corners.front() : joint(all[(i + all.size() - 1) % all.size()], run);
     const Vec2 b = ends ? corners.back() : joint(run, all[(i + 1) % all.size()]);
-    if (!run.carrier || all_[*run.carrier].line) {
+    if (!run.channel_run || all_[*run.channel_run].line) {
       path.push_back({a, b});
       continue;
     }
-    const Carrier& c = all_[*run.carrier];
+    const ChannelRun& c = all_[*run.channel_run];
     double about = 0;  // of all chords: one alone, short beside the corners' error, may go back
     for (std::size_t k = 0; k < run.count; ++k)
       about += turned(c.point, corners[(run.first + k) % count], corners[(run.first + k + 1) % count], 0);

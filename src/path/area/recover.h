@@ -7,7 +7,7 @@
 namespace kadr::area {
 
 /// A line or circle that chords may lie on.
-struct Carrier {
+struct ChannelRun {
   bool line = true;
   Vec2 point;  // of a line; centre of a circle
   Vec2 way;    // unit vector of a line
@@ -26,12 +26,12 @@ class Carriers {
 
  private:
   struct Run;
-  void add(const Carrier& carrier) { all_.push_back(carrier); }
+  void add(const ChannelRun& channel_run) { all_.push_back(channel_run); }
   void index() const;
   std::vector<std::uint32_t> on(Vec2 a, Vec2 b) const;
   std::vector<Run> runs(const Polygon& corners, bool closed) const;
 
-  std::vector<Carrier> all_;
+  std::vector<ChannelRun> all_;
   mutable std::vector<std::vector<std::uint32_t>> cells_;  // by place, made when first needed
   mutable Bounds box_;
 };

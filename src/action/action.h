@@ -10,10 +10,10 @@
 #include <variant>
 #include <vector>
 
+#include "action/surface_speed.h"
 #include "base/alarm.h"
 #include "base/span.h"
 #include "base/vec.h"
-#include "control/surface_speed.h"
 
 namespace kadr {
 

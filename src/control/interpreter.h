@@ -24,7 +24,7 @@
 
 namespace kadr {
 
-class Machinery;
+class Interpreter;
 struct Call;
 
 inline constexpr double farthest = 1e7;        // mm, degrees: a coordinate beyond ten kilometres is a mistake
@@ -35,17 +35,17 @@ class Running {
  public:
   virtual ~Running() = default;
   /// Hands the next actions on, at most a few; false: it is over.
-  virtual Result<bool> next(Machinery& m) = 0;
+  virtual Result<bool> next(Interpreter& m) = 0;
   /// The other functions of its block act before it goes on (drilling, nct 18.0); else those behind the motion wait for its end.
   virtual bool functions_first() const { return false; }
 };
 
-class Machinery {
+class Interpreter {
  public:
   /// `own`: the control's definition made fit for this machine, or nullptr (then `control` is used as it is).
-  Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, const RunLimits& limits,
-            std::shared_ptr<Commons> commons);
-  ~Machinery();
+  Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, const RunLimits& limits,
+              std::shared_ptr<Commons> commons);
+  ~Interpreter();
 
   Control::State run(ActionBatch& batch);
   void answer(const ProbeAnswer& answer);
@@ -326,7 +326,7 @@ struct Call {
   const Word* word = nullptr;    // nullptr: the motion in force
   Span where;
 };
-using Handler = Status (*)(Machinery&, const Call&);
+using Handler = Status (*)(Interpreter&, const Call&);
 Handler handler_of(Function function);
 
 }  // namespace kadr

@@ -1,10 +1,10 @@
 #pragma once
-// What a drilling cycle does, operation by operation (spec/nct/18.1): DrillingRun carries it out, kadr explain tells it.
+// What a drilling cycle does, operation by operation (spec/nct/18.1): DrillingRun of control/nct carries it out, kadr explain tells it.
 
 #include <array>
 #include <cstdint>
 
-namespace kadr::nct {
+namespace kadr {
 
 enum class DrillStep : std::uint8_t {
   end,
@@ -43,4 +43,4 @@ constexpr std::int32_t back_boring = 1870;  // G87 of case B (18.1.13)
 /// The cycle of a code, ten times its number; nullptr, if it is none.
 const DrillCycle* drill_cycle(std::int32_t code);
 
-}  // namespace kadr::nct
+}  // namespace kadr

@@ -1,4 +1,4 @@
-#include "control/machinery.h"
+#include "control/interpreter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace kadr {
 
 // NOLINTNEXTLINE(readability-function-size): what it is made of, called in one place
-Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
-                     const RunLimits& limits, std::shared_ptr<Commons> commons)
+Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
+                         const RunLimits& limits, std::shared_ptr<Commons> commons)
     : own_def(std::move(own)),
       def(own_def ? *own_def : control),
       letters(def),
@@ -25,9 +25,9 @@ Machinery::Machinery(const ControlDef& control, std::unique_ptr<ControlDef> own,
   start_modal(setup);
 }
 
-Machinery::~Machinery() = default;
+Interpreter::~Interpreter() = default;
 
-Control::State Machinery::run(ActionBatch& to) {
+Control::State Interpreter::run(ActionBatch& to) {
   to.clear();
   batch = &to;
   if (first_frames_) {
@@ -90,13 +90,13 @@ Control::State Machinery::run(ActionBatch& to) {
 }
 
 /// What the block changed of the things that survive power-off.
-void Machinery::report_changes() {
+void Interpreter::report_changes() {
   if (!dialect || on_changes == nullptr || !*on_changes) return;
   const StateChanges changes = dialect->take_changes(*this);
   if (!changes.rows.empty()) (*on_changes)(changes);
 }
 
-void Machinery::take_block() {
+void Interpreter::take_block() {
   if (is_watched()) [[unlikely]]
     return watch_block();
   if (const Status status = execute(); !status) fail_with(status.error());
@@ -105,11 +105,11 @@ void Machinery::take_block() {
 }
 
 /// The machine's logic looks at each block, or an interrupt macro may come.
-bool Machinery::is_watched() const { return (on_block != nullptr && *on_block) || (dialect && dialect->watches_blocks()); }
+bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || (dialect && dialect->watches_blocks()); }
 
 /// A block with what the machine's logic does before it; behind it: end_block, when its actions have been handed over (nct 23.4).
 /// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
-void Machinery::watch_block() {
+void Interpreter::watch_block() {
   const bool is_skipped = block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)];
   in_interrupt_ = dialect && dialect->in_interrupt();
   const bool put_off = resumed_ && !in_interrupt_ && *resumed_ == block->position;
@@ -134,7 +134,7 @@ void Machinery::watch_block() {
 }
 
 /// The end of a watched block: the interrupt macro, then the machine's logic.
-void Machinery::end_block() {
+void Interpreter::end_block() {
   block_open = false;
   if (dialect && !in_interrupt_) {
     const auto called = dialect->interrupt(*this, BlockMoment::end);
@@ -144,7 +144,7 @@ void Machinery::end_block() {
 }
 
 /// Power off and on (nct 23.5): the program is over.
-void Machinery::power_cycle() {
+void Interpreter::power_cycle() {
   if (!dialect || !dialect->lose_power(*this)) return;
   stop_cycles();
   waiting_count_ = 0;
@@ -154,7 +154,7 @@ void Machinery::power_cycle() {
 }
 
 /// The file's end ends the program too; not in the middle of a call or a repetition.
-Status Machinery::end_of_file() {
+Status Interpreter::end_of_file() {
   if (flow.depth() == 0) {
     const bool cut_off = !flow.started || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // not a block in it
     origin.line = std::max<std::uint32_t>(origin.line, 1);
@@ -166,7 +166,7 @@ Status Machinery::end_of_file() {
   return fail(alarm(id, {}, double(frame.kind == CallFrame::Kind::repetition ? frame.caller.line : frame.name)));
 }
 
-Status Machinery::next_of_cycle() {
+Status Interpreter::next_of_cycle() {
   if (cycle_run.active()) return cycle_run.next(*this);
   if (ellipse_run.active()) return ellipse_run.next(*this);
   const auto more = running->next(*this);
@@ -175,13 +175,13 @@ Status Machinery::next_of_cycle() {
   return {};
 }
 
-void Machinery::stop_cycles() {
+void Interpreter::stop_cycles() {
   cycle_run.stop();
   ellipse_run.stop();
   running.reset();
 }
 
-void Machinery::fail_with(const Alarm& failed) {
+void Interpreter::fail_with(const Alarm& failed) {
   stop_cycles();
   waiting_count_ = 0;
   block_open = false;
@@ -189,7 +189,7 @@ void Machinery::fail_with(const Alarm& failed) {
   stopped_ = true;
 }
 
-Status Machinery::execute() {
+Status Interpreter::execute() {
   if (use.watches()) [[unlikely]]
     use.pass(origin);
   if (block->marker != Marker::none || skipping_section_ || !flow.started) {
@@ -213,7 +213,7 @@ Status Machinery::execute() {
 }
 
 /// N and O have ranges too (nct 1.1); O names a program at the start of a file.
-Status Machinery::check_numbers() const {
+Status Interpreter::check_numbers() const {
   const auto check = [&](char letter, std::uint32_t value, Span where) -> Status {
     const AddressRow& row = def.address(letter);
     if (value >= row.least && value <= row.most) return {};
@@ -224,7 +224,7 @@ Status Machinery::check_numbers() const {
 }
 
 /// The block's words carried out, or nothing of them.
-Status Machinery::attempt() {
+Status Interpreter::attempt() {
   const std::size_t actions = batch->size();
   moment_taken_ = small_moment_taken_ = false;
   block_exact = block_machine_coordinates = false;
@@ -241,7 +241,7 @@ Status Machinery::attempt() {
   return status;
 }
 
-Status Machinery::words() {
+Status Interpreter::words() {
   KADR_TRY(evaluate_words());
   if (dialect) {
     const auto done = dialect->takes_block(*this);
@@ -266,7 +266,7 @@ Status Machinery::words() {
 
 /// The block's plan: that of its shape; of one that a loop carries out again, that of the last pass where nothing it depends on has
 /// changed.
-Status Machinery::plan() {
+Status Interpreter::plan() {
   const std::int16_t motion_row = dialect ? dialect->motion_row(*this) : modal.motion_row;
   if (ShapeFacts* const facts = shape(); facts != nullptr) [[likely]] {
     plan_now_ = &facts->plan;
@@ -291,13 +291,13 @@ Status Machinery::plan() {
   return {};
 }
 
-BlockChanges Machinery::changes_of_block(const Plan& plan) const {
+BlockChanges Interpreter::changes_of_block(const Plan& plan) const {
   if (!plan.moves_only || modal.polar || modal.motion == MotionMode::cycle || !transform.identity) return BlockChanges::anything;
   return BlockChanges::position;
 }
 
 /// Shifts and factors must not carry the tool beyond what a number of the control can hold.
-Status Machinery::check_place() const {
+Status Interpreter::check_place() const {
   constexpr double most = 4 * farthest;  // origin, length and coordinate may lie apart
   for (std::size_t a = 0; a < axis_count; ++a)
     for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
@@ -306,7 +306,7 @@ Status Machinery::check_place() const {
 }
 
 /// The zero cannot move under a contour that is being compensated (2С42 6.4.1, Mach3 10.7.18; INFERRED for all that moves it).
-Status Machinery::check_zero_kept() const {
+Status Interpreter::check_zero_kept() const {
   if ((dialect && dialect->zero_may_move()) || modal.radius_side == 0 || frames.origin == moment_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));
 }

@@ -1,19 +1,15 @@
-// A program read back: its motions in work coordinates. Tables, zeros and correctors are empty, as the program was written for.
+#include "session/program_moves.h"
 
 #include <cmath>
 
-#include "base/tolerance.h"
 #include "config/setup.h"
 #include "control/control.h"
-#include "out/part_program.h"
 
 namespace kadr {
 namespace {
 
 using area::Move;
 using area::MoveKind;
-
-constexpr double bulge_off = 0.1;  // rounded ends and centres turn an arc by that much at most: it is at least ten increments long
 
 double bulge_of(const Motion& motion) {
   if (motion.kind != MotionKind::arc_cw && motion.kind != MotionKind::arc_ccw) return 0;
@@ -40,19 +36,6 @@ Result<std::vector<Move>> program_moves(const ControlDef& def, const std::string
   }
   if (!moves.empty()) moves.erase(moves.begin());  // straight up, wherever the tool stood
   return moves;
-}
-
-Status same_moves(const std::vector<Move>& written, const std::vector<Move>& read) {
-  const auto differs = [](const Move& a, const Move& b) {
-    return (a.kind == MoveKind::rapid) != (b.kind == MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||
-           std::abs(a.bulge - b.bulge) > bulge_off;
-  };
-  const std::size_t count = std::min(written.size(), read.size());
-  for (std::size_t i = 0; i < count; ++i)
-    if (differs(written[i], read[i])) return fail(alarm(AlarmId::mill_read_back, {}, written[i].to.x, written[i].to.y));
-  if (written.size() == read.size()) return {};
-  const Vec3 at = written.empty() ? Vec3{} : written[std::min(count, written.size() - 1)].to;
-  return fail(alarm(AlarmId::mill_read_back, {}, at.x, at.y));
 }
 
 }  // namespace kadr

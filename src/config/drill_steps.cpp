@@ -1,0 +1,38 @@
+#include "config/drill_steps.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace kadr {
+namespace {
+
+using enum DrillStep;
+
+constexpr DrillCycle drill_cycles[] = {
+    //  code  operations                                                                                         manual
+    {730, {approach, stop, break_chips, retract}},                                                                        // 18.1.1
+    {740, {approach, stop, cut_fixed, pause, cw, back_fixed, ccw, clear}},                                                // 18.1.2
+    {760, {approach, stop, cut, pause, orient, shift_out, retract, shift_back, cw}},                                      // 18.1.3
+    {810, {approach, stop, cut, retract}},                                                                                // 18.1.5
+    {820, {approach, stop, cut, pause, retract}},                                                                         // 18.1.6
+    {830, {approach, stop, clear_chips, retract}},                                                                        // 18.1.7
+    {840, {approach, stop, cut_fixed, pause, ccw, back_fixed, cw, clear}},                                                // 18.1.8
+    {842, {approach, stop, catch_spindle, tap_down, pause, tap_up, clear}},                                               // 18.1.9, 18.1.10
+    {843, {approach, stop, catch_spindle, tap_down, pause, tap_up, clear}},                                               // 18.1.9, 18.1.10
+    {850, {approach, stop, cut, back, clear}},                                                                            // 18.1.11
+    {860, {approach, stop, cut, halt, retract, cw}},                                                                      // 18.1.12
+    {870, {approach, stop, cut, halt, manual, retract, cw}},                                                              // 18.1.13 A
+    {back_boring, {orient, shift_out, approach, stop, shift_back, cw, cut, orient, shift_out, initial, shift_back, cw}},  // 18.1.13 B
+    {880, {approach, stop, cut, pause, halt, manual, retract, cw}},                                                       // 18.1.14
+    {890, {approach, stop, cut, pause, back, clear}},                                                                     // 18.1.15
+};
+
+}  // namespace
+
+const DrillCycle* drill_cycle(std::int32_t code) {
+  const auto* const found =
+      std::find_if(std::begin(drill_cycles), std::end(drill_cycles), [&](const DrillCycle& c) { return c.code == code; });
+  return found == std::end(drill_cycles) ? nullptr : found;
+}
+
+}  // namespace kadr
