@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/control_def.h"
-#include "config/function_needs.h"
+#include "config/function.h"
 #include "config/loader_texts.h"
 #include "config/parameter_table.h"
 #include "config/toml_tools.h"

@@ -92,20 +92,20 @@ tl::expected<Function, std::string> ControlLoader::function_of(const toml::table
     return refused(name.empty() ? say("`does` is missing")
                                 : say("unknown function '{}'", name) + (near.empty() ? "" : say(", nearest: '{}'", near)));
   }
-  if (called_by(function) != by)
+  if (traits_of(function).by != by)
     return refused(by == CalledBy::word ? say("{} belongs to a code, [g] or [m]", quoted(function))
                                         : say("{} belongs to a word, [address]", quoted(function)));
-  if (has(needs_of(function))) return function;
-  if (needs_of(function) == Needs::no_nct)
+  if (has(traits_of(function).needs)) return function;
+  if (traits_of(function).needs == Needs::no_nct)
     return refused(say("{} does not work with the machine of the NCT (dialect = \"nct\")", quoted(function)));
-  return refused(say("{} needs {}", quoted(function), written(needs_of(function))));
+  return refused(say("{} needs {}", quoted(function), written(traits_of(function).needs)));
 }
 
 std::string ControlLoader::nearest_function(std::string_view name, CalledBy by) const {
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < static_cast<std::size_t>(Function::count); ++i) {
     const auto function = static_cast<Function>(i);
-    if (called_by(function) == by && has(needs_of(function))) names.push_back(traits_of(function).name);
+    if (traits_of(function).by == by && has(traits_of(function).needs)) names.push_back(traits_of(function).name);
   }
   return std::string(toml_tools::nearest(name, names));
 }
@@ -167,7 +167,7 @@ Done ControlLoader::check_code(const toml::table& row, const CodeRow& c) const {
     return Failed(place(name_, row, "does") + who + say("'drilling' is G73 to G89, or an `arg` says which of them: 730, 740, 760"));
   if (c.function == Function::fixture && c.arg > static_cast<int>(def_.behaviour.fixtures))
     return Failed(place(name_, row, "arg") + who + say("arg is beyond [behaviour] fixtures"));
-  if (c.letter == 'M' && traits_of(c.function).takes_axes && (c.function == Function::rapid || c.function == Function::linear || c.modal))
+  if (c.letter == 'M' && traits_of(c.function).takes_axes() && (c.function == Function::rapid || c.function == Function::linear || c.modal))
     return Failed(place(name_, row, "does") + who + say("{} with a mode of its own is for G codes", quoted(c.function)));
   if (c.function == Function::machine_function && c.letter != 'M')
     return Failed(place(name_, row, "does") + who + say("'machine_function' is for M codes"));

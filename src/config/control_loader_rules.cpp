@@ -301,7 +301,7 @@ Done ControlLoader::check_end_code(const toml::node& node, const CodeRow& c) con
   const FunctionTraits& traits = traits_of(c.function);
   const bool straight = c.function == Function::rapid || c.function == Function::linear || c.function == Function::mirror_off;
   const bool switches_off = c.function == Function::macro_modal_off || c.function == Function::interrupt_off;
-  const bool acts = (traits.takes_axes && !straight) || (traits.phase == Phase::flow && !switches_off) || traits.phase == Phase::stop ||
+  const bool acts = (traits.takes_axes() && !straight) || (traits.phase == Phase::flow && !switches_off) || traits.phase == Phase::stop ||
                     c.function == Function::machine_function || c.function == Function::gear_range || c.function == Function::change_tool ||
                     c.function == Function::exchange_tool || c.function == Function::dwell || c.function == Function::dwell_or_turns ||
                     c.function == Function::machine_coordinates || !c.works;

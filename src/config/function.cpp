@@ -2,27 +2,21 @@
 
 #include <algorithm>
 
-#include "config/function_needs.h"
-
 namespace kadr {
 namespace {
 
+constexpr FunctionTraits row(std::string_view name, Phase phase, TakesAxes axes, CalledBy by, Needs needs, FunctionOrder order,
+                             std::uint8_t facts) {
+  return {name, phase, axes, by, needs, order, facts};
+}
+
+using namespace function_fact;
+
 constexpr FunctionTraits functions[] = {
-#define KADR_FUNCTION_ROW(name, phase, axes, ...) {#name, Phase::phase, axes},
+#define KADR_FUNCTION_ROW(name, phase, axes, by, needs, order, facts) \
+  row(#name, Phase::phase, TakesAxes::axes, CalledBy::by, Needs::needs, FunctionOrder::order, facts),
     KADR_FUNCTIONS(KADR_FUNCTION_ROW)
 #undef KADR_FUNCTION_ROW
-};
-
-constexpr CalledBy callers[] = {
-#define KADR_FUNCTION_CALLER(name, phase, axes, by, needs) CalledBy::by,
-    KADR_FUNCTIONS(KADR_FUNCTION_CALLER)
-#undef KADR_FUNCTION_CALLER
-};
-
-constexpr Needs all_needs[] = {
-#define KADR_FUNCTION_NEEDS(name, phase, axes, by, needs) Needs::needs,
-    KADR_FUNCTIONS(KADR_FUNCTION_NEEDS)
-#undef KADR_FUNCTION_NEEDS
 };
 
 constexpr std::string_view phases[] = {
@@ -34,10 +28,6 @@ constexpr std::string_view phases[] = {
 }  // namespace
 
 const FunctionTraits& traits_of(Function function) { return functions[static_cast<std::size_t>(function)]; }
-
-CalledBy called_by(Function function) { return callers[static_cast<std::size_t>(function)]; }
-
-Needs needs_of(Function function) { return all_needs[static_cast<std::size_t>(function)]; }
 
 Function function_named(std::string_view name) {
   const auto* found = std::find_if(std::begin(functions), std::end(functions), [&](const FunctionTraits& row) { return row.name == name; });

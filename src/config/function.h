@@ -2,6 +2,7 @@
 // What the engine can do. A control's file says which code or address calls which function (design.md 3);
 // the phase is its place in the order of execution, which the control's file lists too.
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -14,85 +15,204 @@ namespace kadr {
   X(length) X(zero) X(corner) X(path_mode) X(distance) X(transform) X(retract) X(data) X(positioning) X(motion) \
   X(dwell_after) X(spindle_stop) X(coolant_off) X(machine) X(stop) X(flow) X(none)
 
-// name; phase it runs in unless the row says otherwise; whether it takes the axis words of the block; what calls it, an address or a code;
-// what the control must have (config/function_needs.h): in any other the loader refuses the row
-#define KADR_FUNCTIONS(X)                                                                                                                \
-  /* addresses */                                                                                                                        \
-  X(block_number, none, false, word, nothing) X(axis, none, false, word, no_nct) X(center, none, false, word, nothing)                   \
-  X(word_of_code, none, false, word, nothing) X(feed_word, feed, false, word, nothing) X(speed_word, speed, false, word, no_nct)         \
-  X(tool_word, tool, false, word, no_nct) X(offset_word, offset_number, false, word, no_nct)                                             \
-  X(formal_parameter, none, false, word, no_nct) X(code, none, false, word, nothing) X(label, none, false, word, labels)                 \
-  X(dwell_word, dwell_after, false, word, no_nct) X(repeat_word, flow, false, word, no_nct) X(call_word, flow, false, word, sections)    \
-  X(corrector_word, none, false, word, correctors)                                                                                       \
-  /* motion */                                                                                                                           \
-  X(rapid, motion, true, code, nothing) X(linear, motion, true, code, nothing) X(arc_cw, motion, true, code, nothing)                    \
-  X(arc_ccw, motion, true, code, nothing) X(cycle, motion, true, code, no_nct) X(no_motion, motion, false, code, no_nct)                 \
-  X(circular_pocket, motion, true, code, no_nct) X(probe, motion, true, code, no_nct) X(home_through, data, true, code, no_nct)          \
-  X(home_axes, data, true, code, no_nct) X(machine_point, motion, true, code, no_nct) X(machine_coordinates, none, false, code, no_nct)  \
-  X(approach_reference, motion, true, code, no_nct) X(pole_rapid, motion, true, code, no_nct)                                            \
-  X(pocket_define, motion, true, code, correctors) X(pocket_run, motion, true, code, correctors)                                         \
-  /* modes */                                                                                                                            \
-  X(plane_xy, plane, false, code, no_nct) X(plane_zx, plane, false, code, no_nct) X(plane_yz, plane, false, code, no_nct)                \
-  X(absolute, distance, false, code, nothing) X(incremental, distance, false, code, nothing)                                             \
-  X(centers_absolute, distance, false, code, no_nct) X(centers_incremental, distance, false, code, no_nct)                               \
-  X(inch, unit, false, code, nothing) X(millimetre, unit, false, code, nothing) X(feed_inverse_time, feed_mode, false, code, no_nct)     \
-  X(feed_per_minute, feed_mode, false, code, nothing) X(feed_per_revolution, feed_mode, false, code, nothing)                            \
-  X(surface_speed, speed_mode, false, code, no_nct) X(spindle_rpm, speed_mode, false, code, no_nct)                                      \
-  X(exact_stop_block, path_mode, false, code, nothing) X(exact_stop_mode, path_mode, false, code, nothing)                               \
-  X(constant_velocity, path_mode, false, code, no_nct) X(corner_arc, corner, false, code, no_nct)                                        \
-  X(corner_line, corner, false, code, no_nct) X(polar_on, transform, false, code, no_nct) X(polar_off, transform, false, code, no_nct)   \
-  X(rotation_on, transform, true, code, no_nct) X(rotation_off, transform, false, code, no_nct)                                          \
-  X(scale_on, transform, true, code, no_nct) X(scale_off, transform, false, code, no_nct)                                                \
-  X(retract_initial, retract, false, code, nothing) X(retract_level, retract, false, code, nothing)                                      \
-  X(override_permission, override, false, code, no_nct)                                                                                  \
-  /* offsets */                                                                                                                          \
-  X(radius_comp_off, compensation, false, code, no_nct) X(radius_comp_left, compensation, false, code, no_nct)                           \
-  X(radius_comp_right, compensation, false, code, no_nct) X(compensation_off, compensation, false, code, no_nct)                         \
-  X(length_plus, length, false, code, no_nct) X(length_minus, length, false, code, no_nct) X(length_off, length, false, code, no_nct)    \
-  X(work_zero, zero, false, code, no_nct) X(fixture, zero, false, code, no_nct) X(zero_shift, data, true, code, no_nct)                  \
-  X(temporary_shift, data, true, code, no_nct) X(set_position, data, true, code, no_nct)                                                 \
-  X(set_position_reset, data, false, code, no_nct) X(set_position_suspend, data, false, code, no_nct)                                    \
-  X(set_position_restore, data, false, code, no_nct) X(set_data, data, true, code, no_nct) X(part_zero, data, true, code, no_nct)        \
-  X(corrector_plus, compensation, false, code, correctors) X(corrector_minus, compensation, false, code, correctors)                     \
-  X(corrector_cancel, compensation, false, code, correctors)                                                                             \
-  /* technology */                                                                                                                       \
-  X(dwell, dwell, false, code, nothing) X(spindle_cw, spindle, false, code, no_nct) X(spindle_ccw, spindle, false, code, no_nct)         \
-  X(spindle_stop, spindle_stop, false, code, no_nct) X(spindle_orient, spindle, false, code, no_nct)                                     \
-  X(spindle_cw_coolant, spindle, false, code, no_nct) X(spindle_ccw_coolant, spindle, false, code, no_nct)                               \
-  X(coolant_mist, coolant, false, code, nothing) X(coolant_flood, coolant, false, code, nothing)                                         \
-  X(coolant_off, coolant_off, false, code, nothing) X(change_tool, tool_change, false, code, no_nct)                                     \
-  X(override_on, override, false, code, no_nct) X(override_off, override, false, code, no_nct)                                           \
-  X(machine_function, machine, false, code, nothing)                                                                                     \
-  /* flow */                                                                                                                             \
-  X(program_stop, stop, false, code, nothing) X(optional_stop, stop, false, code, nothing) X(program_end, flow, false, code, nothing)    \
-  X(tape_end, flow, false, code, nothing) X(repeat_program, flow, false, code, no_nct) X(call_subprogram, flow, false, code, labels)     \
-  /* nct: addresses */                                                                                                                   \
-  X(machine_axis, none, false, word, nct) X(increment_axis, none, false, word, nct) X(argument_only, none, false, word, nct)             \
-  X(auxiliary_word, machine, false, word, nct) X(spindle_word, speed, false, word, nct) X(spindle_axis_word, spindle, false, word, nct)  \
-  X(tool_call, tool, false, word, nct) X(length_number, length, false, word, nct) X(radius_number, offset_number, false, word, nct)      \
-  /* nct: motion and coordinates */                                                                                                      \
-  X(thread, motion, true, code, nct) X(dwell_or_turns, dwell, false, code, nct) X(smoothing, path_mode, true, code, nct)                 \
-  X(cylinder_mode, data, true, code, nct) X(set_tables, data, true, code, nct) X(set_tables_end, data, false, code, nct)                 \
-  X(diameter_switch, data, true, code, nct) X(polar_surface_on, data, false, code, nct) X(polar_surface_off, data, false, code, nct)     \
-  X(polar_data_on, transform, false, code, nct) X(polar_data_off, transform, false, code, nct) X(select_plane, plane, false, code, nct)  \
-  X(work_area_on, data, true, code, nct) X(work_area_off, data, false, code, nct) X(reference_return, data, true, code, nct)             \
-  X(measure, motion, true, code, nct) X(measure_length, motion, true, code, nct) X(radius_side, compensation, false, code, nct)          \
-  X(length_comp, length, false, code, nct) X(mirror_on, transform, true, code, nct) X(mirror_off, transform, true, code, nct)            \
-  X(scaling_on, transform, true, code, nct) X(scaling_off, transform, false, code, nct) X(plane_rotation_on, transform, true, code, nct) \
-  X(plane_rotation_off, transform, false, code, nct) X(transform_off, transform, false, code, nct)                                       \
-  X(local_system, data, true, code, nct) X(machine_move, data, true, code, nct) X(work_system, zero, false, code, nct)                   \
-  X(work_system_extended, zero, false, code, nct) X(new_system, data, true, code, nct) X(feed_control, path_mode, false, code, nct)      \
-  X(css_on, speed_mode, false, code, nct) X(css_off, speed_mode, false, code, nct) X(drilling, positioning, true, code, nct)             \
-  X(drilling_off, motion, false, code, nct) X(turning_cycle, motion, true, code, nct) X(turning_simple, motion, true, code, nct)         \
-  X(gear_on, data, false, code, nct) X(gear_off, data, false, code, nct) X(vector_hold, corner, false, code, nct)                        \
-  X(vector_corner, data, false, code, nct) X(not_available, none, true, code, nothing)                                                   \
-  /* nct: macros, programs, M codes */                                                                                                   \
-  X(macro_call, flow, true, code, nct) X(macro_modal, flow, true, code, nct) X(macro_modal_off, flow, false, code, nct)                  \
-  X(spindle_code, spindle, false, code, nct) X(gear_range, range, false, code, nct) X(exchange_tool, tool_change, false, code, nct)      \
-  X(interrupt_on, flow, false, code, nct) X(interrupt_off, flow, false, code, nct) X(call_program, flow, false, code, nct)               \
-  X(return_program, flow, false, code, nct) X(subprogram_return, flow, false, code, no_nct) X(subprogram_end, flow, false, code, no_nct) \
-  X(repetition_end, flow, false, code, no_nct) X(permanent_subprogram, flow, true, code, no_nct)
+// One row a function: all that the engine knows of it but what it does.
+//   phase   in which it runs unless the row of the file says otherwise
+//   axes    own: the block's axis words are its own, no modal motion in that block
+//   by      what calls it: an address (word) or a code
+//   needs   what the control must have (Needs): in any other the loader refuses the row
+//   order   within one phase: a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is opened,
+//           then a call made, then an end met
+//   facts   leaves_mode: beside it a motion code only sets the mode (`G0 G91 G28 Z0` is what shops write) · ends: the program, a subprogram
+//           or a repetition · stops: the program · calls: a subprogram, when the block's other words have acted · passes_control: calls or
+//           returns at once · plain_motion: G0 to G3 · breaks_contour: where radius compensation is on, the tool's centre goes to the
+//           programmed point before it (nct 15.5.2)
+#define KADR_FUNCTIONS(X) \
+  /* addresses */ \
+  X(block_number,         none,          none, word, nothing,    usual, nothing) \
+  X(axis,                 none,          none, word, no_nct,     usual, nothing) \
+  X(center,               none,          none, word, nothing,    usual, nothing) \
+  X(word_of_code,         none,          none, word, nothing,    usual, nothing) \
+  X(feed_word,            feed,          none, word, nothing,    usual, nothing) \
+  X(speed_word,           speed,         none, word, no_nct,     usual, nothing) \
+  X(tool_word,            tool,          none, word, no_nct,     usual, nothing) \
+  X(offset_word,          offset_number, none, word, no_nct,     usual, nothing) \
+  X(formal_parameter,     none,          none, word, no_nct,     usual, nothing) \
+  X(code,                 none,          none, word, nothing,    usual, nothing) \
+  X(label,                none,          none, word, labels,     usual, nothing) \
+  X(dwell_word,           dwell_after,   none, word, no_nct,     usual, nothing) \
+  X(repeat_word,          flow,          none, word, no_nct,     first, nothing) \
+  X(call_word,            flow,          none, word, sections,   call,  calls) \
+  X(corrector_word,       none,          none, word, correctors, usual, nothing) \
+  /* motion */ \
+  X(rapid,                motion,        own,  code, nothing,    usual, plain_motion) \
+  X(linear,               motion,        own,  code, nothing,    usual, plain_motion) \
+  X(arc_cw,               motion,        own,  code, nothing,    usual, plain_motion) \
+  X(arc_ccw,              motion,        own,  code, nothing,    usual, plain_motion) \
+  X(cycle,                motion,        own,  code, no_nct,     usual, nothing) \
+  X(no_motion,            motion,        none, code, no_nct,     first, nothing) \
+  X(circular_pocket,      motion,        own,  code, no_nct,     usual, nothing) \
+  X(probe,                motion,        own,  code, no_nct,     usual, nothing) \
+  X(home_through,         data,          own,  code, no_nct,     usual, leaves_mode) \
+  X(home_axes,            data,          own,  code, no_nct,     usual, leaves_mode) \
+  X(machine_point,        motion,        own,  code, no_nct,     usual, leaves_mode) \
+  X(machine_coordinates,  none,          none, code, no_nct,     usual, nothing) \
+  X(approach_reference,   motion,        own,  code, no_nct,     usual, leaves_mode) \
+  X(pole_rapid,           motion,        own,  code, no_nct,     usual, nothing) \
+  X(pocket_define,        motion,        own,  code, correctors, usual, nothing) \
+  X(pocket_run,           motion,        own,  code, correctors, usual, nothing) \
+  /* modes */ \
+  X(plane_xy,             plane,         none, code, no_nct,     usual, nothing) \
+  X(plane_zx,             plane,         none, code, no_nct,     usual, nothing) \
+  X(plane_yz,             plane,         none, code, no_nct,     usual, nothing) \
+  X(absolute,             distance,      none, code, nothing,    usual, nothing) \
+  X(incremental,          distance,      none, code, nothing,    usual, nothing) \
+  X(centers_absolute,     distance,      none, code, no_nct,     usual, nothing) \
+  X(centers_incremental,  distance,      none, code, no_nct,     usual, nothing) \
+  X(inch,                 unit,          none, code, nothing,    usual, nothing) \
+  X(millimetre,           unit,          none, code, nothing,    usual, nothing) \
+  X(feed_inverse_time,    feed_mode,     none, code, no_nct,     usual, nothing) \
+  X(feed_per_minute,      feed_mode,     none, code, nothing,    usual, nothing) \
+  X(feed_per_revolution,  feed_mode,     none, code, nothing,    usual, nothing) \
+  X(surface_speed,        speed_mode,    none, code, no_nct,     usual, nothing) \
+  X(spindle_rpm,          speed_mode,    none, code, no_nct,     usual, nothing) \
+  X(exact_stop_block,     path_mode,     none, code, nothing,    usual, nothing) \
+  X(exact_stop_mode,      path_mode,     none, code, nothing,    usual, nothing) \
+  X(constant_velocity,    path_mode,     none, code, no_nct,     usual, nothing) \
+  X(corner_arc,           corner,        none, code, no_nct,     usual, nothing) \
+  X(corner_line,          corner,        none, code, no_nct,     usual, nothing) \
+  X(polar_on,             transform,     none, code, no_nct,     usual, nothing) \
+  X(polar_off,            transform,     none, code, no_nct,     usual, nothing) \
+  X(rotation_on,          transform,     own,  code, no_nct,     usual, nothing) \
+  X(rotation_off,         transform,     none, code, no_nct,     usual, nothing) \
+  X(scale_on,             transform,     own,  code, no_nct,     usual, nothing) \
+  X(scale_off,            transform,     none, code, no_nct,     usual, nothing) \
+  X(retract_initial,      retract,       none, code, nothing,    usual, nothing) \
+  X(retract_level,        retract,       none, code, nothing,    usual, nothing) \
+  X(override_permission,  override,      none, code, no_nct,     usual, nothing) \
+  /* offsets */ \
+  X(radius_comp_off,      compensation,  none, code, no_nct,     usual, nothing) \
+  X(radius_comp_left,     compensation,  none, code, no_nct,     usual, nothing) \
+  X(radius_comp_right,    compensation,  none, code, no_nct,     usual, nothing) \
+  X(compensation_off,     compensation,  none, code, no_nct,     usual, nothing) \
+  X(length_plus,          length,        none, code, no_nct,     usual, nothing) \
+  X(length_minus,         length,        none, code, no_nct,     usual, nothing) \
+  X(length_off,           length,        none, code, no_nct,     usual, nothing) \
+  X(work_zero,            zero,          none, code, no_nct,     usual, nothing) \
+  X(fixture,              zero,          none, code, no_nct,     usual, nothing) \
+  X(zero_shift,           data,          own,  code, no_nct,     usual, nothing) \
+  X(temporary_shift,      data,          own,  code, no_nct,     usual, nothing) \
+  X(set_position,         data,          own,  code, no_nct,     usual, nothing) \
+  X(set_position_reset,   data,          none, code, no_nct,     usual, nothing) \
+  X(set_position_suspend, data,          none, code, no_nct,     usual, nothing) \
+  X(set_position_restore, data,          none, code, no_nct,     usual, nothing) \
+  X(set_data,             data,          own,  code, no_nct,     usual, nothing) \
+  X(part_zero,            data,          own,  code, no_nct,     usual, nothing) \
+  X(corrector_plus,       compensation,  none, code, correctors, usual, nothing) \
+  X(corrector_minus,      compensation,  none, code, correctors, usual, nothing) \
+  X(corrector_cancel,     compensation,  none, code, correctors, usual, nothing) \
+  /* technology */ \
+  X(dwell,                dwell,         none, code, nothing,    usual, nothing) \
+  X(spindle_cw,           spindle,       none, code, no_nct,     usual, nothing) \
+  X(spindle_ccw,          spindle,       none, code, no_nct,     usual, nothing) \
+  X(spindle_stop,         spindle_stop,  none, code, no_nct,     usual, nothing) \
+  X(spindle_orient,       spindle,       none, code, no_nct,     usual, nothing) \
+  X(spindle_cw_coolant,   spindle,       none, code, no_nct,     usual, nothing) \
+  X(spindle_ccw_coolant,  spindle,       none, code, no_nct,     usual, nothing) \
+  X(coolant_mist,         coolant,       none, code, nothing,    usual, nothing) \
+  X(coolant_flood,        coolant,       none, code, nothing,    usual, nothing) \
+  X(coolant_off,          coolant_off,   none, code, nothing,    usual, nothing) \
+  X(change_tool,          tool_change,   none, code, no_nct,     usual, nothing) \
+  X(override_on,          override,      none, code, no_nct,     usual, nothing) \
+  X(override_off,         override,      none, code, no_nct,     usual, nothing) \
+  X(machine_function,     machine,       none, code, nothing,    usual, nothing) \
+  /* flow */ \
+  X(program_stop,         stop,          none, code, nothing,    usual, stops | breaks_contour) \
+  X(optional_stop,        stop,          none, code, nothing,    usual, stops | breaks_contour) \
+  X(program_end,          flow,          none, code, nothing,    last,  ends | breaks_contour) \
+  X(tape_end,             flow,          none, code, nothing,    last,  ends) \
+  X(repeat_program,       flow,          none, code, no_nct,     usual, nothing) \
+  X(call_subprogram,      flow,          none, code, labels,     call,  calls) \
+  /* nct: addresses */ \
+  X(machine_axis,         none,          none, word, nct,        usual, nothing) \
+  X(increment_axis,       none,          none, word, nct,        usual, nothing) \
+  X(argument_only,        none,          none, word, nct,        usual, nothing) \
+  X(auxiliary_word,       machine,       none, word, nct,        usual, nothing) \
+  X(spindle_word,         speed,         none, word, nct,        usual, nothing) \
+  X(spindle_axis_word,    spindle,       none, word, nct,        usual, nothing) \
+  X(tool_call,            tool,          none, word, nct,        usual, nothing) \
+  X(length_number,        length,        none, word, nct,        usual, breaks_contour) \
+  X(radius_number,        offset_number, none, word, nct,        usual, nothing) \
+  /* nct: motion and coordinates */ \
+  X(thread,               motion,        own,  code, nct,        usual, nothing) \
+  X(dwell_or_turns,       dwell,         none, code, nct,        usual, nothing) \
+  X(smoothing,            path_mode,     own,  code, nct,        usual, nothing) \
+  X(cylinder_mode,        data,          own,  code, nct,        usual, nothing) \
+  X(set_tables,           data,          own,  code, nct,        usual, nothing) \
+  X(set_tables_end,       data,          none, code, nct,        usual, nothing) \
+  X(diameter_switch,      data,          own,  code, nct,        usual, nothing) \
+  X(polar_surface_on,     data,          none, code, nct,        usual, nothing) \
+  X(polar_surface_off,    data,          none, code, nct,        usual, nothing) \
+  X(polar_data_on,        transform,     none, code, nct,        usual, nothing) \
+  X(polar_data_off,       transform,     none, code, nct,        usual, nothing) \
+  X(select_plane,         plane,         none, code, nct,        usual, nothing) \
+  X(work_area_on,         data,          own,  code, nct,        usual, breaks_contour) \
+  X(work_area_off,        data,          none, code, nct,        usual, breaks_contour) \
+  X(reference_return,     data,          own,  code, nct,        usual, leaves_mode | breaks_contour) \
+  X(measure,              motion,        own,  code, nct,        usual, nothing) \
+  X(measure_length,       motion,        own,  code, nct,        usual, nothing) \
+  X(radius_side,          compensation,  none, code, nct,        usual, nothing) \
+  X(length_comp,          length,        none, code, nct,        usual, breaks_contour) \
+  X(mirror_on,            transform,     own,  code, nct,        usual, leaves_mode) \
+  X(mirror_off,           transform,     own,  code, nct,        usual, leaves_mode) \
+  X(scaling_on,           transform,     own,  code, nct,        usual, leaves_mode) \
+  X(scaling_off,          transform,     none, code, nct,        first, nothing) \
+  X(plane_rotation_on,    transform,     own,  code, nct,        usual, leaves_mode) \
+  X(plane_rotation_off,   transform,     none, code, nct,        first, nothing) \
+  X(transform_off,        transform,     none, code, nct,        usual, nothing) \
+  X(local_system,         data,          own,  code, nct,        usual, leaves_mode | breaks_contour) \
+  X(machine_move,         data,          own,  code, nct,        usual, leaves_mode | breaks_contour) \
+  X(work_system,          zero,          none, code, nct,        usual, breaks_contour) \
+  X(work_system_extended, zero,          none, code, nct,        usual, breaks_contour) \
+  X(new_system,           data,          own,  code, nct,        usual, breaks_contour) \
+  X(feed_control,         path_mode,     none, code, nct,        usual, nothing) \
+  X(css_on,               speed_mode,    none, code, nct,        usual, nothing) \
+  X(css_off,              speed_mode,    none, code, nct,        usual, nothing) \
+  X(drilling,             positioning,   own,  code, nct,        usual, nothing) \
+  X(drilling_off,         motion,        none, code, nct,        first, nothing) \
+  X(turning_cycle,        motion,        own,  code, nct,        usual, nothing) \
+  X(turning_simple,       motion,        own,  code, nct,        usual, nothing) \
+  X(gear_on,              data,          none, code, nct,        usual, nothing) \
+  X(gear_off,             data,          none, code, nct,        usual, nothing) \
+  X(vector_hold,          corner,        none, code, nct,        usual, nothing) \
+  X(vector_corner,        data,          none, code, nct,        usual, nothing) \
+  X(not_available,        none,          own,  code, nothing,    usual, nothing) \
+  /* nct: macros, programs, M codes */ \
+  X(macro_call,           flow,          own,  code, nct,        usual, passes_control) \
+  X(macro_modal,          flow,          own,  code, nct,        usual, nothing) \
+  X(macro_modal_off,      flow,          none, code, nct,        usual, nothing) \
+  X(spindle_code,         spindle,       none, code, nct,        usual, nothing) \
+  X(gear_range,           range,         none, code, nct,        usual, nothing) \
+  X(exchange_tool,        tool_change,   none, code, nct,        usual, nothing) \
+  X(interrupt_on,         flow,          none, code, nct,        usual, nothing) \
+  X(interrupt_off,        flow,          none, code, nct,        usual, nothing) \
+  X(call_program,         flow,          none, code, nct,        usual, passes_control) \
+  X(return_program,       flow,          none, code, nct,        usual, passes_control) \
+  X(subprogram_return,    flow,          none, code, no_nct,     usual, ends) \
+  X(subprogram_end,       flow,          none, code, no_nct,     usual, ends) \
+  X(repetition_end,       flow,          none, code, no_nct,     usual, ends) \
+  X(permanent_subprogram, flow,          own,  code, no_nct,     usual, nothing)
 // clang-format on
+
+/// What a function needs. The machine of the NCT (dialect = "nct") has axes, spindles, offsets and calls of its own: what works on it does
+/// not work beside it, and the other way round.
+enum class Needs : std::uint8_t {
+  nothing,
+  nct,         // dialect = "nct"
+  no_nct,      // another one, or none
+  correctors,  // dialect = "correctors"
+  sections,    // [behaviour] subprograms_by_section = true
+  labels,      // [grammar] label
+};
 
 enum class Phase : std::uint8_t {
 #define KADR_PHASE_ENUM(name) name,
@@ -108,15 +228,35 @@ enum class Function : std::uint8_t {
       count
 };
 
+enum class TakesAxes : std::uint8_t { none, own };
+enum class FunctionOrder : std::uint8_t { first, call, usual, last };
+
+/// What calls a function: a row of [address], or one of [g] and [m].
+enum class CalledBy : std::uint8_t { word, code };
+
+/// Of KADR_FUNCTIONS, a bit each.
+namespace function_fact {
+inline constexpr std::uint8_t nothing = 0, leaves_mode = 1, ends = 2, stops = 4, calls = 8, passes_control = 16, plain_motion = 32,
+                              breaks_contour = 64;
+}  // namespace function_fact
+
 struct FunctionTraits {
   std::string_view name;
   Phase phase;
-  bool takes_axes;  // the block's axis words are its own; no modal motion in that block
+  TakesAxes axes;
+  CalledBy by;
+  Needs needs;
+  FunctionOrder order;
+  std::uint8_t facts;
+  bool takes_axes() const { return axes == TakesAxes::own; }
+  bool is(std::uint8_t fact) const { return (facts & fact) != 0; }
 };
 
 const FunctionTraits& traits_of(Function function);
 Function function_named(std::string_view name);  // Function::count if there is none
 Phase phase_named(std::string_view name);        // Phase::count if there is none
 std::string_view name_of(Phase phase);
+
+inline constexpr std::size_t most_groups = 48;  // of codes, the one that is none among them
 
 }  // namespace kadr

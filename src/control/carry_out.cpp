@@ -6,18 +6,13 @@
 namespace kadr {
 namespace {
 
+bool is(const CodeRow* row, std::uint8_t fact) { return row != nullptr && traits_of(row->function).is(fact); }
+
 /// Ends the program, a subprogram or a repetition.
-bool ends(const CodeRow* row) {
-  if (row == nullptr) return false;
-  const Function f = row->function;
-  return f == Function::program_end || f == Function::tape_end || f == Function::subprogram_end || f == Function::repetition_end ||
-         f == Function::subprogram_return;
-}
+bool ends(const CodeRow* row) { return is(row, function_fact::ends); }
 
 /// Stops the program or ends something.
-bool ends_or_stops(const CodeRow* row) {
-  return ends(row) || (row != nullptr && (row->function == Function::program_stop || row->function == Function::optional_stop));
-}
+bool ends_or_stops(const CodeRow* row) { return is(row, function_fact::ends | function_fact::stops); }
 
 }  // namespace
 
@@ -86,7 +81,7 @@ bool Interpreter::waits_for(const Running& cycle, const PlanItem& item) const {
 bool Interpreter::is_call(const PlanItem& item) const {
   const CodeRow* const row = row_of(item);
   const Function f = row != nullptr ? row->function : def.address(item.address).function;
-  return f == Function::call_word || f == Function::call_subprogram;
+  return traits_of(f).is(function_fact::calls);
 }
 
 /// An end that waits must be one that can come: what would fail then fails now, before anything is done.

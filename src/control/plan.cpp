@@ -7,32 +7,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint8_t sequence_length = 4;
-
-/// Order within one phase: a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is opened,
-/// then a call made, then an end met.
-std::uint8_t sequence(Function function) {
-  switch (function) {
-    case Function::no_motion:
-    case Function::drilling_off:
-    case Function::scaling_off:
-    case Function::plane_rotation_off:
-    case Function::repeat_word: return 0;
-    case Function::call_word:
-    case Function::call_subprogram: return 1;
-    case Function::program_end:
-    case Function::tape_end: return 3;
-    default: return 2;
-  }
-}
-
-/// Beside these a motion code only sets the mode: `G0 G91 G28 Z0` is what shops write.
-bool leaves_mode(Function function) {
-  return function == Function::home_through || function == Function::home_axes || function == Function::approach_reference ||
-         function == Function::machine_point || function == Function::reference_return || function == Function::machine_move ||
-         function == Function::local_system || function == Function::mirror_on || function == Function::mirror_off ||
-         function == Function::scaling_on || function == Function::plane_rotation_on;
-}
+constexpr std::uint8_t sequence_length = static_cast<std::uint8_t>(FunctionOrder::last) + 1;
 
 /// Collects the calls of one block.
 class Planner {
@@ -55,7 +30,8 @@ class Planner {
         acting(word, static_cast<std::uint8_t>(i));
       }
     }
-    if (axes_taker_ != nullptr && motion_word_ != nullptr && (motion_is_cycle_ || !leaves_mode(axes_taker_function_)))
+    if (axes_taker_ != nullptr && motion_word_ != nullptr &&
+        (motion_is_cycle_ || !traits_of(axes_taker_function_).is(function_fact::leaves_mode)))
       return fail(
           alarm(AlarmId::not_together, motion_word_->where, block_.text_of(axes_taker_->where), block_.text_of(motion_word_->where)));
     KADR_TRY(motion_in_force(motion_row));
@@ -93,7 +69,7 @@ class Planner {
     if (!row.works) return fail(alarm(AlarmId::not_available, word.where, row.code));
     if (row.group != 0) KADR_TRY(one_of_group(row, row_index, word));
     const FunctionTraits& traits = traits_of(row.function);
-    if (traits.takes_axes) KADR_TRY(axes_taken(row, word));
+    if (traits.takes_axes()) KADR_TRY(axes_taken(row, word));
     if (row.own_block) own_block_ = &word, own_takes_ = row.takes;
     plan_.taken |= row.takes;
     ++code_count_;
@@ -195,9 +171,9 @@ class Planner {
     for (std::uint32_t i = 0; i < plan_.count; ++i) {
       const PlanItem& item = plan_.items[i];
       const Function f = item.row >= 0 ? def_.codes[static_cast<std::size_t>(item.row)].function : def_.address(item.address).function;
-      const bool moves = f == Function::rapid || f == Function::linear || f == Function::arc_cw || f == Function::arc_ccw;
-      plan_.moves_and_feeds = plan_.moves_and_feeds && (moves || f == Function::feed_word);
-      plan_.calls_only = plan_.calls_only && (f == Function::macro_call || f == Function::call_program || f == Function::return_program);
+      const FunctionTraits& traits = traits_of(f);
+      plan_.moves_and_feeds = plan_.moves_and_feeds && (traits.is(function_fact::plain_motion) || f == Function::feed_word);
+      plan_.calls_only = plan_.calls_only && traits.is(function_fact::passes_control);
     }
   }
 
@@ -232,7 +208,8 @@ class Planner {
     Function function = Function::count;
     if (row >= 0) function = def_.codes[static_cast<std::size_t>(row)].function;
     else if (address != 0) function = def_.address(address).function;
-    const auto rank = static_cast<std::uint8_t>(def_.order[static_cast<std::size_t>(phase)] * sequence_length + sequence(function));
+    const auto rank = static_cast<std::uint8_t>(def_.order[static_cast<std::size_t>(phase)] * sequence_length +
+                                                static_cast<std::size_t>(traits_of(function).order));
     std::uint32_t at = plan_.count++;
     for (; at > 0 && plan_.items[at - 1].rank > rank; --at) {
       plan_.items[at] = plan_.items[at - 1];

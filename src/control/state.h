@@ -8,7 +8,7 @@
 
 #include "action/action.h"
 #include "base/vec.h"
-#include "config/function_needs.h"
+#include "config/function.h"
 #include "config/setup.h"
 
 namespace kadr {

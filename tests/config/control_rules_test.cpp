@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "config/control_file.h"
-#include "config/function_needs.h"
+#include "config/function.h"
 #include "config/toml_tools.h"
 
 namespace kadr {
@@ -16,14 +16,14 @@ std::string refusal(const std::string& base, const std::string& rest) {
 }
 
 TEST(needs, stand_in_the_table_of_functions) {
-  EXPECT_EQ(needs_of(Function::rapid), Needs::nothing);
-  EXPECT_EQ(needs_of(Function::plane_rotation_on), Needs::nct);
-  EXPECT_EQ(needs_of(Function::plane_xy), Needs::no_nct);
-  EXPECT_EQ(needs_of(Function::pocket_run), Needs::correctors);
-  EXPECT_EQ(needs_of(Function::call_word), Needs::sections);
-  EXPECT_EQ(needs_of(Function::call_subprogram), Needs::labels);
-  EXPECT_EQ(called_by(Function::feed_word), CalledBy::word);
-  EXPECT_EQ(called_by(Function::rapid), CalledBy::code);
+  EXPECT_EQ(traits_of(Function::rapid).needs, Needs::nothing);
+  EXPECT_EQ(traits_of(Function::plane_rotation_on).needs, Needs::nct);
+  EXPECT_EQ(traits_of(Function::plane_xy).needs, Needs::no_nct);
+  EXPECT_EQ(traits_of(Function::pocket_run).needs, Needs::correctors);
+  EXPECT_EQ(traits_of(Function::call_word).needs, Needs::sections);
+  EXPECT_EQ(traits_of(Function::call_subprogram).needs, Needs::labels);
+  EXPECT_EQ(traits_of(Function::feed_word).by, CalledBy::word);
+  EXPECT_EQ(traits_of(Function::rapid).by, CalledBy::code);
 }
 
 /// A row of its own with each function: accepted only where what it needs is there.
@@ -38,10 +38,11 @@ TEST(needs, are_asked_for_by_the_loader) {
     for (const std::string base : {"gost", "s2c42", "mach3", "correctors", "nct"}) {
       const std::string said = refusal(base, row);
       const bool is_nct = base == "nct";
-      const bool wrong = called_by(f) == CalledBy::word || (needs_of(f) == Needs::nct && !is_nct) ||
-                         (needs_of(f) == Needs::no_nct && is_nct) || (needs_of(f) == Needs::correctors && base != "correctors") ||
-                         (needs_of(f) == Needs::sections && base != "s2c42") ||
-                         (needs_of(f) == Needs::labels && base != "mach3" && base != "nct" && base != "gost");
+      const bool wrong = traits_of(f).by == CalledBy::word || (traits_of(f).needs == Needs::nct && !is_nct) ||
+                         (traits_of(f).needs == Needs::no_nct && is_nct) ||
+                         (traits_of(f).needs == Needs::correctors && base != "correctors") ||
+                         (traits_of(f).needs == Needs::sections && base != "s2c42") ||
+                         (traits_of(f).needs == Needs::labels && base != "mach3" && base != "nct" && base != "gost");
       if (!wrong) continue;  // refused for other reasons, or accepted
       EXPECT_EQ(said.find("own.toml:6: G300: '" + name + "'"), 0U) << base << ": " << said;
     }

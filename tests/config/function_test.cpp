@@ -29,9 +29,9 @@ TEST(phases, names_lead_back) {
 TEST(functions, that_move_take_the_axis_words) {
   for (const Function f :
        {Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::cycle, Function::probe, Function::set_position})
-    EXPECT_TRUE(traits_of(f).takes_axes) << traits_of(f).name;
+    EXPECT_TRUE(traits_of(f).takes_axes()) << traits_of(f).name;
   for (const Function f : {Function::plane_xy, Function::absolute, Function::dwell, Function::spindle_cw, Function::machine_coordinates})
-    EXPECT_FALSE(traits_of(f).takes_axes) << traits_of(f).name;
+    EXPECT_FALSE(traits_of(f).takes_axes()) << traits_of(f).name;
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ BlockChanges Nct::changes_of(const Interpreter& m, const Plan& plan) const {
 }
 
 void Nct::before_function(Interpreter& m, Function function) {
-  if (state.compensates && interrupts_contour(function)) m.emit(ContourBreak{});
+  if (state.compensates && traits_of(function).is(function_fact::breaks_contour)) m.emit(ContourBreak{});
 }
 
 void Nct::after_code(Interpreter& m, const CodeRow& row, std::int32_t code) { note_code(m, row, code); }

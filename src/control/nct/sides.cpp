@@ -7,6 +7,7 @@
 #include "control/nct/nct.h"
 
 namespace kadr::nct {
+
 void note_side(Interpreter& m, Motion& motion) {
   Volatile& state = nct_of(m).state;
   if (m.modal.radius_side == 0 && state.side_step != SideStep::ends) return;
@@ -25,25 +26,6 @@ void note_side(Interpreter& m, Motion& motion) {
   if (motion.side_step != SideStep::none && state.way) detail_of(m, motion).way = state.way;
   state.side_step = SideStep::none;
   state.way.reset();
-}
-
-bool interrupts_contour(Function f) {
-  switch (f) {
-    case Function::work_area_on:
-    case Function::work_area_off:
-    case Function::work_system:
-    case Function::work_system_extended:
-    case Function::local_system:
-    case Function::new_system:
-    case Function::machine_move:
-    case Function::reference_return:
-    case Function::length_comp:
-    case Function::length_number:
-    case Function::program_stop:
-    case Function::optional_stop:
-    case Function::program_end: return true;
-    default: return false;
-  }
 }
 
 void note_skip_mark(Interpreter& m) {

@@ -15,8 +15,6 @@ namespace kadr::nct {
 
 /// Side, radius and step of a motion in the plane; the step is taken by the first one.
 void note_side(Interpreter& m, Motion& motion);
-/// Codes that interrupt compensation: the tool's centre goes to the programmed point before them (15.5.2).
-bool interrupts_contour(Function function);
 /// A block with `/`: whether it is skipped or not, it interrupts compensation where N1337 #4 CBB is 0 (15.5.2).
 void note_skip_mark(Interpreter& m);
 /// Increments of zero beside a new length: the start point is shifted by it, nothing moves (15.3).
