@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
-"""Runs the referee of the golden cases over our own cases, tests/cases/CONTROL/*.json.
+"""Runs the referee of the golden cases over our own cases, tests/cases/CONTROL/TOPIC.cases.
 
     run_cases.py --kadr build/kadr
     run_cases.py --kadr build/kadr --only 'h-*'
 
-The form of a case and its rules: tests/golden/README.md. Before the referee each case is held against that form: a key it does
-not know, a name that is not the file's, a control that is not the folder's, or an empty folder fails.
+The form of the files: tests/cases/reader.py; the meaning of the keys: tests/golden/README.md. What cannot be read, a key or value
+that tests/golden/schema.json does not know, two cases of one name, an empty file or folder fails, told as FILE:LINE.
 """
 import argparse
 import json
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
+
+from cases import reader
 
 TESTS = Path(__file__).resolve().parent
 CASES = TESTS / 'cases'
@@ -46,44 +49,46 @@ class Form:
                 yield from self.faults(inner, rule.get('items', {}), f'{where}[{i}]')
 
 
-def form_faults():
+def form_faults(cases):
+    """What the schema says against each case; what stands below tests/cases and no one reads."""
     form = Form(json.loads(SCHEMA.read_text(encoding='utf-8')))
-    folders = sorted(f for f in CASES.iterdir() if f.is_dir())
-    if not folders:
-        yield f'{CASES}: no case'
-    for folder in folders:
-        files = sorted(folder.iterdir())
+    for where, case in cases:
+        yield from form.faults(case, form.schema, where)
+        if case['basis'] not in BASIS or not case.get('derivation'):
+            yield f'{where}: basis is rule or inferred, with its derivation'
+    for folder in sorted(CASES.iterdir()):
+        if folder.name in ('reader.py', '__pycache__'):
+            continue
+        files = sorted(folder.iterdir()) if folder.is_dir() else [folder]
         if not files:
             yield f'{folder.name}/: no case'
-        for file in files:
-            where = f'{folder.name}/{file.name}'
-            if file.suffix != '.json':
-                yield f'{where}: not a case'
-                continue
-            try:
-                case = json.loads(file.read_text(encoding='utf-8'))
-            except json.JSONDecodeError as error:
-                yield f'{where}: {error}'
-                continue
-            yield from form.faults(case, form.schema, where)
-            if case.get('id') != file.stem or case.get('control') != folder.name:
-                yield f'{where}: id or control is not the name of the file or folder'
-            if case.get('basis') not in BASIS or not case.get('derivation'):
-                yield f'{where}: basis is rule or inferred, with its derivation'
+        yield from (f'{file.relative_to(CASES)}: not a file of cases' for file in files if file.suffix != '.cases' or file == folder)
+
+
+def write_json(cases, folder):
+    """The cases as the referee reads them, CONTROL/ID.json; one of two with the same name is told by the reader."""
+    for _, case in cases:
+        file = Path(folder, case['control'], case['id'] + '.json')
+        file.parent.mkdir(exist_ok=True)
+        file.write_text(json.dumps(case, ensure_ascii=False), encoding='utf-8')
 
 
 def main():
     parser = argparse.ArgumentParser(description='Run our own cases.')
     parser.add_argument('--kadr', required=True, help='the program under test')
     parser.add_argument('--only', help='only cases whose name matches')
+    parser.add_argument('--jobs', default='2', help='cases run at the same time')
     options = parser.parse_args()
-    faults = list(form_faults())
+    cases, faults = reader.read_all()
+    faults += form_faults(cases)
     for fault in faults:
         print(f'FAILED {fault}')
     only = ['--only', options.only] if options.only else []
-    status = subprocess.run([sys.executable, str(REFEREE), '--kadr', options.kadr, '--jobs', '2', *only, str(CASES)]).returncode
+    with tempfile.TemporaryDirectory(prefix='kadr_cases') as folder:
+        write_json(cases, folder)
+        status = subprocess.run([sys.executable, str(REFEREE), '--kadr', options.kadr, '--jobs', options.jobs, *only, folder]).returncode
     if faults:
-        print(f'{len(faults)} cases out of form')
+        print(f'{len(faults)} faults of form')
     return status or (1 if faults else 0)
 
 

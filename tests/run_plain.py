@@ -17,6 +17,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from cases import reader
+
 HERE = Path(__file__).resolve().parent
 TIME_LIMIT_S = 30
 COMMENT = ' (.)'
@@ -58,12 +60,10 @@ def random_programs(choose, count):
 
 
 def programs_of_cases():
-    for path in sorted([*HERE.glob('golden/*/*.json'), *HERE.glob('cases/*/*.json')]):
-        case = json.loads(path.read_text(encoding='utf-8'))
-        cases = case if isinstance(case, list) else [case]
-        for one in cases:
-            if isinstance(one, dict) and isinstance(one.get('program'), str) and one.get('control') in OF:
-                yield path.name, one['control'], one.get('setup', {}), one['program']
+    golden = [(path.stem, json.loads(path.read_text(encoding='utf-8'))) for path in sorted(HERE.glob('golden/*/*.json'))]
+    for name, case in [*((case['id'], case) for case in reader.cases()), *golden]:
+        if case['control'] in OF:
+            yield name, case['control'], case['setup'], case['program']
 
 
 def commented(program):

@@ -24,6 +24,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from cases import reader
+
 HERE = Path(__file__).resolve().parent
 LIMITS = {'speed': 200.0, 'acceleration': 1000.0, 'jerk': 20000.0}  # mm/s, mm/s², mm/s³
 TOLERANCE = 0.02
@@ -63,15 +65,14 @@ def write_machine(folder, tolerance):
 
 
 def programs_of_cases():
-    for path in sorted([*HERE.glob('golden/*/*.json'), *HERE.glob('cases/*/*.json')]):
-        case = json.loads(path.read_text(encoding='utf-8'))
-        setup = dict(case.get('setup', {}))
-        text = case.get('program')
-        if not isinstance(text, str) or 'channels' in setup or case.get('programs') or case.get('files'):
+    golden = [(path.stem, json.loads(path.read_text(encoding='utf-8'))) for path in sorted(HERE.glob('golden/*/*.json'))]
+    for name, case in [*((case['id'], case) for case in reader.cases()), *golden]:
+        setup = dict(case['setup'])
+        if 'channels' in setup:
             continue
         setup.pop('machine', None)
         setup.pop('override', None)
-        yield path.stem, case['control'], setup, text
+        yield name, case['control'], setup, case['program']
 
 
 TAPS = {'start': {'Z': 50}, 'parameters': {'N0607.1#2': 1, 'N1503#TSC': 1}, 'spindle': {'1': {'rpm': 500, 'dir': 'cw'}}}
