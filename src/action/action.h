@@ -27,6 +27,7 @@ struct Origin {
   std::uint8_t block_digits = 0;  // as written, zeros included
   std::uint8_t depth = 0;         // calls around it
   std::uint16_t file = 0;         // that the line stands in: 0 the program, others: Control::file_name()
+  std::uint32_t number = 0;       // of the block in the run, in the order of execution: Control::state_of()
 };
 
 enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };
@@ -332,6 +333,14 @@ struct ProbeAnswer {
   bool touched = false;
   Axes at{};        // work coordinates where the motion ended
   double part = 1;  // of the way that was made
+};
+
+/// What was in force when a block had been carried out.
+struct BlockState {
+  std::vector<std::string> modal;  // code words, with F, S, T, D, H
+  std::uint32_t tool = 0;          // in the spindle
+  Axes origin{};                   // of the work system, all shifts included, machine coordinates
+  Axes length{};                   // of the tool, by axis
 };
 
 /// State after a run: the last line of a trace.

@@ -51,6 +51,7 @@ inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
 struct SinCos {
   double sin = 0;
   double cos = 1;
+  friend bool operator==(const SinCos&, const SinCos&) = default;
 };
 
 inline constexpr double pi = 3.14159265358979323846;

@@ -30,7 +30,7 @@ Status Interpreter::begin_again(Span where, Position from) {
 /// Would the block, had it been right, have written a variable, called or jumped? Of one that could not be read its text tells.
 bool Interpreter::may_have_steered() const {
   if (block->statement.kind != StatementKind::none) return true;
-  if (!damaged_) return has_code({Function::macro_call, Function::macro_modal, Function::call_program});
+  if (!damaged) return has_code({Function::macro_call, Function::macro_modal, Function::call_program});
   const auto holds = [this](std::string_view text) { return block->text.find(text) != std::string_view::npos; };
   return (holds("#") && holds("=")) || holds("IF") || holds("GOTO") || holds("WHILE") || holds("G65") || holds("M98");
 }
@@ -39,7 +39,7 @@ bool Interpreter::may_have_steered() const {
 void Interpreter::go_on() {
   stopped_ = false;
   if (dialect) dialect->note_fault(*this, may_have_steered());
-  damaged_ = false;
+  damaged = false;
   keep_from_faulty_block();
   if (report.alarm.id != AlarmId::repeat_end_missing && report.alarm.id != AlarmId::subprogram_end_missing) return;
   const bool at_end_of_file = report.alarm.where.end == 0;

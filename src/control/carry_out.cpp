@@ -34,7 +34,7 @@ Status Interpreter::carry_out(const Plan& plan) {
     const Phase phase = phase_of(item);
     if (phase == Phase::motion && !motion_began) {
       motion_began = true;
-      if (unserved_ != 0) KADR_TRY(modes_served(item));
+      if (unserved != 0) KADR_TRY(modes_served(item));
       KADR_TRY(contour_allows_motion(*this));
     }
     if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
@@ -119,7 +119,7 @@ Status Interpreter::modes_served(const PlanItem& item) const {
   const CodeRow* const moves = row_of(item);
   if (moves != nullptr && (moves->function == Function::measure || moves->function == Function::measure_length)) return {};
   for (std::size_t group = 0; group < most_groups; ++group) {
-    if ((unserved_ >> group & 1u) == 0 || modal.rows[group] < 0) continue;
+    if ((unserved >> group & 1u) == 0 || modal.rows[group] < 0) continue;
     const CodeRow& row = def.codes[static_cast<std::size_t>(modal.rows[group])];
     if (!row.works) return fail(alarm(AlarmId::not_available, block->where, row.code));
   }
@@ -134,14 +134,15 @@ Status Interpreter::after_cycle() {
   return {};
 }
 
-void Interpreter::take_moment() {
-  if (moment_taken_) return;
-  moment_taken_ = true;
-  variables.begin_block();
-  moment_ = {modal, transform, position, frames, cycle_memory, set_position, set_position_by_g52, tables.zero_shift};
-  kept_offset_.first = 0;
+void Interpreter::keep_state() {
+  if (state_kept_) return;
+  state_kept_ = true;
+  before_ = *this;
   if (dialect) dialect->keep(*this);
 }
+
+/// The same of a block that only moves and feeds, or only calls.
+void Interpreter::keep_little() { journal.keep<MotionModal>(modal); }
 
 /// Nothing of a faulty block is done (design.md 4).
 void Interpreter::take_back(std::size_t actions) {
@@ -150,33 +151,20 @@ void Interpreter::take_back(std::size_t actions) {
   stop_cycles();
   waiting_count_ = 0;
   if (flow_before_) flow.back_to(*flow_before_);
+  if (state_kept_) static_cast<ControlState&>(*this) = before_;
   if (dialect) dialect->take_back(*this);
-  if (small_moment_taken_) {
-    modal.feed = small_moment_.feed;
-    modal.feed_known = small_moment_.feed_known;
-    modal.motion = small_moment_.motion;
-    modal.motion_row = small_moment_.motion_row;
-    modal.rows = small_moment_.rows;
+  journal.undo();  // after the values: what was kept first is right
+  if (state_kept_) {
+    (void)variables.take_frames_changed();
+    variables.inch = modal.inch;
   }
-  if (!moment_taken_) return;
-  variables.undo_block();
-  (void)variables.take_frames_changed();
-  modal = moment_.modal;
-  variables.inch = modal.inch;
-  transform = moment_.transform;
-  position = moment_.position;
-  frames = moment_.frames;
-  cycle_memory = moment_.cycle_memory;
-  set_position = moment_.set_position;
-  set_position_by_g52 = moment_.set_position_by_g52;
-  tables.zero_shift = moment_.zero_shift;
   if (dialect) dialect->taken_back(*this);
-  if (kept_offset_.first != 0) tables.offsets[kept_offset_.first] = kept_offset_.second;
 }
 
 void Interpreter::refused() {
   if (batch != nullptr) take_back(0);
-  moment_taken_ = false;
+  state_kept_ = false;
+  if (block_states_) block_states_->note(origin.number, *this);
 }
 
 void Interpreter::run_modes(std::initializer_list<Function> functions) {

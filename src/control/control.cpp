@@ -5,6 +5,7 @@
 #include "config/machine_axes.h"
 #include "control/interpreter.h"
 #include "control/shared_memory.h"
+#include "control/snapshot_content.h"
 
 namespace kadr {
 
@@ -34,6 +35,13 @@ Control::State Control::run(ActionBatch& batch) {
   const State state = interpreter_->run(batch);
   shared_->take_back(interpreter_->tables.offsets);
   return state;
+}
+std::optional<Snapshot> Control::snapshot() const { return interpreter_->snapshot(cutting_seen_ms_); }
+Status Control::restore(const Snapshot& from) {
+  KADR_TRY(interpreter_->restore(from));
+  cutting_seen_ms_ = from.content().cutting_seen_ms;
+  if (shared_) shared_->take_back(interpreter_->tables.offsets);
+  return {};
 }
 void Control::answer(const ProbeAnswer& answer) {
   interpreter_->answer(answer);
@@ -121,6 +129,8 @@ const WrittenFiles& Control::files_written() const {
 }
 const std::string& Control::file_name(std::uint16_t file) const { return interpreter_->flow.file(file).path(); }
 Ending Control::ending() const { return interpreter_->ending(); }
+void Control::watch_states() { interpreter_->watch_states(); }
+std::optional<BlockState> Control::state_of(const Origin& origin) const { return interpreter_->state_of(origin); }
 std::uint64_t Control::blocks() const { return interpreter_->flow.blocks(); }
 std::uint64_t Control::bytes_read() const { return interpreter_->flow.bytes_read(); }
 std::uint64_t Control::bytes() const { return interpreter_->flow.bytes(); }

@@ -16,6 +16,7 @@
 #include "config/setup.h"
 #include "config/setup_file.h"
 #include "config/state_file.h"
+#include "control/snapshot.h"
 #include "control/usage.h"
 #include "lang/block_reader.h"
 
@@ -59,6 +60,14 @@ class Control {
   ///   stopped      by an alarm: report() tells; go_on() takes the next block (checking), nothing of the faulty one has been done
   ///   ended        the program is at its end
   State run(ActionBatch& batch);
+
+  /// All that decides how the run goes on, between two blocks; nothing in the middle of one: while a cycle runs, a probe or another
+  /// channel is waited for. What the program has read from standard input or written into files is not in it.
+  std::optional<Snapshot> snapshot() const;
+  /// Goes on from a snapshot of a control of the same file, set-up and program: the actions, alarms and notes that follow are those that
+  /// followed there. The tables shared by channels get the values of this channel.
+  ///   alarms  file_missing, file_write: a file that the program had called or was writing is not there as it was
+  Status restore(const Snapshot& from);
 
   void answer(const ProbeAnswer& answer);
   /// Hands actions over after each block, so that the machine may refuse one.
@@ -143,6 +152,11 @@ class Control {
   const WrittenFiles& files_written() const;
 
   Ending ending() const;
+  /// From now on state_of() can tell; a block costs a comparison, one that changes a mode a copy of the state.
+  void watch_states();
+  /// What was in force when the block that an action comes from had been carried out: the control may be far ahead. Nothing where
+  /// more than some thousand changes of modes lie in between, or nobody watches.
+  std::optional<BlockState> state_of(const Origin& origin) const;
   std::uint64_t blocks() const;      // carried out
   std::uint64_t bytes_read() const;  // for progress
   std::uint64_t bytes() const;

@@ -22,6 +22,7 @@ void Dialect::note_skip_mark(Interpreter&) {}
 Result<bool> Dialect::interrupt(Interpreter&, BlockMoment) { return false; }
 Status Dialect::statement(Interpreter&) { return {}; }
 void Dialect::begin_block(Interpreter&) {}
+Status Dialect::restore(Interpreter&, const DialectState&) { return {}; }
 Result<bool> Dialect::takes_block(Interpreter& m) {
   KADR_TRY(m.take_words());
   return false;

@@ -55,9 +55,20 @@ class MachineSide {
   virtual bool waiting_suspended() const = 0;
 };
 
+/// What a dialect remembers, in a snapshot.
+struct DialectState {
+  virtual ~DialectState() = default;
+};
+
 class Dialect {
  public:
   virtual ~Dialect() = default;
+
+  /// All that it remembers, between two blocks.
+  virtual std::shared_ptr<const DialectState> snapshot() const { return nullptr; }
+  /// Goes on from a snapshot of its like; the interpreter has been restored.
+  ///   alarms  file_write: a file that the program was writing cannot be gone on with
+  virtual Status restore(Interpreter& m, const DialectState& from);
 
   /// nullptr: there is no machine whose logic, operator or parameters are known.
   virtual MachineSide* machine_side() { return nullptr; }

@@ -43,32 +43,32 @@ Flow::Flow(const ControlDef& def, Program program, RunLimits limits)
 }
 
 Result<BlockReader::Got> Flow::next(Block*& block) {
-  if (ended_) return BlockReader::Got::end;
-  if (!frames_.empty() || restarts_ != 0 || jumped_back_) KADR_TRY(count_repeated(*block));
-  ++blocks_;
-  if (reader_ != 1) [[likely]]
-    return files_[reader_]->next(block);
+  if (now_.ended) return BlockReader::Got::end;
+  if (!now_.frames.empty() || now_.restarts != 0 || now_.jumped_back) KADR_TRY(count_repeated(*block));
+  ++now_.blocks;
+  if (now_.reader != 1) [[likely]]
+    return files_[now_.reader]->next(block);
   block = &body_block_;
   return bodies_->next(body_block_);
 }
 
 /// `last`: the block before, still in hand.
 Status Flow::count_repeated(const Block& last) {
-  if (++repeated_ <= limits_.repeated_blocks) return {};
-  ended_ = true;
+  if (++now_.repeated <= limits_.repeated_blocks) return {};
+  now_.ended = true;
   return fail(alarm(AlarmId::endless_program, last.where, static_cast<double>(limits_.repeated_blocks)));
 }
 
 void Flow::go_to(std::uint16_t reader, Position position) {
-  reader_ = reader;
+  now_.reader = reader;
   if (reader == 1) bodies_->seek(position);
   else files_[reader]->seek(position);
 }
 
 void Flow::jump(Position position) {
-  ProgramFile& file = *files_[reader_];
+  ProgramFile& file = *files_[now_.reader];
   if (position.offset < file.position().offset) {
-    jumped_back_ = true;
+    now_.jumped_back = true;
     file.keep_blocks();
   }
   file.seek(position);
@@ -93,13 +93,13 @@ std::vector<std::string> Flow::paths() const {
 
 std::optional<std::uint16_t> Flow::open_built_in(const std::string& name) {
   const std::string file = "macros/" + name + "." + def_.id;
-  if (const auto known = opened_.find(file); known != opened_.end()) return known->second;
+  if (const auto known = built_in_.find(name); known != built_in_.end()) return known->second;
   for (const EmbeddedFile& row : embedded_files()) {
     if (row.name != file) continue;
     files_.push_back(
         std::make_unique<ProgramFile>(name + " (" + def_.id + ")", text_source(std::string(row.text)), def_.grammar, Encoding::utf8));
     const auto reader = static_cast<std::uint16_t>(files_.size() - 1);
-    opened_.emplace(file, reader);
+    built_in_.emplace(name, reader);
     return reader;
   }
   return std::nullopt;
@@ -126,17 +126,17 @@ std::optional<Position> Flow::label_of(std::uint32_t number) {
 }
 
 void Flow::back_to(const Place& place) {
-  frames_ = place.frames;
-  restarts_ = place.restarts;
-  ended_ = place.ended;
-  if (reader_ != place.reader || position() != place.position) go_to(place.reader, place.position);
+  now_.frames = place.frames;
+  now_.restarts = place.restarts;
+  now_.ended = place.ended;
+  if (now_.reader != place.reader || position() != place.position) go_to(place.reader, place.position);
 }
 
 Result<CallFrame*> Flow::push(const CallFrame& frame, Span where) {
-  if (frames_.size() >= def_.behaviour.call_depth) return fail(alarm(AlarmId::call_too_deep, where, double(def_.behaviour.call_depth)));
-  CallFrame& pushed = frames_.emplace_back(frame);
+  if (now_.frames.size() >= def_.behaviour.call_depth) return fail(alarm(AlarmId::call_too_deep, where, double(def_.behaviour.call_depth)));
+  CallFrame& pushed = now_.frames.emplace_back(frame);
   pushed.back = position();
-  pushed.back_reader = reader_;
+  pushed.back_reader = now_.reader;
   return &pushed;
 }
 
@@ -174,7 +174,7 @@ Status Flow::repeat(std::uint32_t times, const Origin& caller, Span where) {
   CallFrame frame;
   frame.kind = CallFrame::Kind::repetition;
   frame.start = position();
-  frame.reader = reader_;
+  frame.reader = now_.reader;
   frame.left = times;
   frame.caller = caller;
   KADR_TRY(push(frame, where));
@@ -182,8 +182,8 @@ Status Flow::repeat(std::uint32_t times, const Origin& caller, Span where) {
 }
 
 Result<const CallFrame*> Flow::end_subprogram(Span where) {
-  if (frames_.empty()) return fail(alarm(AlarmId::return_without_call, where));
-  CallFrame& top = frames_.back();
+  if (now_.frames.empty()) return fail(alarm(AlarmId::return_without_call, where));
+  CallFrame& top = now_.frames.back();
   if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
   if (--top.left > 0) {
     top.repeating = true;
@@ -191,37 +191,37 @@ Result<const CallFrame*> Flow::end_subprogram(Span where) {
     go_to(top.reader, top.start);
     return nullptr;
   }
-  left_ = top;
-  frames_.pop_back();
-  go_to(left_.back_reader, left_.back);
-  return &left_;
+  now_.left = top;
+  now_.frames.pop_back();
+  go_to(now_.left.back_reader, now_.left.back);
+  return &now_.left;
 }
 
 Status Flow::end_repetition(Span where) {
-  if (frames_.empty() || frames_.back().kind != CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_alone, where));
-  CallFrame& top = frames_.back();
+  if (now_.frames.empty() || now_.frames.back().kind != CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_alone, where));
+  CallFrame& top = now_.frames.back();
   if (--top.left > 0) {
     top.repeating = true;
     go_to(top.reader, top.start);
   } else {
-    frames_.pop_back();
+    now_.frames.pop_back();
   }
   return {};
 }
 
 void Flow::abandon(std::optional<Position> again) {
-  if (frames_.empty()) return;
-  const CallFrame left = frames_.back();
-  frames_.pop_back();
+  if (now_.frames.empty()) return;
+  const CallFrame left = now_.frames.back();
+  now_.frames.pop_back();
   if (left.kind != CallFrame::Kind::repetition) go_to(left.back_reader, left.back);
-  else if (again) go_to(reader_, *again);
+  else if (again) go_to(now_.reader, *again);
 }
 
 bool Flow::restart(Position from) {
   if (passes() >= limits_.restarts) return false;
-  ++restarts_;
-  repeated_ = 0;
-  frames_.clear();
+  ++now_.restarts;
+  now_.repeated = 0;
+  now_.frames.clear();
   go_to(0, from);
   return true;
 }
@@ -270,7 +270,7 @@ void Flow::each_uncalled(const std::function<void(Result<BlockReader::Got>, cons
   BlockReader& reader = elsewhere();
   visiting_ = true;
   for (const auto& [name, label] : labels_) {
-    if (label.called || passed_.contains(name)) continue;
+    if (label.called || now_.passed.contains(name)) continue;
     reader.seek(label.position);
     bool first = true;
     for (;;) {

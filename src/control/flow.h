@@ -47,6 +47,36 @@ class Flow {
   /// The next block to carry out, or the end of the program.
   Result<BlockReader::Got> next(Block*& block);
 
+  // ---- snapshot
+  /// What stays open between two blocks.
+  struct Counts {
+    std::uint16_t reader = 0;
+    std::vector<CallFrame> frames;
+    CallFrame left;  // the last one
+    std::set<std::uint32_t> passed;
+    bool ended = false;
+    bool jumped_back = false;
+    std::uint32_t restarts = 0;
+    std::uint64_t blocks = 0;
+    std::uint64_t repeated = 0;
+    bool started = false;  // a block that begins with '%' has been seen
+  };
+  struct File {
+    std::string name;  // path; of a program that the control brings along its name
+    bool built_in = false;
+    ProgramFile::Memory memory;
+  };
+  struct Memory {
+    Counts now;
+    Position position;
+    std::vector<File> files;            // [0] the program, then by reader; [1] is none
+    std::vector<std::uint32_t> called;  // subprograms of the program
+  };
+  Memory memory() const;
+  /// Goes on from there.
+  ///   alarms  file_missing: one of the files that had been called is not there any more; nothing has changed
+  Status remember(const Memory& memory);
+
   // ---- jumps
   /// Calls open and where reading goes on: what a faulty block may have changed.
   struct Place {
@@ -56,7 +86,7 @@ class Flow {
     std::uint32_t restarts = 0;
     bool ended = false;
   };
-  Place place() const { return {frames_, position(), reader_, restarts_, ended_}; }
+  Place place() const { return {now_.frames, position(), now_.reader, now_.restarts, now_.ended}; }
   void back_to(const Place& place);
   /// alarms  subprogram_missing, label_twice, call_too_deep
   Status call(std::uint32_t subprogram, std::uint32_t times, const Origin& caller, Span where);
@@ -77,15 +107,15 @@ class Flow {
   /// A program that the control brings along (macros/), if there is one of that name.
   std::optional<std::uint16_t> open_built_in(const std::string& name);
   /// The file being read.
-  ProgramFile& program_file() { return *files_[reader_]; }
-  std::uint16_t reader() const { return reader_; }
+  ProgramFile& program_file() { return *files_[now_.reader]; }
+  std::uint16_t reader() const { return now_.reader; }
   /// Goes on at a block of the file being read. `back`: it may be a loop.
   void jump(Position position);
   /// The innermost call that is no repetition, or nullptr.
-  CallFrame* innermost() { return frames_.empty() ? nullptr : &frames_.back(); }
+  CallFrame* innermost() { return now_.frames.empty() ? nullptr : &now_.frames.back(); }
   /// The file that the innermost call came from has a block of that number (nct M99 P).
   bool caller_has(std::uint32_t number) {
-    const CallFrame& top = frames_.back();
+    const CallFrame& top = now_.frames.back();
     return files_[top.back_reader] && files_[top.back_reader]->find_number(number, top.back).has_value();
   }
   /// End of a subprogram: once more (nullptr), or back to the caller: the frame left, until the next end.
@@ -94,46 +124,50 @@ class Flow {
   Status end_repetition(Span where);
   /// Another pass of the main program, from there; false: it was the last one (RunLimits::restarts).
   bool restart(Position from);
-  std::uint32_t passes() const { return restarts_ + 1; }  // begun so far
-  void end() { ended_ = true; }
+  std::uint32_t passes() const { return now_.restarts + 1; }  // begun so far
+  void end() { now_.ended = true; }
   /// The main program runs over this label (its own name, or into a subprogram): it counts as called.
   void pass_label(std::uint32_t label) {
-    if (passed_.size() < 1000) passed_.insert(label);
+    if (now_.passed.size() < 1000) now_.passed.insert(label);
   }
 
-  bool ended() const { return ended_; }
+  bool ended() const { return now_.ended; }
   /// Leaves the innermost call or repetition whose end was not found; in a repetition to go on at `again`.
   void abandon(std::optional<Position> again);
   std::string shown(std::string_view text, Span& place) const {
-    return visiting_ ? elsewhere_->shown(text, place) : reader_ != 1 ? files_[reader_]->shown(text, place) : std::string(text);
+    return visiting_ ? elsewhere_->shown(text, place) : now_.reader != 1 ? files_[now_.reader]->shown(text, place) : std::string(text);
   }
-  bool in_body() const { return reader_ == 1; }
-  std::size_t depth() const { return frames_.size(); }
-  const std::vector<CallFrame>& frames() const { return frames_; }
-  std::vector<CallFrame>& frames() { return frames_; }
+  bool in_body() const { return now_.reader == 1; }
+  std::size_t depth() const { return now_.frames.size(); }
+  const std::vector<CallFrame>& frames() const { return now_.frames; }
+  std::vector<CallFrame>& frames() { return now_.frames; }
   /// Path of the file being read; of a cycle body: the program's.
-  const std::string& file() const { return files_[reader_ == 1 ? 0 : reader_]->path(); }
+  const std::string& file() const { return files_[now_.reader == 1 ? 0 : now_.reader]->path(); }
   /// By Origin::file: as reader().
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
   /// Of all files opened, the program first.
   std::vector<std::string> paths() const;
   const std::string& main_file() const { return files_[0]->path(); }
   const RunLimits& limits() const { return limits_; }
-  std::uint64_t blocks() const { return blocks_; }
-  std::uint64_t repeated() const { return repeated_; }  // of them again, behind a jump back, in a call or another pass
+  /// A block that begins with '%' has been seen.
+  bool started() const { return now_.started; }
+  void set_started(bool started) { now_.started = started; }
+  /// See ProgramFile::note_told.
+  void note_told(const Block& block) {
+    if (now_.reader != 1) files_[now_.reader]->note_told(block);
+  }
+  std::uint64_t blocks() const { return now_.blocks; }
+  std::uint64_t repeated() const { return now_.repeated; }  // of them again, behind a jump back, in a call or another pass
   std::uint64_t bytes_read() const { return program().offset(); }
   std::uint64_t bytes() const { return program().size(); }
   const BlockReader& program() const { return files_[0]->reader(); }
   /// Position behind the block just read.
-  Position position() const { return reader_ == 1 ? bodies_->position() : files_[reader_]->position(); }
+  Position position() const { return now_.reader == 1 ? bodies_->position() : files_[now_.reader]->position(); }
 
   /// Blocks of the subprograms that were never called, in the file's order.
   void each_uncalled(const std::function<void(Result<BlockReader::Got>, const Block&)>& visit);
 
   static std::string name_of(const ControlDef& def, const CallFrame& frame);
-
-  /// A block that begins with '%' has been seen.
-  bool started = false;
 
  private:
   struct Label {
@@ -150,24 +184,16 @@ class Flow {
   const ControlDef& def_;
   RunLimits limits_;
   std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] stands for the cycle bodies
-  std::map<std::string, std::uint16_t> opened_;
+  std::map<std::string, std::uint16_t> opened_, built_in_;
   std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places: the block in hand keeps its text
   Grammar body_grammar_;
   std::unique_ptr<BlockReader> bodies_;
   Block body_block_;
   std::map<std::string, Position> body_starts_;
-  std::uint16_t reader_ = 0;
-  std::vector<CallFrame> frames_;
-  CallFrame left_;  // the last one
+  Counts now_;
   std::map<std::uint32_t, Label> labels_;
-  std::set<std::uint32_t> passed_;
   bool indexed_ = false;
   bool visiting_ = false;  // each_uncalled is at work
-  bool ended_ = false;
-  bool jumped_back_ = false;
-  std::uint32_t restarts_ = 0;
-  std::uint64_t blocks_ = 0;
-  std::uint64_t repeated_ = 0;
 };
 
 }  // namespace kadr

@@ -16,7 +16,7 @@ Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> 
     : own_def(std::move(own)),
       def(own_def ? *own_def : control),
       letters(def),
-      variables(def),
+      variables(def, journal),
       flow(def, std::move(program), limits),
       stop_(limits.stop) {
   modal.rows.fill(-1);
@@ -30,8 +30,8 @@ Interpreter::~Interpreter() = default;
 Control::State Interpreter::run(ActionBatch& to) {
   to.clear();
   batch = &to;
-  if (first_frames_) {
-    first_frames_ = false;
+  if (needs_frames) {
+    needs_frames = false;
     emit(frame_change());
     if (modal.surface_speed) emit(surface_speed());
   }
@@ -66,6 +66,7 @@ Control::State Interpreter::run(ActionBatch& to) {
       return Control::State::ended;
     }
     if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
+    else origin.number = static_cast<std::uint32_t>(flow.blocks());
     if (got && dialect && !reads_clock && !block->no_clock && !block->code.empty()) {
       if (dialect->reads_clock(*block)) {
         reads_clock = each_block = again_ = true;
@@ -73,20 +74,27 @@ Control::State Interpreter::run(ActionBatch& to) {
       }
       block->no_clock = true;
     }
-    if (!got && block->marker == Marker::program_start) flow.started = true;  // damaged, but there
+    if (!got && block->marker == Marker::program_start) flow.set_started(true);  // damaged, but there
     if (!block->warnings.empty()) [[unlikely]] {
       for (const Alarm& w : block->warnings) warn(w);
       block->warnings.clear();  // of a block that is kept: told once
     }
     if (got) {
       take_block();
+      if (block_states_) [[unlikely]]
+        block_states_->note(origin.number, *this);
     } else {
-      damaged_ = true;
+      damaged = true;
       fail_with(got.error());
     }
     if (needs_probe) return Control::State::needs_probe;
   }
   return stopped_ ? Control::State::stopped : Control::State::running;
+}
+
+void Interpreter::watch_states() {
+  if (!block_states_) block_states_ = std::make_unique<BlockStates>();
+  block_states_->note(origin.number, *this);
 }
 
 /// What the block changed of the things that survive power-off.
@@ -111,9 +119,9 @@ bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block)
 /// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
 void Interpreter::watch_block() {
   const bool is_skipped = block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)];
-  in_interrupt_ = dialect && dialect->in_interrupt();
-  const bool put_off = resumed_ && !in_interrupt_ && *resumed_ == block->position;
-  if (put_off || !in_interrupt_) resumed_.reset();
+  in_interrupt = dialect && dialect->in_interrupt();
+  const bool put_off = resumed && !in_interrupt && *resumed == block->position;
+  if (put_off || !in_interrupt) resumed.reset();
   Result<bool> instead = false;
   if (!put_off && !is_skipped) {
     if (on_block != nullptr && *on_block) (*on_block)(origin, false);
@@ -121,7 +129,7 @@ void Interpreter::watch_block() {
     if (dialect) instead = dialect->interrupt(*this, BlockMoment::start);
   }
   if (instead && *instead) {
-    resumed_ = block->position;
+    resumed = block->position;
     return;
   }
   if (block->skip != 0 && !is_skipped && dialect) dialect->note_skip_mark(*this);
@@ -136,7 +144,7 @@ void Interpreter::watch_block() {
 /// The end of a watched block: the interrupt macro, then the machine's logic.
 void Interpreter::end_block() {
   block_open = false;
-  if (dialect && !in_interrupt_) {
+  if (dialect && !in_interrupt) {
     const auto called = dialect->interrupt(*this, BlockMoment::end);
     if (!called) fail_with(called.error());
   }
@@ -156,7 +164,7 @@ void Interpreter::power_cycle() {
 /// The file's end ends the program too; not in the middle of a call or a repetition.
 Status Interpreter::end_of_file() {
   if (flow.depth() == 0) {
-    const bool cut_off = !flow.started || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // not a block in it
+    const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // not a block in it
     origin.line = std::max<std::uint32_t>(origin.line, 1);
     if (def.behaviour.end_required || cut_off) warn(warning(AlarmId::end_missing, {}));
     return {};
@@ -190,11 +198,12 @@ void Interpreter::fail_with(const Alarm& failed) {
 }
 
 Status Interpreter::execute() {
+  journal.begin();
   if (use.watches()) [[unlikely]]
     use.pass(origin);
-  if (block->marker != Marker::none || skipping_section_ || !flow.started) {
+  if (block->marker != Marker::none || skipping_section || !flow.started()) {
     KADR_TRY(structure());
-    if (skipping_section_ || flow.ended()) return {};
+    if (skipping_section || flow.ended()) return {};
   }
   if (block->skip != 0) {
     pass_varies = true;
@@ -226,16 +235,13 @@ Status Interpreter::check_numbers() const {
 /// The block's words carried out, or nothing of them.
 Status Interpreter::attempt() {
   const std::size_t actions = batch->size();
-  moment_taken_ = small_moment_taken_ = false;
+  state_kept_ = false;
   block_exact = block_machine_coordinates = false;
   waiting_count_ = 0;
   flow_before_.reset();
   shape_ = shapes_.of(def, *block);
   if (dialect) dialect->begin_block(*this);
-  if (!block->code.empty() && macro_variables == nullptr) {  // else assignments are statements: blocks of their own
-    take_moment();
-    variables.begin_block();
-  }
+  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else assignments are statements: blocks of their own
   Status status = words();
   if (!status) take_back(actions);
   return status;
@@ -254,10 +260,10 @@ Status Interpreter::words() {
   const BlockChanges changes = each_block ? BlockChanges::anything
                                : dialect  ? dialect->changes_of(*this, *plan_now_)
                                           : changes_of_block(*plan_now_);
-  if (changes == BlockChanges::little) take_small_moment();
-  else if (changes == BlockChanges::anything) take_moment();
+  if (changes == BlockChanges::little) keep_little();
+  else if (changes == BlockChanges::anything) keep_state();
   KADR_TRY(carry_out(*plan_now_));
-  if (moment_taken_) {
+  if (state_kept_) {
     KADR_TRY(check_place());
     KADR_TRY(check_zero_kept());
   }
@@ -307,7 +313,7 @@ Status Interpreter::check_place() const {
 
 /// The zero cannot move under a contour that is being compensated (2С42 6.4.1, Mach3 10.7.18; INFERRED for all that moves it).
 Status Interpreter::check_zero_kept() const {
-  if ((dialect && dialect->zero_may_move()) || modal.radius_side == 0 || frames.origin == moment_.frames.origin) return {};
+  if ((dialect && dialect->zero_may_move()) || modal.radius_side == 0 || frames.origin == before_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));
 }
 

@@ -9,14 +9,18 @@
 
 #include "base/units.h"
 #include "config/setup_file.h"
+#include "control/block_states.h"
 #include "control/control.h"
 #include "control/cycles/cycle_run.h"
 #include "control/dialect.h"
 #include "control/ellipse_run.h"
 #include "control/flow.h"
+#include "control/journal.h"
 #include "control/macro_variables.h"
 #include "control/plan.h"
+#include "control/run_memory.h"
 #include "control/shapes.h"
+#include "control/snapshot.h"
 #include "control/state.h"
 #include "control/usage.h"
 #include "control/variables.h"
@@ -40,7 +44,8 @@ class Running {
   virtual bool functions_first() const { return false; }
 };
 
-class Interpreter {
+/// The state is its base: `m.modal` is that of the block being carried out.
+class Interpreter : public ControlState, public RunMemory {
  public:
   /// `own`: the control's definition made fit for this machine, or nullptr (then `control` is used as it is).
   Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, const RunLimits& limits,
@@ -48,6 +53,10 @@ class Interpreter {
   ~Interpreter();
 
   Control::State run(ActionBatch& batch);
+  /// Nothing in the middle of a block: while a cycle runs, a probe or another channel is waited for.
+  /// `cutting_seen_ms` goes along for Control.
+  std::optional<Snapshot> snapshot(double cutting_seen_ms) const;
+  Status restore(const Snapshot& from);
   void answer(const ProbeAnswer& answer);
   void go_on();
   void refused();
@@ -55,6 +64,9 @@ class Interpreter {
   bool is_stopped() const { return stopped_; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   Ending ending();
+  /// From now on the states of blocks are kept: state_of() tells them.
+  void watch_states();
+  std::optional<BlockState> state_of(const Origin& at) const;
   Alarm with_names(Alarm alarm) const;
   void decode_arguments(Alarm& alarm) const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
@@ -124,8 +136,6 @@ class Interpreter {
   /// What G96, G97 make of the speed of the main spindle (nct 11.5); of controls but NCT by X as a radius (spec/gost 4; INFERRED: X).
   SurfaceSpeed surface_speed() const;
   double radius_in_force() const;
-  /// An offset is about to be written: an alarm later in the block brings it back.
-  void keep_offset(std::uint32_t number) { kept_offset_ = {number, tables.offsets[number]}; }
   /// Modes that a cycle sets by itself.
   void run_modes(std::initializer_list<Function> functions);
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
@@ -138,10 +148,13 @@ class Interpreter {
   void note_addresses();
 
   /// The state is kept: an alarm later in the block brings it back.
-  void take_moment();
+  void keep_state();
   /// The same of where the program goes on.
   void keep_flow_place() { flow_before_ = flow.place(); }
   bool keeps_flow_place() const { return flow_before_.has_value(); }
+  /// As the block found it, where keep_state() has been called.
+  const ControlState& state_before() const { return before_; }
+  bool keeps_state() const { return state_kept_; }
   /// A block does not begin again, a cycle does not go on: the program is over.
   void stop_cycles();
 
@@ -162,63 +175,34 @@ class Interpreter {
   const std::unique_ptr<ControlDef> own_def;
   const ControlDef& def;
   const LetterSets letters;
-  Modal modal;
-  Transform transform;
-  ProgramPosition position;
-  Frames frames;
+  Journal journal;
   Tables tables;
   Variables variables;
   Flow flow;
-  CycleMemory cycle_memory;
   CycleRun cycle_run;
   EllipseRun ellipse_run;
   std::unique_ptr<Running> running;           // a cycle of the dialect
   std::unique_ptr<Dialect> dialect;           // nullptr: the control's file says everything
   MacroVariables* macro_variables = nullptr;  // those of the dialect, where it has levels of locals
-  Axes set_position{};                        // G92 / G52 shift (Mach3), mm
-  bool set_position_by_g52 = false;
-  bool has_fixtures = false;               // its work systems are Modal::fixture, else Modal::work_zero
-  bool block_axes_taken = false;           // a code of this block has its axis words: a motion code beside it only sets the mode
-  bool block_exact = false;                // G9 in this block
-  bool block_machine_coordinates = false;  // G53 with a motion (Mach3)
-  Axes moved_from{};                       // work coordinates before the last motion, in inches mode and with radius compensation
+  bool has_fixtures = false;                  // its work systems are Modal::fixture, else Modal::work_zero
+  bool block_axes_taken = false;              // a code of this block has its axis words: a motion code beside it only sets the mode
+  bool block_exact = false;                   // G9 in this block
+  bool block_machine_coordinates = false;     // G53 with a motion (Mach3)
   bool needs_probe = false;
   Span probe_where;
-  bool optional_stop_on = false;
-  bool each_block = false;   // hand over after each block
-  bool reads_clock = false;  // a block that may read a clock has come
-  bool block_open = false;   // a watched block has been carried out, its end is to come
-  WaitingCodes waiting;
-  std::array<bool, 10> skip_switches{};
-  std::array<bool, max_axes> mirror_switches{};  // panel mode of the 2С42 (6.8)
-
-  std::string call_text;  // block that called the cycle body being carried out, and its L word
-  Span call_where;
+  bool each_block = false;  // hand over after each block
+  bool block_open = false;  // a watched block has been carried out, its end is to come
 
   Block first_block;            // before the first one is read
   Block* block = &first_block;  // being carried out
-  Origin origin;
   ActionBatch* batch = nullptr;
   std::vector<std::string> axis_names;
   std::size_t axis_count = 3;
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   std::function<void(const Origin&, bool)>* on_block = nullptr;
   std::function<void(const StateChanges&)>* on_changes = nullptr;
-  AlarmReport report;
 
  private:
-  /// What a block may change and an alarm takes back.
-  struct Moment {
-    Modal modal;
-    Transform transform;
-    ProgramPosition position;
-    Frames frames;
-    CycleMemory cycle_memory;
-    Axes set_position;
-    bool set_position_by_g52;
-    Axes zero_shift;
-  };
-
   void read_setup(const Setup& setup);
   void check_setup(const Setup& setup);
   void start_modal(const Setup& setup);
@@ -231,6 +215,7 @@ class Interpreter {
   bool is_watched() const;
   void end_block();
   void report_changes();
+  std::vector<std::string> codes_in_force(const Modal& of) const;
   Status attempt();
   Status check_numbers() const;
   Status words();
@@ -256,14 +241,7 @@ class Interpreter {
   void note_section();
   Span label_place() const;
   Status end_of_file();
-  void take_small_moment() {
-    small_moment_taken_ = true;
-    small_moment_.feed = modal.feed;
-    small_moment_.feed_known = modal.feed_known;
-    small_moment_.motion = modal.motion;
-    small_moment_.motion_row = modal.motion_row;
-    small_moment_.rows = modal.rows;
-  }
+  void keep_little();
   void take_back(std::size_t actions);
   Origin origin_of_block() const;
   void fail_with(const Alarm& alarm);
@@ -284,40 +262,21 @@ class Interpreter {
   ShapeFacts* shape_ = nullptr;                              // of the block in hand
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;
-  std::optional<Flow::Place> flow_before_;  // kept where a block has more than one item that jumps
-  /// The same of a block that only moves and feeds, or only calls.
-  struct SmallMoment {
-    double feed;
-    bool feed_known;
-    MotionMode motion;
-    std::int16_t motion_row;
-    std::array<std::int16_t, most_groups> rows;
-  };
-  Moment moment_;
-  SmallMoment small_moment_;
-  bool small_moment_taken_ = false;
-  bool moment_taken_ = false;
+  std::optional<Flow::Place> flow_before_;             // kept where a block has more than one item that jumps
+  mutable std::shared_ptr<const Tables> last_tables_;  // of the last snapshot
+  mutable std::shared_ptr<const Variables::Values> last_variables_;
+  std::unique_ptr<BlockStates> block_states_;  // nullptr: nobody asks
+  ControlState before_;
+  bool state_kept_ = false;
   std::vector<double> assigned_;
-  std::pair<std::uint32_t, ToolOffset> kept_offset_{};  // [0] is none
   StopToken stop_;
   bool stopped_ = false;
-  bool start_missing_reported_ = false;
-  bool feed_missing_told_ = false;
-  bool skipping_section_ = false;
-  std::uint64_t start_block_ = 0;  // number of the block with '%'; 0: none
   // of a block that the machine's logic watches (nct 23.4)
-  bool in_interrupt_ = false;        // it belongs to an interrupt macro
-  bool again_ = false;               // the block in hand comes once more
-  std::uint64_t unserved_ = 0;       // groups that a code which does not work was in at the start
-  std::optional<Position> resumed_;  // the block that was to begin when an interrupt macro came
-  bool first_frames_ = true;
+  bool again_ = false;  // the block in hand comes once more
   std::vector<std::string> watch_;
-  bool damaged_ = false;  // the block in hand could not be read
 
  public:
-  bool pass_varies = false;  // this pass of the main program met what may be otherwise in the next: a variable, a skip, a probe …
-  SetupFault start_fault;    // what the set-up names and the control has not
-  ProgramUse use;            // of what a set-up states
+  SetupFault start_fault;  // what the set-up names and the control has not
 };
 
 /// What a row's function does (control/functions.cpp).

@@ -25,6 +25,18 @@ std::vector<std::uint16_t> MacroVariables::take_changed() {
   return std::exchange(changed_, {});
 }
 
+MacroVariables::Memory MacroVariables::memory() const {
+  Memory now{{}, levels_};
+  now.commons.reserve(commons_.size());
+  for (const double* const common : commons_) now.commons.push_back(*common);
+  return now;
+}
+
+void MacroVariables::remember(const Memory& memory) {
+  for (std::size_t i = 0; i < commons_.size(); ++i) set_common(first_common + static_cast<int>(i), memory.commons[i]);
+  levels_ = memory.levels;
+}
+
 void MacroVariables::power_off() {
   for (int n = first_common; n < first_kept; ++n) *commons_[static_cast<std::size_t>(n - first_common)] = vacant;
   levels_.assign(1, no_locals());

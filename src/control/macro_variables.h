@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "control/journal.h"
 #include "lang/expression.h"
 
 namespace kadr {
@@ -47,6 +48,8 @@ class MacroVariables {
       changed_.push_back(static_cast<std::uint16_t>(n));
     }
   }
+  /// #n is about to be written by a block that an alarm may take back.
+  void keep_common(Journal& journal, int n) { journal.keep(*commons_[static_cast<std::size_t>(n - first_common)]); }
   Locals& locals() { return levels_.back(); }
   const Locals& locals() const { return levels_.back(); }
 
@@ -58,6 +61,14 @@ class MacroVariables {
   void close_levels() { levels_.assign(1, no_locals()); }
   std::size_t depth() const { return levels_.size(); }
   const std::vector<Locals>& levels() const { return levels_; }
+
+  /// What a snapshot holds; of the shared commons their values too.
+  struct Memory {
+    std::vector<double> commons;  // from first_common on
+    std::vector<Locals> levels;
+  };
+  Memory memory() const;
+  void remember(const Memory& memory);
 
   /// The commons that outlive power-off and were written since the last call.
   std::vector<std::uint16_t> take_changed();

@@ -148,7 +148,7 @@ Status Interpreter::feed_known(Span at) {
     return {};
   if (modal.feeds_of_axes != 0 && axes_have_feeds()) return {};
   if (def.behaviour.feed_required || modal.feed_known) return fail(alarm(AlarmId::feed_missing, at));
-  if (!std::exchange(feed_missing_told_, true)) warn(warning(AlarmId::feed_missing, at));
+  if (!std::exchange(feed_missing_told, true)) warn(warning(AlarmId::feed_missing, at));
   return {};
 }
 
@@ -209,7 +209,7 @@ void Interpreter::refresh_frames() {
 void Interpreter::frames_by_tables() {
   const std::uint32_t fixtures = variables.first(VariableKind::fixture);
   for (std::size_t a = 0; a < axis_count; ++a) {
-    double origin_of_axis = tables.common[a] + tables.zero_shift[a] + set_position[a];
+    double origin_of_axis = tables.common[a] + zero_shift[a] + set_position[a];
     if (fixtures != 0 && a < 6)
       origin_of_axis += variables.raw(variables.first(VariableKind::fixture, modal.fixture - 1) + static_cast<std::uint32_t>(a));
     else origin_of_axis += tables.zeros[modal.work_zero][a];

@@ -145,7 +145,7 @@ Status work_zero(Interpreter& m, const Call& call) {
   if (m.modal.work_zero == call.row->arg) return {};
   KADR_TRY(check_zero_change(m, call.where));
   m.modal.work_zero = static_cast<std::uint8_t>(call.row->arg);
-  m.tables.zero_shift = {};
+  m.zero_shift = {};
   m.change_frames();
   return {};
 }
@@ -175,9 +175,9 @@ Status zero_shift(Interpreter& m, const Call& call) {
     if (!number) return fail(number.error());
     m.modal.work_zero = static_cast<std::uint8_t>(*number);
     note_work_zero(m, *number);
-    m.tables.zero_shift = {};
+    m.zero_shift = {};
   }
-  each_axis_word(m, [&](std::size_t a, double v) { m.tables.zero_shift[a] = v; });
+  each_axis_word(m, [&](std::size_t a, double v) { m.zero_shift[a] = v; });
   m.change_frames();
   return {};
 }
@@ -185,7 +185,7 @@ Status zero_shift(Interpreter& m, const Call& call) {
 /// G92 of GOST (turning example, N5): the zero moves from the machine's M to the part's W by the given amounts.
 Status part_zero(Interpreter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
-  each_axis_word(m, [&](std::size_t a, double v) { m.tables.zero_shift[a] = v; });
+  each_axis_word(m, [&](std::size_t a, double v) { m.zero_shift[a] = v; });
   m.change_frames();
   return {};
 }
@@ -264,7 +264,7 @@ Status set_data(Interpreter& m, const Call& call) {
     (void)m.variables.take_frames_changed();
   } else {
     ToolOffset& offset = m.tables.offsets[*number];
-    m.keep_offset(*number);
+    m.journal.keep(m.tables.offsets[*number]);
     if (m.has('Z')) offset.length = m.length_value('Z');
     if (m.has('R')) offset.radius = m.length_value('R');
   }

@@ -165,7 +165,7 @@ class Planner {
     return {};
   }
 
-  /// Blocks that change little are taken back cheaply (Interpreter::take_moment).
+  /// Blocks that change little are taken back cheaply (Interpreter::keep_little).
   void note_kind() {
     plan_.moves_and_feeds = plan_.calls_only = true;
     for (std::uint32_t i = 0; i < plan_.count; ++i) {

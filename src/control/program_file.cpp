@@ -34,7 +34,7 @@ ProgramFile::ProgramFile(std::string path, std::shared_ptr<ByteSource> source, c
     : path_(std::move(path)), source_(std::move(source)), grammar_(grammar), reader_(source_, grammar, encoding), stop_(stop) {}
 
 Result<BlockReader::Got> ProgramFile::next(Block*& block) {
-  if (keeps_) {
+  if (memory_.keeps) {
     if (KeptBlock* const kept = kept_at(position()); kept != nullptr) [[likely]] {
       last_ = kept;
       seek(kept->next);
@@ -44,10 +44,10 @@ Result<BlockReader::Got> ProgramFile::next(Block*& block) {
   }
   if (moved_ && reader_.position() != elsewhere_) reader_.seek(elsewhere_);
   moved_ = false;
-  const Position at = keeps_ ? reader_.position() : Position();
+  const Position at = memory_.keeps ? reader_.position() : Position();
   block = &in_hand_;
   auto got = reader_.next(in_hand_);
-  if (keeps_ && got && *got == BlockReader::Got::block && kept_.size() < most_kept) block = keep(at);
+  if (memory_.keeps && got && *got == BlockReader::Got::block && kept_.size() < most_kept) block = keep(at);
   else last_ = nullptr;
   return got;
 }
@@ -74,6 +74,7 @@ Block* ProgramFile::keep(Position at) {
   entry->text = in_hand_.text;
   entry->block.text = entry->text;
   entry->block.kept = true;
+  if (memory_.told.contains(place_of(entry->block.position))) entry->block.warnings.clear();
   entry->next = reader_.position();
   Block* const block = &entry->block;
   last_ = entry.get();

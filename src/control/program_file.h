@@ -48,8 +48,27 @@ class ProgramFile {
     moved_ = true;
   }
   Position position() const { return moved_ ? elsewhere_ : reader_.position(); }
+  /// The warnings of a block that is kept are told once.
+  void note_told(const Block& block) {
+    if (block.kept) memory_.told.insert(place_of(block.position));
+  }
+  /// What the run so far has left in the file's reading; with the position all that a run goes on from.
+  struct Memory {
+    BlockReader::Memory reader;
+    bool keeps = false;
+    std::set<std::pair<std::uint64_t, std::uint32_t>> told{};  // places of kept blocks whose warnings have been told
+  };
+  Memory memory() const {
+    Memory now = memory_;
+    now.reader = reader_.memory();
+    return now;
+  }
+  void remember(const Memory& memory) {
+    memory_ = memory;
+    reader_.remember(memory.reader);
+  }
   /// From now on blocks are kept: they will be read again.
-  void keep_blocks() { keeps_ = true; }
+  void keep_blocks() { memory_.keeps = true; }
 
   /// First block numbered `number` from `from` to the end, then from the beginning (nct 14.1, INFERRED order). Reads on for the
   /// first few thousand blocks; after that the file is read once for all its numbers.
@@ -78,6 +97,7 @@ class ProgramFile {
   std::optional<Position> search(std::uint32_t number, Position from);
   std::optional<Position> scan(std::uint32_t number, Position from, Position to);
   void find_loops();
+  static std::pair<std::uint64_t, std::uint32_t> place_of(Position at) { return {at.offset, at.nth}; }
   Block* keep(Position at);
   KeptBlock* kept_at(Position place);
 
@@ -87,9 +107,9 @@ class ProgramFile {
   BlockReader reader_;
   std::unique_ptr<BlockReader> scanner_;  // reads in other places: the block in hand keeps its text
   Block in_hand_;
-  Position elsewhere_;  // where the next block begins …
-  bool moved_ = false;  // … if that is not where the reader is
-  bool keeps_ = false;
+  Position elsewhere_;                                                   // where the next block begins …
+  bool moved_ = false;                                                   // … if that is not where the reader is
+  Memory memory_;                                                        // but for the reader's
   KeptBlock* last_ = nullptr;                                            // handed out last
   std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by offset: one block a line
   std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {from: offset, block of the line; number} → place

@@ -83,6 +83,7 @@ Origin Interpreter::origin_of_block() const {
   o.main_block = block->main_block;
   o.block_digits = block->number_digits;
   o.file = flow.reader();
+  o.number = static_cast<std::uint32_t>(flow.blocks());
   o.depth = static_cast<std::uint8_t>(std::min<std::size_t>(flow.depth(), 255));
   return o;
 }
@@ -108,6 +109,31 @@ void Interpreter::check_uncalled(const std::function<void(const AlarmReport&)>& 
   });
 }
 
+/// Code words in force, F, S, T, D, H.
+std::vector<std::string> Interpreter::codes_in_force(const Modal& of) const {
+  std::vector<std::string> codes;
+  for (std::size_t g = 1; g < def.groups.size(); ++g)
+    if (of.rows[g] >= 0) codes.push_back(def.codes[static_cast<std::size_t>(of.rows[g])].code);
+  const auto add = [&](const char* letter, double v) {
+    std::string text = std::to_string(v);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    codes.push_back(letter + text);
+  };
+  if (of.feed_known) add("F", of.inch && of.feed_mode != FeedMode::inverse_time ? of.feed / mm_per_inch : of.feed);
+  add("S", of.rpm);
+  add("T", of.tool_selected);
+  add("D", of.offset_number);
+  add("H", of.length_number);
+  return codes;
+}
+
+std::optional<BlockState> Interpreter::state_of(const Origin& at) const {
+  const auto state = block_states_ ? block_states_->of(at.number) : nullptr;
+  if (!state) return std::nullopt;
+  return BlockState{codes_in_force(state->modal), state->modal.tool, state->frames.origin, state->frames.length};
+}
+
 Ending Interpreter::ending() {
   Ending e;
   e.position = position.work;
@@ -126,19 +152,7 @@ Ending Interpreter::ending() {
     if (read) e.variables.emplace_back(name, *read);
     else e.watched_unset.emplace_back(name, true);
   }
-  for (std::size_t g = 1; g < def.groups.size(); ++g)
-    if (modal.rows[g] >= 0) e.modal.push_back(def.codes[static_cast<std::size_t>(modal.rows[g])].code);
-  const auto add = [&](const char* letter, double v) {
-    std::string text = std::to_string(v);
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    e.modal.push_back(letter + text);
-  };
-  if (modal.feed_known) add("F", modal.inch && modal.feed_mode != FeedMode::inverse_time ? modal.feed / mm_per_inch : modal.feed);
-  add("S", modal.rpm);
-  add("T", modal.tool_selected);
-  add("D", modal.offset_number);
-  add("H", modal.length_number);
+  e.modal = codes_in_force(modal);
   return e;
 }
 

@@ -80,7 +80,7 @@ Status call_section(Interpreter& m, const Call& call) {
   KADR_TRY(m.flow.call(name, times, m.origin, w.where));
   CallFrame& frame = m.flow.frames()[depth];
   frame.work_zero = m.modal.work_zero;
-  frame.zero_shift = m.tables.zero_shift;
+  frame.zero_shift = m.zero_shift;
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (m.modal.rows[g] >= 0 && m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].function == Function::work_zero)
       frame.zero_row = m.modal.rows[g];
@@ -90,7 +90,7 @@ Status call_section(Interpreter& m, const Call& call) {
 void restore_zero(Interpreter& m, const CallFrame& left) {
   if (!m.def.behaviour.subprogram_zero_local || left.kind != CallFrame::Kind::subprogram) return;
   m.modal.work_zero = left.work_zero;
-  m.tables.zero_shift = left.zero_shift;
+  m.zero_shift = left.zero_shift;
   if (left.zero_row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(left.zero_row)].group] = left.zero_row;
   m.change_frames();
 }

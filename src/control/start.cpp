@@ -133,7 +133,7 @@ bool Interpreter::note_unserved() {
     if (index < 0 || def.codes[static_cast<std::size_t>(index)].works || !def.codes[static_cast<std::size_t>(index)].modal) continue;
     const CodeRow& row = def.codes[static_cast<std::size_t>(index)];
     modal.rows[row.group] = static_cast<std::int16_t>(index);
-    unserved_ |= std::uint64_t{1} << row.group;
+    unserved |= std::uint64_t{1} << row.group;
     return true;
   }
   return false;
@@ -149,7 +149,7 @@ void Interpreter::start_modal(const Setup& setup) {
   ActionBatch unseen;
   batch = &unseen;
   on_warning = &nobody;
-  flow.started = true;
+  flow.set_started(true);
   std::string words;
   for (const GroupRow& group : def.groups)
     if (group.power_on >= 0) words += def.codes[static_cast<std::size_t>(group.power_on)].code + " ";
@@ -193,7 +193,7 @@ void Interpreter::start_modal(const Setup& setup) {
   if (dialect) dialect->roll(*this, position.work), dialect->roll(*this, position.machine);
   position.programmed = transform.to_programmed(position.work);
   if (dialect) dialect->started(*this);
-  flow.started = false;
+  flow.set_started(false);
   block->clear();
   batch = nullptr;
 }

@@ -18,6 +18,7 @@ enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
 /// Axes of the selected plane, by index; counter-clockwise turns the first towards the second.
 struct PlaneAxes {
   std::size_t first = 0, second = 1, normal = 2;
+  friend bool operator==(const PlaneAxes&, const PlaneAxes&) = default;
 };
 inline PlaneAxes axes_of(Plane plane) {
   switch (plane) {
@@ -41,11 +42,18 @@ enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
 inline constexpr std::uint8_t feed_permission = 1;  // bit of Modal::override_permission
 
-/// What stays in force from block to block. `rows` names the code of each group; the fields say what it means.
-struct Modal {
+/// What a block that only moves and feeds may change of the modes.
+struct MotionModal {
   std::array<std::int16_t, most_groups> rows;  // row of ControlDef::codes in force, -1: none
   std::int16_t motion_row = -1;
   MotionMode motion = MotionMode::none;
+  bool feed_known = false;
+  double feed = 0;  // mm/min, mm/rev or 1/min by Modal::feed_mode
+  friend bool operator==(const MotionModal&, const MotionModal&) = default;
+};
+
+/// What stays in force from block to block. `rows` names the code of each group; the fields say what it means.
+struct Modal : MotionModal {
   Plane plane = Plane::xy;
   PlaneAxes axes;  // of the plane
   FeedMode feed_mode = FeedMode::per_minute;
@@ -63,7 +71,6 @@ struct Modal {
   bool mist = false;
   bool flood = false;
   bool override_enabled = true;
-  bool feed_known = false;
   std::uint8_t override_permission = 3;  // feed_permission, 2 spindle
   std::uint8_t work_zero = 0;            // 0: none
   std::uint32_t fixture = 1;
@@ -74,7 +81,6 @@ struct Modal {
   std::uint32_t tool = 0;       // in the spindle
   double radius_by_word = -1;   // G41 P…; -1: from the table
   double blend_tolerance = 0;   // G64 P…, mm
-  double feed = 0;              // mm/min, mm/rev or 1/min by feed_mode
   double rpm = 0;
   double rpm_waiting = -1;     // S without M3, M4: for the next of them (2С42 6.4.3); -1: none
   Axes axis_feed{};            // F that belongs to one axis (GOST 20999-83) …
@@ -108,6 +114,7 @@ struct Modal {
   Axes new_system{};                         // shift of G92
   Axes local{};                              // shift of G52
   Axes lengths{};                            // by G43, G44 on each axis, with their sign
+  friend bool operator==(const Modal&, const Modal&) = default;
 };
 
 /// Programmed → work coordinates. From the inside out: scaled, then turned (or turned, then scaled), mirrored, shifted by what axis
@@ -147,6 +154,7 @@ struct Transform {
   double corner_scale(PlaneAxes plane) const;
   /// Factor of an arc's radius: that of the first axis of the plane, without sign (nct 16.2).
   double radius_scale(PlaneAxes plane) const;
+  friend bool operator==(const Transform&, const Transform&) = default;
 
  private:
   int sign(std::size_t axis) const { return scale[axis] * mirror[axis] < 0 ? -1 : 1; }
@@ -180,9 +188,30 @@ struct Tables {
   std::vector<Axes> zeros = std::vector<Axes>(10);  // work zeros 1… ; [0] is none
   std::vector<Vec3> rotations;                      // basic rotations of the zeros: angles in G17, G18, G19 (nct 10.2.3)
   Axes common{};                                    // common work offset
-  Axes zero_shift{};                                // temporary shift on top (G92 of the 2С42 and GOST)
   std::vector<double> correctors;
   std::array<Axes, 5> reference{};  // reference points 1…4, machine
+  friend bool operator==(const Tables&, const Tables&) = default;
+};
+
+/// Words of a drilling cycle that stay known while blocks of the same cycle follow each other (spec/mach3 4: "sticky").
+struct CycleMemory {
+  std::int16_t row = -1;         // code row of the cycle, -1: none
+  std::uint64_t known = 0;       // letters
+  double bottom = 0, level = 0;  // Z and R as programmed, mm
+  double peck = 0, dwell = 0;
+  double i = 0, j = 0, k = 0;
+};
+
+/// What a block changes and an alarm in it brings back, one value: Interpreter is one. What else a block writes stands in its Journal.
+struct ControlState {
+  Modal modal;
+  Transform transform;
+  ProgramPosition position;
+  Frames frames;
+  CycleMemory cycle_memory;
+  Axes set_position{};               // G92 / G52 shift (Mach3), mm
+  bool set_position_by_g52 = false;  //
+  Axes zero_shift{};                 // temporary shift on top (G92 of the 2С42 and GOST)
 };
 
 }  // namespace kadr

@@ -17,32 +17,32 @@ Span Interpreter::label_place() const {
 Status Interpreter::structure() {
   switch (block->marker) {
     case Marker::program_start:
-      if (flow.started && !skipping_section_ && flow.depth() == 0 && def.behaviour.ends_reading) {
+      if (flow.started() && !skipping_section && flow.depth() == 0 && def.behaviour.ends_reading) {
         warn(warning(AlarmId::end_missing, block->where));
         flow.end();  // the next program of the tape
       }
-      flow.started = true;
-      skipping_section_ = false;
-      start_block_ = flow.blocks();
+      flow.set_started(true);
+      skipping_section = false;
+      start_block = flow.blocks();
       return {};
     case Marker::section:
       if (flow.depth() != 0) return fail(alarm(AlarmId::subprogram_end_missing, block->where, double(flow.frames().back().name)));
-      skipping_section_ = true;
+      skipping_section = true;
       return {};
     case Marker::label:
-      if (def.behaviour.label_is_number && flow.blocks() != start_block_ + 1)  // spec/gost 1: `%`, then `O0001`
+      if (def.behaviour.label_is_number && flow.blocks() != start_block + 1)  // spec/gost 1: `%`, then `O0001`
         return fail(alarm(AlarmId::program_number_place, label_place(), double(block->label)));
-      flow.started = true;
+      flow.set_started(true);
       if (flow.depth() == 0) flow.pass_label(block->label);
       return {};
     default: break;
   }
   constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: zeros are not dropped
-  if (skipping_section_ && block->has_number && block->number_digits != digits_of_label)
+  if (skipping_section && block->has_number && block->number_digits != digits_of_label)
     return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
-  if (skipping_section_ && dialect) note_section();
-  if (skipping_section_ || flow.started || block->empty()) return {};
-  flow.started = true;
+  if (skipping_section && dialect) note_section();
+  if (skipping_section || flow.started() || block->empty()) return {};
+  flow.set_started(true);
   if (!def.grammar.program_start_required) return {};
   return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
 }

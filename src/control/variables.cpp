@@ -26,18 +26,18 @@ std::uint32_t number_of(double number, std::uint32_t highest) {
 
 }  // namespace
 
-Variables::Variables(const ControlDef& def)
-    : def_(def),
-      values_(def.grammar.macro ? 1 : def.grammar.variables + 1),
-      set_(values_.size()),
-      parameters_(parameters_of(def.grammar)),
-      parameters_set_(parameters_.size()) {}  // nct: nct/macro_variables
+Variables::Variables(const ControlDef& def, Journal& journal) : def_(def), journal_(journal) {
+  all_.values.resize(def.grammar.macro ? 1 : def.grammar.variables + 1);  // custom macros: MacroVariables
+  all_.set.resize(all_.values.size());
+  all_.parameters.resize(parameters_of(def.grammar));
+  all_.parameters_set.resize(all_.parameters.size());
+}
 
 Result<double> Variables::variable(double number, Span where) const {
   const std::uint32_t n = number_of(number, highest());
   if (n == 0) return fail(alarm(AlarmId::variable_unknown, where, number));
-  if (inch && n >= first_system_variable && is_length(n)) return values_[n] / mm_per_inch;
-  return values_[n];
+  if (inch && n >= first_system_variable && is_length(n)) return all_.values[n] / mm_per_inch;
+  return all_.values[n];
 }
 
 Result<double> Variables::parameter(int index, Span where) const {
@@ -54,17 +54,20 @@ Status Variables::set(double number, double value, Span where) {
 }
 
 void Variables::set_raw(std::uint32_t number, double value) {
-  if (number >= values_.size()) return;  // a row of the control's file beyond its variables
-  undo_.push_back({static_cast<std::int32_t>(number), values_[number], set_[number]});
-  values_[number] = value;
-  set_[number] = true;
+  if (number >= all_.values.size()) return;  // a row of the control's file beyond its variables
+  journal_.keep(all_.values[number]);
+  journal_.keep(all_.set[number]);
+  all_.values[number] = value;
+  all_.set[number] = 1;
   if (number >= first_system_variable && kind_of(number) != VariableKind::free) frames_changed_ = true;
 }
 
 void Variables::set_parameter(int index, double value) {
-  undo_.push_back({-index - 1, raw_parameter(index), parameter_set(index)});
-  parameters_[static_cast<std::size_t>(index)] = value;
-  parameters_set_[static_cast<std::size_t>(index)] = true;
+  const auto i = static_cast<std::size_t>(index);
+  journal_.keep(all_.parameters[i]);
+  journal_.keep(all_.parameters_set[i]);
+  all_.parameters[i] = value;
+  all_.parameters_set[i] = 1;
 }
 
 std::string Variables::name_of_parameter(int index) const {
@@ -81,22 +84,6 @@ int Variables::parameter_named(const std::string& name) const {
   if (letters.empty()) return name[0] == 'R' && name.size() == 2 ? number : -1;
   const std::size_t letter = letters.find(name[0]);
   return letter == std::string::npos || number < 0 || name.size() < 3 ? -1 : static_cast<int>(letter) * parameters_a_letter + number;
-}
-
-void Variables::undo_block() {
-  while (!undo_.empty()) {
-    const Undo& old = undo_.back();
-    if (old.number >= 0) {
-      values_[static_cast<std::size_t>(old.number)] = old.value;
-      set_[static_cast<std::size_t>(old.number)] = old.was_set;
-    } else {
-      const int index = -old.number - 1;
-      parameters_[static_cast<std::size_t>(index)] = old.value;
-      parameters_set_[static_cast<std::size_t>(index)] = old.was_set;
-    }
-    undo_.pop_back();
-  }
-  frames_changed_ = true;
 }
 
 VariableKind Variables::kind_of(std::uint32_t number) const {

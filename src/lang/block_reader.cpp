@@ -19,13 +19,13 @@ bool has_high_bytes(std::string_view bytes) {
 }  // namespace
 
 BlockReader::BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
-    : lines_(std::move(source)), grammar_(grammar), plain_(grammar), encoding_(encoding) {
-  if (!encoding_) {
-    encoding_ = detect_encoding(lines_.sample());
-    guessed_ = encoding_.has_value();
+    : lines_(std::move(source)), grammar_(grammar), plain_(grammar), memory_{.encoding = encoding} {
+  if (!memory_.encoding) {
+    memory_.encoding = detect_encoding(lines_.sample());
+    memory_.guessed = memory_.encoding.has_value();
   }
-  if (!encoding_ || !is_tape(*encoding_)) return;
-  if (encoding_ == Encoding::eia) lines_.end_lines_with(static_cast<char>(eia_end_of_block));
+  if (!memory_.encoding || !is_tape(*memory_.encoding)) return;
+  if (memory_.encoding == Encoding::eia) lines_.end_lines_with(static_cast<char>(eia_end_of_block));
   if (const auto look = look_at_tape(lines_.sample()); look) lie_ = look->lie;
 }
 
@@ -83,7 +83,7 @@ Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   block.clear();
   block.text = {};
   block.where = {};
-  if (std::exchange(lie_told_, true)) return Got::end;
+  if (std::exchange(memory_.lie_told, true)) return Got::end;
   return fail(alarm(AlarmId::tape_reversed, {}, name_of(lie_)));
 }
 
@@ -92,7 +92,7 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   text_ = {line_.bytes.data(), line_.bytes.size()};
   rest_ = 0;
   is_text_ = false;
-  if ((encoding_ && is_tape(*encoding_)) || expects_high_bytes_) {
+  if ((memory_.encoding && is_tape(*memory_.encoding)) || memory_.expects_high_bytes) {
     const Status decoded = decode_line();
     if (!decoded && is_tape(encoding())) {  // elsewhere the damage may lie in a comment: lex_line finds out
       block.clear();
@@ -112,14 +112,14 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
 }
 
 Status BlockReader::lex_line(Block& block) {
-  if (first_mark_ == no_mark && plain_.read(text_, rest_, block)) [[likely]] {
+  if (memory_.first_mark == no_mark && plain_.read(text_, rest_, block)) [[likely]] {
     rest_ = text_.size();
     return {};
   }
   auto lexed = lex_block(text_, rest_, is_text_, grammar_, block);
   const bool unclear = lexed ? lexed->needs_utf8 : has_high_bytes(text_);
   if (unclear && !is_text_) {
-    expects_high_bytes_ = true;
+    memory_.expects_high_bytes = true;
     const Status decoded = decode_line();
     if (!decoded) {
       rest_ = text_.size();
@@ -127,7 +127,7 @@ Status BlockReader::lex_line(Block& block) {
     }
     if (rest_ != 0) {  // the blocks before this one were read undecoded: the same place in the text
       std::string before;
-      (void)append_utf8(line_.bytes.substr(0, rest_), *encoding_, before);
+      (void)append_utf8(line_.bytes.substr(0, rest_), *memory_.encoding, before);
       rest_ = before.size();
     }
     block.clear();
@@ -155,8 +155,8 @@ Status BlockReader::lex_line(Block& block) {
   }
   rest_ = lexed->next;
   if (lexed->marked) {
-    first_mark_ = std::min(first_mark_, line_.offset);
-  } else if (line_.offset >= first_mark_ && grammar_.mark_everywhere && !block.empty()) {
+    memory_.first_mark = std::min(memory_.first_mark, line_.offset);
+  } else if (line_.offset >= memory_.first_mark && grammar_.mark_everywhere && !block.empty()) {
     const std::uint32_t end = block.where.end;
     return fail(alarm(AlarmId::end_of_block_missing, {end > 0 ? end - 1 : 0, end}));
   }
@@ -199,12 +199,12 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
 
 /// The line as UTF-8, from its first byte.
 Status BlockReader::decode_line() {
-  if (!encoding_) {
-    encoding_ = detect_encoding(line_.bytes).value_or(Encoding::utf8);
-    guessed_ = true;
+  if (!memory_.encoding) {
+    memory_.encoding = detect_encoding(line_.bytes).value_or(Encoding::utf8);
+    memory_.guessed = true;
   }
   decoded_.clear();
-  Status status = append_utf8(line_.bytes, *encoding_, decoded_);
+  Status status = append_utf8(line_.bytes, *memory_.encoding, decoded_);
   if (!status && status.error().id == AlarmId::parity_error) {
     Alarm named = status.error();
     named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());  // row of the tape

@@ -13,6 +13,8 @@
 namespace kadr {
 
 class BlockReader {
+  static constexpr std::uint64_t no_mark = ~std::uint64_t{0};
+
  public:
   /// `encoding`: named by the user; otherwise guessed from the first bytes that need it.
   BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
@@ -28,8 +30,19 @@ class BlockReader {
   Position position() const { return position_; }
   /// The text of the block last read as UTF-8, however it was read; `place` becomes the place there.
   std::string shown(std::string_view text, Span& place) const;
-  Encoding encoding() const { return encoding_.value_or(Encoding::utf8); }
-  bool encoding_was_guessed() const { return guessed_; }
+  /// What the lines before have taught about those to come; with the position all that a reader remembers.
+  struct Memory {
+    std::optional<Encoding> encoding;
+    bool guessed = false;
+    std::uint64_t first_mark = no_mark;  // offset of the first line with a block that ended with ПС or LF
+    bool lie_told = false;
+    bool expects_high_bytes = false;  // a line before needed decoding: so will this one
+    friend bool operator==(const Memory&, const Memory&) = default;
+  };
+  const Memory& memory() const { return memory_; }
+  void remember(const Memory& memory) { memory_ = memory; }
+  Encoding encoding() const { return memory_.encoding.value_or(Encoding::utf8); }
+  bool encoding_was_guessed() const { return memory_.guessed; }
   std::uint64_t size() const { return lines_.size(); }
   std::uint64_t offset() const { return lines_.offset(); }
 
@@ -40,14 +53,10 @@ class BlockReader {
   Status decode_line();
   Status join_comment(Block& block, std::size_t open);
 
-  static constexpr std::uint64_t no_mark = ~std::uint64_t{0};
-
   LineReader lines_;
   const Grammar& grammar_;
   PlainBlocks plain_;
-  std::optional<Encoding> encoding_;
-  bool guessed_ = false;
-  std::uint64_t first_mark_ = no_mark;  // offset of the first line with a block that ended with ПС or LF
+  Memory memory_;
   Line line_;
   std::string decoded_;    // the line in UTF-8, where it is not already
   std::string joined_;     // the line and those that its comment goes over (nct 14.3)
@@ -56,8 +65,6 @@ class BlockReader {
   bool in_line_ = false;
   bool is_text_ = false;  // text_ is known to be UTF-8
   TapeLie lie_ = TapeLie::right;
-  bool lie_told_ = false;
-  bool expects_high_bytes_ = false;  // a line before needed decoding: so will this one
   Position position_;
 };
 

@@ -151,6 +151,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
+    w.value = 0;  // of a word that cannot be read: find() gives it to whoever goes on after the fault
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
     KADR_TRY(words_.value(w, format, begin));
     w.where = span(begin, cursor_.at);
@@ -268,6 +269,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
+    w.value = 0;  // of a word that cannot be read: find() gives it to whoever goes on after the fault
     WordFormat format = grammar_.word('A');
     format.parameter = true;
     KADR_TRY(words_.value(w, format, begin));

@@ -332,6 +332,7 @@ Status WordReader::axis_by_number(std::size_t begin) {
   w.incremental = w.bare = false;
   w.expression = {};
   w.axis = *axis;
+  w.value = 0;
   if (cursor_.peek() == 'I' || cursor_.peek() == 'i') {
     w.incremental = true;
     ++cursor_.at;

@@ -76,6 +76,16 @@ TEST(blocks, behind_a_faulty_one_go_on) {
             (Words{"", "X1", "address_twice: X", "Y2", "M2"}));
 }
 
+/// Whoever goes on after the fault may look for the word: it must not hold what another block has left there.
+TEST(blocks, of_a_word_that_cannot_be_read_hold_no_value_of_a_block_before) {
+  BlockReader reader(text_source("G1 X25 F725\nG1 X4 F-20\n"), grammar_of("gost"), {});
+  Block block;
+  ASSERT_TRUE(reader.next(block));
+  ASSERT_FALSE(reader.next(block));
+  ASSERT_NE(block.find('F'), nullptr);
+  EXPECT_EQ(block.find('F')->value, 0);
+}
+
 TEST(blocks, without_the_mark_the_others_have_are_an_alarm) {
   EXPECT_EQ(words_in("% ПС\nN1 X1000 ПС\nN2 X5\nN3 M2 ПС", grammar_of("s2c42")), (Words{"", "X1", "end_of_block_missing: 5", "M2"}));
 }

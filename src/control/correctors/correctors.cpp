@@ -75,10 +75,11 @@ void warn_above_solid(Interpreter& m, Span where, const Axes& middle) {
 
 namespace correctors {
 
-Correctors::Correctors(const Interpreter& m, const Setup& setup)
-    : is_set_(m.def.behaviour.offsets + 1), applied_((m.def.behaviour.offsets + 1) * corrected_axes) {
+Correctors::Correctors(const Interpreter& m, const Setup& setup) {
+  is_set.resize(m.def.behaviour.offsets + 1);
+  applied.resize(is_set.size() * corrected_axes);
   for (const auto& [number, mm] : setup.correctors)
-    if (number >= 0 && static_cast<std::size_t>(number) < is_set_.size()) is_set_[static_cast<std::size_t>(number)] = true;
+    if (number >= 0 && static_cast<std::size_t>(number) < is_set.size()) is_set[static_cast<std::size_t>(number)] = true;
 }
 
 Correctors& correctors_of(const Interpreter& m) { return static_cast<Correctors&>(*m.dialect); }
@@ -90,14 +91,27 @@ BlockChanges Correctors::changes_of(const Interpreter& m, const Plan& plan) cons
 void Correctors::begin_block(Interpreter&) { kept_ = false; }
 
 void Correctors::keep(Interpreter&) {
-  before_ = {pocket, applied_};
+  before_ = {pocket, applied};
   kept_ = true;
 }
 
 void Correctors::take_back(Interpreter&) {
   if (!kept_) return;
   pocket = before_.pocket;
-  applied_ = before_.applied;
+  applied = before_.applied;
+}
+
+namespace {
+struct CorrectorsState : DialectState, Memory {
+  explicit CorrectorsState(const Memory& all) : Memory(all) {}
+};
+}  // namespace
+
+std::shared_ptr<const DialectState> Correctors::snapshot() const { return std::make_shared<CorrectorsState>(*this); }
+
+Status Correctors::restore(Interpreter&, const DialectState& from) {
+  static_cast<Memory&>(*this) = static_cast<const CorrectorsState&>(from);
+  return {};
 }
 
 bool Correctors::adds_to_motion(const Interpreter& m) const { return m.has('L'); }
@@ -109,8 +123,8 @@ Result<AxisMask> Correctors::add_to_motion(Interpreter& m) {
     if (w.address != 'L') continue;
     const auto named = read(m, w);
     if (!named) return fail(named.error());
-    if (!is_set_[named->number]) {  // nobody has set it on the panel: its motion is short by what it should add
-      is_set_[named->number] = true;
+    if (!is_set[named->number]) {  // nobody has set it on the panel: its motion is short by what it should add
+      is_set[named->number] = true;
       m.warn(warning(AlarmId::corrector_not_set, w.where, double(named->number)));
     }
     const double stored = m.tables.correctors[named->number];
@@ -118,18 +132,18 @@ Result<AxisMask> Correctors::add_to_motion(Interpreter& m) {
     const double counted = m.modal.corrector_sign == 0 ? stored : m.modal.corrector_sign * std::fabs(stored);
     for (std::size_t a = 0; a < corrected_axes; ++a) {
       if ((named->axes >> a & 1u) == 0) continue;
-      double& applied = applied_[named->number * corrected_axes + a];
+      double& last = applied[named->number * corrected_axes + a];
       double& added = m.transform.added[a];
       moved |= 1u << a;
       if (m.has_code({Function::corrector_cancel})) {
         // With the opposite sign, what it added last; never added: its stored value (spec/correctors 1).
-        const double back = applied != 0 ? applied : stored;
+        const double back = last != 0 ? last : stored;
         added = m.modal.absolute ? 0.0 : added - back;
-        applied = 0;
+        last = 0;
       } else {
         // INFERRED: with G90 the corrector belongs to the coordinate (not added again and again), with G91 to the motion.
         added = m.modal.absolute ? counted : added + counted;
-        applied = counted;
+        last = counted;
       }
     }
   }

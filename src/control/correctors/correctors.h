@@ -20,7 +20,15 @@ struct PocketCut {
   double face = 0, floor = 0;
 };
 
-class Correctors final : public Dialect {
+/// All that the dialect remembers.
+struct Memory {
+  PocketCycle pocket;
+  std::vector<PocketCut> pockets_cut;
+  std::vector<bool> is_set;     // by number: the set-up names it, or its absence has been told of (1)
+  std::vector<double> applied;  // by corrector and axis: what it added last (1)
+};
+
+class Correctors final : public Dialect, public Memory {
  public:
   Correctors(const Interpreter& m, const Setup& setup);
 
@@ -29,6 +37,9 @@ class Correctors final : public Dialect {
   void begin_block(Interpreter& m) override;
   void take_back(Interpreter& m) override;
 
+  std::shared_ptr<const DialectState> snapshot() const override;
+  Status restore(Interpreter& m, const DialectState& from) override;
+
   /// An L stands in the block.
   bool adds_to_motion(const Interpreter& m) const override;
   /// Adds the block's correctors to its motion: sets Transform::added.
@@ -36,12 +47,7 @@ class Correctors final : public Dialect {
   ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown
   Result<AxisMask> add_to_motion(Interpreter& m) override;
 
-  PocketCycle pocket;
-  std::vector<PocketCut> pockets_cut;
-
  private:
-  std::vector<bool> is_set_;     // by number: the set-up names it, or its absence has been told of (1)
-  std::vector<double> applied_;  // by corrector and axis: what it added last (1)
   struct Before {
     PocketCycle pocket;
     std::vector<double> applied;

@@ -10,7 +10,6 @@ Status functions::permanent_subprogram(Interpreter& m, const Call& call) {
   m.call_where = call.where;
   m.call_text = m.flow.shown(m.block->text, m.call_where);
   KADR_TRY(m.flow.call_body(cycle, 1, m.origin, call.where));
-  if (m.block->code.empty()) m.variables.begin_block();
   for (const auto& [letter, parameter] : cycle.parameters)
     if (m.has(letter)) m.variables.set_parameter(parameter, m.value(letter));
   return {};

@@ -13,15 +13,6 @@ namespace kadr {
 
 class Interpreter;
 
-/// Words that stay known while blocks of the same cycle follow each other (spec/mach3 4: "sticky").
-struct CycleMemory {
-  std::int16_t row = -1;         // code row of the cycle, -1: none
-  std::uint64_t known = 0;       // letters
-  double bottom = 0, level = 0;  // Z and R as programmed, mm
-  double peck = 0, dwell = 0;
-  double i = 0, j = 0, k = 0;
-};
-
 class CycleRun {
  public:
   bool active() const { return cycle_ != nullptr; }

@@ -165,7 +165,7 @@ class Arc {
     KADR_TRY(m_.within_reach(work));
     const bool cw = turn_ == Turn::cw;
     if (m_.modal.surface == PathSurface::polar)
-      work = polar_work(m_, work, nct_of(m_).surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
+      work = polar_work(m_, work, nct_of(m_).state.surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
     Motion& motion = move(arc, work);
     if (m_.modal.surface == PathSurface::cylinder) motion.center = in_axes(arc.center);
     if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);

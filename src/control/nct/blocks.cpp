@@ -125,7 +125,7 @@ bool has_words(const Interpreter& m) { return m.block->word_count != 0; }
 /// G66.1: the block's words are arguments (23.3.3).
 Result<bool> call_with_block(Interpreter& m) {
   Nct& nct = nct_of(m);
-  if (nct.active_modal_calls == 0 || !nct.modal_calls[nct.active_modal_calls - 1u].each_block) return false;
+  if (nct.state.active_modal_calls == 0 || !nct.state.modal_calls[nct.state.active_modal_calls - 1u].each_block) return false;
   if (!has_words(m) || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
   Locals arguments;
   KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is one: no code calls here
@@ -190,8 +190,8 @@ Result<bool> before_plan(Interpreter& m) {
   if (nct.single_block) nct.was_hidden = hidden(m);
   nct.pending.clear();
   give_back(m);
-  if (nct.data_mode != DataMode::none) {
-    nct.keep_all(m);
+  if (nct.state.data_mode != DataMode::none) {
+    nct.keep_all();
     KADR_TRY(check_values(m));
     KADR_TRY(data_line(m));
     return true;
@@ -237,8 +237,8 @@ Status after_block(Interpreter& m) {
   KADR_TRY(check_drilling(m));
   if (nct.single_block) stop_single_block(m, nct.was_hidden);
   KADR_TRY(call_pending(m));
-  if (nct.moved && nct.active_modal_calls != 0) {
-    const ModalCall& modal = nct.modal_calls[nct.active_modal_calls - 1u];
+  if (nct.moved && nct.state.active_modal_calls != 0) {
+    const ModalCall& modal = nct.state.modal_calls[nct.state.active_modal_calls - 1u];
     if (!modal.each_block) {
       const Locals arguments = modal.arguments;
       KADR_TRY(call_modal(m, arguments));

@@ -54,11 +54,11 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   KADR_TRY(arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()), arguments));
   if (!run.modal) return call(m, request, arguments, w.where);
   Nct& nct = nct_of(m);
-  nct.keep_all(m);  // a negative parameter: G66 or G66.1 (23.3.4)
-  nct.modal_calls.resize(nct.active_modal_calls);
-  nct.modal_calls.push_back(
+  nct.keep_all();  // a negative parameter: G66 or G66.1 (23.3.4)
+  nct.state.modal_calls.resize(nct.state.active_modal_calls);
+  nct.state.modal_calls.push_back(
       {request.place.reader, request.place.start, 1, request.name, nct.settings.modal_each_block, w.written, w.code, arguments});
-  ++nct.active_modal_calls;
+  ++nct.state.active_modal_calls;
   return nct.settings.modal_each_block ? call_modal(m, arguments) : Status();
 }
 
@@ -76,14 +76,14 @@ bool letter_calls(Interpreter& m, Word& w) {
   const std::size_t nth = letters_in_order.find(w.written);
   if (nth != std::string_view::npos && s.letters_call[nth]) {
     if (!may_call(m, w.written, -1)) return false;
-    nct_of(m).keep_common(letter_variables + static_cast<int>(nth));
+    nct_of(m).variables.keep_common(m.journal, letter_variables + static_cast<int>(nth));
     nct_of(m).variables.set_common(letter_variables + static_cast<int>(nth), w.value);
     pend(m, w, letter_programs + static_cast<int>(nth));
     return true;
   }
   for (std::size_t i = 0; i < s.ascii.size(); ++i) {
     if (s.ascii[i] != w.written || s.ascii_programs[i] == 0 || !may_call(m, w.written, -1)) continue;
-    nct_of(m).keep_common(ascii_variables + static_cast<int>(i));
+    nct_of(m).variables.keep_common(m.journal, ascii_variables + static_cast<int>(i));
     nct_of(m).variables.set_common(ascii_variables + static_cast<int>(i), w.value);
     pend(m, w, s.ascii_programs[i]);
     return true;

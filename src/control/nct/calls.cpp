@@ -51,7 +51,7 @@ std::uint32_t index_of(const Interpreter& m, const Word* word) { return static_c
 void close_call(Nct& nct, const CallFrame& frame, std::size_t depth) {
   if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level)) nct.variables.close_level();
   if (!nct.repeated_arguments.empty() && nct.repeated_arguments.back().first == depth) nct.repeated_arguments.pop_back();
-  nct.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
+  nct.state.active_modal_calls = std::min<std::uint8_t>(frame.modal_calls, static_cast<std::uint8_t>(nct.state.modal_calls.size()));
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ Status call(Interpreter& m, const CallRequest& request, const Locals& arguments,
   frame.name = request.name;
   frame.left = request.times;
   frame.caller = m.origin;
-  frame.modal_calls = nct.active_modal_calls;
+  frame.modal_calls = nct.state.active_modal_calls;
   frame.called_by = request.called_by;
   frame.called_code = request.called_code;
   KADR_TRY(m.flow.call_at(request.place.reader, request.place.start, frame, where));
@@ -86,7 +86,7 @@ Status call(Interpreter& m, const CallRequest& request, const Locals& arguments,
 
 Status call_modal(Interpreter& m, const Locals& arguments) {
   Nct& nct = nct_of(m);
-  const ModalCall& modal = nct.modal_calls[nct.active_modal_calls - 1u];
+  const ModalCall& modal = nct.state.modal_calls[nct.state.active_modal_calls - 1u];
   CallRequest request;
   request.place = {modal.reader, modal.start};
   request.name = modal.name;
@@ -95,7 +95,7 @@ Status call_modal(Interpreter& m, const Locals& arguments) {
   request.called_by = modal.called_by;
   request.called_code = modal.called_code;
   KADR_TRY(call(m, request, arguments, m.block->where));
-  --nct.active_modal_calls;  // inside it only the calls programmed before it act
+  --nct.state.active_modal_calls;  // inside it only the calls programmed before it act
   return {};
 }
 
@@ -167,18 +167,20 @@ Status macro_modal(Interpreter& m, const Call& call) {
   Locals arguments;
   KADR_TRY(nct::arguments_of(m, nct::index_of(m, call.word), arguments));
   nct::Nct& nct = nct_of(m);
-  if (nct.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
-  nct.modal_calls.resize(nct.active_modal_calls);  // INFERRED: inside a call those that do not act there are gone
-  nct.modal_calls.push_back({request->place.reader, request->place.start, *times, request->name, call.row->arg == 661, 0, -1, arguments});
-  ++nct.active_modal_calls;
+  if (nct.state.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
+  nct.state.modal_calls.resize(nct.state.active_modal_calls);  // INFERRED: inside a call those that do not act there are gone
+  nct.state.modal_calls.push_back(
+      {request->place.reader, request->place.start, *times, request->name, call.row->arg == 661, 0, -1, arguments});
+  ++nct.state.active_modal_calls;
   return call.row->arg == 661 ? nct::call_modal(m, arguments) : Status();
 }
 
 /// G67: the last modal call is over.
 Status macro_modal_off(Interpreter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
-  if (!nct.modal_calls.empty()) nct.modal_calls.pop_back();
-  nct.active_modal_calls = std::min<std::uint8_t>(nct.active_modal_calls, static_cast<std::uint8_t>(nct.modal_calls.size()));
+  if (!nct.state.modal_calls.empty()) nct.state.modal_calls.pop_back();
+  nct.state.active_modal_calls =
+      std::min<std::uint8_t>(nct.state.active_modal_calls, static_cast<std::uint8_t>(nct.state.modal_calls.size()));
   (void)call;
   return {};
 }

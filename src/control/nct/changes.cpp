@@ -46,7 +46,7 @@ StateChanges Changes::take(Interpreter& m) {
     const double value = nct.variables.common(n);
     changes.rows.push_back({StateTable::variables, "#" + std::to_string(n), is_vacant(value) ? StateValue() : StateValue(value)});
   }
-  note_number(changes, "#3901", nct.parts_done, parts_done_);
+  note_number(changes, "#3901", nct.state.parts_done, parts_done_);
   note_number(changes, "#3902", nct.parts_required, parts_required_);
   if (nct.cutting_ms - cutting_ms_ >= cutting_step_ms || nct.cutting_ms < cutting_ms_)
     note_number(changes, "#3002", nct.cutting_ms, cutting_ms_);

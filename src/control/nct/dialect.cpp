@@ -29,7 +29,7 @@ namespace nct {
 void Nct::started(Interpreter& m) { couple_gantries(m); }
 
 bool Nct::end_program(Interpreter& m) {
-  if (settings.part_code == 0) parts_done += 1;  // 13.1; else note_code
+  if (settings.part_code == 0) state.parts_done += 1;  // 13.1; else note_code
   reset_program(m);
   return true;
 }
@@ -80,7 +80,7 @@ Status Nct::statement(Interpreter& m) { return run_statement(m); }
 
 Result<bool> Nct::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
-  if (done && !*done && (active_modal_calls != 0 || !pending.empty())) m.keep_flow_place();  // a call behind the block may fail
+  if (done && !*done && (state.active_modal_calls != 0 || !pending.empty())) m.keep_flow_place();  // a call behind the block may fail
   return done;
 }
 
@@ -98,8 +98,6 @@ void Nct::before_function(Interpreter& m, Function function) {
 void Nct::after_code(Interpreter& m, const CodeRow& row, std::int32_t code) { note_code(m, row, code); }
 
 Status Nct::after_block(Interpreter& m) { return nct::after_block(m); }
-
-void Nct::taken_back(Interpreter& m) { follow_from_here(m); }
 
 bool Nct::leave_call(Interpreter& m) {
   nct::leave_call(m);

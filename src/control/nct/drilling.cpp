@@ -143,7 +143,7 @@ class Drilling {
   /// Where the tool stood before a new length of this block: that acts in operation 3 only.
   Axes before_new_length() const {
     Frames frames = m_.frames;
-    frames.length = nct_of(m_).lengths_before();
+    frames.length = m_.state_before().modal.lengths;
     return m_.transform.to_programmed(frames.work_of(m_.position.machine));
   }
 
@@ -277,7 +277,7 @@ int drills_along(const Interpreter& m) {
 
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && nct_of(m).settings.part_code != 0 && tenth == 10 * nct_of(m).settings.part_code)
-    nct_of(m).parts_done += 1;  // 13.1
+    nct_of(m).state.parts_done += 1;  // 13.1
   note_mirror_code(m, row);
   if (row.group != nct_of(m).motion_group) return;
   if (row.function != Function::turning_simple) nct_of(m).state.turning.code = 0;  // the data of a simple turning cycle (19.1)

@@ -53,9 +53,9 @@ void take(const Interpreter& m, Moment& to) {
   for (int n = first_common; n <= last_common; ++n) to.commons[static_cast<std::size_t>(n)] = nct.variables.common(n);
   to.repeated_arguments = nct.repeated_arguments;
   to.modal_arguments.clear();
-  for (const ModalCall& call : nct.modal_calls) to.modal_arguments.push_back(call.arguments);
+  for (const ModalCall& call : nct.state.modal_calls) to.modal_arguments.push_back(call.arguments);
   to.rows = m.modal.rows;
-  to.active_modal_calls = nct.active_modal_calls;
+  to.active_modal_calls = nct.state.active_modal_calls;
   to.finishing = nct.finishing.size();
   to.parameters = nct.parameters.version();
   to.readings = nct.endless.readings();
@@ -64,7 +64,7 @@ void take(const Interpreter& m, Moment& to) {
   to.words = nct.state.words;
   to.now_ms = nct.now_ms;
   to.cutting_ms = nct.cutting_ms;
-  to.parts_done = nct.parts_done;
+  to.parts_done = nct.state.parts_done;
 }
 
 bool same_variables(const Interpreter& m, const Moment& then) {
@@ -89,7 +89,7 @@ bool same_calls(const Interpreter& m, const Moment& then) {
                   then.repeated_arguments.end(),
                   [](const auto& a, const auto& b) { return a.first == b.first && same(a.second, b.second); }))
     return false;
-  return std::equal(nct.modal_calls.begin(), nct.modal_calls.end(), then.modal_arguments.begin(), then.modal_arguments.end(),
+  return std::equal(nct.state.modal_calls.begin(), nct.state.modal_calls.end(), then.modal_arguments.begin(), then.modal_arguments.end(),
                     [](const ModalCall& a, const Locals& b) { return same(a.arguments, b); });
 }
 
@@ -99,12 +99,12 @@ bool same_surroundings(const Interpreter& m, const Moment& then) {
   const ProgramPosition &a = m.position, &b = then.position;
   return nct.endless.changes() == then.changes && a.programmed == b.programmed && a.work == b.work && a.machine == b.machine &&
          same(nct.state.words, then.words) && nct.now_ms == then.now_ms && nct.cutting_ms == then.cutting_ms &&
-         nct.parts_done == then.parts_done;
+         nct.state.parts_done == then.parts_done;
 }
 
 bool same(const Interpreter& m, const Moment& then) {
   const Nct& nct = nct_of(m);
-  return same_variables(m, then) && m.modal.rows == then.rows && nct.active_modal_calls == then.active_modal_calls &&
+  return same_variables(m, then) && m.modal.rows == then.rows && nct.state.active_modal_calls == then.active_modal_calls &&
          nct.finishing.size() == then.finishing && nct.parameters.version() == then.parameters && same_calls(m, then) &&
          (nct.endless.readings() == then.readings || same_surroundings(m, then));
 }
@@ -113,9 +113,6 @@ bool same(const Interpreter& m, const Moment& then) {
 bool others_act(const Interpreter& m) { return (m.on_block != nullptr && *m.on_block) || m.waiting.known != 0; }
 
 }  // namespace
-
-Endless::Endless() = default;
-Endless::~Endless() = default;
 
 void Endless::start(Watch& w, Position target, std::uint16_t reader) {
   w.target = target.offset;
@@ -142,8 +139,9 @@ bool Endless::holds_fault(const Watch& w) const {
 
 /// What a fault leaves behind may loop for long although no pass is like another: a check shall not.
 bool Endless::took_too_long(const Interpreter& m, const Watch& w) {
-  if (looked_ == &w) looped_ += m.flow.blocks() - looked_at_;
-  looked_ = &w;
+  const auto nth = static_cast<std::size_t>(&w - watches_.data());
+  if (looked_ == nth) looped_ += m.flow.blocks() - looked_at_;
+  looked_ = nth;
   looked_at_ = m.flow.blocks();
   return ++looks_ > jumps_behind_fault || looped_ > blocks_behind_fault;
 }
@@ -166,8 +164,9 @@ Endless::Verdict Endless::look_closely(const Interpreter& m, Watch& w) {
     return any_fault_ ? Verdict::leave : Verdict::endless;
   const bool power_of_two = (w.passes & (w.passes - 1)) == 0;
   if (power_of_two) {
-    if (!w.snapshot) w.snapshot = std::make_unique<Moment>();
-    take(m, *w.snapshot);
+    auto now = std::make_shared<Moment>();
+    take(m, *now);
+    w.snapshot = std::move(now);
     w.seen = w.passes;
   }
   const bool compares = w.passes - w.seen < compared_passes;

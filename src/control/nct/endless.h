@@ -26,9 +26,6 @@ struct Moment;  // what decides a pass
 
 class Endless {
  public:
-  Endless();
-  ~Endless();
-
   enum class Verdict : std::uint8_t {
     go,       // nothing is known against the jump
     endless,  // it would be made for ever
@@ -66,7 +63,7 @@ class Endless {
     std::uint64_t seen = 0;     // passes when the snapshot was taken
     std::size_t depth = 0;      // calls open
     std::uint16_t reader = 0;
-    std::unique_ptr<Moment> snapshot;
+    std::shared_ptr<const Moment> snapshot;
   };
   struct Fault {
     std::uint64_t offset = 0;
@@ -84,7 +81,7 @@ class Endless {
   bool any_fault_ = false;
   // … behind one: jumps looked at, blocks of passes one after another, and where the last look was
   std::uint64_t looks_ = 0, looped_ = 0, looked_at_ = 0;
-  const Watch* looked_ = nullptr;
+  std::size_t looked_ = ~std::size_t{0};  // by watches_
   std::uint64_t readings_ = 0, changes_ = 0;
 };
 

@@ -93,7 +93,7 @@ namespace {
 
 /// Only G1, with G40, G64 and G80 (4.7).
 std::uint8_t smoothing_of(const Interpreter& m, const Motion& motion) {
-  const AxisMask smoothed = nct_of(m).smoothed != 0 ? nct_of(m).smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
+  const AxisMask smoothed = nct_of(m).state.smoothed != 0 ? nct_of(m).state.smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
   const bool alone = m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane && m.modal.motion == MotionMode::linear;
   const bool continues = motion.corner_speed == CornerSpeed::limited && (motion.named & ~smoothed) == 0;
   return motion.kind == MotionKind::feed && alone && continues ? m.modal.smoothing : std::uint8_t{0};
@@ -104,7 +104,7 @@ std::uint8_t smoothing_of(const Interpreter& m, const Motion& motion) {
 void note_motion(Interpreter& m, Motion& motion) {
   Nct& nct = nct_of(m);
   nct.moved = true;
-  if (motion.kind != MotionKind::thread) nct.in_thread = false;
+  if (motion.kind != MotionKind::thread) nct.state.in_thread = false;
   motion.along = FeedAlong::all_axes;                      // 4.2: millimetres and degrees alike
   constexpr std::uint32_t m_fhd = 1, m_ov = 2, m_est = 4;  // #3004: no stop; override and stop as in G63; no exact stop (23.1.10, 6.3.4)
   if ((nct.control_2 & m_est) != 0) motion.exact = false;

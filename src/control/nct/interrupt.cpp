@@ -46,20 +46,20 @@ Result<bool> interrupt_code(Interpreter& m, const Call& call) {
 
 Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   Nct& nct = nct_of(m);
-  if (!nct.interrupt_program || nct.interrupted.active) return false;
+  if (!nct.state.interrupt_program || nct.interrupted.active) return false;
   if (nct.settings.interrupt_at_end != (moment == BlockMoment::end) || !asked(nct)) return false;
   CallFrame frame;
   frame.kind = CallFrame::Kind::interrupt;
   frame.left = 1;
   frame.caller = m.origin;
-  frame.modal_calls = nct.active_modal_calls;
+  frame.modal_calls = nct.state.active_modal_calls;
   frame.opened_level = !nct.settings.interrupt_keeps_locals;
   if (moment == BlockMoment::start) m.flow.jump(m.block->position);  // it is read again behind the macro
-  KADR_TRY(m.flow.call_at(nct.interrupt_program->reader, nct.interrupt_program->start, frame, m.block->where));
+  KADR_TRY(m.flow.call_at(nct.state.interrupt_program->reader, nct.state.interrupt_program->start, frame, m.block->where));
   if (frame.opened_level) nct.variables.open_level(no_locals());
   nct.interrupted = {true, m.modal, nct.state.words, m.transform};
-  nct.interrupted_cycles = {nct.state.drilling, nct.state.turning, nct.modal_calls, nct.active_modal_calls};
-  nct.active_modal_calls = 0;
+  nct.interrupted_cycles = {nct.state.drilling, nct.state.turning, nct.state.modal_calls, nct.state.active_modal_calls};
+  nct.state.active_modal_calls = 0;
   return true;
 }
 
@@ -72,8 +72,8 @@ void Nct::end_interrupt(Interpreter& m, bool restore) {
   state.words = interrupted.words;
   state.drilling = interrupted_cycles.drilling;
   state.turning = interrupted_cycles.turning;
-  modal_calls = std::move(interrupted_cycles.modal_calls);
-  active_modal_calls = interrupted_cycles.active_modal_calls;
+  state.modal_calls = std::move(interrupted_cycles.modal_calls);
+  state.active_modal_calls = interrupted_cycles.active_modal_calls;
   m.transform = interrupted.transform;
   m.position.programmed = m.transform.to_programmed(before_transform(m));
   m.change_frames();
@@ -91,7 +91,7 @@ Status interrupt_on(Interpreter& m, const Call& call) {
   if (m.block->file_name.end != 0) {
     const auto place = nct.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());
-    nct.interrupt_program = *place;
+    nct.state.interrupt_program = *place;
     return {};
   }
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
@@ -100,13 +100,13 @@ Status interrupt_on(Interpreter& m, const Call& call) {
   const auto place =
       nct.settings.interrupt_in_system ? nct.programs.system(m, *number, m.where('P')) : nct.programs.by_number(m, *number, m.where('P'));
   if (!place) return fail(place.error());
-  nct.interrupt_program = *place;
+  nct.state.interrupt_program = *place;
   return {};
 }
 
 Status interrupt_off(Interpreter& m, const Call& call) {
   if (nct::is_free(nct_of(m), call.word->code / 10, nct_of(m).settings.interrupt_off)) return nct::machine_code(m, call);
-  nct_of(m).interrupt_program.reset();
+  nct_of(m).state.interrupt_program.reset();
   return nct::abort_interrupt(m, call);
 }
 

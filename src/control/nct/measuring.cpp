@@ -181,7 +181,7 @@ namespace {
 Status correct_length(Interpreter& m, const Measurement& of, double there) {
   const double way = of.expected - there;
   if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
-  m.keep_offset(of.offset);
+  m.journal.keep(m.tables.offsets[of.offset]);
   ToolOffset& offset = m.tables.offsets[of.offset];
   double& corrected = nct_of(m).settings.length_wear ? offset.length_wear : offset.length;
   const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: the table of a diameter axis holds diameters

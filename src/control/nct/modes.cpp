@@ -25,10 +25,10 @@ Status smoothing(Interpreter& m, const Call& call) {
   if (!q) return fail(q.error());
   if (*q >= 2 && m.modal.feed_mode != FeedMode::per_minute) return fail(alarm(AlarmId::not_together, call.where, call.row->code, "G95"));
   m.modal.smoothing = static_cast<std::uint8_t>(*q);
-  nct_of(m).smoothed = 0;
+  nct_of(m).state.smoothed = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const char letter = m.block->words[i].address;
-    if (letter != 0 && (m.letters.axes & letter_bit(letter)) != 0) nct_of(m).smoothed |= AxisMask{1} << m.def.address(letter).axis;
+    if (letter != 0 && (m.letters.axes & letter_bit(letter)) != 0) nct_of(m).state.smoothed |= AxisMask{1} << m.def.address(letter).axis;
   }
   return {};
 }
@@ -68,7 +68,7 @@ Status thread(Interpreter& m, const Call& call) {
   if (named == 0) return {};
   if (!(lead > 0)) return fail(alarm(AlarmId::thread_definition, call.where));
   if (const int count = __builtin_popcount(named); count > 2) return fail(alarm(AlarmId::thread_axes, call.where, double(count)));
-  const bool first = !nct_of(m).in_thread;
+  const bool first = !nct_of(m).state.in_thread;
   KADR_TRY(m.straight(MotionKind::thread, to, named));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.own_override = motion.no_hold = true;
@@ -77,7 +77,7 @@ Status thread(Interpreter& m, const Call& call) {
   MotionDetail& detail = nct::detail_of(m, motion);
   detail.lead = lead;
   if (first) detail.start_angle = m.value('Q');
-  nct_of(m).in_thread = true;
+  nct_of(m).state.in_thread = true;
   return {};
 }
 
@@ -91,9 +91,9 @@ namespace kadr::nct {
 
 /// F is the common modal word, E a lead of its own until the next F (4.4, recommended reading).
 double take_lead(Interpreter& m) {
-  if (m.has('E')) nct_of(m).thread_lead = mm_per_inch / m.value('E');
-  else if (m.has('F')) nct_of(m).thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
-  if (nct_of(m).thread_lead > 0) return nct_of(m).thread_lead;
+  if (m.has('E')) nct_of(m).state.thread_lead = mm_per_inch / m.value('E');
+  else if (m.has('F')) nct_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
+  if (nct_of(m).state.thread_lead > 0) return nct_of(m).state.thread_lead;
   return m.modal.feed_known ? m.modal.feed : 0;
 }
 

@@ -123,10 +123,12 @@ ToolLimits tool_limits(const ParameterStore& p) {
 Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
     : variables(std::move(commons), static_cast<int>(setup_number(setup, "1700")), static_cast<int>(setup_number(setup, "1701"))),
       parameters(m.def.parameters, setup.parameters, {all_axes(m.def, setup), setup.channel}),
-      tools(setup, tool_limits(parameters)),
       output({.root = limits.files,
               .writing = limits.writes_files ? OutputWriting::files : OutputWriting::nothing,
               .untouched = limits.untouched}) {
+  tools = ToolManagement(setup, tool_limits(parameters));
+  tools.keep_in(m.journal);
+  parameters.keep_in(m.journal);
   if (const std::string& error = parameters.error(); !error.empty())
     m.start_fault = {"parameters", error, "ключ «parameters» исходного состояния: недопустимое значение (" + error + ")"};
   const auto group_of = [&](std::int32_t tenth) {
@@ -150,8 +152,8 @@ Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::share
 Nct::~Nct() = default;
 
 void Nct::refresh_settings(const Interpreter& m) {
-  if (parameters_seen_ == parameters.version() + 1) return;
-  parameters_seen_ = parameters.version() + 1;
+  if (parameters_seen == parameters.version() + 1) return;
+  parameters_seen = parameters.version() + 1;
   tools.set_limits(tool_limits(parameters));
   settings = read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
 }
@@ -211,7 +213,7 @@ void Nct::take_setup(Interpreter& m, const Setup& setup) {
 /// M5, M9 at the end of the program (13.1, "usually"): the codes of the table's `end`; all spindles of the channel stand.
 void stop_machine(Interpreter& m) {
   const std::size_t silent = m.batch->size();
-  const double parts = nct_of(m).parts_done;
+  const double parts = nct_of(m).state.parts_done;
   for (const std::int32_t index : m.def.end_codes) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
     if (row.letter != 'M') continue;
@@ -224,7 +226,7 @@ void stop_machine(Interpreter& m) {
     s.loop_closed = s.referenced = false;
     s.master = 0;
   }
-  nct_of(m).parts_done = parts;
+  nct_of(m).state.parts_done = parts;
   m.batch->cut(silent);
 }
 
@@ -236,13 +238,13 @@ void watch_tool_time(Interpreter& m) {
 
 void Nct::reset_program(Interpreter& m) {
   output.abort();
-  data_mode = DataMode::none;
-  modal_calls.clear();
-  active_modal_calls = 0;
+  state.data_mode = DataMode::none;
+  state.modal_calls.clear();
+  state.active_modal_calls = 0;
   repeated_arguments.clear();
   variables.close_levels();
   control_1 = control_2 = 0;
-  interrupt_program.reset();
+  state.interrupt_program.reset();
   interrupted.active = false;
   finishing.clear();
   state.turning.code = 0;

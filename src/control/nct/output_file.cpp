@@ -1,8 +1,8 @@
+// Files that a program writes: opening, printing, closing. What is on the disk: file_place.h.
+
 #include "control/nct/output_file.h"
 
-#include <dirent.h>
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/ascii.h"
+#include "control/nct/file_place.h"
 #include "lang/encoding.h"
 
 namespace kadr::nct {
@@ -24,24 +25,13 @@ constexpr double most_program_number = 99'999'999;
 constexpr int short_numbers = 9'999;  // O and four digits
 constexpr std::string_view percent = "%\r\n";
 
-struct Mode {
-  bool creates, takes_existing, appends;
-};
-constexpr Mode modes[] = {
+constexpr FileMode modes[] = {
     {true, false, false},  // 1
     {true, true, false},   // 2
     {false, true, true},   // 3
     {true, true, true},    // 4
     {false, true, false},  // 5
 };
-
-// ---- names
-
-std::string capitals(std::string_view text) {
-  std::string all(text);
-  std::transform(all.begin(), all.end(), all.begin(), to_upper);
-  return all;
-}
 
 /// Names that some systems take for devices, whatever their extension.
 bool is_device(std::string_view part) {
@@ -70,22 +60,6 @@ std::optional<std::size_t> count_characters(std::string_view text) {
   return count;
 }
 
-std::vector<std::string> parts_of(std::string_view path, char separator) {
-  std::vector<std::string> parts;
-  for (;;) {
-    const std::size_t end = path.find(separator);
-    parts.emplace_back(path.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    path.remove_prefix(end + 1);
-  }
-}
-
-std::string joined_parts(const std::vector<std::string>& parts) {
-  std::string path;
-  for (const std::string& part : parts) path += (path.empty() ? "" : "/") + part;
-  return path;
-}
-
 /// ".nct" of "sub/part.nct", or nothing.
 std::string_view extension_of(std::string_view program) {
   const std::size_t slash = program.rfind('/');
@@ -102,103 +76,6 @@ std::string beside(std::string_view program, const std::string& file) {
 std::string program_name(int number, std::size_t digits) {
   const std::string text = std::to_string(number);
   return "O" + std::string(digits > text.size() ? digits - text.size() : 0, '0') + text;
-}
-
-// ---- the disk
-
-/// A descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  int number() const { return number_; }
-  int release() { return std::exchange(number_, -1); }
-
- private:
-  int number_;
-};
-
-/// The entry of that name in a folder: exactly so, else the first one equal but for small and capital letters, else the name.
-std::string entry_like(int folder, const std::string& name) {
-  struct stat there {};
-  if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0) return name;
-  Descriptor own(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  DIR* list = own.number() >= 0 ? ::fdopendir(own.number()) : nullptr;
-  if (list == nullptr) return name;
-  own.release();  // the list closes it
-  const std::string wanted = capitals(name);
-  std::string found;
-  while (const dirent* entry = ::readdir(list)) {
-    const std::string_view file = entry->d_name;
-    if (file.size() == wanted.size() && capitals(file) == wanted && (found.empty() || file < found)) found = file;
-  }
-  ::closedir(list);
-  return found.empty() ? name : found;
-}
-
-enum class There : std::uint8_t { nothing, file, outside, other, no_folder };
-
-There what_is(int folder, const std::string& name) {
-  struct stat there {};
-  if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) != 0) return errno == ENOENT ? There::nothing : There::other;
-  if (S_ISLNK(there.st_mode)) return There::outside;
-  if (!S_ISREG(there.st_mode)) return There::other;
-  return there.st_nlink > 1 ? There::outside : There::file;  // its other name may stand anywhere
-}
-
-/// Where a path ends: its folder, entered part by part, and what is there.
-struct Place {
-  Descriptor folder{-1};
-  std::string file;
-  std::string path;  // from the root, letters as on the disk
-  There what = There::no_folder;
-};
-
-Place look_up(const std::string& root, const std::string& path) {
-  std::vector<std::string> parts = parts_of(path, '/');
-  Place place;
-  place.folder = Descriptor(::open(root.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  for (std::size_t i = 0; place.folder.number() >= 0 && i + 1 < parts.size(); ++i) {
-    parts[i] = entry_like(place.folder.number(), parts[i]);
-    Descriptor next(::openat(place.folder.number(), parts[i].c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-    if (next.number() < 0) {
-      if (what_is(place.folder.number(), parts[i]) == There::outside) place.what = There::outside;
-      return place;
-    }
-    place.folder = std::move(next);
-  }
-  if (place.folder.number() < 0) return place;
-  parts.back() = entry_like(place.folder.number(), parts.back());
-  place.file = parts.back();
-  place.path = joined_parts(parts);
-  place.what = what_is(place.folder.number(), place.file);
-  return place;
-}
-
-/// Opens the file of a place for writing. What was opened is looked at again by its descriptor, before anything in it changes.
-Result<int> open_regular(const Place& place, const Mode& rule, std::string_view shown, const FileSet& untouched) {
-  const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, shown)); };
-  constexpr int flags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
-  const int makes = place.what == There::nothing ? O_CREAT | O_EXCL : 0;
-  constexpr mode_t rights = 0666;  // less the umask
-  Descriptor opened(::openat(place.folder.number(), place.file.c_str(), flags | makes, rights));
-  if (opened.number() < 0) return bad(errno == ELOOP ? AlarmId::file_outside : AlarmId::file_write);
-  struct stat there {};
-  if (::fstat(opened.number(), &there) != 0 || !S_ISREG(there.st_mode)) return bad(AlarmId::file_write);
-  if (there.st_nlink > 1) return bad(AlarmId::file_outside);
-  if (const auto id = file_id_of(opened.number()); id && untouched.has(*id)) return bad(AlarmId::file_already_open);
-  const bool placed = rule.appends ? ::lseek(opened.number(), 0, SEEK_END) >= 0 : ::ftruncate(opened.number(), 0) == 0;
-  if (!placed) return bad(AlarmId::file_write);
-  return opened.release();
 }
 
 }  // namespace
@@ -271,7 +148,7 @@ Status OutputFile::open_named(double mode, std::string_view name, std::string_vi
 /// Opens it and makes it the open file.
 Status OutputFile::open(const Wanted& wanted, int mode, std::string_view program) {
   const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, std::string_view(wanted.shown))); };
-  const Mode& rule = modes[mode - 1];
+  const FileMode& rule = modes[mode - 1];
   const AlarmId missing = wanted.by_number ? AlarmId::program_missing : AlarmId::file_missing;
   const Place place = look_up(options_.root, wanted.path);
   if (place.what == There::outside) return bad(AlarmId::file_outside);
@@ -367,6 +244,41 @@ Status OutputFile::close() {
   const int file = std::exchange(file_, -1);
   abort();
   if (file >= 0 && ::close(file) != 0 && errno != EINTR) return fail(alarm(AlarmId::file_write, {}, std::string_view(path)));
+  return {};
+}
+
+OutputFile::Memory OutputFile::memory() const {
+  const off_t size = file_ < 0 ? 0 : ::lseek(file_, 0, SEEK_CUR);
+  return {
+      static_cast<std::uint8_t>(state_), path_, program_, static_cast<std::uint64_t>(std::max<off_t>(size, 0)), written_, made_, files_};
+}
+
+Status OutputFile::remember(const Memory& memory) {
+  constexpr FileMode goes_on = {.creates = false, .takes_existing = true, .appends = true};
+  const bool reopens = !memory.path.empty() && options_.writing == OutputWriting::files;
+  int file = -1;
+  if (reopens) {
+    const auto bad = [&] { return fail(alarm(AlarmId::file_write, {}, std::string_view(memory.path))); };
+    const Place place = look_up(options_.root, memory.path);
+    if (place.what != There::file) return bad();
+    abort();  // the same file, perhaps
+    const Result<int> opened = open_regular(place, goes_on, memory.path, options_.untouched);
+    KADR_TRY(opened);
+    const auto size = static_cast<off_t>(memory.size);
+    Descriptor held(*opened);
+    if (::lseek(held.number(), 0, SEEK_END) < size || ::ftruncate(held.number(), size) != 0 ||
+        ::lseek(held.number(), size, SEEK_SET) != size)
+      return bad();
+    file = held.release();
+  }
+  abort();
+  file_ = file;
+  state_ = static_cast<State>(memory.state);
+  path_ = memory.path;
+  program_ = memory.program;
+  written_ = memory.written;
+  made_ = memory.made;
+  files_ = memory.files;
   return {};
 }
 

@@ -85,6 +85,21 @@ class OutputFile {
   /// M2, M30, or the end in any other way: the file stays as it is, without a closing `%`.
   void abort();
 
+  /// What a snapshot holds.
+  struct Memory {
+    std::uint8_t state = 0;
+    std::string path;            // of the open file, from the root; empty before the name came
+    std::string program;         // of POPEN
+    std::uint64_t size = 0;      // of the open file
+    std::uint64_t written = 0;   // in the run
+    std::set<std::string> made;  // dry: files that would exist
+    std::map<std::string, std::uint64_t> files;
+  };
+  Memory memory() const;
+  /// The file that was open then is gone on with: what was printed after it is cut off. All others stay as they are.
+  ///   alarms   file_write (path): it is not there any more, is shorter than it was, or may not be written
+  Status remember(const Memory& memory);
+
   bool is_open() const { return state_ != State::closed; }
   /// All that were written in the run: path from the root, bytes.
   const std::map<std::string, std::uint64_t>& files() const { return files_; }

@@ -73,8 +73,8 @@ ParameterStore::ParameterStore(std::span<const ParameterRow> rows, const Paramet
   assert(context_.channel >= 1 && context_.channel <= count_of(ParameterScope::channel));
   first_.reserve(rows_.size());
   for (const ParameterRow& row : rows_) {
-    first_.push_back(values_.size());
-    values_.resize(values_.size() + static_cast<std::size_t>(count_of(row.scope)), row.initial);
+    first_.push_back(now_.values.size());
+    now_.values.resize(now_.values.size() + static_cast<std::size_t>(count_of(row.scope)), row.initial);
   }
   for (const auto& [key, value] : given) give(key, value);
   std::vector<const Given*> in_order;
@@ -114,19 +114,19 @@ void ParameterStore::assign(const Given& given) {
     const std::size_t at = slot(static_cast<ParameterId>(given.place.row), index);
     const auto* const text = std::get_if<std::string>(&given.value);
     assign(at, given.place.bit, text == nullptr ? std::get<double>(given.value) : text->empty() ? 0 : text->front());
-    if (text != nullptr && text->size() > 1) texts_[at] = *text;
+    if (text != nullptr && text->size() > 1) now_.texts[at] = *text;
   }
 }
 
 void ParameterStore::assign(std::size_t at, int bit, double value) {
-  texts_.erase(at);
+  now_.texts.erase(at);
   if (bit == whole_value) {
-    values_[at] = value == 0 ? 0 : value;  // no -0
+    now_.values[at] = value == 0 ? 0 : value;  // no -0
     return;
   }
   const std::uint64_t one = std::uint64_t{1} << bit;
-  const std::uint64_t others = bits_of(values_[at]) & ~one;
-  values_[at] = static_cast<double>(value != 0 ? others | one : others);
+  const std::uint64_t others = bits_of(now_.values[at]) & ~one;
+  now_.values[at] = static_cast<double>(value != 0 ? others | one : others);
 }
 
 /// Of "X", "4" or "": 0 for none, which means all.
@@ -176,16 +176,16 @@ std::size_t ParameterStore::slot(ParameterId id, int index) const {
   return first_[static_cast<std::size_t>(id)] + static_cast<std::size_t>(nth - 1);
 }
 
-double ParameterStore::value(ParameterId id, int index) const { return id == ParameterId::none ? 0 : values_[slot(id, index)]; }
+double ParameterStore::value(ParameterId id, int index) const { return id == ParameterId::none ? 0 : now_.values[slot(id, index)]; }
 
 bool ParameterStore::bit(ParameterId id, int bit, int index) const {
-  return id != ParameterId::none && bit >= 0 && (bits_of(values_[slot(id, index)]) >> bit & 1u) != 0;
+  return id != ParameterId::none && bit >= 0 && (bits_of(now_.values[slot(id, index)]) >> bit & 1u) != 0;
 }
 
 std::string ParameterStore::text(ParameterId id, int index) const {
   if (id == ParameterId::none) return {};
-  const auto name = texts_.find(slot(id, index));
-  if (name != texts_.end()) return name->second;
+  const auto name = now_.texts.find(slot(id, index));
+  if (name != now_.texts.end()) return name->second;
   const double code = value(id, index);
   return code == 0 ? std::string() : std::string(1, static_cast<char>(code));
 }
@@ -254,34 +254,31 @@ Status ParameterStore::write(const Write& w) {
   if (!bit) return fail(bit.error());
   if (!w.r) return fail(missing(w, 'R'));
   const std::size_t at = slot(id, *index);
-  const double present = *bit == whole_value ? values_[at] : static_cast<double>(this->bit(id, *bit, *index));
+  const double present = *bit == whole_value ? now_.values[at] : static_cast<double>(this->bit(id, *bit, *index));
   const double value = w.r->value + (w.increment ? present : 0);
   if (!fits(of, *bit, value)) return fail(beyond('R', *w.r));
   const Place place = {static_cast<int>(id), *index, *bit};
-  const auto name = texts_.find(at);
-  undone_.push_back({at, values_[at], name == texts_.end() ? std::string() : name->second, std::nullopt});
-  if (written_.insert(place).second) undone_.back().place = place;
+  const auto name = now_.texts.find(at);
+  Undo old = {at, now_.values[at], name == now_.texts.end() ? std::string() : name->second, std::nullopt};
+  if (now_.written.insert(place).second) old.place = place;
+  journal_.on_undo([this, old = std::move(old)] { take_back(old); });
   assign(at, *bit, value);
-  ++version_;
+  ++now_.version;
   return {};
 }
 
-void ParameterStore::undo_block() {
-  if (undone_.empty()) return;
-  for (; !undone_.empty(); undone_.pop_back()) {
-    const Undo& last = undone_.back();
-    values_[last.slot] = last.value;
-    texts_.erase(last.slot);
-    if (!last.text.empty()) texts_[last.slot] = last.text;
-    if (last.place) written_.erase(*last.place);
-  }
-  ++version_;
+void ParameterStore::take_back(const Undo& write) {
+  now_.values[write.slot] = write.value;
+  now_.texts.erase(write.slot);
+  if (!write.text.empty()) now_.texts[write.slot] = write.text;
+  if (write.place) now_.written.erase(*write.place);
+  ++now_.version;
 }
 
 /// Whether a program wrote what the set-up gave for all channels, in the own one.
 bool ParameterStore::own_written(const Given& given) const {
   const Place& of = given.place;
-  return std::any_of(written_.begin(), written_.end(), [&](const Place& place) {
+  return std::any_of(now_.written.begin(), now_.written.end(), [&](const Place& place) {
     return place.row == of.row && place.index == context_.channel && (of.bit == whole_value || of.bit == place.bit);
   });
 }
@@ -320,7 +317,7 @@ Parameters ParameterStore::written() const {
       all[key] = given.value;
     }
   }
-  for (const Place& place : written_)
+  for (const Place& place : now_.written)
     if (!told.contains(place) && !told.contains({place.row, place.index, whole_value})) all[key_of(place)] = in_force(place, false);
   return all;
 }

@@ -14,6 +14,7 @@
 #include "base/result.h"
 #include "config/control_def.h"
 #include "config/setup.h"
+#include "control/journal.h"
 
 namespace kadr::nct {
 
@@ -75,17 +76,8 @@ class ParameterStore {
   Status write(const Write& w);
 
   /// Goes up with each change: what was derived from values is to be derived anew.
-  std::uint64_t version() const { return version_; }
+  std::uint64_t version() const { return now_.version; }
 
-  /// From here on undo_block() takes writes back.
-  void begin_block() { undone_.clear(); }
-  void undo_block();
-
-  /// What the set-up gave, under its keys, and what was written besides, by number: as a next set-up would give it.
-  ///   law  a store made of it reads the same
-  Parameters written() const;
-
- private:
   /// A value or a bit of it: index 0 means all channels, axes or spindles; bit -1 the whole.
   struct Place {
     int row = 0;
@@ -93,6 +85,23 @@ class ParameterStore {
     int bit = -1;
     friend auto operator<=>(const Place&, const Place&) = default;  // NOLINT(modernize-use-nullptr): none here
   };
+  /// The values in force and which of them were written: what a snapshot holds.
+  struct Memory {
+    std::vector<double> values;                // by slot
+    std::map<std::size_t, std::string> texts;  // by slot: names of more than one character
+    std::set<Place> written;
+    std::uint64_t version = 0;
+  };
+  const Memory& memory() const { return now_; }
+  void remember(const Memory& memory) { now_ = memory; }
+  /// The journal takes writes back. This object must not move from here on.
+  void keep_in(Journal& journal) { journal_.lead_to(journal); }
+
+  /// What the set-up gave, under its keys, and what was written besides, by number: as a next set-up would give it.
+  ///   law  a store made of it reads the same
+  Parameters written() const;
+
+ private:
   struct Given {
     Place place;
     ParameterValue value;
@@ -101,7 +110,7 @@ class ParameterStore {
     std::size_t slot = 0;
     double value = 0;
     std::string text;
-    std::optional<Place> place;  // that was new in written_
+    std::optional<Place> place;  // that was new in Memory::written
   };
 
   /// An axis of any channel has that number.
@@ -110,6 +119,7 @@ class ParameterStore {
     return n >= 1 && n <= context_.axes.size() && !context_.axes[n - 1].empty();
   }
   const ParameterRow& row(ParameterId id) const { return rows_[static_cast<std::size_t>(id)]; }
+  void take_back(const Undo& write);
   std::size_t slot(ParameterId id, int index) const;
   void give(const ParameterKey& key, const ParameterValue& value);
   std::optional<int> index_of(const ParameterRow& of, const std::string& index) const;
@@ -122,13 +132,10 @@ class ParameterStore {
 
   std::span<const ParameterRow> rows_;
   Context context_;
-  std::vector<std::size_t> first_;            // slot of a row's first index
-  std::vector<double> values_;                // by slot
-  std::map<std::size_t, std::string> texts_;  // by slot: names of more than one character
+  std::vector<std::size_t> first_;  // slot of a row's first index
   std::map<ParameterKey, Given> given_;
-  std::set<Place> written_;
-  std::vector<Undo> undone_;
-  std::uint64_t version_ = 0;
+  Memory now_;
+  JournalLink journal_;
   std::string error_;
 };
 

@@ -30,12 +30,12 @@ Status set_zero(Interpreter& m, const Call& call, std::uint32_t index, bool comm
     if (!(std::fabs(zero[row.axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, zero[row.axis]));
   }
   for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (zero[a] != table[a]) nct_of(m).keep_cell(table[a]), table[a] = zero[a];
+    if (zero[a] != table[a]) m.journal.keep(table[a]), table[a] = zero[a];
   if (!common) {
     Vec3& angles = m.tables.rotations[index];
     double* const parts[] = {&angles.x, &angles.y, &angles.z};
     for (std::size_t i = 0; i < 3; ++i)
-      if (m.has(rotation_letters[i])) nct_of(m).keep_cell(*parts[i]), *parts[i] = m.value(rotation_letters[i]) + (adds ? *parts[i] : 0.0);
+      if (m.has(rotation_letters[i])) m.journal.keep(*parts[i]), *parts[i] = m.value(rotation_letters[i]) + (adds ? *parts[i] : 0.0);
   }
   (void)call;
   nct_of(m).tables_changed = true;
@@ -63,7 +63,7 @@ Status set_offset(Interpreter& m, const Call& call, std::uint32_t l) {
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   const auto number = m.whole('P', 1, most_offsets(m));
   if (!number) return fail(number.error());
-  m.keep_offset(*number);
+  m.journal.keep(m.tables.offsets[*number]);
   double* const to = offset_register(m.tables.offsets[*number], l);
   const Word& r = *m.word('R');
   const bool adds = !m.modal.absolute || r.incremental;
@@ -79,7 +79,7 @@ Status set_turning_offset(Interpreter& m, const Call& call, bool wear) {
   if (!number) return fail(number.error());
   const auto q = m.has('Q') ? m.whole('Q', 0, 9) : Result<std::uint32_t>(0);
   if (!q) return fail(q.error());
-  m.keep_offset(*number);
+  m.journal.keep(m.tables.offsets[*number]);
   ToolOffset& offset = m.tables.offsets[*number];
   const std::pair<char, double*> registers[] = {{'X', wear ? &offset.length_x_wear : &offset.length_x},
                                                 {'Y', wear ? &offset.length_y_wear : &offset.length_y},
@@ -100,7 +100,7 @@ Status set_turning_offset(Interpreter& m, const Call& call, bool wear) {
 Status open_data(Interpreter& m, const Call& call, std::uint32_t l) {
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   if (l == 52) {
-    nct_of(m).data_mode = DataMode::parameters;
+    nct_of(m).state.data_mode = DataMode::parameters;
     return {};
   }
   return nct_of(m).open_tool_data(m, l, m.has('P') ? m.value('P') : 0, call.where);
@@ -136,7 +136,7 @@ Status data_line(Interpreter& m) {
     nct_of(m).close_data();
     return {};
   }
-  if (nct_of(m).data_mode == DataMode::parameters) return nct_of(m).parameter_line(m);
+  if (nct_of(m).state.data_mode == DataMode::parameters) return nct_of(m).parameter_line(m);
   return nct_of(m).tool_line(m);
 }
 

@@ -65,7 +65,7 @@ Vec2 flat_point(const Interpreter& m, const Axes& point) {
 /// The motion's end in real axes: transformed in the programmed plane, then rolled up (4.5, INFERRED).
 Axes surface_work(const Interpreter& m, const Axes& programmed) {
   const Axes point = transformed(m, programmed);
-  return m.modal.surface == PathSurface::polar ? polar_work(m, point, nct_of(m).surface_angle) : point;
+  return m.modal.surface == PathSurface::polar ? polar_work(m, point, nct_of(m).state.surface_angle) : point;
 }
 
 Axes polar_work(const Interpreter& m, const Axes& point, double near) {
@@ -106,7 +106,7 @@ void finish_surface(Interpreter& m, Motion& motion, const Axes& from) {
   if (m.modal.surface == PathSurface::polar) detail_of(m, motion).programmed = m.position.programmed;
   motion.first = static_cast<std::uint8_t>(m.modal.axes.first);
   motion.second = static_cast<std::uint8_t>(m.modal.axes.second);
-  if (m.modal.surface == PathSurface::polar) nct_of(m).surface_angle = m.position.work[m.modal.axes.second];
+  if (m.modal.surface == PathSurface::polar) nct_of(m).state.surface_angle = m.position.work[m.modal.axes.second];
 }
 
 Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
@@ -156,7 +156,7 @@ Status polar_surface_on(Interpreter& m, const Call& call) {
     return fail(alarm(AlarmId::surface_start, call.where, std::string_view(m.axis_names[plane.second]), rotary));
   m.modal.surface = PathSurface::polar;
   m.modal.surface_side = linear > 0 ? 1 : -1;
-  nct_of(m).surface_angle = rotary;
+  nct_of(m).state.surface_angle = rotary;
   Axes at = m.position.work;  // in the virtual plane
   at[plane.second] = nct_of(m).settings.axes[plane.second].polar_offset;
   m.position.programmed = m.transform.to_programmed(at);

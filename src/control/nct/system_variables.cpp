@@ -138,7 +138,7 @@ double read_plain(const Interpreter& m, const Found& f) {
     case VariableKind::cutting_clock: return n.cutting_ms;
     case VariableKind::date: return date_number(n.clock);
     case VariableKind::time: return time_number(n.clock, n.now_ms);
-    case VariableKind::parts_done: return n.parts_done;
+    case VariableKind::parts_done: return n.state.parts_done;
     case VariableKind::parts_required: return n.parts_required;
     case VariableKind::single_block_lock: return row.bit < 0 ? n.control_1 : n.control_1 >> row.bit & 1u;
     case VariableKind::override_lock: return row.bit < 0 ? n.control_2 : n.control_2 >> row.bit & 1u;
@@ -194,7 +194,7 @@ Status write_plain(Interpreter& m, const Found& f, double value, Span where) {
       return {};
     case VariableKind::clock: n.clock_offset_ms = n.now_ms - value; return {};
     case VariableKind::cutting_clock: n.cutting_ms = value; return {};
-    case VariableKind::parts_done: n.parts_done = value; return {};
+    case VariableKind::parts_done: n.state.parts_done = value; return {};
     case VariableKind::parts_required: n.parts_required = value; return {};
     case VariableKind::single_block_lock: return write_control(n.control_1, *f.row, value, 255, where);
     case VariableKind::override_lock: return write_control(n.control_2, *f.row, value, 7, where);

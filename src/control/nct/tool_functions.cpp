@@ -75,7 +75,7 @@ Status Nct::open_tool_data(Interpreter& m, std::uint32_t l, double p, Span where
   const auto kind = data_kind(l, p);
   if (!kind) return fail(alarm(AlarmId::value_out_of_range, m.has('P') ? m.where('P') : where, 'P', p));
   data_input.begin(*kind);
-  data_mode = DataMode::tools;
+  state.data_mode = DataMode::tools;
   return {};
 }
 
@@ -110,7 +110,6 @@ Status Nct::parameter_line(Interpreter& m) {
     else return fail(alarm(AlarmId::data_block, w.where, m.block->text_of(w.where)));
   }
   if (m.block->word_count == 0 && !m.block->has_number) return {};
-  parameters.begin_block();
   KADR_TRY(parameters.write(write));
   refresh_settings(m);
   return {};

@@ -15,6 +15,7 @@
 
 #include "base/result.h"
 #include "config/setup.h"
+#include "control/journal.h"
 
 namespace kadr::nct {
 
@@ -42,32 +43,41 @@ class JournaledTable {
     keep(key);
     rows_.erase(key);
   }
-  void begin_block() { old_.clear(); }
-  void undo_block() {
-    for (const auto& [key, row] : old_) {
-      changed_.insert(key);  // a reader may have seen it in between
-      if (row) rows_[key] = *row;
-      else rows_.erase(key);
-    }
-    old_.clear();
-  }
   std::vector<Key> take_changed() {
     std::vector<Key> keys(changed_.begin(), changed_.end());
     changed_.clear();
     return keys;
   }
 
+  /// What a block writes is kept there; before, nothing is taken back.
+  void keep_in(Journal& journal) { journal_.lead_to(journal); }
+
  private:
   void keep(const Key& key) {
     changed_.insert(key);
+    if (!journal_) return;
+    if (journal_.is_first()) {
+      old_.clear();
+      journal_.on_undo([this] { undo(); });
+    }
     if (std::any_of(old_.begin(), old_.end(), [&](const auto& kept) { return kept.first == key; })) return;
     const Row* row = find(key);
     old_.emplace_back(key, row != nullptr ? std::optional<Row>(*row) : std::nullopt);
+  }
+  void undo() {
+    for (const auto& [key, row] : old_) {
+      changed_.insert(key);  // a reader may have seen it in between
+      if (row) rows_[key] = *row;
+      else rows_.erase(key);
+    }
+    old_.clear();
+    journal_.start_anew();
   }
 
   std::map<Key, Row> rows_;
   std::vector<std::pair<Key, std::optional<Row>>> old_;  // of this block, the first value of each
   std::set<Key> changed_;
+  JournalLink journal_;
 };
 
 struct ToolLimits {
@@ -170,12 +180,11 @@ class ToolManagement {
   /// The pocket of a magazine that has only one: as listed, else 1.
   Pocket only_pocket(int magazine) const;
 
-  /// undo_block() brings back the tables and prepared tools as begin_block() found them.
-  void begin_block() { rows_.begin_block(), places_.begin_block(), forms_.begin_block(), spindles_.begin_block(); }
-  void undo_block() { rows_.undo_block(), places_.undo_block(), forms_.undo_block(), spindles_.undo_block(); }
+  /// The journal brings back tables and prepared tools. This object must not move from here on.
+  void keep_in(Journal& journal) { rows_.keep_in(journal), places_.keep_in(journal), forms_.keep_in(journal), spindles_.keep_in(journal); }
 
   /// Keys that were written to since the last call, for the state file; a row that is gone was deleted.
-  ///   law  any row that differs from the one at the last call is named; also others, after undo_block()
+  ///   law  any row that differs from the one at the last call is named; also others, after Journal::undo()
   std::vector<int> take_changed_rows() { return rows_.take_changed(); }
   std::vector<Pocket> take_changed_places() { return places_.take_changed(); }
   std::vector<int> take_changed_forms() { return forms_.take_changed(); }

@@ -196,7 +196,7 @@ class FinishingRun final : public Running {
     frame.name = name_;
     frame.left = 1;
     frame.caller = m.origin;
-    frame.modal_calls = nct_of(m).active_modal_calls;
+    frame.modal_calls = nct_of(m).state.active_modal_calls;
     KADR_TRY(m.flow.call_at(m.flow.reader(), first_, frame, m.block->where));
     nct_of(m).finishing.push_back({m.flow.depth(), behind_.offset, plane_point(m), m.origin});
     return false;

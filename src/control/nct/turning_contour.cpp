@@ -23,8 +23,7 @@ class DryRun {
         batch_(m.batch),
         axes_taken_(m.block_axes_taken),
         state_(nct_of(m).state),
-        moved_(nct_of(m).moved),
-        in_thread_(nct_of(m).in_thread) {
+        moved_(nct_of(m).moved) {
     m.batch = &actions;
     m.block_axes_taken = false;
     m.modal.feed_known = true;  // F of the contour is for finishing
@@ -38,7 +37,6 @@ class DryRun {
     m_.block_axes_taken = axes_taken_;
     nct_of(m_).state = state_;
     nct_of(m_).moved = moved_;
-    nct_of(m_).in_thread = in_thread_;
   }
   DryRun(const DryRun&) = delete;
   DryRun& operator=(const DryRun&) = delete;
@@ -53,7 +51,7 @@ class DryRun {
   ActionBatch* batch_;
   bool axes_taken_;
   Volatile state_;
-  bool moved_, in_thread_;
+  bool moved_;
 };
 
 class Reader {

@@ -23,8 +23,8 @@ Status cut_thread(Interpreter& m, Vec2 to, double lead, double angle) {
   motion.feed = lead;
   MotionDetail& detail = detail_of(m, motion);
   detail.lead = lead;
-  if (!nct_of(m).in_thread) detail.start_angle = angle;
-  nct_of(m).in_thread = true;
+  if (!nct_of(m).state.in_thread) detail.start_angle = angle;
+  nct_of(m).state.in_thread = true;
   return {};
 }
 
@@ -81,7 +81,7 @@ class ThreadRun final : public Running {
 }  // namespace
 
 Status thread_pass(Interpreter& m, const ThreadPass& pass) {
-  nct_of(m).in_thread = false;
+  nct_of(m).state.in_thread = false;
   KADR_TRY(go(m, MotionKind::rapid, pass.from));
   const Vec2 way = pass.to - pass.from;
   double out = std::min(pass.chamfer, std::fabs(way.x));

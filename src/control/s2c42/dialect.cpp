@@ -104,7 +104,17 @@ class S2c42 final : public Dialect {
     m.warn(warning(AlarmId::subprogram_shadowed, where, double(number)));
   }
 
+  std::shared_ptr<const DialectState> snapshot() const override { return std::make_shared<Memory>(seen_); }
+  Status restore(Interpreter&, const DialectState& from) override {
+    seen_ = static_cast<const Memory&>(from).seen;
+    return {};
+  }
+
  private:
+  struct Memory : DialectState {
+    explicit Memory(const Seen& all) : seen(all) {}
+    Seen seen;
+  };
   Seen seen_;
   // of the block, before it is carried out
   bool in_body_ = false;  // of a cycle

@@ -273,22 +273,24 @@ TEST(g10_l52, without_a_channel_writes_the_own_one) {
 
 TEST(undo, takes_back_the_block_only) {
   ParameterStore p = store({{{"1801", "1", ""}, std::string("S2")}});
-  p.begin_block();
+  Journal journal;
+  p.keep_in(journal);
+  journal.begin();
   ASSERT_TRUE(p.write(block(1339, no, no, 0.5)));
   const Parameters before = p.written();
-  p.begin_block();
+  journal.begin();
   ASSERT_TRUE(p.write(block(1339, no, no, 0.25)));
   ASSERT_TRUE(p.write(block(107, 4, 0, 1)));
   ASSERT_TRUE(p.write(block(1801, 1, no, 'C')));
   EXPECT_EQ(p.text(p.find(1801)), "C");
   const auto version = p.version();
-  p.undo_block();
+  journal.undo();
   EXPECT_GT(p.version(), version);
   EXPECT_EQ(p.value(p.find(1339)), 0.5);
   EXPECT_EQ(p.text(p.find(1801)), "S2");
   EXPECT_EQ(p.written(), before);
   const auto after = p.version();
-  p.undo_block();
+  journal.undo();
   EXPECT_EQ(p.version(), after);  // nothing left to take back
 }
 
@@ -360,9 +362,11 @@ RC_GTEST_PROP(parameter_properties, a_block_taken_back_leaves_no_trace, ()) {
   ParameterStore p = store(any_set_up());
   for (int n = *rc::gen::inRange(0, 6); n > 0; --n) (void)p.write(any_block());
   const ParameterStore before = p;
-  p.begin_block();
+  Journal journal;
+  p.keep_in(journal);
+  journal.begin();
   for (int n = *rc::gen::inRange(0, 12); n > 0; --n) (void)p.write(any_block());
-  p.undo_block();
+  journal.undo();
   RC_ASSERT(reads_the_same(p, before));
   RC_ASSERT(p.written() == before.written());
 }

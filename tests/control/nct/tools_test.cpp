@@ -203,9 +203,11 @@ RC_GTEST_PROP(change, loses_and_doubles_no_tool_while_a_pocket_is_free, ()) {
     setup.tool_table[data] = tool(static_cast<std::uint32_t>(100 + data % 3), sencv, 2, choose.between(0, 5), 10);
   for (int data = 1; data <= 4; ++data) setup.place_table[{1, data}] = data;
   setup.place_table[{1, 5}] = 0, setup.place_table[{10, 1}] = 5, setup.place_table[{11, 1}] = 0;
+  Journal journal;
   ToolManagement tools(setup);
+  tools.keep_in(journal);
   for (int step = 0; step < 12; ++step) {
-    tools.begin_block();
+    journal.begin();
     const PlaceTable before = tools.places();
     const auto called = choose.one_in(3) ? tools.call(static_cast<std::uint32_t>(10000 + choose.between(1, 5)), CallBy::place)
                                          : tools.call(static_cast<std::uint32_t>(100 + choose.between(-1, 2)), CallBy::type);
@@ -215,7 +217,7 @@ RC_GTEST_PROP(change, loses_and_doubles_no_tool_while_a_pocket_is_free, ()) {
     for (const auto& [pocket, data] : tools.places()) times[data]++;
     for (int data = 1; data <= 5; ++data) RC_ASSERT(times[data] == 1);
     if (choose.one_in(4)) {
-      tools.undo_block();
+      journal.undo();
       RC_ASSERT(tools.places() == before);
     }
   }
@@ -318,12 +320,14 @@ TEST(form_of, needs_the_bit_L) {
 
 RC_GTEST_PROP(undo, brings_every_table_back_and_names_what_differs, ()) {
   Choices choose = choices(200);
+  Journal journal;
   ToolManagement tools(drills());
+  tools.keep_in(journal);
   auto known = tools.rows();
   for (int i = 0; i < 10; ++i) {
     const auto rows = tools.rows();
     const auto places = tools.places();
-    tools.begin_block();
+    journal.begin();
     for (int j = choose.between(0, 5); j > 0; --j) {
       const int data = choose.between(1, 9);
       if (choose.one_in(3)) tools.clear_row(data);
@@ -331,7 +335,7 @@ RC_GTEST_PROP(undo, brings_every_table_back_and_names_what_differs, ()) {
       tools.set_place({1, data}, choose.between(0, 9));
     }
     if (choose.one_in(2)) {
-      tools.undo_block();
+      journal.undo();
       RC_ASSERT(tools.places() == places);
       RC_ASSERT(tools.rows().size() == rows.size());
       for (const auto& [data, row] : rows) RC_ASSERT(tools.row(data) != nullptr && tools.row(data)->counter == row.counter);

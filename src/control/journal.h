@@ -1,0 +1,94 @@
+#pragma once
+// What a block has written into tables and variables, as it was before: an alarm in the same block brings it back (design.md 4). The state
+// itself (ControlState) is a value and is brought back as one; whoever writes anything else keeps it here first.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kadr {
+
+class Journal {
+ public:
+  /// A block begins: what was kept counts no more.
+  void begin() {
+    ++block_;
+    used_ = 0;
+    if (!undos_.empty()) [[unlikely]]
+      undos_.clear();
+  }
+  /// `cell` is about to be written. It must not move before the block is over.
+  template <class T>
+  void keep(T& cell) {
+    static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(Change));
+    std::memcpy(room_for(sizeof cell), &cell, sizeof cell);
+    note({&cell, sizeof cell});
+  }
+  /// For what no cell can hold: rows that come and go. What `undo` touches must not move before the block is over.
+  void on_undo(std::function<void()> undo) {
+    (void)room_for(0);
+    note({nullptr, undos_.size()});
+    undos_.push_back(std::move(undo));
+  }
+  /// All as begin() found it, the last change first.
+  void undo();
+  /// Goes up with each block.
+  std::uint64_t block() const { return block_; }
+
+ private:
+  /// Stands behind the bytes that the cell held, so that the last change is found first.
+  struct Change {
+    void* cell;        // nullptr: undos_[size]
+    std::size_t size;  // bytes
+  };
+  static constexpr std::size_t step = alignof(Change);
+  static constexpr std::size_t rounded(std::size_t size) { return (size + step - 1) / step * step; }
+  std::byte* room_for(std::size_t size) {
+    const std::size_t needed = used_ + rounded(size) + sizeof(Change);
+    if (needed > bytes_.size()) [[unlikely]]
+      bytes_.resize(2 * needed);
+    std::byte* const at = bytes_.data() + used_;
+    used_ += rounded(size);
+    return at;
+  }
+  void note(Change change) {
+    std::memcpy(bytes_.data() + used_, &change, sizeof change);
+    used_ += sizeof change;
+  }
+
+  std::vector<std::byte> bytes_ = std::vector<std::byte>(1024);
+  std::size_t used_ = 0;
+  std::vector<std::function<void()>> undos_;
+  std::uint64_t block_ = 0;
+};
+
+/// A table's way to its journal. It belongs to the place, not to the value: a table that another is copied into keeps its own.
+class JournalLink {
+ public:
+  JournalLink() = default;
+  explicit JournalLink(Journal& journal) : journal_(&journal) {}
+  JournalLink(const JournalLink&) {}
+  JournalLink& operator=(const JournalLink&) { return *this; }  // NOLINT(bugprone-unhandled-self-assignment): nothing is assigned
+  ~JournalLink() = default;
+  void lead_to(Journal& journal) { journal_ = &journal; }
+
+  template <class Undo>
+  void on_undo(Undo&& undo) const {
+    if (journal_ != nullptr) journal_->on_undo(std::forward<Undo>(undo));
+  }
+  /// The first time in this block? Without a journal nothing is ever taken back.
+  bool is_first() { return journal_ != nullptr && std::exchange(seen_, journal_->block()) != journal_->block(); }
+  /// As if nothing had been kept in this block.
+  void start_anew() { seen_ = 0; }
+  explicit operator bool() const { return journal_ != nullptr; }
+
+ private:
+  Journal* journal_ = nullptr;
+  std::uint64_t seen_ = 0;  // block
+};
+
+}  // namespace kadr

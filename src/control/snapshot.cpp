@@ -1,0 +1,95 @@
+// Control::snapshot() and restore(): for stepping back and for going on in mid program; tests/control/snapshot_test.cpp.
+
+#include "control/snapshot.h"
+
+#include "control/interpreter.h"
+#include "control/snapshot_content.h"
+
+namespace kadr {
+namespace {
+
+/// The value, shared with the last snapshot where it is still the same.
+template <class Value>
+std::shared_ptr<const Value> shared_with(std::shared_ptr<const Value>& last, const Value& now) {
+  if (!last || !(*last == now)) last = std::make_shared<const Value>(now);
+  return last;
+}
+
+}  // namespace
+
+Flow::Memory Flow::memory() const {
+  Memory now{now_, position(), {}, {}};
+  now.files.resize(files_.size());
+  for (std::size_t i = 0; i < files_.size(); ++i)
+    if (files_[i]) now.files[i].memory = files_[i]->memory();
+  for (const auto& [path, reader] : opened_) now.files[reader].name = path;
+  for (const auto& [name, reader] : built_in_) now.files[reader].name = name, now.files[reader].built_in = true;
+  for (const auto& [number, label] : labels_)
+    if (label.called) now.called.push_back(number);
+  return now;
+}
+
+Status Flow::remember(const Memory& memory) {
+  constexpr std::size_t own_files = 2;  // the program, the cycle bodies
+  std::vector<std::uint16_t> readers;
+  for (std::size_t i = own_files; i < memory.files.size(); ++i) {
+    const File& file = memory.files[i];
+    const auto reader = file.built_in ? open_built_in(file.name) : open_program(file.name);
+    if (!reader) return fail(alarm(AlarmId::file_missing, {}, std::string_view(file.name)));
+    readers.push_back(*reader);
+  }
+  // Each file gets the place it had: calls and origins name it by that. Files opened since are closed.
+  std::vector<std::unique_ptr<ProgramFile>> files(memory.files.size());
+  files[0] = std::move(files_[0]);
+  for (std::size_t i = 0; i < readers.size(); ++i) files[own_files + i] = std::move(files_[readers[i]]);
+  files_ = std::move(files);
+  opened_.clear();
+  built_in_.clear();
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    if (!files_[i]) continue;
+    files_[i]->remember(memory.files[i].memory);
+    if (i >= own_files) (memory.files[i].built_in ? built_in_ : opened_)[memory.files[i].name] = static_cast<std::uint16_t>(i);
+  }
+  if (!memory.called.empty() && !indexed_) make_index();
+  for (auto& [number, label] : labels_) label.called = false;
+  for (const std::uint32_t number : memory.called)
+    if (const auto label = labels_.find(number); label != labels_.end()) label->second.called = true;
+  now_ = memory.now;
+  go_to(now_.reader, memory.position);
+  return {};
+}
+
+std::optional<Snapshot> Interpreter::snapshot(double cutting_seen_ms) const {
+  if (cycling() || waiting_count_ != 0 || block_open || again_ || needs_probe || waiting.meeting) return std::nullopt;
+  auto content = std::make_shared<Snapshot::Content>();
+  content->state = *this;
+  content->run = *this;
+  content->flow = flow.memory();
+  content->tables = shared_with(last_tables_, tables);
+  content->variables = shared_with(last_variables_, variables.all());
+  content->cutting_seen_ms = cutting_seen_ms;
+  if (dialect) content->dialect = dialect->snapshot();
+  return Snapshot(std::move(content));
+}
+
+Status Interpreter::restore(const Snapshot& from) {
+  const Snapshot::Content& then = from.content();
+  KADR_TRY(flow.remember(then.flow));
+  stop_cycles();
+  waiting_count_ = 0;
+  block_open = again_ = stopped_ = needs_probe = state_kept_ = false;
+  flow_before_.reset();
+  journal.begin();
+  first_block = Block();
+  block = &first_block;  // the one before stands in a file that may be gone
+  static_cast<ControlState&>(*this) = then.state;
+  static_cast<RunMemory&>(*this) = then.run;
+  each_block = each_block || reads_clock;
+  if (std::exchange(block_states_, nullptr)) watch_states();  // block numbers have gone back
+  tables = *then.tables;
+  variables.put(*then.variables);
+  variables.inch = modal.inch;
+  return dialect ? dialect->restore(*this, *then.dialect) : Status();
+}
+
+}  // namespace kadr
