@@ -123,8 +123,8 @@ struct MotionDetail {
   std::optional<ContourData> contour;
 };
 
-/// A motion along a line, an arc, a spiral or a helix, of the tool point.
-struct Motion {
+/// What of a motion its block's modes and words say, but for where it goes.
+struct MotionModes {
   MotionKind kind = MotionKind::rapid;
   std::uint8_t first = 0;   // axes of an arc's plane, by index: counter-clockwise turns the first towards the second
   std::uint8_t second = 1;  //
@@ -149,9 +149,13 @@ struct Motion {
   bool inch = false;                             // its block was read in inches
   double tool_radius = 0;                        // mm, at its end
   double join = 0;                               // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
-  std::shared_ptr<const MotionDetail> detail;    // mostly nullptr
-  Axes to{};                                     // work coordinates at its end
-  Axes machine{};                                // machine coordinates at its end
+};
+
+/// A motion along a line, an arc, a spiral or a helix, of the tool point.
+struct Motion : MotionModes {
+  std::shared_ptr<const MotionDetail> detail;  // mostly nullptr
+  Axes to{};                                   // work coordinates at its end
+  Axes machine{};                              // machine coordinates at its end
 };
 
 struct Dwell {

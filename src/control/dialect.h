@@ -153,6 +153,13 @@ class Dialect {
   virtual Status arc(Interpreter& m, const Call& call, Turn turn);
   /// A straight motion where the plane is a surface (PathSurface).
   virtual Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named);
+  /// Lines that give only the end point of a straight motion, by axis words, go on as the block before did: neither words, modes nor
+  /// anything else that is known here has to be looked at again (control/straight_run).
+  virtual bool lines_follow(const Interpreter&) const { return false; }
+  /// Axes for which this does not hold.
+  virtual AxisMask rolling_axes(const Interpreter&) const { return 0; }
+  /// Such a line has been carried out.
+  virtual void note_line(Interpreter&) {}
   /// These axes may be moved.
   virtual Status may_move(const Interpreter& m, AxisMask named) const;
   virtual void note_motion(Interpreter& m, Motion& motion);

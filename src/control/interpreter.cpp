@@ -30,6 +30,7 @@ Interpreter::~Interpreter() = default;
 Control::State Interpreter::run(ActionBatch& to) {
   to.clear();
   batch = &to;
+  straight_run_.end();  // between two calls anything may have been changed
   if (needs_frames) {
     needs_frames = false;
     emit(frame_change());
@@ -67,6 +68,11 @@ Control::State Interpreter::run(ActionBatch& to) {
     }
     if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
     else origin.number = static_cast<std::uint32_t>(flow.blocks());
+    if (straight_run_.is_on()) {
+      if (got && straight_run_.take(*this)) [[likely]]
+        continue;
+      straight_run_.end();
+    }
     if (got && dialect && !reads_clock && !block->no_clock && !block->code.empty()) {
       if (dialect->reads_clock(*block)) {
         reads_clock = each_block = again_ = true;
@@ -81,6 +87,7 @@ Control::State Interpreter::run(ActionBatch& to) {
     }
     if (got) {
       take_block();
+      if (block->shape && !stopped_) straight_run_.begin(*this);
       if (block_states_) [[unlikely]]
         block_states_->note(origin.number, *this);
     } else {

@@ -22,6 +22,7 @@
 #include "control/shapes.h"
 #include "control/snapshot.h"
 #include "control/state.h"
+#include "control/straight_run.h"
 #include "control/usage.h"
 #include "control/variables.h"
 #include "control/waiting.h"
@@ -259,6 +260,7 @@ class Interpreter : public ControlState, public RunMemory {
   std::vector<KeptPlan> plans_;
   Plan* plan_now_ = &plan_;
   Shapes shapes_;
+  StraightRun straight_run_;
   ShapeFacts* shape_ = nullptr;                              // of the block in hand
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;

@@ -42,6 +42,7 @@ class Correctors final : public Dialect, public Memory {
 
   /// An L stands in the block.
   bool adds_to_motion(const Interpreter& m) const override;
+  bool lines_follow(const Interpreter&) const override { return true; }
   /// Adds the block's correctors to its motion: sets Transform::added.
   ///   returns  the axes it moves besides those of the words
   ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code beyond 7; corrector_unknown

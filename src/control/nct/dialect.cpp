@@ -114,6 +114,25 @@ bool Nct::only_shifts(const Interpreter& m) const { return only_shifts_length(m)
 
 Status Nct::arc(Interpreter& m, const Call& call, Turn turn) { return nct::arc(m, call, turn); }
 
+bool Nct::lines_follow(const Interpreter& m) const {
+  const bool plain_words = !m.modal.polar_data && !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none;
+  const bool plain_motion = state.side_step == SideStep::none && !state.compensates && m.modal.smoothing < 2 && !drilling_on(m) &&
+                            couplings.axes == 0 && spindle_axes.empty() && finishing.empty();
+  return plain_words && plain_motion && state.active_modal_calls == 0 && !single_block && !watches_blocks() && !interrupted.active;
+}
+
+/// They have a way of their own (5.6).
+AxisMask Nct::rolling_axes(const Interpreter& m) const {
+  AxisMask rolling = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (settings.axes[a].rolls && (m.def.rotary >> a & 1u) != 0) rolling |= AxisMask{1} << a;
+  return rolling;
+}
+
+void Nct::note_line(Interpreter& m) {
+  if (m.block->has_number) state.words.n = m.block->number;  // 23.1.14
+}
+
 Status Nct::surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) {
   return nct::surface_line(m, kind, programmed, named);
 }

@@ -114,6 +114,9 @@ class Nct : public Dialect, public MachineSide, public Memory {
   bool only_shifts(const Interpreter& m) const override;
   Status arc(Interpreter& m, const Call& call, Turn turn) override;
   Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) override;
+  bool lines_follow(const Interpreter& m) const override;
+  AxisMask rolling_axes(const Interpreter& m) const override;
+  void note_line(Interpreter& m) override;
   Status may_move(const Interpreter& m, AxisMask named) const override;
   void note_motion(Interpreter& m, Motion& motion) override;
   double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) const override;

@@ -1,0 +1,118 @@
+// control/straight_run: lines that go on a run of straight motions do what they do the general way. Handed over block by block, nothing
+// goes on a run: that is the twin.
+
+#include <random>
+
+#include "control/run_program.h"
+
+namespace kadr {
+namespace {
+
+struct Given {
+  std::vector<std::string> actions;
+  std::string alarms, ending;
+  friend bool operator==(const Given&, const Given&) = default;
+};
+
+Given run_as(const std::string& id, const std::string& program, const Setup& setup, bool each_block) {
+  Control control(test::control(id), setup, Program{"p", text_source(program), {}}, RunLimits{});
+  Given given;
+  control.on_warning = [&](const AlarmReport& w) {
+    given.alarms += std::string(name_of(w.alarm.id)) + std::to_string(w.origin.line) + "\n";
+  };
+  if (each_block) control.hand_over_each_block();
+  ActionBatch batch;
+  for (int alarms = 0; alarms < 50;) {
+    const Control::State state = control.run(batch);
+    for (const Action& action : batch) {
+      std::string line = test::exactly(action) + " " + std::to_string(action.origin.line) + " " + std::to_string(action.origin.number);
+      if (const auto* const m = std::get_if<Motion>(&action.what))
+        line += " " + std::to_string(m->join) + std::to_string(m->smoothing) + std::to_string(int(m->corner_speed)) +
+                std::to_string(m->in_position) + std::to_string(m->own_override) + std::to_string(m->inch) + std::to_string(m->system) +
+                std::to_string(int(m->along)) + std::to_string(m->detail != nullptr);
+      given.actions.push_back(std::move(line));
+    }
+    if (state == Control::State::ended) break;
+    if (state == Control::State::needs_probe) control.answer({true, std::get<Motion>(batch.back().what).to});
+    if (state != Control::State::stopped) continue;
+    ++alarms;
+    given.alarms += std::string(name_of(control.report().alarm.id)) + std::to_string(control.report().origin.line) + "\n";
+    control.go_on();
+  }
+  given.ending = test::exactly(control.ending());
+  return given;
+}
+
+/// Mostly lines of one or two shapes; now and then one that changes what they mean.
+std::string program_of(const std::string& id, std::mt19937& choose) {
+  const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(choose); };
+  static const std::map<std::string, std::vector<std::string>> others = {
+      {"mach3", {"G90",        "G91",       "G0",     "G1 F300",
+                 "F200",       "G20",       "G21",    "G41 P1",
+                 "G40",        "G52 X5",    "G92 X1", "G68 A0 B0 R30",
+                 "G69",        "G51 X2",    "G50",    "G16",
+                 "G15",        "G54",       "G55",    "G81 X1 Z-1 R1 F9",
+                 "G80",        "G61",       "G64",    "M3 S5",
+                 "G93",        "G94",       "G43 H1", "G49",
+                 "G4 P1",      "X[#1]",     "#1=5",   "M48",
+                 "G31 X3 F10", "X99999999", "Z1E9",   "G53 G0 X1",
+                 "G28 X1",     "A50",       "X1 X2",  "",
+                 "(c)",        "/X7"}},
+      {"nct", {"G90",     "G91",           "G0",      "G1 F300",    "F200",      "G20",    "G21",    "G41 D1", "G40",    "G52 X5",
+               "G92 X1",  "G68 X0 Y0 R30", "G69",     "G51.1 X2",   "G50.1",     "G16",    "G15",    "G54",    "G55",    "G81 X1 Z-1 R1 F9",
+               "G80",     "G61",           "G64",     "M3 S5",      "G95",       "G94",    "G43 H1", "G49",    "G4 P1",  "X[#1]",
+               "#1=5",    "#3004=7",       "#3004=0", "G31 X3 F10", "X99999999", "G53 X1", "G28 X1", "U5",     "X1 U2",  "IX5",
+               "G5.1 Q2", "G5.1 Q0",       "G12.1",   "G13.1",      "/X7",       "X5,C1",  "N0 X3",  "C370",   "C20 X4", "G66 P9100",
+               "G67",     "G9 X4",         "G63",     "G1 X3 C4"}},
+      {"gost", {"G90", "G91",    "G0",  "G1 F300", "F200",  "G41 D1", "G40",   "G92 X1", "G81 X1 Z-1 R1 F9", "G80", "M3 S5", "G95",
+                "G94", "G43 H1", "G49", "G4 P1",   "G9 X4", "U5",     "W7 X2", "G1 X F"}},
+      {"correctors", {"G90", "G91", "G0", "G1 F300", "F200", "G41 L17 X5", "G40", "L17 X9", "M3 S5", "G4 F1"}}};
+  std::string text = id == "gost" || id == "correctors" ? "%\nG90 G1 F100\n" : "G90 G1 F100\n";
+  std::string form;
+  for (std::size_t i = 0; i < 80; ++i) {
+    if (below(12) == 0) {
+      text += others.at(id)[below(others.at(id).size())] + "\n";
+      continue;
+    }
+    if (form.empty() || below(8) == 0) {
+      static const char* const forms[] = {"X", "XY", "XYZ", "1X", "1XZ", "YX", "0X", "NXY", "Z", "ZX"};
+      form = forms[below(std::size(forms))];
+    }
+    for (const char c : form) {
+      if (c == 'N') text += "N" + std::to_string(i + 1) + " ";
+      else if (c == '0' || c == '1') text += std::string("G") + c + " ";
+      else
+        text +=
+            c + std::to_string(static_cast<int>(below(200)) - (id == "gost" && below(4) != 0 ? 0 : 100)) + (below(2) == 0 ? ".5 " : " ");
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+class StraightRuns : public testing::TestWithParam<const char*> {};
+
+TEST_P(StraightRuns, are_the_general_way) {
+  const std::string id = GetParam();
+  std::mt19937 choose(11);
+  const std::string axes = id == "nct" ? R"("axes": ["X", "Y", "Z", "C"], "parameters": {"N0106.C#1": 1, "N0107.C#0": 1}, )" : "";
+  const auto setup = parse_setup("{" + axes + R"("start": {"X": 3, "Z": 50}, "offsets": {"1": {"length": 10, "radius": 2}}})");
+  ASSERT_TRUE(setup) << setup.error();
+  std::size_t motions = 0;
+  for (int i = 0; i < 600; ++i) {
+    const std::string program = program_of(id, choose);
+    const Given fast = run_as(id, program, *setup, false), general = run_as(id, program, *setup, true);
+    motions += fast.actions.size();
+    ASSERT_EQ(fast.alarms, general.alarms) << program;
+    ASSERT_EQ(fast.ending, general.ending) << program;
+    ASSERT_EQ(fast.actions.size(), general.actions.size()) << program;
+    for (std::size_t a = 0; a < fast.actions.size(); ++a) ASSERT_EQ(fast.actions[a], general.actions[a]) << program;
+  }
+  EXPECT_GT(motions, 5000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(straight_run, StraightRuns, testing::Values("mach3", "nct", "gost", "correctors"),
+                         [](const auto& control) { return std::string(control.param); });
+
+}  // namespace
+}  // namespace kadr
