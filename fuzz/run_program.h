@@ -13,6 +13,7 @@
 #include "config/state_json.h"
 #include "control/control.h"
 #include "machine/virtual_machine.h"
+#include "motion/steps.h"
 #include "out/alarm_print.h"
 #include "out/plot.h"
 #include "out/summary.h"
@@ -105,11 +106,12 @@ class Run {
                  shop.limits),
         stand_{control_.ending().position, control_.ending().machine_position},
         machine_(control_.axes(), control_.rotary(), shop.profile, setup_, stand_),
-        statistics_(control_.axes(), control_.rotary(), rates_of(shop.profile, setup_, control_.axes()), stand_),
+        statistics_(control_.axes(), control_.rotary(), rates_of(shop.profile, setup_, control_.axes())),
         plot_(control_.axes(), control_.rotary(), stand_),
         corners_(stand_),
         compensation_(stand_),
-        trace_(shop.nowhere, control_.axes(), control_.rotary(), stand_, setup_.points) {
+        trace_(shop.nowhere, control_.axes(), control_.rotary(), setup_.points),
+        steps_(machine_.roles(), stand_, &statistics_.clock()) {
     require(is_finite(stand_.work) && is_finite(stand_.machine), "the run begins somewhere");
     control_.on_warning = [this](const AlarmReport& report) { show(report); };
     if (!shop.logic || (switches & machine_logic) == 0) return;
@@ -161,21 +163,23 @@ class Run {
     if (auto* const motion = std::get_if<Motion>(&action.what)) {
       if (motion->kind == MotionKind::probe) {
         const ProbeAnswer answer = machine_.probe(*motion);
-        end_at(*motion, answer, machine_.position().rotation.get());
+        end_at(*motion, answer, machine_.position().turn.get());
         control_.answer(answer);
       }
       check_motion(*motion);
     }
     if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
-      require(is_finite(frame->origin) && is_finite(frame->length) && is_finite(frame->work), "the frame is of numbers");
+      require(is_finite(frame->placement.origin) && is_finite(frame->placement.length) && is_finite(frame->work), "the frame is of numbers");
       frame_ = *frame;
     }
     check_other(action);
     if (const Status taken = machine_.take(action); !taken) show(control_.report_for(taken.error(), action.origin));
     stand_.take(action);
-    const MotionTime time = statistics_.take(action);
-    plot_.take(action);
-    trace_.write(action, time);
+    steps_.give(action, [this](const Step& step) {
+      statistics_.consume(step);
+      plot_.consume(step);
+      trace_.write(step);
+    });
   }
 
   /// The same actions through the stages of `path`, as the tool's centre goes; the machine takes those of the program.
@@ -208,7 +212,7 @@ class Run {
       require(std::fabs(motion.to[a]) < farthest_end && std::fabs(motion.machine[a]) < farthest_end, "a motion ends on this earth");
       // An axis that does not move keeps a length that its next motion takes out (2С42).
       const double apart = motion.machine[a] - motion.to[a];
-      const bool in_frame = near(apart, frame_.origin[a] + frame_.length[a]);
+      const bool in_frame = near(apart, frame_.placement.origin[a] + frame_.placement.length[a]);
       require(!shop_.plain_frames || in_frame || near(apart, stand_.machine[a] - stand_.work[a]), "machine = work + origin + length");
     }
   }
@@ -272,6 +276,7 @@ class Run {
   RadiusCompensation compensation_;
   ActionBatch beside_;
   TraceWriter trace_;
+  Steps steps_;
   FrameChange frame_{};
   AlarmReport last_;
   Ending before_block_;

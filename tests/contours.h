@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "action/curve.h"
 #include "actions.h"
 #include "base/tolerance.h"
-#include "path/curve.h"
 #include "path/radius_compensation.h"
 
 namespace kadr::test {

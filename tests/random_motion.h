@@ -4,8 +4,9 @@
 
 #include <rapidcheck.h>
 
+#include "action/curve.h"
+#include "action/tool_position.h"
 #include "actions.h"
-#include "path/curve.h"
 
 namespace kadr::test {
 
@@ -27,14 +28,14 @@ inline Moved any_start() {
 /// Machine coordinates by a frame that lies somewhere.
 inline void lay_frame(Moved& moved, bool may_turn) {
   if (may_turn && *rc::gen::arbitrary<bool>()) {
-    FrameRotation turn;
+    FrameTurn turn;
     const SinCos a = sincos_deg(any_number(-180, 180));
     turn.rows = {Vec3{a.cos, -a.sin, 0}, Vec3{a.sin, a.cos, 0}, Vec3{0, 0, 1}};
-    moved.from.rotation = std::make_shared<const FrameRotation>(turn);
+    moved.from.turn = std::make_shared<const FrameTurn>(turn);
   }
   const Axes shift{any_number(-20, 20), any_number(-20, 20), any_number(-20, 20), 0};
-  moved.from.machine = turned(moved.from.rotation.get(), moved.from.work);
-  moved.motion.machine = turned(moved.from.rotation.get(), moved.motion.to);
+  moved.from.machine = turned(moved.from.turn.get(), moved.from.work);
+  moved.motion.machine = turned(moved.from.turn.get(), moved.motion.to);
   for (std::size_t i = 0; i < moved.roles.count; ++i) moved.from.machine[i] += shift[i], moved.motion.machine[i] += shift[i];
 }
 

@@ -8,6 +8,7 @@
 #include "config/control_file.h"
 #include "control/control.h"
 #include "motion/axis_motion.h"
+#include "motion/steps.h"
 #include "stretch.h"
 
 namespace kadr::reference {
@@ -72,23 +73,19 @@ Planned planned(const std::string& file, const Machine& machine) {
   const AxisRoles roles = AxisRoles::of(control.axes(), control.rotary());
   const MachineProfile profile = profile_of(machine, control.axes());
   const MotionLimits limits = motion_limits(profile, Setup{}, control.axes());
-  ToolPosition position{control.ending().position, control.ending().machine_position};
+  const ToolPosition position{control.ending().position, control.ending().machine_position};
   TimeEstimate estimate(roles, rates_of(profile, Setup{}, control.axes()));
   Collector collector;
   AxisMotion motion(roles, limits, machine.tolerance, position, [&](const TimedCells& cells) { collector.take(cells); });
+  Steps steps(roles, position, &estimate);
   ActionBatch batch;
   for (auto state = Control::State::running; state == Control::State::running;) {
     state = control.run(batch);
     if (state != Control::State::running && state != Control::State::ended) throw std::runtime_error(file + ": it stops");
-    for (const Action& action : batch) {
-      MotionTime time;
-      if (const auto* const moved = std::get_if<Motion>(&action.what)) time = estimate.motion(*moved, Curve(roles, position.work, *moved));
-      position.take(action);
-      motion.take(action, time, 0);
-    }
+    for (const Action& action : batch) steps.give(action, [&](const Step& step) { motion.consume(step); });
   }
   motion.finish();
-  if (motion.failures() > 0) throw std::runtime_error(file + ": the planner found no speed");
+  if (motion.faults().unsolved > 0) throw std::runtime_error(file + ": the planner found no speed");
   return {limits, std::move(collector.stretches())};
 }
 

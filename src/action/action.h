@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "action/placement.h"
 #include "action/surface_speed.h"
 #include "base/alarm.h"
 #include "base/span.h"
@@ -262,20 +263,11 @@ struct ContourBreak {
   bool off = false;
   bool here = false;
 };
-/// The frame of what follows: machine = work + origin + length. Not a command to the machine: the tool stands, `work` are
-/// its coordinates from now on (a length that is taken out by the next motion only, 2С42, leaves them as they were).
-/// With a basic rotation (nct 10.2.3): machine = origin + length + turn · (shift + work) on the three `main` axes.
-struct FrameRotation {
-  std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  // of the matrix
-  std::array<std::int8_t, 3> main{0, 1, 2};                               // axes X, Y, Z by index, -1: none
-  friend bool operator==(const FrameRotation&, const FrameRotation&) = default;
-};
+/// The frame of what follows. Not a command to the machine: the tool stands, `work` are its coordinates from now on (a length that is
+/// taken out by the next motion only, 2С42, leaves them as they were).
 struct FrameChange {
-  Axes origin;
-  Axes length;
+  Placement placement;
   Axes work;
-  std::shared_ptr<const FrameRotation> rotation{};  // nullptr: none
-  Axes shift{};                                     // turned with it; zero without
 };
 
 struct Action {

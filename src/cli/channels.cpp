@@ -89,8 +89,8 @@ void InOrder::release(const std::vector<double>& clocks, const Sink& sink) {
     if (first == queues_.size()) return;
     const Entry& entry = queues_[first].front();
     for (std::size_t i = 0; i < clocks.size(); ++i)
-      if (queues_[i].empty() && clocks[i] < entry.at) return;
-    sink(first, entry.action, entry.time);
+      if (queues_[i].empty() && clocks[i] < entry.at()) return;
+    sink(first, entry.kept.step());
     queues_[first].pop_front();
   }
 }
@@ -142,13 +142,13 @@ std::vector<Stopped> Channels::run() {
 
 void Channels::step(std::size_t i) {
   switch (runs_[i]->step()) {
-    case ChannelRun::Step::running: break;
-    case ChannelRun::Step::waiting: begin_waiting(i); break;
-    case ChannelRun::Step::ended:
+    case ChannelRun::State::running: break;
+    case ChannelRun::State::waiting: begin_waiting(i); break;
+    case ChannelRun::State::ended:
       states_[i] = State::ended;
       stopped_[i] = runs_[i]->stopped();
       break;
-    case ChannelRun::Step::stopped:
+    case ChannelRun::State::stopped:
       stopped_[i] = runs_[i]->stopped();
       states_[i] = State::stopped;
       if (outlets_.stop_together) stop_all(i);
@@ -174,7 +174,7 @@ void Channels::release(const Rendezvous::Met& met, std::size_t last) {
     channels_[i].control->release();
     states_[i] = State::running;
   }
-  outlets_.own[last].action({origin, Sync{met.code, met.channels, met.at}});
+  runs_[last]->show({origin, Sync{met.code, met.channels, met.at}});
 }
 
 /// CP_NOWT has come while they waited.

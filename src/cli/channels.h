@@ -33,29 +33,27 @@ Setup setup_of_channel(const Setup& main, int number);
 struct ChannelOutlets {
   std::vector<Outlets> own;
   bool stop_together = true;  // an alarm that is not passed over stops all channels (INFERRED), or only its own (checking)
-  std::function<void(std::size_t channel, const Action&, const MotionTime&)> in_order;
+  std::function<void(std::size_t channel, const Step&)> in_order;
 };
 
-/// Actions of several channels, sorted by the time at which they begin.
+/// Steps of several channels, sorted by the time at which they begin. They come later than the machine takes them: each is kept with
+/// where the tool stood then.
 class InOrder {
  public:
   explicit InOrder(std::size_t channels) : queues_(channels) {}
   /// In the order of time, channel by channel.
-  void put(std::size_t channel, double at, const Action& action, const MotionTime& time) {
-    queues_[channel].push_back({at, ++count_, action, time});
-  }
+  void put(std::size_t channel, const Step& step) { queues_[channel].push_back({++count_, KeptStep(step)}); }
 
-  using Sink = std::function<void(std::size_t channel, const Action&, const MotionTime&)>;
+  using Sink = std::function<void(std::size_t channel, const Step&)>;
   /// Hands on what nothing can come before any more. `clocks`: from which time on each channel may still put something.
   void release(const std::vector<double>& clocks, const Sink& sink);
 
  private:
   struct Entry {
-    double at;
     std::uint64_t number;  // of equal times the first one put
-    Action action;
-    MotionTime time;
-    bool before(const Entry& other) const { return at < other.at || (at == other.at && number < other.number); }
+    KeptStep kept;
+    double at() const { return kept.begins; }
+    bool before(const Entry& other) const { return at() < other.at() || (at() == other.at() && number < other.number); }
   };
   std::vector<std::deque<Entry>> queues_;
   std::uint64_t count_ = 0;
@@ -71,8 +69,8 @@ class Channels {
 
   double now(std::size_t channel) { return runs_[channel]->now(); }
   double waited(std::size_t channel) const { return runs_[channel]->waited(); }
-  /// An outlet's action begins now: it is shown when its time has come.
-  void show(std::size_t channel, double at, const Action& action, const MotionTime& time) { order_.put(channel, at, action, time); }
+  /// An outlet's step: it is shown when its time has come.
+  void show(std::size_t channel, const Step& step) { order_.put(channel, step); }
 
  private:
   enum class State : std::uint8_t { running, waiting, ended, stopped };

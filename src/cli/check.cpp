@@ -83,11 +83,7 @@ struct Count {
 /// What is found goes to the collector of its channel.
 Outlets outlets_of(Collector& collector, Progress& progress) {
   const auto take = [&collector](const AlarmReport& report) { return collector.take(report); };
-  return {.action = [](const Action&) {},
-          .warning = [take](const AlarmReport& report) { (void)take(report); },
-          .alarm = take,
-          .progress = &progress,
-          .stop = stop_token()};
+  return {.warning = [take](const AlarmReport& report) { (void)take(report); }, .alarm = take, .progress = &progress, .stop = stop_token()};
 }
 
 Checked check_program(const Options& options, const Job& job, Count& count, Report& report, std::deque<Collector::Seen>& seen) {

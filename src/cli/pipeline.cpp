@@ -147,7 +147,8 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
       compensation_({control.ending().position, control.ending().machine_position}),
       machine_(control.axes(), control.rotary(), profile, setup, {control.ending().position, control.ending().machine_position}),
       rates_(rates_of(profile, setup, control.axes())),
-      least_most_(rates_.least_most()) {
+      least_most_(rates_.least_most()),
+      clock_(outlets.clock) {
   control.on_warning = [this](const AlarmReport& warning) {
     if (!(ahead_ && ahead_->keep(warning))) outlets_.warning(warning);
   };
@@ -172,10 +173,10 @@ void ChannelRun::note_place() {
   if (compensation_.beside()) stopped_.machine_stood = machine_.position();
 }
 
-ChannelRun::Step ChannelRun::stop(const AlarmReport& report) {
+ChannelRun::State ChannelRun::stop(const AlarmReport& report) {
   note_place();
   stopped_.report = report;
-  return Step::stopped;
+  return State::stopped;
 }
 
 /// lang, control: blocks → actions.
@@ -200,21 +201,19 @@ Control& ChannelRun::settled() {
   return control_;
 }
 
-ChannelRun::Step ChannelRun::step() {
+ChannelRun::State ChannelRun::step() {
   const Control::State state = next_batch();
   const bool is_ahead = ahead_ && ahead_->is_going();              // then control_ is settled() only
   const auto corner_fault = corners_.take(batch_, behind(state));  // path: calculated corners, roundings
   if (outlets_.programmed)
     for (const Action& action : batch_) outlets_.programmed(action);
   const auto fault = compensation_.take(batch_, corner_fault || state != Control::State::running);  // path: the tool's radius
-  const ToolPosition before = machine_.position();
+  ToolPosition before = machine_.position();
   const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
   const auto taken =
       machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });  // limits, zones, probes
   batch_.cut(taken.done);
-  for (const Action& action : batch_) outlets_.action(action);  // out: trace, summary, plot
-  if (estimate_) count_time(before);
-  if (!too_fast_told_) watch_feed(before);
+  hand_out(std::move(before));
   if (!logic_.plc.idle())
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
@@ -224,14 +223,14 @@ ChannelRun::Step ChannelRun::step() {
       stopped_.machine_stood = machine_.position();
       return stop(report);
     }
-    if (taken.refused) return Step::running;
+    if (taken.refused) return State::running;
   }
   for (const CompensationFault& cut : compensation_.warnings()) {
     AlarmReport report = settled().report_for(cut.alarm, cut.origin);
     report.other = settled().line_at(cut.other);
     outlets_.warning(report);
   }
-  if (!goes_on_after(fault) || !goes_on_after(corner_fault)) return Step::stopped;
+  if (!goes_on_after(fault) || !goes_on_after(corner_fault)) return State::stopped;
   if (state == Control::State::stopped || (!is_ahead && control_.is_stopped())) {
     const AlarmReport report = control_.report();
     if (!outlets_.alarm(report)) return stop(report);
@@ -241,16 +240,16 @@ ChannelRun::Step ChannelRun::step() {
     constexpr double ms = 1000;
     if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
     note_place();
-    return Step::ended;
+    return State::ended;
   }
-  if (outlets_.writable && !outlets_.writable()) return Step::stopped;
+  if (outlets_.writable && !outlets_.writable()) return State::stopped;
   if (outlets_.stop.asked()) {
     const AlarmReport report = settled().report_for(alarm(AlarmId::interrupted, {}), batch_.empty() ? Origin() : batch_.back().origin);
     (void)outlets_.alarm(report);
     return stop(report);
   }
   if (outlets_.progress != nullptr && ++steps_ % shown_each == 0 && outlets_.progress->is_due()) outlets_.progress->show(settled());
-  return state == Control::State::waiting ? Step::waiting : Step::running;
+  return state == Control::State::waiting ? State::waiting : State::running;
 }
 
 /// An alarm of `path`: the control was ahead of it.
@@ -263,13 +262,12 @@ bool ChannelRun::goes_on_after(const std::optional<CompensationFault>& fault) {
   return false;
 }
 
-VirtualTime ChannelRun::spent() {
-  if (outlets_.time) return outlets_.time();
-  if (!estimate_) {
-    estimate_.emplace(machine_.roles(), rates_);
-    estimate_->spindle(setup_.spindle().rpm);
+TimeEstimate& ChannelRun::clock() {
+  if (clock_ == nullptr) {
+    clock_ = &own_clock_.emplace(machine_.roles(), rates_);
+    clock_->spindle(setup_.spindle().rpm);
   }
-  return virtual_time(estimate_->split());
+  return *clock_;
 }
 
 double ChannelRun::now() { return goes_on_at_ + (spent().now - spent_then_); }
@@ -282,49 +280,53 @@ void ChannelRun::wait_until(double at) {
   spent_then_ = spent().now;
 }
 
-/// motion: what the batch takes, where nobody else counts.
-void ChannelRun::count_time(const ToolPosition& from) {
-  ToolPosition at = from;
-  for (const Action& action : batch_) {
-    if (const auto* const motion = std::get_if<Motion>(&action.what))
-      (void)estimate_->motion(*motion, Curve(machine_.roles(), at.work, *motion));
-    else estimate_->other(action);
-    at.take(action);
-  }
+/// out: trace, summary, plot; here alone it is told where the tool stands before each action, and when that happens.
+///   from  before the batch
+void ChannelRun::hand_out(ToolPosition from) {
+  const auto watched = [this](const Action& action) { return is_suspect(action); };
+  const bool looks_on = outlets_.step || clock_ != nullptr;
+  if (!looks_on && (too_fast_told_ || std::none_of(batch_.begin(), batch_.end(), watched))) return;
+  Steps steps(machine_.roles(), std::move(from), clock_);
+  for (const Action& action : batch_) give(steps, action);
+}
+
+void ChannelRun::show(const Action& action) {
+  Steps steps(machine_.roles(), machine_.position(), clock_);
+  give(steps, action);
+}
+
+void ChannelRun::give(Steps& steps, const Action& action) {
+  const double begins = outlets_.step && clock_ != nullptr ? now() : 0;
+  steps.give(action, begins, [this](const Step& step) {
+    if (outlets_.step) outlets_.step(step);
+    if (!too_fast_told_ && is_suspect(step.action)) watch_feed(step);
+  });
+}
+
+/// A motion whose feed some axis may not reach.
+bool ChannelRun::is_suspect(const Action& action) const {
+  const auto* const motion = std::get_if<Motion>(&action.what);
+  return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
 }
 
 /// motion: a feed that an axis cannot do is told once; the motion takes what it takes at rapid.
-void ChannelRun::watch_feed(const ToolPosition& from) {
-  const auto is_suspect = [this](const Action& action) {
-    const auto* const motion = std::get_if<Motion>(&action.what);
-    return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
-  };
-  if (std::none_of(batch_.begin(), batch_.end(), is_suspect)) return;
+void ChannelRun::watch_feed(const Step& step) {
   constexpr double rounding = 1e-9;
-  ToolPosition at = from;
-  for (const Action& action : batch_) {
-    if (is_suspect(action)) {
-      const auto& motion = std::get<Motion>(action.what);
-      const Curve curve(machine_.roles(), at.work, motion);
-      const SlowestAxis slowest = slowest_axis(machine_.roles(), curve, motion, rates_.most);
-      if (slowest.minutes > curve.length(motion.along) / motion.feed * (1 + rounding)) {
-        const Alarm told = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
-        outlets_.warning(settled().report_for(told, action.origin));
-        too_fast_told_ = true;
-        return;
-      }
-    }
-    at.take(action);
-  }
+  const Motion& motion = *step.motion();
+  const SlowestAxis slowest = slowest_axis(step.roles, step.curve(), motion, rates_.most);
+  if (!(slowest.minutes > step.curve().length(motion.along) / motion.feed * (1 + rounding))) return;
+  const Alarm told = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
+  outlets_.warning(settled().report_for(told, step.action.origin));
+  too_fast_told_ = true;
 }
 
 Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
   Logic logic{Plc(job.setup.events), {&control}};
   ChannelRun run(control, job.profile, job.setup, outlets, logic);
   for (;;) {
-    const ChannelRun::Step step = run.step();
-    if (step == ChannelRun::Step::stopped) return run.stopped();
-    if (step != ChannelRun::Step::ended) continue;
+    const ChannelRun::State state = run.step();
+    if (state == ChannelRun::State::stopped) return run.stopped();
+    if (state != ChannelRun::State::ended) continue;
     apply(logic.plc.program_end(), control, logic.channels);
     return run.stopped();
   }

@@ -1,5 +1,5 @@
 #pragma once
-// The rooms in a row: program → control → machine → trace, summary, plot. The one place where they are put together; for the
+// The rooms in a row: program → control → machine → Steps → trace, summary, plot. The one place where they are put together; for the
 // channels of one machine side by side: cli/channels.
 
 #include <functional>
@@ -13,7 +13,7 @@
 #include "lang/utf16.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
-#include "motion/estimate.h"
+#include "motion/steps.h"
 #include "path/contour_corners.h"
 #include "session/plc_commands.h"
 
@@ -67,18 +67,18 @@ struct VirtualTime {
 };
 VirtualTime virtual_time(const TimeSplit& split);
 
-/// What looks at the actions of a run.
+/// What looks at a run.
 struct Outlets {
-  std::function<void(const Action&)> action;  // after the machine has taken it
+  std::function<void(const Step&)> step{};  // after the machine has taken its action; missing: nobody looks
   std::function<void(const AlarmReport&)> warning;
   /// An alarm; true: go on with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
   Progress* progress = nullptr;                     // looked at now and then
-  std::function<VirtualTime()> time{};              // of the actions so far; missing: counted here, if somebody asks
+  TimeEstimate* clock = nullptr;                    // times the steps; missing: counted here, if somebody asks
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
   std::function<bool()> writable{};                 // all that was handed over could be written; missing: nothing is written
   StopToken stop{};                                 // asked behind each batch
-  bool works_long = false;                          // on each action: writes or draws it
+  bool works_long = false;                          // on each step: writes or draws it
 };
 
 /// How a run came to its end.
@@ -102,14 +102,16 @@ class ChannelRun {
   ChannelRun& operator=(const ChannelRun&) = delete;
   ~ChannelRun();
 
-  enum class Step : std::uint8_t { running, waiting, stopped, ended };
+  enum class State : std::uint8_t { running, waiting, stopped, ended };
   /// Carries out what the control hands over at once.
   ///   waiting  for other channels: Control::meeting()
   ///   stopped  by an alarm: stopped() tells
-  Step step();
+  State step();
+  /// Something that all channels do together happens now: to the outlets.
+  void show(const Action& action);
   const Stopped& stopped() const { return stopped_; }
 
-  /// Virtual time in s, waiting included. Counts from the first call on, unless the outlets have the time.
+  /// Virtual time in s, waiting included. Counts from the first call on, unless the outlets have a clock.
   double now();
   /// It has waited for other channels.
   void wait_until(double at);
@@ -118,11 +120,14 @@ class ChannelRun {
  private:
   Control::State next_batch();
   Control& settled();
-  void count_time(const ToolPosition& from);
-  void watch_feed(const ToolPosition& from);
-  VirtualTime spent();
+  void hand_out(ToolPosition from);
+  void give(Steps& steps, const Action& action);
+  bool is_suspect(const Action& action) const;
+  void watch_feed(const Step& step);
+  TimeEstimate& clock();
+  VirtualTime spent() { return virtual_time(clock().split()); }
   void note_place();
-  Step stop(const AlarmReport& report);
+  State stop(const AlarmReport& report);
   bool goes_on_after(const std::optional<CompensationFault>& fault);
 
   Control& control_;
@@ -135,10 +140,11 @@ class ChannelRun {
   Rates rates_;
   double least_most_;  // of the axes' rapid rates
   bool too_fast_told_ = false;
-  std::optional<TimeEstimate> estimate_;  // where the outlets have no time
-  double waited_ = 0;                     // s, in all
-  double goes_on_at_ = 0;                 // time at which it waited last …
-  double spent_then_ = 0;                 // … and what it had spent until then: no sum that rounding could put out of order
+  TimeEstimate* clock_;                    // of the outlets, or …
+  std::optional<TimeEstimate> own_clock_;  // … the one begun when somebody asked; else nullptr
+  double waited_ = 0;                      // s, in all
+  double goes_on_at_ = 0;                  // time at which it waited last …
+  double spent_then_ = 0;                  // … and what it had spent until then: no sum that rounding could put out of order
   ActionBatch batch_;
   std::optional<RunAhead> ahead_;            // where nothing behind the control tells it what to do
   std::vector<AlarmReport> early_warnings_;  // of the batch taken last

@@ -10,13 +10,10 @@ namespace kadr::cli {
 
 Planned::Planned(const Channel& channel, const Job& job, const ToolPosition& stand, StopToken stop)
     : stop_(stop),
-      roles_(AxisRoles::of(channel.control->axes(), channel.control->rotary())),
       axes_(channel.control->axes()),
-      position_(stand),
-      estimate_(roles_, rates_of(job.profile, channel.setup, axes_)),
       limits_(motion_limits(job.profile, channel.setup, axes_)),
-      motion_(roles_, limits_, job.profile.tolerance, stand, [this](const TimedCells& cells) { see(cells); }) {
-  estimate_.spindle(channel.setup.spindle().rpm);
+      motion_(AxisRoles::of(axes_, channel.control->rotary()), limits_, job.profile.tolerance, stand,
+              [this](const TimedCells& cells) { see(cells); }) {
   motion_.stop_by(stop);
   motion_.start(channel.setup, axes_);
 }
@@ -38,17 +35,6 @@ void Planned::see(const TimedCells& cells) {
   if (lost_time_) lost_time_->take(cells);
   if (record_) record_->take(cells);
   if (coloured_ != nullptr) coloured_->take(cells, limits_);
-}
-
-void Planned::take(const Action& action) {
-  const TimeSplit before = estimate_.split();
-  MotionTime time;
-  if (const auto* const motion = std::get_if<Motion>(&action.what))
-    time = estimate_.motion(*motion, Curve(roles_, position_.work, *motion));
-  else estimate_.other(action);
-  position_.take(action);
-  const TimeSplit& now = estimate_.split();
-  motion_.take(action, time, now.dwell + now.tool_change - before.dwell - before.tool_change);
 }
 
 bool Planned::finish() {

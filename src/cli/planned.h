@@ -28,11 +28,10 @@ class Planned {
   /// Keeps what draw_speed() draws.
   void record_speed() { record_.emplace(limits_); }
 
-  /// Colours a picture that takes each action before take(); it must outlive this.
+  /// Colours a picture that takes each step before consume(); it must outlive this.
   void colour(Plot& plot);
 
-  /// An action of the program, behind the machine.
-  void take(const Action& action);
+  void consume(const Step& step) { motion_.consume(step); }
 
   /// All samples so far could be written; else the error of the system.
   bool ok() const { return !writer_ || writer_->ok(); }
@@ -60,10 +59,7 @@ class Planned {
   static AlarmReport report(const Control& control, const Alarm& alarm, const Spent& at);
 
   StopToken stop_;
-  AxisRoles roles_;
   std::vector<std::string> axes_;
-  ToolPosition position_;
-  TimeEstimate estimate_;  // by programmed feeds
   MotionLimits limits_;
   PlannedTime time_;
   std::optional<SampleWriter> writer_;

@@ -64,11 +64,11 @@ class RunCommand {
       const ToolPosition stand{start.position, start.machine_position};
       const auto& axes = channel.control->axes();
       const Rates rates = rates_of(job.profile, channel.setup, axes);
-      View& view = *views_.emplace_back(std::make_unique<View>(channel, rates, stand));
+      View& view = *views_.emplace_back(std::make_unique<View>(channel, rates));
       const AxisMask rotary = channel.control->rotary();
-      if (trace != nullptr) view.trace.emplace(trace, axes, rotary, stand, channel.setup.points);
+      if (trace != nullptr) view.trace.emplace(trace, axes, rotary, channel.setup.points);
       if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
-      if (channels.size() == 1) view.begin_look_ahead(channel, rates, stand, job.profile);
+      if (channels.size() == 1) view.begin_look_ahead(channel, rates, job.profile);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
       if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand, options.limits.stop);
@@ -101,17 +101,17 @@ class RunCommand {
   }
 
  private:
-  /// The outlets of one channel, without its actions.
+  /// The outlets of one channel, without its steps.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
       kadr::cli::say(alarm_text(report, job_.texts(), lang_, colours()));
     };
-    return {.action = {},
+    return {.step = {},
             .warning = say,
             .alarm = [say](const AlarmReport& report) { return say(report), false; },
             .progress = &progress_,
-            .time = [&view] { return virtual_time(view.statistics.time()); },
+            .clock = &view.statistics.clock(),
             .programmed = view.programmed(),
             .writable = [&view] { return (!view.trace || view.trace->ok()) && (!view.planned || view.planned->ok()); },
             .stop = options_.limits.stop};
@@ -121,11 +121,10 @@ class RunCommand {
     View& view = *views_.front();
     Outlets outlets = outlets_of(view);
     outlets.works_long = view.trace || view.plot || view.planned;
-    if (options_.quiet && !outlets.works_long) outlets.action = [&view](const Action& action) { view.statistics.take_time(action); };
-    else
-      outlets.action = [&view](const Action& action) {
-        view.show(action);
-        view.look(action);
+    if (!options_.quiet || outlets.works_long)  // else nobody reads the summary
+      outlets.step = [&view](const Step& step) {
+        view.show(step);
+        view.look(step);
       };
     Stopped stopped = carry_out(*channels_.front().control, job_, outlets);
     if (view.look_ahead) view.look_ahead->finish();
@@ -135,19 +134,19 @@ class RunCommand {
   std::vector<Stopped> run_together() {
     std::size_t writes = 0;
     ChannelOutlets outlets;
-    outlets.in_order = [&](std::size_t i, const Action& action, const MotionTime& time) {
+    outlets.in_order = [&](std::size_t i, const Step& step) {
       if (!views_[i]->trace) return;
       if (i != writes) views_[writes]->trace->flush();
-      views_[writes = i]->trace->write(action, time);
+      views_[writes = i]->trace->write(step);
     };
     std::unique_ptr<Channels> together;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       View& view = *views_[i];
       outlets.own.push_back(outlets_of(view));
-      outlets.own.back().action = [&view, &together, i](const Action& action) {
-        const double at = together->now(i);
-        together->show(i, at, action, view.statistics.take(action));
-        view.look(action);
+      outlets.own.back().step = [&view, &together, i](const Step& step) {
+        view.statistics.consume(step);
+        together->show(i, step);
+        view.look(step);
       };
     }
     together = std::make_unique<Channels>(channels_, job_, outlets);

@@ -15,17 +15,17 @@
 namespace kadr::cli {
 
 struct View {
-  View(const Channel& channel, const Rates& rates, const ToolPosition& stand);
+  View(const Channel& channel, const Rates& rates);
 
   /// Of a channel alone: several wait for each other by their programmed times, and their speeds are not planned.
-  void begin_look_ahead(const Channel& channel, const Rates& rates, const ToolPosition& stand, const MachineProfile& profile);
+  void begin_look_ahead(const Channel& channel, const Rates& rates, const MachineProfile& profile);
 
   /// To the statistics and the trace. The time of what the look-ahead holds counts as programmed; another tool, only when all motions of
   /// the one before are through.
-  void show(const Action& action);
+  void show(const Step& step);
 
   /// To whoever draws, before who times what is drawn.
-  void look(const Action& action);
+  void look(const Step& step);
 
   /// Takes the motions as programmed, before compensation; empty: nobody looks.
   std::function<void(const Action&)> programmed();

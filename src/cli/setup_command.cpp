@@ -206,7 +206,6 @@ std::size_t carry_out_past_faults(Channel& channel, const Job& job) {
   std::size_t faults = 0;
   Outlets outlets;
   outlets.stop = stop_token();
-  outlets.action = [](const Action&) {};
   outlets.warning = [](const AlarmReport&) {};
   outlets.alarm = [&](const AlarmReport& report) {
     const bool fatal = report.alarm.id == AlarmId::endless_program || report.alarm.id == AlarmId::interrupted;

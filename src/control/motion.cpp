@@ -77,7 +77,7 @@ void Interpreter::move_to(const Axes& programmed, const Axes& work, AxisMask nam
   named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
     if ((named >> a & 1u) != 0) position.work[a] = work[a];
-  if (frames.rotation) {
+  if (frames.turn) {
     const Axes machine = frames.machine_of(position.work);
     named = frames.moved_with(named);
     for (std::size_t a = 0; a < axis_count; ++a)
@@ -129,9 +129,9 @@ Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask na
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
     position.machine[a] = machine[a];
-    if (!frames.rotation) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
+    if (!frames.turn) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
   }
-  if (frames.rotation) position.work = frames.work_of(position.machine);
+  if (frames.turn) position.work = frames.work_of(position.machine);
   position.programmed = transform.to_programmed(position.work);
   Motion& motion = add_motion(kind, named);
   if (feed > 0) motion.feed = feed;
@@ -199,7 +199,7 @@ SurfaceSpeed Interpreter::speed_by_x() const {
   return {modal.surface_speed, 1, there ? static_cast<std::uint8_t>(x - axis_names.begin()) : SurfaceSpeed::no_axis, modal.rpm};
 }
 
-FrameChange Interpreter::frame_change() const { return {frames.origin, frames.length, position.work, frames.rotation, frames.shift}; }
+FrameChange Interpreter::frame_change() const { return {frames, position.work}; }
 
 void Interpreter::refresh_frames() {
   if (dialect) dialect->refresh_frames(*this);
@@ -224,10 +224,10 @@ void Interpreter::frames_by_tables() {
 }
 
 void Interpreter::change_frames() {
-  const Frames before = frames;
+  const Placement before = frames;
   refresh_frames();
   if (before == frames) return;
-  if (before.rotation || frames.rotation) {
+  if (before.turn || frames.turn) {
     position.work = frames.work_of(position.machine);
     if (dialect) dialect->roll(*this, position.work);
     emit(frame_change());

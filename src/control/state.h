@@ -168,20 +168,6 @@ struct ProgramPosition {
   Axes machine{};
 };
 
-/// Where the work system lies: machine = origin + length + work; with a basic rotation (nct 10) as FrameRotation says.
-struct Frames {
-  Axes origin{};  // machine coordinates of the work zero, all shifts included
-  Axes length{};  // tool length, by axis
-  Axes shift{};   // G52 and G92 where they are turned with the rotation, else in `origin`
-  std::shared_ptr<const FrameRotation> rotation;
-  friend bool operator==(const Frames&, const Frames&) = default;
-
-  Axes machine_of(const Axes& work) const;
-  Axes work_of(const Axes& machine) const;
-  /// With a rotation the main axes move together.
-  AxisMask moved_with(AxisMask named) const;
-};
-
 /// Tables of the control that a program reads (and, with G10, writes).
 struct Tables {
   std::vector<ToolOffset> offsets;                  // by number; [0] is none
@@ -207,7 +193,7 @@ struct ControlState {
   Modal modal;
   Transform transform;
   ProgramPosition position;
-  Frames frames;
+  Placement frames;
   CycleMemory cycle_memory;
   Axes set_position{};               // G92 / G52 shift (Mach3), mm
   bool set_position_by_g52 = false;  //

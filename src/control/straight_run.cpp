@@ -17,7 +17,7 @@ bool only_the_end_counts(const Interpreter& m) {
                            modal.feeds_of_axes == 0 && modal.feed_mode != FeedMode::inverse_time;
   const bool uncompensated = modal.radius_side == 0 && modal.contour == ContourPhase::off;
   const bool plain_frames =
-      m.transform.identity && !m.frames.rotation && !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact;
+      m.transform.identity && !m.frames.turn && !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact;
   const bool unwatched = !m.use.watches() && !m.each_block && (m.on_block == nullptr || !*m.on_block);
   const bool in_program = !m.flow.in_body() && m.flow.started() && !m.skipping_section && !m.cycling() && m.cycle_memory.row < 0;
   return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unserved == 0 &&

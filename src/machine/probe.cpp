@@ -98,7 +98,8 @@ std::optional<double> first_touch(const ProbeHole& hole, Vec3 from, Vec3 to) {
   return first;
 }
 
-Probe::Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const Setup& setup) : roles_(roles), hole_(setup.probe_hole) {
+Probe::Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const Setup& setup)
+    : roles_(roles), chain_(roles), hole_(setup.probe_hole) {
   for (const auto& [input, signal] : setup.probe) {
     if (!signal) continue;
     for (std::size_t i = 0; i < roles.count; ++i)
@@ -118,7 +119,7 @@ ProbeAnswer Probe::meet(const Axes& from, const Axes& to, int input) const {
     met = &signal;
   }
   if (hole_)
-    if (const auto touch = first_touch(*hole_, roles_.point(from), roles_.point(to)); touch && *touch < part) {
+    if (const auto touch = first_touch(*hole_, chain_.tip(from), chain_.tip(to)); touch && *touch < part) {
       part = *touch;
       met = nullptr;
     }

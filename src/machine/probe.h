@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "action/action.h"
+#include "action/axis_roles.h"
 #include "config/setup.h"
-#include "path/axis_roles.h"
+#include "kinematics/chain.h"
 
 namespace kadr {
 
@@ -34,6 +36,7 @@ class Probe {
     double position;
   };
   AxisRoles roles_;
+  Chain chain_;
   std::vector<Switch> switches_;
   std::optional<ProbeHole> hole_;
 };

@@ -21,7 +21,11 @@ double position_error(const Setup& setup, const std::string& axis) {
 VirtualMachine::VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                                const ToolPosition& start)
     : names_(axes), roles_(AxisRoles::of(axes, rotary)), probe_(axes, roles_, setup), position_(start) {
-  for (std::size_t i = 0; i < roles_.count; ++i) std::tie(least_[i], most_[i]) = limits_of(profile, setup, axes[i]);
+  constexpr double none = 1e299;  // AxisProfile: ±1e300 is no limit
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    std::tie(least_[i], most_[i]) = limits_of(profile, setup, axes[i]);
+    if (least_[i] > -none || most_[i] < none) limited_ |= AxisMask{1} << i;
+  }
 }
 
 void VirtualMachine::obey_parameters(const Setup& setup) {
@@ -39,6 +43,7 @@ tl::unexpected<Alarm> VirtualMachine::beyond(std::size_t axis, double machine) c
 
 Status VirtualMachine::check(const Motion& motion) const {
   if (zones_) return zones_->check(position_, motion);
+  if (limited_ == 0) return {};
   for (std::size_t i = 0; i < roles_.count; ++i) {
     const double to = motion.machine[i], from = position_.machine[i];
     if ((to > most_[i] + tol::same_point && to > from) || (to < least_[i] - tol::same_point && to < from)) [[unlikely]]
@@ -60,10 +65,7 @@ Status VirtualMachine::check_curve(const Motion& motion) const {
 
 bool VirtualMachine::has_limits() const {
   if (never_in_position_ != 0 || (zones_ && zones_->in_force())) return true;
-  constexpr double none = 1e299;  // AxisProfile: ±1e300 is no limit
-  for (std::size_t a = 0; a < roles_.count; ++a)
-    if (least_[a] > -none || most_[a] < none) return true;
-  return false;
+  return limited_ != 0;
 }
 
 Status VirtualMachine::take(const Action& action) {
@@ -110,7 +112,7 @@ Status VirtualMachine::carry_out(Action& action, const OnTouch& on_touch) {
   if (motion == nullptr || motion->kind != MotionKind::probe) return take(action);
   if (zones_ && zones_->checks_before()) KADR_TRY(check(*motion));
   const ProbeAnswer answer = probe(*motion);
-  end_at(*motion, answer, position_.rotation.get());
+  end_at(*motion, answer, position_.turn.get());
   KADR_TRY(take(action));
   on_touch(answer);
   return {};
@@ -137,8 +139,8 @@ ProbeAnswer VirtualMachine::probe(const Motion& motion) const {
   return answer;
 }
 
-void end_at(Motion& motion, const ProbeAnswer& answer, const FrameRotation* rotation) {
-  const Axes before = turned(rotation, motion.to), now = turned(rotation, answer.at);
+void end_at(Motion& motion, const ProbeAnswer& answer, const FrameTurn* turn) {
+  const Axes before = turned(turn, motion.to), now = turned(turn, answer.at);
   for (std::size_t i = 0; i < max_axes; ++i) motion.machine[i] += now[i] - before[i];
   motion.to = answer.at;
   if (!motion.detail || answer.part == 1) return;

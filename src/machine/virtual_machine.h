@@ -78,6 +78,7 @@ class VirtualMachine {
   AxisRoles roles_;
   Axes least_{};
   Axes most_{};
+  AxisMask limited_ = 0;  // axes that have a limit
   std::optional<Zones> zones_;
   AxisMask never_in_position_ = 0;  // axes that stay further from the command than they may
   AxisMask missing_ = 0;            // of the last motion
@@ -86,7 +87,7 @@ class VirtualMachine {
   ToolPosition position_;
 };
 
-/// The probe motion as it really went: ends where the signal came. `rotation`: of the frame it goes in.
-void end_at(Motion& motion, const ProbeAnswer& answer, const FrameRotation* rotation = nullptr);
+/// The probe motion as it really went: ends where the signal came. `turn`: of the frame it goes in.
+void end_at(Motion& motion, const ProbeAnswer& answer, const FrameTurn* turn = nullptr);
 
 }  // namespace kadr

@@ -54,7 +54,8 @@ ZoneBox Zones::closed3() const { return zone3_.grown(tol::same_point); }
 
 Status Zones::check(const ToolPosition& from, const Motion& motion) const {
   if (!in_force()) return {};
-  const MachinePath path(roles_, from, motion);
+  const Curve curve(roles_, from.work, motion);
+  const MachinePath path(roles_, from, motion, curve);
   if (checks_before_) KADR_TRY(before_start(path, motion.machine));
   return on_the_way(path);
 }

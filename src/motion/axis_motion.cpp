@@ -73,7 +73,6 @@ MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, co
 AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink)
     : roles_(roles),
       tolerance_(tolerance),
-      position_(start),
       sink_(std::move(sink)),
       planner_(limits, [this](TimedCells& cells) { hand_out(cells); }),
       line_([this](const Axes& to, double feed, double corner, bool on_curve, std::uint64_t tag) {
@@ -81,8 +80,8 @@ AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, doubl
       }),
       threads_(limits) {
   for (std::size_t a = 0; a < limits.speed.size(); ++a) rapid_[a] = limits.speed[a] * 60;
-  planner_.begin(position_.machine.data());
-  threads_.begin(position_.machine);
+  planner_.begin(start.machine.data());
+  threads_.begin(start.machine);
 }
 
 void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes) {
@@ -175,44 +174,44 @@ void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
   sink_(still);
 }
 
-void AxisMotion::take(const Action& action, const MotionTime& programmed, double pause) {
+void AxisMotion::consume(const Step& step) {
   if (ended() != PlanEnd::none) return;
-  if (const auto* const motion = std::get_if<Motion>(&action.what)) return take(*motion, programmed, action.origin);
+  if (const Motion* const motion = step.motion()) return move(step, *motion);
+  const Action& action = step.action;
   end_smoothing();
-  if (pause > 0 || needs_rest(action)) {
+  if (step.pause > 0 || needs_rest(action)) {
     rest();
-    stand(position_.machine, pause,
+    stand(step.from.machine, step.pause,
           {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line, action.origin.file});
     exact_ = true;
   } else if (std::holds_alternative<Speed>(action.what)) {
     cut_threads();
   }
   spindle_.take(action);
-  position_.take(action);
 }
 
-void AxisMotion::take(const Motion& motion, const MotionTime& programmed, const Origin& origin) {
+void AxisMotion::move(const Step& step, const Motion& motion) {
+  const Origin& origin = step.action.origin;
   const bool rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
   const Spent spent{rapid ? Spent::On::rapid : Spent::On::cutting, origin.line, origin.file};
-  const bool line_in_time = programmed.seconds > 0 && Curve(roles_, position_.work, motion).straight();
+  const bool line_in_time = step.time.seconds > 0 && step.curve().straight();
   const bool thread = motion.kind == MotionKind::thread && line_in_time, smooths = motion.smoothing != 0 && line_in_time;
   const bool taps = motion.detail && motion.detail->turn;
   const Switches switches{rapid || !motion.own_override, !motion.no_hold};
   if (!thread) cut_threads();
   if (!smooths) end_smoothing();
-  if (taps) couple(motion);
-  if (thread) add_thread(motion, programmed, spent);
-  else if (smooths) smooth(motion, programmed, record(spent, switches, motion));
-  else cut(motion, programmed, record(spent, switches, motion));
+  if (taps) couple(step, motion);
+  if (thread) add_thread(step, motion, spent);
+  else if (smooths) smooth(step, motion, record(spent, switches, motion));
+  else cut(step, motion, record(spent, switches, motion));
   if (taps) release();
   spindle_.arrive(motion.to);
-  position_.take(motion);
 }
 
 /// The spindle turns with the axis (nct 18.1.9).
-void AxisMotion::couple(const Motion& motion) {
+void AxisMotion::couple(const Step& step, const Motion& motion) {
   rest();
-  const double way = distance(position_.machine, motion.machine);
+  const double way = distance(step.from.machine, motion.machine);
   if (way > 0) spindle_.couple(*motion.detail->turn / way);
 }
 
@@ -222,30 +221,30 @@ void AxisMotion::release() {
   spindle_.release();
 }
 
-void AxisMotion::smooth(const Motion& motion, const MotionTime& programmed, std::uint64_t number) {
-  const Axes& from = position_.machine;
+void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t number) {
+  const Axes& from = step.from.machine;
   const double way = distance(from, motion.machine);
   if (on_motion) on_motion(number, way);
-  smoothing_.take({from, motion.machine, way / programmed.seconds, exact_ ? 0 : tolerance_, number, motion.smoothing}, line_);
+  smoothing_.take({from, motion.machine, way / step.time.seconds, exact_ ? 0 : tolerance_, number, motion.smoothing}, line_);
   exact_ = false;
 }
 
 void AxisMotion::end_smoothing() { smoothing_.finish(line_); }
 
 /// Several in a row go on without a stop; only the first waits for the spindle (nct 4.4).
-void AxisMotion::add_thread(const Motion& motion, const MotionTime& programmed, Spent spent) {
+void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent) {
   const bool anew = motion.detail->start_angle.has_value();
   if (anew || threads_.full()) cut_threads();
   if (threads_.empty()) {
     planner_.stop();
-    threads_.begin(position_.machine);
+    threads_.begin(step.from.machine);
     thread_spent_ = spent;
     if (anew) thread_angle_ = *motion.detail->start_angle;
   }
-  const Axes end = MachinePath(roles_, position_, motion).end();
+  const Axes end = MachinePath(step).end();
   const std::uint64_t number = record(spent, {false, false}, motion);
-  if (on_motion) on_motion(number, distance(position_.machine, end));
-  threads_.add(end, programmed.seconds, number);
+  if (on_motion) on_motion(number, distance(step.from.machine, end));
+  threads_.add(end, step.time.seconds, number);
   if (motion.exact) cut_threads();
 }
 
@@ -294,16 +293,16 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   return {length, ways};
 }
 
-void AxisMotion::cut(const Motion& motion, const MotionTime& programmed, std::uint64_t number) {
-  const MachinePath path(roles_, position_, motion);
-  const Curve curve(roles_, position_.work, motion);
+void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t number) {
+  const MachinePath path(step);
+  const Curve& curve = step.curve();
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
   const double junction = exact_ ? 0 : tolerance;
-  const Pace pace(roles_, curve, motion, programmed.feed, rapid_, spindle_.turning());
+  const Pace pace(roles_, curve, motion, step.time.feed, rapid_, spindle_.turning());
   const int pieces = std::max(curve.pieces(chord_of_tolerance * rounding), pace.pieces());
-  const auto [length, speeds] = feeds(pace, path, programmed, pieces);
+  const auto [length, speeds] = feeds(pace, path, step.time, pieces);
   if (on_motion) on_motion(number, length);
   for (int i = 1; i <= pieces && ended() == PlanEnd::none; ++i) {
     const double feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];

@@ -1,5 +1,5 @@
 #pragma once
-// AxisMotion: Actions → the axes' motion in time, by the Planner: what a motion's curve is in machine coordinates, where the axes
+// AxisMotion: Steps → the axes' motion in time, by the Planner: what a motion's curve is in machine coordinates, where the axes
 // stand still, what a pause lasts. Threads and rigid tapping go in step with the spindle, of which the angle comes along.
 
 #include <deque>
@@ -58,8 +58,8 @@ class AxisMotion {
   /// to.
   std::function<void(std::uint64_t number, double way)> on_motion;
 
-  /// An action, with its time by programmed feed: TimeEstimate or Statistics.
-  void take(const Action& action, const MotionTime& programmed, double pause);
+  /// A step with its time by programmed feed.
+  void consume(const Step& step);
   /// The axes come to rest.
   void finish() { rest(); }
 
@@ -91,14 +91,14 @@ class AxisMotion {
   };
   std::uint64_t record(Spent spent, Switches switches, const Motion& motion);
   static double spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell);
-  void take(const Motion& motion, const MotionTime& programmed, const Origin& origin);
-  void cut(const Motion& motion, const MotionTime& programmed, std::uint64_t number);
+  void move(const Step& step, const Motion& motion);
+  void cut(const Step& step, const Motion& motion, std::uint64_t number);
   Feeds feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) const;
-  void couple(const Motion& motion);
+  void couple(const Step& step, const Motion& motion);
   void release();
-  void smooth(const Motion& motion, const MotionTime& programmed, std::uint64_t number);
+  void smooth(const Step& step, const Motion& motion, std::uint64_t number);
   void end_smoothing();
-  void add_thread(const Motion& motion, const MotionTime& programmed, Spent spent);
+  void add_thread(const Step& step, const Motion& motion, Spent spent);
   void cut_threads();
   void wait_for_spindle();
   void rest();
@@ -110,7 +110,6 @@ class AxisMotion {
   AxisRoles roles_;
   double tolerance_;
   Axes rapid_{};  // mm/min or degrees/min
-  ToolPosition position_;
   std::deque<Record> records_;
   std::uint64_t motions_ = 0;
   bool exact_ = true;  // the last motion ended exactly: no rounding behind it

@@ -9,8 +9,8 @@ namespace kadr {
 namespace {
 
 /// Times `factor`, in the directions of the machine's axes.
-Axes along_machine(const Axes& work, double factor, const FrameRotation* rotation) {
-  Axes all = turned(rotation, work);
+Axes along_machine(const Axes& work, double factor, const FrameTurn* turn) {
+  Axes all = turned(turn, work);
   for (double& value : all) value *= factor;
   return all;
 }
@@ -44,25 +44,25 @@ double slowest(const Axes& most, const Axes& part) {
 }
 
 /// From the point to the centre, du/ds = (part in the plane)²/r.
-Axes bend(const Motion& m, const Axes& at, double in_plane, const FrameRotation* rotation) {
+Axes bend(const Motion& m, const Axes& at, double in_plane, const FrameTurn* turn) {
   const Vec2 arm = m.center - Vec2{at[m.first], at[m.second]};
   Axes towards{};
   towards[m.first] = arm.x;
   towards[m.second] = arm.y;
   const double radius = std::max(length(arm), tol::least_radius);
-  return along_machine(towards, in_plane * in_plane / (radius * radius), rotation);
+  return along_machine(towards, in_plane * in_plane / (radius * radius), turn);
 }
 
 void widen(Axes& most, const Axes& u) {
   for (std::size_t i = 0; i < max_axes; ++i) most[i] = std::max(most[i], std::abs(u[i]));
 }
 
-void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plane, const FrameRotation* rotation) {
+void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plane, const FrameTurn* turn) {
   const auto radius_at = [&](const Axes& at) { return length(Vec2{at[m.first], at[m.second]} - m.center); };
   shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);  // INFERRED (7.2): of a spiral the smallest
   shape.in_plane = in_plane;
-  shape.start_bend = bend(m, from, in_plane, rotation);
-  shape.end_bend = bend(m, m.to, in_plane, rotation);
+  shape.start_bend = bend(m, from, in_plane, turn);
+  shape.end_bend = bend(m, m.to, in_plane, turn);
   for (const std::size_t axis : {m.first, m.second}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
@@ -95,12 +95,12 @@ bool cuts_in_plane(const Motion& m, const PathShape& shape) {
 
 }  // namespace
 
-PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from, const Motion& motion, const FrameRotation* rotation) {
+PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from, const Motion& motion, const FrameTurn* turn) {
   PathShape shape;
   shape.length = curve.length(motion.along);
   shape.line = curve.straight();
   shape.plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
-  const auto direction = [&](double part) { return along_machine(curve.rates(part), 1 / curve.rate(motion.along, part), rotation); };
+  const auto direction = [&](double part) { return along_machine(curve.rates(part), 1 / curve.rate(motion.along, part), turn); };
   shape.start = direction(0);
   widen(shape.most, shape.start);
   if (shape.line) shape.end = shape.start;
@@ -112,7 +112,7 @@ PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from,
   if (curve.arc() && curve.surface() == PathSurface::plane) {
     const Axes rates = curve.rates(0.5);
     const double in_plane = std::hypot(rates[motion.first], rates[motion.second]) / curve.rate(motion.along, 0.5);
-    set_arc(shape, motion, from, in_plane, rotation);
+    set_arc(shape, motion, from, in_plane, turn);
   }
   for (std::size_t i = 0; i < roles.count; ++i)
     if (shape.most[i] != 0) shape.moves |= AxisMask{1} << i;

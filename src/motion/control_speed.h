@@ -2,9 +2,10 @@
 // The limits that geometry sets to the speed on a path: of a block, and of the junction between two. NCT 6.2–6.4, 7.1–7.3.
 // Speeds mm/s along what the feed is measured along; degrees for mm where only rotary axes move.
 
+#include "action/curve.h"
+#include "action/tool_position.h"
 #include "motion/ramp.h"
 #include "motion/speed_rules.h"
-#include "path/curve.h"
 
 namespace kadr {
 
@@ -21,8 +22,8 @@ struct PathShape {
   AxisMask plane = 0;  // axes of the arc, or of the plane in force
 };
 
-///   rotation  of the frame it lies in; nullptr: none
-PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from, const Motion& motion, const FrameRotation* rotation);
+///   turn  of the frame it lies in; nullptr: none
+PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from, const Motion& motion, const FrameTurn* turn);
 
 /// The path may change its speed only as each axis can: a = min A_i/|u_i|, T = max T_i (7, INFERRED where u changes: the smallest).
 Acceleration acceleration_of(const SpeedRules& rules, const PathShape& shape);

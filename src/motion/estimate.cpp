@@ -177,4 +177,15 @@ void TimeEstimate::other(const Action& action) {
   }
 }
 
+/// A pause as the sums grow, so that pauses add up to them.
+void TimeEstimate::time(Step& step) {
+  if (const Motion* const moved = step.motion()) {
+    step.time = motion(*moved, step.curve());
+    return;
+  }
+  const double dwell = split_.dwell, tool_change = split_.tool_change;
+  other(step.action);
+  step.pause = split_.dwell + split_.tool_change - dwell - tool_change;
+}
+
 }  // namespace kadr

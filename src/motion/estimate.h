@@ -1,12 +1,10 @@
 #pragma once
 // Machining time from programmed feeds and the machine's rapid rates, without acceleration; with it: motion/look_ahead.h.
 
-#include <optional>
-
+#include "action/step.h"
 #include "config/machine_profile.h"
 #include "config/setup.h"
 #include "motion/spindle_turning.h"
-#include "path/curve.h"
 
 namespace kadr {
 
@@ -47,16 +45,6 @@ struct TimeSplit {
   double total() const { return cutting + rapid + dwell + tool_change; }
 };
 
-/// What the estimate found of one motion.
-struct MotionTime {
-  double length = 0;                 // Curve::length(), mm
-  double seconds = 0;                // 0 if it would never end
-  double feed = 0;                   // the commanded one after override, mm/min (degrees/min), along what `along` says; 0: rapid, none
-  double feed_most = 0;              // highest speed along that, where `exact` (0 of a rapid in polar interpolation)
-  bool exact = false;                // the seconds are those of the machine
-  std::optional<double> feed_end{};  // speed at its end, as feed_most; where the look-ahead has planned it
-};
-
 /// Adds up the time of Actions in order.
 class TimeEstimate {
  public:
@@ -67,6 +55,9 @@ class TimeEstimate {
 
   /// Of any other action. A Sync takes no time of its own.
   void other(const Action& action);
+
+  /// Of any: the step is told when it happens.
+  void time(Step& step);
 
   /// A motion takes `longer` than its programmed time, s: the look-ahead has planned it.
   void lengthen(const Motion& motion, double longer) { share_of(motion) += longer; }

@@ -33,51 +33,49 @@ bool ends_at_rest(const Motion& motion) {
 
 }  // namespace
 
-LookAhead::LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, const ToolPosition& start, Sink sink)
-    : roles_(roles), rules_(rules), sink_(std::move(sink)), position_(start) {
+LookAhead::LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, Sink sink)
+    : roles_(roles), rules_(rules), sink_(std::move(sink)) {
   for (std::size_t i = 0; i < max_axes; ++i) rapid_rates_[i] = rapid[i] / seconds_per_minute;
 }
 
-void LookAhead::take(const Action& action, const MotionTime& programmed) {
-  if (const auto* const m = std::get_if<Motion>(&action.what)) {
-    motion(action, *m, programmed);
+void LookAhead::consume(const Step& step) {
+  if (const Motion* const m = step.motion()) {
+    motion(step, *m);
   } else {
-    if (stops(action, rules_)) rest();
-    hold(action, programmed);
+    if (stops(step.action, rules_)) rest();
+    hold(step);
   }
-  position_.take(action);
   if (pieces_.size() >= most_pieces) plan_older();
   if (held_.size() >= most_actions) rest();
 }
 
 void LookAhead::finish() { rest(); }
 
-void LookAhead::hold(const Action& action, const MotionTime& time) {
-  if (held_.empty()) sink_(action, time, 0);
-  else held_.push_back({action, time});
+void LookAhead::hold(const Step& step) {
+  if (held_.empty()) sink_(step, 0);
+  else held_.push_back({KeptStep(step)});
 }
 
-void LookAhead::motion(const Action& action, const Motion& motion, const MotionTime& programmed) {
-  const Curve curve(roles_, position_.work, motion);
+void LookAhead::motion(const Step& step, const Motion& motion) {
+  const Curve& curve = step.curve();
   if (!(curve.length(motion.along) > 0)) {  // nothing moves
     if (motion.exact) rest();
-    return hold(action, programmed);
+    return hold(step);
   }
-  if (keeps_time(motion, programmed)) {
+  if (keeps_time(motion, step.time)) {
     rest();
-    return hold(action, programmed);
+    return hold(step);
   }
-  const PathShape shape = shape_of(roles_, curve, position_.work, motion, position_.rotation.get());
-  MotionTime time = programmed;
-  time.exact = (shape.moves & ~rules_.stated) == 0;
-  if (at_rapid(motion)) return rapid(action, motion, shape, time);
+  const PathShape shape = shape_of(roles_, curve, step.from.work, motion, step.from.turn.get());
+  const bool exact = (shape.moves & ~rules_.stated) == 0;
+  if (at_rapid(motion)) return rapid(step, motion, shape, exact);
   if (motion.kind == MotionKind::probe || motion.kind == MotionKind::home) rest();
-  cut(action, shape, time);
+  cut(step, shape, exact);
   if (ends_at_rest(motion)) rest();
 }
 
-void LookAhead::rapid(const Action& action, const Motion& motion, const PathShape& shape, MotionTime time) {
-  const double programmed = time.seconds;
+void LookAhead::rapid(const Step& step, const Motion& motion, const PathShape& shape, bool exact) {
+  const double programmed = step.time.seconds;
   RapidTime planned;
   if (rules_.overlaps_rapids) {
     Axes ways{};
@@ -88,22 +86,25 @@ void LookAhead::rapid(const Action& action, const Motion& motion, const PathShap
   }
   if (last_rapid_ && (last_rapid_->moves & shape.moves) == 0) {
     const double ahead = std::min(last_rapid_->ahead, planned.seconds);
-    last_rapid_->held->time.seconds -= ahead;
+    last_rapid_->held->kept.time.seconds -= ahead;
     last_rapid_->held->longer -= ahead;
   }
   rest();
+  Held& held = held_.emplace_back(Held{KeptStep(step), planned.seconds - programmed});
+  MotionTime& time = held.kept.time;
+  time.exact = exact;
   time.seconds = planned.seconds;
   time.feed_most = planned.top * seconds_per_minute;
   time.feed_end = 0;
-  held_.push_back({action, time, planned.seconds - programmed});
-  if (rules_.overlaps_rapids && !ends_at_rest(motion)) last_rapid_ = LastRapid{&held_.back(), shape.moves, planned.ahead};
+  if (rules_.overlaps_rapids && !ends_at_rest(motion)) last_rapid_ = LastRapid{&held, shape.moves, planned.ahead};
   else rest();
 }
 
-void LookAhead::cut(const Action& action, const PathShape& shape, const MotionTime& time) {
+void LookAhead::cut(const Step& step, const PathShape& shape, bool exact) {
   if (last_rapid_) rest();
-  held_.push_back({action, time, -time.seconds});
-  Open next{&held_.back(), shape, shape.length / time.seconds};
+  Held& held = held_.emplace_back(Held{KeptStep(step), -step.time.seconds});
+  held.kept.time.exact = exact;
+  Open next{&held, shape, shape.length / step.time.seconds};
   if (open_) join(next);
   open_ = next;
 }
@@ -196,15 +197,16 @@ void LookAhead::release(std::size_t pieces) {
   std::size_t done = 0;
   while (!held_.empty() && (done < pieces || (held_.front().pieces == 0 && !(open_ && open_->held == &held_.front())))) {
     Held& held = held_.front();
-    if (held.pieces > 0) held.time.seconds = held.time.feed_most = 0;
+    MotionTime& time = held.kept.time;
+    if (held.pieces > 0) time.seconds = time.feed_most = 0;
     for (std::size_t k = done; k < done + held.pieces; ++k) {
-      held.time.seconds += pieces_[k].seconds;
-      held.time.feed_most = std::max(held.time.feed_most, pieces_[k].top * seconds_per_minute);
-      held.time.feed_end = pieces_[k].end * seconds_per_minute;
+      time.seconds += pieces_[k].seconds;
+      time.feed_most = std::max(time.feed_most, pieces_[k].top * seconds_per_minute);
+      time.feed_end = pieces_[k].end * seconds_per_minute;
     }
-    if (held.pieces > 0) held.longer += held.time.seconds;
+    if (held.pieces > 0) held.longer += time.seconds;
     done += held.pieces;
-    sink_(held.action, held.time, held.longer);
+    sink_(held.kept.step(), held.longer);
     held_.pop_front();
   }
   pieces_.erase(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(pieces));

@@ -1,5 +1,5 @@
 #pragma once
-// LookAhead: Actions with their programmed times in, the same in order with the times that the machine takes. NCT 6, 7; 4.1.2 for G0.
+// LookAhead: Steps with their programmed times in, the same in order with the times that the machine takes. NCT 6, 7; 4.1.2 for G0.
 //
 //   motions at feed ──▶ a path of pieces, as long as nothing makes the axes stand ──▶ SpeedPlan ──▶ each motion's time
 //   rapid: each from rest to rest, or overlapping the next (N0421 ROL)
@@ -13,8 +13,8 @@
 #include <optional>
 #include <vector>
 
+#include "action/step.h"
 #include "motion/control_speed.h"
-#include "motion/estimate.h"
 #include "motion/rapid_time.h"
 #include "motion/speed_plan.h"
 
@@ -23,18 +23,18 @@ namespace kadr {
 class LookAhead {
  public:
   ///   longer  than its programmed time a motion takes, s; negative: shorter
-  using Sink = std::function<void(const Action&, const MotionTime&, double longer)>;
+  using Sink = std::function<void(const Step&, double longer)>;
 
-  /// `rapid`: the axes' rapid rates, mm/min, override included; `start`: where the tool stands before the first action.
-  LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, const ToolPosition& start, Sink sink);
+  /// `rapid`: the axes' rapid rates, mm/min, override included.
+  LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, Sink sink);
   LookAhead(const LookAhead&) = delete;  // it points into what it holds
   LookAhead& operator=(const LookAhead&) = delete;
 
-  /// Takes an action; hands on what is decided by now. Holds at most `most_pieces` motions: when full, the older half is decided as
-  /// if the newest ended at rest. That is safe: with more to come the speeds at the end can only rise, and those of the older half
-  /// are low enough to stop; what is lost is speed in runs of motions so short that the machine could not stop within the newer half.
-  ///   programmed  of a motion, by the TimeEstimate
-  void take(const Action& action, const MotionTime& programmed);
+  /// Takes a step, a motion with its time by the TimeEstimate; hands on what is decided by now. Holds at most `most_pieces` motions: when
+  /// full, the older half is decided as if the newest ended at rest. That is safe: with more to come the speeds at the end can only rise,
+  /// and those of the older half are low enough to stop; what is lost is speed in runs of motions so short that the machine could not stop
+  /// within the newer half.
+  void consume(const Step& step);
 
   /// Nothing follows: what is held ends at rest.
   void finish();
@@ -44,8 +44,7 @@ class LookAhead {
 
  private:
   struct Held {
-    Action action;
-    MotionTime time;
+    KeptStep kept;           // it is handed on later: with where the tool stood then
     double longer = 0;       // s
     std::size_t pieces = 0;  // of the path; 0: its time is known, or it is the open one
   };
@@ -57,7 +56,7 @@ class LookAhead {
     double enter = 0;       // the highest speed at its start, mm/s
     double slow_until = 0;  // mm from its start, behind an inner corner (nct 6.3.5)
     Axes bend{};            // where it begins
-    const Motion& motion() const { return std::get<Motion>(held->action.what); }
+    const Motion& motion() const { return std::get<Motion>(held->kept.action.what); }
   };
   /// The last rapid motion, where the next may begin before it ends.
   struct LastRapid {
@@ -66,9 +65,9 @@ class LookAhead {
     double ahead;  // s before its end
   };
 
-  void motion(const Action& action, const Motion& motion, const MotionTime& programmed);
-  void rapid(const Action& action, const Motion& motion, const PathShape& shape, MotionTime time);
-  void cut(const Action& action, const PathShape& shape, const MotionTime& time);
+  void motion(const Step& step, const Motion& motion);
+  void rapid(const Step& step, const Motion& motion, const PathShape& shape, bool exact);
+  void cut(const Step& step, const PathShape& shape, bool exact);
   void join(Open& next);
   void limit_step(Open* next, const Axes& bend);
   void close(double slow_from);
@@ -76,13 +75,12 @@ class LookAhead {
   void plan_older();
   std::size_t place_to_part() const;
   void release(std::size_t pieces);
-  void hold(const Action& action, const MotionTime& time);
+  void hold(const Step& step);
 
   AxisRoles roles_;
   SpeedRules rules_;
   Axes rapid_rates_{};  // per s
   Sink sink_;
-  ToolPosition position_;
   std::deque<Held> held_;          // in order; what stands behind the last motion follows it
   std::vector<PathPiece> pieces_;  // of the held motions, the open one excepted
   std::optional<Open> open_;

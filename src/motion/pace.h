@@ -3,9 +3,9 @@
 // feed is that in the programmed plane and whose rotary axis has a limit (NCT 4.5), in cylindrical, on the unrolled surface (4.6), and at a
 // feed per revolution of a spindle that turns by where the tool is (11.5).
 
+#include "action/axis_roles.h"
 #include "motion/polar_feed.h"
 #include "motion/spindle_turning.h"
-#include "path/axis_roles.h"
 
 namespace kadr {
 

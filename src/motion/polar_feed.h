@@ -2,7 +2,7 @@
 // The feed of polar interpolation: near the rotation centre the path waits for the rotary axis. NCT 4.5:
 //   at a point (u, w) with the tangent t:   F = min(F, most · r² · (π/180) / |u·t_w − w·t_u|)
 
-#include "path/curve.h"
+#include "action/curve.h"
 
 namespace kadr {
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "kinematics/chain.h"
+
 namespace kadr {
 namespace {
 
@@ -29,7 +31,7 @@ void Reach::take(const AxisRoles& roles, const Axes& at) {
     least[a] = box.empty ? at[a] : std::min(least[a], at[a]);
     most[a] = box.empty ? at[a] : std::max(most[a], at[a]);
   }
-  box.take(roles.point(at));
+  box.take(Chain(roles).tip(at));
 }
 
 void Reach::take(const Reach& other) {

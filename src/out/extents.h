@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "action/curve.h"
 #include "base/units.h"
 #include "config/alarm_texts.h"
-#include "path/curve.h"
 
 namespace kadr {
 

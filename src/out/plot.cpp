@@ -14,9 +14,9 @@ constexpr int most_arc_pieces = 720;
 
 ProgramLine line_of(const Origin& origin) { return {origin.line, origin.file}; }
 
-Box box_of(const AxisRoles& roles, const Curve& curve, Vec3 shift) {
+Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
   const Extents extents = curve.extents();
-  return {roles.point(extents.least) + shift, roles.point(extents.most) + shift, false};
+  return {chain.tip(extents.least) + shift, chain.tip(extents.most) + shift, false};
 }
 
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
@@ -31,11 +31,11 @@ Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
 }  // namespace
 
 Plot::Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start)
-    : roles_(AxisRoles::of(axes, rotary)), position_(start), programmed_(start) {}
+    : roles_(AxisRoles::of(axes, rotary)), chain_(roles_), here_(chain_.tip(start.work)), programmed_(start) {}
 
 void Plot::take_frame(const FrameChange& frame) {
-  position_.take(frame);
-  const Vec3 origin = roles_.point(frame.origin);
+  here_ = chain_.tip(frame.work);
+  const Vec3 origin = chain_.tip(frame.placement.origin);
   if (!origin_known_ && !started_) {
     first_origin_ = origin;
     origin_known_ = true;
@@ -58,10 +58,11 @@ void Plot::mark_zero() {
   if (zeros_.size() < most_zeros && std::none_of(zeros_.begin(), zeros_.end(), same)) zeros_.push_back(shift_);
 }
 
-void Plot::take_motion(const Motion& motion, const Origin& origin) {
+void Plot::take_motion(const Step& step, const Motion& motion) {
+  const Origin& origin = step.action.origin;
   if (!started_ || origin.file != last_line_.file) files_.insert(origin.file);
   last_line_ = line_of(origin);
-  const Vec3 from = roles_.point(position_.work), to = roles_.point(motion.to);
+  const Vec3 from = chain_.tip(step.from.work), to = chain_.tip(motion.to);
   if (!started_) {
     path_.start(from + shift_);
     start_ = {PlotMark::What::start, from + shift_, last_line_};
@@ -73,45 +74,46 @@ void Plot::take_motion(const Motion& motion, const Origin& origin) {
     mark_zero();
   }
   if (shaded_) {
-    shaded_->wait(motion, position_, shift_, stroke, last_line_);
-    if (const Curve curve(roles_, position_.work, motion); !curve.straight()) path_.reach(box_of(roles_, curve, shift_), stroke);
+    shaded_->wait(motion, step.from, shift_, stroke, last_line_);
+    if (const Curve& curve = step.curve(); !curve.straight()) path_.reach(box_of(chain_, curve, shift_), stroke);
   } else {
-    draw(path_, position_, motion, shift_, stroke, last_line_);
+    draw(path_, step, shift_, stroke, last_line_);
   }
-  position_.take(motion);
+  here_ = to;
 }
 
-void Plot::draw(PlotPath& path, const ToolPosition& from, const Motion& motion, Vec3 shift, Stroke stroke, ProgramLine line) const {
-  if (const Curve curve(roles_, from.work, motion); !curve.straight()) {
+void Plot::draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, ProgramLine line) const {
+  const Motion& motion = *step.motion();
+  if (const Curve& curve = step.curve(); !curve.straight()) {
     const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));
-    for (int i = 1; i < pieces; ++i) path.go(roles_.point(curve.at(double(i) / pieces)) + shift, stroke, 0, line);
-    path.reach(box_of(roles_, curve, shift), stroke);
+    for (int i = 1; i < pieces; ++i) path.go(chain_.tip(curve.at(double(i) / pieces)) + shift, stroke, 0, line);
+    path.reach(box_of(chain_, curve, shift), stroke);
   }
-  path.go(roles_.point(motion.to) + shift, stroke, 0, line);
+  path.go(chain_.tip(motion.to) + shift, stroke, 0, line);
 }
 
 /// Of a contour all but the way in and out, at feed.
 void Plot::take_programmed(const Action& action) {
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
-    programmed_origin_ = roles_.point(frame->origin);
+    programmed_origin_ = chain_.tip(frame->placement.origin);
     programmed_.take(*frame);
   }
   const auto* const motion = std::get_if<Motion>(&action.what);
   if (motion == nullptr) return;
   const bool way = motion->side_step == SideStep::begins || motion->side_step == SideStep::ends;
   if (motion->side != 0 && !way && motion->kind != MotionKind::rapid) {
-    const Vec3 from = roles_.point(programmed_.work) + programmed_origin_;
+    const Vec3 from = chain_.tip(programmed_.work) + programmed_origin_;
     if (!has_contour_) contour_.start(from);
     else contour_.go(from, Stroke::rapid);
     has_contour_ = true;
-    draw(contour_, programmed_, *motion, programmed_origin_, Stroke::contour, line_of(action.origin));
+    draw(contour_, Step(roles_, action, programmed_), programmed_origin_, Stroke::contour, line_of(action.origin));
   }
   programmed_.take(*motion);
 }
 
-void Plot::take(const Action& action) {
-  if (const auto* motion = std::get_if<Motion>(&action.what)) take_motion(*motion, action.origin);
-  else if (const auto* frame = std::get_if<FrameChange>(&action.what)) take_frame(*frame);
+void Plot::consume(const Step& step) {
+  if (const Motion* const motion = step.motion()) take_motion(step, *motion);
+  else if (const auto* frame = std::get_if<FrameChange>(&step.action.what)) take_frame(*frame);
 }
 
 void Plot::stop(ProgramLine line) {
@@ -122,7 +124,7 @@ void Plot::stop(ProgramLine line) {
 /// In the order in which they are drawn: a stop is seen above all else.
 std::vector<PlotMark> Plot::marks() const {
   std::vector<PlotMark> marks;
-  const Vec3 here = roles_.point(position_.work) + shift_;
+  const Vec3 here = here_ + shift_;
   if (started_) marks.push_back(start_);
   if (started_ && !stop_) marks.push_back({PlotMark::What::end, here, last_line_});
   if (stop_) marks.push_back({PlotMark::What::stop, here, *stop_});

@@ -6,6 +6,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "kinematics/chain.h"
 #include "out/plot_shades.h"
 #include "out/result_file.h"
 
@@ -32,14 +33,15 @@ struct PlotMark {
   ProgramLine line;
 };
 
-/// Takes Actions in order. Coordinates of the picture: the work system of the first cut; others stand where they are on the machine.
+/// Takes Steps in order. Coordinates of the picture: the work system of the first cut; others stand where they are on the machine.
 class Plot {
  public:
   Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start);
 
-  void take(const Action& action);
+  void consume(const Step& step);
 
-  /// An action as programmed, before cutter radius compensation: contours are drawn beside the tool's path.
+  /// An action as programmed, before cutter radius compensation: contours are drawn beside the tool's path. No step of the machine: the
+  /// programmed position is followed here.
   void take_programmed(const Action& action);
 
   /// The program has stopped here, by an alarm of that line; line 0: of another channel.
@@ -63,15 +65,16 @@ class Plot {
   const std::vector<Vec3>& zeros() const { return zeros_; }
 
  private:
-  void take_motion(const Motion& motion, const Origin& origin);
+  void take_motion(const Step& step, const Motion& motion);
   std::vector<PlotMark> marks() const;
   void take_frame(const FrameChange& frame);
   void mark_zero();
   void take_reference();
-  void draw(PlotPath& path, const ToolPosition& from, const Motion& motion, Vec3 shift, Stroke stroke, ProgramLine line) const;
+  void draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, ProgramLine line) const;
 
   AxisRoles roles_;
-  ToolPosition position_;
+  Chain chain_;
+  Vec3 here_;  // where the path ends
   PlotPath path_;
   std::optional<ShadedMotions> shaded_;
   PlotColour colour_ = PlotColour::stroke;
@@ -84,7 +87,7 @@ class Plot {
   ProgramLine last_line_;
   std::optional<ProgramLine> stop_;
   std::set<std::uint16_t> files_;
-  ToolPosition programmed_;
+  ToolPosition programmed_;  // beside the machine's, as there is no compensation
   Vec3 programmed_origin_;
   PlotPath contour_;  // measured from the machine's zero
   bool has_contour_ = false;

@@ -4,9 +4,11 @@
 
 #include <deque>
 
+#include "action/step.h"
+#include "action/tool_position.h"
+#include "kinematics/chain.h"
 #include "motion/limited_by.h"
 #include "out/plot_path.h"
-#include "path/curve.h"
 
 namespace kadr {
 
@@ -17,7 +19,7 @@ enum class PlotColour : std::uint8_t { stroke, speed, limit };
 
 class ShadedMotions {
  public:
-  ShadedMotions(const AxisRoles& roles, PlotColour by) : roles_(roles), by_(by) {}
+  ShadedMotions(const AxisRoles& roles, PlotColour by) : roles_(roles), chain_(roles), by_(by) {}
 
   /// A motion from where the tool stands; `shift`: work coordinates → picture.
   void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke, ProgramLine line);
@@ -34,6 +36,7 @@ class ShadedMotions {
   void finish(PlotPath& path);
 
  private:
+  /// Its cells come when the machine is elsewhere: it keeps where it began.
   struct Waiting {
     Motion motion;
     ToolPosition from;
@@ -50,6 +53,7 @@ class ShadedMotions {
   void let_go(PlotPath& path);
 
   AxisRoles roles_;
+  Chain chain_;
   PlotColour by_;
   std::deque<Waiting> waiting_;
   double gone_ = 0;   // mm, of the first that waits

@@ -107,8 +107,8 @@ std::string planned_text(const Words& w, const char* heading, const PlannedTime&
 
 }  // namespace
 
-Statistics::Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates, const ToolPosition& start)
-    : roles_(AxisRoles::of(axes, rotary)), position_(start), estimate_(roles_, rates), extents_(axes, roles_) {}
+Statistics::Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates)
+    : estimate_(AxisRoles::of(axes, rotary), rates), extents_(axes, AxisRoles::of(axes, rotary)) {}
 
 void Statistics::start_with(double spindle_rpm, std::uint32_t tool) {
   estimate_.spindle(spindle_rpm);
@@ -121,43 +121,31 @@ void Statistics::use(std::uint32_t tool) {
   if (found == tools_.end()) tools_.push_back({tool, 0});
 }
 
-MotionTime Statistics::take_motion(const Motion& motion) {
-  const Curve curve(roles_, position_.work, motion);
-  const double before = estimate_.split().cutting;
-  const MotionTime time = estimate_.motion(motion, curve);
-  if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
+/// Of the tool in the spindle, since it was last called.
+void Statistics::count_cutting() {
+  const double now = estimate_.split().cutting;
+  if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += now - cutting_then_;
+  cutting_then_ = now;
+}
 
+void Statistics::take_motion(const Step& step, const Motion& motion) {
+  const Curve& curve = step.curve();
+  count_cutting();
   const bool cutting = cuts(motion);
   ++(curve.arc() ? arcs_ : motion.kind == MotionKind::rapid ? rapids_ : cutting ? feeds_ : others_);
-  (cutting || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += time.length;
-  extents_.take(motion, position_.work, curve);
-  position_.take(motion);
-  return time;
+  (cutting || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += step.time.length;
+  extents_.take(motion, step.from.work, curve);
 }
 
-MotionTime Statistics::take(const Action& action) {
-  if (const auto* motion = std::get_if<Motion>(&action.what)) return take_motion(*motion);
-  if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
-    position_.take(*frame);
-    extents_.lift();
-  }
-  if (const auto* change = std::get_if<ToolChange>(&action.what)) use(change->tool);
-  estimate_.other(action);
-  return {};
-}
-
-MotionTime Statistics::take_time(const Action& action) {
-  const auto* const motion = std::get_if<Motion>(&action.what);
-  if (motion == nullptr) return take(action);
-  const MotionTime time = estimate_.motion(*motion, Curve(roles_, position_.work, *motion));
-  position_.take(*motion);
-  return time;
+void Statistics::consume(const Step& step) {
+  if (const Motion* const motion = step.motion()) return take_motion(step, *motion);
+  if (std::holds_alternative<FrameChange>(step.action.what)) extents_.lift();
+  if (const auto* change = std::get_if<ToolChange>(&step.action.what)) use(change->tool);
 }
 
 void Statistics::lengthen(const Motion& motion, double longer) {
-  const double before = estimate_.split().cutting;
   estimate_.lengthen(motion, longer);
-  if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += estimate_.split().cutting - before;
+  count_cutting();
 }
 
 std::string Statistics::caption(Lang lang) const {

@@ -17,18 +17,18 @@ enum class TimeBasis : std::uint8_t {
   accelerated,  // and the accelerations of the axes
 };
 
-/// Takes Actions in order; cheap per action, no memory but for the tools.
+/// Takes Steps in order; cheap per step, no memory but for the tools.
 class Statistics {
  public:
-  Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates, const ToolPosition& start);
+  Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates);
 
   /// State of the setup's spindle and tool before the first action.
   void start_with(double spindle_rpm, std::uint32_t tool);
 
-  ///   returns  of a motion: its length and time; else zeros
-  MotionTime take(const Action& action);
-  /// The same, but only the time is counted: for a run whose summary nobody reads.
-  MotionTime take_time(const Action& action);
+  /// Times the steps of the run, before anybody gets them: what it has counted is part of the summary.
+  TimeEstimate& clock() { return estimate_; }
+  /// A step that the clock has timed. Of a run whose summary nobody reads the clock alone will do.
+  void consume(const Step& step);
   /// What the times are made of, if not of programmed feeds; then lengthen() brings what they differ.
   void count_by(TimeBasis basis) { basis_ = basis; }
   ///   longer  than it was counted the motion taken before takes, s. Of all motions before an action that changes the tool.
@@ -64,12 +64,12 @@ class Statistics {
   const std::vector<ToolUse>& tools() const { return tools_; }
 
  private:
-  MotionTime take_motion(const Motion& motion);
+  void take_motion(const Step& step, const Motion& motion);
+  void count_cutting();
   void use(std::uint32_t tool);
 
-  AxisRoles roles_;
-  ToolPosition position_;
   TimeEstimate estimate_;
+  double cutting_then_ = 0;                                       // s, of the estimate, when the tools got theirs
   std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // others: probe, home
   std::uint64_t alarms_ = 0, warnings_ = 0;
   TimeBasis basis_ = TimeBasis::programmed;

@@ -39,9 +39,8 @@ std::string number_or_text(const std::string& number) {
 
 }  // namespace
 
-TraceWriter::TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start,
-                         std::vector<double> points)
-    : out_(file), roles_(AxisRoles::of(axes, rotary)), points_(std::move(points)), position_(start) {
+TraceWriter::TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, std::vector<double> points)
+    : out_(file), roles_(AxisRoles::of(axes, rotary)), points_(std::move(points)) {
   for (std::size_t i = 0; i < roles_.count; ++i) keys_.push_back(json_string(axes[i]) + ":");
   names_ = axes;
   line_room_ = 3 * head_room;
@@ -82,8 +81,9 @@ char* TraceWriter::put_arc(char* at, const Motion& motion) const {
 }
 
 /// The line of a plain motion is written at once; what few motions have follows in pieces of its own.
-void TraceWriter::write_motion(const Motion& motion, const Origin& origin, const MotionTime& time) {
-  char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], origin);
+void TraceWriter::write_motion(const Step& step, const Motion& motion) {
+  const MotionTime& time = step.time;
+  char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], step.action.origin);
   at = put_axes(put_axes(at, R"(,"to":)", motion.to), R"(,"machine":)", motion.machine);
   if (is_arc(motion.kind)) at = put_arc(at, motion);
   if (motion.feed > 0) {
@@ -93,32 +93,31 @@ void TraceWriter::write_motion(const Motion& motion, const Origin& origin, const
   }
   if (motion.kind != MotionKind::rapid) at = put_text(at, motion.exact ? R"(,"exact":true)" : R"(,"exact":false)");
   out_.done(at);
-  if (behind_probe_) write_way(motion);
+  if (behind_probe_) write_way(step, motion);
   behind_probe_ = motion.kind == MotionKind::probe;
   if (motion.detail) [[unlikely]]
-    write_detail(motion);
+    write_detail(step, motion);
   if (time.exact || is_arc(motion.kind) || motion.detail) write_time(motion, time);
-  if (!points_.empty()) write_points(motion, time);
+  if (!points_.empty()) write_points(step, motion);
   out_.append("}\n");
-  position_.take(motion);
 }
 
 /// The way of the axes named: where the motion begins the program does not say (nct 21.1).
-void TraceWriter::write_way(const Motion& motion) {
+void TraceWriter::write_way(const Step& step, const Motion& motion) {
   if (motion.detail && motion.detail->rolled != 0) return;  // write_detail does
   char* at = put_text(out_.room(line_room_), R"(,"travel":)");
   char separator = '{';
   for (std::size_t i = 0; i < roles_.count; ++i) {
     if ((motion.named >> i & 1U) == 0) continue;
     *at++ = std::exchange(separator, ',');
-    at = put_number(put_text(at, keys_[i]), motion.to[i] - position_.work[i]);
+    at = put_number(put_text(at, keys_[i]), motion.to[i] - step.from.work[i]);
   }
   if (separator == '{') *at++ = '{';
   *at++ = '}';
   out_.done(at);
 }
 
-void TraceWriter::write_detail(const Motion& motion) {
+void TraceWriter::write_detail(const Step& step, const Motion& motion) {
   const MotionDetail& detail = *motion.detail;
   char* at = out_.room(2 * line_room_);
   if (detail.rolled != 0) {
@@ -134,7 +133,7 @@ void TraceWriter::write_detail(const Motion& motion) {
   if (detail.has_programmed) {
     at = put_axes(at, R"(,"programmed":)", detail.programmed);
   } else if (detail.surface != PathSurface::plane) {
-    at = put_axes(at, R"(,"programmed":)", Curve(roles_, position_.work, motion).programmed(1));
+    at = put_axes(at, R"(,"programmed":)", step.curve().programmed(1));
   }
   const auto put = [&](std::string_view key, const std::optional<double>& value) {
     if (value) at = put_field(at, key, *value);
@@ -158,13 +157,14 @@ void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   out_.done(at);
 }
 
-void TraceWriter::write_points(const Motion& motion, const MotionTime& time) {
-  const Curve curve(roles_, position_.work, motion);
+void TraceWriter::write_points(const Step& step, const Motion& motion) {
+  const MotionTime& time = step.time;
+  const Curve& curve = step.curve();
   const bool surface = curve.surface() != PathSurface::plane;
   out_.append(R"(,"points":[)");
   for (std::size_t n = 0; n < points_.size(); ++n) {
     const Axes to = curve.at(points_[n]);
-    const Axes machine = machine_along(roles_, position_, motion, to, points_[n]);
+    const Axes machine = machine_along(roles_, step.from, motion, to, points_[n]);
     char* at = put_field(out_.room(2 * line_room_), n == 0 ? R"({"part":)" : R"(,{"part":)", points_[n]);
     at = put_axes(put_axes(at, R"(,"to":)", to), R"(,"machine":)", machine);
     if (surface) at = put_axes(at, R"(,"programmed":)", curve.programmed(points_[n]));
@@ -185,10 +185,9 @@ void TraceWriter::write_other(const Action& action) {
   out_.append("}\n");
 }
 
-void TraceWriter::write(const Action& action, const MotionTime& time) {
-  if (const auto* motion = std::get_if<Motion>(&action.what)) return write_motion(*motion, action.origin, time);
-  if (const auto* frame = std::get_if<FrameChange>(&action.what)) return position_.take(*frame);
-  write_other(action);
+void TraceWriter::write(const Step& step) {
+  if (const Motion* const motion = step.motion()) return write_motion(step, *motion);
+  if (!std::holds_alternative<FrameChange>(step.action.what)) write_other(step.action);
 }
 
 void TraceWriter::write_state(const Ending& ending, const LastLine& more) {

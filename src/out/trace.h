@@ -1,12 +1,11 @@
 #pragma once
-// TraceWriter: Actions as JSON Lines (design.md 5, tests/golden/README.md).
+// TraceWriter: Steps as JSON Lines (design.md 5, tests/golden/README.md).
 
 #include <optional>
 
+#include "action/step.h"
 #include "config/alarm_texts.h"
-#include "motion/estimate.h"
 #include "out/text_buffer.h"
-#include "path/curve.h"
 
 namespace kadr {
 
@@ -19,16 +18,14 @@ struct LastLine {
 class TraceWriter {
  public:
   /// `points`: parts of a motion at which the trace gives intermediate points. The file stays open, it is the caller's.
-  TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start,
-              std::vector<double> points = {});
+  TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, std::vector<double> points = {});
 
   /// Where there are several channels: each line names this one. They share the file: flush() before another one writes.
   void set_channel(int channel) { channel_ = channel; }
   void flush() { out_.flush(); }
 
-  /// One line; FrameChange and ZoneChange give none. `time`: of a motion, by the TimeEstimate; without it the line has no
-  /// length, seconds and highest feed.
-  void write(const Action& action, const MotionTime& time = {});
+  /// One line; FrameChange and ZoneChange give none. A motion that nobody has timed has no length, seconds and highest feed.
+  void write(const Step& step);
 
   /// The last line: the state after the run, and the alarm if one stopped it.
   void finish(const Ending& ending, const LastLine& more = {});
@@ -42,11 +39,11 @@ class TraceWriter {
   char* put_head(char* at, std::string_view kind, const Origin& origin) const;
   char* put_axes(char* at, std::string_view key, const Axes& axes) const;
   char* put_arc(char* at, const Motion& motion) const;
-  void write_motion(const Motion& motion, const Origin& origin, const MotionTime& time);
-  void write_way(const Motion& motion);
-  void write_detail(const Motion& motion);
+  void write_motion(const Step& step, const Motion& motion);
+  void write_way(const Step& step, const Motion& motion);
+  void write_detail(const Step& step, const Motion& motion);
   void write_time(const Motion& motion, const MotionTime& time);
-  void write_points(const Motion& motion, const MotionTime& time);
+  void write_points(const Step& step, const Motion& motion);
   void write_other(const Action& action);
   void write_state(const Ending& ending, const LastLine& more);
 
@@ -58,7 +55,6 @@ class TraceWriter {
   std::size_t line_room_ = 0;       // characters that a head and two positions take at most
   std::vector<double> points_;
   bool behind_probe_ = false;  // the motion before was a probe's
-  ToolPosition position_;
 };
 
 }  // namespace kadr

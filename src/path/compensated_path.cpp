@@ -170,7 +170,7 @@ void RadiusCompensation::hand_out(Action action) {
   out_.add() = std::move(action);
 }
 
-void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, first_, second_, vector, at_.rotation.get()); }
+void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, first_, second_, vector, at_.turn.get()); }
 
 /// The tool's coordinates in a frame: those programmed and the vector.
 void RadiusCompensation::shift(FrameChange& frame) const {

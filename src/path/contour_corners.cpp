@@ -201,7 +201,7 @@ void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certaint
   Action last = std::move(held_->action);
   auto& m = std::get<Motion>(last.what);
   without_contour(m);
-  shift_in_plane(m, m.first, m.second, inserted.from - held_->end, at_.rotation.get());
+  shift_in_plane(m, m.first, m.second, inserted.from - held_->end, at_.turn.get());
   if (corner != held_->end || taken > 0) m.named |= AxisMask{1} << m.first | AxisMask{1} << m.second;
   if (is_arc(m.kind)) m.turns = std::max(rest, 0.0);
   const bool used_up = taken > 0 && rest <= tolerance && m.side_step == SideStep::none;
@@ -225,7 +225,7 @@ Action ContourCorners::shaped_like(const Action& before, const CornerElement& in
   m.center = inserted.center;
   m.turns = std::fabs(inserted.turns);
   m.side_step = SideStep::none;
-  shift_in_plane(m, m.first, m.second, inserted.to - inserted.from, at_.rotation.get());
+  shift_in_plane(m, m.first, m.second, inserted.to - inserted.from, at_.turn.get());
   return action;
 }
 

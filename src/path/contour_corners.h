@@ -7,6 +7,7 @@
 // What is handed out are ordinary motions: cutter radius compensation comes behind. Where an over-determined block may still move the
 // end of motion k+1, what its start was cut by cannot be judged yet: motion k and its corner wait until motion k+1 has an end.
 
+#include "action/tool_position.h"
 #include "path/corner_geometry.h"
 #include "path/radius_compensation.h"
 

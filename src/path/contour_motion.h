@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "action/curve.h"
 #include "path/corner_geometry.h"
-#include "path/curve.h"
 
 namespace kadr {
 

@@ -7,8 +7,7 @@
 
 namespace kadr {
 
-Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion) {
-  const Curve curve(roles, from.work, motion);
+Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve) {
   Extents box = curve.extents();
   const AxisMask rolled = motion.detail ? motion.detail->rolled : 0;
   for (std::size_t i = 0; i < roles.count; ++i) {
@@ -20,8 +19,8 @@ Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const 
     box.least[i] += low;
     box.most[i] += high;
   }
-  if (!from.rotation) return box;
-  for (const std::int8_t main : from.rotation->main) {
+  if (!from.turn) return box;
+  for (const std::int8_t main : from.turn->main) {
     if (main < 0) continue;
     const auto axis = static_cast<std::size_t>(static_cast<unsigned char>(main));
     const Range range =

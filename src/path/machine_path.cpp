@@ -2,8 +2,8 @@
 
 namespace kadr {
 
-MachinePath::MachinePath(const AxisRoles& roles, const ToolPosition& from, const Motion& motion)
-    : roles_(roles), from_(from), motion_(motion), curve_(roles, from.work, motion), end_(motion.machine) {
+MachinePath::MachinePath(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve)
+    : roles_(roles), from_(from), motion_(motion), curve_(curve), end_(motion.machine) {
   for (std::size_t i = 0; i < roles.count; ++i)
     if (rolls_over(i)) end_[i] = from.machine[i] + motion.detail->travel[i];
 }
@@ -24,8 +24,8 @@ Extents MachinePath::extents(double from, double to) const {
       if (box.least[i] > box.most[i]) std::swap(box.least[i], box.most[i]);
     return box;
   }
-  if (from <= 0 && to >= 1) return machine_extents(roles_, from_, motion_);
-  const ToolPosition piece_from{curve_.at(from), at(from), from_.rotation};
+  if (from <= 0 && to >= 1) return machine_extents(roles_, from_, motion_, curve_);
+  const ToolPosition piece_from{curve_.at(from), at(from), from_.turn};
   Motion piece = motion_;
   piece.to = curve_.at(to);
   piece.machine = at(to);

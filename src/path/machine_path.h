@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "path/curve.h"
+#include "action/step.h"
 #include "path/machine_extents.h"
 
 namespace kadr {
@@ -13,7 +13,10 @@ namespace kadr {
 /// A view of a motion: what it is made of must outlive it.
 class MachinePath {
  public:
-  MachinePath(const AxisRoles& roles, const ToolPosition& from, const Motion& motion);
+  ///   curve  of the motion from there
+  MachinePath(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve);
+  /// Of a step that is a motion.
+  explicit MachinePath(const Step& step) : MachinePath(step.roles, step.from, *step.motion(), step.curve()) {}
 
   /// A straight line of all axes, from start() to end().
   bool straight() const { return curve_.straight(); }
@@ -56,7 +59,7 @@ class MachinePath {
   const AxisRoles& roles_;
   const ToolPosition& from_;
   const Motion& motion_;
-  Curve curve_;
+  const Curve& curve_;
   Axes end_;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 // Distance of two pieces of path in a plane: lines and arcs.
 
+#include "action/flat_path.h"
 #include "path/contour_offset.h"
-#include "path/flat_path.h"
 
 namespace kadr {
 

@@ -1,25 +1,25 @@
 #pragma once
 // The end of a motion moved in its plane, in work and machine coordinates alike.
 
-#include "path/axis_roles.h"
+#include "action/tool_position.h"
 
 namespace kadr {
 
 /// Moves the end of a motion in the plane of these two axes; in machine coordinates as the frame is turned. Axes that follow one of
 /// them (nct 20.2) go with it.
-inline void shift_in_plane(Motion& motion, std::size_t first, std::size_t second, Vec2 by, const FrameRotation* rotation) {
+inline void shift_in_plane(Motion& motion, std::size_t first, std::size_t second, Vec2 by, const FrameTurn* turn) {
   if (by == Vec2{}) return;
-  if (rotation == nullptr && !motion.detail) {  // mostly
+  if (turn == nullptr && !motion.detail) {  // mostly
     motion.to[first] += by.x;
     motion.to[second] += by.y;
     motion.machine[first] += by.x;
     motion.machine[second] += by.y;
     return;
   }
-  const Axes before = turned(rotation, motion.to);
+  const Axes before = turned(turn, motion.to);
   motion.to[first] += by.x;
   motion.to[second] += by.y;
-  const Axes now = turned(rotation, motion.to);
+  const Axes now = turned(turn, motion.to);
   for (std::size_t i = 0; i < max_axes; ++i) motion.machine[i] += now[i] - before[i];
   if (!motion.detail) return;
   for (const Follower& f : motion.detail->followers) {

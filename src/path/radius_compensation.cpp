@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "path/curve.h"
+#include "action/curve.h"
 
 namespace kadr {
 namespace {
@@ -92,7 +92,7 @@ void RadiusCompensation::next(Action& action) {
 
 /// A length does not touch the path; where the zero moves, an offset that the program may leave by itself (`entry`) stays.
 void RadiusCompensation::frame_change(Action& action, FrameChange& frame) {
-  const bool stays = length(in_plane(frame.work) - in_plane(at_.work)) <= tol::same_point && frame.rotation == at_.rotation;
+  const bool stays = length(in_plane(frame.work) - in_plane(at_.work)) <= tol::same_point && frame.placement.turn == at_.turn;
   if (!keeps_vector_) flush(Vec2{});
   else if (!stays) flush({});
   if (fault_) return;

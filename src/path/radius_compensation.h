@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "action/tool_position.h"
 #include "base/tolerance.h"
-#include "path/axis_roles.h"
 #include "path/contour_watch.h"
 #include "path/interference.h"
 

@@ -77,7 +77,7 @@ inline std::string exactly(const Action& action) {
   } else if (const auto* s = std::get_if<Spindle>(&action.what)) {
     add(double(s->dir)), add(s->rpm);
   } else if (const auto* f = std::get_if<FrameChange>(&action.what)) {
-    for (std::size_t a = 0; a < 9; ++a) add(f->origin[a]), add(f->length[a]), add(f->work[a]);
+    for (std::size_t a = 0; a < 9; ++a) add(f->placement.origin[a]), add(f->placement.length[a]), add(f->work[a]);
   } else if (const auto* t = std::get_if<ToolSelect>(&action.what)) {
     add(t->tool), add(t->corrector);
   } else if (const auto* k = std::get_if<MachineFunction>(&action.what)) {

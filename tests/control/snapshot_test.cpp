@@ -11,6 +11,7 @@
 #include "control/run_program.h"
 #include "control/snapshot_content.h"
 #include "machine/plc.h"
+#include "motion/steps.h"
 #include "out/trace.h"
 #include "session/plc_commands.h"
 
@@ -86,8 +87,10 @@ class Runner {
     std::size_t size = 0;
     std::FILE* const file = ::open_memstream(&text, &size);
     {
-      TraceWriter trace(file, control_.axes(), control_.rotary(), {start_.position, start_.machine_position});
-      for (const Action& action : actions_) trace.write(action);
+      const AxisRoles roles = AxisRoles::of(control_.axes(), control_.rotary());
+      Steps steps(roles, {start_.position, start_.machine_position});
+      TraceWriter trace(file, control_.axes(), control_.rotary());
+      for (const Action& action : actions_) steps.give(action, [&](const Step& step) { trace.write(step); });
       const auto state = control_.run_state();
       const std::string json = state ? state_json(*state) : std::string();
       trace.finish(control_.ending(), {.state = json});

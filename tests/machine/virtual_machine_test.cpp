@@ -76,9 +76,9 @@ TEST(virtual_machine, probe_switch_stops_the_motion) {
 }
 
 TEST(virtual_machine, an_arc_in_a_turned_frame_counts_in_machine_axes) {  // nct 10.2.3
-  FrameRotation quarter;                                                  // about Y: X becomes -Z, Z becomes X
+  FrameTurn quarter;                                                  // about Y: X becomes -Z, Z becomes X
   quarter.rows = {Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{-1, 0, 0}};
-  VirtualMachine m = machine({}, {{0, 0, 95}, {95, 0, 0}, std::make_shared<FrameRotation>(quarter)});
+  VirtualMachine m = machine({}, {{0, 0, 95}, {95, 0, 0}, std::make_shared<FrameTurn>(quarter)});
   Motion up = arc(arc_ccw, {0, 0, 95}, {0, 0, 89}, 1, Plane::zx);
   up.machine = {95, 0, 0};
   EXPECT_TRUE(m.take(action(up)));
@@ -105,7 +105,7 @@ TEST(virtual_machine, polar_interpolation_may_pass_a_limit_between_its_ends) {
 }
 
 TEST(virtual_machine, probe_motion_ends_in_a_turned_frame) {
-  FrameRotation quarter;  // about Z: X towards Y
+  FrameTurn quarter;  // about Z: X towards Y
   quarter.rows = {Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}};
   Motion motion = straight(probe, {100, 0, 0}, 60);
   motion.machine = {5, 107, 3};

@@ -221,7 +221,8 @@ ZoneBox any_box() {
 
 RC_GTEST_PROP(zones, a_path_meets_a_box_where_its_sampled_twin_does, ()) {
   const Moved moved = any_motion();
-  const MachinePath path(moved.roles, moved.from, moved.motion);
+  const Curve curve(moved.roles, moved.from.work, moved.motion);
+  const MachinePath path(moved.roles, moved.from, moved.motion, curve);
   const ZoneBox box = any_box();
   const auto part = first_meeting(box, path);
   const auto twin = sampled(box, path, 20'000);
@@ -231,7 +232,8 @@ RC_GTEST_PROP(zones, a_path_meets_a_box_where_its_sampled_twin_does, ()) {
 
 RC_GTEST_PROP(zones, an_axis_passes_a_value_where_its_sampled_twin_does, ()) {
   const Moved moved = any_motion();
-  const MachinePath path(moved.roles, moved.from, moved.motion);
+  const Curve curve(moved.roles, moved.from.work, moved.motion);
+  const MachinePath path(moved.roles, moved.from, moved.motion, curve);
   const auto axis = static_cast<std::size_t>(*rc::gen::inRange(0, 4));
   const double value = path.start()[axis] + any_number(0, 40);
   const auto part = first_passing(path, axis, value, Side::above);

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "actions.h"
+#include "motion/steps.h"
 #include "out/page_file.h"
 #include "out/plot_view.h"
 #include "out/text_width.h"
@@ -25,11 +26,18 @@ using enum MotionKind;
 
 const std::vector<std::string> names = {"X", "Y", "Z"};
 
+const AxisRoles roles = AxisRoles::of(names, 0);
+
+/// Gives actions to a plot, from where the tool stands.
+void draw(Plot& plot, const std::vector<Action>& actions, const AxisRoles& of = roles, const ToolPosition& start = {}) {
+  Steps steps(of, start);
+  for (const Action& a : actions) steps.give(a, [&](const Step& step) { plot.consume(step); });
+}
+
 Plot small_part() {
   Plot plot(names, 0, {});
-  plot.take(action(straight(rapid, {10, 0, 5})));
-  plot.take(action(straight(feed, {10, 0, -2}, 100)));
-  plot.take(action(arc(arc_ccw, {10, 0, -2}, {0, 0, 0}, 1)));
+  draw(plot,
+       {action(straight(rapid, {10, 0, 5})), action(straight(feed, {10, 0, -2}, 100)), action(arc(arc_ccw, {10, 0, -2}, {0, 0, 0}, 1))});
   return plot;
 }
 
@@ -43,12 +51,14 @@ TEST(plot, keeps_the_path_and_its_extents) {
 
 TEST(plot, work_systems_stand_where_they_are_on_the_machine) {
   Plot plot(names, 0, {});
+  std::vector<Action> program;
   for (const double origin : {100.0, 300.0}) {
-    plot.take({{}, FrameChange{{origin, 0, 0}, {}, {}}});
+    program.push_back({{}, FrameChange{{.origin = {origin, 0, 0}}, {}}});
     Motion m = straight(feed, {10, 0, 0}, 100);
     m.machine[0] += origin;
-    plot.take(action(m));
+    program.push_back(action(m));
   }
+  draw(plot, program);
   EXPECT_EQ(plot.path().points().back().at, (Vec3{210, 0, 0}));
   ASSERT_EQ(plot.zeros().size(), 2U);
   EXPECT_EQ(plot.zeros()[1], (Vec3{200, 0, 0}));
@@ -130,7 +140,8 @@ TEST(plot_view, a_fitted_box_stays_in_its_area) {
 
 TEST(plot, surfaces_are_drawn_by_their_linear_axes) {
   const std::vector<std::string> axes = {"X", "Z", "C"};
-  Plot plot(axes, 4, {{50, 0, 0}, {50, 0, 0}});
+  const ToolPosition start{{50, 0, 0}, {50, 0, 0}};
+  Plot plot(axes, 4, start);
   MotionDetail detail;
   detail.surface = PathSurface::polar;
   detail.flat_from = {50, 1};
@@ -138,7 +149,7 @@ TEST(plot, surfaces_are_drawn_by_their_linear_axes) {
   Motion m = straight(feed, {50, -10, 178}, 1000);
   m.second = 2;
   m.detail = std::make_shared<MotionDetail>(detail);
-  plot.take(action(m));
+  draw(plot, {action(m)}, AxisRoles::of(axes, 4), start);
   EXPECT_NEAR(plot.path().cutting_box().least.x, 1, 0.02);
   EXPECT_NEAR(plot.path().cutting_box().most.z, 0, 1e-9);
   EXPECT_EQ(plot.path().points().back().stroke, Stroke::feed);

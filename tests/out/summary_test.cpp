@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "actions.h"
+#include "motion/steps.h"
 
 namespace kadr {
 namespace {
@@ -14,18 +15,35 @@ using test::arc;
 using test::straight;
 using enum MotionKind;
 
+/// Gives actions to the statistics as a run does, from a start on.
+struct Counting {
+  Counting(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const ToolPosition& start = {})
+      : roles(AxisRoles::of(axes, rotary)), s(axes, rotary, rates_of(profile, kadr::Setup{}, axes)), steps(roles, start, &s.clock()) {}
+  MotionTime take(const Action& a) {
+    MotionTime time;
+    steps.give(a, [&](const Step& step) {
+      s.consume(step);
+      time = step.time;
+    });
+    return time;
+  }
+  AxisRoles roles;
+  Statistics s;
+  Steps steps;
+};
+
 Statistics run() {
   const std::vector<std::string> names = {"X", "Y", "Z"};
   MachineProfile profile;
   profile.tool_change_s = 10;
-  Statistics s(names, 0, rates_of(profile, kadr::Setup{}, names), {});
-  s.take({{}, ToolChange{4}});
-  s.take(action(straight(rapid, {100, 0, 0})));
-  s.take(action(straight(feed, {100, 50, 0}, 100)));
-  s.take(action(arc(arc_ccw, {80, 50, 0}, {90, 50, 0}, 0.5)));
-  s.take({{}, Dwell{2}});
-  s.count(Severity::warning);
-  return s;
+  Counting run(names, 0, profile);
+  run.take({{}, ToolChange{4}});
+  run.take(action(straight(rapid, {100, 0, 0})));
+  run.take(action(straight(feed, {100, 50, 0}, 100)));
+  run.take(action(arc(arc_ccw, {80, 50, 0}, {90, 50, 0}, 0.5)));
+  run.take({{}, Dwell{2}});
+  run.s.count(Severity::warning);
+  return run.s;
 }
 
 TEST(summary, counts_lengths_and_extents) {
@@ -59,9 +77,9 @@ TEST(summary, text_in_both_languages) {
 
 Statistics moved(const std::vector<Motion>& motions, AxisMask rotary = 0) {
   const std::vector<std::string> names = {"X", "Y", "Z", "A"};
-  Statistics s(names, rotary, rates_of(MachineProfile{}, kadr::Setup{}, names), {});
-  for (const Motion& motion : motions) s.take(action(motion));
-  return s;
+  Counting run(names, rotary, {});
+  for (const Motion& motion : motions) run.take(action(motion));
+  return run.s;
 }
 
 Motion in_system(Motion motion, std::uint8_t system, bool inch = false) {
@@ -118,21 +136,22 @@ TEST(summary, channels) {
 
 TEST(summary, work_position_follows_the_frame) {
   const std::vector<std::string> names = {"X", "Y", "Z"};
-  Statistics s(names, 0, rates_of(MachineProfile{}, kadr::Setup{}, names), {});
-  s.take({{}, FrameChange{{100, 0, 0}, {}, {-100, 0, 0}}});
-  s.take(action(straight(feed, {0, 0, 0}, 100)));
-  EXPECT_DOUBLE_EQ(s.cutting_mm(), 100);
+  Counting run(names, 0, {});
+  run.take({{}, FrameChange{{.origin = {100, 0, 0}}, {-100, 0, 0}}});
+  run.take(action(straight(feed, {0, 0, 0}, 100)));
+  EXPECT_DOUBLE_EQ(run.s.cutting_mm(), 100);
 }
 
 TEST(summary, threads_cut) {
   const std::vector<std::string> names = {"X", "Y", "Z"};
-  Statistics s(names, 0, rates_of(MachineProfile{}, kadr::Setup{}, names), {});
+  Counting run(names, 0, {});
+  Statistics& s = run.s;
   s.start_with(100, 1);
   MotionDetail detail;
   detail.lead = 2;
   Motion m = straight(thread, {0, 0, -20});
   m.detail = std::make_shared<MotionDetail>(detail);
-  EXPECT_DOUBLE_EQ(s.take(action(m)).seconds, 6);
+  EXPECT_DOUBLE_EQ(run.take(action(m)).seconds, 6);
   EXPECT_EQ(s.feeds(), 1U);
   EXPECT_DOUBLE_EQ(s.cutting_mm(), 20);
   EXPECT_EQ(s.cutting_box().least.z, -20);
@@ -141,16 +160,16 @@ TEST(summary, threads_cut) {
 
 TEST(summary, polar_interpolation_by_its_real_axes) {  // golden 04-50
   const std::vector<std::string> names = {"X", "C"};
-  Statistics s(names, 2, rates_of(MachineProfile{}, kadr::Setup{}, names), {{50, 0}, {50, 0}});
+  Counting run(names, 2, {}, {{50, 0}, {50, 0}});
   MotionDetail detail;
   detail.surface = PathSurface::polar;
   detail.flat_from = {50, 1};
   detail.flat_to = {-50, 1};
   Motion m = straight(feed, {50, 178, 0}, 1000);
   m.detail = std::make_shared<MotionDetail>(detail);
-  s.take(action(m));
-  EXPECT_DOUBLE_EQ(s.cutting_mm(), 100);
-  EXPECT_NEAR(s.cutting_box().least.x, 1, 1e-9);
+  run.take(action(m));
+  EXPECT_DOUBLE_EQ(run.s.cutting_mm(), 100);
+  EXPECT_NEAR(run.s.cutting_box().least.x, 1, 1e-9);
 }
 
 }  // namespace

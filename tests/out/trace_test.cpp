@@ -20,11 +20,22 @@ using test::straight;
 using enum MotionKind;
 
 const std::vector<std::string> names = {"X", "Y", "Z"};
+const AxisRoles roles = AxisRoles::of(names, 0);
 
-std::string traced(const std::function<void(TraceWriter&)>& write, std::vector<double> points = {}, const ToolPosition& start = {}) {
+/// A writer that is given actions from a start on.
+struct Tracing {
+  TraceWriter& writer;
+  ToolPosition at;
+  void write(const Action& a, const MotionTime& time = {}) {
+    writer.write(Step(roles, a, at, 0, time));
+    at.take(a);
+  }
+};
+
+std::string traced(const std::function<void(TraceWriter&)>& write, std::vector<double> points = {}) {
   std::FILE* const file = std::tmpfile();
   {
-    TraceWriter writer(file, names, 0, start, std::move(points));
+    TraceWriter writer(file, names, 0, std::move(points));
     write(writer);
     EXPECT_TRUE(writer.ok());
   }
@@ -35,8 +46,16 @@ std::string traced(const std::function<void(TraceWriter&)>& write, std::vector<d
   return text;
 }
 
+std::string traced_from(const ToolPosition& start, const std::function<void(Tracing&)>& write, std::vector<double> points = {}) {
+  const auto begin = [&](TraceWriter& writer) {
+    Tracing tracing{writer, start};
+    write(tracing);
+  };
+  return traced(begin, std::move(points));
+}
+
 std::string line_of(const Action& a) {
-  return traced([&](TraceWriter& w) { w.write(a); });
+  return traced_from({}, [&](Tracing& w) { w.write(a); });
 }
 
 template <class T>
@@ -151,7 +170,7 @@ TEST(trace, way_of_the_motion_behind_a_probe) {
     m.named = axes;
     return action(m);
   };
-  const std::string lines = traced([&](TraceWriter& w) {
+  const std::string lines = traced_from({}, [&](Tracing& w) {
     w.write(named(straight(probe, {130, 0, 0}, 100), 1));
     w.write(named(straight(feed, {300, 100, 0}, 100), 3));
     w.write(named(straight(feed, {0, 0, 0}, 100), 3));
@@ -165,7 +184,7 @@ TEST(trace, way_of_the_motion_behind_a_probe) {
 }
 
 TEST(trace, length_of_arcs_and_times_where_they_are_exact) {
-  const auto line = [](const Motion& m, const MotionTime& time) { return traced([&](TraceWriter& w) { w.write(action(m), time); }); };
+  const auto line = [](const Motion& m, const MotionTime& time) { return traced_from({}, [&](Tracing& w) { w.write(action(m), time); }); };
   const Motion half = arc(arc_ccw, {-10, 0, 0}, {}, 0.5);
   EXPECT_NE(line(half, {31.4, 18.84, 100, 100, false}).find(R"("exact":false,"length":31.4})"), std::string::npos);
   EXPECT_NE(line(half, {31.4, 18.84, 100, 100, true}).find(R"("exact":false,"length":31.4,"seconds":18.84,"feed_max":100})"),
@@ -186,7 +205,7 @@ TEST(trace, points_of_polar_interpolation) {
   const Motion m = with(straight(feed, {std::sqrt(2501), 178.854237, 0}, 1000), detail);
   const ToolPosition start{{std::sqrt(2501), 1.145763, 0}, {std::sqrt(2501), 1.145763, 0}};
   const auto point = [&](bool exact) {
-    const std::string line = traced([&](TraceWriter& w) { w.write(action(m), {100, 6, 1000, 1000, exact}); }, {0.5}, start);
+    const std::string line = traced_from(start, [&](Tracing& w) { w.write(action(m), {100, 6, 1000, 1000, exact}); }, {0.5});
     const auto json = nlohmann::json::parse(line);
     EXPECT_EQ(json.at("length"), 100);
     EXPECT_EQ(json.at("programmed").at("X"), -50);
@@ -215,7 +234,7 @@ TEST(trace, block_numbers_as_written) {
 TEST(trace, points_within_a_motion) {
   Motion m = arc(arc_ccw, {-10, 0, 0}, {}, 0.5);
   m.machine[0] = 90;
-  const std::string line = traced([&](TraceWriter& w) { w.write(action(m)); }, {0.5, 1}, {{10, 0, 0}, {110, 0, 0}});
+  const std::string line = traced_from({{10, 0, 0}, {110, 0, 0}}, [&](Tracing& w) { w.write(action(m)); }, {0.5, 1});
   EXPECT_NE(line.find(R"(,"points":[{"part":0.5,"to":{"X":0,"Y":10,"Z":0},"machine":{"X":100,"Y":10,"Z":0}},{"part":1,"to":{"X":-10,)"),
             std::string::npos)
       << line;
@@ -254,11 +273,12 @@ TEST(trace, last_line) {
 TEST(trace, channels) {
   Action dwell{{}, Dwell{2}};
   dwell.origin.line = 4;
-  EXPECT_EQ(traced([&](TraceWriter& w) {
-              w.set_channel(3);
-              w.write(dwell);
-              w.write({dwell.origin, Sync{501, {3, 1}, 2.5}});
-            }),
+  EXPECT_EQ(traced_from({},
+                        [&](Tracing& w) {
+                          w.writer.set_channel(3);
+                          w.write(dwell);
+                          w.write({dwell.origin, Sync{501, {3, 1}, 2.5}});
+                        }),
             R"({"do":"dwell","channel":3,"line":4,"seconds":2})"
             "\n"
             R"({"do":"sync","channel":3,"line":4,"code":"M501","channels":[3,1],"at":2.5})"
@@ -298,7 +318,7 @@ RC_GTEST_PROP(numbers, read_back_within_half_of_a_billionth, (int whole, int par
 }
 
 TEST(trace, every_line_is_json) {
-  std::string text = traced([](TraceWriter& w) {
+  std::string text = traced_from({}, [](Tracing& w) {
     for (int i = 0; i < 3000; ++i) w.write(action(straight(feed, {i * 0.1, i / 3.0, -i * 1e-5}, 100), unsigned(i)));
   });
   std::size_t lines = 0;

@@ -7,9 +7,9 @@
 
 #include <cmath>
 
+#include "action/curve.h"
 #include "actions.h"
 #include "path/contour_motion.h"
-#include "path/curve.h"
 
 namespace kadr {
 namespace {
@@ -311,10 +311,10 @@ TEST(contour_corners, both_corners_of_a_line_must_fit) {
 }
 
 TEST(contour_corners, machine_coordinates_turn_with_the_frame) {
-  auto rotation = std::make_shared<FrameRotation>();
+  auto rotation = std::make_shared<FrameTurn>();
   rotation->rows = {Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}};
   ToolPosition start;
-  start.rotation = rotation;
+  start.turn = rotation;
   ContourCorners corners{start};
   ActionBatch batch;
   Motion first = line({10, 0}, 2), second = line({10, 10});

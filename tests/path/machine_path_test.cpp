@@ -22,7 +22,8 @@ TEST(machine_path, a_line_in_machine_coordinates) {
   const ToolPosition from{{0, 0, 0}, {100, 0, 0}};
   Motion m = straight(feed, {10, 20, -30});
   m.machine = {110, 20, -30};
-  const MachinePath path(roles, from, m);
+  const Curve curve(roles, from.work, m);
+  const MachinePath path(roles, from, m, curve);
   EXPECT_TRUE(path.straight());
   EXPECT_EQ(path.at(0.5), (Axes{105, 10, -15}));
   EXPECT_EQ(path.extents(0.5, 1).least, (Axes{105, 10, -30}));
@@ -37,7 +38,8 @@ TEST(machine_path, an_axis_that_rolls_over_counts_on) {
   detail.rolled = 2;
   detail.travel = {0, 40};
   m.detail = std::make_shared<MotionDetail>(detail);
-  const MachinePath path(roles, from, m);
+  const Curve curve(roles, from.work, m);
+  const MachinePath path(roles, from, m, curve);
   EXPECT_TRUE(path.rolls_over(1));
   EXPECT_FALSE(path.rolls_over(0));
   EXPECT_EQ(path.end(), (Axes{5, 390}));
@@ -48,7 +50,8 @@ TEST(machine_path, a_quarter_of_a_circle_has_its_own_box) {
   const AxisRoles roles = AxisRoles::of({"X", "Y", "Z"}, 0);
   const ToolPosition from{{10, 0, 0}, {10, 0, 0}};
   const Motion m = test::arc(arc_ccw, {10, 0, 0}, {0, 0, 0}, 1);
-  const MachinePath path(roles, from, m);
+  const Curve curve(roles, from.work, m);
+  const MachinePath path(roles, from, m, curve);
   const Extents second = path.extents(0.25, 0.5);
   EXPECT_NEAR(second.least[0], -10, 1e-12);
   EXPECT_NEAR(second.most[0], 0, 1e-12);
@@ -58,7 +61,8 @@ TEST(machine_path, a_quarter_of_a_circle_has_its_own_box) {
 
 RC_GTEST_PROP(machine_path, boxes_of_pieces_are_those_of_their_points, ()) {
   const Moved moved = any_motion();
-  const MachinePath path(moved.roles, moved.from, moved.motion);
+  const Curve curve(moved.roles, moved.from.work, moved.motion);
+  const MachinePath path(moved.roles, moved.from, moved.motion, curve);
   const double first = *rc::gen::inRange(0, 1000) / 1000.0, last = *rc::gen::inRange(0, 1001) / 1000.0;
   RC_PRE(first < last);
   const Extents box = path.extents(first, last);
@@ -84,7 +88,7 @@ RC_GTEST_PROP(machine_path, followers_copy_the_way_of_their_masters_and_nothing_
   test::let_follow(moved);
   const Curve without(moved.roles, moved.from.work, alone), with(moved.roles, moved.from.work, moved.motion);
   RC_ASSERT(without.length() == with.length());
-  const MachinePath path(moved.roles, moved.from, moved.motion), own(moved.roles, moved.from, alone);
+  const MachinePath path(moved.roles, moved.from, moved.motion, with), own(moved.roles, moved.from, alone, without);
   for (const double part : {0.0, 0.13, 0.5, 0.77, 1.0}) {
     const Axes at = path.at(part);
     for (std::size_t a = 0; a < 4; ++a) RC_ASSERT(at[a] == own.at(part)[a]);

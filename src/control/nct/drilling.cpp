@@ -142,7 +142,7 @@ class Drilling {
 
   /// Where the tool stood before a new length of this block: that acts in operation 3 only.
   Axes before_new_length() const {
-    Frames frames = m_.frames;
+    Placement frames = m_.frames;
     frames.length = m_.state_before().modal.lengths;
     return m_.transform.to_programmed(frames.work_of(m_.position.machine));
   }

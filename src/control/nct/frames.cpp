@@ -19,14 +19,14 @@ std::array<Vec3, 3> rotation_rows(Vec3 angles) {
           Vec3{-b.sin, b.cos * a.sin, b.cos * a.cos}};
 }
 
-std::shared_ptr<const FrameRotation> rotation_of(const Interpreter& m, const std::shared_ptr<const FrameRotation>& before) {
+std::shared_ptr<const FrameTurn> rotation_of(const Interpreter& m, const std::shared_ptr<const FrameTurn>& before) {
   const Vec3 angles = m.tables.rotations[m.modal.work_zero];
   if (angles == Vec3{}) return nullptr;
-  FrameRotation rotation;
+  FrameTurn rotation;
   rotation.rows = rotation_rows(angles);
   for (int role = 1; role <= 3; ++role) rotation.main[static_cast<std::size_t>(role - 1)] = static_cast<std::int8_t>(main_axis(m, role));
   if (before && *before == rotation) return before;
-  return std::make_shared<const FrameRotation>(rotation);
+  return std::make_shared<const FrameTurn>(rotation);
 }
 
 }  // namespace
@@ -40,21 +40,21 @@ int main_axis(const Interpreter& m, int role) {
 std::string plane_name(const Interpreter& m) { return m.axis_names[m.modal.axes.first] + m.axis_names[m.modal.axes.second]; }
 
 void refresh_frames(Interpreter& m) {
-  Frames& f = m.frames;
-  f.rotation = rotation_of(m, f.rotation);
+  Placement& f = m.frames;
+  f.turn = rotation_of(m, f.turn);
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     f.origin[a] = m.tables.common[a] + m.tables.zeros[m.modal.work_zero][a];
     f.shift[a] = m.modal.new_system[a] + m.modal.local[a];
     f.length[a] = m.modal.lengths[a];
   }
-  if (f.rotation == nullptr) {
+  if (f.turn == nullptr) {
     for (std::size_t a = 0; a < m.axis_count; ++a) f.origin[a] += f.shift[a];
     f.shift = {};
     return;
   }
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     bool is_main = false;
-    for (const std::int8_t main : f.rotation->main) is_main = is_main || main == static_cast<std::int8_t>(a);
+    for (const std::int8_t main : f.turn->main) is_main = is_main || main == static_cast<std::int8_t>(a);
     if (is_main) continue;
     f.origin[a] += f.shift[a];
     f.shift[a] = 0;

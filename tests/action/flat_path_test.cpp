@@ -1,6 +1,6 @@
-// path/flat_path: arcs and spirals in a plane. NCT 4.3–4.3.3; figures of the golden cases 04-23 … 04-31.
+// action/flat_path: arcs and spirals in a plane. NCT 4.3–4.3.3; figures of the golden cases 04-23 … 04-31.
 
-#include "path/flat_path.h"
+#include "action/flat_path.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,10 @@
 // plane of a surface: polar or cylinder interpolation. Axes outside the plane, and rotary ones, go evenly along; an axis that
 // follows another goes as that does. NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6, 20.2.
 
-#include "path/axis_roles.h"
-#include "path/flat_path.h"
-#include "path/polar.h"
+#include "action/action.h"
+#include "action/axis_roles.h"
+#include "action/flat_path.h"
+#include "action/polar.h"
 
 namespace kadr {
 

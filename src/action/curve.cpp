@@ -1,4 +1,4 @@
-#include "path/curve.h"
+#include "action/curve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // PolarPath: a path programmed in a flat plane, carried out by a linear and a rotary axis. NCT 4.5:
 //   linear = side · sqrt(u² + w² − p²),   rotary = atan2(side·w, side·u) − atan2(p, linear), continuous from its start.
 
-#include "path/flat_path.h"
+#include "action/flat_path.h"
 
 namespace kadr {
 

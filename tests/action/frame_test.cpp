@@ -1,4 +1,4 @@
-// path/axis_roles, path/machine_extents: machine coordinates along a motion, frames turned or not. NCT 10.2.3.
+// action/tool_position, path/machine_extents: machine coordinates along a motion, frames turned or not. NCT 10.2.3.
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@ using enum MotionKind;
 const AxisRoles roles = AxisRoles::of({"X", "Y", "Z", "B"}, 8);
 
 /// M_Z(30) · M_Y(20) · M_X(10), as nct 10.2.3 writes it out.
-FrameRotation rotation_of_the_manual() {
+FrameTurn rotation_of_the_manual() {
   const SinCos a = sincos_deg(10), b = sincos_deg(20), g = sincos_deg(30);
-  FrameRotation r;
+  FrameTurn r;
   r.rows = {Vec3{g.cos * b.cos, g.cos * b.sin * a.sin - g.sin * a.cos, g.cos * b.sin * a.cos + g.sin * a.sin},
             Vec3{g.sin * b.cos, g.sin * b.sin * a.sin + g.cos * a.cos, g.sin * b.sin * a.cos - g.cos * a.sin},
             Vec3{-b.sin, b.cos * a.sin, b.cos * a.cos}};
@@ -26,7 +26,7 @@ FrameRotation rotation_of_the_manual() {
 }
 
 TEST(frame, turned_work_coordinates) {  // golden 10-14
-  const FrameRotation rotation = rotation_of_the_manual();
+  const FrameTurn rotation = rotation_of_the_manual();
   const Axes machine = turned(&rotation, {10, 20, 30, 7});
   EXPECT_NEAR(machine[0], 10.6743, 1e-4);
   EXPECT_NEAR(machine[1], 22.8906, 1e-4);
@@ -36,7 +36,7 @@ TEST(frame, turned_work_coordinates) {  // golden 10-14
 }
 
 TEST(frame, main_axes_may_stand_anywhere_or_be_missing) {
-  FrameRotation quarter;  // about Z: X towards Y
+  FrameTurn quarter;  // about Z: X towards Y
   quarter.rows = {Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}};
   quarter.main = {2, 0, -1};
   EXPECT_EQ(turned(&quarter, {5, 9, 3}), (Axes{3, 9, -5}));
@@ -45,7 +45,7 @@ TEST(frame, main_axes_may_stand_anywhere_or_be_missing) {
 /// The slow twin: origin + length + turn · (shift + work), for each point.
 RC_GTEST_PROP(frame, points_of_an_arc_in_a_turned_frame, ()) {
   test::Choices choose = test::choices(40);
-  const auto rotation = std::make_shared<FrameRotation>(rotation_of_the_manual());
+  const auto rotation = std::make_shared<FrameTurn>(rotation_of_the_manual());
   const Axes origin{100, -50, 20, 5}, shift{3, 2, 1, 0};
   const auto machine = [&](const Axes& work) {
     Axes moved = work;
@@ -73,10 +73,10 @@ RC_GTEST_PROP(frame, points_of_an_arc_in_a_turned_frame, ()) {
 }
 
 TEST(frame, extents_in_a_turned_frame_are_exact) {
-  FrameRotation about_x;  // by 60°: the circle in XY leans
+  FrameTurn about_x;  // by 60°: the circle in XY leans
   const SinCos a = sincos_deg(60);
   about_x.rows = {Vec3{1, 0, 0}, Vec3{0, a.cos, -a.sin}, Vec3{0, a.sin, a.cos}};
-  const ToolPosition start{{10, 0, 0}, {10, 0, 0}, std::make_shared<FrameRotation>(about_x)};
+  const ToolPosition start{{10, 0, 0}, {10, 0, 0}, std::make_shared<FrameTurn>(about_x)};
   const Extents box = machine_extents(roles, start, arc(arc_ccw, {10, 0, 0}, {}, 1));
   EXPECT_NEAR(box.most[0], 10, 1e-9);
   EXPECT_NEAR(box.most[1], 5, 1e-9);
@@ -85,12 +85,12 @@ TEST(frame, extents_in_a_turned_frame_are_exact) {
 
 TEST(frame, position_keeps_the_rotation_until_the_next_frame) {
   ToolPosition position;
-  const auto rotation = std::make_shared<const FrameRotation>(rotation_of_the_manual());
-  position.take(FrameChange{{}, {}, {1, 2, 3}, rotation});
+  const auto rotation = std::make_shared<const FrameTurn>(rotation_of_the_manual());
+  position.take(FrameChange{{.turn = rotation}, {1, 2, 3}});
   position.take(straight(feed, {4, 5, 6}));
-  EXPECT_EQ(position.rotation, rotation);
-  position.take(FrameChange{{}, {}, {4, 5, 6}});
-  EXPECT_EQ(position.rotation, nullptr);
+  EXPECT_EQ(position.turn, rotation);
+  position.take(FrameChange{{}, {4, 5, 6}});
+  EXPECT_EQ(position.turn, nullptr);
 }
 
 TEST(frame, axis_that_rolls_over_counts_on_until_the_end) {  // nct 5.6

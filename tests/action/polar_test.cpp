@@ -1,6 +1,6 @@
-// path/polar: polar interpolation. NCT 4.5; figures of the golden case 04-39.
+// action/polar: polar interpolation. NCT 4.5; figures of the golden case 04-39.
 
-#include "path/polar.h"
+#include "action/polar.h"
 
 #include <gtest/gtest.h>
 

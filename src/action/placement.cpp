@@ -1,53 +1,59 @@
-// Work ↔ machine coordinates.
+// Work ↔ machine coordinates; tests/action/frame_test.cpp.
 
-#include "control/state.h"
+#include "action/placement.h"
 
 namespace kadr {
 namespace {
 
-Vec3 of_main(const FrameRotation& r, const Axes& axes) {
+Vec3 of_main(const FrameTurn& r, const Axes& axes) {
   const auto value = [&](std::size_t i) { return r.main[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(r.main[i])]; };
   return {value(0), value(1), value(2)};
 }
 
-void set_main(const FrameRotation& r, Axes& axes, Vec3 v) {
+void set_main(const FrameTurn& r, Axes& axes, Vec3 v) {
   const double values[] = {v.x, v.y, v.z};
   for (std::size_t i = 0; i < 3; ++i)
     if (r.main[i] >= 0) axes[static_cast<std::size_t>(r.main[i])] = values[i];
 }
 
-Vec3 turned(const FrameRotation& r, Vec3 v) {
+Vec3 turned(const FrameTurn& r, Vec3 v) {
   const auto row = [&](const Vec3& m) { return m.x * v.x + m.y * v.y + m.z * v.z; };
   return {row(r.rows[0]), row(r.rows[1]), row(r.rows[2])};
 }
 
 /// The inverse of a rotation is its transpose.
-Vec3 turned_back(const FrameRotation& r, Vec3 v) { return v.x * r.rows[0] + v.y * r.rows[1] + v.z * r.rows[2]; }
+Vec3 turned_back(const FrameTurn& r, Vec3 v) { return v.x * r.rows[0] + v.y * r.rows[1] + v.z * r.rows[2]; }
 
 }  // namespace
 
-Axes Frames::machine_of(const Axes& work) const {
+Axes turned_axes(const FrameTurn& turn, const Axes& work) {
+  Axes all = work;
+  set_main(turn, all, turned(turn, of_main(turn, work)));
+  return all;
+}
+
+Axes Placement::machine_of(const Axes& work) const {
   Axes machine;
   for (std::size_t a = 0; a < max_axes; ++a) machine[a] = work[a] + origin[a] + length[a];
-  if (!rotation) return machine;
-  const FrameRotation& r = *rotation;
+  if (!turn) return machine;
+  const FrameTurn& r = *turn;
   set_main(r, machine, of_main(r, origin) + of_main(r, length) + turned(r, of_main(r, shift) + of_main(r, work)));
   return machine;
 }
 
-Axes Frames::work_of(const Axes& machine) const {
+Axes Placement::work_of(const Axes& machine) const {
   Axes work;
   for (std::size_t a = 0; a < max_axes; ++a) work[a] = machine[a] - origin[a] - length[a];
-  if (!rotation) return work;
-  const FrameRotation& r = *rotation;
+  if (!turn) return work;
+  const FrameTurn& r = *turn;
   set_main(r, work, turned_back(r, of_main(r, machine) - of_main(r, origin) - of_main(r, length)) - of_main(r, shift));
   return work;
 }
 
-AxisMask Frames::moved_with(AxisMask named) const {
-  if (!rotation) return named;
+AxisMask Placement::moved_with(AxisMask named) const {
+  if (!turn) return named;
   AxisMask main = 0;
-  for (const std::int8_t axis : rotation->main)
+  for (const std::int8_t axis : turn->main)
     if (axis >= 0) main |= 1u << static_cast<unsigned>(axis);
   return (named & main) != 0 ? named | main : named;
 }

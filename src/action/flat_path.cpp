@@ -1,4 +1,4 @@
-#include "path/flat_path.h"
+#include "action/flat_path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "path/polar.h"
+#include "action/polar.h"
 
 #include <algorithm>
 #include <cmath>

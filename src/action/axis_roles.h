@@ -1,0 +1,31 @@
+#pragma once
+// AxisRoles: which axes are X, Y, Z and which are rotary.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace kadr {
+
+/// What the rooms after `control` know of a channel's axes.
+struct AxisRoles {
+  std::size_t count = 3;
+  AxisMask rotary = 0;
+  std::array<int, 3> xyz{0, 1, 2};  // places of X, Y, Z among the axes; -1: there is none
+
+  static AxisRoles of(const std::vector<std::string>& names, AxisMask rotary) {
+    AxisRoles roles{std::min(names.size(), max_axes), rotary, {-1, -1, -1}};
+    for (std::size_t i = 0; i < roles.count; ++i)
+      if (names[i].size() == 1 && names[i][0] >= 'X' && names[i][0] <= 'Z')
+        roles.xyz[static_cast<std::size_t>(names[i][0] - 'X')] = static_cast<int>(i);
+    return roles;
+  }
+
+  bool is_rotary(std::size_t axis) const { return (rotary >> axis & 1U) != 0; }
+};
+
+}  // namespace kadr

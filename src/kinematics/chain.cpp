@@ -1,0 +1,24 @@
+// From a place of the tool back to the axes; tests/kinematics/chain_test.cpp.
+
+#include "kinematics/chain.h"
+
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+
+std::optional<Axes> Chain::inverse(const Pose& pose, const Axes& near) const {
+  const Vec3 d = pose.direction;
+  constexpr double same_direction = 1e-12;  // rad
+  if (!(d.z > 0) || std::hypot(d.x, d.y) > same_direction) return std::nullopt;
+  Axes axes = near;
+  const double wanted[] = {pose.tip.x, pose.tip.y, pose.tip.z};
+  for (std::size_t letter = 0; letter < 3; ++letter) {
+    if (xyz_[letter] >= 0) axes[static_cast<std::size_t>(xyz_[letter])] = wanted[letter];
+    else if (std::fabs(wanted[letter]) > tol::same_point) return std::nullopt;
+  }
+  return axes;
+}
+
+}  // namespace kadr

@@ -1,0 +1,38 @@
+#pragma once
+// Chain: what carries what on a machine, from the axes' positions to the tool. So far the machine whose linear axes X, Y, Z stand at right
+// angles and carry a tool along Z: rotary axes and further linear ones turn and move the part or something else, and the tool's tip is
+// where X, Y, Z are. Whoever asks where the tool is asks here, so that five axes (NCT 25) become another chain, not another question.
+
+#include <optional>
+
+#include "action/axis_roles.h"
+
+namespace kadr {
+
+/// Of the tool in space.
+struct Pose {
+  Vec3 tip;                 // mm
+  Vec3 direction{0, 0, 1};  // from the tip into the tool, of length 1
+};
+
+class Chain {
+ public:
+  /// The axes X, Y, Z of a channel; one that it has not stands at 0.
+  explicit Chain(const AxisRoles& roles) : xyz_(roles.xyz) {}
+
+  /// Where the tool is; `axes`: of the machine, or work coordinates, then in the work system.
+  Pose forward(const Axes& axes) const { return {tip(axes), {0, 0, 1}}; }
+  Vec3 tip(const Axes& axes) const { return {value(axes, 0), value(axes, 1), value(axes, 2)}; }
+
+  /// The positions at which the tool is there; all axes that do not move it as in `near`.
+  ///   returns  nothing: no position of the axes gives that direction, or an axis is missing
+  ///   law      forward(*inverse(pose, near)) == pose
+  std::optional<Axes> inverse(const Pose& pose, const Axes& near) const;
+
+ private:
+  double value(const Axes& axes, std::size_t letter) const { return xyz_[letter] < 0 ? 0 : axes[static_cast<std::size_t>(xyz_[letter])]; }
+
+  std::array<int, 3> xyz_;
+};
+
+}  // namespace kadr
