@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "path/radius_compensation.h"
+#include "path/contour/radius_compensation.h"
 
 namespace kadr {
 namespace {

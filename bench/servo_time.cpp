@@ -15,7 +15,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "motion/playback.h"
+#include "motion/play/playback.h"
 
 namespace {
 

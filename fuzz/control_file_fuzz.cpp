@@ -6,7 +6,7 @@
 #include "config/control_file.h"
 #include "config/range.h"
 #include "control/control.h"
-#include "out/code_page.h"
+#include "out/text/code_page.h"
 #include "require.h"
 
 namespace {

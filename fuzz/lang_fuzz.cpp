@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "config/control_file.h"
-#include "lang/block_reader.h"
-#include "lang/utf16.h"
+#include "lang/block/block_reader.h"
+#include "lang/text/utf16.h"
 #include "require.h"
 
 namespace {

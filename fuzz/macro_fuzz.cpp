@@ -11,9 +11,9 @@
 
 #include "config/control_file.h"
 #include "config/machine_axes.h"
-#include "control/nct/print.h"
-#include "lang/expression.h"
-#include "lang/lexer.h"
+#include "control/nct/output/print.h"
+#include "lang/block/lexer.h"
+#include "lang/expression/expression.h"
 #include "require.h"
 
 namespace {

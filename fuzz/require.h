@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "lang/encoding.h"
+#include "lang/text/encoding.h"
 
 namespace kadr::fuzz {
 

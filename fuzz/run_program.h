@@ -13,13 +13,13 @@
 #include "config/state_json.h"
 #include "control/control.h"
 #include "machine/virtual_machine.h"
-#include "motion/steps.h"
-#include "out/alarm_print.h"
-#include "out/plot.h"
-#include "out/summary.h"
-#include "out/trace.h"
-#include "path/contour_corners.h"
-#include "path/radius_compensation.h"
+#include "motion/time/steps.h"
+#include "out/picture/plot.h"
+#include "out/text/alarm_print.h"
+#include "out/text/summary.h"
+#include "out/trace/trace.h"
+#include "path/contour/contour_corners.h"
+#include "path/contour/radius_compensation.h"
 #include "require.h"
 
 namespace kadr::fuzz {
@@ -169,7 +169,8 @@ class Run {
       check_motion(*motion);
     }
     if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
-      require(is_finite(frame->placement.origin) && is_finite(frame->placement.length) && is_finite(frame->work), "the frame is of numbers");
+      require(is_finite(frame->placement.origin) && is_finite(frame->placement.length) && is_finite(frame->work),
+              "the frame is of numbers");
       frame_ = *frame;
     }
     check_other(action);

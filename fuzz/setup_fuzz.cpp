@@ -9,7 +9,7 @@
 #include "config/range.h"
 #include "control/control.h"
 #include "machine/virtual_machine.h"
-#include "motion/estimate.h"
+#include "motion/time/estimate.h"
 #include "require.h"
 
 namespace {

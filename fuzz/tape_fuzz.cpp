@@ -1,11 +1,11 @@
-// Fuzz target for lang/tape and lang/encoding: any bytes may be a tape, or a text of any encoding.
+// Fuzz target for lang/text/tape and lang/text/encoding: any bytes may be a tape, or a text of any encoding.
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
-#include "lang/encoding.h"
-#include "lang/tape.h"
+#include "lang/text/encoding.h"
+#include "lang/text/tape.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Actions for the tests of the rooms after `control`: motions in one work system.
 
-#include "control/state.h"
+#include "control/state/state.h"
 
 namespace kadr::test {
 

@@ -10,7 +10,7 @@
 #include "action/curve.h"
 #include "actions.h"
 #include "base/tolerance.h"
-#include "path/radius_compensation.h"
+#include "path/contour/radius_compensation.h"
 
 namespace kadr::test {
 

@@ -34,7 +34,7 @@ def struct_fields(text, struct):
     return re.findall(r"^\s+([\w:<>, ]+?) (\w+)(?:\{\}| = [^;]+)?;", body, re.M)
 
 
-FUNCTION_H, DEF_H, GRAMMAR_H = header("config/function.h"), header("config/control_def.h"), header("lang/grammar.h")
+FUNCTION_H, DEF_H, GRAMMAR_H = header("config/function.h"), header("config/control_def.h"), header("lang/block/grammar.h")
 PHASES = macro_rows(FUNCTION_H, "KADR_PHASES")
 FUNCTIONS = dict(re.split(r",\s*", row)[:2] for row in macro_rows(FUNCTION_H, "KADR_FUNCTIONS"))  # name: its phase
 ALARMS = macro_rows(header("base/alarm_ids.h"), "KADR_ALARMS")

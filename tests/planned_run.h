@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "motion/planner.h"
+#include "motion/least_time/planner.h"
 
 namespace kadr::test {
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plain blocks are read and planned quickly (lang/plain_block, control/shapes). A comment makes a block one that is not plain: with
+"""Plain blocks are read and planned quickly (lang/block/plain_block, control/block/shapes). A comment makes a block one that is not plain: with
 and without one at the end of each block a program gives the same trace and the same alarms.
 
     run_plain.py --kadr build/kadr [--seed 4] [--count 60] [--every 1]

@@ -7,8 +7,8 @@
 
 #include "config/control_file.h"
 #include "control/control.h"
-#include "motion/axis_motion.h"
-#include "motion/steps.h"
+#include "motion/least_time/axis_motion.h"
+#include "motion/time/steps.h"
 #include "stretch.h"
 
 namespace kadr::reference {

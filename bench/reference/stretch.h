@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/planner.h"
+#include "motion/least_time/planner.h"
 
 namespace kadr::reference {
 
@@ -51,7 +51,7 @@ Shares shares_planned(const Stretch& stretch, const MotionLimits& limits);
 /// Of a motion with constant path jerk in each interval.
 Shares shares_of(const Stretch& stretch, const MotionLimits& limits, const Grid& grid, const PathMotion& motion);
 
-/// The time of the whole stretch, planned by motion/least_time as one window; the planner's own if that is one straight line.
+/// The time of the whole stretch, planned by motion/least_time/least_time as one window; the planner's own if that is one straight line.
 double seconds_as_one_window(const Stretch& stretch, const MotionLimits& limits);
 
 /// Reads a program of the control mach3 and plans its motion on a machine with these limits.

@@ -6,7 +6,7 @@
 //   limits     at each knot |x′ a + x″ v²| ≤ A, at both ends of each interval |x′ j + 3 x″ v a + x‴ v³| ≤ J
 //   Σ t        to be the least
 //
-// In time, not in ṡ² as motion/least_time: a stop is nothing special. Not convex: the best of several starts.
+// In time, not in ṡ² as motion/least_time/least_time: a stop is nothing special. Not convex: the best of several starts.
 
 #include <optional>
 

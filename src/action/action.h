@@ -90,7 +90,7 @@ enum class SupportingCurve : std::uint8_t {
   circle,  // over-determined: the circle about its centre; the same
 };
 
-/// How a motion meets its neighbours in the plane (nct 17); path/contour_corners uses it up.
+/// How a motion meets its neighbours in the plane (nct 17); path/contour/contour_corners uses it up.
 struct ContourData {
   double chamfer = 0;   // leg of the chamfer at its end, mm; 0: none
   double rounding = 0;  // radius of the rounding there, mm; 0: none

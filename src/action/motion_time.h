@@ -1,5 +1,5 @@
 #pragma once
-// MotionTime: how long a motion is and how long it takes, by motion/estimate or motion/look_ahead.
+// MotionTime: how long a motion is and how long it takes, by motion/time/estimate or motion/look_ahead.
 
 #include <optional>
 

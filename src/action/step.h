@@ -1,6 +1,6 @@
 #pragma once
-// Step: one Action as those see it who look at a run: where the tool stood before it, and when it happens. Made by motion/steps, in one
-// place of each channel, so that none of them follows the tool for itself or builds the curve of a motion again.
+// Step: one Action as those see it who look at a run: where the tool stood before it, and when it happens. Made by motion/time/steps, in
+// one place of each channel, so that none of them follows the tool for itself or builds the curve of a motion again.
 
 #include <optional>
 #include <variant>

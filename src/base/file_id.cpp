@@ -1,4 +1,5 @@
-// For the outputs of a command (out/result_file, cli/outputs) and of a program (control/nct/output_file); tests/base/file_id_test.cpp.
+// For the outputs of a command (out/trace/result_file, cli/outputs) and of a program (control/nct/output/output_file);
+// tests/base/file_id_test.cpp.
 
 #include "base/file_id.h"
 

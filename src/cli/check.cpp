@@ -16,8 +16,8 @@
 #include "cli/terminal.h"
 #include "cli/unstated.h"
 #include "config/told.h"
-#include "out/alarm_print.h"
-#include "out/baseline.h"
+#include "out/text/alarm_print.h"
+#include "out/text/baseline.h"
 
 namespace kadr::cli {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "cli/options.h"
 #include "config/control_file.h"
-#include "out/asked_code.h"
-#include "out/code_page.h"
-#include "out/setup_page.h"
+#include "out/text/asked_code.h"
+#include "out/text/code_page.h"
+#include "out/text/setup_page.h"
 
 namespace kadr::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "cli/help_text.h"
 #include "cli/option_values.h"
 #include "config/told.h"
-#include "out/source_line.h"
+#include "out/text/source_line.h"
 
 namespace kadr::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "cli/options.h"
 #include "config/machine_profile.h"
 #include "config/told.h"
-#include "out/source_line.h"
+#include "out/text/source_line.h"
 
 namespace kadr::cli {
 namespace {

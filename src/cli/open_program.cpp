@@ -9,8 +9,8 @@
 
 #include "cli/pipeline.h"
 #include "config/read_file.h"
-#include "lang/several_programs.h"
-#include "lang/utf16.h"
+#include "lang/text/several_programs.h"
+#include "lang/text/utf16.h"
 
 namespace kadr::cli {
 namespace {

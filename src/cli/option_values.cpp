@@ -9,7 +9,7 @@
 #include "config/machine_profile.h"
 #include "config/nearest.h"
 #include "config/told.h"
-#include "lang/utf16.h"
+#include "lang/text/utf16.h"
 
 namespace kadr::cli {
 namespace {

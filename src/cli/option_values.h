@@ -34,7 +34,7 @@ CLI::Option* whole_number(CLI::Option* option, double least, double most);
 CLI::Option* control_id(CLI::Option* option);
 CLI::Option* machine_id(CLI::Option* option);
 
-/// An encoding of text, by any of its names (lang/encoding.h).
+/// An encoding of text, by any of its names (lang/text/encoding.h).
 CLI::Option* encoding(CLI::Option* option);
 
 /// The first names of the encodings.

@@ -6,7 +6,7 @@
 
 #include "config/alarm_texts.h"
 #include "control/control.h"
-#include "out/sample_options.h"
+#include "out/trace/sample_options.h"
 
 namespace kadr::cli {
 

@@ -8,7 +8,7 @@
 
 #include "base/file_id.h"
 #include "config/alarm_texts.h"
-#include "out/result_file.h"
+#include "out/trace/result_file.h"
 
 namespace kadr::cli {
 

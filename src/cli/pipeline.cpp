@@ -12,7 +12,7 @@
 #include "config/control_file.h"
 #include "config/guess.h"
 #include "config/read_file.h"
-#include "lang/utf16.h"
+#include "lang/text/utf16.h"
 
 namespace kadr::cli {
 namespace {

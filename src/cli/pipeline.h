@@ -10,11 +10,11 @@
 #include "cli/progress.h"
 #include "cli/run_ahead.h"
 #include "config/machine_profile.h"
-#include "lang/utf16.h"
+#include "lang/text/utf16.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
-#include "motion/steps.h"
-#include "path/contour_corners.h"
+#include "motion/time/steps.h"
+#include "path/contour/contour_corners.h"
 #include "session/plc_commands.h"
 
 namespace kadr::cli {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "out/lost_time_text.h"
+#include "out/text/lost_time_text.h"
 
 namespace kadr::cli {
 

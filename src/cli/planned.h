@@ -4,11 +4,11 @@
 #include <cstdio>
 
 #include "cli/channels.h"
-#include "motion/axis_motion.h"
-#include "motion/lost_time.h"
-#include "motion/planned_time.h"
-#include "out/samples.h"
-#include "out/speed_page.h"
+#include "motion/least_time/axis_motion.h"
+#include "motion/time/lost_time.h"
+#include "motion/time/planned_time.h"
+#include "out/picture/speed_page.h"
+#include "out/trace/samples.h"
 
 namespace kadr::cli {
 

@@ -11,7 +11,7 @@
 #include "base/ascii.h"
 #include "config/guess.h"
 #include "config/read_file.h"
-#include "lang/utf16.h"
+#include "lang/text/utf16.h"
 
 namespace kadr::cli {
 namespace {

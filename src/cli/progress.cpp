@@ -8,7 +8,7 @@
 
 #include "cli/terminal.h"
 #include "config/told.h"
-#include "out/source_line.h"
+#include "out/text/source_line.h"
 
 namespace kadr::cli {
 namespace {

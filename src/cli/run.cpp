@@ -20,9 +20,9 @@
 #include "config/setup_names.h"
 #include "config/state_json.h"
 #include "config/told.h"
-#include "out/alarm_print.h"
-#include "out/page_file.h"
-#include "out/plot_page.h"
+#include "out/picture/plot_page.h"
+#include "out/text/alarm_print.h"
+#include "out/text/page_file.h"
 
 namespace kadr::cli {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "cli/channels.h"
 #include "cli/planned.h"
-#include "motion/look_ahead.h"
-#include "out/plot.h"
-#include "out/summary.h"
-#include "out/trace.h"
+#include "motion/look_ahead/look_ahead.h"
+#include "out/picture/plot.h"
+#include "out/text/summary.h"
+#include "out/trace/trace.h"
 
 namespace kadr::cli {
 

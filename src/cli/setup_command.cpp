@@ -12,8 +12,8 @@
 #include "cli/stop.h"
 #include "cli/unstated.h"
 #include "config/read_file.h"
-#include "lang/tool_comment.h"
-#include "out/setup_template.h"
+#include "lang/text/tool_comment.h"
+#include "out/program/setup_template.h"
 
 namespace kadr::cli {
 namespace {

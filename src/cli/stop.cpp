@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "cli/terminal.h"
-#include "out/result_file.h"
+#include "out/trace/result_file.h"
 
 namespace kadr::cli {
 namespace {

@@ -6,10 +6,10 @@
 #include "cli/options.h"
 #include "cli/outputs.h"
 #include "cli/pipeline.h"
-#include "lang/eia.h"
-#include "lang/encoding.h"
-#include "lang/tape_side.h"
-#include "lang/utf16.h"
+#include "lang/text/eia.h"
+#include "lang/text/encoding.h"
+#include "lang/text/tape_side.h"
+#include "lang/text/utf16.h"
 
 namespace kadr::cli {
 namespace {

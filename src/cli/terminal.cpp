@@ -9,7 +9,7 @@
 #include <mutex>
 
 #include "cli/options.h"
-#include "out/source_line.h"
+#include "out/text/source_line.h"
 
 namespace kadr::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "out/alarm_print.h"
+#include "out/text/alarm_print.h"
 
 namespace kadr::cli {
 

@@ -12,7 +12,7 @@
 #include "base/alarm.h"
 #include "base/vec.h"
 #include "config/function.h"
-#include "lang/grammar.h"
+#include "lang/block/grammar.h"
 
 namespace kadr {
 

@@ -7,7 +7,7 @@
 #include "config/control_loader.h"
 #include "config/parameter_table.h"
 #include "config/told.h"
-#include "lang/format.h"
+#include "lang/block/format.h"
 
 namespace kadr {
 

@@ -6,7 +6,7 @@
 #include "base/ascii.h"
 #include "config/control_loader.h"
 #include "config/told.h"
-#include "lang/format.h"
+#include "lang/block/format.h"
 
 namespace kadr {
 
@@ -37,7 +37,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"file_names", &Grammar::file_names},
 };
 
-/// What lang/format refuses: `format "3G2X" is not understood: the address stands twice`, or the reason alone.
+/// What lang/block/format refuses: `format "3G2X" is not understood: the address stands twice`, or the reason alone.
 std::string told_format(const std::string& fault) {
   constexpr std::string_view begin = "format \"", middle = "\" is not understood: ";
   const std::size_t at = fault.rfind(middle);

@@ -9,7 +9,7 @@
 
 #include "base/ascii.h"
 #include "config/text_kind.h"
-#include "lang/encoding.h"
+#include "lang/text/encoding.h"
 
 namespace kadr {
 namespace {

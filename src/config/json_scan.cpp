@@ -9,7 +9,7 @@
 #include "base/ascii.h"
 #include "config/read_file.h"
 #include "config/told.h"
-#include "lang/encoding.h"
+#include "lang/text/encoding.h"
 
 namespace kadr {
 namespace {

@@ -223,7 +223,7 @@ std::string say(Sentence sentence, const Args&... args) {
   else return fmt::format(fmt::runtime(form), args...);
 }
 
-/// A sentence that comes from elsewhere, in English (lang/format).
+/// A sentence that comes from elsewhere, in English (lang/block/format).
 inline std::string say_found(std::string_view en) {
   for (const Row& row : rows)
     if (row.en == en) return told(std::string(row.en), std::string(row.ru));

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "config/told.h"
-#include "lang/block.h"
+#include "lang/block/block.h"
 
 namespace kadr {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // The keys of a set-up (--setup FILE.json): one table, a row a key. The check of a file (config/setup_check), its documentation
-// (docs/setup.md) and `kadr explain ID setup` (out/setup_page) are made from it; their meaning is that of tests/golden/README.md.
+// (docs/setup.md) and `kadr explain ID setup` (out/text/setup_page) are made from it; their meaning is that of tests/golden/README.md.
 
 #include <cstdint>
 #include <span>

@@ -8,7 +8,7 @@
 
 #include "base/ascii.h"
 #include "config/setup.h"
-#include "lang/block.h"
+#include "lang/block/block.h"
 
 namespace kadr {
 namespace {

@@ -16,27 +16,13 @@
 #include "config/setup.h"
 #include "config/setup_file.h"
 #include "config/state_file.h"
-#include "control/snapshot.h"
-#include "control/usage.h"
-#include "lang/block_reader.h"
+#include "control/state/run_limits.h"
+#include "control/state/snapshot.h"
+#include "control/state/usage.h"
+#include "control/state/waiting.h"
+#include "lang/block/block_reader.h"
 
 namespace kadr {
-
-/// Limits that stop a runaway program.
-struct RunLimits {
-  std::uint64_t repeated_blocks = 20'000'000;  // blocks carried out again after a jump back
-  std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
-  bool writes_files = false;                   // FOPEN, POPEN; false: as far as can be known without writing
-  std::string files = ".";                     // folder of the program memory, outside of which nothing is written
-  FileSet untouched{};                         // files of the run itself, which no program writes
-  StopToken stop{};                            // asked for at least each block
-};
-
-struct Program {
-  std::string file;  // its name, for people
-  std::unique_ptr<ByteSource> source;
-  std::optional<Encoding> encoding;
-};
 
 /// Files that a program writes (nct 23.2.13): path from the folder of the program memory, bytes.
 using WrittenFiles = std::map<std::string, std::uint64_t>;
@@ -76,19 +62,9 @@ class Control {
   bool hands_over_each_block() const;
   /// The machine has refused an action of the last block: nothing of the block is done, as with an alarm of its own.
   void refused();
-  /// What a waiting code does (nct 14.5).
-  enum class Waiting : std::uint8_t {
-    alarm,  // nobody can come: alarm channels_wait
-    meet,   // State::waiting until release()
-    pass,   // nothing
-  };
+  using Waiting = WaitingMode;
   void set_waiting(Waiting waiting);
-  /// A channel at a waiting code.
-  struct Meeting {
-    std::uint32_t code = 0;      // M…
-    std::uint32_t channels = 0;  // to be synchronised; bit n: channel n
-    Origin origin;
-  };
+  using Meeting = ChannelMeeting;
   /// What this channel waits for; nothing: it goes on (the signal CP_NOWT takes the waiting away).
   const std::optional<Meeting>& meeting() const;
   void release();

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "control/contour.h"
+#include "control/functions/contour.h"
 #include "control/interpreter.h"
 
 namespace kadr {

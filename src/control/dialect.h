@@ -13,9 +13,9 @@
 #include "config/setup.h"
 #include "config/setup_file.h"
 #include "config/state_file.h"
-#include "control/arc.h"
+#include "control/block/arc.h"
 #include "control/control.h"
-#include "lang/block.h"
+#include "lang/block/block.h"
 
 namespace kadr {
 
@@ -154,7 +154,7 @@ class Dialect {
   /// A straight motion where the plane is a surface (PathSurface).
   virtual Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named);
   /// Lines that give only the end point of a straight motion, by axis words, go on as the block before did: neither words, modes nor
-  /// anything else that is known here has to be looked at again (control/straight_run).
+  /// anything else that is known here has to be looked at again (control/block/straight_run).
   virtual bool lines_follow(const Interpreter&) const { return false; }
   /// Axes for which this does not hold.
   virtual AxisMask rolling_axes(const Interpreter&) const { return 0; }

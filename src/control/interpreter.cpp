@@ -6,7 +6,7 @@
 
 #include "base/made_in.h"
 #include "base/tolerance.h"
-#include "control/file_end.h"
+#include "control/flow/file_end.h"
 
 namespace kadr {
 

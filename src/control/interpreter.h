@@ -9,23 +9,23 @@
 
 #include "base/units.h"
 #include "config/setup_file.h"
-#include "control/block_states.h"
+#include "control/block/plan.h"
+#include "control/block/shapes.h"
+#include "control/block/straight_run.h"
 #include "control/control.h"
 #include "control/cycles/cycle_run.h"
+#include "control/cycles/ellipse_run.h"
 #include "control/dialect.h"
-#include "control/ellipse_run.h"
-#include "control/flow.h"
-#include "control/journal.h"
-#include "control/macro_variables.h"
-#include "control/plan.h"
-#include "control/run_memory.h"
-#include "control/shapes.h"
-#include "control/snapshot.h"
-#include "control/state.h"
-#include "control/straight_run.h"
-#include "control/usage.h"
-#include "control/variables.h"
-#include "control/waiting.h"
+#include "control/flow/flow.h"
+#include "control/state/block_states.h"
+#include "control/state/journal.h"
+#include "control/state/run_memory.h"
+#include "control/state/snapshot.h"
+#include "control/state/state.h"
+#include "control/state/usage.h"
+#include "control/state/waiting.h"
+#include "control/variables/macro_variables.h"
+#include "control/variables/variables.h"
 
 namespace kadr {
 
@@ -143,7 +143,7 @@ class Interpreter : public ControlState, public RunMemory {
   void apply_mirror();
   void warn(const Alarm& alarm);
   /// M99, M47 of a main program: another pass, from its first block or from `from`. Where nothing on the way could change the next
-  /// pass, or RunLimits::restarts passes are done, the run is over, with a note: that is no fault (control/again.cpp).
+  /// pass, or RunLimits::restarts passes are done, the run is over, with a note: that is no fault (control/functions/again.cpp).
   Status begin_again(Span where, Position from = {});
   /// The addresses of the block, anew: words were taken away (address 0) or given back.
   void note_addresses();
@@ -281,7 +281,7 @@ class Interpreter : public ControlState, public RunMemory {
   SetupFault start_fault;  // what the set-up names and the control has not
 };
 
-/// What a row's function does (control/functions.cpp).
+/// What a row's function does (control/functions/functions.cpp).
 struct Call {
   const CodeRow* row = nullptr;  // nullptr: an address that acts by itself
   const Word* word = nullptr;    // nullptr: the motion in force

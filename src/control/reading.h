@@ -1,5 +1,5 @@
 #pragma once
-// The instructions' view of a control's variables (lang/expression evaluates with it).
+// The instructions' view of a control's variables (lang/expression/expression evaluates with it).
 
 #include "control/interpreter.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <memory>
 
+#include "control/block/plan.h"
 #include "control/interpreter.h"
-#include "control/plan.h"
-#include "lang/encoding.h"
+#include "lang/text/encoding.h"
 
 namespace kadr {
 namespace {

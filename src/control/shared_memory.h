@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/setup.h"
-#include "control/macro_variables.h"
+#include "control/variables/macro_variables.h"
 
 namespace kadr {
 

@@ -1,6 +1,6 @@
 // Control::snapshot() and restore(): for stepping back and for going on in mid program; tests/control/snapshot_test.cpp.
 
-#include "control/snapshot.h"
+#include "control/state/snapshot.h"
 
 #include "control/interpreter.h"
 #include "control/snapshot_content.h"

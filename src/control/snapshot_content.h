@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "control/dialect.h"
-#include "control/flow.h"
-#include "control/run_memory.h"
-#include "control/snapshot.h"
-#include "control/state.h"
-#include "control/variables.h"
+#include "control/flow/flow.h"
+#include "control/state/run_memory.h"
+#include "control/state/snapshot.h"
+#include "control/state/state.h"
+#include "control/variables/variables.h"
 
 namespace kadr {
 

@@ -4,7 +4,7 @@
 
 #include "config/setup_names.h"
 #include "control/interpreter.h"
-#include "lang/lexer.h"
+#include "lang/block/lexer.h"
 
 namespace kadr {
 namespace {

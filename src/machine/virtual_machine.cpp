@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "motion/estimate.h"
+#include "motion/time/estimate.h"
 
 namespace kadr {
 namespace {

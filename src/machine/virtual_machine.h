@@ -9,8 +9,8 @@
 #include "config/setup.h"
 #include "machine/probe.h"
 #include "machine/zones.h"
-#include "path/compression.h"
-#include "path/machine_extents.h"
+#include "path/curve/machine_extents.h"
+#include "path/smooth/compression.h"
 
 namespace kadr {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "path/machine_path.h"
+#include "path/curve/machine_path.h"
 
 namespace kadr {
 

@@ -1,10 +1,10 @@
-// action/tool_position, path/machine_extents: machine coordinates along a motion, frames turned or not. NCT 10.2.3.
+// action/tool_position, path/curve/machine_extents: machine coordinates along a motion, frames turned or not. NCT 10.2.3.
 
 #include <gtest/gtest.h>
 
 #include "actions.h"
 #include "choices.h"
-#include "path/machine_extents.h"
+#include "path/curve/machine_extents.h"
 
 namespace kadr {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "lang/encoding.h"
+#include "lang/text/encoding.h"
 
 namespace kadr {
 namespace {

@@ -1,6 +1,6 @@
-// control/arc: centre, sweep and checks of one arc; against points sampled along it. RS274/NGC; 2С42 6.6.4.
+// control/block/arc: centre, sweep and checks of one arc; against points sampled along it. RS274/NGC; 2С42 6.6.4.
 
-#include "control/arc.h"
+#include "control/block/arc.h"
 
 #include "choices.h"
 

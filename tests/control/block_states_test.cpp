@@ -1,6 +1,6 @@
 // Control::state_of(): the state of the block that an action belongs to, although the control is far ahead.
 
-#include "control/block_states.h"
+#include "control/state/block_states.h"
 
 #include "control/run_program.h"
 

@@ -4,7 +4,7 @@
 
 #include "choices.h"
 #include "control/run_program.h"
-#include "control/state.h"
+#include "control/state/state.h"
 
 namespace kadr {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "choices.h"
 #include "control/run_program.h"
-#include "lang/tape.h"
+#include "lang/text/tape.h"
 
 namespace kadr {
 namespace {

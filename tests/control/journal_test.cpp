@@ -1,6 +1,6 @@
-// control/journal: what a block has written is brought back, nothing else is.
+// control/state/journal: what a block has written is brought back, nothing else is.
 
-#include "control/journal.h"
+#include "control/state/journal.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

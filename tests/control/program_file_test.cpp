@@ -1,5 +1,5 @@
 // Jumps by block number (nct 14.1, 14.4.4, 23.2.8): the index against reading on, which says what a jump means.
-#include "control/program_file.h"
+#include "control/flow/program_file.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "config/control_file.h"
-#include "control/block_numbers.h"
+#include "control/flow/block_numbers.h"
 
 namespace kadr {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "choices.h"
-#include "control/state.h"
+#include "control/state/state.h"
 
 namespace kadr::test {
 

@@ -1,7 +1,7 @@
 // Control::snapshot() and restore(): a run that is stopped between two blocks and goes on in a fresh control gives what the run gives that
 // was never stopped: the same trace, alarms, warnings and tables, byte for byte.
 
-#include "control/snapshot.h"
+#include "control/state/snapshot.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -11,8 +11,8 @@
 #include "control/run_program.h"
 #include "control/snapshot_content.h"
 #include "machine/plc.h"
-#include "motion/steps.h"
-#include "out/trace.h"
+#include "motion/time/steps.h"
+#include "out/trace/trace.h"
 #include "session/plc_commands.h"
 
 namespace kadr {

@@ -1,5 +1,5 @@
-// control/straight_run: lines that go on a run of straight motions do what they do the general way. Handed over block by block, nothing
-// goes on a run: that is the twin.
+// control/block/straight_run: lines that go on a run of straight motions do what they do the general way. Handed over block by block,
+// nothing goes on a run: that is the twin.
 
 #include <random>
 

@@ -1,6 +1,6 @@
-// lang/block_reader: the blocks of a program, from any place, in any encoding. Spec s2c42 1–2.
+// lang/block/block_reader: the blocks of a program, from any place, in any encoding. Spec s2c42 1–2.
 
-#include "lang/block_reader.h"
+#include "lang/block/block_reader.h"
 
 #include <iconv.h>
 

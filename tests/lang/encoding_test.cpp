@@ -1,11 +1,11 @@
-// lang/encoding: which encoding a text has, and its bytes as UTF-8. Spec s2c42 1.
+// lang/text/encoding: which encoding a text has, and its bytes as UTF-8. Spec s2c42 1.
 
-#include "lang/encoding.h"
+#include "lang/text/encoding.h"
 
 #include <gtest/gtest.h>
 #include <iconv.h>
 
-#include "lang/tape.h"
+#include "lang/text/tape.h"
 
 namespace kadr {
 namespace {

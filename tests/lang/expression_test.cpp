@@ -1,6 +1,6 @@
-// lang/expression: values by expression, spec mach3 1; sums with formal parameters, spec s2c42 3.
+// lang/expression/expression: values by expression, spec mach3 1; sums with formal parameters, spec s2c42 3.
 
-#include "lang/expression.h"
+#include "lang/expression/expression.h"
 
 #include <cmath>
 #include <optional>

@@ -1,6 +1,6 @@
-// lang/format: format descriptors. Spec gost 3, s2c42 2.
+// lang/block/format: format descriptors. Spec gost 3, s2c42 2.
 
-#include "lang/format.h"
+#include "lang/block/format.h"
 
 #include <gtest/gtest.h>
 

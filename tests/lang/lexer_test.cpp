@@ -1,6 +1,6 @@
-// lang/lexer: the words of one block, each with its exact characters. Spec mach3 1, s2c42 1–3, gost 2–3, correctors 1.
+// lang/block/lexer: the words of one block, each with its exact characters. Spec mach3 1, s2c42 1–3, gost 2–3, correctors 1.
 
-#include "lang/lexer.h"
+#include "lang/block/lexer.h"
 
 #include "choices.h"
 #include "lang/read_block.h"

@@ -1,6 +1,6 @@
-// lang/line_reader: lines of a file of any length, through a window of 256 KiB.
+// lang/text/line_reader: lines of a file of any length, through a window of 256 KiB.
 
-#include "lang/line_reader.h"
+#include "lang/text/line_reader.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "lang/grammar.h"
+#include "lang/block/grammar.h"
 
 namespace kadr {
 namespace {

@@ -1,6 +1,6 @@
-// lang/plain_block against lang/lexer: what is read quickly is what is read slowly.
+// lang/block/plain_block against lang/block/lexer: what is read quickly is what is read slowly.
 
-#include "lang/plain_block.h"
+#include "lang/block/plain_block.h"
 
 #include "choices.h"
 #include "lang/read_block.h"

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "config/control_file.h"
-#include "lang/expression.h"
-#include "lang/lexer.h"
+#include "lang/block/lexer.h"
+#include "lang/expression/expression.h"
 
 namespace kadr::test {
 

@@ -1,11 +1,11 @@
-// lang/tape_side, lang/eia: which code a tape has, and how it lies. RS-244: odd parity in track 5.
+// lang/text/tape_side, lang/text/eia: which code a tape has, and how it lies. RS-244: odd parity in track 5.
 
-#include "lang/tape_side.h"
+#include "lang/text/tape_side.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "lang/eia.h"
+#include "lang/text/eia.h"
 
 namespace kadr {
 namespace {

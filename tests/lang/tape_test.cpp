@@ -1,6 +1,6 @@
-// lang/tape: rows of a punched tape and text. Spec s2c42 1: plain ISO-646 with even parity in the eighth track.
+// lang/text/tape: rows of a punched tape and text. Spec s2c42 1: plain ISO-646 with even parity in the eighth track.
 
-#include "lang/tape.h"
+#include "lang/text/tape.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

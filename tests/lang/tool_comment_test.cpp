@@ -1,6 +1,6 @@
-// lang/tool_comment: what comments say of tools, as shops and CAM systems write them.
+// lang/text/tool_comment: what comments say of tools, as shops and CAM systems write them.
 
-#include "lang/tool_comment.h"
+#include "lang/text/tool_comment.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// lang/utf16: which text is UTF-16, and the view of it as UTF-8 from any place.
+// lang/text/utf16: which text is UTF-16, and the view of it as UTF-8 from any place.
 
-#include "lang/utf16.h"
+#include "lang/text/utf16.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// motion/estimate: seconds from programmed feeds.
+// motion/time/estimate: seconds from programmed feeds.
 
-#include "motion/estimate.h"
+#include "motion/time/estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // The least time along a path whose answer is known, and paths that have none.
 
-#include "motion/least_time.h"
+#include "motion/least_time/least_time.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "motion/rest_to_rest.h"
-#include "motion/timed_cells.h"
+#include "motion/least_time/rest_to_rest.h"
+#include "motion/least_time/timed_cells.h"
 
 namespace kadr {
 namespace {

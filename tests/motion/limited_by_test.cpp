@@ -1,6 +1,6 @@
 // What limits a cell, where the answer is plain; and the lines that lose most time by it.
 
-#include "motion/limited_by.h"
+#include "motion/look_ahead/limited_by.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <map>
 
 #include "base/vec.h"
-#include "motion/axis_motion.h"
-#include "motion/lost_time.h"
-#include "motion/planned_time.h"
+#include "motion/least_time/axis_motion.h"
+#include "motion/time/lost_time.h"
+#include "motion/time/planned_time.h"
 
 namespace kadr {
 namespace {

@@ -1,6 +1,6 @@
-// motion/look_ahead: what goes in comes out in order, with the times of nct 4.1, 6 and 7.
+// motion/look_ahead/look_ahead: what goes in comes out in order, with the times of nct 4.1, 6 and 7.
 
-#include "motion/look_ahead.h"
+#include "motion/look_ahead/look_ahead.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "actions.h"
-#include "motion/steps.h"
+#include "motion/time/steps.h"
 
 namespace kadr {
 namespace {

@@ -1,6 +1,6 @@
-// motion/pace: the time of a motion in polar interpolation, shared by its pieces. NCT 4.5.
+// motion/time/pace: the time of a motion in polar interpolation, shared by its pieces. NCT 4.5.
 
-#include "motion/pace.h"
+#include "motion/time/pace.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/rest_to_rest.h"
+#include "motion/least_time/rest_to_rest.h"
 #include "planned_run.h"
 
 namespace kadr {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-#include "motion/rest_to_rest.h"
+#include "motion/least_time/rest_to_rest.h"
 #include "planned_run.h"
 
 namespace kadr {

@@ -1,6 +1,6 @@
 // The planner of least time: what it hands out obeys every limit, follows the path within the tolerance, and is as fast as can be shown.
 
-#include "motion/planner.h"
+#include "motion/least_time/planner.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

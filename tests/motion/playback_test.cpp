@@ -1,7 +1,7 @@
 // The servo clock: positions from planned cells under feed hold and override. What comes out obeys every limit, stays on the path, and
 // ends where the path ends.
 
-#include "motion/playback.h"
+#include "motion/play/playback.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

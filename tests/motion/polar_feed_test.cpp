@@ -1,6 +1,6 @@
-// motion/polar_feed: the feed near the rotation centre. NCT 4.5; golden case 04-50.
+// motion/time/polar_feed: the feed near the rotation centre. NCT 4.5; golden case 04-50.
 
-#include "motion/polar_feed.h"
+#include "motion/time/polar_feed.h"
 
 #include <gtest/gtest.h>
 

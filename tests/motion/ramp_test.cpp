@@ -1,6 +1,6 @@
-// motion/ramp: closed forms against a slow integration. NCT 7.0.
+// motion/look_ahead/ramp: closed forms against a slow integration. NCT 7.0.
 
-#include "motion/ramp.h"
+#include "motion/look_ahead/ramp.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
-// motion/smoothing: what becomes of straight pieces under G5.1. NCT 4.7, 4.7.1.
+// motion/least_time/smoothing: what becomes of straight pieces under G5.1. NCT 4.7, 4.7.1.
 
-#include "motion/smoothing.h"
+#include "motion/least_time/smoothing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// motion/speed_plan: no limit is broken, and how a path is cut into pieces does not matter. NCT 7.0.2.
+// motion/look_ahead/speed_plan: no limit is broken, and how a path is cut into pieces does not matter. NCT 7.0.2.
 
-#include "motion/speed_plan.h"
+#include "motion/look_ahead/speed_plan.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

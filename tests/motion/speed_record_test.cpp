@@ -1,10 +1,10 @@
 // The record of speeds keeps bounded columns, and in them what was reached.
 
-#include "motion/speed_record.h"
+#include "motion/time/speed_record.h"
 
 #include <gtest/gtest.h>
 
-#include "motion/rest_to_rest.h"
+#include "motion/least_time/rest_to_rest.h"
 
 namespace kadr {
 namespace {

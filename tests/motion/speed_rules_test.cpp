@@ -1,6 +1,6 @@
-// motion/speed_rules: what a set-up limits, and that what it does not say is off. NCT 6, 7.
+// motion/look_ahead/speed_rules: what a set-up limits, and that what it does not say is off. NCT 6, 7.
 
-#include "motion/speed_rules.h"
+#include "motion/look_ahead/speed_rules.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// motion/spindle_clock: the spindle's angle over time. NCT 4.4, 18.1.9.
+// motion/time/spindle_clock: the spindle's angle over time. NCT 4.4, 18.1.9.
 
-#include "motion/spindle_clock.h"
+#include "motion/time/spindle_clock.h"
 
 #include <gtest/gtest.h>
 

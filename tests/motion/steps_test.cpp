@@ -1,7 +1,7 @@
-// motion/steps: each step stands where all actions before have led, and is told when it happens. The slow twin folds all actions from
+// motion/time/steps: each step stands where all actions before have led, and is told when it happens. The slow twin folds all actions from
 // the start again.
 
-#include "motion/steps.h"
+#include "motion/time/steps.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

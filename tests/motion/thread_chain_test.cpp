@@ -1,7 +1,7 @@
 // Threads in step with the spindle: NCT 4.4. What is handed out obeys every limit, and between the ramps the axes are where the
 // spindle says.
 
-#include "motion/thread_chain.h"
+#include "motion/least_time/thread_chain.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

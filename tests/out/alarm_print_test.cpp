@@ -1,12 +1,12 @@
-// out/alarm_print: alarms for people, JSON, SARIF 2.1.0.
+// out/text/alarm_print: alarms for people, JSON, SARIF 2.1.0.
 
-#include "out/alarm_print.h"
+#include "out/text/alarm_print.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "out/source_line.h"
+#include "out/text/source_line.h"
 
 namespace kadr {
 namespace {

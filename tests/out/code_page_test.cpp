@@ -1,6 +1,6 @@
-// out/code_page, out/control_page, out/variable_text: what kadr explain says of a row.
+// out/text/code_page, out/text/control_page, out/text/variable_text: what kadr explain says of a row.
 
-#include "out/code_page.h"
+#include "out/text/code_page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

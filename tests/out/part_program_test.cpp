@@ -1,6 +1,6 @@
 // Part programs: the words of each control, and the same path when the control's interpreter reads them.
 
-#include "out/part_program.h"
+#include "out/program/part_program.h"
 
 #include <gtest/gtest.h>
 

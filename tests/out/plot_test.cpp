@@ -1,6 +1,6 @@
-// out/plot: bounded memory, extents, several work systems, both file forms.
+// out/picture/plot: bounded memory, extents, several work systems, both file forms.
 
-#include "out/plot.h"
+#include "out/picture/plot.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,10 +11,10 @@
 #include <iterator>
 
 #include "actions.h"
-#include "motion/steps.h"
-#include "out/page_file.h"
-#include "out/plot_view.h"
-#include "out/text_width.h"
+#include "motion/time/steps.h"
+#include "out/picture/plot_view.h"
+#include "out/picture/text_width.h"
+#include "out/text/page_file.h"
 
 namespace kadr {
 namespace {

@@ -1,4 +1,4 @@
-#include "out/result_file.h"
+#include "out/trace/result_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // The CSV of positions at the servo rate.
 
-#include "out/samples.h"
+#include "out/trace/samples.h"
 
 #include <gtest/gtest.h>
 

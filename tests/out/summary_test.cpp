@@ -1,11 +1,11 @@
-// out/summary: what a run came to.
+// out/text/summary: what a run came to.
 
-#include "out/summary.h"
+#include "out/text/summary.h"
 
 #include <gtest/gtest.h>
 
 #include "actions.h"
-#include "motion/steps.h"
+#include "motion/time/steps.h"
 
 namespace kadr {
 namespace {

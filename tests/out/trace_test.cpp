@@ -1,6 +1,6 @@
-// out/trace: the exact lines. design.md 5, tests/golden/README.md.
+// out/trace/trace: the exact lines. design.md 5, tests/golden/README.md.
 
-#include "out/trace.h"
+#include "out/trace/trace.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
-// path/compression: short motions joined. NCT 4.7, N3103.
+// path/smooth/compression: short motions joined. NCT 4.7, N3103.
 
-#include "path/compression.h"
+#include "path/smooth/compression.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
-// path/contour_corners: what the stage hands out is the programmed contour with its corners cut, whatever the batches. NCT 17.
+// path/contour/contour_corners: what the stage hands out is the programmed contour with its corners cut, whatever the batches. NCT 17.
 
-#include "path/contour_corners.h"
+#include "path/contour/contour_corners.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "action/curve.h"
 #include "actions.h"
-#include "path/contour_motion.h"
+#include "path/contour/contour_motion.h"
 
 namespace kadr {
 namespace {

@@ -1,6 +1,6 @@
-// path/contour_offset: vectors at junctions. NCT 15.5: the worked numbers of 15.5.2, and laws on random junctions.
+// path/contour/contour_offset: vectors at junctions. NCT 15.5: the worked numbers of 15.5.2, and laws on random junctions.
 
-#include "path/contour_offset.h"
+#include "path/contour/contour_offset.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

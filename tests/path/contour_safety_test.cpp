@@ -1,6 +1,6 @@
-// path/radius_compensation, path/interference, path/contour_watch together: whatever the contour, a path that is nearer to the part than
-// the tool's radius is told, and what is told is true. The slow twin samples path and contour. NCT 15.5. What the part is where such a
-// contour crosses itself, path/contour_closing says (its own test: contour_watch_test).
+// path/contour/radius_compensation, path/contour/interference, path/contour/contour_watch together: whatever the contour, a path that is
+// nearer to the part than the tool's radius is told, and what is told is true. The slow twin samples path and contour. NCT 15.5. What the
+// part is where such a contour crosses itself, path/contour/contour_closing says (its own test: contour_watch_test).
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,7 +11,7 @@
 #include <string>
 
 #include "contours.h"
-#include "path/contour_closing.h"
+#include "path/contour/contour_closing.h"
 
 namespace kadr {
 namespace {

@@ -1,4 +1,4 @@
-// path/radius_compensation: the contour turned, mirrored, reversed or in smaller pieces has the path turned, mirrored, reversed or
+// path/contour/radius_compensation: the contour turned, mirrored, reversed or in smaller pieces has the path turned, mirrored, reversed or
 // the same. NCT 15.5.
 
 #include <gtest/gtest.h>

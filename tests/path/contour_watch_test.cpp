@@ -1,11 +1,12 @@
-// path/contour_watch, path/contour_closing: what is said of closed contours against the slow twin that sweeps the tool over the part.
+// path/contour/contour_watch, path/contour/contour_closing: what is said of closed contours against the slow twin that sweeps the tool over
+// the part.
 
 #include <gtest/gtest.h>
 
 #include <iostream>
 
 #include "closed_contours.h"
-#include "path/contour_closing.h"
+#include "path/contour/contour_closing.h"
 
 namespace kadr {
 namespace {

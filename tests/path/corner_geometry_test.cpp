@@ -1,6 +1,6 @@
-// path/corner_geometry: the slow twin of a rounding is a circle rolled along the first element until it leaves the second. NCT 17.
+// path/curve/corner_geometry: the slow twin of a rounding is a circle rolled along the first element until it leaves the second. NCT 17.
 
-#include "path/corner_geometry.h"
+#include "path/curve/corner_geometry.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
-// path/machine_path: boxes of pieces hold every point of them and no more; the slow twin is the sampled path.
+// path/curve/machine_path: boxes of pieces hold every point of them and no more; the slow twin is the sampled path.
 
-#include "path/machine_path.h"
+#include "path/curve/machine_path.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

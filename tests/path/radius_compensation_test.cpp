@@ -1,6 +1,6 @@
-// path/radius_compensation: the slow twin is the sampled path: nowhere nearer to the contour than the tool's radius. NCT 15.5.
+// path/contour/radius_compensation: the slow twin is the sampled path: nowhere nearer to the contour than the tool's radius. NCT 15.5.
 
-#include "path/radius_compensation.h"
+#include "path/contour/radius_compensation.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,6 @@
 // The rounded path: how far it is from its straight pieces.
 
-#include "path/smooth_path.h"
+#include "path/smooth/smooth_path.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

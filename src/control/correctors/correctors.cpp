@@ -5,7 +5,7 @@
 
 #include "base/tolerance.h"
 #include "control/correctors/pocket.h"
-#include "control/functions.h"
+#include "control/functions/functions.h"
 #include "control/interpreter.h"
 
 namespace kadr {

@@ -1,6 +1,6 @@
 // Permanent subprograms of the control in formal parameters (spec/correctors 3): called by a code with a block format of its own.
 
-#include "control/functions.h"
+#include "control/functions/functions.h"
 
 namespace kadr {
 

@@ -7,7 +7,7 @@
 #include "action/action.h"
 #include "base/result.h"
 #include "config/control_def.h"
-#include "control/state.h"
+#include "control/state/state.h"
 
 namespace kadr {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/functions.h"
+#include "control/functions/functions.h"
 
 namespace kadr {
 namespace {

@@ -3,12 +3,12 @@
 #include <bit>
 #include <cmath>
 
-#include "control/functions.h"
-#include "control/nct/calls.h"
-#include "control/nct/data_lines.h"
-#include "control/nct/drilling.h"
-#include "control/nct/interrupt.h"
-#include "control/nct/sides.h"
+#include "control/functions/functions.h"
+#include "control/nct/calls/calls.h"
+#include "control/nct/calls/interrupt.h"
+#include "control/nct/drilling/drilling.h"
+#include "control/nct/geometry/sides.h"
+#include "control/nct/words/data_lines.h"
 
 namespace kadr::nct {
 namespace {

@@ -4,19 +4,19 @@
 #include <utility>
 
 #include "control/interpreter.h"
-#include "control/nct/arcs.h"
-#include "control/nct/automatic_geometry.h"
 #include "control/nct/blocks.h"
-#include "control/nct/calls.h"
-#include "control/nct/coordinates.h"
-#include "control/nct/coupling.h"
-#include "control/nct/drilling.h"
-#include "control/nct/interrupt.h"
+#include "control/nct/calls/calls.h"
+#include "control/nct/calls/interrupt.h"
+#include "control/nct/drilling/drilling.h"
+#include "control/nct/geometry/arcs.h"
+#include "control/nct/geometry/automatic_geometry.h"
+#include "control/nct/geometry/sides.h"
 #include "control/nct/measuring.h"
 #include "control/nct/nct.h"
-#include "control/nct/sides.h"
-#include "control/nct/system_variables.h"
-#include "control/nct/turning.h"
+#include "control/nct/spindles/coupling.h"
+#include "control/nct/turning/turning.h"
+#include "control/nct/variables/system_variables.h"
+#include "control/nct/words/coordinates.h"
 
 namespace kadr {
 

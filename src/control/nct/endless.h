@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "lang/block_reader.h"
+#include "lang/block/block_reader.h"
 
 namespace kadr {
 class Interpreter;

@@ -1,8 +1,8 @@
 // What the machine's logic and its operator tell the NCT (spec/nct 11.7, 11.8, 12.3, 20.2, 23.1.9, 23.4).
 
-#include "control/nct/coupling.h"
+#include "control/nct/calls/waiting.h"
 #include "control/nct/nct.h"
-#include "control/nct/waiting.h"
+#include "control/nct/spindles/coupling.h"
 
 namespace kadr::nct {
 

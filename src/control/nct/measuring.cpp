@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "control/functions.h"
-#include "control/nct/coordinates.h"
+#include "control/functions/functions.h"
 #include "control/nct/nct.h"
+#include "control/nct/words/coordinates.h"
 
 namespace kadr {
 namespace {

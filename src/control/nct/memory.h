@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "action/action.h"
-#include "control/macro_variables.h"
-#include "control/nct/changes.h"
-#include "control/nct/coupling.h"
-#include "control/nct/drilling.h"
+#include "control/nct/drilling/drilling.h"
 #include "control/nct/endless.h"
 #include "control/nct/measuring.h"
 #include "control/nct/programs.h"
-#include "control/nct/settings.h"
-#include "control/nct/tools.h"
-#include "control/nct/turning.h"
-#include "control/state.h"
+#include "control/nct/spindles/coupling.h"
+#include "control/nct/tools/tools.h"
+#include "control/nct/turning/turning.h"
+#include "control/nct/variables/changes.h"
+#include "control/nct/variables/settings.h"
+#include "control/state/state.h"
+#include "control/variables/macro_variables.h"
 
 namespace kadr::nct {
 

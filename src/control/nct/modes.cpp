@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "control/functions.h"
-#include "control/nct/coordinates.h"
+#include "control/functions/functions.h"
 #include "control/nct/nct.h"
+#include "control/nct/words/coordinates.h"
 
 namespace kadr::functions {
 

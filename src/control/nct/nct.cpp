@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "config/machine_axes.h"
-#include "control/functions.h"
-#include "control/nct/coordinates.h"
-#include "control/nct/system_variables.h"
-#include "control/nct/transformations.h"
-#include "control/nct/waiting.h"
+#include "control/functions/functions.h"
+#include "control/nct/calls/waiting.h"
+#include "control/nct/frames/transformations.h"
+#include "control/nct/variables/system_variables.h"
+#include "control/nct/words/coordinates.h"
 
 namespace kadr::nct {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "config/setup.h"
 #include "control/dialect.h"
-#include "control/macro_variables.h"
 #include "control/nct/memory.h"
-#include "control/nct/output_file.h"
-#include "control/nct/parameters.h"
+#include "control/nct/output/output_file.h"
+#include "control/nct/variables/parameters.h"
+#include "control/variables/macro_variables.h"
 
 namespace kadr {
 class Interpreter;

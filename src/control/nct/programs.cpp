@@ -7,7 +7,7 @@
 
 #include "base/ascii.h"
 #include "control/interpreter.h"
-#include "lang/utf16.h"
+#include "lang/text/utf16.h"
 
 namespace kadr::nct {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "lang/block.h"
+#include "lang/block/block.h"
 
 namespace kadr {
 class Interpreter;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "path/plane_distance.h"
+#include "path/curve/plane_distance.h"
 
 namespace kadr::area {
 namespace {

@@ -29,7 +29,7 @@ Edge stretch(const Edge& e, double from, double to);
 double nearest_part(const Edge& e, Vec2 p);
 double distance(const Edge& e, Vec2 p);
 
-/// Least distance between two edges (path/plane_distance); 0 where they cross.
+/// Least distance between two edges (path/curve/plane_distance); 0 where they cross.
 double distance(const Edge& a, const Edge& b);
 
 /// Where two edges meet, ends included; overlapping edges give their ends.

@@ -1,8 +1,8 @@
-// control/nct/tools: data input between G10 L75, L76, L77 and G11. NCT 12.4.
+// control/nct/tools/tools: data input between G10 L75, L76, L77 and G11. NCT 12.4.
 
 #include <gtest/gtest.h>
 
-#include "control/nct/tools.h"
+#include "control/nct/tools/tools.h"
 
 namespace kadr::nct {
 namespace {

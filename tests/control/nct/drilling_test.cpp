@@ -1,6 +1,6 @@
-// control/nct/drilling: a cycle is its written-out long form, in every plane and unit; L, G98, G99. NCT 18.
+// control/nct/drilling/drilling: a cycle is its written-out long form, in every plane and unit; L, G98, G99. NCT 18.
 
-#include "control/nct/drilling.h"
+#include "control/nct/drilling/drilling.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-// control/nct/output_file: modes, names, and that nothing outside the root is ever written. NCT 23.2.13, 14.4.2.
+// control/nct/output/output_file: modes, names, and that nothing outside the root is ever written. NCT 23.2.13, 14.4.2.
 
-#include "control/nct/output_file.h"
+#include "control/nct/output/output_file.h"
 
 #include <sys/resource.h>
 #include <sys/stat.h>

@@ -1,6 +1,6 @@
-// control/nct/parameters: set-up, PRM (nct 24.2), G10 L52 (24.1), taking back, state at the end.
+// control/nct/variables/parameters: set-up, PRM (nct 24.2), G10 L52 (24.1), taking back, state at the end.
 
-#include "control/nct/parameters.h"
+#include "control/nct/variables/parameters.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

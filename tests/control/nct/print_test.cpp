@@ -1,6 +1,6 @@
-// control/nct/print: what DPRNT, BPRNT and messages make of variables; against printf and against whole numbers. NCT 23.2.13.
+// control/nct/output/print: what DPRNT, BPRNT and messages make of variables; against printf and against whole numbers. NCT 23.2.13.
 
-#include "control/nct/print.h"
+#include "control/nct/output/print.h"
 
 #include <cmath>
 #include <cstdio>

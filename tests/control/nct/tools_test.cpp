@@ -1,6 +1,6 @@
-// control/nct/tools: tables, search, change, life, data input; the search against a slow twin. NCT 12.
+// control/nct/tools/tools: tables, search, change, life, data input; the search against a slow twin. NCT 12.
 
-#include "control/nct/tools.h"
+#include "control/nct/tools/tools.h"
 
 #include "choices.h"
 

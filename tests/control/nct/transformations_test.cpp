@@ -1,11 +1,11 @@
-// control/nct/transformations: every program under G51.1, G51, G68 has the path of the program, each point by the maps composed in
+// control/nct/frames/transformations: every program under G51.1, G51, G68 has the path of the program, each point by the maps composed in
 // the order of switching on; its arcs opposed where the plane is mirrored. NCT 16.
 
 #include <functional>
 
 #include "control/random_path.h"
 #include "control/run_program.h"
-#include "control/state.h"
+#include "control/state/state.h"
 
 namespace kadr {
 namespace {

@@ -1,7 +1,7 @@
-// control/nct/turning: rough passes leave the allowance on random contours, the last one follows it; G70.7 is the contour written
+// control/nct/turning/turning: rough passes leave the allowance on random contours, the last one follows it; G70.7 is the contour written
 // out; every plane alike. NCT 19.
 
-#include "control/nct/turning.h"
+#include "control/nct/turning/turning.h"
 
 #include <algorithm>
 

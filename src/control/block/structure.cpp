@@ -1,0 +1,57 @@
+// The signs that structure a file: '%', sections of subprograms, labels.
+
+#include "control/functions/section_calls.h"
+#include "control/interpreter.h"
+
+namespace kadr {
+
+/// The letter of the block's label; the whole block where it is written in other letters.
+Span Interpreter::label_place() const {
+  const std::size_t from = block->has_number ? block->number_where.end : block->where.begin;
+  const std::size_t at = block->text.find(def.grammar.label_address, from);
+  if (at >= block->where.end) return block->where;
+  return {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + 1)};
+}
+
+/// '%', sections of subprograms, labels: where a program begins.
+Status Interpreter::structure() {
+  switch (block->marker) {
+    case Marker::program_start:
+      if (flow.started() && !skipping_section && flow.depth() == 0 && def.behaviour.ends_reading) {
+        warn(warning(AlarmId::end_missing, block->where));
+        flow.end();  // the next program of the tape
+      }
+      flow.set_started(true);
+      skipping_section = false;
+      start_block = flow.blocks();
+      return {};
+    case Marker::section:
+      if (flow.depth() != 0) return fail(alarm(AlarmId::subprogram_end_missing, block->where, double(flow.frames().back().name)));
+      skipping_section = true;
+      return {};
+    case Marker::label:
+      if (def.behaviour.label_is_number && flow.blocks() != start_block + 1)  // spec/gost 1: `%`, then `O0001`
+        return fail(alarm(AlarmId::program_number_place, label_place(), double(block->label)));
+      flow.set_started(true);
+      if (flow.depth() == 0) flow.pass_label(block->label);
+      return {};
+    default: break;
+  }
+  constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: zeros are not dropped
+  if (skipping_section && block->has_number && block->number_digits != digits_of_label)
+    return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
+  if (skipping_section && dialect) note_section();
+  if (skipping_section || flow.started() || block->empty()) return {};
+  flow.set_started(true);
+  if (!def.grammar.program_start_required) return {};
+  return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
+}
+
+/// The first block of a subprogram of the program: one whose number is a cycle's cannot be called (2С42 6.7.1).
+void Interpreter::note_section() {
+  constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
+  const std::uint32_t number = block->number / blocks_a_subprogram;
+  if (block->has_number && called_cycle(def, number) != nullptr) dialect->note_shadowed(*this, number, block->number_where);
+}
+
+}  // namespace kadr

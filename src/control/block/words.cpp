@@ -1,0 +1,135 @@
+// The words of the block being carried out: their values, and what the functions ask of them.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/interpreter.h"
+#include "control/reading.h"
+#include "lang/expression/expression.h"
+
+namespace kadr {
+
+/// The value of a word written as an expression; a vacant one is as if not written (nct 23.1.6).
+Status Interpreter::evaluate_word(Word& w) {
+  const auto result = evaluate(*block, w.expression, Reading{*this});
+  if (!result) return fail(result.error());
+  w.value = *result;
+  w.address = w.written;
+  if (is_vacant(w.value)) {
+    w.address = 0;
+    return {};
+  }
+  if (w.written == indirect_axis) KADR_TRY(find_axis(w));
+  if (!def.grammar.word(w.address).code) return {};
+  const double written = def.grammar.macro && def.address(w.address).whole ? std::round(w.value) : w.value;  // nct 23.1.1
+  const double nearest = std::round(written * 10);
+  const bool is_code = std::fabs(written * 10 - nearest) < tol::whole_number && nearest >= 0 && nearest < ControlDef::most_codes;
+  w.code = is_code ? static_cast<std::int32_t>(nearest) : -1;
+  return {};
+}
+
+/// AX[n]=…: the channel's axis of that control-wide number (nct 23.2.12).
+Status Interpreter::find_axis(Word& w) {
+  const auto number = evaluate(*block, w.axis, Reading{*this});
+  if (!number) return fail(number.error());
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (def.axis_numbers[a] == *number) {
+      w.address = letters.axis_letter[a];
+      return {};
+    }
+  return fail(alarm(AlarmId::axis_number_wrong, w.where, *number));
+}
+
+Status Interpreter::evaluate_words() {
+  if (block->code.empty()) return {};
+  pass_varies = pass_varies || reads_variables();
+  if (!def.behaviour.delayed_assignment) KADR_TRY(assign());
+  for (std::uint32_t i = 0; i < block->word_count; ++i)
+    if (Word& w = block->words[i]; w.expression) KADR_TRY(evaluate_word(w));
+  if (def.grammar.macro && block->evaluates) note_addresses();
+  return {};
+}
+
+Status Interpreter::take_words() {
+  KADR_TRY(check_ranges());
+  return def.behaviour.delayed_assignment && !block->code.empty() ? assign() : Status();
+}
+
+/// Which addresses the block has, after some were found vacant or taken away.
+void Interpreter::note_addresses() {
+  block->letters = 0;
+  for (std::uint32_t i = block->word_count; i-- > 0;) {
+    const char address = block->words[i].address;
+    if (address == 0) continue;
+    block->letters |= letter_bit(address);
+    block->at[static_cast<std::size_t>(address - 'A')] = static_cast<std::uint8_t>(i);
+  }
+}
+
+/// All values first, then all assignments: `#1=5 X#1` uses the old #1 (spec/mach3 1).
+Status Interpreter::assign() {
+  assigned_.clear();
+  for (const Assignment& a : block->assignments) {
+    const auto target = evaluate(*block, a.target, Reading{*this});
+    if (!target) return fail(target.error());
+    const auto value = evaluate(*block, a.value, Reading{*this});
+    if (!value) return fail(value.error());
+    assigned_.push_back(*target);
+    assigned_.push_back(*value);
+  }
+  for (std::size_t i = 0; i < block->assignments.size(); ++i) {
+    if (def.grammar.parameter_address != 0 || !def.grammar.long_parameters.empty())
+      variables.set_parameter(static_cast<int>(assigned_[2 * i]), assigned_[2 * i + 1]);
+    else KADR_TRY(variables.set(assigned_[2 * i], assigned_[2 * i + 1], block->assignments[i].where));
+  }
+  if (variables.take_frames_changed()) change_frames();
+  return {};
+}
+
+Status Interpreter::check_ranges() const {
+  for (std::uint32_t i = 0; i < block->word_count; ++i) {
+    const Word& w = block->words[i];
+    if (w.address == 0) continue;
+    if (!(std::fabs(w.value) <= 1e9)) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
+    const AddressRow& row = def.address(w.address);
+    if (w.value < row.least || w.value > row.most) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
+    if (row.whole && w.value != std::floor(w.value)) return fail(alarm(AlarmId::word_not_integer, w.where, w.address, w.value));
+  }
+  return {};
+}
+
+// ---- words
+
+double Interpreter::value(char letter) const {
+  const Word* const w = block->find(letter);
+  return w == nullptr ? 0.0 : w->value * def.address(letter).scale;
+}
+
+bool Interpreter::has_code(std::initializer_list<Function> functions) const {
+  if (const ShapeFacts* const facts = shape(); facts != nullptr && facts->shape == block->shape) [[likely]]
+    return std::any_of(functions.begin(), functions.end(), [&](Function f) { return facts->functions[static_cast<std::size_t>(f)]; });
+  for (std::uint32_t i = 0; i < block->word_count; ++i) {
+    const Word& w = block->words[i];
+    const std::int32_t row = w.code < 0 || w.address == 0 ? -1 : def.row_of(w.address, w.code);
+    if (row >= 0 && std::find(functions.begin(), functions.end(), def.codes[static_cast<std::size_t>(row)].function) != functions.end())
+      return true;
+  }
+  return false;
+}
+
+Span Interpreter::where(char letter) const {
+  const Word* const w = block->find(letter);
+  return w == nullptr ? block->where : w->where;
+}
+
+Result<std::uint32_t> Interpreter::whole(char letter, double least, double most) const {
+  const double v = value(letter);
+  const double nearest = std::round(v);
+  if (std::fabs(v - nearest) > tol::whole_number) return fail(alarm(AlarmId::word_not_integer, where(letter), letter, v));
+  if (nearest < least || nearest > most) return fail(alarm(AlarmId::value_out_of_range, where(letter), letter, v));
+  return static_cast<std::uint32_t>(nearest);
+}
+
+// ---- the rest of the contract
+}  // namespace kadr

@@ -1,0 +1,200 @@
+#pragma once
+// Where the program is: readers, call stack, repetitions, jumps; and when it runs away.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "config/control_def.h"
+#include "control/flow/program_file.h"
+#include "control/state/run_limits.h"
+#include "control/state/state.h"
+#include "lang/block/block_reader.h"
+
+namespace kadr {
+
+/// A call or repetition that is open.
+struct CallFrame {
+  enum class Kind : std::uint8_t { subprogram, cycle_body, repetition, macro, interrupt };
+  Kind kind = Kind::subprogram;
+  Position start;            // first block of its body
+  Position back;             // where the caller goes on
+  std::uint16_t reader = 0;  // of the body: 0 the program, 1 the cycle bodies, then other files
+  std::uint16_t back_reader = 0;
+  std::uint32_t name = 0;  // subprogram number
+  std::uint32_t left = 0;  // passes still to do, this one included
+  std::uint32_t done = 0;  // passes begun
+  bool repeating = false;  // beyond its first pass
+  Origin caller;
+  std::uint8_t work_zero = 0;  // of the caller (2С42: comes back)
+  Axes zero_shift{};
+  std::int16_t zero_row = -1;
+  std::array<std::int16_t, 3> then{-1, -1, -1};  // rows of the calling block carried out on return: M17, M20, M2
+  // nct
+  std::uint8_t modal_calls = 0;   // modal macro calls that act in the caller (23.3.2)
+  bool opened_level = false;      // an interrupt macro with locals of its own
+  std::int32_t return_to = -1;    // M99 P: block of the caller
+  char called_by = 0;             // address of the word that called: its like does not call again inside (23.3.4–23.3.8)
+  std::int32_t called_code = -1;  // … and its code
+};
+
+class Flow {
+ public:
+  Flow(const ControlDef& def, Program program, RunLimits limits);
+
+  /// The next block to carry out, or the end of the program.
+  Result<BlockReader::Got> next(Block*& block);
+
+  // ---- snapshot
+  /// What stays open between two blocks.
+  struct Counts {
+    std::uint16_t reader = 0;
+    std::vector<CallFrame> frames;
+    CallFrame left;  // the last one
+    std::set<std::uint32_t> passed;
+    bool ended = false;
+    bool jumped_back = false;
+    std::uint32_t restarts = 0;
+    std::uint64_t blocks = 0;
+    std::uint64_t repeated = 0;
+    bool started = false;  // a block that begins with '%' has been seen
+  };
+  struct File {
+    std::string name;  // path; of a program that the control brings along its name
+    bool built_in = false;
+    ProgramFile::Memory memory;
+  };
+  struct Memory {
+    Counts now;
+    Position position;
+    std::vector<File> files;            // [0] the program, then by reader; [1] is none
+    std::vector<std::uint32_t> called;  // subprograms of the program
+  };
+  Memory memory() const;
+  /// Goes on from there.
+  ///   alarms  file_missing: one of the files that had been called is not there any more; nothing has changed
+  Status remember(const Memory& memory);
+
+  // ---- jumps
+  /// Calls open and where reading goes on: what a faulty block may have changed.
+  struct Place {
+    std::vector<CallFrame> frames;
+    Position position;
+    std::uint16_t reader = 0;
+    std::uint32_t restarts = 0;
+    bool ended = false;
+  };
+  Place place() const { return {now_.frames, position(), now_.reader, now_.restarts, now_.ended}; }
+  void back_to(const Place& place);
+  /// alarms  subprogram_missing, label_twice, call_too_deep
+  Status call(std::uint32_t subprogram, std::uint32_t times, const Origin& caller, Span where);
+  Status call_body(const CycleRow& cycle, std::uint32_t times, const Origin& caller, Span where);
+  Status repeat(std::uint32_t times, const Origin& caller, Span where);
+  /// Calls what begins at `start` of the file that `reader` (from open_program) holds. `frame`: kind, left, caller, …
+  ///   alarms  call_too_deep
+  Status call_at(std::uint16_t reader, Position start, const CallFrame& frame, Span where);
+  /// Where `Onnnn` stands in the main file, if it does, once.
+  std::optional<Position> label_of(std::uint32_t number);
+  /// The program has a subprogram of that number.
+  bool has_subprogram(std::uint32_t number) {
+    if (!indexed_) make_index();
+    return labels_.contains(number);
+  }
+  /// The file at that path of the program memory, opened once; nothing if it cannot be read.
+  std::optional<std::uint16_t> open_program(const std::string& path);
+  /// A program that the control brings along (macros/), if there is one of that name.
+  std::optional<std::uint16_t> open_built_in(const std::string& name);
+  /// The file being read.
+  ProgramFile& program_file() { return *files_[now_.reader]; }
+  std::uint16_t reader() const { return now_.reader; }
+  /// Goes on at a block of the file being read. `back`: it may be a loop.
+  void jump(Position position);
+  /// The innermost call that is no repetition, or nullptr.
+  CallFrame* innermost() { return now_.frames.empty() ? nullptr : &now_.frames.back(); }
+  /// The file that the innermost call came from has a block of that number (nct M99 P).
+  bool caller_has(std::uint32_t number) {
+    const CallFrame& top = now_.frames.back();
+    return files_[top.back_reader] && files_[top.back_reader]->find_number(number, top.back).has_value();
+  }
+  /// End of a subprogram: once more (nullptr), or back to the caller: the frame left, until the next end.
+  ///   alarms  return_without_call, repeat_end_missing
+  Result<const CallFrame*> end_subprogram(Span where);
+  Status end_repetition(Span where);
+  /// Another pass of the main program, from there; false: it was the last one (RunLimits::restarts).
+  bool restart(Position from);
+  std::uint32_t passes() const { return now_.restarts + 1; }  // begun so far
+  void end() { now_.ended = true; }
+  /// The main program runs over this label (its own name, or into a subprogram): it counts as called.
+  void pass_label(std::uint32_t label) {
+    if (now_.passed.size() < 1000) now_.passed.insert(label);
+  }
+
+  bool ended() const { return now_.ended; }
+  /// Leaves the innermost call or repetition whose end was not found; in a repetition to go on at `again`.
+  void abandon(std::optional<Position> again);
+  std::string shown(std::string_view text, Span& place) const {
+    return visiting_ ? elsewhere_->shown(text, place) : now_.reader != 1 ? files_[now_.reader]->shown(text, place) : std::string(text);
+  }
+  bool in_body() const { return now_.reader == 1; }
+  std::size_t depth() const { return now_.frames.size(); }
+  const std::vector<CallFrame>& frames() const { return now_.frames; }
+  std::vector<CallFrame>& frames() { return now_.frames; }
+  /// Path of the file being read; of a cycle body: the program's.
+  const std::string& file() const { return files_[now_.reader == 1 ? 0 : now_.reader]->path(); }
+  /// By Origin::file: as reader().
+  const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
+  /// Of all files opened, the program first.
+  std::vector<std::string> paths() const;
+  const std::string& main_file() const { return files_[0]->path(); }
+  const RunLimits& limits() const { return limits_; }
+  /// A block that begins with '%' has been seen.
+  bool started() const { return now_.started; }
+  void set_started(bool started) { now_.started = started; }
+  /// See ProgramFile::note_told.
+  void note_told(const Block& block) {
+    if (now_.reader != 1) files_[now_.reader]->note_told(block);
+  }
+  std::uint64_t blocks() const { return now_.blocks; }
+  std::uint64_t repeated() const { return now_.repeated; }  // of them again, behind a jump back, in a call or another pass
+  std::uint64_t bytes_read() const { return program().offset(); }
+  std::uint64_t bytes() const { return program().size(); }
+  const BlockReader& program() const { return files_[0]->reader(); }
+  /// Position behind the block just read.
+  Position position() const { return now_.reader == 1 ? bodies_->position() : files_[now_.reader]->position(); }
+
+  /// Blocks of the subprograms that were never called, in the file's order.
+  void each_uncalled(const std::function<void(Result<BlockReader::Got>, const Block&)>& visit);
+
+  static std::string name_of(const ControlDef& def, const CallFrame& frame);
+
+ private:
+  struct Label {
+    Position position;
+    bool twice = false;
+    bool called = false;
+  };
+  Result<CallFrame*> push(const CallFrame& frame, Span where);
+  Status count_repeated(const Block& last);
+  void make_index();
+  BlockReader& elsewhere();
+  void go_to(std::uint16_t reader, Position position);
+
+  const ControlDef& def_;
+  RunLimits limits_;
+  std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] stands for the cycle bodies
+  std::map<std::string, std::uint16_t> opened_, built_in_;
+  std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places: the block in hand keeps its text
+  Grammar body_grammar_;
+  std::unique_ptr<BlockReader> bodies_;
+  Block body_block_;
+  std::map<std::string, Position> body_starts_;
+  Counts now_;
+  std::map<std::uint32_t, Label> labels_;
+  bool indexed_ = false;
+  bool visiting_ = false;  // each_uncalled is at work
+};
+
+}  // namespace kadr

@@ -1,0 +1,216 @@
+#include "control/flow/program_file.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "base/ascii.h"
+#include "lang/text/eia.h"
+
+namespace kadr {
+namespace {
+
+/// A line that cannot be read may still begin or end a loop: the other half is then no second fault.
+std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
+  std::string capitals(text.substr(0, text.find('(')));
+  for (char& c : capitals) c = to_upper(c);
+  const auto number_behind = [&](std::string_view word) -> std::uint8_t {
+    for (std::size_t at = capitals.find(word); at != std::string::npos; at = capitals.find(word, at + 1)) {
+      const std::size_t digit = capitals.find_first_not_of(' ', at + word.size());
+      if (digit != std::string::npos && capitals[digit] >= '1' && capitals[digit] <= '3')
+        return static_cast<std::uint8_t>(capitals[digit] - '0');
+    }
+    return 0;
+  };
+  if (const std::uint8_t m = number_behind("DO"); m != 0) return {StatementKind::loop, m};
+  if (const std::uint8_t m = number_behind("END"); m != 0) return {StatementKind::loop_end, m};
+  return {capitals.find("WHILE") == std::string::npos ? StatementKind::none : StatementKind::loop, 0};
+}
+
+}  // namespace
+
+ProgramFile::ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding,
+                         StopToken stop)
+    : path_(std::move(path)), source_(std::move(source)), grammar_(grammar), reader_(source_, grammar, encoding), stop_(stop) {}
+
+Result<BlockReader::Got> ProgramFile::next(Block*& block) {
+  if (memory_.keeps) {
+    if (KeptBlock* const kept = kept_at(position()); kept != nullptr) [[likely]] {
+      last_ = kept;
+      seek(kept->next);
+      block = &kept->block;
+      return BlockReader::Got::block;
+    }
+  }
+  if (moved_ && reader_.position() != elsewhere_) reader_.seek(elsewhere_);
+  moved_ = false;
+  const Position at = memory_.keeps ? reader_.position() : Position();
+  block = &in_hand_;
+  auto got = reader_.next(in_hand_);
+  if (memory_.keeps && got && *got == BlockReader::Got::block && kept_.size() < most_kept) block = keep(at);
+  else last_ = nullptr;
+  return got;
+}
+
+KeptBlock* ProgramFile::kept_at(Position place) {
+  const bool follows = last_ != nullptr && last_->next == place;
+  if (follows && last_->following != nullptr) return last_->following;
+  if (last_ != nullptr && last_->jumped != nullptr && last_->jumped_to == place.offset) return last_->jumped;
+  const auto found = kept_.find(place.offset);
+  if (found == kept_.end()) return nullptr;
+  if (follows) {
+    last_->following = found->second.get();
+  } else if (last_ != nullptr) {
+    last_->jumped = found->second.get();
+    last_->jumped_to = place.offset;
+  }
+  return found->second.get();
+}
+
+/// Views of the text go along: the line's own buffer is used again.
+Block* ProgramFile::keep(Position at) {
+  auto entry = std::make_unique<KeptBlock>();
+  entry->block = in_hand_;
+  entry->text = in_hand_.text;
+  entry->block.text = entry->text;
+  entry->block.kept = true;
+  if (memory_.told.contains(place_of(entry->block.position))) entry->block.warnings.clear();
+  entry->next = reader_.position();
+  Block* const block = &entry->block;
+  last_ = entry.get();
+  kept_.emplace(at.offset, std::move(entry));
+  return block;
+}
+
+BlockReader& ProgramFile::scanner() {
+  if (!scanner_) scanner_ = std::make_unique<BlockReader>(source_, grammar_, reader_.encoding());
+  return *scanner_;
+}
+
+std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position from) {
+  if (index_) return index_->find(number, from);
+  const std::pair key{from.offset << 16 | from.nth, number};  // a line has at most 64 K blocks
+  if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
+  const auto found = search(number, from);
+  if (found && !index_ && numbers_.size() < most_loops) numbers_.emplace(key, *found);
+  return found;
+}
+
+/// By reading on; once that has cost enough, by the index.
+std::optional<Position> ProgramFile::search(std::uint32_t number, Position from) {
+  auto found = scan(number, from, {~std::uint64_t{0}, 0, 0});
+  if (!found) found = scan(number, {}, from);
+  if (found || !index_possible_ || searched_ < most_searched || stop_.asked()) return found;
+  index_.emplace();
+  index_possible_ = index_->make(scanner(), stop_);
+  if (index_possible_) {
+    numbers_.clear();
+    return index_->find(number, from);
+  }
+  index_.reset();
+  return search(number, from);
+}
+
+std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, Position to) {
+  BlockReader& reader = scanner();
+  reader.seek(from);
+  auto block = std::make_unique<Block>();
+  bool in_data = false;
+  for (;;) {
+    const Position at = reader.position();
+    if (std::tie(at.offset, at.nth) >= std::tie(to.offset, to.nth) || stop_.asked() || (index_possible_ && searched_ >= most_searched))
+      return std::nullopt;
+    const auto got = reader.next(*block);
+    ++searched_;
+    if (got && *got == BlockReader::Got::end) return std::nullopt;
+    if (!in_data && block->has_number && block->number == number) return block->position;
+    if (const auto step = DataLines::step_of(*block); step != DataLines::Step::none) in_data = step == DataLines::Step::begins;
+  }
+}
+
+const Loop* ProgramFile::loop_from(Position position) {
+  if (!loops_found_) find_loops();
+  const auto found = loops_by_begin_.find(position.offset);
+  return found == loops_by_begin_.end() ? nullptr : &loops_[found->second];
+}
+
+const Loop* ProgramFile::loop_to(Position position) {
+  if (!loops_found_) find_loops();
+  const auto found = loops_by_end_.find(position.offset);
+  return found == loops_by_end_.end() ? nullptr : &loops_[found->second];
+}
+
+/// Pairs DOm and ENDm by their place in the text: a loop may be entered by a jump (nct 23.2.11).
+void ProgramFile::find_loops() {
+  loops_found_ = true;
+  BlockReader& reader = scanner();
+  reader.seek({});
+  auto block = std::make_unique<Block>();
+  std::vector<std::size_t> open;
+  for (;;) {
+    const auto got = reader.next(*block);
+    if (got && *got == BlockReader::Got::end) break;
+    StatementKind kind = block->statement.kind;
+    std::uint8_t m = block->statement.loop;
+    if (!got) std::tie(kind, m) = damaged_loop(block->text);
+    if ((kind != StatementKind::loop && kind != StatementKind::loop_end) || loops_.size() >= most_loops) continue;
+    const auto same = [&](std::size_t i) { return loops_[i].number == m || loops_[i].number == 0; };
+    const auto nearest = std::find_if(open.rbegin(), open.rend(), same);
+    if (kind == StatementKind::loop) {
+      if (nearest != open.rend()) loops_[*nearest].fault = AlarmId::do_without_end;  // DO1 DO1
+      Loop loop;
+      loop.number = m;
+      loop.begin = block->position;
+      loop.body = reader.position();
+      loop.damaged = !got;
+      loops_by_begin_.emplace(loop.begin.offset, loops_.size());
+      open.push_back(loops_.size());
+      loops_.push_back(loop);
+      continue;
+    }
+    if (nearest == open.rend()) continue;  // END without DO: loop_to finds nothing
+    const bool overlaps = nearest != open.rbegin();
+    for (auto i = open.rbegin(); i != nearest; ++i) loops_[*i].fault = AlarmId::loops_overlap;
+    Loop& loop = loops_[*nearest];
+    loop.end = block->position;
+    loop.behind = reader.position();
+    loop.damaged = loop.damaged || !got;
+    if (overlaps) loop.fault = AlarmId::loops_overlap;
+    loops_by_end_.emplace(loop.end.offset, *nearest);
+    open.erase(std::next(nearest).base());
+  }
+  for (const std::size_t i : open)
+    if (loops_[i].fault == AlarmId::count) loops_[i].fault = AlarmId::do_without_end;
+}
+
+std::map<std::uint32_t, std::string> ProgramFile::texts_of(const std::set<std::uint32_t>& lines) const {
+  std::map<std::uint32_t, std::string> texts;
+  const BlockReader decoder(source_, grammar_, reader_.encoding());
+  LineReader reader(source_);
+  if (reader_.encoding() == Encoding::eia) reader.end_lines_with(static_cast<char>(eia_end_of_block));
+  Line line;
+  for (auto wanted = lines.begin(); wanted != lines.end() && reader.next(line);) {
+    if (line.number != *wanted) continue;
+    Span all;
+    texts[*wanted++] = decoder.shown(line.bytes, all);
+  }
+  return texts;
+}
+
+std::string ProgramFile::text_of(std::uint32_t number) const {
+  LineReader reader(source_);
+  Line line;
+  if (line_marks_.empty()) {
+    while (reader.next(line))
+      if ((line.number - 1) % marked_line == 0) line_marks_.push_back(line.offset);
+  }
+  const std::size_t mark = (std::max(number, 1U) - 1) / marked_line;
+  if (mark >= line_marks_.size()) return {};
+  reader.seek(line_marks_[mark], static_cast<std::uint32_t>(mark) * marked_line + 1);
+  while (reader.next(line) && line.number < number) {
+  }
+  Span all;
+  return line.number == number ? BlockReader(source_, grammar_, reader_.encoding()).shown(line.bytes, all) : std::string();
+}
+
+}  // namespace kadr

@@ -1,0 +1,159 @@
+#include "control/functions/contour.h"
+
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+namespace {
+
+Vec2 in_plane(const Interpreter& m, const Axes& axes) { return {axes[m.modal.axes.first], axes[m.modal.axes.second]}; }
+AxisMask mask_of(PlaneAxes plane) { return AxisMask{1} << plane.first | AxisMask{1} << plane.second; }
+AxisMask plane_mask(const Interpreter& m) { return mask_of(m.modal.axes); }
+
+/// G41 or G42 have come, the second block of the contour has not.
+bool only_begun(const Interpreter& m) { return m.modal.contour == ContourPhase::on || m.modal.contour == ContourPhase::approached; }
+
+bool is_contour(MotionKind kind) { return kind == MotionKind::rapid || kind == MotionKind::feed || is_arc(kind); }
+
+double beside(const Modal& modal) { return modal.contour_side == 0 ? 0 : length(modal.contour_vector); }
+
+/// The tool goes on beside the contour, in an axis of its own: a hole or a step there is rarely what was meant. Once a contour; G40 of
+/// the 2С42 has Z for a word of its own (6.4.7).
+void tell_beside(Interpreter& m, const Motion& motion, const Axes& from) {
+  if (m.modal.beside_told || beside(m.modal) <= tol::same_point || !is_contour(motion.kind)) return;
+  if (m.has_code({Function::compensation_off})) return;
+  bool moves = false;
+  for (std::size_t a = 0; a < m.axis_count; ++a) moves = moves || std::fabs(motion.to[a] - from[a]) > tol::same_point;
+  if (!moves) return;
+  m.modal.beside_told = true;
+  m.warn(warning(AlarmId::beside_contour, m.block->where, beside(m.modal)));
+}
+
+/// The motion that G40 has been waiting for, or one that leaves the tool where it stands in the plane. That is the contour's, whatever
+/// plane has been chosen behind G40.
+void lead_off(Interpreter& m, Motion& motion, const Axes& from) {
+  Modal& modal = m.modal;
+  motion.side = modal.contour_side;
+  motion.first = static_cast<std::uint8_t>(modal.contour_axes.first);
+  motion.second = static_cast<std::uint8_t>(modal.contour_axes.second);
+  if ((motion.named & mask_of(modal.contour_axes)) == 0) return tell_beside(m, motion, from);
+  if (is_contour(motion.kind)) {
+    motion.side = 0;
+    motion.side_step = SideStep::ends;
+  }
+  modal.contour = ContourPhase::off;
+  modal.contour_side = 0;
+}
+
+/// At the end of a straight motion: across it, or across the way that touches the tool's circle (RS274/NGC, first move).
+Vec2 vector_at_end(const Motion& motion, Vec2 way) {
+  const double distance = length(way), radius = motion.tool_radius;
+  const Vec2 ahead = 1 / distance * way, left{-ahead.y, ahead.x};
+  if (motion.side_step != SideStep::begins || motion.entry != ContourEntry::tangent || distance <= radius)
+    return motion.side * radius * left;
+  const double across = radius / distance, along = std::sqrt((1 - across) * (1 + across));
+  return motion.side * radius * (along * left - motion.side * across * ahead);
+}
+
+}  // namespace
+
+bool compensates(const Modal& modal) { return modal.contour != ContourPhase::off && modal.contour != ContourPhase::leaving; }
+
+Status begin_contour(Interpreter& m, const Call& call, std::int8_t side) {
+  Modal& modal = m.modal;
+  if (modal.contour == ContourPhase::leaving && mask_of(modal.contour_axes) != plane_mask(m))  // beside a contour in another plane
+    return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  modal.radius_side = side;
+  modal.beside_told = false;
+  if (modal.contour == ContourPhase::off) modal.contour = ContourPhase::on;
+  if (modal.contour == ContourPhase::leaving) modal.contour = ContourPhase::following;
+  return {};
+}
+
+void take_up_contour(Interpreter& m) {
+  Modal& modal = m.modal;
+  if (modal.contour != ContourPhase::leaving) return;
+  const double vector[] = {modal.contour_vector.x, modal.contour_vector.y};
+  const std::size_t axes[] = {modal.contour_axes.first, modal.contour_axes.second};
+  for (std::size_t i = 0; i < 2 && modal.contour_side != 0; ++i) {
+    m.position.work[axes[i]] += vector[i];
+    m.position.machine[axes[i]] += vector[i];
+  }
+  m.position.programmed = m.transform.to_programmed(m.position.work);
+  m.emit(ContourBreak{false, true});
+  modal.contour = ContourPhase::off;
+  modal.contour_side = 0;
+}
+
+void note_arc_end(Interpreter& m, const Motion& arc) {
+  if (m.modal.contour != ContourPhase::following || arc.side == 0) return;
+  const Vec2 arm = in_plane(m, arc.to) - arc.center;
+  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;  // left of a counter-clockwise arc lies its centre
+  if (length(arm) > 0) m.modal.contour_vector = toward * arc.tool_radius / length(arm) * arm;
+}
+
+Status end_contour(Interpreter& m, const Call& call) {
+  Modal& modal = m.modal;
+  if (modal.contour == ContourPhase::approached && m.def.behaviour.contour_blocks_checked)
+    return fail(alarm(AlarmId::compensation_two_blocks, call.where));
+  modal.radius_side = 0;
+  modal.radius_by_word = -1;
+  modal.contour = modal.contour_side != 0 ? ContourPhase::leaving : ContourPhase::off;
+  return {};
+}
+
+Status contour_allows_infeed(const Interpreter& m, Span where) {
+  if (!m.def.behaviour.contour_blocks_checked || !only_begun(m)) return {};
+  if (m.has_code({Function::radius_comp_left, Function::radius_comp_right})) return {};
+  return fail(alarm(AlarmId::compensation_two_blocks, where));
+}
+
+Status contour_allows_motion(const Interpreter& m) {
+  if (!m.def.behaviour.contour_blocks_checked || m.modal.contour == ContourPhase::off || !m.has_axis_words()) return {};
+  Axes to;
+  AxisMask named = 0;
+  KADR_TRY(m.target(to, named));
+  if ((named & plane_mask(m)) == 0) return contour_allows_infeed(m, m.block->where);
+  const bool cancels = m.modal.contour == ContourPhase::leaving && m.has_code({Function::compensation_off});
+  if (!cancels || length(in_plane(m, to) - m.modal.contour_start) > tol::same_point) return {};
+  if (length(in_plane(m, to) - in_plane(m, m.position.programmed)) <= tol::same_point) return {};  // it has been closed before
+  return fail(alarm(AlarmId::compensation_closing, m.block->where));
+}
+
+Status arc_beside_contour(const Interpreter& m, Span where, std::string_view code) {
+  if (m.modal.contour == ContourPhase::leaving) return fail(alarm(AlarmId::compensation_ends_in_arc, where));
+  if (m.modal.contour == ContourPhase::on && m.radius_in_force() != 0) return fail(alarm(AlarmId::compensation_begins_in_arc, where, code));
+  return {};
+}
+
+void note_contour(Interpreter& m, Motion& motion, const Axes& from) {
+  Modal& modal = m.modal;
+  const bool named = (motion.named & plane_mask(m)) != 0;
+  motion.entry = m.def.behaviour.contour_entry_tangent ? ContourEntry::tangent : ContourEntry::normal;
+  motion.join_corner = modal.corner_join;
+  if (modal.contour == ContourPhase::leaving) return lead_off(m, motion, from);
+  const bool moves = named && (is_arc(motion.kind) || length(in_plane(m, motion.to) - in_plane(m, from)) > tol::same_point);
+  if (modal.contour == ContourPhase::on && !moves) return;
+  const double radius = m.radius_in_force();
+  if (modal.radius_by_word < 0 && modal.offset_number != 0) m.use.note(UseKind::radius, modal.offset_number, m.origin, radius == 0);
+  if (radius != 0 || modal.contour_side != 0) {  // with a radius of 0 the path is the contour, nothing is held back
+    const double side = -modal.radius_side * (radius < 0 ? -1 : 1) * (m.transform.reverses(modal.axes) ? -1 : 1);
+    motion.side = modal.contour_side = static_cast<std::int8_t>(side);
+    motion.tool_radius = std::fabs(radius);
+  }
+  if (!moves) return;
+  modal.contour_axes = modal.axes;
+  const bool begins = modal.contour == ContourPhase::on;
+  if (begins) {
+    if (motion.side != 0) motion.side_step = SideStep::begins;
+    modal.contour = ContourPhase::approached;
+    modal.contour_start = in_plane(m, m.position.programmed);
+  } else {
+    modal.contour = ContourPhase::following;
+  }
+  const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
+  if (!is_arc(motion.kind)) modal.contour_vector = vector_at_end(motion, way);  // of an arc: note_arc_end()
+}
+
+}  // namespace kadr

@@ -1,0 +1,95 @@
+// Ends, calls, returns, repetitions.
+
+#include "control/functions/behind_fault.h"
+#include "control/functions/functions.h"
+#include "control/functions/section_calls.h"
+
+namespace kadr {
+namespace {
+
+/// End of the program: nothing may be open; the control's end-of-program codes come into force.
+Status end_program(Interpreter& m, Span where) {
+  if (m.flow.depth() != 0) {
+    const CallFrame& top = m.flow.frames().back();
+    if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
+    if (m.def.behaviour.subprograms_by_section) return fail(alarm(AlarmId::subprogram_end_missing, where, double(top.name)));
+  }
+  m.flow.end();
+  if (m.dialect && m.dialect->end_program(m)) return {};
+  for (const std::int32_t row_index : m.def.end_codes) {
+    const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];
+    const std::size_t silent = m.batch->size();
+    (void)handler_of(row.function)(m, {&row, nullptr, where});
+    if (row.letter == 'M') m.batch->cut(silent);  // M2 itself stops spindle and coolant
+    if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(row_index);
+  }
+  return {};
+}
+
+Status leave_subprogram(Interpreter& m, Span where) {
+  shorten_behind_fault(m);
+  const auto left = m.flow.end_subprogram(where);
+  if (!left) return fail(left.error());
+  if (!*left) return {};
+  restore_zero(m, **left);
+  const auto then = (*left)->then;  // the rest of the calling block; one of it may end a subprogram too
+  for (const std::int16_t row : then) {
+    if (row < 0) break;
+    const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
+    KADR_TRY(handler_of(code.function)(m, {&code, nullptr, where}));
+    if (code.function == Function::subprogram_end) break;  // `M17 M2`: M2 ends the section
+  }
+  return {};
+}
+
+}  // namespace
+
+namespace functions {
+
+Status program_end(Interpreter& m, const Call& call) { return end_program(m, call.where); }
+Status tape_end(Interpreter& m, const Call& call) { return end_program(m, call.where); }
+
+Status repeat_program(Interpreter& m, const Call& call) { return m.begin_again(call.where); }
+
+/// M98 P (Mach3): L or Q times.
+Status call_subprogram(Interpreter& m, const Call& call) {
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', "M98"));
+  const auto name = m.whole('P', 0, 999'999'999);
+  if (!name) return fail(name.error());
+  if (m.has('L') && m.has('Q')) return fail(alarm(AlarmId::not_together, m.where('Q'), "L", "Q"));
+  std::uint32_t times = 1;
+  for (const char letter : {'L', 'Q'})
+    if (m.has(letter)) {
+      const auto count = m.whole(letter, 1, 99'999'999);
+      if (!count) return fail(count.error());
+      times = *count;
+    }
+  return m.flow.call(*name, times, m.origin, call.where);
+}
+
+/// M99: back to the caller; in the main program: from its beginning again (spec/mach3 1).
+Status subprogram_return(Interpreter& m, const Call& call) {
+  if (m.flow.depth() == 0) return m.begin_again(call.where);
+  return leave_subprogram(m, call.where);
+}
+
+/// M17 (2С42 6.3.6).
+Status subprogram_end(Interpreter& m, const Call& call) { return leave_subprogram(m, call.where); }
+
+/// H: the blocks from the next one to M20, so many times (2С42 6.4.6).
+Status repeat_word(Interpreter& m, const Call& call) {
+  const auto times = m.whole('H', 1, 9999);
+  if (!times) return fail(times.error());
+  return m.flow.repeat(*times, m.origin, call.where);
+}
+
+Status repetition_end(Interpreter& m, const Call& call) {
+  shorten_behind_fault(m);
+  return m.flow.end_repetition(call.where);
+}
+
+/// L: a subprogram or a canned cycle.
+Status call_word(Interpreter& m, const Call& call) { return call_section(m, call); }
+
+}  // namespace functions
+}  // namespace kadr

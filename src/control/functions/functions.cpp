@@ -1,0 +1,112 @@
+// From a function's name to its code; the functions that only set a mode.
+
+#include "control/functions/functions.h"
+
+#include <iterator>
+#include <utility>
+
+#include "control/functions/contour.h"
+
+namespace kadr {
+namespace {
+
+constexpr Handler handlers[] = {
+#define KADR_FUNCTION_HANDLER(name, ...) functions::name,
+    KADR_FUNCTIONS(KADR_FUNCTION_HANDLER)
+#undef KADR_FUNCTION_HANDLER
+};
+static_assert(std::size(handlers) == static_cast<std::size_t>(Function::count));
+
+Status set_plane(Interpreter& m, Plane plane) {
+  if (compensates(m.modal) && m.modal.plane != plane) return fail(alarm(AlarmId::compensation_active, m.block->where, "G17, G18, G19"));
+  m.modal.plane = plane;
+  m.modal.axes = axes_of(plane);
+  m.apply_mirror();
+  return {};
+}
+
+Status set_feed_mode(Interpreter& m, FeedMode mode) {
+  Modal& modal = m.modal;
+  if (modal.feed_mode != mode && m.dialect && m.dialect->keeps_both_feeds()) {  // each unit has its own (nct 6.2.1)
+    std::swap(modal.feed, modal.other_feed);
+    std::swap(modal.feed_known, modal.other_feed_known);
+  } else if (modal.feed_mode != mode) {
+    modal.feed_known = false;  // a feed of the other unit means nothing
+  }
+  modal.feed_mode = mode;
+  return {};
+}
+
+/// Not under radius compensation (RS274/NGC).
+Status set_unit(Interpreter& m, const Call& call, bool inch) {
+  if (compensates(m.modal) && m.modal.inch != inch) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  m.modal.inch = m.variables.inch = inch;
+  return {};
+}
+
+}  // namespace
+
+Handler handler_of(Function function) { return handlers[static_cast<std::size_t>(function)]; }
+
+namespace functions {
+
+// Addresses that other functions read: nothing to do by themselves.
+Status block_number(Interpreter&, const Call&) { return {}; }
+Status axis(Interpreter&, const Call&) { return {}; }
+Status center(Interpreter&, const Call&) { return {}; }
+Status word_of_code(Interpreter&, const Call&) { return {}; }
+Status formal_parameter(Interpreter&, const Call&) { return {}; }
+Status code(Interpreter&, const Call&) { return {}; }
+Status label(Interpreter&, const Call&) { return {}; }
+Status corrector_word(Interpreter&, const Call&) { return {}; }
+
+Status plane_xy(Interpreter& m, const Call&) { return set_plane(m, Plane::xy); }
+Status plane_zx(Interpreter& m, const Call&) { return set_plane(m, Plane::zx); }
+Status plane_yz(Interpreter& m, const Call&) { return set_plane(m, Plane::yz); }
+Status absolute(Interpreter& m, const Call&) { return m.modal.absolute = true, Status(); }
+Status incremental(Interpreter& m, const Call&) { return m.modal.absolute = false, Status(); }
+Status centers_absolute(Interpreter& m, const Call&) { return m.modal.centers_absolute = true, Status(); }
+Status centers_incremental(Interpreter& m, const Call&) { return m.modal.centers_absolute = false, Status(); }
+Status inch(Interpreter& m, const Call& call) { return set_unit(m, call, true); }
+Status millimetre(Interpreter& m, const Call& call) { return set_unit(m, call, false); }
+Status feed_inverse_time(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::inverse_time); }
+Status feed_per_minute(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::per_minute); }
+Status feed_per_revolution(Interpreter& m, const Call&) { return set_feed_mode(m, FeedMode::per_revolution); }
+Status surface_speed(Interpreter& m, const Call&) {
+  m.modal.surface_speed = true;
+  m.emit(m.surface_speed());
+  return {};
+}
+/// The spindle keeps the speed that it has.
+Status spindle_rpm(Interpreter& m, const Call&) {
+  if (m.modal.surface_speed) m.modal.rpm = m.surface_speed().rpm(m.position.work, m.modal.rpm);
+  m.modal.surface_speed = false;
+  m.emit(m.surface_speed());
+  return {};
+}
+Status exact_stop_block(Interpreter& m, const Call&) { return m.block_exact = true, Status(); }
+Status exact_stop_mode(Interpreter& m, const Call&) {
+  m.modal.exact = true;
+  m.modal.blend_tolerance = 0;
+  return {};
+}
+/// G64, with P the path tolerance (RS274/NGC; Mach3 itself has none).
+Status constant_velocity(Interpreter& m, const Call&) {
+  const double tolerance = m.length_value('P');
+  if (tolerance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', tolerance));
+  m.modal.exact = false;
+  m.modal.blend_tolerance = tolerance;
+  return {};
+}
+Status corner_arc(Interpreter& m, const Call&) { return m.modal.corner_join = CornerJoin::arc, Status(); }
+Status corner_line(Interpreter& m, const Call&) { return m.modal.corner_join = CornerJoin::straight, Status(); }
+Status retract_initial(Interpreter& m, const Call&) { return m.modal.retract_initial = true, Status(); }
+Status retract_level(Interpreter& m, const Call&) { return m.modal.retract_initial = false, Status(); }
+Status override_permission(Interpreter& m, const Call& call) {
+  return m.modal.override_permission = static_cast<std::uint8_t>(call.row->arg), Status();
+}
+Status override_on(Interpreter& m, const Call&) { return m.modal.override_enabled = true, Status(); }
+Status override_off(Interpreter& m, const Call&) { return m.modal.override_enabled = false, Status(); }
+
+}  // namespace functions
+}  // namespace kadr

@@ -1,0 +1,207 @@
+// G0, G1 and what moves in straight lines: polar mode, machine coordinates, reference points, probe.
+
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/functions/functions.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::uint64_t x_bit = letter_bit('X');
+constexpr std::uint64_t y_bit = letter_bit('Y');
+
+/// Mach3 10.7.6: X is the radius and Y the angle from the pole; a word left out keeps its last value.
+void polar_target(Interpreter& m, Axes& to, AxisMask& named) {
+  if ((m.block->letters & (x_bit | y_bit)) == 0) return;
+  Modal& modal = m.modal;
+  if (m.has('X')) modal.polar_radius = (modal.absolute ? 0.0 : modal.polar_radius) + m.length_value('X');
+  if (m.has('Y')) modal.polar_angle = (modal.absolute ? 0.0 : modal.polar_angle) + m.value('Y');
+  const SinCos turn = sincos_deg(modal.polar_angle);
+  to[0] = modal.pole.x + modal.polar_radius * turn.cos;
+  to[1] = modal.pole.y + modal.polar_radius * turn.sin;
+  named |= 3u;
+}
+
+/// G53 beside G0 or G1: the words are machine coordinates (Mach3 10.7.17).
+Status machine_motion(Interpreter& m, MotionKind kind) {
+  Axes to = m.position.machine;
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const Word* const w = m.letters.axis_letter[a] != 0 ? m.word(m.letters.axis_letter[a]) : nullptr;
+    if (w == nullptr) continue;
+    const bool is_length = m.def.address(w->address).unit == WordUnit::length;
+    const double half = (m.modal.diameter >> a & 1u) != 0 ? 0.5 : 1.0;
+    to[a] = m.value(w->address) * (is_length ? m.unit_scale() : 1.0) * half;
+    named |= 1u << a;
+    if (!(std::fabs(to[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w->where, w->address, to[a]));
+  }
+  return m.to_machine(kind, to, named, 0);
+}
+
+Status straight(Interpreter& m, const Call& call, MotionKind kind, MotionMode mode) {
+  if (call.row->modal) {
+    m.modal.motion = mode;
+    m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
+  }
+  m.cycle_memory.row = -1;
+  if (m.block_axes_taken) return {};
+  if (m.dialect && m.dialect->shapes_lines(m)) return m.dialect->straight(m, call, kind);
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(m.target(to, named));
+  if (m.modal.polar) polar_target(m, to, named);
+  if (m.dialect && m.dialect->adds_to_motion(m)) {
+    const auto added = m.dialect->add_to_motion(m);
+    if (!added) return fail(added.error());
+    named |= *added;
+  }
+  if (named == 0) return {};  // the code alone: only the mode
+  if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
+  if (m.block_machine_coordinates) return machine_motion(m, kind);
+  if (m.dialect && m.dialect->only_shifts(m)) return m.move_to(to, m.transform.to_work(to), named), Status();
+  return m.straight(kind, to, named);
+}
+
+bool axes_taken_by_code(const Interpreter& m) {
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    const std::int32_t row = w.address == 'G' ? m.def.row_of('G', w.code) : -1;
+    if (row >= 0 && (m.def.codes[static_cast<std::size_t>(row)].takes & m.letters.axes) != 0) return true;
+  }
+  return false;
+}
+
+/// Machine points, reference points and probes: not with radius compensation (Mach3 10.7.12; 2С42 INFERRED).
+Status no_compensation(const Interpreter& m, const Call& call) {
+  if (m.modal.radius_side == 0) return {};
+  return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+}
+
+/// Axes of the block's words, whatever their values; all linear ones if there is none.
+AxisMask named_axes(const Interpreter& m) {
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (m.letters.axis_letter[a] != 0 && m.has(m.letters.axis_letter[a])) named |= 1u << a;
+  return named != 0 ? named : (1u << m.axis_count) - 1;
+}
+
+}  // namespace
+
+namespace functions {
+
+Status rapid(Interpreter& m, const Call& call) { return straight(m, call, MotionKind::rapid, MotionMode::rapid); }
+Status linear(Interpreter& m, const Call& call) { return straight(m, call, MotionKind::feed, MotionMode::linear); }
+
+/// G80 (Mach3 10.7.23): axis words of its block need another code that takes them.
+Status no_motion(Interpreter& m, const Call& call) {
+  if (m.def.behaviour.arc_radius_word && m.has_axis_words() && !axes_taken_by_code(m)) {
+    const Word* first = nullptr;
+    for (std::uint32_t i = 0; i < m.block->word_count && first == nullptr; ++i)
+      if ((m.letters.axes & letter_bit(m.block->words[i].address)) != 0) first = &m.block->words[i];
+    return fail(alarm(AlarmId::no_motion_mode, first->where, first->address));
+  }
+  m.modal.motion = MotionMode::none;
+  m.modal.motion_row = call.row->modal && m.def.behaviour.arc_radius_word ? std::int16_t{-1} : m.modal.motion_row;
+  m.cycle_memory.row = -1;
+  return {};
+}
+
+Status machine_coordinates(Interpreter& m, const Call& call) {
+  const bool straight_coded = m.has_code({Function::rapid, Function::linear});
+  const bool other_coded = m.has_code({Function::arc_cw, Function::arc_ccw, Function::cycle, Function::probe, Function::circular_pocket});
+  const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
+  if (other_coded || (!straight_coded && !in_force)) return fail(alarm(AlarmId::machine_motion_mode, call.where));
+  if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, "G53"));
+  if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, "G53"));
+  m.block_machine_coordinates = true;
+  return {};
+}
+
+/// G28 / G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second.
+/// INFERRED: axes named go home; none named: all of them, at once.
+Status home_through(Interpreter& m, const Call& call) {
+  KADR_TRY(no_compensation(m, call));
+  const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
+  AxisMask named = 0;
+  if (m.has_axis_words()) {
+    Axes through;
+    KADR_TRY(m.target(through, named));
+    KADR_TRY(m.straight(MotionKind::rapid, through, named));
+  }
+  Axes home{};
+  for (std::size_t a = 0; a < m.axis_count && a < 6; ++a) home[a] = m.variables.raw(first + static_cast<std::uint32_t>(a));
+  return m.to_machine(MotionKind::home, home, named_axes(m), 0);
+}
+
+/// G28.1 (Mach3 10.7.11): the axes go to their switches at feed; the commanded end is the reference point.
+Status home_axes(Interpreter& m, const Call& call) {
+  KADR_TRY(no_compensation(m, call));
+  KADR_TRY(m.feed_known(call.where));
+  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed);
+}
+
+/// G25 (2С42): to the machine's reference point at 2000 mm/min.
+Status approach_reference(Interpreter& m, const Call& call) {
+  KADR_TRY(no_compensation(m, call));
+  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed);
+}
+
+/// G26 (2С42): to an absolute point of the machine; INFERRED: at rapid.
+Status machine_point(Interpreter& m, const Call& call) {
+  KADR_TRY(no_compensation(m, call));
+  return machine_motion(m, MotionKind::rapid);
+}
+
+/// G31 (Mach3 10.7.12).
+Status probe(Interpreter& m, const Call& call) {
+  const std::uint64_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
+  if ((m.block->letters & linear) == 0) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
+  if (m.modal.feed_mode == FeedMode::inverse_time) return fail(alarm(AlarmId::probe_feed_mode, call.where));
+  KADR_TRY(no_compensation(m, call));
+  KADR_TRY(m.feed_known(call.where));
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(m.target(to, named));
+  double distance = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const double way = to[a] - m.position.programmed[a];
+    if ((m.def.rotary >> a & 1u) == 0) distance += way * way;
+    else if (std::fabs(way) > tol::same_angle)
+      return fail(alarm(AlarmId::rotary_motion, m.where(m.letters.axis_letter[a]), m.letters.axis_letter[a]));
+  }
+  if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)
+    return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));
+  if (call.row->modal) {  // G38.2 leaves no motion code in force: axis words alone would be a rapid into the part
+    m.modal.motion = MotionMode::none;
+    m.modal.motion_row = -1;
+  }
+  m.needs_probe = true;
+  m.probe_where = call.where;
+  return m.straight(MotionKind::probe, to, named);
+}
+
+}  // namespace functions
+
+/// The machine's answer to a probe motion: where it stopped, kept in #2000…#2005 (Mach3 10.7.12).
+void Interpreter::answer(const ProbeAnswer& answer) {
+  pass_varies = true;
+  const Status taken = dialect ? dialect->take_answer(*this, answer) : note_answer(answer);
+  if (!taken) fail_with(taken.error());
+}
+
+Status Interpreter::note_answer(const ProbeAnswer& answer) {
+  needs_probe = false;
+  const std::uint32_t first = variables.first(VariableKind::probe_point);
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    position.work[a] = answer.at[a];
+    position.machine[a] = answer.at[a] + frames.origin[a] + frames.length[a];
+    if (answer.touched && first != 0 && a < 6) variables.set_raw(first + static_cast<std::uint32_t>(a), answer.at[a]);
+  }
+  (void)variables.take_frames_changed();
+  position.programmed = transform.to_programmed(position.work);
+  if (!answer.touched) return fail(alarm(AlarmId::probe_no_contact, probe_where));
+  return {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,259 @@
+// Straight motions and frames: programmed point → work → machine, and the Motion that goes there.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/tolerance.h"
+#include "control/functions/contour.h"
+#include "control/interpreter.h"
+
+namespace kadr {
+
+double Interpreter::axis_target(const Word& w, std::size_t axis) const {
+  const bool is_length = def.address(w.address).unit == WordUnit::length;
+  double v = w.value * def.address(w.address).scale * (is_length && modal.inch ? mm_per_inch : 1.0);
+  if ((modal.diameter >> axis & 1u) != 0) v /= 2;
+  const bool absolute = modal.absolute && !w.incremental && def.address(w.address).function != Function::increment_axis;
+  return absolute ? v : position.programmed[axis] + v;
+}
+
+Status Interpreter::target(Axes& to, AxisMask& named) const { return dialect ? dialect->target(*this, to, named) : axis_words(to, named); }
+
+Status Interpreter::axis_words(Axes& to, AxisMask& named) const {
+  to = position.programmed;
+  named = 0;
+  for (std::uint32_t i = 0; i < block->word_count; ++i) {
+    const Word& w = block->words[i];
+    if ((letters.axes & letter_bit(w.address)) == 0) continue;
+    const auto axis = static_cast<std::size_t>(static_cast<unsigned char>(letters.axis_of[static_cast<std::size_t>(w.address - 'A')]));
+    to[axis] = axis_target(w, axis);
+    named |= 1u << axis;
+    if (!(std::fabs(to[axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, to[axis]));
+  }
+  return {};
+}
+
+Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
+  Action& action = batch->add();
+  action.origin = origin;
+  Motion* const reused = std::get_if<Motion>(&action.what);
+  Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
+  motion.kind = kind;
+  motion.first = static_cast<std::uint8_t>(modal.axes.first);
+  motion.second = static_cast<std::uint8_t>(modal.axes.second);
+  motion.along = FeedAlong::path;
+  motion.own_override = !modal.override_enabled || (modal.override_permission & feed_permission) == 0;
+  motion.no_hold = motion.in_position = false;
+  motion.detail.reset();
+  motion.named = named;
+  for (std::size_t a = 0; a < axis_count; ++a) {  // the others stay 0
+    motion.to[a] = position.work[a];
+    motion.machine[a] = position.machine[a];
+  }
+  motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
+  motion.tolerance = modal.blend_tolerance;
+  motion.join = 0;
+  motion.smoothing = 0;
+  motion.side = 0;
+  motion.side_step = SideStep::none;
+  motion.tool_radius = 0;
+  motion.join_corner = CornerJoin::extended;
+  motion.entry = ContourEntry::by_corner;
+  motion.corner_speed = CornerSpeed::limited;
+  motion.unit = FeedUnit::mm_per_min;
+  motion.feed = 0;
+  motion.turns = 0;
+  motion.center = {};
+  motion.inch = modal.inch;
+  motion.system = has_fixtures ? static_cast<std::uint8_t>(modal.fixture) : modal.work_zero;
+  if (dialect) dialect->note_motion(*this, motion);
+  else if (modal.contour != ContourPhase::off) note_contour(*this, motion, moved_from);
+  return motion;
+}
+
+void Interpreter::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
+  if (modal.inch || modal.contour != ContourPhase::off || modal.feeds_of_axes != 0) moved_from = position.work;
+  named = transform.moved_with(named);
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if ((named >> a & 1u) != 0) position.work[a] = work[a];
+  if (frames.turn) {
+    const Axes machine = frames.machine_of(position.work);
+    named = frames.moved_with(named);
+    for (std::size_t a = 0; a < axis_count; ++a)
+      if ((named >> a & 1u) != 0) position.machine[a] = machine[a];
+  } else {
+    for (std::size_t a = 0; a < axis_count; ++a)
+      if ((named >> a & 1u) != 0) position.machine[a] = work[a] + frames.origin[a] + frames.length[a];
+  }
+  position.programmed = programmed;
+}
+
+Status Interpreter::within_reach(const Axes& work) const {
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (!(std::fabs(work[a]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], work[a]));
+  return {};
+}
+
+Status Interpreter::straight(MotionKind kind, const Axes& programmed, AxisMask named) {
+  if (modal.surface != PathSurface::plane && dialect) return dialect->surface_line(*this, kind, programmed, named);
+  if (transform.identity) [[likely]] {
+    move_to(programmed, programmed, named);
+  } else {
+    const Axes work = transform.to_work(programmed);
+    KADR_TRY(within_reach(work));
+    move_to(programmed, work, named);
+  }
+  Motion& motion = add_motion(kind, named);
+  if (kind != MotionKind::rapid && kind != MotionKind::home) set_feed(motion);
+  if (kind == MotionKind::feed && modal.feeds_of_axes != 0) motion.feed = feed_by_axes(motion);
+  return {};
+}
+
+/// Along a line on which an axis has a feed of its own (GOST 20999-83). INFERRED: the line stays; the axis, or the others together, that
+/// need the longest time say how fast it is gone.
+double Interpreter::feed_by_axes(const Motion& motion) const {
+  double time = 0, rest = 0, all = 0;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    const double way = motion.to[a] - moved_from[a];
+    all += way * way;
+    if ((modal.feeds_of_axes >> a & 1u) != 0) time = std::max(time, std::fabs(way) / modal.axis_feed[a]);
+    else rest += way * way;
+  }
+  if (modal.feed > 0) time = std::max(time, std::sqrt(rest) / modal.feed);
+  return time > 0 ? feed_limited(std::sqrt(all) / time) : motion.feed;
+}
+
+Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
+  if (dialect) KADR_TRY(dialect->may_move(*this, named));
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    if ((named >> a & 1u) == 0) continue;
+    position.machine[a] = machine[a];
+    if (!frames.turn) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
+  }
+  if (frames.turn) position.work = frames.work_of(position.machine);
+  position.programmed = transform.to_programmed(position.work);
+  Motion& motion = add_motion(kind, named);
+  if (feed > 0) motion.feed = feed;
+  else if (kind == MotionKind::feed) set_feed(motion);
+  return {};
+}
+
+Status Interpreter::feed_known(Span at) {
+  if (modal.feed_mode == FeedMode::inverse_time) {
+    if (!has('F')) return fail(alarm(AlarmId::feed_missing, at));
+    return {};
+  }
+  if (modal.feed_known && modal.feed > 0) [[likely]]
+    return {};
+  if (modal.feeds_of_axes != 0 && axes_have_feeds()) return {};
+  if (def.behaviour.feed_required || modal.feed_known) return fail(alarm(AlarmId::feed_missing, at));
+  if (!std::exchange(feed_missing_told, true)) warn(warning(AlarmId::feed_missing, at));
+  return {};
+}
+
+/// Each axis that the block names has a feed of its own.
+bool Interpreter::axes_have_feeds() const {
+  const bool arc = modal.motion == MotionMode::arc_cw || modal.motion == MotionMode::arc_ccw;
+  AxisMask named = 0;
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (letters.axis_letter[a] != 0 && has(letters.axis_letter[a])) named |= 1u << a;
+  return !arc && named != 0 && (named & ~modal.feeds_of_axes) == 0;
+}
+
+double Interpreter::feed_limited(double feed) const {
+  const double most = def.behaviour.feed_most;
+  return most > 0 && feed > most ? most : feed;  // 2С42 6.5.2: at most 5 m/min
+}
+
+void Interpreter::set_feed(Motion& motion) {
+  switch (modal.feed_mode) {
+    case FeedMode::per_minute:
+      motion.unit = FeedUnit::mm_per_min;
+      motion.feed = feed_limited(modal.feed);
+      if (modal.inch && dialect) motion.feed = dialect->inch_feed(*this, motion, moved_from);
+      break;
+    case FeedMode::per_revolution:
+      motion.unit = FeedUnit::mm_per_rev;
+      motion.feed = modal.feed;
+      break;
+    case FeedMode::inverse_time:
+      motion.unit = FeedUnit::per_min;
+      motion.feed = modal.feed;
+      break;
+  }
+}
+
+// ---- frames
+
+double Interpreter::radius_in_force() const {
+  if (modal.radius_by_word >= 0) return modal.radius_by_word;
+  return modal.offset_number < tables.offsets.size() ? tables.offsets[modal.offset_number].whole_radius() : 0.0;
+}
+
+SurfaceSpeed Interpreter::surface_speed() const { return dialect ? dialect->surface_speed(*this) : speed_by_x(); }
+
+SurfaceSpeed Interpreter::speed_by_x() const {
+  const auto x = std::find(axis_names.begin(), axis_names.end(), "X");
+  const bool there = x != axis_names.end();
+  return {modal.surface_speed, 1, there ? static_cast<std::uint8_t>(x - axis_names.begin()) : SurfaceSpeed::no_axis, modal.rpm};
+}
+
+FrameChange Interpreter::frame_change() const { return {frames, position.work}; }
+
+void Interpreter::refresh_frames() {
+  if (dialect) dialect->refresh_frames(*this);
+  else frames_by_tables();
+}
+
+void Interpreter::frames_by_tables() {
+  const std::uint32_t fixtures = variables.first(VariableKind::fixture);
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    double origin_of_axis = tables.common[a] + zero_shift[a] + set_position[a];
+    if (fixtures != 0 && a < 6)
+      origin_of_axis += variables.raw(variables.first(VariableKind::fixture, modal.fixture - 1) + static_cast<std::uint32_t>(a));
+    else origin_of_axis += tables.zeros[modal.work_zero][a];
+    frames.origin[a] = origin_of_axis;
+  }
+  constexpr std::size_t length_axis = 2;  // Z
+  const std::uint32_t number = modal.length_number != 0 ? modal.length_number : modal.offset_number;
+  const bool in_table = number < tables.offsets.size();
+  if (modal.length_sign != 0 && number != 0 && in_table)
+    use.note(UseKind::length, number, origin, tables.offsets[number].whole_length() == 0);
+  frames.length[length_axis] = modal.length_sign == 0 || !in_table ? 0.0 : modal.length_sign * tables.offsets[number].whole_length();
+}
+
+void Interpreter::change_frames() {
+  const Placement before = frames;
+  refresh_frames();
+  if (before == frames) return;
+  if (before.turn || frames.turn) {
+    position.work = frames.work_of(position.machine);
+    if (dialect) dialect->roll(*this, position.work);
+    emit(frame_change());
+    position.programmed = transform.to_programmed(position.work);
+    return;
+  }
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    // With `next_motion` a new length is taken out by the next motion of its axis: the tool's coordinate stays as programmed.
+    const double length = def.behaviour.length_offset == LengthOffset::at_once ? frames.length[a] - before.length[a] : 0.0;
+    const double shift = frames.origin[a] - before.origin[a] + length;
+    if (shift != 0) position.work[a] -= shift;
+  }
+  if (dialect) dialect->roll(*this, position.work);
+  emit(frame_change());
+  position.programmed = transform.to_programmed(position.work);
+}
+
+void Interpreter::apply_mirror() {
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    bool on = mirror_switches[a];
+    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: with G18 Y is not mirrored
+    if (a == 0 && modal.plane == Plane::yz) on = false;  // with G19 X is not
+    transform.mirror[a] = on ? std::int8_t{-1} : std::int8_t{1};
+  }
+  transform.refresh();
+  position.programmed = transform.to_programmed(position.work);
+}
+
+}  // namespace kadr

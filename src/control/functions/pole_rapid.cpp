@@ -1,0 +1,74 @@
+// G10 of GOST: rapid to a polar point (spec/gost 6). The pole, its plane, the radius B and the angle A stay in force, so that a block
+// may hold B or A alone (N11, N12 of the turning example).
+
+#include "control/functions/functions.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t linear_axes = 3;  // X Y Z
+
+bool has_axis(Plane plane, std::size_t axis) { return axes_of(plane).normal != axis; }
+
+/// Words of the pole in the block, a bit an axis.
+AxisMask pole_words(const Interpreter& m) {
+  AxisMask words = 0;
+  for (std::size_t a = 0; a < linear_axes; ++a)
+    if (m.has(m.letters.axis_letter[a])) words |= 1u << a;
+  return words;
+}
+
+/// Two words say the plane: Z84 X0 is one of turning, in G17 too. One keeps the plane it lies in; Z alone in G17 belongs to a turned
+/// part (INFERRED). None: that of the pole in force, or of a G17, G18, G19 that has come since (INFERRED).
+Plane plane_of_pole(const Modal& modal, AxisMask words) {
+  constexpr AxisMask x = 1, y = 2, z = 4;
+  if (words == (x | y | z)) return modal.plane;
+  if (words == (x | y)) return Plane::xy;
+  if (words == (z | x)) return Plane::zx;
+  if (words == (y | z)) return Plane::yz;
+  const bool chosen_anew = modal.plane != modal.pole_under || !modal.polar_radius_given;
+  const Plane plane = chosen_anew ? modal.plane : modal.pole_plane;
+  if (words == 0) return plane;
+  const std::size_t axis = words == x ? 0 : words == y ? 1 : 2;
+  for (const Plane known : {plane, modal.plane})
+    if (has_axis(known, axis)) return known;
+  return words == z ? Plane::zx : Plane::xy;
+}
+
+}  // namespace
+
+/// INFERRED: in G91 each word is an increment on the value in force, as it is one of an axis.
+Status functions::pole_rapid(Interpreter& m, const Call& call) {
+  Modal& modal = m.modal;
+  modal.motion = MotionMode::rapid;
+  modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
+  const Modal before = modal;
+  const AxisMask words = pole_words(m);
+  const Plane plane = plane_of_pole(modal, words);
+  const PlaneAxes axes = axes_of(plane);
+  if (const char third = m.letters.axis_letter[axes.normal]; (words >> axes.normal & 1u) != 0)  // the pole has two coordinates
+    return fail(alarm(AlarmId::word_unused, m.where(third), third));
+  if (!m.has('B') && !m.has('A')) return fail(alarm(AlarmId::word_missing, call.where, 'B', call.row->code));
+  if (!m.has('B') && !modal.polar_radius_given) return fail(alarm(AlarmId::word_missing, call.where, 'B', call.row->code));
+  if (!m.has('A') && !modal.polar_angle_given) return fail(alarm(AlarmId::word_missing, call.where, 'A', call.row->code));
+  const auto base = [&](double old) { return modal.absolute ? 0.0 : old; };
+  for (std::size_t a = 0; a < linear_axes; ++a)
+    if ((words >> a & 1u) != 0) {
+      const double half = (modal.diameter >> a & 1u) != 0 ? 0.5 : 1;  // in diameters
+      modal.pole_of[a] = base(modal.pole_of[a]) + half * m.length_value(m.letters.axis_letter[a]);
+    }
+  if (m.has('B')) modal.polar_radius = base(modal.polar_radius) + m.length_value('B');
+  if (m.has('A')) modal.polar_angle = base(modal.polar_angle) + m.value('A');
+  modal.polar_radius_given = modal.polar_angle_given = true;
+  modal.pole_plane = plane;
+  modal.pole_under = modal.plane;
+  const SinCos turn = sincos_deg(modal.polar_angle);
+  Axes to = m.position.programmed;
+  to[axes.first] = modal.pole_of[axes.first] + modal.polar_radius * turn.cos;
+  to[axes.second] = modal.pole_of[axes.second] + modal.polar_radius * turn.sin;
+  Status moved = m.straight(MotionKind::rapid, to, AxisMask{1} << axes.first | AxisMask{1} << axes.second);
+  if (!moved) modal = before;  // of a block of axis words alone nothing else has been kept
+  return moved;
+}
+
+}  // namespace kadr

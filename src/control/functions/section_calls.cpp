@@ -1,0 +1,98 @@
+#include "control/functions/section_calls.h"
+
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "control/functions/contour.h"
+
+namespace kadr {
+namespace {
+
+constexpr double mm_per_increment = 0.001;  // 6.5.1
+constexpr double pass_dwell = 0.3;          // s: `G4 E3` of L83's body, table 9
+constexpr double most_passes = 100'000;
+
+/// L83: R1 depth, R2 retract, R3 one pass, R0 feed. With G91 R1 and R2 are increments (6.7.2); INFERRED: R1 from where the
+/// tool stands, R2 from the bottom. The direction is R1's; R3 counts by its size.
+Status start_deep_drilling(Interpreter& m, const CycleRow& cycle, Span where) {
+  double r[4];
+  for (const int i : {0, 1, 2, 3}) {
+    if (m.use.watches()) note_read_parameter(m, i);
+    const auto value = m.variables.parameter(i, where);
+    if (!value) return fail(value.error());
+    r[i] = *value;
+  }
+  CycleRun::Job job;
+  job.cycle = &cycle;
+  const double here = m.position.programmed[2];
+  job.level = m.modal.absolute ? r[2] * mm_per_increment : here;
+  job.bottom = m.modal.absolute ? r[1] * mm_per_increment : here + r[1] * mm_per_increment;
+  job.clear = m.modal.absolute ? job.level : job.bottom + r[2] * mm_per_increment;
+  job.return_level = m.modal.absolute ? job.level : here;
+  job.peck = std::fabs(r[3]) * mm_per_increment;
+  job.dwell = pass_dwell;
+  job.preliminary = false;
+  const double way = std::fabs(job.level - job.bottom);
+  if (!(job.peck > 0) || way / job.peck > most_passes) return fail(alarm(AlarmId::cycle_peck, where, r[3]));
+  if (!(r[0] > 0)) return fail(alarm(AlarmId::feed_missing, where));
+  if (way <= tol::level) return fail(alarm(AlarmId::cycle_level, where, job.level, job.bottom));
+  m.modal.feed = r[0];
+  m.modal.feed_known = true;
+  m.block_exact = true;
+  m.cycle_run.start(job, m.modal.spindle);
+  return {};
+}
+
+}  // namespace
+
+const CycleRow* called_cycle(const ControlDef& def, std::uint32_t number) {
+  for (const CycleRow& cycle : def.cycles)
+    if (cycle.call_number == number) return &cycle;
+  return nullptr;
+}
+
+Status call_section(Interpreter& m, const Call& call) {
+  const Word& w = *call.word;
+  if (w.digits != 2 && w.digits != 4) return fail(alarm(AlarmId::call_digits, w.where, double(w.digits)));
+  const auto number = static_cast<std::uint32_t>(w.value);
+  const std::uint32_t name = w.digits == 2 ? number : number / 100;
+  const std::uint32_t times = w.digits == 2 ? 1 : number % 100;
+  if (times == 0) return fail(alarm(AlarmId::value_out_of_range, w.where, 'L', w.value));
+  const CycleRow* const cycle = called_cycle(m.def, name);
+  if (cycle != nullptr) {
+    if (m.dialect && m.flow.has_subprogram(name)) m.dialect->note_shadowed(m, name, w.where);
+    if (cycle->needs_override_off && m.modal.override_permission != 0) return fail(alarm(AlarmId::cycle_override, w.where, cycle->name));
+    if (!cycle->body.empty()) {
+      m.call_where = w.where;
+      m.call_text = m.flow.shown(m.block->text, m.call_where);
+      return m.flow.call_body(*cycle, times, m.origin, w.where);
+    }
+    KADR_TRY(contour_allows_infeed(m, w.where));
+    if (m.modal.contour != ContourPhase::off && m.modal.plane != Plane::xy)
+      return fail(alarm(AlarmId::compensation_active, w.where, "G17"));
+    // The body begins with G1 G9 G17 G43 and ends with G0 (table 9).
+    m.run_modes({Function::plane_xy, Function::length_plus});
+    KADR_TRY(start_deep_drilling(m, *cycle, w.where));
+    m.run_modes({Function::rapid});
+    return {};
+  }
+  const std::size_t depth = m.flow.depth();
+  KADR_TRY(m.flow.call(name, times, m.origin, w.where));
+  CallFrame& frame = m.flow.frames()[depth];
+  frame.work_zero = m.modal.work_zero;
+  frame.zero_shift = m.zero_shift;
+  for (std::size_t g = 1; g < m.def.groups.size(); ++g)
+    if (m.modal.rows[g] >= 0 && m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].function == Function::work_zero)
+      frame.zero_row = m.modal.rows[g];
+  return {};
+}
+
+void restore_zero(Interpreter& m, const CallFrame& left) {
+  if (!m.def.behaviour.subprogram_zero_local || left.kind != CallFrame::Kind::subprogram) return;
+  m.modal.work_zero = left.work_zero;
+  m.zero_shift = left.zero_shift;
+  if (left.zero_row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(left.zero_row)].group] = left.zero_row;
+  m.change_frames();
+}
+
+}  // namespace kadr

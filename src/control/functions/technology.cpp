@@ -1,0 +1,218 @@
+// Feed, spindle, tools, coolant, dwell, stops, messages to the machine.
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "control/functions/functions.h"
+
+namespace kadr {
+namespace {
+
+bool turns_spindle(const Interpreter& m) {
+  return m.has_code({Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
+}
+
+Status turn_spindle(Interpreter& m, SpindleDir dir, Span where) {
+  if (dir != SpindleDir::orient && m.modal.rpm_waiting >= 0) m.modal.rpm = std::exchange(m.modal.rpm_waiting, -1);  // 2С42 6.4.3
+  if (dir != SpindleDir::orient && m.modal.rpm == 0) m.warn(warning(AlarmId::speed_missing, where));
+  m.modal.spindle = dir;
+  m.emit(Spindle{dir, m.modal.surface_speed ? m.surface_speed().rpm(m.position.work, m.modal.rpm) : m.modal.rpm});
+  return {};
+}
+
+Status flood(Interpreter& m) {
+  m.modal.flood = true;
+  m.emit(CoolantSwitch{Coolant::flood});
+  return {};
+}
+
+/// A coded feed or speed (spec/gost 3: `F28` names a row of the machine's table), or the number itself.
+double coded(const std::map<std::int32_t, double>& table, double value) {
+  if (table.empty()) return value;
+  const auto found = table.find(static_cast<std::int32_t>(value));
+  return found == table.end() ? -1 : found->second;
+}
+
+Status dwell_for(Interpreter& m, char letter) {
+  const double seconds = m.value(letter);
+  if (!(seconds >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, seconds));
+  m.emit(Dwell{seconds});
+  return {};
+}
+
+/// GOST 20999-83: an F right behind the word of an axis belongs to that axis; behind the last of them it belongs to all that have none.
+///   returns  the axis, or nothing
+std::optional<std::size_t> axis_of_feed(const Interpreter& m, const Word& f) {
+  const auto index = static_cast<std::uint32_t>(&f - m.block->words.data());
+  const auto is_axis = [&](std::uint32_t i) { return (m.letters.axes & letter_bit(m.block->words[i].address)) != 0; };
+  if (index == 0 || !is_axis(index - 1)) return std::nullopt;
+  for (std::uint32_t i = index + 1; i < m.block->word_count; ++i)
+    if (is_axis(i)) return static_cast<std::size_t>(m.letters.axis_of[static_cast<std::size_t>(m.block->words[index - 1].address - 'A')]);
+  return std::nullopt;
+}
+
+/// F in the middle of the axes' words; at most one F of the block may belong to all of them.
+Status feed_of_axis(Interpreter& m, const Call& call, std::size_t axis, double feed) {
+  const bool arc =
+      m.has_code({Function::arc_cw, Function::arc_ccw}) ||
+      (!m.has_code({Function::rapid, Function::linear}) && (m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw));
+  if (arc)
+    return fail(alarm(AlarmId::not_together, call.where, m.block->text_of(call.where), "G2, G3"));  // INFERRED: an axis has no feed there
+  if (!(feed > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'F', feed));
+  m.modal.axis_feed[axis] = feed;
+  m.modal.feeds_of_axes |= 1u << axis;
+  return {};
+}
+
+/// A second F that belongs to no axis.
+Status only_common_feed(const Interpreter& m, const Word& f) {
+  for (std::uint32_t i = 0; &m.block->words[i] != &f; ++i)
+    if (m.block->words[i].address == 'F' && !axis_of_feed(m, m.block->words[i])) return fail(alarm(AlarmId::address_twice, f.where, 'F'));
+  return {};
+}
+
+bool has_feed_of_axis(const Interpreter& m) {
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i)
+    if (m.block->words[i].address == 'F' && axis_of_feed(m, m.block->words[i])) return true;
+  return false;
+}
+
+/// The feed of the motion as a whole.
+Status common_feed(Interpreter& m, Span where, double value) {
+  const bool is_length = m.modal.feed_mode != FeedMode::inverse_time;
+  double feed = coded(m.def.feed_codes, value);
+  if (!(feed >= 0)) return fail(alarm(AlarmId::value_out_of_range, where, 'F', value));
+  if (is_length) feed *= m.unit_scale();
+  const double most = m.def.behaviour.feed_most;
+  if (most > 0 && feed > most && m.modal.feed_mode == FeedMode::per_minute) m.warn(warning(AlarmId::feed_limited, where, feed, most));
+  m.modal.feed = feed;
+  m.modal.feed_known = true;
+  if (m.dialect) m.dialect->note_feed(m);
+  return {};
+}
+
+/// F of a control on which it may belong to one axis: until a new one of that axis, or a block with one for all.
+Status gost_feed(Interpreter& m, const Call& call) {
+  const double value = call.word->value * m.def.address('F').scale;
+  if (const auto axis = axis_of_feed(m, *call.word)) return feed_of_axis(m, call, *axis, coded(m.def.feed_codes, value));
+  KADR_TRY(only_common_feed(m, *call.word));
+  if (!has_feed_of_axis(m)) m.modal.feeds_of_axes = 0;
+  return common_feed(m, call.where, value);
+}
+
+}  // namespace
+
+namespace functions {
+
+Status feed_word(Interpreter& m, const Call& call) {
+  if (m.def.behaviour.feed_of_axis && call.word != nullptr) return gost_feed(m, call);
+  return common_feed(m, call.where, m.value('F'));
+}
+
+Status speed_word(Interpreter& m, const Call& call) {
+  const double rpm = coded(m.def.speed_codes, m.value('S'));
+  if (!(rpm >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'S', m.value('S')));
+  if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {  // 2С42 6.4.3
+    m.warn(warning(AlarmId::speed_without_direction, call.where));
+    m.modal.rpm_waiting = rpm;
+    return {};
+  }
+  m.modal.rpm = rpm;
+  m.modal.rpm_waiting = -1;
+  const SurfaceSpeed surface = m.surface_speed();
+  if (!turns_spindle(m)) m.emit(Speed{rpm, surface.on, 1, 0, surface.on ? surface.rpm(m.position.work, rpm) : 0});
+  if (surface.on) m.emit(surface);
+  return {};
+}
+
+/// T: place in the magazine; where correctors belong to tools, T0404 is tool 04 with corrector 04 (spec/gost 4).
+Status tool_word(Interpreter& m, const Call& call) {
+  const auto number = m.whole('T', 0, 99'999'999);
+  if (!number) return fail(number.error());
+  const bool pair = m.def.behaviour.tool_and_corrector && call.word->digits > 2;
+  m.modal.tool_selected = pair ? *number / 100 : *number;
+  m.modal.corrector = pair ? *number % 100 : 0;
+  if (m.modal.tool_selected != 0) m.use.note(UseKind::tool, m.modal.tool_selected, m.origin);
+  if (pair && m.modal.corrector < m.tables.offsets.size()) {
+    m.modal.offset_number = m.modal.corrector;
+    m.change_frames();
+  }
+  m.emit(ToolSelect{m.modal.tool_selected, m.modal.corrector});
+  return {};
+}
+
+Status change_tool(Interpreter& m, const Call&) {
+  m.modal.tool = m.modal.tool_selected;
+  m.use.change_to(m.modal.tool);
+  m.emit(ToolChange{m.modal.tool});
+  return {};
+}
+
+Status spindle_cw(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::cw, call.where); }
+Status spindle_ccw(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::ccw, call.where); }
+Status spindle_orient(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::orient, call.where); }
+Status spindle_stop(Interpreter& m, const Call&) {
+  m.modal.spindle = SpindleDir::stop;
+  m.emit(Spindle{SpindleDir::stop, 0});
+  return {};
+}
+Status spindle_cw_coolant(Interpreter& m, const Call& call) {
+  KADR_TRY(turn_spindle(m, SpindleDir::cw, call.where));
+  return flood(m);
+}
+Status spindle_ccw_coolant(Interpreter& m, const Call& call) {
+  KADR_TRY(turn_spindle(m, SpindleDir::ccw, call.where));
+  return flood(m);
+}
+
+Status coolant_mist(Interpreter& m, const Call&) {
+  m.modal.mist = true;
+  m.emit(CoolantSwitch{Coolant::mist});
+  return {};
+}
+Status coolant_flood(Interpreter& m, const Call&) { return flood(m); }
+Status coolant_off(Interpreter& m, const Call&) {
+  m.modal.mist = m.modal.flood = false;
+  m.emit(CoolantSwitch{Coolant::off});
+  return {};
+}
+
+/// G4 with the word its row takes: E in 0.1 s (2С42), P in s.
+Status dwell(Interpreter& m, const Call& call) {
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    if ((call.row->takes & letter_bit(letter)) != 0 && m.has(letter)) return dwell_for(m, letter);
+  return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
+}
+
+/// A dwell time in a block with a motion: after the motion (2С42 6.4.5).
+Status dwell_word(Interpreter& m, const Call& call) { return dwell_for(m, call.word->address); }
+
+Status machine_function(Interpreter& m, const Call& call) {
+  if (m.dialect) return m.dialect->machine_code(m, call);
+  return m.emit_machine_function(call);
+}
+
+Status program_stop(Interpreter& m, const Call&) {
+  m.emit(Stop{false});
+  return {};
+}
+
+/// M01 stops only while the operator's switch is on.
+Status optional_stop(Interpreter& m, const Call&) {
+  m.use.note(UseKind::optional_stop, 1, m.origin);
+  if (m.optional_stop_on) m.emit(Stop{true});
+  return {};
+}
+
+}  // namespace functions
+
+Status Interpreter::emit_machine_function(const Call& call) {
+  MachineFunction function{static_cast<std::uint32_t>(call.word->code / 10), {}, {}};
+  if ((call.row->takes & letter_bit('P')) != 0 && has('P')) function.p = value('P');
+  if ((call.row->takes & letter_bit('Q')) != 0 && has('Q')) function.q = value('Q');
+  emit(function);
+  return {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,159 @@
+#include "control/nct/spindles/coupling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "control/interpreter.h"
+#include "control/nct/nct.h"
+#include "control/nct/words/coordinates.h"
+
+namespace kadr::nct {
+namespace {
+
+int axis_named(const Interpreter& m, const std::string& name) {
+  const auto found = std::find(m.axis_names.begin(), m.axis_names.end(), name);
+  return found == m.axis_names.end() ? -1 : static_cast<int>(found - m.axis_names.begin());
+}
+
+/// The axis with the number in N2101 of this one, if it is another axis of the channel.
+std::optional<std::size_t> master_of(const Interpreter& m, std::size_t axis) {
+  const ParameterStore& store = nct_of(m).parameters;
+  const double number = store.value(store.named("2101"), m.def.axis_numbers[axis]);
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (a != axis && number > 0 && m.def.axis_numbers[a] == number) return a;
+  return std::nullopt;
+}
+
+bool bit_of(const Interpreter& m, std::size_t axis, int bit) {
+  const ParameterStore& store = nct_of(m).parameters;
+  return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
+}
+
+/// Masters are never among those that follow the axis.
+bool follows(const Couplings& couplings, std::size_t axis, std::size_t master) {
+  for (auto follower = couplings.followers.rbegin(); follower != couplings.followers.rend(); ++follower)
+    if (follower->axis == axis) axis = follower->master;
+  return axis == master;
+}
+
+/// Each behind its master: an axis that has come to be followed goes before its followers.
+void sort(std::vector<Follower>& followers) {
+  std::vector<Follower> sorted;
+  AxisMask waiting = 0;
+  for (const Follower& follower : followers) waiting |= AxisMask{1} << follower.axis;
+  while (sorted.size() < followers.size())
+    for (const Follower& follower : followers) {
+      if ((waiting >> follower.axis & 1u) == 0 || (waiting >> follower.master & 1u) != 0) continue;
+      sorted.push_back(follower);
+      waiting &= ~(AxisMask{1} << follower.axis);
+    }
+  followers = std::move(sorted);
+}
+
+void add(Interpreter& m, std::size_t axis, std::size_t master, double sign) {
+  Couplings& c = nct_of(m).couplings;
+  c.followers.push_back({static_cast<std::uint8_t>(axis), static_cast<std::uint8_t>(master), sign});
+  c.axes |= AxisMask{1} << axis;
+  sort(c.followers);
+  follow_from_here(m);
+}
+
+/// The signed way of a follower whose master rolls over, and its place then.
+void roll(Interpreter& m, const Follower& follower, MotionDetail& detail) {
+  const AxisSettings& settings = nct_of(m).settings.axes[follower.axis];
+  const double way = follower.sign * detail.travel[follower.master];
+  double& work = m.position.work[follower.axis];
+  const double from = work;
+  work += way;
+  if (settings.rolls) {
+    work -= settings.period * std::floor(work / settings.period);
+    detail.rolled |= AxisMask{1} << follower.axis;
+    detail.travel[follower.axis] = way;
+  }
+  m.position.machine[follower.axis] += work - from;
+}
+
+}  // namespace
+
+SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events) {
+  for (const SetupEvent& event : events)
+    for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>())
+      if (const int axis = axis_named(m, name); axis >= 0 && !master_of(m, static_cast<std::size_t>(axis)))
+        return {"events", "events: N2101." + name + " is not the number of another axis of the channel",
+                "events: N2101." + name + " не задаёт номер другой оси канала"};
+  return {};
+}
+
+void couple_gantries(Interpreter& m) {
+  for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
+    constexpr int psn = 4;
+    const auto master = bit_of(m, axis, psn) ? master_of(m, axis) : std::nullopt;
+    if (!master || follows(nct_of(m).couplings, *master, axis)) continue;
+    add(m, axis, *master, 1);
+    m.position.machine[axis] = m.position.machine[*master];
+    m.position.work[axis] = m.position.machine[axis] - m.frames.origin[axis] - m.frames.length[axis];
+  }
+  m.position.programmed = m.transform.to_programmed(m.position.work);
+  follow_from_here(m);
+}
+
+void couple_axis(Interpreter& m, const std::string& name, bool on) {
+  const int found = axis_named(m, name);
+  if (found < 0) return;
+  const auto axis = static_cast<std::size_t>(found);
+  Couplings& c = nct_of(m).couplings;
+  constexpr int msy = 0, psn = 4;
+  if (!on && !bit_of(m, axis, psn)) {
+    std::erase_if(c.followers, [&](const Follower& follower) { return follower.axis == axis; });
+    c.axes &= ~(AxisMask{1} << axis);
+  }
+  if (!on || (c.axes >> axis & 1u) != 0) return;
+  const auto master = master_of(m, axis);
+  if (!master || follows(c, *master, axis)) {
+    constexpr double parameter = 2101;
+    m.warn(warning(AlarmId::coupling_parameter, {}, parameter));
+    return;
+  }
+  add(m, axis, *master, bit_of(m, axis, msy) ? -1 : 1);
+}
+
+Status not_following(const Interpreter& m, AxisMask named) {
+  const AxisMask wrong = named & nct_of(m).couplings.axes;
+  if (wrong == 0) [[likely]]
+    return {};
+  const auto axis = static_cast<std::size_t>(__builtin_ctz(wrong));
+  const char letter = m.letters.axis_letter[axis];
+  return fail(
+      alarm(AlarmId::axis_follows, letter != 0 && m.has(letter) ? m.where(letter) : m.block->where, std::string_view(m.axis_names[axis])));
+}
+
+void follow(Interpreter& m, Motion& motion) {
+  const Couplings& c = nct_of(m).couplings;
+  MotionDetail& detail = detail_of(m, motion);
+  detail.followers = c.followers;
+  Axes& machine = m.position.machine;
+  for (const Follower& follower : c.followers) {
+    const AxisMask master = AxisMask{1} << follower.master;
+    if ((motion.named & master) != 0) motion.named |= AxisMask{1} << follower.axis;
+    if ((detail.rolled & master) != 0) {
+      roll(m, follower, detail);
+      continue;
+    }
+    machine[follower.axis] = c.lead[follower.axis] + follower.sign * machine[follower.master];
+    m.position.work[follower.axis] = machine[follower.axis] - m.frames.origin[follower.axis] - m.frames.length[follower.axis];
+  }
+  if (m.frames.turn) m.position.work = m.frames.work_of(machine);
+  const Axes programmed = m.transform.to_programmed(m.position.work);
+  for (const Follower& follower : c.followers) m.position.programmed[follower.axis] = programmed[follower.axis];
+  motion.to = m.position.work;
+  motion.machine = machine;
+  if (detail.rolled != 0) follow_from_here(m);
+}
+
+void follow_from_here(Interpreter& m) {
+  Couplings& c = nct_of(m).couplings;
+  for (const Follower& f : c.followers) c.lead[f.axis] = m.position.machine[f.axis] - f.sign * m.position.machine[f.master];
+}
+
+}  // namespace kadr::nct

@@ -1,0 +1,119 @@
+// T, M6, data lines of tools, auxiliary functions (spec/nct/12, 13.2); parameter lines (24.1).
+
+#include "control/functions/functions.h"
+#include "control/nct/nct.h"
+
+namespace kadr {
+namespace {
+
+ToolPlace place_of(const nct::ToolCall& call) {
+  return {static_cast<std::uint32_t>(call.data), static_cast<std::uint32_t>(call.magazine), static_cast<std::uint32_t>(call.pocket)};
+}
+
+/// What was prepared comes into the spindle.
+void change(Interpreter& m, nct::CountUse count) {
+  nct_of(m).endless.note_change();
+  m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // its life may end
+  const nct::ToolCall now = nct_of(m).tools.change(nct::ToolManagement::main_spindle, count);
+  m.modal.tool = now.tool;
+  m.use.change_to(now.tool);
+  m.emit(ToolChange{now.tool, place_of(now)});
+}
+
+}  // namespace
+
+namespace functions {
+
+/// T: the tool is looked for and prepared; where the machine changes on T it is changed (12.1, 12.2).
+Status tool_call(Interpreter& m, const Call& call) {
+  nct::Nct& nct = nct_of(m);
+  const auto number = m.whole('T', 0, 99'999'999);
+  if (!number) return fail(number.error());
+  bool by_place = false;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    by_place = by_place || (w.address == 'M' && nct.settings.place_code != 0 && w.code == nct.settings.place_code * 10);
+  }
+  auto called = nct.tools.call(*number, by_place ? nct::CallBy::place : nct::CallBy::type);
+  if (!called) {
+    Alarm placed = called.error();
+    placed.where = call.where;
+    return fail(placed);
+  }
+  m.modal.tool_selected = *number;
+  if (*number != 0) m.use.note(UseKind::tool, *number, m.origin);
+  m.emit(ToolSelect{*number, 0, place_of(*called)});
+  if (nct.settings.life_counts_on_t) change(m, nct::CountUse::yes);  // 12.2, case A: a turret, or a change by hand
+  return {};
+}
+
+/// M6: what was prepared comes into the spindle (12.2).
+Status exchange_tool(Interpreter& m, const Call&) {
+  change(m, nct_of(m).settings.life_counts_on_t ? nct::CountUse::no : nct::CountUse::yes);
+  return {};
+}
+
+/// A, B, C, U, V, W as auxiliary functions (13.2).
+Status auxiliary_word(Interpreter& m, const Call& call) {
+  const std::uint8_t number = m.def.address(call.word->address).number;
+  nct_of(m).state.words.aux[number - 1u] = call.word->value;
+  m.emit(AuxiliaryFunction{call.word->address, call.word->value});
+  return {};
+}
+
+}  // namespace functions
+
+namespace nct {
+
+Result<std::uint32_t> Nct::offset_of_tool(char letter) const {
+  const OffsetNumbers numbers = tools.offset_numbers();
+  return static_cast<std::uint32_t>(letter == 'H' ? numbers.h : numbers.d);
+}
+
+Status Nct::open_tool_data(Interpreter& m, std::uint32_t l, double p, Span where) {
+  if (!m.has('P')) return fail(alarm(AlarmId::word_missing, where, 'P', "G10"));
+  const auto kind = data_kind(l, p);
+  if (!kind) return fail(alarm(AlarmId::value_out_of_range, m.has('P') ? m.where('P') : where, 'P', p));
+  data_input.begin(*kind);
+  state.data_mode = DataMode::tools;
+  return {};
+}
+
+/// N is a data word there.
+Status Nct::tool_line(Interpreter& m) {
+  std::vector<DataWord> words;
+  if (m.block->has_number) words.push_back({'N', double(m.block->number), {}, m.block->number_where});
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    std::string_view digits = m.block->text_of(w.where);
+    digits.remove_prefix(std::min<std::size_t>(1, digits.size()));
+    words.push_back({w.written, w.value, w.expression ? std::string_view() : digits, w.where});
+  }
+  KADR_TRY(data_input.block({words, m.block->where}, tools));
+  watch_tool_time(m);
+  return {};
+}
+
+Status Nct::parameter_line(Interpreter& m) {
+  ParameterStore::Write write;
+  write.block = m.block->where;
+  if (m.block->has_number) write.n = ParameterStore::Word{double(m.block->number), m.block->number_where};
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address == 0) continue;
+    const ParameterStore::Word word{w.value, w.where};
+    if (w.written == 'P') write.p = word;
+    else if (w.written == 'Q') write.q = word;
+    else if (w.written == 'R') write.r = word, write.increment = w.incremental;
+    else if (w.written == 'N' && !write.n) write.n = word;
+    else return fail(alarm(AlarmId::data_block, w.where, m.block->text_of(w.where)));
+  }
+  if (m.block->word_count == 0 && !m.block->has_number) return {};
+  KADR_TRY(parameters.write(write));
+  refresh_settings(m);
+  return {};
+}
+
+}  // namespace nct
+}  // namespace kadr

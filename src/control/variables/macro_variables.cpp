@@ -1,0 +1,45 @@
+#include "control/variables/macro_variables.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kadr {
+
+Locals no_locals() {
+  Locals all;
+  all.fill(vacant);
+  return all;
+}
+
+MacroVariables::MacroVariables(std::shared_ptr<Commons> shared, int shared_100, int shared_500)
+    : shared_(std::move(shared)), own_(std::make_unique<Commons>()) {
+  for (int n = first_common; n <= last_common; ++n) {
+    const bool is_shared = n < first_kept ? n - first_common < shared_100 : n - first_kept < shared_500;
+    commons_[static_cast<std::size_t>(n - first_common)] = &(is_shared ? shared_.get() : own_.get())->values[static_cast<std::size_t>(n)];
+  }
+  levels_.push_back(no_locals());
+}
+
+std::vector<std::uint16_t> MacroVariables::take_changed() {
+  is_changed_.fill(false);
+  return std::exchange(changed_, {});
+}
+
+MacroVariables::Memory MacroVariables::memory() const {
+  Memory now{{}, levels_};
+  now.commons.reserve(commons_.size());
+  for (const double* const common : commons_) now.commons.push_back(*common);
+  return now;
+}
+
+void MacroVariables::remember(const Memory& memory) {
+  for (std::size_t i = 0; i < commons_.size(); ++i) set_common(first_common + static_cast<int>(i), memory.commons[i]);
+  levels_ = memory.levels;
+}
+
+void MacroVariables::power_off() {
+  for (int n = first_common; n < first_kept; ++n) *commons_[static_cast<std::size_t>(n - first_common)] = vacant;
+  levels_.assign(1, no_locals());
+}
+
+}  // namespace kadr

@@ -1,0 +1,87 @@
+#pragma once
+// #1 … #33 by level and #100 … #999 (spec/nct/23 23.1.3, 23.1.4). Vacant until written.
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "control/state/journal.h"
+#include "lang/expression/expression.h"
+
+namespace kadr {
+
+inline constexpr std::size_t most_locals = 33;
+inline constexpr int first_common = 100, last_common = 999, first_kept = 500;
+
+using Locals = std::array<double, most_locals + 1>;  // by number; [0] unused
+Locals no_locals();
+
+/// #100 … #999, by number.
+struct Commons {
+  std::array<double, last_common + 1> values;
+  Commons() { values.fill(vacant); }
+};
+
+class MacroVariables {
+ public:
+  /// `shared`: of all channels; the first `shared_100` from #100 and `shared_500` from #500 are theirs.
+  MacroVariables(std::shared_ptr<Commons> shared, int shared_100, int shared_500);
+
+  /// #0, locals and commons; false for any other number.
+  bool known(double number, double& value) const {
+    if (!(number >= 0 && number <= last_common)) return false;
+    const int n = static_cast<int>(number);
+    if (n >= first_common) {
+      value = common(n);
+      return true;
+    }
+    if (n > static_cast<int>(most_locals)) return false;
+    value = n == 0 ? vacant : levels_.back()[static_cast<std::size_t>(n)];
+    return true;
+  }
+  double common(int n) const { return *commons_[static_cast<std::size_t>(n - first_common)]; }
+  void set_common(int n, double value) {
+    *commons_[static_cast<std::size_t>(n - first_common)] = value;
+    if (n >= first_kept && !is_changed_[static_cast<std::size_t>(n - first_kept)]) {
+      is_changed_[static_cast<std::size_t>(n - first_kept)] = true;
+      changed_.push_back(static_cast<std::uint16_t>(n));
+    }
+  }
+  /// #n is about to be written by a block that an alarm may take back.
+  void keep_common(Journal& journal, int n) { journal.keep(*commons_[static_cast<std::size_t>(n - first_common)]); }
+  Locals& locals() { return levels_.back(); }
+  const Locals& locals() const { return levels_.back(); }
+
+  void open_level(const Locals& arguments) { levels_.push_back(arguments); }
+  void close_level() {
+    if (levels_.size() > 1) levels_.pop_back();
+  }
+  /// The end of the program: only the main program's level is left, and it is empty (23.1.3).
+  void close_levels() { levels_.assign(1, no_locals()); }
+  std::size_t depth() const { return levels_.size(); }
+  const std::vector<Locals>& levels() const { return levels_; }
+
+  /// What a snapshot holds; of the shared commons their values too.
+  struct Memory {
+    std::vector<double> commons;  // from first_common on
+    std::vector<Locals> levels;
+  };
+  Memory memory() const;
+  void remember(const Memory& memory);
+
+  /// The commons that outlive power-off and were written since the last call.
+  std::vector<std::uint16_t> take_changed();
+  /// #100 … #499 are lost at power-off, and the locals.
+  void power_off();
+
+ private:
+  std::shared_ptr<Commons> shared_;
+  std::unique_ptr<Commons> own_;
+  std::array<double*, last_common - first_common + 1> commons_{};
+  std::vector<Locals> levels_;
+  std::vector<std::uint16_t> changed_;
+  std::array<bool, last_common - first_kept + 1> is_changed_{};
+};
+
+}  // namespace kadr

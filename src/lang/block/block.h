@@ -1,0 +1,224 @@
+#pragma once
+// One block of a part program, parsed: words with their values, and where each stands.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "base/alarm.h"
+#include "base/span.h"
+#include "lang/block/grammar.h"
+
+namespace kadr {
+
+/// Step of a compiled expression: a stack machine's instruction (lang/expression/expression).
+enum class Op : std::uint8_t {
+  number,
+  variable,
+  parameter,  // push; `variable` replaces the top by #top
+  add,
+  subtract,
+  multiply,
+  divide,
+  modulo,
+  power,
+  negate,
+  logic_and,
+  logic_or,
+  logic_xor,
+  equal,  // comparisons: a vacant value is greater than every number and equal to itself (nct 23.1.6)
+  not_equal,
+  greater,
+  greater_equal,
+  less,
+  less_equal,
+  abs,
+  acos,
+  asin,
+  atan,
+  cos,
+  exp,
+  fix,
+  fup,
+  ln,
+  round,
+  sin,
+  sqrt,
+  tan,
+  scale,  // divides by `number`: raw digits to the unit of the address
+  // custom macros (nct 23.2)
+  remainder,
+  bit_and,
+  bit_or,
+  bit_xor,
+  bit_not,
+  truncate,        // FIX
+  away_from_zero,  // FUP
+  square_root,
+  sine,
+  cosine,
+  tangent,
+  arc_sine,
+  arc_cosine,
+  arc_tangent,
+  logarithm,
+  keep_negate,   // of a word: a vacant value stays vacant
+  variable_at,   // push the variable `number`
+  element,       // replaces the index on top by the number of that element of symbol `number`
+  control_value  // PRM: replaces number, bit, index on top by the value
+};
+
+struct Instruction {
+  Op op;
+  double number = 0;  // of `number`, `scale`; index of `parameter`
+  Span where;         // for the alarm, if the step fails
+};
+
+/// A piece of the block's instructions; empty: no expression.
+struct Expression {
+  std::uint16_t begin = 0;
+  std::uint16_t end = 0;
+  explicit operator bool() const { return end > begin; }
+};
+
+/// Address and value. The value is in the unit of the address as written (mm or inch, degrees, …).
+struct Word {
+  double value = 0;
+  double second = std::numeric_limits<double>::quiet_NaN();  // of `L2 15`
+  Span where;
+  Expression expression;   // the value is known only when the block is carried out
+  Expression axis;         // of AX[n]=…: number of the axis
+  std::int32_t code = -1;  // of G and M: ten times the number (G54.1 = 541); -1: not a code
+  char address = 0;
+  std::uint8_t digits = 0;  // digits written
+  bool has_point = false;
+  bool incremental = false;  // operator I
+  bool bare = false;         // without a number
+  char written = 0;          // the address; `address` is 0 while its expression is vacant
+};
+
+/// A statement of the macro language that stands alone in its block (nct 23.2, 23.5).
+enum class StatementKind : std::uint8_t {
+  none,
+  assign,
+  message,  // #3000=n(text) and its like: the text is the block's first comment
+  go_to,
+  loop,  // WHILE[…] DOm or DOm
+  loop_end,
+  open_port,
+  close_port,
+  open_file,
+  close_file,
+  print_binary,
+  print_decimal,
+};
+
+struct Statement {
+  StatementKind kind = StatementKind::none;
+  std::uint8_t loop = 0;             // m of DOm, ENDm
+  std::uint8_t condition_count = 0;  // of IF or WHILE: all must be true
+  bool with_if = false;
+  std::array<Expression, limits::conditions> conditions{};
+  Expression target;   // assign: number of the variable
+  Expression value;    // assign, go_to: N…; ports and files: n
+  Expression program;  // FOPENn P…
+  Span where;
+  Span text;  // between the brackets of DPRNT, BPRNT
+};
+
+/// #n = expression, or R2+50.
+struct Assignment {
+  Expression target;  // number of the variable
+  Expression value;
+  Span where;
+};
+
+enum class Marker : std::uint8_t {
+  none,
+  program_start,  // '%'
+  label,          // Onnnn alone begins a subprogram or names the program
+  section,        // `L` alone: subprograms follow (2С42 6.3.5)
+};
+
+/// The addresses of a plain block in their order, and its codes: blocks of the same shape ask for the same (lang/block/plain_block).
+struct BlockShape {
+  std::uint64_t first = 0, second = 0;  // the last word in the lowest bits
+  friend bool operator==(const BlockShape&, const BlockShape&) = default;
+  /// False: it is no plain block, has no words, or more than there is room for.
+  explicit operator bool() const { return first != 0; }
+
+  /// `code`: of G and M, else -1.
+  void add(char letter, std::int32_t code) {
+    constexpr unsigned letter_bits = 7, code_bits = 17;
+    const unsigned bits = code >= 0 ? letter_bits + code_bits : letter_bits;
+    if (second >> (64 - bits) != 0) return void(*this = {0, ~std::uint64_t{0}});  // stays so
+    const std::uint64_t item = (code >= 0 ? static_cast<std::uint64_t>(code) << letter_bits : 0) | static_cast<std::uint64_t>(letter);
+    second = second << bits | first >> (64 - bits);
+    first = first << bits | item;
+  }
+};
+
+struct Block {
+  std::string_view text;  // UTF-8 text of its line; valid until the next block is read
+  Position position;
+  Span where;         // of the whole block in `text`
+  Span number_where;  // N10
+  Marker marker = Marker::none;
+  bool has_number = false;
+  bool main_block = false;  // ':'
+  std::uint8_t number_digits = 0;
+  std::uint8_t skip = 0;     // 0: not to be skipped; else the switch, 1..9
+  std::uint32_t number = 0;  // of N, ':'
+  std::uint32_t label = 0;   // of O, of '%'
+  std::uint32_t word_count = 0;
+  std::uint64_t letters = 0;                      // bit (address - 'A') for each address present
+  std::array<std::uint8_t, most_addresses> at{};  // first word of each present address
+  std::array<Word, limits::block_words> words;
+  BlockShape shape;
+  std::vector<Instruction> code;
+  std::vector<Assignment> assignments;
+  std::vector<Span> comments;   // the text between the brackets
+  std::vector<Alarm> warnings;  // look-alike letters
+  Statement statement;
+  Span file_name;             // between < and >
+  bool evaluates = false;     // some word's value is an expression
+  bool codes_vary = false;    // a code's number is an expression
+  bool kept = false;          // stays in memory at its place: a loop carries it out again
+  bool no_clock = false;      // it was looked at and reads none
+  std::uint64_t checked = 0;  // addresses it had when its words were looked at and found right
+  bool calls_macro = false;   // of a block that was looked at
+  bool altered = false;       // words were taken away when it was carried out: their address is 0
+
+  bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
+  /// The first word of that address, or nullptr.
+  const Word* find(char letter) const { return has(letter) ? &words[at[static_cast<std::size_t>(letter - 'A')]] : nullptr; }
+  bool empty() const {
+    return word_count == 0 && assignments.empty() && marker == Marker::none && statement.kind == StatementKind::none && file_name.end == 0;
+  }
+  std::string_view text_of(Span s) const { return text.substr(s.begin, s.end - s.begin); }
+
+  /// Ready for the next block; keeps the memory of the lists.
+  void clear() {
+    marker = Marker::none;
+    has_number = main_block = evaluates = altered = codes_vary = kept = no_clock = false;
+    checked = 0;
+    file_name = {};
+    if (statement.kind != StatementKind::none || statement.condition_count != 0 || statement.with_if)
+      statement = {};  // a faulty IF has no kind
+    number_digits = skip = 0;
+    number = label = word_count = 0;
+    letters = 0;
+    shape = {};
+    code.clear();
+    assignments.clear();
+    comments.clear();
+    warnings.clear();
+  }
+};
+
+/// Bit of a letter in Block::letters.
+constexpr std::uint64_t letter_bit(char letter) { return std::uint64_t{1} << (letter - 'A'); }
+
+}  // namespace kadr

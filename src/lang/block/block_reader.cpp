@@ -1,0 +1,219 @@
+#include "lang/block/block_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lang/block/lexer.h"
+#include "lang/text/eia.h"
+#include "lang/text/tape_side.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::string_view mark_in_text = "ПС";
+
+bool has_high_bytes(std::string_view bytes) {
+  return std::any_of(bytes.begin(), bytes.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80) != 0 || c == '\x0e'; });
+}
+
+}  // namespace
+
+BlockReader::BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding)
+    : lines_(std::move(source)), grammar_(grammar), plain_(grammar), memory_{.encoding = encoding} {
+  if (!memory_.encoding) {
+    memory_.encoding = detect_encoding(lines_.sample());
+    memory_.guessed = memory_.encoding.has_value();
+  }
+  if (!memory_.encoding || !is_tape(*memory_.encoding)) return;
+  if (memory_.encoding == Encoding::eia) lines_.end_lines_with(static_cast<char>(eia_end_of_block));
+  if (const auto look = look_at_tape(lines_.sample()); look) lie_ = look->lie;
+}
+
+std::string BlockReader::shown(std::string_view text, Span& place) const {
+  if (is_text_ || (encoding() != Encoding::eia && !has_high_bytes(text))) return std::string(text);
+  std::string all;
+  Span there = {0, 0};
+  std::size_t bytes = 1;
+  for (std::size_t i = 0; i <= text.size(); i += bytes) {
+    bytes = encoding() == Encoding::utf8 && i < text.size() ? std::max<std::size_t>(first_character(text.substr(i)).size, 1) : 1;
+    if (i <= place.begin) there.begin = static_cast<std::uint32_t>(all.size());
+    if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
+    if (i == text.size()) break;
+    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);  // a row whose parity is wrong, too
+    else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';            // blank tape: places stay
+    else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
+  }
+  place = there;
+  return all;
+}
+
+void BlockReader::seek(Position position) {
+  lines_.seek(position.offset, position.line);
+  in_line_ = false;
+  position_ = position;
+}
+
+Result<BlockReader::Got> BlockReader::next(Block& block) {
+  if (lie_ != TapeLie::right) [[unlikely]]
+    return reversed_tape(block);
+  for (;;) {
+    Position here = position_;  // goes on in registers: what is stored in parts is not read back as one
+    if (!in_line_) {
+      if (!lines_.next(line_)) {
+        position_ = {lines_.offset(), line_.number + 1, 0};
+        return Got::end;
+      }
+      here = {line_.offset, line_.number, here.offset == line_.offset ? here.nth : 0};
+      KADR_TRY(begin_line(block, here.nth));
+    }
+    block.clear();
+    block.position = here;
+    const bool was_first = rest_ == 0;
+    const Status status = lex_line(block);
+    in_line_ = rest_ < text_.size();
+    position_ = in_line_ ? Position{line_.offset, line_.number, here.nth + 1} : Position{lines_.offset(), line_.number + 1, 0};
+    if (was_first && line_.too_long) return fail(alarm(AlarmId::line_too_long, {0, 1}, double{limits::line_bytes}));
+    if (!status) return fail(status.error());
+    if (!block.empty() || block.has_number || !block.comments.empty() || !block.warnings.empty()) return Got::block;
+  }
+}
+
+/// A tape put in wrongly holds no blocks: one alarm, then its end.
+Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
+  block.clear();
+  block.text = {};
+  block.where = {};
+  if (std::exchange(memory_.lie_told, true)) return Got::end;
+  return fail(alarm(AlarmId::tape_reversed, {}, name_of(lie_)));
+}
+
+/// Takes a new line in hand; passes over the blocks before `nth` when a jump goes into its middle.
+Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
+  text_ = {line_.bytes.data(), line_.bytes.size()};
+  rest_ = 0;
+  is_text_ = false;
+  if ((memory_.encoding && is_tape(*memory_.encoding)) || memory_.expects_high_bytes) {
+    const Status decoded = decode_line();
+    if (!decoded && is_tape(encoding())) {  // elsewhere the damage may lie in a comment: lex_line finds out
+      block.clear();
+      block.position = {line_.offset, line_.number, 0};
+      block.text = text_;
+      block.where = {0, static_cast<std::uint32_t>(text_.size())};
+      in_line_ = false;
+      position_ = {lines_.offset(), line_.number + 1, 0};
+      return decoded;
+    }
+  }
+  for (std::uint32_t i = 0; i < nth; ++i) {
+    block.clear();
+    (void)lex_line(block);
+  }
+  return {};
+}
+
+Status BlockReader::lex_line(Block& block) {
+  if (memory_.first_mark == no_mark && plain_.read(text_, rest_, block)) [[likely]] {
+    rest_ = text_.size();
+    return {};
+  }
+  auto lexed = lex_block(text_, rest_, is_text_, grammar_, block);
+  const bool unclear = lexed ? lexed->needs_utf8 : has_high_bytes(text_);
+  if (unclear && !is_text_) {
+    memory_.expects_high_bytes = true;
+    const Status decoded = decode_line();
+    if (!decoded) {
+      rest_ = text_.size();
+      return decoded;
+    }
+    if (rest_ != 0) {  // the blocks before this one were read undecoded: the same place in the text
+      std::string before;
+      (void)append_utf8(line_.bytes.substr(0, rest_), *memory_.encoding, before);
+      rest_ = before.size();
+    }
+    block.clear();
+    lexed = lex_block(text_, rest_, true, grammar_, block);
+  }
+  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {  // several of them in one block
+    if (joined == limits::long_comments) {
+      rest_ = text_.size();
+      return fail(alarm(AlarmId::too_many_words, {0, 1}, double{limits::long_comments}));
+    }
+    KADR_TRY(join_comment(block, lexed->comment_at));
+    lexed = lex_block(text_, rest_, is_text_, grammar_, block);
+    if (lexed && lexed->needs_utf8) {
+      const Status decoded = decode_line();
+      if (!decoded) return decoded;
+      block.clear();
+      lexed = lex_block(text_, rest_, true, grammar_, block);
+    }
+  }
+  if (!lexed) {
+    // The words behind the fault are lost up to the next end of block.
+    const std::size_t mark = is_text_ ? text_.find(mark_in_text, lexed.error().where.end) : std::string_view::npos;
+    rest_ = mark == std::string_view::npos ? text_.size() : mark + mark_in_text.size();
+    return fail(lexed.error());
+  }
+  rest_ = lexed->next;
+  if (lexed->marked) {
+    memory_.first_mark = std::min(memory_.first_mark, line_.offset);
+  } else if (line_.offset >= memory_.first_mark && grammar_.mark_everywhere && !block.empty()) {
+    const std::uint32_t end = block.where.end;
+    return fail(alarm(AlarmId::end_of_block_missing, {end > 0 ? end - 1 : 0, end}));
+  }
+  return {};
+}
+
+/// Appends the lines of a comment that goes on, up to the one with its end; of a long one only the beginning is kept.
+Status BlockReader::join_comment(Block& block, std::size_t open) {
+  const bool was_text = is_text_;
+  joined_ = line_.bytes;
+  const std::uint64_t offset = line_.offset;
+  Line next;
+  for (bool closed = false; !closed;) {
+    if (!lines_.next(next)) {
+      const Span where{static_cast<std::uint32_t>(open), static_cast<std::uint32_t>(open + 1)};
+      line_.bytes = text_ = joined_;
+      if (was_text) KADR_TRY(decode_line());
+      block.text = text_;
+      rest_ = text_.size();
+      return fail(alarm(AlarmId::comment_not_closed, where));
+    }
+    const std::size_t end = next.bytes.find(')');
+    closed = end != std::string_view::npos;
+    if (joined_.size() + next.bytes.size() <= limits::comment_bytes) {
+      joined_ += '\n';
+      joined_ += next.bytes;
+    } else {
+      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // places behind the comment count them
+      if (closed) joined_ += next.bytes.substr(end);
+    }
+  }
+  line_.bytes = joined_;
+  line_.number = next.number;
+  line_.offset = offset;
+  text_ = {line_.bytes.data(), line_.bytes.size()};
+  is_text_ = false;
+  block.clear();
+  return was_text ? decode_line() : Status();
+}
+
+/// The line as UTF-8, from its first byte.
+Status BlockReader::decode_line() {
+  if (!memory_.encoding) {
+    memory_.encoding = detect_encoding(line_.bytes).value_or(Encoding::utf8);
+    memory_.guessed = true;
+  }
+  decoded_.clear();
+  Status status = append_utf8(line_.bytes, *memory_.encoding, decoded_);
+  if (!status && status.error().id == AlarmId::parity_error) {
+    Alarm named = status.error();
+    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());  // row of the tape
+    return fail(named);
+  }
+  if (!status) return status;
+  text_ = decoded_;
+  is_text_ = true;
+  return {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,71 @@
+#pragma once
+// Lines → blocks: the door of `lang`.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lang/block/block.h"
+#include "lang/block/plain_block.h"
+#include "lang/text/line_reader.h"
+#include "lang/text/tape_side.h"
+
+namespace kadr {
+
+class BlockReader {
+  static constexpr std::uint64_t no_mark = ~std::uint64_t{0};
+
+ public:
+  /// `encoding`: named by the user; otherwise guessed from the first bytes that need it.
+  BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
+
+  enum class Got : std::uint8_t { block, end };
+
+  /// The next block that holds anything. On an alarm `block` has its text, place and, where read, its number; the
+  /// next call goes on behind it.
+  Result<Got> next(Block& block);
+  /// Goes on with the block at `position`.
+  void seek(Position position);
+  /// Where the next block begins.
+  Position position() const { return position_; }
+  /// The text of the block last read as UTF-8, however it was read; `place` becomes the place there.
+  std::string shown(std::string_view text, Span& place) const;
+  /// What the lines before have taught about those to come; with the position all that a reader remembers.
+  struct Memory {
+    std::optional<Encoding> encoding;
+    bool guessed = false;
+    std::uint64_t first_mark = no_mark;  // offset of the first line with a block that ended with ПС or LF
+    bool lie_told = false;
+    bool expects_high_bytes = false;  // a line before needed decoding: so will this one
+    friend bool operator==(const Memory&, const Memory&) = default;
+  };
+  const Memory& memory() const { return memory_; }
+  void remember(const Memory& memory) { memory_ = memory; }
+  Encoding encoding() const { return memory_.encoding.value_or(Encoding::utf8); }
+  bool encoding_was_guessed() const { return memory_.guessed; }
+  std::uint64_t size() const { return lines_.size(); }
+  std::uint64_t offset() const { return lines_.offset(); }
+
+ private:
+  Result<Got> reversed_tape(Block& block);
+  Status begin_line(Block& block, std::uint32_t nth);
+  Status lex_line(Block& block);
+  Status decode_line();
+  Status join_comment(Block& block, std::size_t open);
+
+  LineReader lines_;
+  const Grammar& grammar_;
+  PlainBlocks plain_;
+  Memory memory_;
+  Line line_;
+  std::string decoded_;    // the line in UTF-8, where it is not already
+  std::string joined_;     // the line and those that its comment goes over (nct 14.3)
+  std::string_view text_;  // the line's text
+  std::size_t rest_ = 0;   // where the next block of the line begins
+  bool in_line_ = false;
+  bool is_text_ = false;  // text_ is known to be UTF-8
+  TapeLie lie_ = TapeLie::right;
+  Position position_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,20 @@
+#pragma once
+// Format descriptors: `%: / DS N04 3G2 X+053 Y+053 Z+042 F031 S04 T05 M2*` (spec/gost 3, spec/s2c42 2).
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "lang/block/grammar.h"
+
+namespace kadr {
+
+/// Sets in `grammar` what a descriptor says: known addresses, digits, signs, counts, '%', ':', '/', the end of block.
+/// What it does not name stays as it was. A count stands apart from the digits before it: `N04 3G2`.
+///   returns  an error sentence naming the piece that is not understood
+tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar);
+
+/// One address's piece: "+053", "04", "2", "031", "*2"; `point`: DS is in force.
+tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits, bool point);
+
+}  // namespace kadr

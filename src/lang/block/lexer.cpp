@@ -1,0 +1,395 @@
+#include "lang/block/lexer.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/ascii.h"
+#include "lang/block/statement_reader.h"
+#include "lang/block/word_reader.h"
+#include "lang/expression/expression.h"
+#include "lang/text/encoding.h"
+#include "lang/text/wide.h"
+
+namespace kadr {
+namespace {
+
+/// Reads one block; a method a kind of thing that may stand in it.
+class Lexer {
+ public:
+  Lexer(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block)
+      : cursor_{text, from},
+        begin_(from),
+        is_utf8_(is_utf8),
+        grammar_(grammar),
+        block_(block),
+        words_(cursor_, grammar, block),
+        statements_(cursor_, grammar, block) {}
+
+  Result<Lexed> run() {
+    block_.text = cursor_.text;
+    cursor_.skip_blanks();
+    const Status status = items();  // a Status is as large as an Alarm: never assigned, only returned
+    block_.where = span(begin_, cursor_.at);
+    if (result_.needs_utf8 || result_.open_comment) return result_;
+    if (!status) return fail(status.error());
+    KADR_TRY(whole_block());
+    if (result_.needs_utf8) return result_;
+    cursor_.skip_blanks();
+    result_.next = cursor_.at;
+    return result_;
+  }
+
+ private:
+  Status items() {
+    KADR_TRY(beginning());
+    while (!done_ && cursor_.at < cursor_.text.size()) KADR_TRY(item());
+    return {};
+  }
+
+  // ---- what stands before the words
+
+  Status beginning() {
+    const char c = cursor_.peek();
+    if (c == '%') return program_start();
+    if (c == '/' && !(grammar_.slash_comments && at(1) == '/')) return skip();
+    return {};
+  }
+
+  Status program_start() {
+    const std::size_t begin = cursor_.at;
+    while (cursor_.peek() == '%') ++cursor_.at;
+    if (grammar_.percent_ignored) {
+      cursor_.at = cursor_.text.size();
+      done_ = true;
+      return {};
+    }
+    const bool tape_begins = cursor_.at - begin > 1;
+    cursor_.skip_blanks();
+    if (tape_begins && !is_digit(cursor_.peek())) return {};  // %% alone: the tape begins, no program yet (spec/gost 1)
+    block_.marker = Marker::program_start;
+    if (!is_digit(cursor_.peek())) return {};
+    Number number;
+    const bool read = read_number(cursor_, number);
+    if (!read || number.has_point || !grammar_.percent_number || number.whole_digits > grammar_.percent_digits)
+      return fail(alarm(AlarmId::program_number_damaged, span(begin, cursor_.at), double(grammar_.percent_digits)));
+    block_.label = static_cast<std::uint32_t>(number.value);
+    return {};
+  }
+
+  Status skip() {
+    ++cursor_.at;
+    block_.skip = 1;
+    if (grammar_.skip_levels && is_digit(cursor_.peek())) block_.skip = static_cast<std::uint8_t>(cursor_.text[cursor_.at++] - '0');
+    cursor_.skip_blanks();
+    return {};
+  }
+
+  // ---- the words
+
+  Status item() {
+    const char c = cursor_.text[cursor_.at];
+    if (block_.statement.kind != StatementKind::none && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // behind its comment
+      return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
+    if (is_capital(c)) return word(c, 1);
+    if (is_blank(c)) {
+      ++cursor_.at;
+      return {};
+    }
+    switch (c) {
+      case '(': return comment();
+      case ';': return grammar_.semicolon_comments ? line_comment(1) : unexpected();
+      case '/': return slash();
+      case '#': return grammar_.expressions ? assignment() : unexpected();
+      case ',': return grammar_.comma_words ? comma_word() : unexpected();
+      case '<': return grammar_.file_names ? file_name() : unexpected();
+      case ':': return main_block();
+      case '\x1a': return end_of_dos_file();
+      case ']':
+      case '=': return grammar_.macro ? out_of_place(c) : unexpected();
+      default: break;
+    }
+    if (is_high(c) || c == '\x0e') return wide();
+    if (is_lower(c) && grammar_.lower_case) return word(to_upper(c), 1);
+    return unexpected();
+  }
+
+  Status word(char letter, std::size_t bytes) {
+    const std::size_t begin = cursor_.at;
+    if (letter == 'L' && words_.marks_end("LF", begin)) return end_mark(2);
+    if (grammar_.macro) {
+      const char next = begin + bytes < cursor_.text.size() ? cursor_.text[begin + bytes] : '\0';
+      if (is_letter(next)) {
+        if (const Keyword keyword = statements_.keyword_here(); keyword != Keyword::none) return statements_.read(keyword);
+        if ((letter == 'A') && (next == 'X' || next == 'x')) return words_.axis_by_number(begin);
+      }
+      if ((grammar_.named >> (letter - 'A') & 1u) != 0)
+        if (const AddressName* const name = words_.name_here(); name != nullptr) return word_of(name->address, name->text.size(), begin);
+    }
+    return word_of(letter, bytes, begin);
+  }
+
+  /// A word whose address is `letter`, written in `bytes` bytes.
+  Status word_of(char letter, std::size_t bytes, std::size_t begin) {
+    cursor_.at += bytes;
+    cursor_.skip_blanks();
+    const WordFormat& format = grammar_.word(letter);
+    if (!grammar_.long_parameters.empty() && words_.assigns_parameter(letter)) return words_.long_parameter(letter, begin);
+    if (letter == grammar_.section_address && words_.no_value_follows()) return section(begin);
+    if (!format.known && letter > 'Z')
+      return fail(alarm(AlarmId::not_available, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
+    if (!format.known) return fail(alarm(AlarmId::address_unknown, span(begin, cursor_.at), letter));
+    if (letter == 'N' && !(grammar_.macro && (block_.has_number || block_.word_count != 0))) return words_.block_number(begin, format);
+    if (letter == grammar_.label_address && !(grammar_.macro && block_.word_count != 0)) return words_.label(begin, format);
+    if (grammar_.macro && cursor_.peek() == '=') {
+      ++cursor_.at;
+      cursor_.skip_blanks();
+    }
+    if (letter == grammar_.parameter_address) return words_.formal_parameter(begin);
+    KADR_TRY(words_.room_for(letter, format, begin));
+    Word& w = block_.words[block_.word_count];
+    w.address = w.written = letter;
+    w.expression = {};
+    w.code = -1;
+    w.incremental = w.bare = false;
+    w.value = 0;  // of a word that cannot be read: find() gives it to whoever goes on after the fault
+    if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
+    KADR_TRY(words_.value(w, format, begin));
+    w.where = span(begin, cursor_.at);
+    ++block_.word_count;
+    return {};
+  }
+
+  // ---- names of several characters, ,C ,R ,A, AX[…], <file>
+
+  Status comma_word() {
+    const std::size_t begin = cursor_.at++;
+    cursor_.skip_blanks();
+    const char letter = to_upper(cursor_.peek());
+    const char address = comma_address(letter);
+    if (address == 0) return fail(alarm(AlarmId::unexpected_character, span(begin, begin + 1), ','));
+    return word_of(address, 1, begin);
+  }
+
+  Status file_name() {
+    const std::size_t begin = cursor_.at;
+    const std::size_t close = cursor_.text.find('>', begin);
+    if (block_.file_name.end != 0) return unexpected();
+    if (close == std::string_view::npos)
+      return fail(alarm(AlarmId::file_name, span(begin, cursor_.text.size()), cursor_.text.substr(begin)));
+    for (std::size_t i = begin; i < close && !is_utf8_; ++i)
+      if (is_high(cursor_.text[i])) {
+        result_.needs_utf8 = done_ = true;
+        return {};
+      }
+    block_.file_name = span(begin + 1, close);
+    cursor_.at = close + 1;
+    return {};
+  }
+
+  // ---- numbers of blocks, labels, sections
+
+  Status main_block() {
+    const std::size_t begin = cursor_.at;
+    if (!grammar_.main_blocks) return unexpected();
+    ++cursor_.at;
+    cursor_.skip_blanks();
+    block_.main_block = true;
+    return words_.block_number(begin, grammar_.word('N'));
+  }
+
+  Status section(std::size_t begin) {
+    if (block_.word_count != 0 || block_.has_number || !block_.assignments.empty())
+      return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.section_address));
+    block_.marker = Marker::section;
+    return {};
+  }
+
+  Status assignment() {
+    const std::size_t begin = cursor_.at++;
+    if (grammar_.macro) return statements_.assignment(begin);
+    auto target = compile_value(cursor_, grammar_, block_);
+    if (!target) return fail(target.error());
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '=') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "#n="));
+    ++cursor_.at;
+    auto value = compile_value(cursor_, grammar_, block_);
+    if (!value) return fail(value.error());
+    if (block_.assignments.size() == limits::block_assignments)
+      return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_assignments}));
+    block_.assignments.push_back({*target, *value, span(begin, cursor_.at)});
+    return {};
+  }
+
+  // ---- comments, ends, other characters
+
+  Status comment() {
+    const std::size_t begin = cursor_.at;
+    const std::size_t close = cursor_.text.find(')', begin);
+    if (close == std::string_view::npos) {
+      cursor_.at = cursor_.text.size();
+      if (grammar_.comments_span_lines) result_.open_comment = done_ = true, result_.comment_at = begin;
+      return fail(alarm(AlarmId::comment_not_closed, span(begin, begin + 1)));
+    }
+    if (!grammar_.comment_forbidden.empty()) {
+      const std::size_t bad = cursor_.text.substr(0, close).find_first_of(grammar_.comment_forbidden, begin);
+      if (bad != std::string_view::npos) return fail(alarm(AlarmId::comment_character, span(bad, bad + 1), cursor_.text[bad]));
+    }
+    if (is_utf8_ && !grammar_.comment_forbidden.empty()) KADR_TRY(no_mark_inside(begin + 1, close));
+    block_.comments.push_back(span(begin + 1, close));
+    cursor_.at = close + 1;
+    return {};
+  }
+
+  /// ПС as a word of its own inside a comment ends the block on the tape (2С42 6.2).
+  Status no_mark_inside(std::size_t begin, std::size_t end) const {
+    constexpr std::string_view mark = "ПС";
+    const auto apart = [&](std::size_t i) { return i < begin || i >= end || is_blank(cursor_.text[i]); };
+    for (std::size_t i = cursor_.text.find(mark, begin); i < end; i = cursor_.text.find(mark, i + 1))
+      if (apart(i - 1) && apart(i + mark.size())) return fail(alarm(AlarmId::comment_character, span(i, i + mark.size()), mark));
+    return {};
+  }
+
+  Status line_comment(std::size_t marks) {
+    block_.comments.push_back(span(cursor_.at + marks, cursor_.text.size()));
+    cursor_.at = cursor_.text.size();
+    return {};
+  }
+
+  Status slash() {
+    if (grammar_.slash_comments && at(1) == '/') return line_comment(2);
+    if (!grammar_.zero_between_slashes) return fail(alarm(AlarmId::skip_position, span(cursor_.at, cursor_.at + 1)));
+    const std::size_t begin = cursor_.at++;
+    cursor_.skip_blanks();
+    const char first = cursor_.peek();
+    if (!is_digit(first) && first != '+' && first != '-' && first != grammar_.parameter_address)
+      return fail(alarm(AlarmId::skip_position, span(begin, begin + 1)));
+    KADR_TRY(words_.room_for('A', grammar_.word('A'), begin));
+    Word& w = block_.words[block_.word_count];
+    w.address = w.written = 'A';
+    w.expression = {};
+    w.code = -1;
+    w.incremental = w.bare = false;
+    w.value = 0;  // of a word that cannot be read: find() gives it to whoever goes on after the fault
+    WordFormat format = grammar_.word('A');
+    format.parameter = true;
+    KADR_TRY(words_.value(w, format, begin));
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '/') return fail(alarm(AlarmId::skip_position, span(begin, begin + 1)));
+    ++cursor_.at;
+    w.where = span(begin, cursor_.at);
+    ++block_.word_count;
+    return {};
+  }
+
+  Status wide() {
+    if (!is_utf8_ || cursor_.text[cursor_.at] == '\x0e') {
+      result_.needs_utf8 = !is_utf8_;
+      done_ = true;
+      return result_.needs_utf8 ? Status() : unexpected();
+    }
+    const Wide c = wide_at(cursor_.text, cursor_.at);
+    const std::string_view rest = cursor_.text.substr(cursor_.at);
+    if (grammar_.end_of_block != EndOfBlock::line_only && (rest.starts_with("ПС") || rest.starts_with("пс"))) return end_mark(4);
+    if (grammar_.end_of_block != EndOfBlock::line_only && rest.starts_with("ПC")) return mark_with_latin_letter();
+    if (c.code == 0xA0 || c.code == 0xFEFF) {  // no-break space, byte order mark
+      cursor_.at += c.bytes;
+      return {};
+    }
+    const char latin = look_alike(c.code);
+    if (latin == 0) return fail(alarm(AlarmId::unexpected_character, span(cursor_.at, cursor_.at + c.bytes), rest.substr(0, c.bytes)));
+    if (block_.warnings.size() < limits::block_words)
+      block_.warnings.push_back(
+          warning(AlarmId::look_alike_letter, span(cursor_.at, cursor_.at + c.bytes), rest.substr(0, c.bytes), latin));
+    return word(latin, c.bytes);
+  }
+
+  /// ПС with a Latin C: meant all the same.
+  Status mark_with_latin_letter() {
+    constexpr std::size_t bytes = 3;
+    block_.warnings.push_back(warning(AlarmId::mark_letter, span(cursor_.at, cursor_.at + bytes)));
+    return end_mark(bytes);
+  }
+
+  Status end_mark(std::size_t bytes) {
+    cursor_.at += bytes;
+    result_.marked = true;
+    done_ = true;
+    cursor_.skip_blanks();
+    return {};
+  }
+
+  /// Ctrl-Z ends a file of old systems.
+  Status end_of_dos_file() {
+    Cursor behind = cursor_;
+    ++behind.at;
+    behind.skip_blanks();
+    if (behind.at < behind.text.size()) return unexpected();
+    cursor_ = behind;
+    return {};
+  }
+
+  Status unexpected() {
+    const auto c = static_cast<unsigned char>(cursor_.text[cursor_.at]);
+    const Span where = span(cursor_.at, cursor_.at + 1);
+    if (c < 0x20) return fail(alarm(AlarmId::control_character, where, double(c)));
+    if (c == '.') return fail(alarm(AlarmId::number_damaged, where));  // a second point
+    return fail(alarm(AlarmId::unexpected_character, where, cursor_.text[cursor_.at]));
+  }
+
+  /// One `]` too many (nct 23.2.6); `=` behind a name that the channel does not have (2.2): Z2=5.
+  Status out_of_place(char c) {
+    const Span where = span(cursor_.at, cursor_.at + 1);
+    if (c == ']') return fail(alarm(AlarmId::expression_syntax, where, c));
+    const Word* const last = block_.word_count == 0 ? nullptr : &block_.words[block_.word_count - 1];
+    if (last == nullptr || last->where.end != cursor_.at) return unexpected();
+    return fail(alarm(AlarmId::illegal_address, last->where, block_.text_of(last->where)));
+  }
+
+  /// What can be said only of the block as a whole.
+  Status whole_block() {
+    if (grammar_.block_length != 0 && !block_.empty()) {
+      if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high()) {
+        result_.needs_utf8 = true;  // bytes are not characters
+        return {};
+      }
+      std::uint32_t length = 0;
+      for (std::size_t i = begin_; i < cursor_.at; ++i) length += (static_cast<unsigned char>(cursor_.text[i]) & 0xC0) != 0x80;
+      if (length > grammar_.block_length)
+        return fail(alarm(AlarmId::block_too_long, span(begin_, cursor_.at), double(length), double(grammar_.block_length)));
+    }
+    const bool has_words = block_.word_count != 0 || !block_.assignments.empty();
+    if (grammar_.block_number_required && has_words && !block_.has_number && block_.marker == Marker::none)
+      return fail(alarm(AlarmId::block_number_missing, span(begin_, begin_ + 1)));
+    return {};
+  }
+
+  /// Bytes above 127 in the block so far.
+  bool has_high() const {
+    for (std::size_t i = begin_; i < cursor_.at; ++i)
+      if (is_high(cursor_.text[i])) return true;
+    return false;
+  }
+
+  char at(std::size_t ahead) const { return cursor_.at + ahead < cursor_.text.size() ? cursor_.text[cursor_.at + ahead] : '\0'; }
+  Span span(std::size_t begin, std::size_t end) const {
+    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(std::min(end, cursor_.text.size()))};
+  }
+
+  Cursor cursor_;
+  std::size_t begin_;
+  bool is_utf8_;
+  const Grammar& grammar_;
+  Block& block_;
+  WordReader words_;
+  StatementReader statements_;
+  Lexed result_;
+  bool done_ = false;
+};
+
+}  // namespace
+
+Result<Lexed> lex_block(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block) {
+  return Lexer(text, from, is_utf8, grammar, block).run();
+}
+
+}  // namespace kadr

@@ -1,0 +1,165 @@
+#include "lang/block/plain_block.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "lang/block/word_reader.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t exact_digits = 15;  // so many digits are a whole number exactly in a double
+constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
+
+/// A name that goes on behind a digit and needs no '=' cannot be told from two words here (nct 2.2).
+bool looks_like_words(const AddressName& name) {
+  return std::any_of(name.text.begin(), name.text.end() - 1, is_digit) && !is_digit(name.text.back());
+}
+
+}  // namespace
+
+/// An unsigned number as it is written.
+struct PlainBlocks::Digits {
+  std::uint64_t mantissa = 0;
+  std::size_t whole = 0, fraction = 0;
+  bool has_point = false;
+  std::size_t count() const { return whole + fraction; }
+};
+
+PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
+  for (const char c : {' ', '\t', '\r', '\0', '\x7f'}) kinds_[static_cast<unsigned char>(c)] = Kind::blank;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    const WordFormat& format = grammar.word(letter);
+    Kind kind = letter == 'N' ? Kind::block_number : Kind::word;
+    if (!format.known || (format.code && format.implied) || letter == grammar.label_address || letter == grammar.parameter_address)
+      kind = Kind::other;
+    for (const AddressName& name : grammar.names)
+      if (name.text.front() == letter && looks_like_words(name)) kind = Kind::other;
+    kinds_[static_cast<unsigned char>(letter)] = kind;
+    if (grammar.lower_case) kinds_[static_cast<unsigned char>(letter | 0x20)] = kind;
+    // check_digits of lang/block/word_reader has nothing to do where digits are free and all of them count
+    easy_[static_cast<std::size_t>(letter - 'A')] = !format.code && format.whole_digits == 0 && !format.implied && !format.second_number;
+  }
+}
+
+bool PlainBlocks::read(std::string_view text, std::size_t from, Block& block) const {
+  if (read_words(text, from, block)) return true;
+  block.has_number = false;
+  block.number_digits = 0;
+  block.number = block.word_count = 0;
+  block.letters = 0;
+  block.shape = {};
+  return false;
+}
+
+bool PlainBlocks::read_words(std::string_view text, std::size_t from, Block& block) const {
+  const char* const end = text.data() + text.size();
+  const char* at = text.data() + from;
+  block.text = text;
+  block.where = {static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(text.size())};
+  while (at != end) {
+    switch (kinds_[static_cast<unsigned char>(*at)]) {
+      case Kind::blank: ++at; continue;
+      case Kind::block_number: at = block_number(at, end, block); break;
+      case Kind::word: at = word(at, end, block); break;
+      case Kind::other: return false;
+    }
+    if (at == nullptr) return false;
+  }
+  if (block.word_count == 0) return !block.has_number || grammar_.block_length == 0;
+  if (grammar_.block_number_required && !block.has_number) return false;
+  return grammar_.block_length == 0 || text.size() - from <= grammar_.block_length;
+}
+
+/// Digits with at most one point among them; behind them.
+inline const char* PlainBlocks::digits_at(const char* at, const char* end, Digits& digits) {
+  constexpr unsigned ten = 10;
+  const auto digit = [](char c) { return static_cast<unsigned>(static_cast<unsigned char>(c)) - unsigned{'0'}; };
+  const char* const first = at;
+  std::uint64_t mantissa = 0;
+  for (unsigned d; at != end && (d = digit(*at)) < ten; ++at) mantissa = mantissa * ten + d;
+  digits.whole = static_cast<std::size_t>(at - first);
+  if (at != end && *at == '.') {
+    const char* const point = at++;
+    for (unsigned d; at != end && (d = digit(*at)) < ten; ++at) mantissa = mantissa * ten + d;
+    digits.has_point = true;
+    digits.fraction = static_cast<std::size_t>(at - point - 1);
+  }
+  digits.mantissa = mantissa;
+  return at;
+}
+
+const char* PlainBlocks::block_number(const char* at, const char* end, Block& block) const {
+  constexpr std::size_t most_digits = 9;
+  const char* const begin = block.text.data();
+  const WordFormat& format = grammar_.word('N');
+  Digits digits;
+  const char* const behind = digits_at(at + 1, end, digits);
+  if (block.has_number || block.word_count != 0 || digits.has_point || digits.whole == 0 || digits.whole > most_digits) return nullptr;
+  if (format.whole_digits != 0 && (digits.whole > format.whole_digits || !format.drop_zeros || format.implied)) return nullptr;
+  block.has_number = true;
+  block.number = static_cast<std::uint32_t>(digits.mantissa);
+  block.number_digits = static_cast<std::uint8_t>(digits.whole);
+  block.number_where = {static_cast<std::uint32_t>(at - begin), static_cast<std::uint32_t>(behind - begin)};
+  return behind;
+}
+
+/// Behind the word that begins here; nullptr: it is not plain, or at fault.
+const char* PlainBlocks::word(const char* at, const char* end, Block& block) const {
+  const char* const begin = at;
+  const char letter = letter_of(*at++);
+  const auto address = static_cast<std::size_t>(letter - 'A');
+  const WordFormat& format = grammar_.words[address];
+  const char sign = at != end && (*at == '-' || *at == '+') ? *at++ : '\0';
+  if (sign != 0 && (format.code || !(format.sign || grammar_.macro))) return nullptr;
+  Digits digits;
+  at = digits_at(at, end, digits);
+  if (digits.count() == 0 || digits.count() > exact_digits || block.word_count == limits::block_words) return nullptr;
+  const std::uint64_t bit = letter_bit(letter);
+  if ((block.letters & bit) == 0) {
+    block.letters |= bit;
+    block.at[address] = static_cast<std::uint8_t>(block.word_count);
+  } else if (!has_room(block, letter, format)) {
+    return nullptr;
+  }
+  Word& w = block.words[block.word_count];
+  w.code = -1;
+  std::size_t decimals = digits.fraction;
+  if (!easy_[address]) {
+    if (!follows(format, digits)) return nullptr;
+    if (format.code) w.code = static_cast<std::int32_t>(digits.fraction == 1 ? digits.mantissa : digits.mantissa * 10);
+    if (format.implied && !digits.has_point) decimals = format.fraction_digits;
+    if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
+  }
+  const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];  // both exact: correctly rounded
+  w.value = sign == '-' ? -value : value;
+  w.where = {static_cast<std::uint32_t>(begin - block.text.data()), static_cast<std::uint32_t>(at - block.text.data())};
+  w.expression = {};
+  w.address = w.written = letter;
+  w.digits = static_cast<std::uint8_t>(digits.count());
+  w.has_point = digits.has_point;
+  w.incremental = w.bare = false;
+  block.shape.add(letter, w.code);
+  ++block.word_count;
+  return at;
+}
+
+/// The digits are such as the format asks for.
+bool PlainBlocks::follows(const WordFormat& format, const Digits& digits) {
+  constexpr std::uint64_t most_code = 99'999;
+  if (format.code && (digits.fraction > 1 || digits.mantissa > most_code || digits.whole < format.code_digits)) return false;
+  if (format.whole_digits == 0) return true;
+  const bool implied = format.implied && !digits.has_point;
+  const std::size_t most = format.whole_digits + (implied ? std::size_t{format.fraction_digits} : 0);
+  if ((digits.has_point && !format.point) || digits.whole > most || digits.fraction > format.fraction_digits) return false;
+  return format.drop_zeros || digits.has_point || digits.whole >= most;
+}
+
+/// The format allows one more word of an address that the block has.
+bool PlainBlocks::has_room(const Block& block, char letter, const WordFormat& format) {
+  const auto same = [letter](const Word& w) { return w.address == letter; };
+  return format.at_most == 0 || std::count_if(block.words.begin(), block.words.begin() + block.word_count, same) < format.at_most;
+}
+
+}  // namespace kadr

@@ -1,0 +1,72 @@
+#pragma once
+// One word: address known, digits → value by the address's format. Used by the lexer only.
+
+#include "base/ascii.h"
+#include "base/result.h"
+#include "lang/block/block.h"
+#include "lang/block/grammar.h"
+#include "lang/expression/expression.h"
+
+namespace kadr {
+
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\0' || c == '\x7f'; }
+
+class WordReader {
+ public:
+  WordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
+
+  /// A place for one more word of that address; the format says how many may stand in a block.
+  ///   alarms  too_many_words, address_twice, too_many_codes
+  Status room_for(char letter, const WordFormat& format, std::size_t begin);
+
+  /// Sign, digits, point or expression behind the address at the cursor. `begin`: of the word, for alarms.
+  Status value(Word& w, const WordFormat& format, std::size_t begin);
+
+  /// `R2+50` sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
+  Status formal_parameter(std::size_t begin);
+
+  /// `R01+50.`, `P123=5`: behind the letter at the cursor stand two or three digits, then a sign or '=' (spec/correctors 3).
+  bool assigns_parameter(char letter) const;
+  Status long_parameter(char letter, std::size_t begin);
+
+  /// The number behind N or ':'.
+  Status block_number(std::size_t begin, const WordFormat& format);
+
+  /// The number behind O.
+  Status label(std::size_t begin, const WordFormat& format);
+
+  /// AX[n]=v: the axis by its number (nct 23.2.12); the address is known when the block is carried out.
+  Status axis_by_number(std::size_t begin);
+
+  /// The longest name that stands here; one that ends with a digit needs '=' behind it (nct 2.2). nullptr: none.
+  const AddressName* name_here() const;
+
+  /// Nothing that could be a value stands at the cursor.
+  bool no_value_follows() const;
+
+  /// The literal `mark` stands at `at` as an end of block.
+  bool marks_end(std::string_view mark, std::size_t at) const;
+
+ private:
+  Status increment(Word& w, const WordFormat& format, std::size_t begin);
+  Status number(Word& w, const WordFormat& format, char sign, std::size_t begin);
+  Status digits_apart(Number& read, const Word& w, std::size_t begin);
+  Status point_apart(Number& read, const Word& w, std::size_t begin);
+  Status check_digits(const Word& w, const Number& read, const WordFormat& format, std::size_t begin) const;
+  Status code_of(Word& w, std::size_t begin) const;
+  Status second_number(Word& w);
+  bool parameter_here() const;
+  Result<double> parameter_index();
+  Status assign_parameter(double index, double value, std::size_t begin);
+  Status parameter_sum(Word& w, const WordFormat& format, double constant, char sign, std::size_t begin);
+  Expression constant(double number, Span where);
+  Span span(std::size_t begin, std::size_t end) const {
+    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end < cursor_.text.size() ? end : cursor_.text.size())};
+  }
+
+  Cursor& cursor_;
+  const Grammar& grammar_;
+  Block& block_;
+};
+
+}  // namespace kadr

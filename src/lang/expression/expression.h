@@ -1,0 +1,174 @@
+#pragma once
+// Expressions of a block: text → instructions (once), instructions → value (each time).
+// Operators and functions: Mach3 / RS274-NGC, spec/mach3 1; custom macros, spec/nct/23 23.2. Angles in degrees.
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "lang/block/block.h"
+
+namespace kadr {
+
+/// Where an expression's text is read from; shared with the lexer.
+struct Cursor {
+  std::string_view text;
+  std::size_t at = 0;
+  char peek() const { return at < text.size() ? text[at] : '\0'; }
+  void skip_blanks();
+};
+
+/// The value of a variable never set or emptied: #0 (nct 23.1.6). No other value is a NaN.
+inline constexpr double vacant = std::numeric_limits<double>::quiet_NaN();
+inline bool is_vacant(double value) { return value != value; }
+
+/// Compiles a value as it follows an address: number, #n, ##n, #[…], […], function; appends to block.code.
+///   alarms  expression_syntax, bracket_not_closed, nesting_too_deep, operator_unknown, function_unknown, number_damaged
+Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& block);
+
+/// How much of the text at the cursor is the value.
+enum class MacroValue : std::uint8_t {
+  operand,   // behind an address: a number, #n, #[…], #_NAME, […], a function of the operand that follows
+  sum,       // a whole expression
+  assigned,  // the same behind `#n=`, where alone PRM may stand (nct 24.2)
+};
+/// The same in the language of custom macros (grammar.macro). ATAN[a]/[b], which other controls read otherwise, gets a warning.
+///   alarms  expression_syntax (nct 2064), bracket_not_closed, nesting_too_deep, number_damaged, illegal_address
+Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent);
+/// What stands between the brackets of IF[…] and WHILE[…]: one relation (nct 23.2.7). alarms also terminator_wrong
+Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Block& block);
+/// The number of a variable as it is written behind '#': digits, […], _NAME[…].
+Result<Expression> compile_macro_target(Cursor& cursor, const Grammar& grammar, Block& block);
+
+/// Reads an unsigned number with an optional point; the cursor must stand on a digit or a point.
+struct Number {
+  double value = 0;
+  double mantissa = 0;  // the digits without their point, as a whole number
+  std::uint8_t whole_digits = 0;
+  std::uint8_t fraction_digits = 0;
+  bool has_point = false;
+};
+bool read_number(Cursor& cursor, Number& number);
+/// The same for digits that a double does not hold exactly.
+bool read_long_number(std::string_view digits, Number& number);
+
+/// Value of one step on the operands `a`, `b`.
+///   alarms  division_by_zero, not_a_number
+Result<double> apply(Op op, double a, double b, Span where);
+
+/// What a comparison gives; vacant values as nct 23.1.6 orders them.
+inline bool compare(Op op, double a, double b) {
+  if (is_vacant(a) || is_vacant(b)) [[unlikely]] {
+    const int order = int{is_vacant(a)} - int{is_vacant(b)};  // vacant is greater than every number
+    switch (op) {
+      case Op::equal: return order == 0;
+      case Op::not_equal: return order != 0;
+      case Op::greater: return order > 0;
+      case Op::greater_equal: return order >= 0;
+      case Op::less: return order < 0;
+      default: return order <= 0;
+    }
+  }
+  switch (op) {
+    case Op::equal: return a == b;
+    case Op::not_equal: return a != b;
+    case Op::greater: return a > b;
+    case Op::greater_equal: return a >= b;
+    case Op::less: return a < b;
+    default: return a <= b;
+  }
+}
+
+/// Steps with two operands.
+constexpr bool takes_two(Op op) {
+  return (op >= Op::add && op <= Op::less_equal && op != Op::negate) || op == Op::atan || (op >= Op::remainder && op <= Op::bit_xor);
+}
+
+/// Runs the instructions. `variable(double number, Span)` and `parameter(int)` give Result<double>;
+/// `known(double number, double& value)`: the same for what is at hand, false if it is not;
+/// `control_value(number, bit, index, Span)` and `element(symbol, index, Span)` belong to custom macros.
+template <class Variables>
+// NOLINTNEXTLINE(readability-function-size): one switch over the steps
+Result<double> evaluate(const Block& block, Expression expression, Variables&& variables) {
+  std::array<double, limits::expression_depth * 2> stack;  // the compiler bounds the depth
+  std::size_t top = 0;
+  for (std::size_t i = expression.begin; i < expression.end; ++i) {
+    const Instruction& step = block.code[i];
+    switch (step.op) {
+      case Op::number: stack[top++] = step.number; break;
+      case Op::parameter: {
+        auto value = variables.parameter(static_cast<int>(step.number), step.where);
+        if (!value) return value;
+        stack[top++] = *value;
+        break;
+      }
+      case Op::variable: {
+        auto value = variables.variable(stack[top - 1], step.where);
+        if (!value) return value;
+        stack[top - 1] = *value;
+        break;
+      }
+      case Op::variable_at: {
+        if (variables.known(step.number, stack[top])) [[likely]] {
+          ++top;
+          break;
+        }
+        auto value = variables.variable(step.number, step.where);
+        if (!value) return value;
+        stack[top++] = *value;
+        break;
+      }
+      case Op::element: {
+        auto value = variables.element(step.number, stack[top - 1], step.where);
+        if (!value) return value;
+        stack[top - 1] = *value;
+        break;
+      }
+      case Op::control_value: {
+        auto value = variables.control_value(stack[top - 3], stack[top - 2], stack[top - 1], step.where);
+        if (!value) return value;
+        top -= 2;
+        stack[top - 1] = *value;
+        break;
+      }
+      case Op::scale: stack[top - 1] /= step.number; break;
+      case Op::keep_negate: stack[top - 1] = -stack[top - 1]; break;
+      case Op::equal:
+      case Op::not_equal:
+      case Op::greater:
+      case Op::greater_equal:
+      case Op::less:
+      case Op::less_equal:
+        --top;
+        stack[top - 1] = compare(step.op, stack[top - 1], stack[top]) ? 1 : 0;
+        break;
+      case Op::add:
+      case Op::subtract:
+      case Op::multiply: {
+        --top;
+        const double b = is_vacant(stack[top]) ? 0 : stack[top], a = is_vacant(stack[top - 1]) ? 0 : stack[top - 1];
+        const double value = step.op == Op::add ? a + b : step.op == Op::subtract ? a - b : a * b;
+        if (!std::isfinite(value)) return fail(alarm(AlarmId::not_a_number, step.where));
+        stack[top - 1] = value;
+        break;
+      }
+      default: {
+        const bool pair = takes_two(step.op);
+        double b = pair ? stack[top - 1] : 0;
+        double a = pair ? stack[top - 2] : stack[top - 1];
+        if (is_vacant(a)) a = 0;  // in an operation a vacant operand counts as 0
+        if (is_vacant(b)) b = 0;
+        auto value = apply(step.op, a, b, step.where);
+        if (!value) return value;
+        if (pair) --top;
+        stack[top - 1] = *value;
+      }
+    }
+  }
+  return stack[0];
+}
+
+}  // namespace kadr

@@ -1,0 +1,76 @@
+#include "lang/expression/macro_arithmetic.h"
+
+#include <cmath>
+
+#include "base/vec.h"
+
+namespace kadr {
+namespace {
+
+constexpr double least_bits = -4294967297.0;  // 23.2.3, as printed
+constexpr double beyond_bits = 4294967296.0;
+
+/// A logical operand: the nearest whole number modulo 2^32. INFERRED: rounding; 2^31 … 2^32−1 mean the same bits as the
+/// negative numbers.
+Result<std::uint32_t> bits_of(double v, Span where) {
+  if (!(v >= least_bits && v < beyond_bits)) return fail(alarm(AlarmId::bits_out_of_range, where, v));
+  return static_cast<std::uint32_t>(std::llround(v));
+}
+
+/// Back to a number: signed (23.2.3 item 4).
+double number_of(std::uint32_t bits) { return static_cast<std::int32_t>(bits); }
+
+Result<double> logic(Op op, double a, double b, Span where) {
+  const auto left = bits_of(a, where);
+  if (!left) return fail(left.error());
+  if (op == Op::bit_not) return number_of(~*left);
+  const auto right = bits_of(b, where);
+  if (!right) return fail(right.error());
+  switch (op) {
+    case Op::bit_and: return number_of(*left & *right);
+    case Op::bit_or: return number_of(*left | *right);
+    default: return number_of(*left ^ *right);
+  }
+}
+
+Result<double> tangent(double deg, Span where) {
+  const SinCos at = sincos_deg(deg);
+  if (at.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, deg));  // exact at (2n+1)·90°
+  return at.sin / at.cos;
+}
+
+Result<double> arc(Op op, double a, Span where) {
+  if (!(std::fabs(a) <= 1)) return fail(alarm(AlarmId::argument_above_one, where, a));
+  return (op == Op::arc_sine ? std::asin(a) : std::acos(a)) / rad_per_deg;
+}
+
+}  // namespace
+
+Result<double> apply_macro(Op op, double a, double b, Span where) {
+  switch (op) {
+    case Op::remainder:
+      if (b == 0) return fail(alarm(AlarmId::division_by_zero, where));
+      return std::fmod(a, b);  // INFERRED: the sign of the dividend
+    case Op::bit_and:
+    case Op::bit_or:
+    case Op::bit_xor:
+    case Op::bit_not: return logic(op, a, b, where);
+    case Op::truncate: return std::trunc(a);
+    case Op::away_from_zero: return a < 0 ? std::floor(a) : std::ceil(a);
+    case Op::square_root:
+      if (a < 0) return fail(alarm(AlarmId::root_of_negative, where, a));
+      return std::sqrt(a);
+    case Op::sine: return sincos_deg(a).sin;
+    case Op::cosine: return sincos_deg(a).cos;
+    case Op::tangent: return tangent(a, where);
+    case Op::arc_sine:
+    case Op::arc_cosine: return arc(op, a, where);
+    case Op::arc_tangent: return std::atan(a) / rad_per_deg;
+    case Op::logarithm:
+      if (!(a > 0)) return fail(alarm(AlarmId::argument_not_positive, where, a));
+      return std::log(a);
+    default: return fail(alarm(AlarmId::not_a_number, where));
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,14 @@
+#pragma once
+// Operations of custom macros that differ from those of RS274/NGC (spec/nct/23 23.2.2–23.2.5).
+
+#include "base/result.h"
+#include "lang/block/block.h"
+
+namespace kadr {
+
+/// Value of one step.
+///   alarms  division_by_zero, bits_out_of_range, root_of_negative, tangent_of_right_angle, argument_above_one,
+///           argument_not_positive, not_a_number
+Result<double> apply_macro(Op op, double a, double b, Span where);
+
+}  // namespace kadr

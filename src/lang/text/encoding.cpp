@@ -1,0 +1,287 @@
+#include "lang/text/encoding.h"
+
+#include <iconv.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "base/ascii.h"
+#include "lang/text/eia.h"
+#include "lang/text/tape_side.h"
+
+namespace kadr {
+namespace {
+
+// ---- the one-byte encodings: iconv is asked once for all 128 bytes, then a table answers
+
+struct Utf8 {
+  std::array<char, 4> bytes{};
+  std::uint8_t size = 0;
+};
+using HighHalf = std::array<Utf8, 128>;
+
+HighHalf load_high_half(const char* iconv_name) {
+  HighHalf half;
+  const iconv_t converter = iconv_open("UTF-8", iconv_name);
+  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // every byte is then without meaning
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    char byte = static_cast<char>(128 + i);
+    char* from = &byte;
+    char* to = half[i].bytes.data();
+    std::size_t from_left = 1;
+    std::size_t to_left = half[i].bytes.size();
+    iconv(converter, nullptr, nullptr, nullptr, nullptr);
+    if (iconv(converter, &from, &from_left, &to, &to_left) != static_cast<std::size_t>(-1))
+      half[i].size = static_cast<std::uint8_t>(half[i].bytes.size() - to_left);
+  }
+  iconv_close(converter);
+  return half;
+}
+
+const HighHalf& high_half(Encoding encoding) {
+  static const HighHalf cp1251 = load_high_half("CP1251");
+  static const HighHalf koi8r = load_high_half("KOI8-R");
+  static const HighHalf cp866 = load_high_half("CP866");
+  return encoding == Encoding::cp1251 ? cp1251 : encoding == Encoding::koi8r ? koi8r : cp866;
+}
+
+/// How many bytes at the beginning are ASCII; eight at a time.
+std::size_t ascii_run(std::string_view bytes) {
+  std::size_t i = 0;
+  for (std::uint64_t eight = 0; i + sizeof eight <= bytes.size(); i += sizeof eight) {
+    std::memcpy(&eight, bytes.data() + i, sizeof eight);
+    if ((eight & 0x8080808080808080u) != 0) break;
+  }
+  while (i < bytes.size() && !is_high(bytes[i])) ++i;
+  return i;
+}
+
+Span byte_at(std::size_t i) { return {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 1)}; }
+
+Status append_rows(std::string_view rows, std::string& text) {
+  TapeLetters letters;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = static_cast<std::uint8_t>(rows[i]);
+    if (!has_even_parity(row)) return fail(alarm(AlarmId::parity_error, byte_at(i), static_cast<double>(i + 1)));
+    letters.append(row & 0x7F, text);
+  }
+  return {};
+}
+
+/// Rows of a line in EIA code.
+Status append_eia_rows(std::string_view rows, std::string& text) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = static_cast<std::uint8_t>(rows[i]);
+    const auto character = eia_character(row);
+    if (row != 0 && !character) return fail(alarm(AlarmId::parity_error, byte_at(i), static_cast<double>(i + 1)));
+    if (character && *character != 0) text += *character;
+  }
+  return {};
+}
+
+// ---- the guess: how surely Russian words stand in the sample, read as each encoding
+
+/// Bits, by halves, that a letter costs behind another: 'a' none, 'z' 12.5 and more. Rows: the first of the pair,
+/// columns: the second, а..я and the edge of a word. Counted from the words of the controls' manuals (spec/) and of
+/// the shop (СВЕРЛО, ФРЕЗА, …), each by the root of its count; ПС, which ends every block, weighs like a frequent one.
+constexpr std::size_t word_edge = 32;
+constexpr std::array<std::string_view, 33> pair_cost = {
+    "zlinjinjtqkiigwkkkhyznnkrlzzzvkjg",  // а
+    "izzzzhrzhzkivlfzfkrislopzkqhrzznm",  // б
+    "eyozrgztizjiqjgpklmkzrzzsuzgwzypi",  // в
+    "hzzzklztjzvgondzfzzjzzzuzzzzzzzzj",  // г
+    "fzkotfzzgzmkwjhminsizpxwrxsmtzpnj",  // д
+    "wqmmjonltkliifppgjhttopnpnzzzztvf",  // е
+    "gyyyhdyyfykysfyyyyykyyyyyyyyyyyym",  // ж
+    "drjomjpzjzmmighzmzzkzznzzzwjnzzpk",  // з
+    "ooknnhokkllmihopjihpqmlkqwzzzzmhg",  // и
+    "zzzzqzzzzzlnnkzzzhozzzztnvzvzzzzb",  // й
+    "ezozzkrzhzvizqezhnkjzzkzwyzyzzzzj",  // к
+    "hrztzfovgzmozkgxwqzkuzyzwzzofzjik",  // л
+    "gvptzezzgyrvinipzqvjzzzzyzzkzzzpe",  // м
+    "fzwulizufzlzzhfzzmjkrqpszzzhozzlm",  // н
+    "zjgiiklmoiliijnkihisvptlptzzzvzoh",  // о
+    "jzzzzhzzjzrlzsepefyjzzuyzzzruzzqn",  // п
+    "ezoqnfoyhzqomlfnnppispqzpxzlszzmk",  // р
+    "kvlsrlzzjziimmikqnemrpvmqyznnzwgg",  // с
+    "gwizqhzzizmprkguhhxlzsypzzzlgzzrg",  // т
+    "ompikjkozxlijkvjkgkzqpzivlzzzzgsf",  // у
+    "gxxxxgxxhxxlnxfxexxgnxxxxxxxxxxxr",  // ф
+    "mzmzzpzqqztmpjezimzuzzzzzzzzzzzuc",  // х
+    "iyyyyfyybyyyyymyyrynyyyyyyykyyyyi",  // ц
+    "fzzzzdzzezitvgrlzsknzzzztzzzrzzzr",  // ч
+    "fxxxxexxexjqxkmgsxjnxxxxxxxxpxxxp",  // ш
+    "fzzzzczzeuzzzuzzzzzjzzzzzzzsozzzu",  // щ
+    "nnnnnbnnnnnnnnnnnnnnnnnnnnnnnnnhn",  // ъ
+    "zmgzjgzjwhllgtwkokmzzgznmqzwzzzzf",  // ы
+    "zntzzpzjtzlzzezzzinzzzwwktzzzzlrc",  // ь
+    "ttmtjttttlggittttoctktttttttttttt",  // э
+    "znzznzzzzmzuozzzunftzzzgsezzzzzzd",  // ю
+    "xznrniqmzxrtjlzvmojzznnrzmzzzzkqb",  // я
+    "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  //
+};
+constexpr int mixed_case_cost = 24;  // a capital behind a small letter, a small one behind two capitals: wrong encoding
+constexpr int typography_cost = 20;  // №, quotes, dashes, degrees: rare, but text
+constexpr int other_sign_cost = 48;  // frames, fractions, letters of other languages
+
+struct Sign {
+  std::size_t letter = word_edge;  // а..я = 0..31
+  bool capital = false;
+  int cost = 0;  // of what is no Russian letter
+};
+
+Sign sign_of(Encoding encoding, char byte) {
+  if (!is_high(byte)) return {};
+  const char32_t code = first_character(utf8_of(encoding, static_cast<std::uint8_t>(byte))).code;
+  if (code >= U'А' && code <= U'я') return {(code - U'А') % 32, code < U'а', 0};
+  if (code == U'Ё' || code == U'ё') return {5, code == U'Ё', 0};
+  constexpr std::u32string_view typography = U"№«»–—°±";
+  return {word_edge, false, typography.find(code) != std::u32string_view::npos ? typography_cost : other_sign_cost};
+}
+
+/// What the sample costs as text of `encoding`: the bits of its words, dearer for letters that do not follow each other.
+std::uint64_t cost_of(std::string_view sample, Encoding encoding) {
+  std::array<Sign, 256> signs;
+  for (std::size_t i = 0; i < signs.size(); ++i) signs[i] = sign_of(encoding, static_cast<char>(i));
+  std::uint64_t cost = 0;
+  Sign last;
+  std::size_t length = 0;  // letters of the word so far
+  const auto add = [&](const Sign& sign) {
+    const bool in_word = sign.letter != word_edge;
+    if (in_word || length > 0) cost += static_cast<std::uint64_t>(pair_cost[last.letter][sign.letter] - 'a');
+    const bool rises = length > 0 && sign.capital && !last.capital;
+    const bool falls = length > 1 && in_word && !sign.capital && last.capital;
+    cost += static_cast<std::uint64_t>(sign.cost + (rises || falls ? mixed_case_cost : 0));
+    length = in_word ? length + 1 : 0;
+    last = sign;
+  };
+  for (const char byte : sample) add(signs[static_cast<unsigned char>(byte)]);
+  add(Sign{});
+  return cost;
+}
+
+/// Valid UTF-8; a sample ends anywhere, so its last character may be cut.
+bool is_utf8(std::string_view sample) {
+  bool any = false;
+  while (!sample.empty()) {
+    sample.remove_prefix(ascii_run(sample));
+    if (sample.empty()) break;
+    const std::size_t size = first_character(sample).size;
+    if (size == 0) {
+      const auto wanted = static_cast<std::size_t>(std::countl_one(static_cast<unsigned char>(sample[0])));
+      const bool cut =
+          sample.size() < wanted && wanted <= 4 && std::all_of(sample.begin() + 1, sample.end(), [](char c) { return (c & 0xC0) == 0x80; });
+      return any && cut;
+    }
+    any = true;
+    sample.remove_prefix(size);
+  }
+  return any;
+}
+
+/// ход, шаг, раз in CP866 happen to be valid UTF-8, of rare Asian letters.
+bool is_small_cp866(std::string_view sample) {
+  return std::all_of(sample.begin(), sample.end(), [](char c) {
+    const int row = static_cast<unsigned char>(c) >> 4;
+    return row < 8 || row == 0xA || row == 0xE;
+  });
+}
+
+}  // namespace
+
+Character first_character(std::string_view text) {
+  if (text.empty()) return {};
+  const auto lead = static_cast<unsigned char>(text[0]);
+  if (lead < 0x80) return {lead, 1};
+  const auto size = static_cast<std::size_t>(std::countl_one(lead));
+  if (size < 2 || size > 4 || text.size() < size) return {};
+  char32_t code = lead & (0x7Fu >> size);
+  for (std::size_t i = 1; i < size; ++i) {
+    const auto next = static_cast<unsigned char>(text[i]);
+    if ((next & 0xC0) != 0x80) return {};
+    code = code << 6 | (next & 0x3Fu);
+  }
+  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};  // a longer form than needed is not valid
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  if (code < smallest[size] || code > 0x10FFFF || surrogate) return {};
+  return {code, size};
+}
+
+std::string_view utf8_of(Encoding encoding, std::uint8_t byte) {
+  const Utf8& character = high_half(encoding)[byte & 0x7F];
+  return {character.bytes.data(), character.size};
+}
+
+std::string_view name_of(Encoding encoding) {
+  switch (encoding) {
+    case Encoding::utf8: return "utf-8";
+    case Encoding::cp1251: return "cp1251";
+    case Encoding::koi8r: return "koi8-r";
+    case Encoding::cp866: return "cp866";
+    case Encoding::eia: return "eia";
+    case Encoding::iso7: return "iso-7";
+  }
+  return {};
+}
+
+std::optional<Encoding> encoding_named(std::string_view name) {
+  std::string plain;  // "Windows-1251" and "windows1251" are one
+  for (const char c : name)
+    if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  struct Name {
+    std::string_view name;
+    Encoding encoding;
+  };
+  constexpr Name names[] = {{"utf8", Encoding::utf8},          {"ascii", Encoding::utf8},   {"cp1251", Encoding::cp1251},
+                            {"windows1251", Encoding::cp1251}, {"koi8r", Encoding::koi8r},  {"koi8", Encoding::koi8r},
+                            {"cp866", Encoding::cp866},        {"ibm866", Encoding::cp866}, {"iso7", Encoding::iso7},
+                            {"tape", Encoding::iso7},          {"eia", Encoding::eia},      {"rs244", Encoding::eia}};
+  for (const Name& row : names)
+    if (row.name == plain) return row.encoding;
+  return std::nullopt;
+}
+
+std::optional<Encoding> detect_encoding(std::string_view sample) {
+  if (ascii_run(sample) == sample.size()) return std::nullopt;
+  if (const auto tape = look_at_tape(sample)) return tape->code == TapeCode::eia ? Encoding::eia : Encoding::iso7;
+  if (is_utf8(sample) && !is_small_cp866(sample)) return Encoding::utf8;
+  auto best = Encoding::cp1251;  // of equals the most frequent stands first
+  std::uint64_t least = cost_of(sample, best);
+  for (const Encoding encoding : {Encoding::cp866, Encoding::koi8r}) {
+    const std::uint64_t cost = cost_of(sample, encoding);
+    if (cost >= least) continue;
+    least = cost;
+    best = encoding;
+  }
+  return best;
+}
+
+Status append_utf8(std::string_view bytes, Encoding encoding, std::string& text) {
+  if (encoding == Encoding::iso7) return append_rows(bytes, text);
+  if (encoding == Encoding::eia) return append_eia_rows(bytes, text);
+  std::size_t i = 0;
+  while (true) {
+    const std::size_t run = ascii_run(bytes.substr(i));
+    text.append(bytes, i, run);
+    i += run;
+    if (i == bytes.size()) return {};
+    const auto byte = static_cast<std::uint8_t>(bytes[i]);
+    const std::size_t size = encoding == Encoding::utf8 ? first_character(bytes.substr(i)).size : 1;
+    const std::string_view character = encoding == Encoding::utf8 ? bytes.substr(i, size) : utf8_of(encoding, byte);
+    if (character.empty()) return fail(alarm(AlarmId::bad_encoding, byte_at(i), static_cast<double>(byte)));
+    text.append(character);
+    i += size;
+  }
+}
+
+char look_alike(char32_t letter) {
+  constexpr std::u32string_view cyrillic = U"АВЕКМНОРСТУХІЈЅавекмнорстухіјѕ";
+  constexpr std::string_view latin = "ABEKMHOPCTYXIJSABEKMHOPCTYXIJS";
+  static_assert(cyrillic.size() == latin.size());
+  const std::size_t at = cyrillic.find(letter);
+  return at == std::u32string_view::npos ? '\0' : latin[at];
+}
+
+}  // namespace kadr

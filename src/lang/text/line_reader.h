@@ -1,0 +1,75 @@
+#pragma once
+// Bytes → lines: reads a program of any length through a window, from any place in it.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "lang/text/encoding.h"
+
+namespace kadr {
+
+struct Line {
+  std::string_view bytes;    // without its end; valid until the next call
+  std::uint64_t offset = 0;  // of its first byte in the file
+  std::uint32_t number = 1;  // counted from 1
+  bool ended = true;         // false: the file ends without an end of line
+  bool too_long = false;     // longer than limits::line_bytes; `bytes` is its beginning, the rest is passed over
+};
+
+/// Where the bytes come from: a file, or text in memory.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+  /// Reads up to `size` bytes at `offset` into `to`; 0 at the end. One call a window, never one a line.
+  virtual std::size_t read(std::uint64_t offset, char* to, std::size_t size) = 0;
+  virtual std::uint64_t size() const = 0;
+};
+
+/// nullptr if the file cannot be read (the reason is in errno). What cannot be read twice (a pipe, a terminal; "-" is
+/// the standard input) is kept in memory, up to 1 GiB (EFBIG beyond).
+std::unique_ptr<ByteSource> open_file(const std::string& path);
+std::unique_ptr<ByteSource> text_source(std::string text);
+
+/// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone where the sample holds no LF.
+/// A UTF-8 byte order mark at the beginning is passed over; nothing behind the last end of line is no line.
+class LineReader {
+ public:
+  explicit LineReader(std::shared_ptr<ByteSource> source);
+
+  /// The next line; false at the end.
+  bool next(Line& line);
+  /// Goes on reading at the beginning of a line seen before.
+  void seek(std::uint64_t offset, std::uint32_t number);
+  /// Lines end with that byte: the end of a block on a tape in EIA code. Before the first line is read.
+  void end_lines_with(char byte) { end_of_line_ = byte; }
+  /// The first bytes of the file (at most 256 KiB): what encoding and control are guessed from.
+  std::string_view sample();
+  std::uint64_t size() const;
+  /// Bytes read so far, for progress. Less than size() after the end: the file could not be read to its end.
+  std::uint64_t offset() const { return window_offset_ + position_; }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  bool fill();
+  std::size_t find_end();
+  bool skip_rest();
+
+  std::shared_ptr<ByteSource> source_;  // shared with readers of other places of the file
+  std::string window_;
+  std::string sample_;
+  std::string long_line_;            // beginning of a line that is too long
+  std::uint64_t window_offset_ = 0;  // of window_[0] in the file
+  std::size_t position_ = 0;         // next byte in the window
+  std::size_t filled_ = 0;
+  std::size_t next_read_;  // bytes to ask for: few after a jump, then more
+  std::uint32_t line_ = 1;
+  bool at_end_ = false;
+  char end_of_line_ = '\n';  // CR where lines end with CR alone
+};
+
+}  // namespace kadr

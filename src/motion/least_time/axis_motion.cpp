@@ -1,0 +1,315 @@
+#include "motion/least_time/axis_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+namespace {
+
+constexpr double shortest_rise = 1e-3;          // s, of acceleration that rises at once: one servo period
+constexpr double unlimited_acceleration = 1e6;  // mm/s²: 100 g
+constexpr double chord_of_tolerance = 0.04;     // an arc as chords a tenth as long as the roundings of their corners are wide
+
+/// The setup's entry of the axis, else the one for all axes.
+const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
+  for (const std::string& name : {axis, std::string("*")})
+    if (const auto found = setup.machine.find(name); found != setup.machine.end()) return &found->second;
+  return nullptr;
+}
+
+/// Actions during which the axes stand (nct 7.0.1: the motion stops where a function is carried out behind it). Words that only set
+/// something – speed, coolant, tool to be brought, message – do not.
+bool needs_rest(const Action& action) {
+  return std::holds_alternative<Dwell>(action.what) || std::holds_alternative<Stop>(action.what) ||
+         std::holds_alternative<ToolChange>(action.what) || std::holds_alternative<Sync>(action.what) ||
+         std::holds_alternative<Spindle>(action.what) || std::holds_alternative<MachineFunction>(action.what);
+}
+
+double distance(const Axes& from, const Axes& to) {
+  double squares = 0;
+  for (std::size_t a = 0; a < max_axes; ++a) squares += (to[a] - from[a]) * (to[a] - from[a]);
+  return std::sqrt(squares);
+}
+
+/// A degree of the rotary axis of a surface moves the tool by more than a mm where the radius is above 180/π: the tolerance is as much
+/// less.
+double degrees_for_mm(const Curve& curve, const Motion& motion) {
+  if (curve.surface() == PathSurface::plane) return 1;
+  const MotionDetail& detail = *motion.detail;
+  const double radius =
+      curve.surface() == PathSurface::cylinder ? detail.radius : std::max(length(detail.flat_from), length(detail.flat_to));
+  return 1 / std::max(1.0, radius * rad_per_deg);
+}
+
+}  // namespace
+
+MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
+  constexpr double per_second = 1.0 / 60;
+  MotionLimits limits;
+  Setup at_full_rate = setup;  // the override slows rapid motions (their programmed time), not what the axes can do
+  at_full_rate.rapid_override = 100;
+  const Rates rates = rates_of(profile, at_full_rate, axes);
+  for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
+    const auto found = profile.axes.find(axes[i]);
+    const AxisProfile own = found == profile.axes.end() ? AxisProfile{} : found->second;
+    const AxisLimits* const stated = of_axis(setup, axes[i]);
+    double acceleration = own.acceleration, jerk = own.jerk;
+    if (stated != nullptr && stated->acceleration) {
+      acceleration = *stated->acceleration;
+      const double rising = stated->jerk_time.value_or(own.acceleration / own.jerk);
+      jerk = acceleration / std::max(rising, shortest_rise);
+    }
+    if (stated != nullptr && stated->no_acceleration) acceleration = unlimited_acceleration, jerk = acceleration / shortest_rise;
+    limits.speed.push_back(rates.rapid[i] * per_second);
+    limits.acceleration.push_back(acceleration);
+    limits.jerk.push_back(jerk);
+  }
+  return limits;
+}
+
+AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink)
+    : roles_(roles),
+      tolerance_(tolerance),
+      sink_(std::move(sink)),
+      planner_(limits, [this](TimedCells& cells) { hand_out(cells); }),
+      line_([this](const Axes& to, double feed, double corner, bool on_curve, std::uint64_t tag) {
+        planner_.line_to(to.data(), feed, corner, on_curve, tag);
+      }),
+      threads_(limits) {
+  for (std::size_t a = 0; a < limits.speed.size(); ++a) rapid_[a] = limits.speed[a] * 60;
+  planner_.begin(start.machine.data());
+  threads_.begin(start.machine);
+}
+
+void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes) {
+  spindle_.start(setup.spindle(), setup.spindle_override / 100);
+  smoothing_ = Smoothing(smoothing_rules(setup, axes));
+}
+
+/// What is planned from here on belongs to this motion: the tag of its cells until they are handed out.
+std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& motion) {
+  Record record{++motions_, spent.tag(), switches, spindle_.turning(), motion.own_override ? 1 : spindle_.override_part(), 0};
+  SurfaceSpeed& surface = record.spindle.surface;
+  if (surface.on && surface.axis < max_axes) record.shift = motion.to[surface.axis] - motion.machine[surface.axis];
+  if (spent.on == Spent::On::rapid) {  // nct 11.5.1: at once as fast as at its end
+    record.spindle.arrive(motion.to);
+    surface.on = false;
+  }
+  records_.push_back(record);
+  return motions_;
+}
+
+/// Degrees a second; with a constant surface speed that in the middle of the cell.
+double AxisMotion::spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell) {
+  const SpindleTurning& spindle = record.spindle;
+  Axes work{};
+  if (spindle.surface.on && spindle.surface.axis < cells.axes) {
+    Axes at{};
+    cells.position(cell, cells.laws[cell].length / 2, at.data());
+    work[spindle.surface.axis] = at[spindle.surface.axis] + record.shift;
+  }
+  return record.spindle_part * spindle.degrees(spindle.at(work));
+}
+
+/// Numbers of records become what is told of them.
+void AxisMotion::hand_out(TimedCells& cells) {
+  cells.spindle.clear();
+  for (std::size_t k = 0; k < cells.laws.size(); ++k) {
+    CellSource& source = cells.sources[k];
+    while (records_.front().motion < source.tag) records_.pop_front();
+    const Record& record = records_.front();
+    source.tag = record.spent;
+    source.motion = record.motion;
+    source.switches = record.switches;
+    cells.spindle.push_back(spindle_.turn(spindle_rate(record, cells, k), cells.laws[k]));
+  }
+  look_for_faults(cells);
+  sink_(cells);
+}
+
+void AxisMotion::look_for_faults(const TimedCells& cells) {
+  constexpr double tolerated = 0.01;  // of a tolerance: it is looked at in places only (docs/planner.md)
+  if (cells.unsolved && !cells.sources.empty()) {
+    if (faults_.unsolved++ == 0) faults_.unsolved_at = Spent::of(cells.sources.front().tag);
+    for (const TimeLaw& law : cells.laws) faults_.unsolved_way += law.length;
+  }
+  for (const CellSource& source : cells.sources) {
+    if (source.beyond <= std::max(tolerated, faults_.beyond)) continue;
+    if (faults_.beyond == 0) faults_.beyond_at = Spent::of(source.tag);
+    faults_.beyond = source.beyond;
+  }
+}
+
+void AxisMotion::stop_by(StopToken stop) {
+  stop_ = stop;
+  planner_.stop_by(stop);
+}
+
+AxisMotion::Refused AxisMotion::refused() const {
+  const Planner::Refused& refused = planner_.refused();
+  for (const Record& record : records_)
+    if (record.motion == refused.tag) return {refused.way, Spent::of(record.spent)};
+  return {refused.way, {}};
+}
+
+void AxisMotion::rest() {
+  cut_threads();
+  end_smoothing();
+  planner_.stop();
+}
+
+TimedCells AxisMotion::standing(const Axes& at, double seconds, Spent spent, double spindle) {
+  TimedCells still{roles_.count, {TimeLaw{seconds, 0, true, 0, 0, 0}}, {{spent.tag()}}, {}};
+  for (std::size_t a = 0; a < roles_.count; ++a) still.path.insert(still.path.end(), {at[a], 0, 0, 0, 0, 0});
+  still.spindle.push_back(spindle_.turn(spindle, still.laws[0]));
+  return still;
+}
+
+void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
+  if (!(seconds > 0) || ended() != PlanEnd::none) return;
+  TimedCells still = standing(at, seconds, spent, spindle_.overridden());
+  sink_(still);
+}
+
+void AxisMotion::consume(const Step& step) {
+  if (ended() != PlanEnd::none) return;
+  if (const Motion* const motion = step.motion()) return move(step, *motion);
+  const Action& action = step.action;
+  end_smoothing();
+  if (step.pause > 0 || needs_rest(action)) {
+    rest();
+    stand(step.from.machine, step.pause,
+          {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line, action.origin.file});
+    exact_ = true;
+  } else if (std::holds_alternative<Speed>(action.what)) {
+    cut_threads();
+  }
+  spindle_.take(action);
+}
+
+void AxisMotion::move(const Step& step, const Motion& motion) {
+  const Origin& origin = step.action.origin;
+  const bool rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
+  const Spent spent{rapid ? Spent::On::rapid : Spent::On::cutting, origin.line, origin.file};
+  const bool line_in_time = step.time.seconds > 0 && step.curve().straight();
+  const bool thread = motion.kind == MotionKind::thread && line_in_time, smooths = motion.smoothing != 0 && line_in_time;
+  const bool taps = motion.detail && motion.detail->turn;
+  const Switches switches{rapid || !motion.own_override, !motion.no_hold};
+  if (!thread) cut_threads();
+  if (!smooths) end_smoothing();
+  if (taps) couple(step, motion);
+  if (thread) add_thread(step, motion, spent);
+  else if (smooths) smooth(step, motion, record(spent, switches, motion));
+  else cut(step, motion, record(spent, switches, motion));
+  if (taps) release();
+  spindle_.arrive(motion.to);
+}
+
+/// The spindle turns with the axis (nct 18.1.9).
+void AxisMotion::couple(const Step& step, const Motion& motion) {
+  rest();
+  const double way = distance(step.from.machine, motion.machine);
+  if (way > 0) spindle_.couple(*motion.detail->turn / way);
+}
+
+void AxisMotion::release() {
+  rest();
+  exact_ = true;
+  spindle_.release();
+}
+
+void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t number) {
+  const Axes& from = step.from.machine;
+  const double way = distance(from, motion.machine);
+  if (on_motion) on_motion(number, way);
+  smoothing_.take({from, motion.machine, way / step.time.seconds, exact_ ? 0 : tolerance_, number, motion.smoothing}, line_);
+  exact_ = false;
+}
+
+void AxisMotion::end_smoothing() { smoothing_.finish(line_); }
+
+/// Several in a row go on without a stop; only the first waits for the spindle (nct 4.4).
+void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent) {
+  const bool anew = motion.detail->start_angle.has_value();
+  if (anew || threads_.full()) cut_threads();
+  if (threads_.empty()) {
+    planner_.stop();
+    threads_.begin(step.from.machine);
+    thread_spent_ = spent;
+    if (anew) thread_angle_ = *motion.detail->start_angle;
+  }
+  const Axes end = MachinePath(step).end();
+  const std::uint64_t number = record(spent, {false, false}, motion);
+  if (on_motion) on_motion(number, distance(step.from.machine, end));
+  threads_.add(end, step.time.seconds, number);
+  if (motion.exact) cut_threads();
+}
+
+/// The axes stand until the first thread may begin (nct 4.4); there is such a cell even where nothing is to be waited for, as an override
+/// may have let the axes come later.
+void AxisMotion::wait_for_spindle() {
+  const double seconds = spindle_.seconds_to(thread_angle_, threads_.ramp() / 2);
+  TimedCells still = standing(threads_.start(), seconds, thread_spent_, spindle_.per_second());
+  still.sources[0].switches = {false, false};
+  still.spindle[0].awaited = true;
+  sink_(still);
+}
+
+/// Where threads had to end before the last one (another speed, a function, too many) the next goes on in the same groove.
+void AxisMotion::cut_threads() {
+  if (threads_.empty() || ended() != PlanEnd::none) return;
+  const Axes end = threads_.end();
+  wait_for_spindle();
+  TimedCells cells = threads_.cells();
+  hand_out(cells);
+  constexpr double turn = 360;
+  thread_angle_ = std::fmod(thread_angle_ + std::fabs(spindle_.per_second()) * threads_.seconds(), turn);
+  planner_.begin(end.data());
+  threads_.begin(end);
+  exact_ = true;
+}
+
+AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) const {
+  std::vector<double> ways, minutes;
+  double length = 0, sum = 0;
+  Axes last = path.start();
+  const bool even = pace.is_even();
+  for (int i = 1; i <= pieces && !stop_.asked(); ++i) {
+    const Axes to = path.at(static_cast<double>(i) / pieces);
+    const double way = distance(last, to);
+    length += way;
+    last = to;
+    if (even || !(programmed.seconds > 0)) continue;
+    ways.push_back(way);
+    minutes.push_back(pace.minutes(static_cast<double>(i - 1) / pieces, static_cast<double>(i) / pieces));
+    sum += minutes.back();
+  }
+  if (!(programmed.seconds > 0)) return {length, {unlimited_feed}};
+  if (even || !(sum > 0)) return {length, {length / programmed.seconds}};
+  for (std::size_t i = 0; i < ways.size(); ++i) ways[i] *= sum / (minutes[i] * programmed.seconds);
+  return {length, ways};
+}
+
+void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t number) {
+  const MachinePath path(step);
+  const Curve& curve = step.curve();
+  const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
+  const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
+  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
+  const double junction = exact_ ? 0 : tolerance;
+  const Pace pace(roles_, curve, motion, step.time.feed, rapid_, spindle_.turning());
+  const int pieces = std::max(curve.pieces(chord_of_tolerance * rounding), pace.pieces());
+  const auto [length, speeds] = feeds(pace, path, step.time, pieces);
+  if (on_motion) on_motion(number, length);
+  for (int i = 1; i <= pieces && ended() == PlanEnd::none; ++i) {
+    const double feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];
+    planner_.line_to(path.at(static_cast<double>(i) / pieces).data(), feed, i == 1 ? junction : rounding, i > 1, number);
+  }
+  exact_ = stops;
+  if (stops) planner_.stop();
+}
+
+}  // namespace kadr

@@ -1,0 +1,77 @@
+#pragma once
+// CellRing: timed cells on their way from the planner to the servo clock, each of them in a thread of its own if they like. One writes,
+// one reads, none waits; nothing is allocated after the start.
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "motion/least_time/timed_cells.h"
+
+namespace kadr {
+
+class CellRing {
+ public:
+  CellRing(std::size_t axes, std::size_t cells)
+      : axes_(axes), size_(cells), laws_(cells), tags_(cells), switches_(cells), spindle_(cells), path_(cells * axes * TimedCells::terms) {}
+
+  // who writes
+
+  /// Takes cells from the `first` on, as many as there is room for: how many.
+  std::size_t offer(const TimedCells& cells, std::size_t first) {
+    const std::uint64_t end = end_.load(std::memory_order_relaxed), begin = begin_.load(std::memory_order_acquire);
+    const std::size_t count = std::min(cells.laws.size() - first, size_ - static_cast<std::size_t>(end - begin)),
+                      row = axes_ * TimedCells::terms;
+    double seconds = offered_.load(std::memory_order_relaxed);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t slot = (end + k) % size_, from = first + k;
+      laws_[slot] = cells.laws[from];
+      tags_[slot] = cells.sources[from].tag;
+      switches_[slot] = cells.sources[from].switches;
+      if (!cells.spindle.empty()) spindle_[slot] = cells.spindle[from];
+      std::copy_n(cells.path.begin() + static_cast<std::ptrdiff_t>(from * row), row,
+                  path_.begin() + static_cast<std::ptrdiff_t>(slot * row));
+      seconds += cells.laws[from].seconds;
+    }
+    offered_.store(seconds, std::memory_order_relaxed);
+    end_.store(end + count, std::memory_order_release);
+    return count;
+  }
+  /// No more cells come.
+  void finish() { finished_.store(true, std::memory_order_release); }
+
+  // who reads; a cell is told by its number from the start of the motion
+
+  bool finished() const { return finished_.load(std::memory_order_acquire); }
+  std::uint64_t end() const { return end_.load(std::memory_order_acquire); }
+  /// s, of all cells ever offered.
+  double offered() const { return offered_.load(std::memory_order_relaxed); }
+  /// Less than half full.
+  bool has_room() const { return end() - begin_.load(std::memory_order_relaxed) < size_ / 2; }
+  /// Cells before are not looked at again.
+  void release(std::uint64_t cell) { begin_.store(cell, std::memory_order_release); }
+
+  std::size_t axes() const { return axes_; }
+  const TimeLaw& law(std::uint64_t cell) const { return laws_[cell % size_]; }
+  std::uint64_t tag(std::uint64_t cell) const { return tags_[cell % size_]; }
+  Switches switches(std::uint64_t cell) const { return switches_[cell % size_]; }
+  const SpindleTurn& spindle(std::uint64_t cell) const { return spindle_[cell % size_]; }
+  /// The polynomial of an axis, `TimedCells::terms` coefficients.
+  const double* path(std::uint64_t cell, std::size_t axis) const {
+    return path_.data() + (cell % size_ * axes_ + axis) * TimedCells::terms;
+  }
+
+ private:
+  std::size_t axes_, size_;
+  std::vector<TimeLaw> laws_;
+  std::vector<std::uint64_t> tags_;
+  std::vector<Switches> switches_;
+  std::vector<SpindleTurn> spindle_;
+  std::vector<double> path_;
+  std::atomic<std::uint64_t> begin_{0}, end_{0};
+  std::atomic<double> offered_{0};
+  std::atomic<bool> finished_{false};
+};
+
+}  // namespace kadr

@@ -1,0 +1,140 @@
+// The interior-point method: Newton steps, line search.
+
+#include "motion/least_time/least_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kadr {
+void LeastTime::spread(const std::vector<double>& y) {
+  for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) m_[k] = scale_[k] * y[variable_[k]];
+}
+
+double LeastTime::time() const {
+  double sum = 0;
+  for (std::size_t k = 0; k < n_; ++k) sum += path_->h[k] / std::sqrt(m_[k]);
+  return sum;
+}
+
+/// H · step_ = −gradient_, by L D Lᵀ. Where limits of very different sizes meet, rounding may leave nothing of a d, or less: then the
+/// diagonal's own is taken (Gill, Murray, Wright: Practical Optimization 4.4.2), a step that is shorter but still goes down.
+///   returns  false: H is not positive
+bool LeastTime::newton_step() {
+  constexpr double rounding = 1e-13;
+  factors_ = hessian_;
+  auto& [h0, h1, h2] = factors_;
+  for (std::size_t i = 0; i < variables_; ++i) {
+    double d = h0[i], z = -gradient_[i];
+    if (i >= 2) {
+      const double l = h2[i - 2] / h0[i - 2];
+      d -= l * h2[i - 2];
+      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];  // h1[i − 2] is L by now
+      z -= l * step_[i - 2];
+      h2[i - 2] = l;
+    }
+    if (i >= 1) {
+      const double l = h1[i - 1] / h0[i - 1];
+      d -= l * h1[i - 1];
+      z -= l * step_[i - 1];
+      h1[i - 1] = l;
+    }
+    if (!(d > rounding * hessian_.h0[i])) d = hessian_.h0[i];
+    if (!(d > 0) || !std::isfinite(d)) return false;
+    h0[i] = d;
+    step_[i] = z;
+  }
+  for (std::size_t i = variables_; i-- > 0;) {
+    double x = step_[i] / h0[i];
+    if (i + 1 < variables_) x -= h1[i] * step_[i + 1];
+    if (i + 2 < variables_) x -= h2[i] * step_[i + 2];
+    step_[i] = x;
+  }
+  return true;
+}
+
+/// Goes along step_ as far as it lowers the barrier.
+///   returns  how much it would have fallen by the slope alone; 0: no way down was found
+double LeastTime::line_search(double mu) {
+  constexpr double enough = 0.01;  // of the fall that the slope promises (Armijo)
+  constexpr int most_halvings = 40;
+  double falls = 0, part = 1;
+  for (std::size_t v = 0; v < variables_; ++v) {
+    falls -= gradient_[v] * step_[v];
+    if (step_[v] < 0) part = std::min(part, -0.95 * y_[v] / step_[v]);
+  }
+  const double value = height_.at(mu);
+  for (int halved = 0; halved < most_halvings; ++halved, part *= 0.5) {
+    for (std::size_t v = 0; v < variables_; ++v) trial_[v] = y_[v] + part * step_[v];
+    const Height height = this->height(trial_);
+    if (!(height.at(mu) <= value - enough * part * falls)) continue;
+    height_ = height;
+    std::swap(y_, trial_);
+    return falls;
+  }
+  spread(y_);
+  return 0;
+}
+
+/// A speed that obeys all limits: an earlier solution that crawls on behind its end, or one so low that all limits are far away.
+bool LeastTime::first_guess() {
+  constexpr double slowing = 0.9;  // of b, from cell to cell
+  if (!ends_.guess.empty()) {
+    const double slow = ends_.guess.back();
+    for (const double floor : {slow, slow / 10, ends_.crawl / 1e4}) {
+      double m = slow;
+      std::vector<double>& y = y_;
+      for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
+        m = k < ends_.guess.size() ? ends_.guess[k] : std::max(floor, m * slowing);
+        y[variable_[k]] = m / scale_[k];
+      }
+      if (is_within(y_)) return true;
+    }
+  }
+  if (!ends_.from_stop) return false;
+  find_envelope();
+  constexpr int most_tries = 60;
+  double part = 0.5;
+  for (int tries = 0; tries < most_tries; ++tries, part /= 2) {
+    for (std::size_t k = n_; k-- > 0;) y_[variable_[k]] = part * std::min(m_[k] / scale_[k], cap_[variable_[k]]);
+    std::copy(y_.begin(), y_.end(), trial_.begin());
+    if (is_within(trial_)) return true;
+    find_envelope();
+  }
+  return false;
+}
+
+bool LeastTime::solve(const TimedPath& path, const Ends& ends, StopToken stop) {
+  constexpr double smaller = 0.2;      // μ, when its point is near
+  constexpr double accurate = 5e-4;    // of the time: what μ may cost
+  constexpr double near_enough = 0.3;  // of what μ may cost: what the next step promises
+  constexpr int most_rounds = 4;       // of shortening a step where it breaks limits
+  constexpr int most_steps = 150;      // 25 to 45 are needed
+  path_ = &path;
+  ends_ = ends;
+  prepare();
+  steps_ = 0;
+  if (!first_guess()) return false;
+  const double conditions = static_cast<double>(n_) * (1 + 2 * static_cast<double>(TimedPath::places * path.axes));
+  height_ = height(y_);
+  double mu = height_.time / conditions;
+  while (steps_++ < most_steps && !stop.asked()) {
+    derivatives(mu);
+    bool positive = newton_step();
+    for (int round = 0; positive && round < most_rounds && stiffen(mu, round == 0); ++round) positive = newton_step();
+    if (!positive) break;
+    const double falls = line_search(mu);
+    if (falls >= near_enough * mu * conditions) continue;
+    if (mu * conditions < accurate * height_.time || falls == 0) break;
+    mu = std::min(mu, height_.time / conditions) * smaller;
+  }
+  speeds_.resize(n_);
+  for (std::size_t k = 0; k < n_; ++k) {
+    const Ordinates o = ordinates(k);
+    speeds_[k] = {{o[0], 2 * (o[1] - o[0]) / path.h[k]}, {o[2], 2 * (o[2] - o[1]) / path.h[k]}};
+    if (is_stop_cell(k)) (k == 0 ? speeds_[k].start : speeds_[k].end) = {};
+  }
+  return true;
+}
+
+}  // namespace kadr

@@ -1,0 +1,295 @@
+// The limits within the cells: the barrier that they make, its gradient and Hessian; where a step would break them.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/least_time/least_time.h"
+
+namespace kadr {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double most_of_slack = 0.95;  // that a step may use up
+constexpr double bend_of_time = 0.1;    // 0.75 in truth: far from the limits the steps are longer so, near them these bend more
+constexpr std::size_t group_size = 16;  // cells
+
+constexpr auto& part = TimedPath::part;
+
+using AtPlaces = std::array<double, TimedPath::places>;
+
+template <class Function>
+constexpr AtPlaces at_places_of(const Function& f) {
+  AtPlaces values{};
+  for (std::size_t p = 0; p < values.size(); ++p) values[p] = f(part[p]);
+  return values;
+}
+
+/// Of the ordinates of a cell in its value at the places: (1−t)², 2t(1−t), t².
+constexpr AtPlaces weights[3] = {at_places_of([](double t) { return (1 - t) * (1 - t); }),
+                                 at_places_of([](double t) { return 2 * t * (1 - t); }), at_places_of([](double t) { return t * t; })};
+/// In its derivative by the part of the cell.
+constexpr AtPlaces slopes[3] = {at_places_of([](double t) { return -2 * (1 - t); }), at_places_of([](double t) { return 2 * (1 - 2 * t); }),
+                                at_places_of([](double t) { return 2 * t; })};
+/// In the second one, the same at all places.
+constexpr double bends[3] = {2, -4, 2};
+
+/// Gradient and Hessian of what is a function of b, b′ and b″, at each place by itself.
+template <class Lanes>
+struct Sums {
+  Lanes by[3] = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
+
+  /// `bend` · r rᵀ, where r = (e0, e1).
+  KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1) {
+    const Lanes bend0 = bend * e0;
+    h00 += bend0 * e0, h01 += bend0 * e1, h11 += bend * e1 * e1;
+  }
+  /// r = (e0, e1, e2).
+  KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
+    const Lanes bend2 = bend * e2;
+    add(bend, e0, e1);
+    h02 += bend2 * e0, h12 += bend2 * e1, h22 += bend2 * e2;
+  }
+  /// −log(1 − x²), where x = `scale` · (e0 b + e1 b′): an acceleration.
+  KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1) {
+    const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
+    by[0] += by_scale * e0, by[1] += by_scale * e1;
+    add((2 * inverse + slope * slope) * (scale * scale), e0, e1);
+  }
+  /// The same with e2 b″, of a jerk.
+  KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
+    const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
+    by[0] += by_scale * e0, by[1] += by_scale * e1, by[2] += by_scale * e2;
+    add((2 * inverse + slope * slope) * (scale * scale), e0, e1, e2);
+  }
+
+  /// By the ordinates of a cell of length `h`.
+  KADR_LANES void gradient(double h, std::array<double, 3>& of) const {
+    const double once = 1 / h, twice = once * once;
+    for (std::size_t o = 0; o < 3; ++o)
+      of[o] = sum_of(by[0] * Lanes(weights[o].data()) + by[1] * (once * Lanes(slopes[o].data())) + by[2] * (twice * bends[o]));
+  }
+  KADR_LANES void hessian(double h, std::array<std::array<double, 3>, 3>& of) const {
+    const double once = 1 / h, twice = once * once;
+    for (std::size_t o = 0; o < 3; ++o) {
+      const Lanes w(weights[o].data()), d = once * Lanes(slopes[o].data());
+      const double q = twice * bends[o];
+      const Lanes t0 = h00 * w + h01 * d + h02 * q, t1 = h01 * w + h11 * d + h12 * q, t2 = h02 * w + h12 * d + h22 * q;
+      for (std::size_t p = o; p < 3; ++p)
+        of[o][p] = of[p][o] = sum_of(t0 * Lanes(weights[p].data()) + t1 * (once * Lanes(slopes[p].data())) + t2 * (twice * bends[p]));
+    }
+  }
+};
+
+/// b, b′ and b″ at the places of a cell.
+template <class Lanes>
+struct CellSpeed {
+  Lanes b, d;
+  double q;
+
+  KADR_LANES CellSpeed(const std::array<double, 3>& o, double h) {
+    const double once = 1 / h;
+    b = Lanes(weights[0].data()) * o[0] + Lanes(weights[1].data()) * o[1] + Lanes(weights[2].data()) * o[2];
+    d = once * (Lanes(slopes[0].data()) * o[0] + Lanes(slopes[1].data()) * o[1] + Lanes(slopes[2].data()) * o[2]);
+    q = once * once * (bends[0] * o[0] + bends[1] * o[1] + bends[2] * o[2]);
+  }
+};
+
+/// x′/2, x″ and x‴ of an axis at the places of a cell.
+template <class Lanes>
+struct Shape {
+  Lanes x1, x2, x3;
+  KADR_LANES Shape(const TimedPath& path, std::size_t at) : x1(0.5 * Lanes(&path.x1[at])), x2(&path.x2[at]), x3(&path.x3[at]) {}
+  KADR_LANES Lanes acceleration(const CellSpeed<Lanes>& v) const { return x2 * v.b + x1 * v.d; }
+  /// Divided by √b.
+  KADR_LANES Lanes jerk(const CellSpeed<Lanes>& v) const { return x3 * v.b + 1.5 * x2 * v.d + x1 * v.q; }
+};
+
+}  // namespace
+
+/// Sum of logarithms, one for many factors.
+class LeastTime::Logs {
+ public:
+  /// A factor may be as small as 1e-200.
+  void take(double factor) {
+    product_ *= factor;
+    if (product_ < 1e-100) sum_ += std::log(product_), product_ = 1;
+  }
+  double sum() const { return sum_ + std::log(product_); }
+
+ private:
+  double sum_ = 0, product_ = 1;
+};
+
+LeastTime::Ordinates LeastTime::ordinates(std::size_t cell) const {
+  const auto knot = [&](std::size_t left) {
+    if (turns_behind(left)) return 0.0;
+    const double before = path_->h[left], behind = path_->h[left + 1];
+    return (behind * m_[left] + before * m_[left + 1]) / (before + behind);
+  };
+  const double start = cell > 0 ? knot(cell - 1) : first_given_ ? ends_.from.b : 0;
+  return {start, m_[cell], cell + 1 < n_ ? knot(cell) : turns_behind(cell) ? 0 : m_[cell]};
+}
+
+template <class Lanes>
+KADR_LANES bool LeastTime::add_logs(Logs& logs) const {
+  for (std::size_t k = 0; k < n_; ++k) {
+    if (is_stop_cell(k)) continue;
+    const CellSpeed<Lanes> speed(ordinates(k), path_->h[k]);
+    for (const Moving& moving : moving_) {
+      const Shape<Lanes> x(*path_, at_places(k, moving));
+      const Lanes a = moving.by_acceleration * x.acceleration(speed), j = moving.by_jerk * x.jerk(speed);
+      const Lanes slack = 1 - a * a, jerk_slack = 1 - speed.b * (j * j);
+      const double product = product_of(slack * jerk_slack);
+      if (!(std::min(least_of(slack), least_of(jerk_slack)) > 0 && product > 0)) return false;  // the product: no number at all
+      logs.take(product);
+    }
+  }
+  return true;
+}
+
+/// Infinite where a limit is not kept. A limit |x| ≤ 1 has the slack 1 − x². Leaves m_ as it is for y.
+LeastTime::Height LeastTime::height(const std::vector<double>& y) {
+  constexpr Height none{infinite, 0};
+  Logs logs;
+  for (std::size_t v = 0; v < variables_; ++v) {
+    if (!(y[v] > 0) || !(y[v] < cap_[v])) return none;
+    logs.take(1 - y[v] / cap_[v]);
+  }
+  spread(y);
+  const bool is_within = side_by_side([&](auto like) __attribute__((always_inline)) { return add_logs<decltype(like)>(logs); });
+  return is_within ? Height{time(), logs.sum()} : none;
+}
+
+/// Ordinates by variables: those of the cells before it, of it, behind it.
+void LeastTime::by_variables(std::size_t cell, std::array<Three, 3>& by) const {
+  by = {mixes_[cell][0].by, {}, mixes_[cell][1].by};
+  if (!(cell == 0 && first_given_)) by[1][variable_[cell] - first_variable(cell)] = scale_[cell];
+}
+
+/// The limits within a cell: their gradient and Hessian.
+template <class Lanes>
+KADR_LANES void LeastTime::add_cell(std::size_t cell, double mu) {
+  const CellSpeed<Lanes> speed(ordinates(cell), path_->h[cell]);
+  const Lanes root = root_of(speed.b), half = where_positive(speed.b, 0.5 / root, Lanes{});
+  Sums<Lanes> sums;
+  for (const Moving& moving : moving_) {
+    const Shape<Lanes> x(*path_, at_places(cell, moving));
+    const Lanes a = x.acceleration(speed), j = x.jerk(speed);
+    sums.barrier(moving.by_acceleration * a, moving.by_acceleration, x.x2, x.x1);
+    sums.barrier(moving.by_jerk * root * j, moving.by_jerk, root * x.x3 + half * j, root * (1.5 * x.x2), root * x.x1);
+  }
+  Three gradient;
+  std::array<Three, 3> hessian, by;
+  sums.gradient(path_->h[cell], gradient);
+  sums.hessian(path_->h[cell], hessian);
+  by_variables(cell, by);
+  for (std::size_t v = 0; v < 3; ++v)
+    gradient_[first_variable(cell) + v] += mu * (gradient[0] * by[0][v] + gradient[1] * by[1][v] + gradient[2] * by[2][v]);
+  add_hessian(cell, mu, hessian);
+}
+
+/// `scale` times a Hessian by the ordinates of a cell.
+void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Three, 3>& h) {
+  std::array<Three, 3> by, hb;
+  by_variables(cell, by);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t v = 0; v < 3; ++v) hb[i][v] = scale * (h[i][0] * by[0][v] + h[i][1] * by[1][v] + h[i][2] * by[2][v]);
+  const auto product = [&](std::size_t v, std::size_t w) { return by[0][v] * hb[0][w] + by[1][v] * hb[1][w] + by[2][v] * hb[2][w]; };
+  const std::size_t first = first_variable(cell);
+  for (std::size_t v = 0; v < 3; ++v) hessian_.h0[first + v] += product(v, v);
+  hessian_.h1[first] += product(0, 1);
+  hessian_.h1[first + 1] += product(1, 2);
+  hessian_.h2[first] += product(0, 2);
+}
+
+/// Gradient and Hessian of the barrier at y_; m_ is that of y_.
+void LeastTime::derivatives(double mu) {
+  for (std::vector<double>* const all : {&gradient_, &hessian_.h0, &hessian_.h1, &hessian_.h2}) all->assign(variables_ + beyond, 0);
+  for (std::size_t v = 0; v < variables_; ++v) {
+    const double slack = 1 / (cap_[v] - y_[v]);
+    gradient_[v] += mu * slack;
+    hessian_.h0[v] += mu * slack * slack;
+  }
+  for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
+    const double by_m = path_->h[k] / (m_[k] * std::sqrt(m_[k]));
+    gradient_[variable_[k]] -= 0.5 * by_m * scale_[k];
+    hessian_.h0[variable_[k]] += bend_of_time * by_m / m_[k] * scale_[k] * scale_[k];
+  }
+  side_by_side([&](auto like) __attribute__((always_inline)) {
+    for (std::size_t k = 0; k < n_; ++k)
+      if (!is_stop_cell(k)) add_cell<decltype(like)>(k, mu);
+  });
+}
+
+/// The ordinates of a cell change with step_ by so much.
+LeastTime::Three LeastTime::step_in(std::size_t cell) const {
+  std::array<Three, 3> by;
+  by_variables(cell, by);
+  const double* const step = step_.data() + first_variable(cell);
+  Three o;
+  for (std::size_t i = 0; i < 3; ++i) o[i] = by[i][0] * step[0] + by[i][1] * step[1] + by[i][2] * step[2];
+  return o;
+}
+
+template <class Lanes>
+KADR_LANES bool LeastTime::stiffen_cell(std::size_t cell, double mu) {
+  const CellSpeed<Lanes> speed(ordinates(cell), path_->h[cell]), step(step_in(cell), path_->h[cell]);
+  const Lanes root = root_of(speed.b), half = where_positive(speed.b, 0.5 / root, Lanes{});
+  Sums<Lanes> sums;
+  bool any = false;
+  for (const Moving& moving : moving_) {
+    const Shape<Lanes> x(*path_, at_places(cell, moving));
+    const Lanes a = moving.by_acceleration * x.acceleration(speed), da = moving.by_acceleration * x.acceleration(step);
+    const Lanes along = x.jerk(speed), j = moving.by_jerk * root * along;
+    const Lanes dj = moving.by_jerk * (root * x.jerk(step) + half * along * step.b);
+    const Lanes way_a = where_positive(da, da, -da), way_j = where_positive(dj, dj, -dj);
+    const Lanes slack_a = where_positive(da, 1 - a, 1 + a), slack_j = where_positive(dj, 1 - j, 1 + j);
+    const Lanes over_a = way_a - most_of_slack * slack_a, over_j = way_j - most_of_slack * slack_j;
+    if (greatest_of(over_a) > 0) {
+      const Lanes bend = where_positive(over_a, (3 * way_a / slack_a - 1) / (slack_a * slack_a), Lanes{});
+      sums.add(bend * (moving.by_acceleration * moving.by_acceleration), x.x2, x.x1);
+      any = true;
+    }
+    if (greatest_of(over_j) > 0) {
+      const Lanes bend = where_positive(over_j, (3 * way_j / slack_j - 1) / (slack_j * slack_j), Lanes{});
+      sums.add(bend * (moving.by_jerk * moving.by_jerk), root * x.x3 + half * along, root * (1.5 * x.x2), root * x.x1);
+      any = true;
+    }
+  }
+  if (!any) return false;
+  std::array<Three, 3> hessian;
+  sums.hessian(path_->h[cell], hessian);
+  add_hessian(cell, mu, hessian);
+  return true;
+}
+
+/// Where the step would break limits, as far as they are linear, it shall be shorter there, not everywhere: the Hessian becomes stiffer in
+/// what breaks them.
+///   returns  false: it breaks none
+bool LeastTime::stiffen(double mu, bool first) {
+  const std::size_t groups = (n_ + group_size - 1) / group_size;
+  if (first) was_broken_.assign(groups, 1);
+  else was_broken_.swap(broken_);
+  const auto is_near = [&](std::size_t g) {
+    return was_broken_[g] != 0 || (g > 0 && was_broken_[g - 1] != 0) || (g + 1 < groups && was_broken_[g + 1] != 0);
+  };
+  broken_.assign(groups, 0);
+  bool any = false;
+  for (std::size_t v = 0; v < variables_; ++v) {
+    const double slack = step_[v] > 0 ? cap_[v] - y_[v] : y_[v], ratio = std::fabs(step_[v]) / slack;
+    if (ratio <= most_of_slack) continue;
+    hessian_.h0[v] += (3 * ratio - 1) * (step_[v] > 0 ? mu / (slack * slack) : hessian_.h0[v]);
+    any = true;
+  }
+  side_by_side([&](auto like) __attribute__((always_inline)) {
+    for (std::size_t g = 0; g < groups; ++g) {
+      if (!is_near(g)) continue;
+      for (std::size_t k = g * group_size, end = std::min(n_, k + group_size); k < end; ++k)
+        if (!is_stop_cell(k) && stiffen_cell<decltype(like)>(k, mu)) broken_[g] = 1, any = true;
+    }
+  });
+  return any;
+}
+
+}  // namespace kadr

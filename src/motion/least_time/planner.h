@@ -1,0 +1,120 @@
+#pragma once
+// Planner: a path of straight pieces and stops → positions in time, with the least time that the axes' limits and the path's
+// tolerances allow (mode `optimal` of a machine profile; the controls of old had nothing like it). Constant memory: it plans a
+// window of the path, hands out what later pieces cannot change any more, and goes on from there.
+//
+//   pieces ─path/smooth/smooth_path─▶ smooth curve ─cells─▶ motion/least_time/least_time ─▶ TimedCells
+//
+// Ahead of what is handed out: at most the way to stop, plus some hundred pieces.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "action/action.h"
+#include "base/stop.h"
+#include "motion/least_time/least_time.h"
+#include "motion/least_time/rest_to_rest.h"
+#include "motion/least_time/timed_cells.h"
+#include "path/smooth/smooth_path.h"
+
+namespace kadr {
+
+/// Limits of each axis: mm/s, mm/s², mm/s³ (of rotary ones degrees); all above 0 and finite.
+struct MotionLimits {
+  std::vector<double> speed, acceleration, jerk;
+};
+
+/// Why a planner hands out nothing more.
+enum class PlanEnd : std::uint8_t {
+  none,      // it does
+  stopped,   // it was asked to
+  too_slow,  // what it found is no plan: an error of its own
+};
+
+class Planner {
+ public:
+  using Sink = std::function<void(TimedCells&)>;  // it may add what it knows
+  Planner(MotionLimits limits, Sink sink);
+
+  /// Where the axes stand. Before anything else, and where they were moved by something else while they stood.
+  void begin(const double* at);
+  /// A straight piece. `feed`: mm/s along it, `tolerance`: of the corner at its beginning, mm; 0: exactly through it, so it stops there.
+  /// `on_curve`: that corner is one of a chain of chords of a curve. `tag`: comes out with its cells.
+  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
+  /// The axes come to rest; all is handed out.
+  void stop();
+
+  /// Asked by all that may take long.
+  void stop_by(StopToken stop) { stop_ = stop; }
+  /// From then on whatever comes in is passed over.
+  PlanEnd ended() const { return ended_; }
+  /// Where it ended by an error of its own: mm of the path that were not handed out then, and the tag of the piece that would have taken
+  /// longest.
+  struct Refused {
+    double way = 0;
+    std::uint64_t tag = 0;
+  };
+  const Refused& refused() const { return refused_; }
+
+  /// So many times what it takes with a stop at each corner no plan takes. One with a stop behind each cell takes up to 50 times that: a
+  /// cell is passed in 0.01 s at the feed v, from rest to rest with the jerk j in ∛(0.32 v/j) s. A speed that comes to nothing by rounding
+  /// takes 10⁶ times that, or for ever.
+  static constexpr double most_of_standing = 100;
+
+  /// Stretches for which no speed was found, planned cell by cell with a stop behind each (TimedCells::unsolved).
+  std::size_t failures() const { return failures_; }
+
+ private:
+  bool turns(const double* to) const;
+  void plan(bool last);
+  void cut_cells(bool last);
+  double ramp_s(double speed) const;
+  double size_at(double s, std::size_t piece, bool last, double curve_part) const;
+  bool is_even(double h) const;
+  bool feed_changes(std::size_t vertex) const;
+  double room_at_feed_change(std::size_t vertex) const;
+  double next_size(bool last) const;
+  Bend bend_at(double from, double to) const;
+  void add_cell(double from, double to, bool turns);
+  void set_knot(double s, std::size_t piece);
+  void solve(bool last);
+  void hand_out(std::size_t cells);
+  void straight_line();
+  void cell_by_cell();
+  bool halted();
+  double standing_s(double from, double to) const;
+  void hand_on(double from, double to);
+  double way_of_cells() const;
+  double beyond(double from, double h, std::size_t piece) const;
+  LineLimits limits_along(const double* way, double feed) const;
+  std::size_t sure_cells() const;
+
+  MotionLimits limits_;
+  Sink sink_;
+  SmoothPath path_;
+  std::vector<double> at_;   // the end of the last piece
+  std::vector<double> way_;  // of the last piece: its unit vector; empty: none yet
+  std::size_t fresh_ = 0;    // pieces since the last plan
+
+  // cells not yet handed out
+  TimedPath cells_;
+  std::vector<double> shapes_;  // their polynomials
+  std::vector<CellSource> sources_;
+  struct Knot {
+    std::array<double, max_axes> x{}, x1{}, x2{};
+  } knot_;  // the last one
+  bool has_knot_ = false;
+  double cut_ = 0;         // length at the last knot
+  std::size_t piece_ = 0;  // that holds it
+  LeastTime least_;
+  LeastTime::Ends ends_;
+  TimedCells out_;
+  std::size_t failures_ = 0;
+  StopToken stop_;
+  PlanEnd ended_ = PlanEnd::none;
+  Refused refused_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,60 @@
+#include "motion/least_time/rest_to_rest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+/// Speeding up from rest: `rising` s of jerk, `steady` s of acceleration, `rising` s of jerk the other way.
+struct Ramp {
+  double rising = 0, steady = 0, acceleration = 0, speed = 0;
+  double seconds() const { return 2 * rising + steady; }
+};
+
+Ramp ramp_to(double speed, const LineLimits& limits) {
+  const double reached = std::min(limits.acceleration, std::sqrt(speed * limits.jerk));  // √(v j): the acceleration is not reached
+  const double rising = reached / limits.jerk;
+  return {rising, std::max(0.0, speed / reached - rising), reached, speed};
+}
+
+/// The greatest speed that two ramps of half the length each reach.
+double peak(double length, const LineLimits& limits) {
+  const double a = limits.acceleration, rising = a / limits.jerk;
+  if (length < 2 * a * rising * rising) return std::cbrt(length * length * limits.jerk / 4);
+  return a / 2 * (std::sqrt(rising * rising + 4 * length / a) - rising);
+}
+
+double even_s(double length, const Ramp& ramp) { return std::max(0.0, length / ramp.speed - ramp.seconds()); }
+
+}  // namespace
+
+double rest_to_rest_s(double length, const LineLimits& limits) {
+  const Ramp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
+  return 2 * ramp.seconds() + even_s(length, ramp);
+}
+
+void rest_to_rest(double length, const LineLimits& limits, std::vector<TimeLaw>& to) {
+  const Ramp ramp = ramp_to(std::min(limits.speed, peak(length, limits)), limits);
+  const double jerk = ramp.rising > 0 ? ramp.acceleration / ramp.rising : 0;
+  const double even = even_s(length, ramp);
+  double v = 0, a = 0;
+  const auto phase = [&](double seconds, double j) {
+    if (!(seconds > 0)) return;
+    to.push_back(TimeLaw::of_jerk(seconds, v, a, j));
+    v = to.back().speed(seconds);
+    a += j * seconds;
+  };
+  if (ramp.rising == 0) a = ramp.acceleration;
+  phase(ramp.rising, jerk);
+  phase(ramp.steady, 0);
+  phase(ramp.rising, -jerk);
+  a = 0, v = ramp.speed;
+  phase(even, 0);
+  if (ramp.rising == 0) a = -ramp.acceleration;
+  phase(ramp.rising, -jerk);
+  phase(ramp.steady, 0);
+  phase(ramp.rising, jerk);
+}
+
+}  // namespace kadr

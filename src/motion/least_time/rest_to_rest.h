@@ -1,0 +1,22 @@
+#pragma once
+// The least time of a straight line from rest to rest: seven phases of constant jerk, some of them of no length.
+
+#include <vector>
+
+#include "motion/least_time/timed_cells.h"
+
+namespace kadr {
+
+/// Limits along a straight line: mm/s, mm/s², mm/s³; acceleration and jerk may be infinite.
+struct LineLimits {
+  double speed = 0, acceleration = 0, jerk = 0;
+};
+
+/// Appends the phases. NCT 7.0 has the same closed form with T = acceleration / jerk.
+///   pre  length > 0, limits > 0
+void rest_to_rest(double length, const LineLimits& limits, std::vector<TimeLaw>& to);
+
+/// How long they last together, s.
+double rest_to_rest_s(double length, const LineLimits& limits);
+
+}  // namespace kadr

@@ -1,0 +1,99 @@
+#include "motion/least_time/smoothing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/tolerance.h"
+#include "config/setup_parameters.h"
+
+namespace kadr {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double chord_of_curve = 0.04 * tol::exact_path;  // as the chords of an arc that is followed exactly (AxisMotion)
+
+double angle_between(const Axes& before, const Axes& behind) {
+  double squares = 0;
+  for (std::size_t a = 0; a < max_axes; ++a) squares += (behind[a] - before[a]) * (behind[a] - before[a]);
+  return 2 * std::asin(std::min(std::sqrt(squares) / 2, 1.0)) / rad_per_deg;
+}
+
+}  // namespace
+
+SmoothingRules smoothing_rules(const Setup& setup, const std::vector<std::string>& axes) {
+  const SetupParameters given(setup, axes);
+  const auto limit = [&](const char* parameter) {
+    const double value = given.of_channel(parameter);
+    return value > 0 ? value : infinite;
+  };
+  SmoothingRules rules{limit("3100"),
+                       given.of_channel("3101"),
+                       limit("3102"),
+                       given.of_channel("3104"),
+                       given.of_channel("3105"),
+                       given.of_channel("3106"),
+                       given.of_channel("3107")};
+  rules.always_below = std::min(rules.always_below, 2 * rules.fine);
+  if (rules.always_below <= given.of_channel("3103")) rules.always_below = 0;
+  return rules;
+}
+
+bool Smoothing::is_sharp(const Held& before, const Held& behind) const {
+  constexpr double turns_back = 179.9;  // degrees: there is no direction between the two
+  const double angle = angle_between(before.way, behind.way);
+  const bool fine = before.piece.mode == 3 && behind.piece.mode == 3;
+  const bool short_one = fine && std::min(before.length, behind.length) < rules_.always_below;
+  return angle > turns_back || (angle > rules_.angle && !short_one);
+}
+
+void Smoothing::take(const Piece& piece, const Line& line) {
+  Held next{piece, {}, 0, false, false, false, {}};
+  for (std::size_t a = 0; a < max_axes; ++a) next.way[a] = piece.to[a] - piece.from[a];
+  for (const double part : next.way) next.length += part * part;
+  next.length = std::sqrt(next.length);
+  if (!(next.length > 0)) return;
+  for (double& part : next.way) part /= next.length;
+  const double most = piece.mode == 3 ? rules_.fine : rules_.most;
+  next.fits = most > 0 && next.length <= rules_.longest && next.length >= rules_.shortest;
+  if (held_) {
+    next.sharp = is_sharp(*held_, next);
+    let_out(&next, line);
+    next.curved = before_smoothed_ && next.fits && !next.sharp;
+    if (next.curved) next.start = way_between(held_->way, held_->length, next.way, next.length);
+  } else {
+    before_smoothed_ = false;
+  }
+  held_ = next;
+}
+
+void Smoothing::finish(const Line& line) {
+  if (held_) let_out(nullptr, line);
+  held_.reset();
+}
+
+/// `next`: what follows; nullptr: nothing of the kind, it ends straight (4.7: the tangent is the chord's beside what is not smoothed).
+void Smoothing::let_out(const Held* next, const Line& line) {
+  const Held& held = *held_;
+  const Piece& piece = held.piece;
+  const bool smooth = held.fits && !held.sharp && !(next != nullptr && next->sharp);
+  const bool begins_smooth = smooth && held.curved;
+  if (!smooth || piece.mode == 3) {
+    line(piece.to, piece.feed, begins_smooth ? rules_.fine : piece.tolerance, false, piece.tag);
+    before_smoothed_ = smooth;
+    return;
+  }
+  const bool ends_smooth = next != nullptr && next->fits && next->piece.mode == piece.mode;
+  const Bezier curve(piece.from, piece.to, begins_smooth ? held.start : held.way,
+                     ends_smooth ? way_between(held.way, held.length, next->way, next->length) : held.way);
+  const double off = curve.off_chord();
+  before_smoothed_ = off <= rules_.most && off >= rules_.least;
+  if (!before_smoothed_) return line(piece.to, piece.feed, piece.tolerance, false, piece.tag);
+  const int pieces = curve.pieces(chord_of_curve);
+  for (int i = 1; i <= pieces; ++i) {
+    const bool joins = i > 1 || begins_smooth;
+    line(curve.at(static_cast<double>(i) / pieces), piece.feed, joins ? tol::exact_path : piece.tolerance, joins, piece.tag);
+  }
+}
+
+}  // namespace kadr

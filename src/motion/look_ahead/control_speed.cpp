@@ -1,0 +1,171 @@
+#include "motion/look_ahead/control_speed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+namespace {
+
+/// Times `factor`, in the directions of the machine's axes.
+Axes along_machine(const Axes& work, double factor, const FrameTurn* turn) {
+  Axes all = turned(turn, work);
+  for (double& value : all) value *= factor;
+  return all;
+}
+
+Axes change(const Axes& from, const Axes& to) {
+  Axes all{};
+  for (std::size_t i = 0; i < max_axes; ++i) all[i] = to[i] - from[i];
+  return all;
+}
+
+double size(const Axes& axes) {
+  double sum = 0;
+  for (const double value : axes) sum += value * value;
+  return std::sqrt(sum);
+}
+
+/// The angle between two directions, degrees; exact for small ones.
+double turn_deg(const Axes& first, const Axes& second) {
+  Axes one = first, other = second;
+  const double one_size = size(first), other_size = size(second);
+  for (std::size_t i = 0; i < max_axes; ++i) one[i] /= one_size, other[i] /= other_size;
+  return 2 * std::asin(std::min(size(change(one, other)) / 2, 1.0)) / rad_per_deg;
+}
+
+/// min over the axes of most_i/|part_i|.
+double slowest(const Axes& most, const Axes& part) {
+  double least = unlimited;
+  for (std::size_t i = 0; i < max_axes; ++i)
+    if (part[i] != 0) least = std::min(least, most[i] / std::abs(part[i]));
+  return least;
+}
+
+/// From the point to the centre, du/ds = (part in the plane)²/r.
+Axes bend(const Motion& m, const Axes& at, double in_plane, const FrameTurn* turn) {
+  const Vec2 arm = m.center - Vec2{at[m.first], at[m.second]};
+  Axes towards{};
+  towards[m.first] = arm.x;
+  towards[m.second] = arm.y;
+  const double radius = std::max(length(arm), tol::least_radius);
+  return along_machine(towards, in_plane * in_plane / (radius * radius), turn);
+}
+
+void widen(Axes& most, const Axes& u) {
+  for (std::size_t i = 0; i < max_axes; ++i) most[i] = std::max(most[i], std::abs(u[i]));
+}
+
+void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plane, const FrameTurn* turn) {
+  const auto radius_at = [&](const Axes& at) { return length(Vec2{at[m.first], at[m.second]} - m.center); };
+  shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);  // INFERRED (7.2): of a spiral the smallest
+  shape.in_plane = in_plane;
+  shape.start_bend = bend(m, from, in_plane, turn);
+  shape.end_bend = bend(m, m.to, in_plane, turn);
+  for (const std::size_t axis : {m.first, m.second}) shape.most[axis] = std::max(shape.most[axis], in_plane);
+}
+
+/// The part of the feed that is left on the inside of an arc (6.4); 1 on the outside, INFERRED.
+double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape& shape) {
+  const bool turns_left = m.kind == MotionKind::arc_ccw;
+  const bool inside = m.tool_radius != 0 && m.side != 0 && (m.side * m.tool_radius > 0) == turns_left;
+  if (!rules.slows_inner_arcs || !inside) return 1;
+  return std::max(shape.radius / (shape.radius + std::abs(m.tool_radius)), rules.least_arc_part);
+}
+
+/// F = √(a·r), a the smaller of the two axes; not below Circ F Min (7.2). INFERRED: of a helix its part in the plane counts.
+double arc_speed(const SpeedRules& rules, const PathShape& shape) {
+  double most = unlimited;
+  for (std::size_t i = 0; i < max_axes; ++i)
+    if ((shape.plane >> i & 1U) != 0) most = std::min(most, rules.normal[i]);
+  return std::max(std::sqrt(most * shape.radius) / shape.in_plane, rules.least_arc_feed);
+}
+
+double corner_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after) {
+  if (rules.by_axis_change) return slowest(rules.axis_change, change(before.end, after.start));
+  if (rules.corner_feed == unlimited) return unlimited;
+  const double none = tol::tangential / rad_per_deg;
+  return turn_deg(before.end, after.start) > rules.corner_angle + none ? rules.corner_feed : unlimited;
+}
+
+bool cuts_in_plane(const Motion& m, const PathShape& shape) {
+  return m.side != 0 && (m.kind == MotionKind::feed || is_arc(m.kind)) && (shape.moves & ~shape.plane) == 0;
+}
+
+}  // namespace
+
+PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from, const Motion& motion, const FrameTurn* turn) {
+  PathShape shape;
+  shape.length = curve.length(motion.along);
+  shape.line = curve.straight();
+  shape.plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
+  const auto direction = [&](double part) { return along_machine(curve.rates(part), 1 / curve.rate(motion.along, part), turn); };
+  shape.start = direction(0);
+  widen(shape.most, shape.start);
+  if (shape.line) shape.end = shape.start;
+  else {
+    shape.end = direction(1);
+    widen(shape.most, shape.end);
+    widen(shape.most, direction(0.5));
+  }
+  if (curve.arc() && curve.surface() == PathSurface::plane) {
+    const Axes rates = curve.rates(0.5);
+    const double in_plane = std::hypot(rates[motion.first], rates[motion.second]) / curve.rate(motion.along, 0.5);
+    set_arc(shape, motion, from, in_plane, turn);
+  }
+  for (std::size_t i = 0; i < roles.count; ++i)
+    if (shape.most[i] != 0) shape.moves |= AxisMask{1} << i;
+  return shape;
+}
+
+Acceleration acceleration_of(const SpeedRules& rules, const PathShape& shape) {
+  Acceleration path{slowest(rules.acceleration, shape.most), 0, rules.jerk_free};
+  for (std::size_t i = 0; i < max_axes; ++i)
+    if ((shape.moves >> i & 1U) != 0 && rules.acceleration[i] < unlimited) path.build_up = std::max(path.build_up, rules.build_up[i]);
+  return path;
+}
+
+double block_speed(const SpeedRules& rules, const Motion& motion, const PathShape& shape, double commanded) {
+  double speed = std::min(commanded, slowest(rules.most_feed, shape.most));
+  if (shape.radius == 0) return speed;
+  speed = std::min(speed, commanded * inner_arc_part(rules, motion, shape));
+  return std::min(speed, arc_speed(rules, shape));
+}
+
+double junction_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after) {
+  const double corner = corner_speed(rules, before, after);
+  if (before.radius == 0 && after.radius == 0) return corner;
+  return std::min(corner, speed_in_bend(rules.arc_step, change(before.end_bend, after.start_bend)));
+}
+
+double blend_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after, double tolerance) {
+  const Axes turn = change(before.end, after.start);
+  const double by_speed = 1 / slowest(rules.acceleration, turn);  // t/v
+  if (size(turn) <= tol::tangential || !(by_speed > 0)) return unlimited;
+  return std::sqrt(std::min(8 * tolerance / size(turn), std::min(before.length, after.length)) / by_speed);
+}
+
+Axes bend_between(const PathShape& before, const PathShape& after) {
+  if (!before.line || !after.line) return {};
+  Axes all = change(before.end, after.start);
+  for (double& value : all) value *= 2 / (before.length + after.length);
+  return all;
+}
+
+double speed_in_bend(const Axes& most, const Axes& bend) { return std::sqrt(slowest(most, bend)); }
+
+double speed_over_step(const SpeedRules& rules, const Axes& bend, const Axes& next) {
+  return speed_in_bend(rules.line_step, change(bend, next));
+}
+
+bool is_slow_corner(const SpeedRules& rules, const Motion& before, const PathShape& first, const Motion& after, const PathShape& second) {
+  if (!(rules.inner_part < 1) || before.side != after.side) return false;
+  if (!cuts_in_plane(before, first) || !cuts_in_plane(after, second) || first.plane != second.plane) return false;
+  const Vec2 in{first.end[before.first], first.end[before.second]}, out{second.start[after.first], second.start[after.second]};
+  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;  // counter-clockwise
+  const double side = before.side * (before.tool_radius < 0 ? -1 : 1);
+  return turn * side > 0 && 180 - std::abs(turn) < rules.inner_angle;
+}
+
+}  // namespace kadr

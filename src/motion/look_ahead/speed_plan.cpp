@@ -1,0 +1,152 @@
+#include "motion/look_ahead/speed_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/vec.h"
+
+namespace kadr {
+namespace {
+
+constexpr double rounding = 1e-9;  // relative: what a speed reached within a way needs more than that way
+
+/// The speed of an acceleration that goes on, after `length`: what a ramp to a far higher speed has there.
+double passing(double from, double length, const Acceleration& acceleration) {
+  if (std::isinf(acceleration.most)) return length > 0 ? acceleration.most : from;
+  const double gain = std::sqrt(2 * acceleration.most * length);  // no ramp gains more on that way
+  const Ramp ramp(from, from + gain + acceleration.most * acceleration.build_up, acceleration);
+  return ramp.speed_at(ramp.seconds_at(length));
+}
+
+}  // namespace
+
+void SpeedPlan::make(std::span<PathPiece> pieces, double start) {
+  pieces_ = pieces;
+  const std::size_t count = pieces.size();
+  speed_.resize(count + 1);
+  speed_.front() = start;
+  for (std::size_t k = 1; k < count; ++k) speed_[k] = std::min({pieces[k - 1].most, pieces[k].most, pieces[k].enter});
+  speed_.back() = 0;
+  const auto smooth = [](const PathPiece& p) { return p.acceleration.build_up > 0; };
+  if (std::any_of(pieces.begin(), pieces.end(), smooth)) make_smooth();
+  else make_linear();
+}
+
+void SpeedPlan::make_linear() {
+  const std::size_t count = pieces_.size();
+  const auto cap = [&](std::size_t node, double from, const PathPiece& p) {
+    speed_[node] = std::min(speed_[node], reached(from, p.length, p.acceleration));
+  };
+  for (std::size_t k = count; k-- > 1;) cap(k, speed_[k + 1], pieces_[k]);
+  for (std::size_t k = 0; k + 1 < count; ++k) cap(k + 1, speed_[k], pieces_[k]);
+  for (std::size_t k = 0; k < count; ++k) {
+    PathPiece& p = pieces_[k];
+    p.end = speed_[k + 1];
+    p.top = top_speed(speed_[k], p.end, p.length, p.most, p.acceleration);
+    p.seconds = way_seconds(speed_[k], p.end, p.length, p.most, p.acceleration);
+    p.steady = true;
+  }
+}
+
+/// The gentlest acceleration of several pieces: no axis has more than it may in any of them.
+Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
+  Acceleration all = pieces_[first].acceleration;
+  for (std::size_t k = first + 1; k < last; ++k) {
+    all.most = std::min(all.most, pieces_[k].acceleration.most);
+    all.build_up = std::max(all.build_up, pieces_[k].acceleration.build_up);
+  }
+  return all;
+}
+
+/// The other way round: no ramp through them is faster. A jerk-free one is bounded by its greatest jerk, π/2 times the mean.
+Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
+  Acceleration all = pieces_[first].acceleration;
+  for (std::size_t k = first + 1; k < last; ++k) {
+    all.most = std::max(all.most, pieces_[k].acceleration.most);
+    all.build_up = std::min(all.build_up, pieces_[k].acceleration.build_up);
+  }
+  if (std::exchange(all.jerk_free, false)) all.build_up *= 2 / pi;
+  return all;
+}
+
+/// Nothing changes at the node: a line in two pieces is one.
+bool SpeedPlan::is_anchor_free(std::size_t node) const {
+  return speed_[node] == pieces_[node - 1].most && speed_[node] == pieces_[node].most;
+}
+
+/// At its limit, if that is reached at all; where the path may pass faster than it can arrive evenly, at the speed of that.
+void SpeedPlan::place_anchor(std::size_t node) {
+  std::size_t before = node - 1, after = node + 1;
+  while (!anchor_[before]) --before;
+  while (!anchor_[after]) ++after;
+  const double from = speed_[before], to = speed_[after], up = way(before, node), down = way(node, after);
+  const double even = std::min(reached(from, up, gentlest(before, node)), reached(to, down, gentlest(node, after)));
+  if (speed_[node] > even) {
+    if (speed_[node] >= std::min(passing(from, up, liveliest(before, node)), passing(to, down, liveliest(node, after)))) return;
+    speed_[node] = even;
+  }
+  anchor_[node] = true;
+}
+
+void SpeedPlan::make_smooth() {
+  const std::size_t count = pieces_.size();
+  at_.assign(1, 0);
+  for (const PathPiece& p : pieces_) at_.push_back(at_.back() + p.length);
+  anchor_.assign(count + 1, false);
+  anchor_.front() = anchor_.back() = true;
+  order_.clear();
+  for (std::size_t k = 1; k < count; ++k)
+    if (!is_anchor_free(k)) order_.push_back(k);
+  const auto from_end = [&](std::size_t node) { return std::min(at_[node], at_.back() - at_[node]); };
+  std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {  // backwards the same
+    return speed_[a] != speed_[b] ? speed_[a] < speed_[b] : from_end(a) < from_end(b);
+  });
+  for (const std::size_t node : order_) place_anchor(node);
+  for (std::size_t first = 0, last = 1; last <= count; ++last) {
+    if (!anchor_[last]) continue;
+    fill(first, last);
+    first = last;
+  }
+}
+
+/// Between two anchors. The limits in between are not reached on the ramps, so only those of the pieces at the top count. Where a plan
+/// begins in the middle of an older one that passed a limit while slowing down, arriving there evenly may need more way than there is:
+/// then the speed changes linearly, somewhat harder than it should.
+void SpeedPlan::fill(std::size_t first, std::size_t last) {
+  const double from = speed_[first], to = speed_[last], length = way(first, last);
+  Acceleration a = gentlest(first, last);
+  if (ramp_length(from, to, a) > length * (1 + rounding)) a = {std::abs(to - from) * (to + from) / (2 * length)};
+  double most = 0, top = 0, up_way = 0, down_at = 0;
+  for (std::size_t k = first; k < last; ++k) most = std::max(most, pieces_[k].most);
+  for (bool fits = false; !fits;) {
+    fits = true;
+    top = top_speed(from, to, length, most, a);
+    up_way = ramp_length(from, top, a);
+    down_at = std::max(length - ramp_length(top, to, a), up_way);
+    for (std::size_t k = first; k < last; ++k) {
+      const bool at_top = at_[k] - at_[first] <= down_at && at_[k + 1] - at_[first] >= up_way;
+      if (!at_top || pieces_[k].most >= top || most <= std::max(from, to)) continue;
+      most = pieces_[k].most;
+      fits = false;
+      break;
+    }
+  }
+  const Ramp up(from, top, a), down(top, to, a);
+  const double even = (down_at - up_way) / top, all = up.seconds() + even + down.seconds();
+  double passed = 0, speed = from;
+  for (std::size_t k = first; k < last; ++k) {
+    PathPiece& p = pieces_[k];
+    const double start = at_[k] - at_[first], end = at_[k + 1] - at_[first];
+    const double up_time = up.seconds_at(end), down_time = down.seconds_at(end - down_at);
+    const double time = k + 1 == last ? all : up_time + std::clamp((end - up_way) / top, 0.0, even) + down_time;
+    p.seconds = time - passed;
+    p.end = k + 1 == last ? to : end < up_way ? up.speed_at(up_time) : down.speed_at(down_time);
+    p.top = start <= down_at && end >= up_way ? top : std::max(speed, p.end);
+    p.steady = end <= down_at || k + 1 == last;
+    passed = time;
+    speed = p.end;
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,88 @@
+#include "motion/look_ahead/speed_rules.h"
+
+#include <algorithm>
+
+#include "config/setup_parameters.h"
+
+namespace kadr {
+namespace {
+
+/// INFERRED: a limit of 0 is none (nct 7.3).
+double limit(double value) { return value > 0 ? value : unlimited; }
+double feed_limit(double per_minute) { return limit(per_minute / seconds_per_minute); }
+
+struct AxisAcceleration {
+  bool stated = false;
+  double most = unlimited;  // per s²
+  double build_up = 0;      // s
+};
+
+/// The one place that says where accelerations come from.
+AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis, const MachineProfile& profile) {
+  AxisAcceleration found;
+  for (const std::string& name : {std::string("*"), axis}) {  // the axis' own last
+    const auto row = setup.machine.find(name);
+    if (row == setup.machine.end()) continue;
+    const AxisLimits& limits = row->second;
+    if (limits.no_acceleration) found = {true, unlimited, found.build_up};
+    if (limits.acceleration) found = {true, *limits.acceleration, found.build_up};
+    if (limits.jerk_time) found.build_up = *limits.jerk_time;
+  }
+  if (found.stated || profile.planner != PlannerMode::control) return found;
+  const auto row = profile.axes.find(axis);
+  const AxisProfile own = row == profile.axes.end() ? AxisProfile{} : row->second;
+  return {true, own.acceleration, found.build_up > 0 ? found.build_up : own.acceleration / own.jerk};
+}
+
+bool limits_something(const Axes& axes) {
+  return std::any_of(axes.begin(), axes.end(), [](double value) { return value < unlimited; });
+}
+
+void obey_axis(SpeedRules& rules, const SetupParameters& given, std::size_t axis) {
+  rules.most_feed[axis] = feed_limit(given.of_axis("0305", axis));
+  rules.axis_change[axis] = feed_limit(given.of_axis("0309", axis));
+  rules.normal[axis] = limit(given.of_axis("0402", axis));
+  rules.line_step[axis] = limit(given.of_axis("0403", axis));
+  rules.arc_step[axis] = limit(given.of_axis("0404", axis));
+}
+
+}  // namespace
+
+bool SpeedRules::accelerates() const { return limits_something(acceleration); }
+
+SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes, const MachineProfile& profile) {
+  SpeedRules rules;
+  for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a) {
+    const AxisAcceleration own = acceleration_of(setup, axes[a], profile);
+    if (own.stated) rules.stated |= AxisMask{1} << a;
+    rules.acceleration[a] = own.most;
+    rules.build_up[a] = own.build_up;
+  }
+  rules.in_force = rules.accelerates();
+  return rules;
+}
+
+void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<std::string>& axes) {
+  const SetupParameters given(setup, axes);
+  for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a) obey_axis(rules, given, a);
+  rules.jerk_free = given.of_channel("0421", {1, "JRK"});
+  rules.by_axis_change = given.of_channel("0306", {0, "FDF"});
+  rules.corner_angle = given.of_channel("0307");
+  rules.corner_feed = feed_limit(given.of_channel("0308"));
+  rules.least_arc_feed = given.of_channel("0310") / seconds_per_minute;
+  rules.least_arc_part = std::clamp(given.of_channel("1406"), 0.0, 1.0);
+  rules.inner_before = std::max(given.of_channel("1407"), 0.0);
+  rules.inner_after = std::max(given.of_channel("1408"), 0.0);
+  rules.inner_angle = given.of_channel("1409");
+  if (const double part = given.of_channel("1410"); part > 0) rules.inner_part = std::min(part, 1.0);
+  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});  // number INFERRED (4.1.1)
+  rules.overlap_from = std::clamp(given.of_channel("0422") / 100, 0.0, 1.0);
+  const bool corners = rules.by_axis_change ? limits_something(rules.axis_change) : rules.corner_feed < unlimited;
+  const bool zones = rules.inner_part < 1 && rules.inner_angle > 0;
+  rules.in_force = rules.in_force || rules.stated != 0 || corners || zones || rules.least_arc_part > 0 ||
+                   limits_something(rules.most_feed) || limits_something(rules.normal) || limits_something(rules.line_step) ||
+                   limits_something(rules.arc_step);
+  rules.slows_inner_arcs = rules.frames_stop = rules.in_force;
+}
+
+}  // namespace kadr

@@ -1,0 +1,191 @@
+#include "motion/time/estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/integral.h"
+#include "motion/time/polar_feed.h"
+
+namespace kadr {
+namespace {
+
+/// The setup's entry of the axis, else the one for all axes.
+template <class T>
+std::optional<T> of_setup(const Setup& setup, const std::string& axis, std::optional<T> AxisLimits::*field) {
+  for (const std::string& name : {axis, std::string("*")})
+    if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.*field) return found->second.*field;
+  return std::nullopt;
+}
+
+AxisProfile profile_of(const MachineProfile& profile, const std::string& axis) {
+  const auto found = profile.axes.find(axis);
+  return found == profile.axes.end() ? AxisProfile{} : found->second;
+}
+
+bool exact_times(const Setup& setup, const std::vector<std::string>& axes) {
+  const auto instant = [&](const std::string& axis) {
+    const auto found = setup.machine.find(axis);
+    return found != setup.machine.end() && found->second.no_acceleration;
+  };
+  return instant("*") || (!axes.empty() && std::all_of(axes.begin(), axes.end(), instant));
+}
+
+}  // namespace
+
+Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
+  Rates rates{{},
+              setup.feed_override / 100,
+              setup.spindle_override / 100,
+              profile.tool_change_s,
+              profile.spindle_start_s,
+              exact_times(setup, axes)};
+  for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
+    rates.most[i] = of_setup(setup, axes[i], &AxisLimits::rapid).value_or(profile_of(profile, axes[i]).rapid);
+    rates.rapid[i] = std::min(setup.rapid_override, 100.0) / 100 * rates.most[i];
+  }
+  return rates;
+}
+
+double Rates::least_most() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double rate : most)
+    if (rate > 0) least = std::min(least, rate);
+  return least;
+}
+
+/// INFERRED: along an arc each axis of the plane comes to the speed of the path, as at a whole quadrant.
+SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most) {
+  SlowestAxis slowest;
+  if (curve.surface() != PathSurface::plane) return slowest;  // its feed follows the rotary axis (polar_feed.h)
+  for (std::size_t i = 0; i < roles.count; ++i) {
+    const bool turns = curve.arc() && (i == motion.first || i == motion.second);
+    const double way = turns ? curve.length(motion.along) : std::abs(curve.way(i));
+    if (most[i] > 0 && way / most[i] > slowest.minutes) slowest = {i, way / most[i]};
+  }
+  return slowest;
+}
+
+std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& setup, const std::string& axis) {
+  const AxisProfile own = profile_of(profile, axis);
+  return of_setup(setup, axis, &AxisLimits::limits).value_or(std::pair{own.least, own.most});
+}
+
+TimeEstimate::TimeEstimate(const AxisRoles& roles, const Rates& rates) : roles_(roles), rates_(rates), least_most_(rates.least_most()) {}
+
+SpindleTurning& TimeEstimate::spindle_of(std::size_t number) {
+  if (number >= spindles_.size()) spindles_.resize(number + 1);
+  return spindles_[number];
+}
+
+double& TimeEstimate::share_of(const Motion& motion) {
+  return motion.kind == MotionKind::rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting;
+}
+
+/// All axes together: the slowest decides.
+double TimeEstimate::rapid_minutes(const Curve& curve) const {
+  if (curve.surface() == PathSurface::polar) return kadr::rapid_minutes(curve, roles_, rates_.rapid);
+  double minutes = 0;
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    const double way = std::abs(curve.way(i));
+    if (way > 0) minutes = std::max(minutes, way / rates_.rapid[i]);
+  }
+  return minutes;
+}
+
+/// The lead counts along the axis with the longest way (nct 4.4), overrides do not.
+double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
+  double longest = 0;
+  for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.way(i)));
+  return longest == 0 ? 0 : longest / (*motion.detail->lead * turning_rpm());
+}
+
+/// By a feed, mm/rev, of a spindle that turns by where the tool is (nct 11.5).
+double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, double feed) const {
+  constexpr double error = 1e-9;  // relative
+  const SpindleTurning& spindle = spindles_[1];
+  return integral([&](double part) { return curve.rate(motion.along, part) / (feed * spindle.at(curve.at(part))); }, 0, 1, error);
+}
+
+double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
+  const double override_part = motion.own_override ? 1 : rates_.feed_part, spindle_part = motion.own_override ? 1 : rates_.spindle_part;
+  const bool measured = time.length > 0 && curve.measures_path(motion.along);
+  const double way = measured ? time.length : curve.length(motion.along);
+  if (motion.unit == FeedUnit::per_min) {
+    time.feed = way * motion.feed * override_part;
+    return 1 / (motion.feed * override_part);
+  }
+  const bool per_rev = motion.unit == FeedUnit::mm_per_rev;
+  time.feed = motion.feed * override_part * (per_rev ? feed_rpm() * spindle_part : 1);
+  if (way == 0) return 0;
+  if (per_rev && spindles_[1].surface.on && curve.surface() == PathSurface::plane) {
+    const double minutes = turning_minutes(motion, curve, motion.feed * override_part * spindle_part * feed_ratio_);
+    time.feed = way / minutes;
+    return minutes;
+  }
+  if (curve.surface() == PathSurface::polar) return minutes(curve, {time.feed, motion.detail->rotary_most, motion.along});
+  return way / time.feed;
+}
+
+/// At the programmed feed, but no axis beyond its rapid rate.
+double TimeEstimate::cutting_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
+  const double minutes = feed_minutes(motion, curve, time);
+  if (!(time.feed > least_most_)) return minutes;
+  return std::max(minutes, slowest_axis(roles_, curve, motion, rates_.most).minutes);
+}
+
+MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve) {
+  const bool rapid = motion.kind == MotionKind::rapid || (motion.kind == MotionKind::home && motion.feed <= 0);
+  const bool thread = motion.kind == MotionKind::thread && motion.detail && motion.detail->lead;
+  MotionTime time;
+  time.length = curve.length();
+  const double minutes = rapid ? rapid_minutes(curve) : thread ? thread_minutes(motion, curve) : cutting_minutes(motion, curve, time);
+  if (spindles_[1].surface.on) spindles_[1].arrive(curve.at(1));
+  if (!std::isfinite(minutes)) {
+    ++split_.unknown;
+    return time;
+  }
+  time.seconds = 60 * minutes;
+  share_of(motion) += time.seconds;
+  if (!rates_.exact_times) return time;
+  time.exact = true;
+  const bool polar = curve.surface() == PathSurface::polar;
+  if (polar && !rapid && motion.unit != FeedUnit::per_min)
+    time.feed_most = highest_feed(curve, {time.feed, motion.detail->rotary_most, motion.along});
+  else if (minutes > 0 && !(polar && rapid)) time.feed_most = curve.length(motion.along) / minutes;
+  return time;
+}
+
+void TimeEstimate::other(const Action& action) {
+  if (const auto* dwell = std::get_if<Dwell>(&action.what)) {
+    split_.dwell += dwell->seconds;
+  } else if (const auto* spindle = std::get_if<Spindle>(&action.what)) {
+    SpindleTurning& turning = spindle_of(spindle->number);
+    const bool stood = !(turning.now() > 0);
+    turning.take(*spindle);
+    if (turning.on && stood) split_.tool_change += rates_.spindle_start_s;
+  } else if (const auto* speed = std::get_if<Speed>(&action.what)) {
+    spindle_of(speed->number).take(*speed);
+  } else if (const auto* law = std::get_if<SurfaceSpeed>(&action.what)) {
+    spindle_of(law->number).surface = *law;
+  } else if (const auto* couple = std::get_if<Couple>(&action.what)) {
+    feed_ratio_ = couple->feeds_by_slave ? std::abs(couple->ratio) : 1;
+  } else if (std::holds_alternative<Uncouple>(action.what)) {
+    feed_ratio_ = 1;
+  } else if (std::holds_alternative<ToolChange>(action.what)) {
+    split_.tool_change += rates_.tool_change_s;
+  }
+}
+
+/// A pause as the sums grow, so that pauses add up to them.
+void TimeEstimate::time(Step& step) {
+  if (const Motion* const moved = step.motion()) {
+    step.time = motion(*moved, step.curve());
+    return;
+  }
+  const double dwell = split_.dwell, tool_change = split_.tool_change;
+  other(step.action);
+  step.pause = split_.dwell + split_.tool_change - dwell - tool_change;
+}
+
+}  // namespace kadr

@@ -1,0 +1,40 @@
+#include "motion/time/pace.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+
+Pace::Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid, const SpindleTurning& spindle)
+    : roles_(roles),
+      curve_(curve),
+      limits_{feed, curve.surface() == PathSurface::polar ? motion.detail->rotary_most : 0, motion.along},
+      rotary_(motion.second),
+      rapid_(rapid),
+      spindle_(spindle),
+      by_spindle_(feed > 0 && motion.unit == FeedUnit::mm_per_rev && spindle.surface.on && curve.surface() == PathSurface::plane) {}
+
+int Pace::pieces() const {
+  constexpr double change = 0.02;  // of the speed
+  constexpr double least = 1e-3;   // mm
+  constexpr double most = 1000;
+  const SurfaceSpeed& surface = spindle_.surface;
+  if (!by_spindle_ || surface.axis >= max_axes) return 1;
+  const double from = curve_.at(0)[surface.axis], to = curve_.at(1)[surface.axis];
+  const double nearest = from * to > 0 ? std::min(std::fabs(from), std::fabs(to)) : 0;
+  return static_cast<int>(
+      std::ceil(std::min(most, std::fabs(to - from) / (change * std::max({nearest, surface.radius(surface.most), least})))));
+}
+
+double Pace::minutes_per_part(double part) const {
+  if (by_spindle_) return curve_.rate(limits_.along, part) / spindle_.at(curve_.at(part));
+  return limits_.feed > 0 ? kadr::minutes_per_part(curve_, limits_, part) : rapid_minutes_per_part(curve_, roles_, rapid_, part);
+}
+
+double Pace::minutes(double from, double to) const {
+  const double simpson = (minutes_per_part(from) + 4 * minutes_per_part((from + to) / 2) + minutes_per_part(to)) / 6 * (to - from);
+  if (!(limits_.feed > 0 && limits_.rotary_most > 0)) return simpson;
+  return std::max(simpson, std::fabs(curve_.at(to)[rotary_] - curve_.at(from)[rotary_]) / limits_.rotary_most);
+}
+
+}  // namespace kadr

@@ -1,0 +1,41 @@
+#include "motion/time/rapid_time.h"
+
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+/// Time of slowing down from `top` to rest that is left when the speed has fallen by `part`.
+double left_of_ramp(double top, double part, const Acceleration& acceleration) {
+  constexpr int steps = 60;  // halvings: down to rounding
+  const Ramp down(top, 0, acceleration);
+  double low = 0, high = down.seconds();
+  for (int step = 0; step < steps; ++step) {
+    const double middle = (low + high) / 2;
+    (down.speed_at(middle) > top * (1 - part) ? low : high) = middle;
+  }
+  return down.seconds() - high;
+}
+
+}  // namespace
+
+RapidTime rapid_together(const SpeedRules& rules, const PathShape& shape, double speed) {
+  const Acceleration a = acceleration_of(rules, shape);
+  return {way_seconds(0, 0, shape.length, speed, a), top_speed(0, 0, shape.length, speed, a), 0};
+}
+
+RapidTime rapid_apart(const SpeedRules& rules, const Axes& ways, const Axes& rates) {
+  RapidTime longest;
+  for (std::size_t i = 0; i < max_axes; ++i) {
+    const double way = std::abs(ways[i]);
+    if (way == 0) continue;
+    const Acceleration a{rules.acceleration[i], rules.build_up[i], rules.jerk_free};
+    const double seconds = way_seconds(0, 0, way, rates[i], a);
+    if (seconds <= longest.seconds) continue;
+    const double top = top_speed(0, 0, way, rates[i], a);
+    longest = {seconds, top, left_of_ramp(top, rules.overlap_from, a)};
+  }
+  return longest;
+}
+
+}  // namespace kadr

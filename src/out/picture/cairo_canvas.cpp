@@ -1,0 +1,51 @@
+#include "out/picture/cairo_canvas.h"
+
+#include <array>
+
+namespace kadr {
+
+void CairoCanvas::pen(Colour ink, double width) {
+  lib_.set_source_rgba(cairo_, ink.red, ink.green, ink.blue, ink.alpha);
+  lib_.set_line_width(cairo_, width);
+  lib_.set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
+  lib_.set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
+}
+
+void CairoCanvas::fill(const Area& area, Colour ink) {
+  pen(ink, 1);
+  lib_.rectangle(cairo_, area.x, area.y, area.width, area.height);
+  lib_.fill(cairo_);
+}
+
+void CairoCanvas::dashes(double on, double off) {
+  const std::array<double, 2> lengths = {on, off};
+  lib_.set_dash(cairo_, lengths.data(), on > 0 ? 2 : 0, 0);
+}
+
+void CairoCanvas::put_text(Vec2 at, const std::string& text, const TextStyle& style) {
+  lib_.select_font_face(cairo_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  lib_.set_font_size(cairo_, style.size);
+  cairo_text_extents_t extents;
+  lib_.text_extents(cairo_, text.c_str(), &extents);
+  const double width = extents.x_advance;
+  const double left = style.align == Align::left ? at.x : style.align == Align::centre ? at.x - width / 2 : at.x - width;
+  lib_.set_source_rgba(cairo_, style.ink.red, style.ink.green, style.ink.blue, style.ink.alpha);
+  lib_.move_to(cairo_, left, at.y);
+  lib_.show_text(cairo_, text.c_str());
+  lib_.new_path(cairo_);
+}
+
+void CairoCanvas::ring(Vec2 centre, double radius, Colour ink, double width) {
+  pen(ink, width);
+  lib_.new_sub_path(cairo_);
+  lib_.arc(cairo_, centre.x, centre.y, radius, 0, 2 * pi);
+  lib_.stroke(cairo_);
+}
+
+void CairoCanvas::clip(const Area& area) {
+  lib_.save(cairo_);
+  lib_.rectangle(cairo_, area.x, area.y, area.width, area.height);
+  lib_.clip(cairo_);
+}
+
+}  // namespace kadr

@@ -1,0 +1,32 @@
+#include "out/picture/cairo_library.h"
+
+#include <dlfcn.h>
+
+#include <optional>
+
+namespace kadr {
+namespace {
+
+std::optional<Cairo> opened() {
+  void* const library = dlopen("libcairo.so.2", RTLD_LAZY | RTLD_LOCAL);
+  if (library == nullptr) return std::nullopt;
+  Cairo cairo;
+  bool whole = true;
+  const auto find = [&](auto& function, const char* name) {
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
+    whole = whole && function != nullptr;
+  };
+#define KADR_CAIRO_FIND(name) find(cairo.name, "cairo_" #name);
+  KADR_CAIRO(KADR_CAIRO_FIND)
+#undef KADR_CAIRO_FIND
+  return whole ? std::optional(cairo) : std::nullopt;
+}
+
+}  // namespace
+
+const Cairo* cairo_library() {
+  static const std::optional<Cairo> library = opened();
+  return library ? &*library : nullptr;
+}
+
+}  // namespace kadr

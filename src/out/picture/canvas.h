@@ -1,0 +1,91 @@
+#pragma once
+// Canvas: the few strokes, areas and texts that a picture needs, in the order of the calls. Two painters take them: out/picture/svg_canvas
+// writes SVG as it comes, out/picture/cairo_canvas draws pixels.
+
+#include <string>
+#include <string_view>
+
+#include "base/vec.h"
+
+namespace kadr {
+
+struct Colour {
+  double red, green, blue;
+  double alpha = 1;
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// 0xRRGGBB
+constexpr Colour colour(unsigned rgb, double alpha = 1) {
+  return {double(rgb >> 16 & 0xFF) / 255, double(rgb >> 8 & 0xFF) / 255, double(rgb & 0xFF) / 255, alpha};
+}
+
+/// Rectangle of the page, y downwards.
+struct Area {
+  double x = 0, y = 0, width = 0, height = 0;
+  double right() const { return x + width; }
+  double bottom() const { return y + height; }
+};
+
+enum class Align { left, centre, right };
+
+struct TextStyle {
+  double size = 13;
+  Colour ink = colour(0x20262E);
+  Align align = Align::left;
+  bool bold = false;
+};
+
+/// The line of a program that a stroke belongs to.
+struct ProgramLine {
+  std::uint32_t line = 0;  // 0: none
+  std::uint16_t file = 0;  // Origin::file
+  friend bool operator==(const ProgramLine&, const ProgramLine&) = default;
+};
+
+class Canvas {
+ public:
+  Canvas() = default;
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+  virtual ~Canvas() = default;
+
+  virtual void fill(const Area& area, Colour ink) = 0;
+  void frame(const Area& area, Colour ink, double width = 1);
+  void line(Vec2 a, Vec2 b, Colour ink, double width = 1);
+  /// UTF-8, or nearly: it is made printable.
+  void text(Vec2 at, std::string_view text, const TextStyle& style);
+  virtual void ring(Vec2 centre, double radius, Colour ink, double width) = 0;
+  void zero_mark(Vec2 centre, double radius, Colour ink);
+  void arrow(Vec2 from, Vec2 to, Colour ink, double width);
+
+  virtual void clip(const Area& area) = 0;
+  virtual void unclip() = 0;
+
+  /// Of what is drawn from now on.
+  virtual void pen(Colour ink, double width) = 0;
+  virtual void dashes(double on, double off) = 0;
+  void solid() { dashes(0, 0); }
+  virtual void move_to(Vec2 p) = 0;
+  virtual void line_to(Vec2 p) = 0;
+  /// Closes the path and fills it.
+  virtual void fill_path() = 0;
+  virtual void stroke() = 0;
+
+  // ---- what pixels cannot hold
+
+  /// A part of the page with a name of its own: "view-xy".
+  virtual void begin(const char* /*name*/) {}
+  virtual void end() {}
+  /// What is drawn from now on, in a word: "rapid"; "" nothing.
+  virtual void kind(const char* /*name*/) {}
+  /// It tells lines: strokes of different ones are not to be joined.
+  virtual bool tells_lines() const { return false; }
+  /// The line that the strokes from now on belong to; `file_name`: of a called file. `names_it`: the stroke is the one to be found by it.
+  virtual void program_line(const ProgramLine& /*line*/, std::string_view /*file_name*/, bool /*names_it*/) {}
+
+ private:
+  virtual void put_text(Vec2 at, const std::string& text, const TextStyle& style) = 0;
+};
+
+}  // namespace kadr

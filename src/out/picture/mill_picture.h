@@ -1,0 +1,28 @@
+#pragma once
+// Picture of a milled area: the contours and the path of the tool's centre in plan, SVG or PNG.
+
+#include <string>
+#include <tl/expected.hpp>
+
+#include "config/alarm_texts.h"
+#include "out/trace/result_file.h"
+#include "path/area/mill.h"
+
+namespace kadr {
+
+struct MillPicture {
+  const std::vector<area::Zone>& zones;
+  const std::vector<area::Move>& moves;
+  const std::vector<Vec2>& holes;
+  double radius = 0;  // of the tool
+  double top = 0;     // level of the material
+  std::string title;
+  std::string subtitle;
+  Lang lang = Lang::en;
+};
+
+/// Draws; the ending of the name (.svg, .png) says which.
+///   returns  an error sentence
+tl::expected<void, std::string> draw_milling(const ResultFile& file, const MillPicture& picture);
+
+}  // namespace kadr

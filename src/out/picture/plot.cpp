@@ -1,0 +1,140 @@
+#include "out/picture/plot.h"
+
+#include <algorithm>
+
+#include "base/tolerance.h"
+#include "out/picture/plot_page.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_zeros = 12;
+constexpr double chord = 0.02;  // mm between an arc and its picture
+constexpr int most_arc_pieces = 720;
+
+ProgramLine line_of(const Origin& origin) { return {origin.line, origin.file}; }
+
+Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
+  const Extents extents = curve.extents();
+  return {chain.tip(extents.least) + shift, chain.tip(extents.most) + shift, false};
+}
+
+Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
+  if (is_arc(motion.kind)) return Stroke::arc;
+  if (motion.kind == MotionKind::probe) return Stroke::probe;
+  if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return Stroke::rapid;
+  if (motion.detail && motion.detail->surface != PathSurface::plane) return Stroke::feed;
+  const bool down = to.z < from.z && length(Vec2{to.x - from.x, to.y - from.y}) < tol::same_point;
+  return down ? Stroke::plunge : Stroke::feed;
+}
+
+}  // namespace
+
+Plot::Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosition& start)
+    : roles_(AxisRoles::of(axes, rotary)), chain_(roles_), here_(chain_.tip(start.work)), programmed_(start) {}
+
+void Plot::take_frame(const FrameChange& frame) {
+  here_ = chain_.tip(frame.work);
+  const Vec3 origin = chain_.tip(frame.placement.origin);
+  if (!origin_known_ && !started_) {
+    first_origin_ = origin;
+    origin_known_ = true;
+  }
+  shift_ = origin - first_origin_;
+}
+
+/// The work system of the first cut is the picture's: what was drawn on the way there moves into it.
+void Plot::take_reference() {
+  path_.move_all(-1.0 * shift_);
+  if (shaded_) shaded_->move_all(-1.0 * shift_);
+  start_.at = start_.at - shift_;
+  first_origin_ = first_origin_ + shift_;
+  shift_ = {};
+}
+
+/// Only zeros that something was done in.
+void Plot::mark_zero() {
+  const auto same = [&](Vec3 zero) { return length(zero - shift_) < tol::same_point; };
+  if (zeros_.size() < most_zeros && std::none_of(zeros_.begin(), zeros_.end(), same)) zeros_.push_back(shift_);
+}
+
+void Plot::take_motion(const Step& step, const Motion& motion) {
+  const Origin& origin = step.action.origin;
+  if (!started_ || origin.file != last_line_.file) files_.insert(origin.file);
+  last_line_ = line_of(origin);
+  const Vec3 from = chain_.tip(step.from.work), to = chain_.tip(motion.to);
+  if (!started_) {
+    path_.start(from + shift_);
+    start_ = {PlotMark::What::start, from + shift_, last_line_};
+  }
+  started_ = true;
+  const Stroke stroke = stroke_of(motion, from, to);
+  if (cuts(stroke)) {
+    if (zeros_.empty()) take_reference();
+    mark_zero();
+  }
+  if (shaded_) {
+    shaded_->wait(motion, step.from, shift_, stroke, last_line_);
+    if (const Curve& curve = step.curve(); !curve.straight()) path_.reach(box_of(chain_, curve, shift_), stroke);
+  } else {
+    draw(path_, step, shift_, stroke, last_line_);
+  }
+  here_ = to;
+}
+
+void Plot::draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, ProgramLine line) const {
+  const Motion& motion = *step.motion();
+  if (const Curve& curve = step.curve(); !curve.straight()) {
+    const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));
+    for (int i = 1; i < pieces; ++i) path.go(chain_.tip(curve.at(double(i) / pieces)) + shift, stroke, 0, line);
+    path.reach(box_of(chain_, curve, shift), stroke);
+  }
+  path.go(chain_.tip(motion.to) + shift, stroke, 0, line);
+}
+
+/// Of a contour all but the way in and out, at feed.
+void Plot::take_programmed(const Action& action) {
+  if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
+    programmed_origin_ = chain_.tip(frame->placement.origin);
+    programmed_.take(*frame);
+  }
+  const auto* const motion = std::get_if<Motion>(&action.what);
+  if (motion == nullptr) return;
+  const bool way = motion->side_step == SideStep::begins || motion->side_step == SideStep::ends;
+  if (motion->side != 0 && !way && motion->kind != MotionKind::rapid) {
+    const Vec3 from = chain_.tip(programmed_.work) + programmed_origin_;
+    if (!has_contour_) contour_.start(from);
+    else contour_.go(from, Stroke::rapid);
+    has_contour_ = true;
+    draw(contour_, Step(roles_, action, programmed_), programmed_origin_, Stroke::contour, line_of(action.origin));
+  }
+  programmed_.take(*motion);
+}
+
+void Plot::consume(const Step& step) {
+  if (const Motion* const motion = step.motion()) take_motion(step, *motion);
+  else if (const auto* frame = std::get_if<FrameChange>(&step.action.what)) take_frame(*frame);
+}
+
+void Plot::stop(ProgramLine line) {
+  stop_ = line;
+  if (line.line != 0) files_.insert(line.file);
+}
+
+/// In the order in which they are drawn: a stop is seen above all else.
+std::vector<PlotMark> Plot::marks() const {
+  std::vector<PlotMark> marks;
+  const Vec3 here = here_ + shift_;
+  if (started_) marks.push_back(start_);
+  if (started_ && !stop_) marks.push_back({PlotMark::What::end, here, last_line_});
+  if (stop_) marks.push_back({PlotMark::What::stop, here, *stop_});
+  return marks;
+}
+
+tl::expected<void, std::string> Plot::write(const ResultFile& file, const PlotTitle& title) const {
+  PlotPath contour = contour_;
+  contour.move_all(-1.0 * first_origin_);
+  return draw_page(file, {path_, contour, zeros_, marks(), title, ShadeScale(colour_, path_)});
+}
+
+}  // namespace kadr

@@ -1,0 +1,60 @@
+#pragma once
+// PlotPath: the path as one polyline, bounded in memory: when full, it is thinned by a growing tolerance.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "out/picture/canvas.h"
+#include "out/text/extents.h"
+
+namespace kadr {
+
+enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour, probe };  // plunge: a feed straight down; contour: as programmed
+inline bool cuts(Stroke stroke) { return stroke != Stroke::rapid && stroke != Stroke::probe; }
+
+/// A vertex and how the path comes to it.
+struct PlotPoint {
+  Vec3 at;
+  Stroke stroke;
+  float shade = 0;  // where the path is coloured: out/picture/plot_shades
+  ProgramLine line{};
+};
+
+class PlotPath {
+ public:
+  /// Never holds more than `most` points.
+  explicit PlotPath(std::size_t most = 100'000) : most_(most) {}
+
+  void start(Vec3 at);
+  void go(Vec3 to, Stroke stroke, float shade = 0, ProgramLine line = {});
+  /// The path reaches so far between two points, beyond its chords.
+  void reach(const Box& box, Stroke stroke);
+  /// Every point so far moves by that much.
+  void move_all(Vec3 by);
+
+  /// The vertices in order; the first one's stroke means nothing.
+  const std::vector<PlotPoint>& points() const { return points_; }
+  bool has_pending() const { return pending_; }
+  PlotPoint pending() const { return last_; }
+
+  /// mm; points closer than this to the one before were left out. 0: the path is complete.
+  double tolerance() const { return tolerance_; }
+  std::uint64_t seen() const { return seen_; }
+  const Box& box() const { return box_; }
+  const Box& cutting_box() const { return cutting_box_; }
+
+ private:
+  void keep(PlotPoint point);
+  void thin();
+
+  std::size_t most_;
+  std::vector<PlotPoint> points_;
+  PlotPoint last_{};  // where the path stands; not among points_ while pending_
+  bool pending_ = false;
+  double tolerance_ = 0;
+  std::uint64_t seen_ = 0;
+  Box box_, cutting_box_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,171 @@
+#include "out/picture/plot_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+namespace kadr {
+namespace {
+
+constexpr double same_pixel = 0.45;   // of the page
+constexpr int strokes_at_once = 400;  // longer paths cost Cairo more than in proportion
+constexpr double plunge_radius = 3.2;
+constexpr double beyond = 20'000;  // of the page: farther points overflow Cairo's numbers
+
+Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp(p.y, -beyond, beyond)}; }
+
+bool is_line(Stroke point, Stroke wanted) {
+  return point == wanted || (wanted == Stroke::feed && (point == Stroke::plunge || point == Stroke::probe));
+}
+
+/// What the strokes of a view tell of their lines.
+class LineTags {
+ public:
+  /// `names`: the first stroke of each line is the one to be found by it.
+  LineTags(Canvas& canvas, const PlotScene& scene, bool names)
+      : canvas_(canvas), title_(scene.title), tells_(canvas.tells_lines() && lines_are_told(scene)), names_(names) {}
+  bool tells() const { return tells_; }
+  void next(ProgramLine line, bool may_name) {
+    const bool first = names_ && may_name && line.line != 0 && named_.insert(std::uint64_t{line.file} << 32U | line.line).second;
+    canvas_.program_line(line, title_.file_of(line), first);
+  }
+  void end() { canvas_.program_line({}, {}, false); }
+
+ private:
+  Canvas& canvas_;
+  const PlotTitle& title_;
+  bool tells_, names_;
+  std::unordered_set<std::uint64_t> named_;  // at most most_line_strokes
+};
+
+/// A polyline that knows what it may leave out.
+class Pencil {
+ public:
+  /// `may_name`: its strokes are the path's own.
+  Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
+  void segment(Vec2 from, Vec2 to, ProgramLine line) {
+    if (tags_.tells() && !(down_ && line == line_)) {
+      lift();
+      tags_.next(line_ = line, may_name_);
+    }
+    if (!down_ || ++drawn_ % strokes_at_once == 0) {
+      lift();
+      canvas_.move_to(from);
+      at_ = from;
+      down_ = true;
+    }
+    skipped_ = length(to - at_) < same_pixel;
+    last_ = to;
+    if (skipped_) return;
+    canvas_.line_to(to);
+    at_ = to;
+  }
+  void lift() {
+    if (!down_) return;
+    if (skipped_) canvas_.line_to(last_);
+    canvas_.stroke();
+    down_ = false;
+  }
+
+ private:
+  Canvas& canvas_;
+  LineTags& tags_;
+  bool may_name_;
+  ProgramLine line_;
+  Vec2 at_, last_;
+  bool down_ = false, skipped_ = false;
+  int drawn_ = 0;
+};
+
+/// The pieces of the path that `is_wanted` picks, with the pen as it is.
+template <class Wanted>
+void draw_pieces(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, bool may_name,
+                 const Wanted& is_wanted) {
+  Pencil pencil(canvas, tags, may_name);
+  const auto& points = path.points();
+  Vec2 from;
+  for (std::size_t i = 0; i < points.size() + (path.has_pending() ? 1 : 0); ++i) {
+    const PlotPoint point = i < points.size() ? points[i] : path.pending();
+    const Vec2 to = within_reach(scale.page(projected(view, point.at)));
+    if (i > 0 && is_wanted(point)) pencil.segment(from, to, point.line);
+    else pencil.lift();
+    from = to;
+  }
+  pencil.lift();
+  tags.end();
+}
+
+const char* name_of(Stroke stroke) {
+  switch (stroke) {
+    case Stroke::rapid: return "rapid";
+    case Stroke::arc: return "arc";
+    case Stroke::contour: return "contour";
+    case Stroke::plunge: return "plunge";
+    default: return "feed";
+  }
+}
+
+void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, Stroke wanted) {
+  const StrokeStyle style = style_of(wanted, path.points().size());
+  canvas.kind(name_of(wanted));
+  canvas.pen(style.ink, style.width);
+  if (style.dashed) canvas.dashes(5, 4);
+  draw_pieces(canvas, tags, view, scale, path, wanted != Stroke::contour,
+              [wanted](const PlotPoint& point) { return is_line(point.stroke, wanted); });
+  canvas.solid();
+  canvas.kind("");
+}
+
+/// All cutting, step by step of the scale.
+void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
+  constexpr double width = 1.8;
+  canvas.kind("shade");
+  for (std::size_t step = 0; step < scene.shades.steps(); ++step) {
+    if (!scene.shades.occurs(step)) continue;
+    canvas.pen(scene.shades.ink(step), width);
+    draw_pieces(canvas, tags, view, scale, scene.path, true,
+                [&](const PlotPoint& point) { return cuts(point.stroke) && scene.shades.step_of(point.shade) == step; });
+  }
+  canvas.kind("");
+}
+
+/// Straight down is a point when seen from above: a ring each, as long as they can be told apart.
+void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) {
+  const StrokeStyle style = style_of(Stroke::plunge, 0);
+  canvas.kind(name_of(Stroke::plunge));
+  Vec2 before{-beyond, -beyond};
+  for (const PlotPoint& point : path.points()) {
+    if (point.stroke != Stroke::plunge) continue;
+    const Vec2 at = within_reach(scale.page(projected(View::xy, point.at)));
+    if (length(at - before) < plunge_radius) continue;
+    canvas.ring(at, plunge_radius, style.ink, style.width);
+    before = at;
+  }
+  canvas.kind("");
+}
+
+}  // namespace
+
+bool lines_are_told(const PlotScene& scene) {
+  std::size_t strokes = 0;
+  for (const PlotPath* const path : {&scene.path, &scene.contour}) {
+    ProgramLine line;
+    Stroke stroke = Stroke::rapid;
+    for (const PlotPoint& point : path->points()) {
+      if (!(point.line == line) || point.stroke != stroke) ++strokes;
+      line = point.line, stroke = point.stroke;
+    }
+  }
+  return strokes <= most_line_strokes;
+}
+
+void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene) {
+  LineTags tags(canvas, scene, view == View::isometric);
+  draw_lines(canvas, tags, view, scale, scene.contour, Stroke::contour);
+  draw_lines(canvas, tags, view, scale, scene.path, Stroke::rapid);
+  if (scene.shades.by() != PlotColour::stroke) return draw_shaded(canvas, tags, view, scale, scene);
+  for (const Stroke stroke : {Stroke::feed, Stroke::arc}) draw_lines(canvas, tags, view, scale, scene.path, stroke);
+  if (view == View::xy) draw_plunges(canvas, scale, scene.path);
+}
+
+}  // namespace kadr

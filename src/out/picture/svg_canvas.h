@@ -1,0 +1,72 @@
+#pragma once
+// SvgCanvas: a page as SVG, written as it is drawn: nothing is kept but the pen. Texts are texts; a stroke tells the line of the program it
+// comes from (data-line, data-file), the one that is to be found by it has an id (l12; s1l12 in the first called file).
+
+#include <cstdio>
+#include <string>
+
+#include "config/alarm_texts.h"
+#include "out/picture/canvas.h"
+#include "out/trace/text_buffer.h"
+
+namespace kadr {
+
+/// What a page says of itself.
+struct PageText {
+  std::string title;
+  std::string description;
+  Lang lang = Lang::en;
+};
+
+class SvgCanvas final : public Canvas {
+ public:
+  SvgCanvas(std::FILE* file, double width, double height, const PageText& says);
+  ~SvgCanvas() override { finish(); }
+
+  /// Ends the page. The system's error, 0: none.
+  int finish();
+
+  void fill(const Area& area, Colour ink) override;
+  void ring(Vec2 centre, double radius, Colour ink, double width) override;
+  void clip(const Area& area) override;
+  void unclip() override;
+  void pen(Colour ink, double width) override { pen_.ink = ink, pen_.width = width; }
+  void dashes(double on, double off) override { pen_.on = on, pen_.off = off; }
+  void move_to(Vec2 p) override;
+  void line_to(Vec2 p) override;
+  void fill_path() override;
+  void stroke() override;
+
+  void begin(const char* name) override;
+  void end() override;
+  void kind(const char* name) override { pen_.kind = name; }
+  bool tells_lines() const override { return true; }
+  void program_line(const ProgramLine& line, std::string_view file_name, bool names_it) override;
+
+ private:
+  struct Pen {
+    Colour ink{0, 0, 0};
+    double width = 1, on = 0, off = 0;
+    std::string kind;
+    friend bool operator==(const Pen&, const Pen&) = default;
+  };
+  void put_text(Vec2 at, const std::string& text, const TextStyle& style) override;
+  void put(std::string_view text) { text_.append(text); }
+  void put_escaped(std::string_view text);
+  void put_element(std::string_view tag, std::string_view text);
+  void take_group();
+  void leave_group();
+
+  TextBuffer text_;
+  Pen pen_;
+  Pen group_;  // strokes of one pen stand in one group
+  bool in_group_ = false;
+  bool in_path_ = false;
+  bool finished_ = false;
+  ProgramLine line_;
+  std::string file_name_;
+  bool names_it_ = false;
+  unsigned clips_ = 0;
+};
+
+}  // namespace kadr

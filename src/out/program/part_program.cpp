@@ -1,0 +1,320 @@
+#include "out/program/part_program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/tolerance.h"
+#include "path/area/edge.h"
+
+namespace kadr {
+namespace {
+
+using area::Move;
+using area::MoveKind;
+
+constexpr int free_decimals = 3;     // of a word with any number of digits: the controls' increment of 0.001 mm
+constexpr double chord = 0.005;      // mm between an arc and the lines written for it: half the controls' arc tolerance
+constexpr double shortest_arc = 10;  // increments: a shorter one is a line
+constexpr int block_steps[] = {10, 5, 1};
+
+/// How the words of one address are written.
+class Words {
+ public:
+  Words(const ControlDef& def, char letter) : row_(def.address(letter)), format_(def.grammar.word(letter)), letter_(letter) {}
+
+  bool known() const { return format_.known; }
+  int decimals() const {
+    if (format_.implied || format_.fraction_digits > 0) return format_.fraction_digits;
+    return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals;
+  }
+  double increment() const { return row_.scale * std::pow(10.0, -decimals()); }
+  double rounded(double value) const { return std::round(value / increment()) * increment(); }
+
+  /// The word of a value in mm, mm/min, …
+  Result<std::string> word(double value) const {
+    const double counts = std::round(value / increment());
+    const double most = format_.whole_digits > 0 ? std::pow(10.0, format_.whole_digits + decimals()) - 1 : 1e15;
+    if (!known() || !(std::abs(counts) <= most) || (counts < 0 && !format_.sign))
+      return fail(alarm(AlarmId::word_has_no_room, {}, letter_, value));
+    std::string digits = fmt::format("{:.0f}", std::abs(counts));
+    const auto fraction = static_cast<std::size_t>(decimals());
+    if (format_.point && !format_.implied) digits = with_point(digits, fraction);
+    else if (!format_.drop_zeros && digits.size() < format_.whole_digits + fraction)
+      digits.insert(0, format_.whole_digits + fraction - digits.size(), '0');
+    return fmt::format("{}{}{}", letter_, counts < 0 ? "-" : "", digits);
+  }
+
+ private:
+  /// Lengths keep their point, so that no control takes them for increments.
+  std::string with_point(std::string digits, std::size_t fraction) const {
+    if (digits.size() <= fraction) digits.insert(0, fraction + 1 - digits.size(), '0');
+    std::string text = digits.substr(0, digits.size() - fraction) + "." + digits.substr(digits.size() - fraction);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.' && row_.unit != WordUnit::length) text.pop_back();
+    return text;
+  }
+
+  const AddressRow& row_;
+  const WordFormat& format_;
+  char letter_;
+};
+
+/// Of a coded feed or speed the highest that is not above the one wanted (spec/gost 3); nothing: none is as low.
+std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted) {
+  std::optional<double> best;
+  double most = 0;
+  for (const auto& [code, value] : codes)
+    if (value > most && value <= wanted * (1 + tol::whole_number)) most = value, best = code;
+  return best;
+}
+
+/// As many digits as the format prints (spec/gost 3: 3G2): G01.
+std::string with_digits(const ControlDef& def, const CodeRow& row) {
+  const std::size_t point = std::min(row.code.find('.'), row.code.size());
+  const std::size_t least = def.grammar.word(row.letter).code_digits;
+  std::string code = row.code;
+  if (point - 1 < least) code.insert(1, least - (point - 1), '0');
+  return code;
+}
+
+/// A code that calls a function; of several the first.
+std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<std::pair<Function, int>> functions) {
+  for (const auto& [function, arg] : functions)
+    for (const CodeRow& row : def.codes)
+      if (row.function == function && (arg < 0 || row.arg == arg) && row.works && row.cycle == 0) return with_digits(def, row);
+  return std::nullopt;
+}
+
+constexpr int any = -1;
+
+class Writer {
+ public:
+  Writer(const ControlDef& def, const Technology& technology) : def_(def), technology_(technology) {}
+
+  Result<PartProgram> write(const std::vector<Move>& moves) {
+    KADR_TRY(begin());
+    for (const Move& move : moves) KADR_TRY(motion(move));
+    KADR_TRY(finish());
+    KADR_TRY(number_blocks());
+    return PartProgram{std::move(text_), std::move(written_)};
+  }
+
+ private:
+  Status need(std::initializer_list<std::pair<Function, int>> functions, std::string& block) {
+    const auto code = code_of(def_, functions);
+    if (!code) return fail(alarm(AlarmId::function_has_no_code, {}, traits_of(functions.begin()->first).name));
+    return add(block, *code), Status();
+  }
+  void want(std::initializer_list<std::pair<Function, int>> functions, std::string& block) {
+    if (const auto code = code_of(def_, functions)) add(block, *code);
+  }
+  static void add(std::string& block, std::string_view word) {
+    if (!block.empty()) block += ' ';
+    block += word;
+  }
+  /// A feed or speed: itself, or the code of the table that stands for it.
+  Status coded(std::string& block, char letter, const std::map<std::int32_t, double>& codes, double value) {
+    if (codes.empty()) return word(block, letter, value);
+    const auto code = code_below(codes, value);
+    if (!code) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
+    return word(block, letter, *code);
+  }
+  Status word(std::string& block, char letter, double value) {
+    const auto text = Words(def_, letter).word(value);
+    if (!text) return fail(text.error());
+    return add(block, *text), Status();
+  }
+  void put(const std::string& block) {
+    if (!block.empty()) blocks_.push_back(block);
+  }
+
+  Status begin() {
+    std::string plane, codes;
+    KADR_TRY(need({{Function::plane_xy, any}, {Function::select_plane, 17}}, plane));
+    KADR_TRY(need({{Function::absolute, any}}, plane));
+    put(plane);
+    want({{Function::millimetre, any}}, codes);
+    want({{Function::feed_per_minute, any}}, codes);
+    if (def_.behaviour.arc_centers == ArcCenters::by_code) KADR_TRY(need({{Function::centers_incremental, any}}, codes));
+    put(codes);
+    std::string tool, spindle;
+    if (technology_.tool > 0) {
+      KADR_TRY(tool_word(tool));
+      want({{Function::change_tool, any}, {Function::exchange_tool, any}}, tool);
+      put(tool);
+    }
+    if (technology_.speed > 0) {
+      KADR_TRY(coded(spindle, 'S', def_.speed_codes, technology_.speed));
+      KADR_TRY(need({{Function::spindle_cw, any}, {Function::spindle_code, 3}}, spindle));
+      put(spindle);
+    }
+    std::string coolant;
+    if (technology_.coolant) KADR_TRY(need({{Function::coolant_flood, any}}, coolant));
+    put(coolant);
+    return {};
+  }
+
+  Status tool_word(std::string& block) {
+    constexpr double corrector_digits = 100;  // T0404: the tool, and the corrector of the same number
+    return word(block, 'T', def_.behaviour.tool_and_corrector ? technology_.tool * (corrector_digits + 1) : technology_.tool);
+  }
+
+  Status finish() {
+    std::string coolant, spindle, end;
+    if (technology_.coolant) want({{Function::coolant_off, any}}, coolant);
+    put(coolant);
+    if (technology_.speed > 0) want({{Function::spindle_stop, any}, {Function::spindle_code, 5}}, spindle);
+    put(spindle);
+    KADR_TRY(need({{Function::program_end, any}}, end));
+    put(end);
+    return {};
+  }
+
+  Vec3 rounded(Vec3 p) const { return {Words(def_, 'X').rounded(p.x), Words(def_, 'Y').rounded(p.y), Words(def_, 'Z').rounded(p.z)}; }
+
+  Status motion(const Move& move) {
+    const Vec3 to = rounded(move.to);
+    if (written_.empty()) return first(to);
+    if (move.bulge == 0) return line({move.kind, to});
+    const Edge arc{{at_.x, at_.y}, {to.x, to.y}, move.bulge};
+    const double increment = Words(def_, 'X').increment();
+    if (area::length_of(arc) < shortest_arc * increment || length(arc.to - arc.from) < increment) return line({move.kind, to});
+    const Vec2 centre = written_centre(arc);
+    const double off = std::abs(length(arc.to - centre) - length(arc.from - centre));
+    const bool fits =
+        Words(def_, 'I').word(centre_value(centre.x, arc.from.x)) && Words(def_, 'J').word(centre_value(centre.y, arc.from.y));
+    if (!fits || off > def_.behaviour.arc_radius_difference / 2) return chords(move, arc);
+    return circular(move, arc, centre);
+  }
+
+  Status chords(const Move& move, const Edge& arc) {
+    const double radius = area::circle_of(arc).radius;
+    const double step = 2 * std::acos(std::max(0.5, 1 - chord / radius));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(4 * std::atan(arc.bulge)) / step)));
+    for (int i = 1; i <= pieces; ++i) {
+      const Vec2 p = area::at(arc, double(i) / pieces);
+      KADR_TRY(line({move.kind, rounded({p.x, p.y, move.to.z})}));
+    }
+    return {};
+  }
+
+  bool centres_absolute() const { return def_.behaviour.arc_centers == ArcCenters::as_distance; }
+  double centre_value(double centre, double from) const { return centres_absolute() ? centre : centre - from; }
+  Vec2 written_centre(const Edge& arc) const {
+    const Vec2 centre = area::circle_of(arc).centre, base = centres_absolute() ? Vec2{} : arc.from;
+    return {base.x + Words(def_, 'I').rounded(centre.x - base.x), base.y + Words(def_, 'J').rounded(centre.y - base.y)};
+  }
+
+  Status code(std::string& block, Function function) {
+    if (function == motion_) return {};
+    motion_ = function;
+    return need({{function, any}}, block);
+  }
+
+  /// Up first, wherever the tool stands.
+  Status first(Vec3 to) {
+    std::string up, across;
+    KADR_TRY(code(up, Function::rapid));
+    KADR_TRY(word(up, 'Z', to.z));
+    KADR_TRY(word(across, 'X', to.x));
+    KADR_TRY(word(across, 'Y', to.y));
+    put(up);
+    put(across);
+    at_ = to;
+    written_.push_back({MoveKind::rapid, to});
+    return {};
+  }
+
+  Status line(const Move& move) {
+    std::string block, words;
+    const Vec3 to = move.to;
+    const auto moves = [](double a, double b) { return std::abs(a - b) > tol::same_point; };
+    if (moves(to.x, at_.x)) KADR_TRY(word(words, 'X', to.x));
+    if (moves(to.y, at_.y)) KADR_TRY(word(words, 'Y', to.y));
+    if (moves(to.z, at_.z)) KADR_TRY(word(words, 'Z', to.z));
+    if (words.empty()) return {};
+    KADR_TRY(code(block, move.kind == MoveKind::rapid ? Function::rapid : Function::linear));
+    add(block, words);
+    KADR_TRY(feed(block, move.kind));
+    written_.push_back({move.kind, to});
+    at_ = to;
+    put(block);
+    return {};
+  }
+
+  Status circular(const Move& move, const Edge& arc, Vec2 centre) {
+    std::string block;
+    KADR_TRY(code(block, arc.bulge > 0 ? Function::arc_ccw : Function::arc_cw));
+    KADR_TRY(word(block, 'X', arc.to.x));
+    KADR_TRY(word(block, 'Y', arc.to.y));
+    KADR_TRY(word(block, 'I', centre_value(centre.x, arc.from.x)));
+    KADR_TRY(word(block, 'J', centre_value(centre.y, arc.from.y)));
+    KADR_TRY(feed(block, move.kind));
+    at_ = {arc.to.x, arc.to.y, at_.z};
+    written_.push_back({move.kind, at_, move.bulge});
+    put(block);
+    return {};
+  }
+
+  Status feed(std::string& block, MoveKind kind) {
+    if (kind == MoveKind::rapid) return {};
+    const double feed = kind == MoveKind::plunge ? technology_.plunge_feed : technology_.feed;
+    if (feed == feed_) return {};
+    feed_ = feed;
+    return coded(block, 'F', def_.feed_codes, feed);
+  }
+
+  /// N in steps of ten where they have room; none where they have not and the control needs none.
+  Status number_blocks() {
+    const WordFormat& n = def_.grammar.word('N');
+    const bool free = n.whole_digits == 0;
+    const double most = free ? 99'999 : std::pow(10.0, n.whole_digits) - 1;
+    int step = 0;
+    for (const int s : block_steps)
+      if (step == 0 && static_cast<double>(blocks_.size()) * s <= most) step = s;
+    if (step == 0 && def_.grammar.block_number_required) return fail(alarm(AlarmId::word_has_no_room, {}, 'N', double(blocks_.size())));
+    const std::string end = technology_.mark.empty() ? "\n" : " " + technology_.mark + "\n";
+    if (def_.grammar.program_start_required || def_.grammar.percent_number) text_ += technology_.mark.empty() ? "%\n" : "%" + end;
+    if (!technology_.comment.empty()) blocks_.front() += " (" + technology_.comment + ")";
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      const int digits = n.drop_zeros ? 1 : n.whole_digits;
+      if (step > 0) text_ += fmt::format("N{:0{}} ", (i + 1) * static_cast<std::size_t>(step), digits);
+      text_ += blocks_[i] + end;
+    }
+    return {};
+  }
+
+  const ControlDef& def_;
+  const Technology& technology_;
+  std::vector<std::string> blocks_;
+  std::vector<Move> written_;
+  std::string text_;
+  Vec3 at_;
+  Function motion_ = Function::count;
+  double feed_ = -1;
+};
+
+}  // namespace
+
+Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::Move>& moves, const Technology& technology) {
+  return Writer(def, technology).write(moves);
+}
+
+Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {
+  constexpr double bulge_off = 0.1;  // rounded ends and centres turn an arc by that much at most: it is at least ten increments long
+  const auto differs = [](const area::Move& a, const area::Move& b) {
+    return (a.kind == area::MoveKind::rapid) != (b.kind == area::MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||
+           std::abs(a.bulge - b.bulge) > bulge_off;
+  };
+  const std::size_t count = std::min(written.size(), read.size());
+  for (std::size_t i = 0; i < count; ++i)
+    if (differs(written[i], read[i])) return fail(alarm(AlarmId::mill_read_back, {}, written[i].to.x, written[i].to.y));
+  if (written.size() == read.size()) return {};
+  const Vec3 at = written.empty() ? Vec3{} : written[std::min(count, written.size() - 1)].to;
+  return fail(alarm(AlarmId::mill_read_back, {}, at.x, at.y));
+}
+
+}  // namespace kadr

@@ -1,0 +1,46 @@
+// For cli/check; tests/run_check.py.
+
+#include "out/text/baseline.h"
+
+#include <nlohmann/json.hpp>
+
+#include "config/told.h"
+
+namespace kadr {
+namespace {
+
+std::string key_of(const std::string& file, std::string_view id, const std::string& line, const std::string& text) {
+  std::string key = file;
+  for (const std::string_view part : {id, std::string_view(line), std::string_view(text)}) (key += '\n') += part;
+  return key;
+}
+
+}  // namespace
+
+tl::expected<Baseline, std::string> Baseline::read(std::string_view json) {
+  const auto list = nlohmann::json::parse(json, nullptr, false);
+  if (!list.is_array())
+    return tl::unexpected(told("no list of findings, as `kadr check --format json` writes it",
+                               "это не список сообщений, какой выдаёт `kadr check --format json`"));
+  Baseline baseline;
+  for (const auto& entry : list) {
+    const auto text = [&](const char* key) {
+      const auto found = entry.is_object() ? entry.find(key) : entry.end();
+      return entry.is_object() && found != entry.end() && found->is_string() ? found->get<std::string>() : std::string();
+    };
+    if (text("id").empty() || text("file").empty())
+      return tl::unexpected(told("an entry without \"file\" and \"id\"", "запись без \"file\" и \"id\""));
+    ++baseline.known_[key_of(text("file"), text("id"), text("line_text"), text("text"))];
+  }
+  return baseline;
+}
+
+bool Baseline::has(const Finding& finding) {
+  const auto known = known_.find(key_of(finding.file, name_of(finding.id), finding.line_text, finding.text));
+  if (known == known_.end() || known->second == 0) return false;
+  --known->second;
+  ++found_;
+  return true;
+}
+
+}  // namespace kadr

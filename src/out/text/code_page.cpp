@@ -1,0 +1,157 @@
+#include "out/text/code_page.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "out/text/asked_code.h"
+#include "out/text/cycle_text.h"
+#include "out/text/parameter_text.h"
+#include "out/text/variable_text.h"
+#include "out/text/word_text.h"
+
+namespace kadr {
+namespace {
+
+const std::string& pick(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
+
+std::string letters_of(std::uint64_t bits, std::string text = {}) {
+  for (int i = 0; i <= comma_vector - 'A'; ++i)
+    if ((bits >> i & 1u) != 0) text += fmt::format("{}{}", text.empty() ? "" : " ", address_written(static_cast<char>('A' + i)));
+  return text;
+}
+
+}  // namespace
+
+std::string words_of(const CodeRow& row, Lang lang) {
+  return letters_of(row.takes, !row.takes_all_axes ? "" : lang == Lang::ru ? "оси" : "axes");
+}
+
+std::string initial_mark(const ControlDef& def, const CodeRow& row) {
+  if (row.group == 0 || def.groups[row.group].power_on < 0) return {};
+  return def.codes[static_cast<std::size_t>(def.groups[row.group].power_on)].code == row.code ? "*" : "";
+}
+
+/// Digits of an address as the manual writes them: "+043", "02", "free".
+std::string format_of(const ControlDef& def, const AddressRow& row) {
+  const WordFormat& w = def.grammar.word(row.letter);
+  if (w.whole_digits == 0) return w.sign ? "+free" : "free";
+  std::string text = w.sign ? "+" : "";
+  if (w.drop_zeros) text += '0';
+  text += std::to_string(w.whole_digits);
+  if (w.fraction_digits != 0) text += std::to_string(w.fraction_digits);
+  if (w.point) text += ", point";
+  return text;
+}
+
+namespace {
+
+std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  std::string text = fmt::format("{} {}: {}\n", def.id, row.code, pick(row.text, lang));
+  const GroupRow& group = def.groups[row.group];
+  if (row.group != 0) text += fmt::format("  {}: {} ({})\n", ru ? "группа" : "group", group.name, pick(group.text, lang));
+  text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts",
+                      row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
+  if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
+  if (row.takes != 0 || row.takes_all_axes)
+    text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words_of(row, lang)) + words_text(def, row, lang);
+  if (row.needs != 0) text += fmt::format("  {}: {}\n", ru ? "обязательны" : "must have", letters_of(row.needs));
+  text += steps_text(row, lang);
+  text += fmt::format("  {}: {}{}\n", ru ? "функция Kadr" : "Kadr's function", traits_of(row.function).name,
+                      row.arg != 0 ? fmt::format(" {}", row.arg) : "");
+  if (!row.works) text += fmt::format("  {}\n", ru ? "в этой версии Kadr не выполняется" : "not in this version of Kadr");
+  text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
+  return text;
+}
+
+std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  std::string text = fmt::format("{} {}: {}\n", def.id, address_written(row.letter), pick(row.text, lang));
+  text += fmt::format("  {}: {}\n", ru ? "формат" : "format", format_of(def, row));
+  if (row.unit == WordUnit::length && def.grammar.word(row.letter).implied)
+    text += fmt::format("  {}\n",
+                        ru ? "без точки: в единицах младшего разряда формата" : "without a point: in units of the format's last digit");
+  text += fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
+  return text;
+}
+
+std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
+  std::string text = fmt::format("{} {}: {}\n", def.id, row.name, pick(row.text, lang));
+  std::string_view body = row.body.empty() ? row.printed : row.body;
+  while (!body.empty()) {
+    const std::size_t end = body.find('\n');
+    text += fmt::format("  {}\n", body.substr(0, end));
+    body.remove_prefix(end + 1);
+  }
+  text += steps_text(def, row, lang);
+  if (row.needs != 0) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "нужны" : "needs", letters_of(row.needs));
+  text += fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, row.manual);
+  return text;
+}
+
+/// The alarm in both languages where the control has words of its own: an operator reads them on its screen.
+std::string alarm_text_of(const ControlDef& def, const AlarmTexts& texts, AlarmId id, Lang lang) {
+  const std::string& number = texts.number(id);
+  std::string text = fmt::format("{}{}: {}\n", number.empty() ? "" : number + " ", name_of(id), texts.pattern(id, lang));
+  if (def.alarms.contains(id)) text += fmt::format("  {}\n", texts.pattern(id, lang == Lang::ru ? Lang::en : Lang::ru));
+  const std::string& hint = texts.hint_pattern(id, lang);
+  if (!hint.empty()) text += fmt::format("  {}\n", hint);
+  return text;
+}
+
+/// All alarms that have this number on the control.
+std::optional<std::string> numbered_alarms(const ControlDef& def, const AlarmTexts& texts, const std::string& number, Lang lang) {
+  std::optional<std::string> text;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(AlarmId::count); ++i)
+    if (const auto id = static_cast<AlarmId>(i); texts.number(id) == number) text = text.value_or("") + alarm_text_of(def, texts, id, lang);
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts& texts, const std::string& what, Lang lang) {
+  const std::string code = code_asked(what);
+  if (const AlarmId id = alarm_named(what); id != AlarmId::count) return alarm_text_of(def, texts, id, lang);
+  if (what.empty()) return std::nullopt;
+  if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may have one number: both
+    const auto alarms = numbered_alarms(def, texts, what, lang);
+    const auto parameter = explain_parameter(def, code, lang);
+    return alarms && parameter ? *alarms + *parameter : alarms ? alarms : parameter;
+  }
+  if (what[0] == '#') return explain_variable(def, what, lang);
+  const bool comma = code.size() == 2 && code[0] == ',' && comma_address(code[1]) != 0;
+  if (comma || (code.size() == 1 && code[0] >= 'A' && code[0] <= 'Z')) {
+    const AddressRow& row = def.address(comma ? comma_address(code[1]) : code[0]);
+    if (row.function == Function::count) return std::nullopt;
+    return address_text(def, row, lang);
+  }
+  std::optional<std::string> text;
+  if (code[0] == 'G' || code[0] == 'M') {
+    char* end = nullptr;
+    const double number = std::strtod(code.c_str() + 1, &end);
+    const bool is_number = end != code.c_str() + 1 && *end == '\0' && number >= 0 && number * 10 < ControlDef::most_tenths;
+    const std::int32_t row = is_number ? def.row_of(code[0], static_cast<std::int32_t>(std::lround(number * 10))) : -1;
+    if (row >= 0) text = code_text(def, def.codes[static_cast<std::size_t>(row)], lang);
+  }
+  for (const CycleRow& row : def.cycles)
+    if (row.name == code) return text.value_or("") + cycle_text(def, row, lang);
+  if (!text) text = explain_parameter(def, code, lang);
+  return text ? text : explain_variable(def, what, lang);
+}
+
+std::string explain_control(const ControlDef& def, Lang lang) {
+  std::string text = fmt::format("{}: {}\n", def.id, pick(def.name, lang));
+  if (!def.lineage.empty()) text += fmt::format("  extends {}\n", def.lineage.front());
+  if (!def.descriptor.empty()) text += fmt::format("  {}\n", def.descriptor);
+  for (const CodeRow& row : def.codes)
+    text += fmt::format("  {:<8}{:<2}{}{}\n", row.code, initial_mark(def, row), pick(row.text, lang),
+                        row.works          ? ""
+                        : lang == Lang::ru ? " (ещё нет)"
+                                           : " (not yet)");
+  for (const CycleRow& row : def.cycles)
+    if (!row.body.empty() || row.name[0] == 'L') text += fmt::format("  {:<10}{}\n", row.name, pick(row.text, lang));
+  return text;
+}
+
+}  // namespace kadr

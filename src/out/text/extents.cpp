@@ -1,0 +1,120 @@
+#include "out/text/extents.h"
+
+#include <fmt/format.h>
+
+#include "kinematics/chain.h"
+
+namespace kadr {
+namespace {
+
+std::string range_text(const std::string& axis, double least, double most, LengthUnit unit) {
+  return fmt::format("{} {} … {}", axis, length_text(least, unit), length_text(most, unit));
+}
+
+}  // namespace
+
+const char* unit_name(LengthUnit unit, Lang lang) {
+  if (unit == LengthUnit::inch) return lang == Lang::ru ? "дюймы" : "in";
+  return lang == Lang::ru ? "мм" : "mm";
+}
+
+const char* speed_unit_name(LengthUnit unit, Lang lang) {
+  if (unit == LengthUnit::inch) return lang == Lang::ru ? "дюйм/мин" : "in/min";
+  return lang == Lang::ru ? "мм/мин" : "mm/min";
+}
+
+std::string length_text(double mm, LengthUnit unit) { return number_text(mm / mm_of(unit), unit == LengthUnit::inch ? 4 : 3); }
+
+void Reach::take(const AxisRoles& roles, const Axes& at) {
+  for (std::size_t a = 0; roles.rotary != 0 && a < roles.count; ++a) {
+    if (!roles.is_rotary(a)) continue;
+    least[a] = box.empty ? at[a] : std::min(least[a], at[a]);
+    most[a] = box.empty ? at[a] : std::max(most[a], at[a]);
+  }
+  box.take(Chain(roles).tip(at));
+}
+
+void Reach::take(const Reach& other) {
+  if (other.box.empty) return;
+  if (box.empty) {
+    *this = other;
+    return;
+  }
+  box.take(other.box);
+  for (std::size_t a = 0; a < max_axes; ++a) {
+    least[a] = std::min(least[a], other.least[a]);
+    most[a] = std::max(most[a], other.most[a]);
+  }
+}
+
+Reach SystemExtents::all() const {
+  Reach reach = cutting;
+  reach.take(other);
+  return reach;
+}
+
+void RunExtents::enter(std::uint8_t system) {
+  lift();
+  const auto found = std::find_if(systems_.begin(), systems_.end(), [&](const SystemExtents& s) { return s.system == system; });
+  now_ = static_cast<std::size_t>(found - systems_.begin());
+  if (found == systems_.end()) systems_.push_back({system, {}, {}});
+}
+
+void RunExtents::take(const Motion& motion, const Axes& from, const Curve& curve) {
+  if (systems_.empty() || systems_[now_].system != motion.system) enter(motion.system);
+  const bool cutting = cuts(motion);
+  if (cutting) (motion.inch ? cut_in_inches_ : cut_in_mm_) = true;
+  moved_in_inches_ = motion.inch;
+  Reach& reach = cutting ? systems_[now_].cutting : systems_[now_].other;
+  if (const std::size_t into = 2 * now_ + (cutting ? 1 : 0); stands_in_ != into) {
+    reach.take(roles_, from);
+    stands_in_ = into;
+  }
+  reach.take(roles_, motion.to);
+  if (!curve.straight()) {
+    const Extents extents = curve.extents();
+    reach.take(roles_, extents.least);
+    reach.take(roles_, extents.most);
+  }
+  for (std::size_t a = 0; roles_.rotary != 0 && a < roles_.count; ++a)
+    if (roles_.is_rotary(a) && motion.to[a] != from[a]) turned_ |= AxisMask{1} << a;
+}
+
+LengthUnit RunExtents::unit() const {
+  if (cut_in_mm_ && cut_in_inches_) return LengthUnit::mixed;
+  return cut_in_inches_ || (!cut_in_mm_ && moved_in_inches_) ? LengthUnit::inch : LengthUnit::mm;
+}
+
+Box RunExtents::cutting_box() const {
+  Box box;
+  for (const SystemExtents& system : systems_) box.take(system.cutting.box);
+  return box;
+}
+
+Box RunExtents::box() const {
+  Box box;
+  for (const SystemExtents& system : systems_) box.take(system.all().box);
+  return box;
+}
+
+std::string RunExtents::text(const Reach& reach) const {
+  const Box& box = reach.box;
+  std::string text = range_text("X", box.least.x, box.most.x, unit()) + "   " + range_text("Y", box.least.y, box.most.y, unit()) + "   " +
+                     range_text("Z", box.least.z, box.most.z, unit());
+  for (std::size_t a = 0; a < roles_.count; ++a)
+    if ((turned_ >> a & 1U) != 0) text += "   " + range_text(axes_[a], reach.least[a], reach.most[a], LengthUnit::mm) + "°";
+  return text;
+}
+
+std::vector<std::string> RunExtents::texts(Of of, const std::vector<std::string>& names) const {
+  std::vector<std::string> texts;
+  for (const SystemExtents& system : systems_) {
+    const Reach reach = of == Of::cutting ? system.cutting : system.all();
+    if (reach.box.empty) continue;
+    const bool named = systems_.size() > 1 && system.system < names.size();
+    texts.push_back((named ? names[system.system] + "  " : std::string()) + text(reach));
+  }
+  return texts;
+}
+
+}  // namespace kadr

@@ -1,0 +1,68 @@
+// For out/picture/plot_page, out/picture/speed_page, out/picture/mill_picture; tests/out/plot_test.cpp.
+
+#include "out/text/page_file.h"
+
+#include <cstdio>
+#include <memory>
+
+#include "config/read_file.h"
+#include "config/told.h"
+#include "out/picture/cairo_canvas.h"
+
+namespace kadr {
+namespace {
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(Cairo::surface_destroy)>;
+
+bool is_svg(const std::string& file) { return file.ends_with(".svg") || file.ends_with(".SVG"); }
+bool is_png(const std::string& file) { return file.ends_with(".png") || file.ends_with(".PNG"); }
+
+/// Cairo's bytes into the file.
+cairo_status_t write_bytes(void* file, const unsigned char* bytes, unsigned count) {
+  return std::fwrite(bytes, 1, count, static_cast<std::FILE*>(file)) == count ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+tl::expected<void, std::string> write_svg(const ResultFile& file, double width, double height, const PageText& says,
+                                          const std::function<void(Canvas&)>& draw) {
+  SvgCanvas canvas(file.get(), width, height, says);
+  draw(canvas);
+  if (const int error = canvas.finish(); error != 0) return tl::unexpected(file.name() + ": " + told_errno(error));
+  return {};
+}
+
+tl::expected<void, std::string> write_png(const ResultFile& file, double width, double height, const std::function<void(Canvas&)>& draw) {
+  const Cairo* const cairo = cairo_library();
+  constexpr double sharp = 1.5;  // pixels a unit of the page
+  const Surface surface(cairo->image_surface_create(CAIRO_FORMAT_RGB24, int(width * sharp), int(height * sharp)), cairo->surface_destroy);
+  cairo->surface_set_device_scale(surface.get(), sharp, sharp);
+  cairo_status_t status = CAIRO_STATUS_SUCCESS;
+  {
+    CairoCanvas canvas(*cairo, surface.get());
+    draw(canvas);
+    status = canvas.status();
+  }
+  if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_status(surface.get());
+  if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_write_to_png_stream(surface.get(), write_bytes, file.get());
+  if (status == CAIRO_STATUS_SUCCESS) return {};
+  return tl::unexpected(file.name() + ": " + told(cairo->status_to_string(status), "картинка не записана"));
+}
+
+}  // namespace
+
+bool is_page_name(const std::string& file) { return is_svg(file) || is_png(file); }
+
+std::string page_fault(const std::string& file) {
+  if (!is_page_name(file)) return file + told(": a plot is .svg or .png", ": картинка — файл .svg или .png");
+  if (is_png(file) && cairo_library() == nullptr)
+    return file + told(": pictures in pixels need the library libcairo.so.2; this machine has none",
+                       ": для растровых картинок нужна библиотека libcairo.so.2, а её здесь нет");
+  return {};
+}
+
+tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& says,
+                                           const std::function<void(Canvas&)>& draw) {
+  if (std::string fault = page_fault(file.name()); !fault.empty()) return tl::unexpected(fault);
+  return is_svg(file.name()) ? write_svg(file, width, height, says, draw) : write_png(file, width, height, draw);
+}
+
+}  // namespace kadr

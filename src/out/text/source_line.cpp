@@ -1,0 +1,78 @@
+#include "out/text/source_line.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t widest = 110;  // characters shown of a line
+constexpr std::size_t ahead = 40;    // shown before the place, in a clipped line
+constexpr std::string_view indent = "  ";
+constexpr std::string_view clipped = "…";
+
+bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
+
+std::vector<std::string_view> characters(std::string_view text) {
+  std::vector<std::string_view> all;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    while (end < text.size() && end - i < 4 && continues(text[end])) ++end;
+    all.push_back(text.substr(i, end - i));
+    i = end;
+  }
+  return all;
+}
+
+/// Control characters must not reach a terminal: their pictures, U+2400 and on.
+std::string shown(std::string_view character) {
+  const auto byte = static_cast<unsigned char>(character[0]);
+  if (character == "\t" ||
+      (byte >= 0x20 && byte != 0x7F && !(byte == 0xC2 && character.size() == 2 && static_cast<unsigned char>(character[1]) < 0xA0)))
+    return std::string(character);
+  if (byte == 0x7F) return "\xE2\x90\xA1";
+  if (byte < 0x20) return std::string("\xE2\x90") + static_cast<char>(0x80 + byte);
+  return "\xEF\xBF\xBD";
+}
+
+}  // namespace
+
+std::uint32_t characters_before(std::string_view text, std::size_t bytes) {
+  const std::string_view before = text.substr(0, std::min(bytes, text.size()));
+  return static_cast<std::uint32_t>(std::count_if(before.begin(), before.end(), [](char c) { return !continues(c); }));
+}
+
+std::string shortened_line(std::string_view line, std::size_t most) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = std::min(line.find_first_not_of(blanks), line.size());
+  line = line.substr(first, line.find_last_not_of(blanks) + 1 - first);
+  const std::vector<std::string_view> all = characters(line);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i) text += all[i] == "\t" ? " " : shown(all[i]);
+  if (all.size() > most) text += clipped;
+  return text;
+}
+
+std::string marked_line(std::string_view line, Span place) {
+  while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
+  const std::vector<std::string_view> all = characters(line);
+  const std::size_t begin = characters_before(line, place.begin);
+  const std::size_t end = std::max<std::size_t>(begin + 1, characters_before(line, place.end));
+  const std::size_t first = all.size() > widest && begin > ahead ? begin - ahead : 0;
+  const std::size_t last = std::min(all.size(), first + widest);
+
+  std::string text(indent), marks(indent);
+  if (first > 0) {
+    text += clipped;
+    marks += ' ';
+  }
+  for (std::size_t i = first; i < std::max(last, begin + 1); ++i) {
+    if (i < last) text += shown(all[i]);
+    if (i < begin) marks += i < last && all[i] == "\t" ? '\t' : ' ';
+    else if (i < end) marks += i == begin ? '^' : '~';
+  }
+  if (last < all.size()) text += clipped;
+  return text + "\n" + marks + "\n";
+}
+
+}  // namespace kadr

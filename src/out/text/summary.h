@@ -1,0 +1,96 @@
+#pragma once
+// Statistics: what a run came to, for the summary on stdout (design.md 5).
+
+#include <string>
+#include <vector>
+
+#include "motion/time/estimate.h"
+#include "motion/time/planned_time.h"
+#include "out/text/extents.h"
+
+namespace kadr {
+
+/// What the machining time is made of.
+enum class TimeBasis : std::uint8_t {
+  programmed,   // feeds and rapid rates
+  limited,      // and what the control slows down
+  accelerated,  // and the accelerations of the axes
+};
+
+/// Takes Steps in order; cheap per step, no memory but for the tools.
+class Statistics {
+ public:
+  Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates);
+
+  /// State of the setup's spindle and tool before the first action.
+  void start_with(double spindle_rpm, std::uint32_t tool);
+
+  /// Times the steps of the run, before anybody gets them: what it has counted is part of the summary.
+  TimeEstimate& clock() { return estimate_; }
+  /// A step that the clock has timed. Of a run whose summary nobody reads the clock alone will do.
+  void consume(const Step& step);
+  /// What the times are made of, if not of programmed feeds; then lengthen() brings what they differ.
+  void count_by(TimeBasis basis) { basis_ = basis; }
+  ///   longer  than it was counted the motion taken before takes, s. Of all motions before an action that changes the tool.
+  void lengthen(const Motion& motion, double longer);
+  void count(Severity severity) {
+    if (severity != Severity::note) ++(severity == Severity::alarm ? alarms_ : warnings_);
+  }
+
+  /// How the work systems are called, by Motion::system; needed where the run has used several.
+  void name_systems(std::vector<std::string> names) { system_names_ = std::move(names); }
+  /// "cutting X 0 … 20   Y …, mm": the extents for a caption, those of the summary. Empty: nothing was cut.
+  std::string caption(Lang lang) const;
+
+  /// The summary, lines ending in '\n'. `planned`: the time by the planner of least time, if it ran: beside that of the control, or for it,
+  /// as it counts for the machine.
+  std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr,
+                   PlannerMode counts = PlannerMode::programmed) const;
+
+  struct ToolUse {
+    std::uint32_t tool;
+    double cutting_s;
+  };
+
+  std::uint64_t rapids() const { return rapids_; }
+  std::uint64_t feeds() const { return feeds_; }
+  std::uint64_t arcs() const { return arcs_; }
+  double cutting_mm() const { return cutting_mm_; }
+  double rapid_mm() const { return rapid_mm_; }
+  Box cutting_box() const { return extents_.cutting_box(); }
+  Box box() const { return extents_.box(); }
+  const RunExtents& extents() const { return extents_; }
+  const TimeSplit& time() const { return estimate_.split(); }
+  const std::vector<ToolUse>& tools() const { return tools_; }
+
+ private:
+  void take_motion(const Step& step, const Motion& motion);
+  void count_cutting();
+  void use(std::uint32_t tool);
+
+  TimeEstimate estimate_;
+  double cutting_then_ = 0;                                       // s, of the estimate, when the tools got theirs
+  std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // others: probe, home
+  std::uint64_t alarms_ = 0, warnings_ = 0;
+  TimeBasis basis_ = TimeBasis::programmed;
+  double cutting_mm_ = 0, rapid_mm_ = 0;
+  RunExtents extents_;
+  std::vector<std::string> system_names_;
+  std::vector<ToolUse> tools_;  // in order of first use
+  std::size_t in_spindle_ = 0;  // index in tools_; its size: none known
+};
+
+/// Of several channels: how long one was at work and how long it waited for others, s (nct 14.5).
+struct ChannelTime {
+  int channel = 1;
+  double busy = 0, waited = 0;
+};
+/// "channel 2", a line above its summary.
+std::string channel_heading(int channel, Lang lang);
+/// The time of all: the longest is the machining time.
+std::string channels_text(const std::vector<ChannelTime>& times, Lang lang);
+
+/// 3725.4 s → "1:02:05", 65.3 s → "1:05.3".
+std::string duration_text(double seconds);
+
+}  // namespace kadr

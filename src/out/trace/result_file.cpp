@@ -1,0 +1,153 @@
+// For every command that writes a file (cli/outputs) and for pictures (out/text/page_file); tests/out/result_file_test.cpp.
+
+#include "out/trace/result_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "base/file_id.h"
+#include "config/read_file.h"
+
+namespace kadr {
+namespace {
+
+std::string sentence(const std::string& name, int error) { return fmt::format("{}: {}", name, told_errno(error)); }
+
+/// The files under way, so that discard_all() finds them.
+struct UnderWay {
+  std::mutex lock;
+  std::set<std::string> names;
+};
+UnderWay& under_way() {
+  static auto* const files = new UnderWay;  // for good: discard_all() may be called while the process ends
+  return *files;
+}
+
+/// Standard output or error, where the name means what they go to: written twice under two positions, one would destroy the other.
+std::FILE* standard_stream(const std::string& name) {
+  const auto id = file_id_of(name);
+  for (std::FILE* const stream : {stdout, stderr})
+    if (id && id == file_id_of(::fileno(stream))) return stream;
+  return nullptr;
+}
+
+/// A new file in the folder; its name into `name`.
+int make_in(const std::filesystem::path& folder, std::string& name) {
+  constexpr int most_tries = 1000;
+  constexpr mode_t rights = 0666;  // less the umask
+  for (int i = 0; i < most_tries; ++i) {
+    name = (folder / fmt::format(".kadr-{}-{}", ::getpid(), i)).string();
+    const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, rights);
+    if (file >= 0 || errno != EEXIST) return file;
+  }
+  return -1;
+}
+
+/// Where a file cannot be renamed (another file system, a mounted file, a folder that may not be written): its bytes into that place.
+bool copy(const std::string& from, const std::string& to) {
+  using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+  const File in(std::fopen(from.c_str(), "rb"), &std::fclose);
+  File out(in ? std::fopen(to.c_str(), "wb") : nullptr, &std::fclose);
+  if (!out) return false;
+  std::array<char, 1 << 16> piece;  // NOLINT: filled by fread
+  for (std::size_t count; (count = std::fread(piece.data(), 1, piece.size(), in.get())) > 0;)
+    if (std::fwrite(piece.data(), 1, count, out.get()) != count) return false;
+  return std::ferror(in.get()) == 0 && std::fclose(out.release()) == 0;
+}
+
+}  // namespace
+
+ResultFile::ResultFile(ResultFile&& other) noexcept { *this = std::move(other); }
+
+ResultFile& ResultFile::operator=(ResultFile&& other) noexcept {
+  if (this == &other) return *this;
+  discard();
+  name_ = std::move(other.name_);
+  place_ = std::exchange(other.place_, {});
+  beside_ = std::exchange(other.beside_, {});
+  file_ = std::exchange(other.file_, nullptr);
+  owned_ = std::exchange(other.owned_, false);
+  return *this;
+}
+
+tl::expected<ResultFile, std::string> ResultFile::open(const std::string& name) {
+  ResultFile result(name);
+  struct stat there {};
+  const bool exists = name != "-" && ::stat(name.c_str(), &there) == 0;
+  if (exists && S_ISDIR(there.st_mode)) return tl::unexpected(sentence(name, EISDIR));
+  if (std::FILE* const stream = name == "-" ? stdout : exists ? standard_stream(name) : nullptr) {
+    result.file_ = stream;
+    return result;
+  }
+  if (!exists || S_ISREG(there.st_mode)) {
+    if (auto opened = result.open_beside(); !opened) return tl::unexpected(opened.error());
+    return result;
+  }
+  result.owned_ = true;
+  result.file_ = std::fopen(name.c_str(), "wb");
+  if (result.file_ == nullptr) return tl::unexpected(sentence(name, errno));
+  return result;
+}
+
+tl::expected<void, std::string> ResultFile::open_beside() {
+  namespace fs = std::filesystem;
+  place_ = true_path(name_);
+  struct stat there {};
+  const bool exists = ::stat(place_.c_str(), &there) == 0;
+  if (exists && ::access(place_.c_str(), W_OK) != 0) return tl::unexpected(sentence(name_, errno));
+  UnderWay& files = under_way();
+  const std::lock_guard guard(files.lock);
+  int file = make_in(fs::path(place_).parent_path(), beside_);
+  if (file < 0 && exists) file = make_in(fs::temp_directory_path(), beside_);
+  if (file < 0) return tl::unexpected(sentence(name_, errno));
+  files.names.insert(beside_);
+  constexpr mode_t all_rights = 07777;
+  if (exists) (void)::fchmod(file, there.st_mode & all_rights);  // not ours to change: then it has those of a new file
+  owned_ = true;
+  file_ = ::fdopen(file, "wb");
+  return {};
+}
+
+bool ResultFile::take_place() const { return std::rename(beside_.c_str(), place_.c_str()) == 0 || copy(beside_, place_); }
+
+tl::expected<void, std::string> ResultFile::keep() {
+  if (file_ == nullptr) return {};
+  errno = 0;
+  bool done = std::fflush(file_) == 0 && std::ferror(file_) == 0;
+  if (owned_) done = std::fclose(file_) == 0 && done;
+  file_ = nullptr;
+  done = done && (beside_.empty() || take_place());
+  const int error = errno != 0 ? errno : EIO;
+  discard();
+  if (done) return {};
+  return tl::unexpected(sentence(name_ == "-" ? "standard output" : name_, error));
+}
+
+void ResultFile::discard() {
+  if (file_ != nullptr && owned_) std::fclose(file_);
+  file_ = nullptr;
+  if (beside_.empty()) return;
+  UnderWay& files = under_way();
+  const std::lock_guard guard(files.lock);
+  if (files.names.erase(beside_) != 0) (void)::unlink(beside_.c_str());
+  beside_.clear();
+}
+
+void ResultFile::discard_all() {
+  UnderWay& files = under_way();
+  files.lock.lock();  // for good: the process ends
+  for (const std::string& name : files.names) (void)::unlink(name.c_str());
+  files.names.clear();
+}
+
+}  // namespace kadr

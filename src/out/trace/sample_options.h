@@ -1,0 +1,19 @@
+#pragma once
+// SampleOptions: how positions are sampled (out/trace/samples).
+
+#include <vector>
+
+#include "base/stop.h"
+#include "motion/play/override_change.h"
+
+namespace kadr {
+
+struct SampleOptions {
+  double rate = 1000;                   // Hz
+  std::vector<OverrideChange> changes;  // in the order of their times
+  bool spindle = false;                 // a column more
+  double max_time = 86400;              // s, of the last one: a day, 4 GB of three axes at 1 kHz
+  StopToken stop{};
+};
+
+}  // namespace kadr

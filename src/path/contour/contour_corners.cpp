@@ -1,0 +1,284 @@
+#include "path/contour/contour_corners.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/tolerance.h"
+#include "path/contour/contour_motion.h"
+#include "path/curve/plane_shift.h"
+
+namespace kadr {
+
+std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follows follows) {
+  put_back(batch);
+  const std::size_t begin = held_ ? 0 : untouched(batch, follows);
+  follow(batch, 0, begin);
+  if (!held_ && begin == batch.size()) return std::nullopt;  // mostly
+  out_.clear();
+  fault_.reset();
+  std::size_t i = begin;
+  for (; i < batch.size() && !fault_; ++i) next(batch, i, follows);
+  if (!fault_ && follows != Follows::more) finish(follows);
+  follow(batch, i, batch.size());
+  batch.cut(begin);
+  if (begin == 0) std::swap(batch, out_);
+  else
+    for (Action& action : out_) batch.add() = std::move(action);
+  return fault_;
+}
+
+/// A held motion whose end is the programmed one, as the next motion shows, is the first of the batch.
+void ContourCorners::put_back(ActionBatch& batch) {
+  if (!held_ || contour_of(held()) != nullptr || held_->start.cut > 0 || held_->start.calculated) return;
+  if (!waiting_.empty() || !settled_.empty()) return;
+  for (const Action& action : batch) {
+    const auto* const next = std::get_if<Motion>(&action.what);
+    if (next == nullptr) continue;
+    if (contour_of(*next) != nullptr) return;
+    batch.add_front() = std::move(held_->action);
+    held_.reset();
+    return;
+  }
+}
+
+/// How many actions no corner concerns: up to the first motion with chapter 17's data, or to the last one, which a next batch may cut.
+std::size_t ContourCorners::untouched(const ActionBatch& batch, Follows follows) const {
+  const Motion* before = nullptr;
+  std::size_t place = batch.size(), i = 0;
+  for (const Action& action : batch) {
+    const auto* const m = std::get_if<Motion>(&action.what);
+    if (m != nullptr && contour_of(*m) != nullptr) return before != nullptr && may_end_elsewhere(*before) ? place : i;
+    if (m != nullptr) before = m, place = i;
+    ++i;
+  }
+  return follows == Follows::more && before != nullptr && may_end_elsewhere(*before) ? place : batch.size();
+}
+
+/// The tool's position behind these actions.
+void ContourCorners::follow(const ActionBatch& batch, std::size_t from, std::size_t end) {
+  const Motion* last = nullptr;
+  for (std::size_t i = from; i < end; ++i) {
+    const Action& action = batch.begin()[i];
+    if (const auto* const m = std::get_if<Motion>(&action.what)) last = m;
+    else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) at_.take(*frame), last = nullptr;
+  }
+  if (last != nullptr) at_.take(*last);
+}
+
+void ContourCorners::next(ActionBatch& batch, std::size_t place, Follows follows) {
+  Action& action = batch[place];
+  if (const auto* const m = std::get_if<Motion>(&action.what)) {
+    bool open = may_end_elsewhere(*m);
+    for (std::size_t i = place + 1; open && i <= batch.size(); ++i) {
+      const auto* const behind = i < batch.size() ? std::get_if<Motion>(&batch[i].what) : nullptr;
+      if (i == batch.size()) open = follows == Follows::more;
+      else if (behind != nullptr && !is_over_determined(contour_of(*behind))) open = false;
+      else if (behind != nullptr) break;
+    }
+    return motion(action, open ? End::open : End::programmed);
+  }
+  if (held_ && (ends_look_ahead(action) || waiting_.size() == most_waiting)) finish(Follows::nothing);
+  at_.take(action);
+  if (fault_) return;
+  if (held_) waiting_.push_back(std::move(action));
+  else out_.add() = std::move(action);
+}
+
+void ContourCorners::motion(Action& action, End end) {
+  const auto& m = std::get<Motion>(action.what);
+  const ContourData* const c = contour_of(m);
+  std::optional<Start> start = Start{in_plane(at_.work, m), {}, 0, false};
+  if (held_) start = join(action, end);
+  else if (is_over_determined(c)) fail(AlarmId::contour_no_intersection, action.origin);
+  if (!fault_ && is_shaped(c) && !alone_in_plane(m)) fail(AlarmId::corner_illegal, action.origin);
+  at_.take(m);
+  if (fault_) return;
+  const bool waits = end == End::open || is_shaped(c) || is_way(c);
+  if (!waits && c == nullptr && start->cut == 0 && !start->calculated) {
+    out_.add() = std::move(action);
+    return;
+  }
+  const Vec2 programmed = in_plane(m.to, m);
+  held_ = Held{std::move(action), *start, programmed};
+  if (!waits) release();
+}
+
+/// The corner between the held motion and the next: where that begins.
+std::optional<ContourCorners::Start> ContourCorners::join(const Action& action, End end) {
+  const auto& m = std::get<Motion>(action.what);
+  const ContourData *const own = contour_of(held()), *const its = contour_of(m);
+  const bool same_plane = is_element(m) && m.first == held().first && m.second == held().second;
+  const bool calculated = is_over_determined(its) && same_plane;
+  if (is_shaped(own) && !(same_plane && alone_in_plane(m))) return failed(AlarmId::corner_illegal, held_->action.origin);
+  if (is_way(own) && !calculated) return failed(AlarmId::contour_no_intersection, held_->action.origin);
+  if (is_over_determined(its) && !calculated) return failed(AlarmId::contour_no_intersection, action.origin);
+  Start start{held_->end, {}, 0, calculated};
+  if (calculated) {
+    const auto first = support_of(held(), held_->start.corner, held_->end), second = support_of(m, {}, in_plane(m.to, m));
+    const auto corner = first ? calculated_corner(*first, *second, {its->farther, its->mirrored}) : std::nullopt;
+    if (!corner) return failed(AlarmId::contour_no_intersection, held_->action.origin);
+    start.corner = *corner;
+  }
+  CornerElement nothing;
+  nothing.from = nothing.to = start.corner;
+  if (!is_shaped(own)) {
+    let_go(start.corner, nothing, Certainty::certain);
+  } else {
+    const auto second = element_from(start.corner, m, end);
+    if (!second) return failed(AlarmId::corner_illegal, held_->action.origin);
+    const bool open = end == End::open || is_way(its);
+    const auto inserted = element_at(start.corner, *second, open ? End::open : End::programmed);
+    if (!inserted) return std::nullopt;
+    start.cut = inserted->second_way;
+    start.direction = second->start;
+    let_go(start.corner, *inserted, open && start.cut > 0 ? Certainty::settled_later : Certainty::certain);
+  }
+  if (fault_) return std::nullopt;
+  return start;
+}
+
+/// The next motion as an element that begins at the corner; where its end is open, as far as it is known.
+std::optional<ContourElement> ContourCorners::element_from(Vec2 corner, const Motion& m, End end) const {
+  const ContourData* const c = contour_of(m);
+  const Vec2 to = in_plane(m.to, m);
+  if (is_arc(m.kind)) {
+    const double sense = sense_of(m);
+    const bool known = !is_over_determined(c);
+    const double turns = known ? m.turns : end == End::open ? 1 : calculated_turns(corner, to, m.center, sense);
+    const auto e = ContourElement::arc(corner, known || end == End::programmed ? to : corner, m.center, sense * turns);
+    return is_circular(e) ? std::optional(e) : std::nullopt;
+  }
+  const bool by_direction = c != nullptr && (c->on == SupportingCurve::way || (c->on == SupportingCurve::line && end == End::open));
+  const Vec2 way = by_direction ? c->direction : to - corner;
+  return length(way) > tol::same_point ? std::optional(ContourElement::line(corner, corner + way)) : std::nullopt;
+}
+
+/// The chamfer or rounding of the held motion at its corner.
+std::optional<CornerElement> ContourCorners::element_at(Vec2 corner, const ContourElement& second, End end) {
+  const ContourData& own = *contour_of(held());
+  const auto first = held_element(corner);
+  if (first && !is_circular(*first)) return failed(AlarmId::corner_illegal, held_->action.origin);
+  if (!first) return failed(AlarmId::corner_too_large, held_->action.origin);
+  CornerElement nothing;
+  nothing.from = nothing.to = corner;
+  if (own.rounding > 0 && meet_smoothly(*first, second)) return nothing;
+  const double there = second.is_arc ? 1 : std::numeric_limits<double>::infinity();
+  const CornerRoom room{whole_way(*first), end == End::open ? there : whole_way(second)};
+  const auto inserted = own.rounding > 0 ? rounding(*first, second, own.rounding, room) : chamfer(*first, second, own.chamfer);
+  if (!inserted || !(inserted->second_way <= room.second + slack(second))) return failed(AlarmId::corner_too_large, held_->action.origin);
+  return inserted;
+}
+
+/// The held motion up to an end point; nothing: a line of no length.
+std::optional<ContourElement> ContourCorners::held_element(Vec2 end) const {
+  const auto& m = std::get<Motion>(held_->action.what);
+  const Start& start = held_->start;
+  if (is_arc(m.kind)) {
+    const bool programmed = !start.calculated && end == held_->end;
+    const double turns = programmed ? m.turns : calculated_turns(start.corner, end, m.center, sense_of(m));
+    return ContourElement::arc(start.corner, end, m.center, sense_of(m) * turns);
+  }
+  return length(end - start.corner) > tol::same_point ? std::optional(ContourElement::line(start.corner, end)) : std::nullopt;
+}
+
+/// The held motion ends at the corner, or where something is inserted there; what waits comes behind that.
+void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certainty certainty) {
+  const auto element = held_element(corner);
+  const Start& start = held_->start;
+  const bool backwards = element && start.cut > 0 && !element->is_arc && dot(element->start, start.direction) < 0;
+  const double way = element && !backwards ? whole_way(*element) : 0, tolerance = element ? slack(*element) : tol::same_point;
+  if (!(start.cut <= way + tolerance) && start.cut > 0) {
+    settled_.clear();
+    fail(AlarmId::corner_too_large, settled_origin_);
+    return;
+  }
+  const double taken = start.cut + inserted.first_way, rest = way - taken;
+  if (taken > 0 && !(rest >= -tolerance)) return fail(AlarmId::corner_too_large, held_->action.origin);
+  for (Action& action : settled_) out_.add() = std::move(action);
+  settled_.clear();
+  if (certainty == Certainty::settled_later) settled_origin_ = held_->action.origin;
+  Action last = std::move(held_->action);
+  auto& m = std::get<Motion>(last.what);
+  without_contour(m);
+  shift_in_plane(m, m.first, m.second, inserted.from - held_->end, at_.turn.get());
+  if (corner != held_->end || taken > 0) m.named |= AxisMask{1} << m.first | AxisMask{1} << m.second;
+  if (is_arc(m.kind)) m.turns = std::max(rest, 0.0);
+  const bool used_up = taken > 0 && rest <= tolerance && m.side_step == SideStep::none;
+  if (length(inserted.to - inserted.from) <= tol::same_point) {
+    if (!used_up) hand_on(std::move(last), certainty);
+  } else {
+    Action between = shaped_like(last, inserted);
+    if (!used_up) hand_on(std::move(last), certainty);
+    hand_on(std::move(between), certainty);
+  }
+  for (Action& action : waiting_) hand_on(std::move(action), certainty);
+  waiting_.clear();
+  held_.reset();
+}
+
+/// The chamfer or rounding as a motion of the block before it: its feed, side and tool.
+Action ContourCorners::shaped_like(const Action& before, const CornerElement& inserted) const {
+  Action action = before;
+  auto& m = std::get<Motion>(action.what);
+  m.kind = inserted.turns == 0 ? MotionKind::feed : inserted.turns > 0 ? MotionKind::arc_ccw : MotionKind::arc_cw;
+  m.center = inserted.center;
+  m.turns = std::fabs(inserted.turns);
+  m.side_step = SideStep::none;
+  shift_in_plane(m, m.first, m.second, inserted.to - inserted.from, at_.turn.get());
+  return action;
+}
+
+void ContourCorners::hand_on(Action action, Certainty certainty) {
+  if (certainty == Certainty::settled_later) settled_.push_back(std::move(action));
+  else out_.add() = std::move(action);
+}
+
+/// Nothing calculates the held motion's end: it is the programmed one.
+void ContourCorners::release() {
+  CornerElement nothing;
+  nothing.from = nothing.to = held_->end;
+  let_go(held_->end, nothing, Certainty::certain);
+}
+
+/// Nothing follows that a corner could go to. Before an alarm the programmed corner is left; a line without an end is not begun.
+void ContourCorners::finish(Follows follows) {
+  if (!held_) return;
+  const ContourData* const c = contour_of(held());
+  const Origin origin = held_->action.origin;
+  if (follows == Follows::nothing && is_shaped(c)) return fail(AlarmId::corner_illegal, origin);
+  if (follows == Follows::nothing && is_way(c)) return fail(AlarmId::contour_no_intersection, origin);
+  if (is_way(c)) drop();
+  else release();
+}
+
+/// The held motion is not carried out.
+void ContourCorners::drop() {
+  for (Action& action : settled_) out_.add() = std::move(action);
+  settled_.clear();
+  waiting_.clear();
+  held_.reset();
+}
+
+void ContourCorners::fail(AlarmId id, const Origin& origin) {
+  fault_ = CompensationFault{alarm(id, {}), origin};
+  drop();
+}
+
+std::nullopt_t ContourCorners::failed(AlarmId id, const Origin& origin) {
+  fail(id, origin);
+  return std::nullopt;
+}
+
+/// Beside the axes of its plane none moves, but for those that follow one.
+bool ContourCorners::alone_in_plane(const Motion& m) const {
+  AxisMask in_it = AxisMask{1} << m.first | AxisMask{1} << m.second;
+  if (m.detail && m.detail->rolled != 0) return false;
+  for (std::size_t i = 0; m.detail && i < m.detail->followers.size(); ++i)
+    if (const Follower& f = m.detail->followers[i]; (in_it >> f.master & 1U) != 0) in_it |= AxisMask{1} << f.axis;
+  for (std::size_t i = 0; i < max_axes; ++i)
+    if ((in_it >> i & 1U) == 0 && !(std::fabs(m.to[i] - at_.work[i]) <= tol::same_point)) return false;
+  return true;
+}
+
+}  // namespace kadr

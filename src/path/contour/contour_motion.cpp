@@ -1,0 +1,54 @@
+#include "path/contour/contour_motion.h"
+
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+
+bool ends_look_ahead(const Action& action) {
+  if (const auto* const stop = std::get_if<Stop>(&action.what)) return stop->reason != StopReason::single_block;
+  return std::holds_alternative<FrameChange>(action.what) || std::holds_alternative<ContourBreak>(action.what) ||
+         std::holds_alternative<ContourCorner>(action.what) || std::holds_alternative<ZoneChange>(action.what) ||
+         std::holds_alternative<Sync>(action.what);
+}
+
+std::optional<Support> support_of(const Motion& m, Vec2 from, Vec2 end) {
+  const ContourData* const c = contour_of(m);
+  Support s;
+  s.point = from;
+  if (is_arc(m.kind)) {
+    s.is_circle = true;
+    s.center = m.center;
+    s.radius = is_over_determined(c) ? c->radius : length(from - m.center);
+    return s;
+  }
+  if (is_over_determined(c)) s.point = end;
+  if (c != nullptr && c->on != SupportingCurve::none) {
+    s.direction = c->direction;
+    return s;
+  }
+  const double way = length(end - from);
+  if (!(way > tol::same_point)) return std::nullopt;
+  s.direction = 1 / way * (end - from);
+  return s;
+}
+
+double calculated_turns(Vec2 from, Vec2 to, Vec2 center, double sense) {
+  return length(to - from) <= tol::same_point ? 1 : swept_turns(from - center, to - center, sense);
+}
+
+bool is_circular(const ContourElement& e) {
+  return !e.is_arc || (std::fabs(e.start_radius - e.end_radius) <= tol::circular && e.start_radius > tol::same_point);
+}
+
+/// A motion in the plane may have the way in or out, axes that roll and followers besides.
+void without_contour(Motion& m) {
+  if (contour_of(m) == nullptr) return;
+  if (m.detail->rolled == 0 && !m.detail->way && m.detail->followers.empty()) return m.detail.reset();
+  auto detail = std::make_shared<MotionDetail>(*m.detail);
+  detail->contour.reset();
+  m.detail = std::move(detail);
+}
+
+}  // namespace kadr

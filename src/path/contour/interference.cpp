@@ -1,0 +1,112 @@
+#include "path/contour/interference.h"
+
+#include <algorithm>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+namespace {
+
+using Window = std::span<const CompensatedBlock>;
+
+/// Has `compensated` a component against `programmed`? What rounding leaves does not count.
+bool opposed(Vec2 programmed, Vec2 compensated) {
+  return dot(programmed, compensated) < -tol::same_point * std::max(length(programmed), tol::same_point);
+}
+
+/// An arc's tool path has no radius left, or runs the other way (INFERRED: the chords say nothing above half a turn).
+bool arc_turns_round(const ContourElement& arc, const CompensatedBlock& block, Vec2 end_vector) {
+  const double inside = block.side * arc.sense() * block.radius;
+  if (std::min(arc.start_radius, arc.end_radius) < inside - tol::same_point) return true;
+  return compensated_turns(arc, block.start_vector, end_vector) * arc.sense() < -tol::same_angle;
+}
+
+/// Is the way from the first junction to that behind the block `j` against the programmed one?
+bool interferes(Window window, std::size_t j) {
+  const JunctionVectors &a = *window[0].end, &b = *window[j].end;
+  if (a.count == 0 || b.count == 0) return j == 1;
+  if (j == 1) {
+    const CompensatedBlock& block = window[1];
+    if (block.element->is_arc) return arc_turns_round(*block.element, block, b.first());
+  }
+  const Vec2 way = window[j].element->to - window[0].element->to;
+  return opposed(way, way + b.first() - a.last());
+}
+
+/// Where two pieces of the way round a corner cross, ends included.
+std::optional<Vec2> crossing(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
+  const Vec2 a = a1 - a0, b = b1 - b0;
+  const double c = cross(a, b);
+  if (c == 0) return std::nullopt;
+  const double s = cross(b0 - a0, b) / c, t = cross(b0 - a0, a) / c;
+  const auto within = [](double part, double whole) { return part * whole >= -tol::same_point && (part - 1) * whole <= tol::same_point; };
+  if (!within(s, length(a)) || !within(t, length(b))) return std::nullopt;
+  return a0 + s * a;
+}
+
+/// Steps 1 to 3: the ways round the two corners cross.
+std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
+  const JunctionVectors &a = *window[0].end, &b = *window[j].end;
+  const Vec2 p1 = window[0].element->to, p2 = window[j].element->to, way = p2 - p1;
+  for (std::size_t q = 1; q < a.count && q < b.count; ++q) {
+    const std::size_t i = a.count - 1U - q;
+    if (opposed(way, way + b.at[q] - a.at[i])) continue;
+    const auto x = crossing(p1 + a.at[i], p1 + a.at[i + 1], p2 + b.at[q - 1], p2 + b.at[q]);
+    if (!x) continue;  // INFERRED: as if it still interfered
+    ContourJoin join{j + 1, {}, b.last()};
+    for (std::size_t k = 0; k <= i; ++k) join.vectors.add(a.at[k]);
+    join.vectors.add(*x - p1);
+    for (std::size_t k = q; k < b.count; ++k) join.vectors.add(p2 + b.at[k] - p1);
+    return join;
+  }
+  return std::nullopt;
+}
+
+/// Step 4: the offsets of the first block and of the one behind `j` meet.
+std::optional<ContourJoin> join_by_offsets(Window window, std::size_t j) {
+  const CompensatedBlock &first = window[0], &next = window[j + 1];
+  if (!first.plain || !next.plain || first.side != next.side) return std::nullopt;
+  const Vec2 point = first.element->to;
+  OffsetElement beyond = offset_at_start(*next.element, first.radius, next.side);
+  beyond.distance += dot(beyond.normal, next.element->from - point);  // of a line; it does not begin at the point
+  const auto meet = intersection(offset_at_end(*first.element, first.radius, first.side), beyond, point);
+  if (!meet) return std::nullopt;
+  return ContourJoin{j + 1, single(*meet), point + *meet - next.element->from};
+}
+
+/// Would the block behind the join go back? Only where its own end is known.
+bool turns_next(Window window, const ContourJoin& join) {
+  CompensatedBlock next = window[join.next];
+  if (!next.plain || next.end == nullptr || next.end->count == 0) return false;
+  next.start_vector = join.start_vector;
+  return goes_back(next);
+}
+
+}  // namespace
+
+bool goes_back(const CompensatedBlock& block) {
+  const ContourElement& e = *block.element;
+  const Vec2 end = block.end->first();
+  if (e.is_arc) return arc_turns_round(e, block, end);
+  const Vec2 way = e.to - e.from;
+  return opposed(way, way + end - block.start_vector);
+}
+
+std::optional<ContourJoin> check_interference(Window window, std::size_t further, bool always_alarm) {
+  if (window.size() < 3) return ContourJoin{};
+  const std::size_t last = std::min(further + 1, window.size() - 2);
+  std::size_t farthest = 0;
+  for (std::size_t j = 1; j <= last; ++j)
+    if (interferes(window, j)) farthest = j;
+  if (farthest == 0) return ContourJoin{};
+  if (always_alarm) return std::nullopt;
+  for (std::size_t j = farthest; j <= last; ++j) {
+    std::optional<ContourJoin> join;
+    if (j == farthest && window[0].end->count != 0 && window[j].end->count != 0) join = join_at_corners(window, j);
+    if (!join) join = join_by_offsets(window, j);
+    if (join && !turns_next(window, *join)) return join;
+  }
+  return std::nullopt;
+}
+
+}  // namespace kadr

@@ -1,0 +1,82 @@
+#include "path/curve/bezier.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+constexpr int most_bezier_pieces = 1000;
+
+double size(const Axes& way) {
+  double squares = 0;
+  for (const double part : way) squares += part * part;
+  return std::sqrt(squares);
+}
+
+Axes between(const Axes& from, const Axes& to) {
+  Axes way{};
+  for (std::size_t a = 0; a < max_axes; ++a) way[a] = to[a] - from[a];
+  return way;
+}
+
+Axes times(const Axes& way, double factor) {
+  Axes all = way;
+  for (double& part : all) part *= factor;
+  return all;
+}
+
+}  // namespace
+
+Axes way_between(const Axes& before, double before_length, const Axes& behind, double behind_length) {
+  Axes way{};
+  for (std::size_t a = 0; a < max_axes; ++a) way[a] = behind_length * before[a] + before_length * behind[a];
+  return times(way, 1 / size(way));
+}
+
+Bezier::Bezier(const Axes& from, const Axes& to, const Axes& start_way, const Axes& end_way) : from_(from), to_(to) {
+  const double third = size(between(from, to)) / 3;
+  start_pull_ = times(start_way, third);
+  end_pull_ = times(end_way, third);
+}
+
+Axes Bezier::at(double part) const {
+  if (part <= 0) return from_;
+  if (part >= 1) return to_;
+  const double rest = 1 - part;
+  const double first = 3 * rest * rest * part, second = 3 * rest * part * part, third = part * part * part;
+  Axes point{};
+  for (std::size_t a = 0; a < max_axes; ++a)
+    point[a] = from_[a] + first * start_pull_[a] + second * (to_[a] - from_[a] - end_pull_[a]) + third * (to_[a] - from_[a]);
+  return point;
+}
+
+/// Looked for in so many places that the greatest is missed by less than a thousandth of it: the distance is a cubic between them.
+double Bezier::off_chord() const {
+  constexpr int places = 64;
+  const Axes chord = between(from_, to_);
+  const double length = size(chord);
+  double most = 0;
+  for (int i = 1; i < places; ++i) {
+    const Axes away = between(from_, at(static_cast<double>(i) / places));
+    double along = 0, squares = 0;
+    for (std::size_t a = 0; a < max_axes; ++a) along += away[a] * chord[a], squares += away[a] * away[a];
+    along /= length;
+    most = std::max(most, squares - along * along);
+  }
+  return std::sqrt(most);
+}
+
+/// A chord over a part h of the curve misses by h²/8 · |x″| at most; |x″| is greatest at an end.
+int Bezier::pieces(double chord) const {
+  Axes start{}, end{};
+  for (std::size_t a = 0; a < max_axes; ++a) {
+    const double way = to_[a] - from_[a];
+    start[a] = 6 * (way - end_pull_[a] - 2 * start_pull_[a]);
+    end[a] = 6 * (2 * end_pull_[a] + start_pull_[a] - way);
+  }
+  const double count = std::ceil(std::sqrt(std::max(size(start), size(end)) / (8 * chord)));
+  return static_cast<int>(std::clamp(count, 1.0, double{most_bezier_pieces}));
+}
+
+}  // namespace kadr

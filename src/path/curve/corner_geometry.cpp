@@ -1,0 +1,129 @@
+#include "path/curve/corner_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+namespace {
+
+/// The supporting curve as an offset element of no offset, seen from `point`.
+OffsetElement seen_from(const Support& s, Vec2 point) {
+  OffsetElement e;
+  e.is_arc = s.is_circle;
+  e.center = s.center;
+  e.radius = s.radius;
+  if (s.is_circle) return e;
+  e.tangent = s.direction;
+  e.normal = left_of(s.direction);
+  e.distance = dot(s.point - point, e.normal);
+  return e;
+}
+
+/// The second point comes before the first one, clockwise on the circle from its element's start (17.3.4, INFERRED).
+bool second_comes_first(const Support& circle, const Meetings& meet, bool mirrored) {
+  const Vec2 start = circle.point - circle.center;
+  const double sense = mirrored ? 1 : -1;
+  const auto turns = [&](Vec2 vector) { return swept_turns(start, circle.point + vector - circle.center, sense); };
+  return turns(meet.at[1]) < turns(meet.at[0]);
+}
+
+double radius_at(const ContourElement& e, Vec2 corner) { return length(corner - e.center); }
+
+/// The point of an element at a chord from the corner, and the way to it; `back` -1: before the corner, at the element's end.
+struct Touch {
+  Vec2 point;
+  double way = 0;
+};
+std::optional<Touch> at_chord(const ContourElement& e, Vec2 corner, Vec2 tangent, double chord, double back) {
+  if (!e.is_arc) return Touch{corner + back * chord * tangent, chord};
+  const double radius = radius_at(e, corner);
+  if (!(chord <= 2 * radius)) return std::nullopt;
+  const double angle = 2 * std::asin(chord / (2 * radius)) / rad_per_deg;
+  return Touch{e.center + rotated(corner - e.center, back * e.sense() * angle), angle / 360};
+}
+
+/// Where an arc about `center` touches an element beside which the centre lies.
+Vec2 touch_point(const ContourElement& e, Vec2 corner, Vec2 tangent, Vec2 center) {
+  if (!e.is_arc) return corner + dot(center - corner, tangent) * tangent;
+  const Vec2 arm = center - e.center;
+  return e.center + radius_at(e, corner) / length(arm) * arm;
+}
+
+/// Way between two points of an element, run from the first to the second; less than no way by rounding is none.
+double way_between(const ContourElement& e, Vec2 from, Vec2 to, Vec2 tangent) {
+  if (!e.is_arc) return dot(to - from, tangent);
+  const double turns = swept_turns(from - e.center, to - e.center, e.sense());
+  return 1 - turns <= slack(e) ? 0 : turns;
+}
+
+bool has_room(double way, double room, double tolerance) { return way >= -tolerance && way <= room + tolerance; }
+
+}  // namespace
+
+double swept_turns(Vec2 from, Vec2 to, double sense) {
+  const double turns = sense * angle_deg({dot(from, to), cross(from, to)}) / 360;
+  return turns < 0 ? turns + 1 : turns;
+}
+
+double whole_way(const ContourElement& e) { return e.is_arc ? std::fabs(e.turns) : length(e.to - e.from); }
+double slack(const ContourElement& e) {
+  return e.is_arc ? tol::same_point / (2 * pi * std::max(e.start_radius, e.end_radius)) : tol::same_point;
+}
+
+bool meet_smoothly(const ContourElement& first, const ContourElement& second) {
+  return std::fabs(cross(first.end, second.start)) < tol::tangential && dot(first.end, second.start) > 0;
+}
+
+std::optional<Vec2> calculated_corner(const Support& first, const Support& second, CornerChoice choice) {
+  const bool lines = !first.is_circle && !second.is_circle;
+  if (lines && std::fabs(cross(first.direction, second.direction)) < tol::tangential) return std::nullopt;
+  const Meetings meet = intersections(seen_from(first, first.point), seen_from(second, first.point), first.point);
+  if (meet.count == 0) return std::nullopt;
+  if (lines) return first.point + meet.at[0];
+  const bool circles = first.is_circle && second.is_circle;
+  const bool exchanged = circles && second_comes_first(first, meet, choice.mirrored);
+  return first.point + meet.at[choice.farther != exchanged ? 1 : 0];
+}
+
+std::optional<CornerElement> chamfer(const ContourElement& first, const ContourElement& second, double leg) {
+  const auto begin = at_chord(first, first.to, first.end, leg, -1);
+  const auto end = at_chord(second, second.from, second.start, leg, 1);
+  if (!begin || !end) return std::nullopt;
+  CornerElement c;
+  c.from = begin->point;
+  c.to = end->point;
+  c.first_way = begin->way;
+  c.second_way = end->way;
+  return c;
+}
+
+std::optional<CornerElement> rounding(const ContourElement& first, const ContourElement& second, double radius, CornerRoom room) {
+  const double turn = cross(first.end, second.start), side = turn > 0 ? 1 : -1;
+  if (!(std::fabs(turn) >= tol::tangential)) return std::nullopt;  // the second goes back where the first came from
+  const Vec2 corner = first.to;
+  const OffsetElement before = offset_at_end(first, radius, side), behind = offset_at_start(second, radius, side);
+  for (const OffsetElement& e : {before, behind})
+    if (e.is_arc && !(e.radius > tol::same_point)) return std::nullopt;
+  const Meetings meet = intersections(before, behind, corner);
+  std::optional<CornerElement> best;
+  double best_distance = 0;
+  for (std::size_t i = 0; i < meet.count; ++i) {
+    CornerElement c;
+    c.center = corner + meet.at[i];
+    c.from = touch_point(first, corner, first.end, c.center);
+    c.to = touch_point(second, corner, second.start, c.center);
+    c.first_way = way_between(first, c.from, corner, first.end);
+    c.second_way = way_between(second, corner, c.to, second.start);
+    c.turns = side * swept_turns(c.from - c.center, c.to - c.center, side);
+    const double distance = length(meet.at[i]);
+    if (!has_room(c.first_way, room.first, slack(first)) || !has_room(c.second_way, room.second, slack(second))) continue;
+    if (best && best_distance <= distance) continue;
+    best = c;
+    best_distance = distance;
+  }
+  return best;
+}
+
+}  // namespace kadr

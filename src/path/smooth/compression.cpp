@@ -1,0 +1,80 @@
+#include "path/smooth/compression.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kadr {
+namespace {
+
+/// The motion, if it may be joined with others.
+const Motion* joinable(const Action& action) {
+  const auto* const motion = std::get_if<Motion>(&action.what);
+  return motion != nullptr && motion->join > 0 && motion->kind == MotionKind::feed && !motion->detail ? motion : nullptr;
+}
+
+bool is_single_block_stop(const Action& action) {
+  const auto* const stop = std::get_if<Stop>(&action.what);
+  return stop != nullptr && stop->reason == StopReason::single_block;
+}
+
+/// Longest way of an axis.
+double longest_way(const Axes& from, const Axes& to) {
+  double way = 0;
+  for (std::size_t i = 0; i < max_axes; ++i) way = std::max(way, std::fabs(to[i] - from[i]));
+  return way;
+}
+
+}  // namespace
+
+std::size_t Compression::take(ActionBatch& batch, const Axes& from, bool last) {
+  of_before_ = 0;
+  held_before_ = held_.has_value();
+  if (!held_ && std::none_of(batch.begin(), batch.end(), [](const Action& action) { return joinable(action) != nullptr; })) return 0;
+  from_ = from;
+  out_.clear();
+  for (Action& action : batch) {
+    if (joinable(action) != nullptr) {
+      join(action);
+    } else if (held_ && is_single_block_stop(action)) {
+      stop_ = std::move(action);
+    } else {
+      let_out();
+      if (const auto* const motion = std::get_if<Motion>(&action.what)) from_ = motion->to;
+      else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) from_ = frame->work;
+      out_.add() = std::move(action);
+    }
+  }
+  if (last) let_out();
+  std::swap(batch, out_);
+  return of_before_;
+}
+
+/// The motion takes the held one's place; it is let out if it has gone far enough, or must stop at its end.
+void Compression::join(Action& action) {
+  auto& motion = std::get<Motion>(action.what);
+  if (held_) motion.named |= std::get<Motion>(held_->what).named;
+  drop();
+  held_before_ = false;
+  if (longest_way(from_, motion.to) > motion.join || motion.exact || motion.in_position) {
+    from_ = motion.to;
+    out_.add() = std::move(action);
+  } else {
+    held_ = std::move(action);
+  }
+}
+
+void Compression::let_out() {
+  if (!held_) return;
+  const std::size_t size = out_.size();
+  const Axes& to = std::get<Motion>(held_->what).to;
+  if (longest_way(from_, to) > 0) {
+    from_ = to;
+    out_.add() = std::move(*held_);
+  }
+  if (stop_) out_.add() = std::move(*stop_);
+  if (held_before_) of_before_ += out_.size() - size;
+  drop();
+}
+
+}  // namespace kadr

@@ -1,0 +1,107 @@
+#pragma once
+// SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance (path/smooth/soft_corner). Roundings of
+// neighbouring corners may overlap: their ways add up, so that a chain of short pieces becomes one smooth curve. A window of a longer
+// path: pieces come in at the end, what is done with is forgotten.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/stop.h"
+
+namespace kadr {
+
+class SoftCorner;
+
+class SmoothPath {
+ public:
+  explicit SmoothPath(std::size_t axes) : axes_(axes) {}
+  std::size_t axes() const { return axes_; }
+
+  /// Empty: it begins here, with length 0.
+  void begin(const double* at);
+
+  /// A straight piece, if it has a length. `feed`: the greatest speed, mm/s. `tolerance`: how far the corner at its beginning may be
+  /// rounded, mm; more than 0, as a corner that may not be rounded is an end of the path. `on_curve`: that corner is one of a chain of
+  /// chords. `tag`: the caller's own.
+  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
+
+  /// Finds how wide the corners are rounded. Those near the end wait, but if this is all (`last`).
+  ///   law  at no length is the path further from the straight pieces than the tolerance of the corners around; but where `stop` asked it
+  ///        to end before, then nothing may be made of it
+  void settle(bool last, StopToken stop = {});
+
+  /// Forgets the pieces that end before a length, but for those whose corners are felt behind it.
+  void forget(double before);
+
+  std::size_t pieces() const { return length_.size(); }
+  bool empty() const { return length_.empty(); }
+  double begins() const { return at_.front(); }
+  double ends() const { return at_.back(); }
+  /// Up to here it is final.
+  double settled() const { return settled_; }
+
+  double at(std::size_t vertex) const { return at_[vertex]; }
+  double width(std::size_t vertex) const { return width_[vertex]; }
+  /// |Δu|: 0 straight on, 2 back.
+  double turn(std::size_t vertex) const { return turn_[vertex]; }
+  /// The path turns back on itself there: a vertex without rounding, which none other reaches over.
+  bool turns_back(std::size_t vertex) const { return turn_[vertex] > turning_back; }
+  /// From a vertex where the axes stand for an instant – an end of the path, one where it turns back – to the next such one, whichever is
+  /// nearer: mm, exact below `widest`. Of vertices that are settled.
+  double room(std::size_t vertex) const { return room_[vertex]; }
+  bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }
+  double feed(std::size_t piece) const { return feed_[piece]; }
+  /// A unit vector.
+  const double* direction(std::size_t piece) const { return direction_.data() + piece * axes_; }
+  std::uint64_t tag(std::size_t piece) const { return tag_[piece]; }
+  /// The piece that holds a length, looked for from `from` on.
+  std::size_t piece_at(double s, std::size_t from) const;
+  /// No corner at all: one straight line at one feed.
+  bool is_one_line() const;
+
+  /// Position and its first two derivatives by the length, of each axis. `piece`: that holds s.
+  void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2) const;
+
+  /// How far x, the position at s, is beyond the tolerance of the corners felt there, as a share of it: from the straight pieces around.
+  /// 0: not at all.
+  double beyond(double s, std::size_t piece, const double* x) const;
+
+  static constexpr double widest = 2;  // mm: a rounding to either side; wider ones cost work and gain little below 12 m/min
+
+ private:
+  static constexpr double turning_back = 2 - 1e-9;  // |Δu|
+  double width_on_curve(std::size_t vertex) const;
+  double moved(double s, std::size_t around) const;
+  double moved_beside(std::size_t vertex, int side) const;
+  bool overlaps(std::size_t vertex) const;
+  void look_at_roundings();
+  bool shrink(std::size_t first, std::size_t end);
+  double squared_way_to(std::size_t piece, const double* x) const;
+  template <class Take>
+  void corners_near(double s, std::size_t around, double reach, const Take& take) const;
+
+  std::size_t axes_;
+  std::vector<double> point_;      // of each vertex
+  std::vector<double> bend_;       // Δu of each vertex; of the ends 0
+  std::vector<double> turn_;       // its length
+  std::vector<double> at_;         // length at each vertex
+  std::vector<double> width_;      // of its rounding
+  std::vector<double> tolerance_;  // of each vertex
+  std::vector<double> room_;       // of each vertex; where the axes do not stand of no meaning
+  std::vector<double> direction_;  // of each piece
+  std::vector<double> length_, feed_;
+  std::vector<std::uint64_t> tag_;
+  std::vector<char> on_curve_;  // of each vertex
+  struct Rounding {             // of a vertex
+    double inverse = 0;         // of its width
+    const SoftCorner* shape = nullptr;
+  };
+  std::vector<Rounding> roundings_;  // while it settles, of all vertices
+  std::vector<double> factor_;       // likewise
+  double reach_ = 0;                 // the widest rounding
+  std::size_t done_ = 0;             // vertices before are settled
+  double settled_ = 0;
+};
+
+}  // namespace kadr
