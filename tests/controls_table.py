@@ -46,12 +46,15 @@ PARAMETER_ENUMS = {"scope": enum_names(DEF_H, "ParameterScope"), "type": enum_na
                    "when": enum_names(DEF_H, "ParameterClass")}
 ENUMS = {"ArcCenters": enum_names(DEF_H, "ArcCenters"), "LengthOffset": enum_names(DEF_H, "LengthOffset")}
 END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
+OPERATIONS = set(enum_names(header("lang/expression/operation.h"), "Op"))
+EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "operand"}, "relations": {"does"}}
 MOST_AXES = 16
 
 # Keys that are not named as the field they fill.
-GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address"}
+GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"words", "parameter_address", "label_address", "section_address",
+                                                                             "expression"}
 GRAMMAR_KEYS |= {"formal_parameter", "parameters_in", "label", "section", "most_codes"}
-TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
+TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "expressions", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
             "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many"}
@@ -134,6 +137,7 @@ class Control:
         self.check_head()
         self.check_grammar()
         self.check_behaviour()
+        self.check_expressions()
         self.check_order()
         self.check_addresses()
         for section, letter in (("g", "G"), ("m", "M")):
@@ -192,6 +196,16 @@ class Control:
                 good = isinstance(value, (int, float)) and not isinstance(value, bool) and value >= 0
                 good = good and (kind == "double" or isinstance(value, int))
             check(good, self.at("behaviour", key, "=", value, "is no", kind))
+
+    def check_expressions(self):
+        rows = self.t.get("expressions", {})
+        check_keys(rows, EXPRESSION_KEYS, "expressions")
+        check(not rows or self.t["grammar"].get("expressions"), self.at("expressions: not with this grammar"))
+        for section, table in rows.items():
+            for text, row in table.items():
+                check_keys(row, EXPRESSION_KEYS[section], self.at(section, text))
+                check(row.get("does") in OPERATIONS, self.at(section, text, "does nothing that is known"))
+                check(text == text.upper(), self.at(section, text, "is not in capitals"))
 
     def check_order(self):
         check(len(set(self.order)) == len(self.order), self.at("order: a phase twice"))

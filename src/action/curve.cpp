@@ -1,3 +1,6 @@
+// Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix or a cone. For action, motion, out, path;
+// tested by tests/action/curve_test.cpp.
+
 #include "action/curve.h"
 
 #include <algorithm>

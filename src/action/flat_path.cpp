@@ -1,3 +1,5 @@
+// FlatPath: a line, a circle's arc or a planar spiral in a plane. For action, path; tested by tests/action/flat_path_test.cpp.
+
 #include "action/flat_path.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// PolarPath: a path programmed in a flat plane, carried out by a linear and a rotary axis. For action/curve; tested by
+// tests/action/polar_test.cpp.
+
 #include "action/polar.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// What went wrong, as data: id, arguments, the piece of text. For action, base, config, lang, out; tested by tests/base/alarm_test.cpp.
+
 #include "base/alarm.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Small vectors and exact trigonometry in degrees. For action, config, control, lang, machine, motion, out, path; tested by
+// tests/base/vec_test.cpp.
+
 #include "base/vec.h"
 
 namespace kadr {

@@ -1,3 +1,5 @@
+// The channels of one machine side by side in virtual time (nct 1.2, 14.5). For the rest of cli.
+
 #include "cli/channels.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// The command line: commands, options, help with examples. For the rest of cli.
+
 #include "cli/command_line.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// Whole files in, for commands whose input is small. For the rest of cli.
+
 #include "cli/files.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// kadr mill: words of the command line → what is wanted of path/area. For cli/mill, cli/mill_command.
+
 #include "cli/mill_options.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// What stands behind an option: its name in the help, and whether it is one. For the rest of cli.
+
 #include "cli/option_values.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// The rooms in a row: program → control → machine → Steps → trace, summary, plot. For the rest of cli.
+
 #include "cli/pipeline.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// Planned: one channel's axes in time by the planner of least time (docs/planner.md), and whoever looks at it. For cli/run_view.
+
 #include "cli/planned.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// A line on the terminal during long work. For the rest of cli.
+
 #include "cli/progress.h"
 
 #include <fmt/core.h>

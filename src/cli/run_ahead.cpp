@@ -1,3 +1,6 @@
+// RunAhead: the control interprets the next batches in a thread of its own while the rooms behind it take the last one (design.md 1). For
+// cli/pipeline.
+
 #include "cli/run_ahead.h"
 
 #include <sched.h>

@@ -1,3 +1,5 @@
+// --tool, --zero, --corrector: what stands in no set-up file, or goes before it. For cli/pipeline.
+
 #include "cli/setup_options.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// --state FILE: the control's memory from run to run. For cli/run.
+
 #include "cli/state.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// The terminal on standard error: messages and the progress bar share it. For the rest of cli.
+
 #include "cli/terminal.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// What the program has used of a set-up and no set-up states. For the rest of cli.
+
 #include "cli/unstated.h"
 
 #include <fmt/core.h>

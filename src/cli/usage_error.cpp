@@ -1,3 +1,5 @@
+// What is wrong with a command line, in words, with what was perhaps meant. For cli/main.
+
 #include "cli/usage_error.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// What a program itself writes (--files): its folder, what it would have written, what it has read and must not write over. For cli/run.
+
 #include "cli/written_files.h"
 
 #include <fmt/core.h>

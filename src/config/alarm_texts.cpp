@@ -1,3 +1,6 @@
+// Alarms in words: controls/alarms.toml in English and Russian, over it the control's own numbers and wording. For cli, config, out;
+// tested by tests/config/alarm_texts_test.cpp.
+
 #include "config/alarm_texts.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Contours: drawings ↔ edges. For cli, config, path; tested by tests/config/contour_test.cpp.
+
 #include "config/contour.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// controls/*.toml → ControlDef: the file with what it extends laid under it. For cli; tested by tests/config/control_file_test.cpp.
+
 #include "config/control_file.h"
 
 #include "config/control_loader.h"

@@ -60,6 +60,10 @@ class ControlLoader {
   void ranged(const toml::table& row, std::string_view key, const NumberRange& range, double& to);
   Done dialect();
   Done grammar();
+  // ---- [expressions] (control_loader_expressions.cpp)
+  Done expressions();
+  Done expression_rows(const toml::table& of, std::string_view key, ExpressionRows& to);
+  tl::expected<ExpressionRow, std::string> expression_row(std::string_view key, std::string_view written, const toml::node& node);
   char first_letter(const toml::table& t, std::string_view key);
   Done behaviour();
   Done axes();

@@ -1,3 +1,6 @@
+// What a drilling cycle does, operation by operation (spec/nct/18.1): DrillingRun of control/nct carries it out, kadr explain tells it.
+// For control/nct/drilling/drilling_run, out/text/cycle_text.
+
 #include "config/drill_steps.h"
 
 #include <algorithm>

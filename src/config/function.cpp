@@ -1,3 +1,5 @@
+// The table of what the engine can do: names to functions and back. For config, control; tested by tests/config/function_test.cpp.
+
 #include "config/function.h"
 
 #include <algorithm>

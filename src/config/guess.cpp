@@ -1,3 +1,6 @@
+// Which control a program was written for, guessed from its text. For cli/pipeline, cli/program_files; tested by
+// tests/config/guess_test.cpp.
+
 #include "config/guess.h"
 
 #include <algorithm>

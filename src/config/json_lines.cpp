@@ -1,3 +1,5 @@
+// JSON with the line of each key, for messages. For config/setup_check.
+
 #include "config/json_lines.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// A look over JSON text before it is parsed: what is wrong is told in words, with line and column, and no text takes the stack or the
+// memory. For config/setup; tested by tests/config/json_scan_test.cpp.
+
 #include "config/json_scan.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// A control whose axes the machine decides (behaviour.machine_axes) made fit for one channel of a machine: addresses of axes, spindles and
+// auxiliary functions from the set-up (spec/nct/02, 05 5.1, 11 11.1.1, 13 13.2). For config, control.
+
 #include "config/machine_axes.h"
 
 #include <algorithm>

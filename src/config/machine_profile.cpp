@@ -1,3 +1,5 @@
+// machines/*.toml: what a machine can do. For cli, machine, motion; tested by tests/config/machine_profile_test.cpp.
+
 #include "config/machine_profile.h"
 
 #include <algorithm>

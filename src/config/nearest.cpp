@@ -1,3 +1,5 @@
+// "Did you mean …": the name that a mistyped one is nearest to. For cli, config, out.
+
 #include "config/nearest.h"
 
 #include <algorithm>

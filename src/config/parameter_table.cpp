@@ -1,3 +1,5 @@
+// controls/NAME-parameters.toml → rows of parameters (nct 24). For the rest of config; tested by tests/config/parameter_table_test.cpp.
+
 #include "config/parameter_table.h"
 
 #include <algorithm>

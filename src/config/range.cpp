@@ -1,3 +1,6 @@
+// What a number of a file may be: a range a kind of number, one for set-ups, machine files and control files alike. For the rest of
+// config.
+
 #include "config/range.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// A small file of ours, whole: set-up, control, machine, contour. For cli, config, out; tested by tests/config/read_file_test.cpp.
+
 #include "config/read_file.h"
 
 #include <fcntl.h>

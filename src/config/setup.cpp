@@ -1,3 +1,6 @@
+// The state before the start (--setup FILE.json), and the state after it. For config, control, machine, motion, session; tested by
+// tests/config/setup_test.cpp.
+
 #include "config/setup.h"
 
 #include "base/ascii.h"

@@ -1,3 +1,6 @@
+// Whether a set-up names only what there is: each key against the table of keys (config/setup_keys) and the control. For config/setup,
+// out/text/setup_page.
+
 #include "config/setup_check.h"
 
 #include <fmt/core.h>

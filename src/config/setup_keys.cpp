@@ -1,3 +1,5 @@
+// The keys of a set-up (--setup FILE.json): one table, a row a key. For config/setup_names; tested by tests/config/setup_keys_test.cpp.
+
 #include "config/setup_keys.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// What one control knows of a set-up: by what its file has. For cli, config, control, out.
+
 #include "config/setup_names.h"
 
 #include <fmt/core.h>

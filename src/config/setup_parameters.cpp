@@ -1,3 +1,6 @@
+// Parameters of the set-up as the rooms behind the control read them: by axis of the channel or of the channel itself. For machine,
+// motion.
+
 #include "config/setup_parameters.h"
 
 #include "config/machine_axes.h"

@@ -1,3 +1,5 @@
+// Values of the set-up file, each read or refused by the name of its key. For the rest of config.
+
 #include "config/setup_reader.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// The SQLite database that a state file is: its connection, its marks, its errors in words. For config/state_content.
+
 #include "config/state_base.h"
 
 #include <cstdlib>

@@ -1,3 +1,5 @@
+// kadr state: is a state file sound, and what can be read of a damaged one. For cli/state, cli/state_command.
+
 #include "config/state_check.h"
 
 #include <fcntl.h>

@@ -1,3 +1,5 @@
+// What a state file holds, read with its checksums: the good rows, and each thing that is wrong. For the rest of config.
+
 #include "config/state_content.h"
 
 #include <algorithm>

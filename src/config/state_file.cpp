@@ -1,3 +1,5 @@
+// The state file (--state FILE): what survives power-off. For cli, config, control; tested by tests/config/state_file_test.cpp.
+
 #include "config/state_file.h"
 
 #include <algorithm>

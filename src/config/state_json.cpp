@@ -1,3 +1,6 @@
+// What a run leaves behind, as JSON: `state` of the trace's last line (tests/golden/README.md). For cli/run, config/state_rows; tested by
+// tests/config/state_json_test.cpp.
+
 #include "config/state_json.h"
 
 #include <cmath>

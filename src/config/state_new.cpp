@@ -1,3 +1,6 @@
+// A new state file with rows: made beside, whole, and given its name only where there is nothing of that name. For config/state_check,
+// config/state_file.
+
 #include "config/state_new.h"
 
 #include <fcntl.h>

@@ -1,3 +1,5 @@
+// The language in which the readers of files tell what is wrong. For cli, config, machine, out.
+
 #include "config/told.h"
 
 #include <atomic>

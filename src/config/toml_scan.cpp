@@ -1,3 +1,5 @@
+// A look over TOML text before it is parsed. For config/toml_tools; tested by tests/config/toml_scan_test.cpp.
+
 #include "config/toml_scan.h"
 
 #include <algorithm>

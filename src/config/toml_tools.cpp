@@ -1,3 +1,5 @@
+// What the readers of our TOML files share: the file's text, merging of `extends`, messages with a place. For the rest of config.
+
 #include "config/toml_tools.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The door of the interpreter: each call is handed on to Interpreter, or to what the dialect lets the machine tell. For cli, control,
+// session.
+
 #include "control/control.h"
 
 #include <utility>

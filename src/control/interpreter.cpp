@@ -1,3 +1,6 @@
+// The way of a block through the interpreter: read, looked at by the machine's logic, evaluated, planned, carried out. For the rest of
+// control.
+
 #include "control/interpreter.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// What a touch probe meets on a straight line: switch positions of the setup, and a hole in a solid workpiece. For
+// machine/virtual_machine; tested by tests/machine/probe_test.cpp.
+
 #include "machine/probe.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// VirtualMachine: follows the Actions, guards the axis limits and zones, and says what a probe meets. For cli/pipeline; tested by
+// tests/machine/virtual_machine_test.cpp.
+
 #include "machine/virtual_machine.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// ZoneBox: a box in machine coordinates, and where a motion first meets it. For machine/zones.
+
 #include "machine/zone_box.h"
 
 #include <algorithm>

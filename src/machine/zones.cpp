@@ -1,3 +1,6 @@
+// Zones: where the axes of an NCT machine must not go (nct 22), in machine coordinates after all offsets. For machine/virtual_machine;
+// tested by tests/machine/zones_test.cpp.
+
 #include "machine/zones.h"
 
 #include <algorithm>

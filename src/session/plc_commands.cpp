@@ -1,3 +1,5 @@
+// What the machine's logic (machine/plc) commands, carried to the controls of its channels. For cli/pipeline.
+
 #include "session/plc_commands.h"
 
 namespace kadr {

@@ -1,3 +1,5 @@
+// A program read back: its motions in work coordinates. For cli/mill.
+
 #include "session/program_moves.h"
 
 #include <cmath>

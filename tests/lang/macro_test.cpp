@@ -1,4 +1,4 @@
-// lang/block/statement_reader, lang/expression/macro_compiler, lang/expression/macro_arithmetic: the language of custom macros,
+// lang/block/statement_reader, lang/expression/expression_compiler, lang/expression/macro_arithmetic: the language of custom macros,
 // spec/nct/23 23.1, 23.2.
 
 #include <map>

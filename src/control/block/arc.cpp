@@ -1,3 +1,5 @@
+// The geometry of one programmed arc: centre, sweep, checks. For the rest of control; tested by tests/control/arc_test.cpp.
+
 #include "control/block/arc.h"
 
 #include <cmath>

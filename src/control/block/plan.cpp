@@ -1,3 +1,5 @@
+// What a block asks for: its words as rows of the control's table, in the order of execution. For the rest of control.
+
 #include "control/block/plan.h"
 
 #include <algorithm>

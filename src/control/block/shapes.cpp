@@ -1,3 +1,6 @@
+// What all blocks of one shape have in common, found once: a long program has few shapes (`G1 X Y`, `X Y`, `G2 X Y I J`, …). For
+// control/interpreter.
+
 #include "control/block/shapes.h"
 
 namespace kadr {

@@ -1,3 +1,5 @@
+// The dialect of the generic Soviet ISO control: axis correctors (spec/correctors 1), pockets (3). For control/correctors/pocket.
+
 #include "control/correctors/correctors.h"
 
 #include <bit>

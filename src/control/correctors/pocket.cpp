@@ -1,3 +1,6 @@
+// The rectangular pocket of G87, G79 (spec/correctors 3): rounds of the tool's centre from the middle outwards, pass by pass. For
+// control/correctors/correctors; tested by tests/control/correctors/pocket_test.cpp.
+
 #include "control/correctors/pocket.h"
 
 #include <algorithm>

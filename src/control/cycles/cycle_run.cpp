@@ -1,3 +1,6 @@
+// Drilling cycles by steps (CycleRow::steps): a hole at a time, an action at a time, so that a cycle of any length runs in constant
+// memory. For control/interpreter.
+
 #include "control/cycles/cycle_run.h"
 
 #include <algorithm>

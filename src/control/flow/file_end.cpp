@@ -1,3 +1,5 @@
+// Whether a file was cut off before its end. For control/interpreter.
+
 #include "control/flow/file_end.h"
 
 #include <algorithm>

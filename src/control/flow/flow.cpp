@@ -1,3 +1,5 @@
+// Where the program is: readers, call stack, repetitions, jumps. For control/interpreter, control/snapshot_content.
+
 #include "control/flow/flow.h"
 
 #include <algorithm>

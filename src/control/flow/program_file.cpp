@@ -1,3 +1,6 @@
+// One file of the program memory: reader, blocks kept for loops, places of numbers and loops (spec/nct/14, 23 23.2.8, 23.2.11). For
+// control/flow/file_end, control/flow/flow; tested by tests/control/program_file_test.cpp.
+
 #include "control/flow/program_file.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Cutter radius compensation on the control's side, for the controls other than NCT: the order of the blocks around G41, G42, G40, and
+// what each motion tells `path`. 2С42 6.4.7, 6.6.7, 6.8. For the rest of control.
+
 #include "control/functions/contour.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// Lnnmm: a subprogram of the program's sections, or a cycle of the control's file (2С42 6.3, 6.7). For control/block/structure,
+// control/functions/flow_functions.
+
 #include "control/functions/section_calls.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Transform: scale, mirror, rotation; programmed coordinates to work coordinates and back (Mach3 10.7, NCT 16).
+
 #include <algorithm>
 #include <cmath>
 

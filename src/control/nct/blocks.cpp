@@ -1,3 +1,6 @@
+// Blocks of the NCT control around the common plan: statements, what calls macros instead of being carried out, data lines, what happens
+// behind a block (spec/nct/23 23.3, 23.5). For the rest of control.
+
 #include "control/nct/blocks.h"
 
 #include <bit>

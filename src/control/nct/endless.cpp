@@ -1,3 +1,5 @@
+// Loops that never end, found without running them for long (spec/nct/23 23.2.8, 23.2.11). For control/nct/memory.
+
 #include "control/nct/endless.h"
 
 #include <algorithm>

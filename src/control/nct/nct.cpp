@@ -1,3 +1,5 @@
+// The NCT control at power-on, by a set-up, at the end of a program (spec/nct/03, 13, 24). For the rest of control.
+
 #include "control/nct/nct.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Programs by number and by name in the program memory: folders on the disk (spec/nct/14 14.4.1, 14.4.2). For control/nct/calls/calls,
+// control/nct/memory.
+
 #include "control/nct/programs.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// What a program uses that a set-up states: offsets, work zeros, correctors, tools, variables, switches. For the rest of control.
+
 #include "control/state/usage.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// #1 … #n of Mach3 (system variables among them), R0 … R9 of the 2С42. For control/interpreter, control/snapshot_content.
+
 #include "control/variables/variables.h"
 
 #include <algorithm>

@@ -10,65 +10,11 @@
 #include "base/alarm.h"
 #include "base/span.h"
 #include "lang/block/grammar.h"
+#include "lang/expression/operation.h"
 
 namespace kadr {
 
 /// Step of a compiled expression: a stack machine's instruction (lang/expression/expression).
-enum class Op : std::uint8_t {
-  number,
-  variable,
-  parameter,  // push; `variable` replaces the top by #top
-  add,
-  subtract,
-  multiply,
-  divide,
-  modulo,
-  power,
-  negate,
-  logic_and,
-  logic_or,
-  logic_xor,
-  equal,  // comparisons: a vacant value is greater than every number and equal to itself (nct 23.1.6)
-  not_equal,
-  greater,
-  greater_equal,
-  less,
-  less_equal,
-  abs,
-  acos,
-  asin,
-  atan,
-  cos,
-  exp,
-  fix,
-  fup,
-  ln,
-  round,
-  sin,
-  sqrt,
-  tan,
-  scale,  // divides by `number`: raw digits to the unit of the address
-  // custom macros (nct 23.2)
-  remainder,
-  bit_and,
-  bit_or,
-  bit_xor,
-  bit_not,
-  truncate,        // FIX
-  away_from_zero,  // FUP
-  square_root,
-  sine,
-  cosine,
-  tangent,
-  arc_sine,
-  arc_cosine,
-  arc_tangent,
-  logarithm,
-  keep_negate,   // of a word: a vacant value stays vacant
-  variable_at,   // push the variable `number`
-  element,       // replaces the index on top by the number of that element of symbol `number`
-  control_value  // PRM: replaces number, bit, index on top by the value
-};
 
 struct Instruction {
   Op op;

@@ -1,3 +1,5 @@
+// Lines → blocks: the door of `lang`. For control, lang; tested by tests/lang/block_reader_test.cpp.
+
 #include "lang/block/block_reader.h"
 
 #include <algorithm>

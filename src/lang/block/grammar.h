@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "lang/expression/expression_rules.h"
+
 namespace kadr {
 
 /// Addresses are characters: A to Z, behind them words with a comma (`,C`) and names of several characters (`XDE`, `S2`).
@@ -86,6 +88,7 @@ struct Grammar {
   bool slash_comments = false;          // '//' to the end of the line
   std::string comment_forbidden;        // characters that must not stand in ( )
   bool expressions = false;             // #n, [expr], #n=expr (Mach3)
+  ExpressionRules expression;           // … and what may stand in them
   bool lower_case = true;               // small letters mean the same
   char parameter_address = 0;           // 'R' where R0..R9 are formal parameters (2С42 6.3.7)
   std::string long_parameters;          // "RPE": R01, P123 are formal parameters where a sign or = follows (spec/correctors 3)

@@ -1,3 +1,5 @@
+// The text of one block → words. For control/start, lang/block/block_reader; tested by tests/lang/lexer_test.cpp.
+
 #include "lang/block/lexer.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// Blocks of nothing but plain words: an address and a decimal number, one after the other. For lang/block/block_reader; tested by
+// tests/lang/plain_block_test.cpp.
+
 #include "lang/block/plain_block.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Statements of custom macros: IF, WHILE, DO, END, GOTO, #n=…, output (spec/nct/23 23.2, 23.5). For lang/block/lexer.
+
 #include "lang/block/statement_reader.h"
 
 #include <algorithm>

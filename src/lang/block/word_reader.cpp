@@ -1,3 +1,5 @@
+// One word: address known, digits → value by the address's format. For the rest of lang.
+
 #include "lang/block/word_reader.h"
 
 #include <algorithm>

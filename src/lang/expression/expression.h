@@ -82,11 +82,6 @@ inline bool compare(Op op, double a, double b) {
   }
 }
 
-/// Steps with two operands.
-constexpr bool takes_two(Op op) {
-  return (op >= Op::add && op <= Op::less_equal && op != Op::negate) || op == Op::atan || (op >= Op::remainder && op <= Op::bit_xor);
-}
-
 /// Runs the instructions. `variable(double number, Span)` and `parameter(int)` give Result<double>;
 /// `known(double number, double& value)`: the same for what is at hand, false if it is not;
 /// `control_value(number, bit, index, Span)` and `element(symbol, index, Span)` belong to custom macros.

@@ -1,3 +1,5 @@
+// Operations of custom macros that differ from those of RS274/NGC (spec/nct/23 23.2.2–23.2.5). For lang/expression/expression.
+
 #include "lang/expression/macro_arithmetic.h"
 
 #include <cmath>

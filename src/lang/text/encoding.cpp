@@ -1,3 +1,6 @@
+// Encodings of program text: which one a file has, and one line of it as UTF-8 (iconv). For cli, config, control, lang; tested by
+// tests/lang/encoding_test.cpp.
+
 #include "lang/text/encoding.h"
 
 #include <iconv.h>

@@ -1,3 +1,6 @@
+// Bytes → lines: reads a program of any length through a window, from any place in it. For lang/block/block_reader, lang/text/utf16;
+// tested by tests/lang/line_reader_test.cpp.
+
 #include "lang/text/line_reader.h"
 
 #include <fcntl.h>

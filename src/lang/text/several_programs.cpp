@@ -1,3 +1,6 @@
+// A tape with several programs: where each begins, what of the sections of subprograms belongs to it (spec/gost 1, 2С42 6.2, 6.3.5). For
+// cli/open_program.
+
 #include "lang/text/several_programs.h"
 
 #include <algorithm>

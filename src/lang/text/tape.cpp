@@ -1,3 +1,6 @@
+// Punched tape: rows of eight tracks in the ISO 7-bit code with even parity, and text (2С42 6.1, GOST 20999-83). For lang/text/tape_side;
+// tested by tests/lang/tape_test.cpp.
+
 #include "lang/text/tape.h"
 
 #include <algorithm>

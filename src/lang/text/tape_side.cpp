@@ -1,3 +1,6 @@
+// Is it an image of a punched tape, in which code, and does the tape lie as it should?. For cli, lang; tested by
+// tests/lang/tape_side_test.cpp.
+
 #include "lang/text/tape_side.h"
 
 #include <algorithm>

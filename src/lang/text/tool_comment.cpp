@@ -1,3 +1,6 @@
+// What a comment says of a tool: "(T1 D8 ENDMILL)", «ФРЕЗА 8», "T01 FREZA D=10 R0.5". For cli/setup_command; tested by
+// tests/lang/tool_comment_test.cpp.
+
 #include "lang/text/tool_comment.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Program text in UTF-16, as Windows' editors save it: recognised, and read as UTF-8. For cli, control; tested by
+// tests/lang/utf16_test.cpp.
+
 #include "lang/text/utf16.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// AxisMotion: Steps → the axes' motion in time, by the Planner: what a motion's curve is in machine coordinates, where the axes stand
+// still, what a pause lasts. For cli, motion.
+
 #include "motion/least_time/axis_motion.h"
 
 #include <algorithm>

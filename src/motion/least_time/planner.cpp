@@ -1,3 +1,6 @@
+// Planner: a path of straight pieces and stops → positions in time, with the least time that the axes' limits and the path's tolerances
+// allow (mode `optimal` of a machine profile). For the rest of motion; tested by tests/motion/planner_test.cpp.
+
 #include "motion/least_time/planner.h"
 
 #include <algorithm>

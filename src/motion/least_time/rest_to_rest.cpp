@@ -1,3 +1,6 @@
+// The least time of a straight line from rest to rest: seven phases of constant jerk, some of them of no length. For
+// motion/least_time/planner.
+
 #include "motion/least_time/rest_to_rest.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Smoothing: straight motions under G5.1, made one curve before they are planned. For motion/least_time/axis_motion; tested by
+// tests/motion/smoothing_test.cpp.
+
 #include "motion/least_time/smoothing.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// ThreadChain: threads that follow each other, as one motion in step with the spindle. For motion/least_time/axis_motion; tested by
+// tests/motion/thread_chain_test.cpp.
+
 #include "motion/least_time/thread_chain.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The limits that geometry sets to the speed on a path: of a block, and of the junction between two. For motion/look_ahead/look_ahead,
+// motion/time/rapid_time.
+
 #include "motion/look_ahead/control_speed.h"
 
 #include <algorithm>

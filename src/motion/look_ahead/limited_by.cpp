@@ -1,3 +1,6 @@
+// What keeps a cell of the planner from being faster: of all limits that it must obey the one that is nearest
+// (motion/least_time/least_time.h). For motion, out; tested by tests/motion/limited_by_test.cpp.
+
 #include "motion/look_ahead/limited_by.h"
 
 #include <algorithm>

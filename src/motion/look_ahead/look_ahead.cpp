@@ -1,3 +1,6 @@
+// LookAhead: Steps with their programmed times in, the same in order with the times that the machine takes. For cli/run_view; tested by
+// tests/motion/look_ahead_test.cpp.
+
 #include "motion/look_ahead/look_ahead.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// A change of speed along the path: linear, bell-shaped or jerk-free acceleration. For motion/look_ahead/control_speed,
+// motion/look_ahead/speed_plan.
+
 #include "motion/look_ahead/ramp.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The speeds along a path of pieces, each with a limit, from a given speed to rest. For motion/look_ahead/look_ahead; tested by
+// tests/motion/speed_plan_test.cpp.
+
 #include "motion/look_ahead/speed_plan.h"
 
 #include <algorithm>

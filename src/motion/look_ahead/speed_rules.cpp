@@ -1,3 +1,6 @@
+// What limits the speed of a machine along its path besides the programmed feed: its accelerations, and of a control that has parameters
+// (NCT 4.1, 6.2–6.4, 7) theirs. For motion/look_ahead/control_speed; tested by tests/motion/speed_rules_test.cpp.
+
 #include "motion/look_ahead/speed_rules.h"
 
 #include <algorithm>

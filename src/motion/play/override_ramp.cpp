@@ -1,3 +1,6 @@
+// OverrideRamp: how the share of the planned speed changes from one override to another: smoothly, so that acceleration and jerk stay
+// bounded. For motion/play/playback.
+
 #include "motion/play/override_ramp.h"
 
 namespace kadr {

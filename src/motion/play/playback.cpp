@@ -1,3 +1,6 @@
+// Playback: the axes' positions at the servo rate, from cells as the planner hands them out, with feed hold, resume and override at any
+// moment. For out/trace/samples; tested by tests/motion/playback_test.cpp.
+
 #include "motion/play/playback.h"
 
 #include <algorithm>

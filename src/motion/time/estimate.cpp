@@ -1,3 +1,6 @@
+// Machining time from programmed feeds and the machine's rapid rates, without acceleration. For machine, motion, out; tested by
+// tests/motion/estimate_test.cpp.
+
 #include "motion/time/estimate.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// Pace: how the time of a motion is shared by its pieces where the axes do not go as the feed counts: in polar interpolation, whose feed
+// is that in the programmed plane and whose rotary axis has a limit (NCT 4.5), in cylindrical, on the unrolled surface (4.6), and at a
+// feed per revolution of a spindle that turns by where the tool is (11.5). For motion/least_time/axis_motion; tested by
+// tests/motion/pace_test.cpp.
+
 #include "motion/time/pace.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// PlannedTime: what the time of the planner of least time is made of. For cli/planned, out/text/summary.
+
 #include "motion/time/planned_time.h"
 
 #include <algorithm>

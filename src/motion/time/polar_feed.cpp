@@ -1,3 +1,6 @@
+// The feed of polar interpolation: near the rotation centre the path waits for the rotary axis. For motion, out; tested by
+// tests/motion/polar_feed_test.cpp.
+
 #include "motion/time/polar_feed.h"
 
 #include <algorithm>

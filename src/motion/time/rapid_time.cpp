@@ -1,3 +1,5 @@
+// The time of a rapid motion, from rest to rest. For motion/look_ahead/look_ahead.
+
 #include "motion/time/rapid_time.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// SpindleClock: the angle of the main spindle over the time of the axes' motion. For motion/least_time/axis_motion; tested by
+// tests/motion/spindle_clock_test.cpp.
+
 #include "motion/time/spindle_clock.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// CairoCanvas: a page of pixels. For out/text/page_file.
+
 #include "out/picture/cairo_canvas.h"
 
 #include <array>

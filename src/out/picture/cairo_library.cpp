@@ -1,3 +1,6 @@
+// Cairo, opened when the first picture in pixels is drawn: to load it and the fifteen libraries behind it was a fifth of the start of
+// every command. For out/picture/cairo_canvas.
+
 #include "out/picture/cairo_library.h"
 
 #include <dlfcn.h>

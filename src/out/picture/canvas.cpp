@@ -1,3 +1,5 @@
+// Canvas: the few strokes, areas and texts that a picture needs, in the order of the calls. For the rest of out.
+
 #include "out/picture/canvas.h"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Picture of a milled area: the contours and the path of the tool's centre in plan, SVG or PNG. For cli/mill.
+
 #include "out/picture/mill_picture.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Plot: the path as a picture, SVG or PNG: isometric and the three planes. For cli, out; tested by tests/out/plot_test.cpp.
+
 #include "out/picture/plot.h"
 
 #include <algorithm>

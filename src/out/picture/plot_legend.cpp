@@ -1,3 +1,5 @@
+// The legend of a plot: two rows, what the strokes mean and what the signs mean. For out/picture/plot_page.
+
 #include "out/picture/plot_legend.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The signs at places of a path: where it starts and ends, where an alarm stopped it. For out/picture/plot_legend, out/picture/plot_view.
+
 #include "out/picture/plot_marks.h"
 
 #include <algorithm>

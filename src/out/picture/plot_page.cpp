@@ -1,3 +1,5 @@
+// The page of a plot: title, the isometric view large on the left, the planes on the right, legend below. For cli, out.
+
 #include "out/picture/plot_page.h"
 
 #include <fmt/format.h>

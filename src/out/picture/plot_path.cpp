@@ -1,3 +1,5 @@
+// PlotPath: the path as one polyline, bounded in memory: when full, it is thinned by a growing tolerance. For out/picture/plot_shades.
+
 #include "out/picture/plot_path.h"
 
 #include <algorithm>

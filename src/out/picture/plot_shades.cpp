@@ -1,3 +1,6 @@
+// A path coloured by its speed or by what limits it (kadr run --colour): motions wait until the planner of least time has timed them, then
+// they are drawn piece by piece, each with its shade. For out/picture/plot.
+
 #include "out/picture/plot_shades.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The path itself, in one view. For out/picture/plot_page, out/picture/plot_view.
+
 #include "out/picture/plot_strokes.h"
 
 #include <algorithm>

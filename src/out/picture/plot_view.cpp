@@ -1,3 +1,5 @@
+// One view of a plot: a projection of the path into an area of the page, with its axes. For the rest of out.
+
 #include "out/picture/plot_view.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// SvgCanvas: a page as SVG, written as it is drawn: nothing is kept but the pen. For out/text/page_file.
+
 #include "out/picture/svg_canvas.h"
 
 #include <fmt/compile.h>

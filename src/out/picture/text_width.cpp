@@ -1,3 +1,6 @@
+// How wide a text of a picture is, without asking a library for fonts: the layout is the same on every machine and in both file forms. For
+// the rest of out.
+
 #include "out/picture/text_width.h"
 
 #include <array>

@@ -1,3 +1,6 @@
+// Part program: moves as the text that one control reads, written from its word formats and rows (ControlDef), and read back. For
+// cli/mill; tested by tests/out/part_program_test.cpp.
+
 #include "out/program/part_program.h"
 
 #include <fmt/format.h>

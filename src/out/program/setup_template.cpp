@@ -1,3 +1,5 @@
+// A set-up to be filled in, as JSON that people read: a row of a table a line. For cli/setup_command.
+
 #include "out/program/setup_template.h"
 
 #include <fmt/core.h>

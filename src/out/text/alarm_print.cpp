@@ -1,3 +1,6 @@
+// Alarms for people (text with the place marked) and for programs (JSON, SARIF 2.1.0). For cli, out; tested by
+// tests/out/alarm_print_test.cpp.
+
 #include "out/text/alarm_print.h"
 
 #include <fmt/format.h>

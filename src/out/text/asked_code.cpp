@@ -1,3 +1,5 @@
+// What a person types for a code: either alphabet, either case, zeros in front. For cli, out.
+
 #include "out/text/asked_code.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// A control's rows for people: one row (kadr explain), or all of them as the page docs/controls/ID.md. For cli/explain,
+// out/text/control_page; tested by tests/out/code_page_test.cpp.
+
 #include "out/text/code_page.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// The steps of a cycle in words, from what carries it out: the control's steps, its operations (nct 18.1) or its body. For
+// out/text/code_page, out/text/word_text.
+
 #include "out/text/cycle_text.h"
 
 #include <fmt/core.h>

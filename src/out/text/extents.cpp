@@ -1,3 +1,6 @@
+// Extents of a run: how far it cuts and how far it moves at all, in each work system that it uses. For out/picture/plot_path,
+// out/text/summary.
+
 #include "out/text/extents.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The limits of motion/look_ahead/limited_by in words. For out/picture/plot_legend, out/text/lost_time_text.
+
 #include "out/text/limit_text.h"
 
 #include <array>

@@ -1,3 +1,5 @@
+// The table of `kadr run --why`: the lines that lose most time, and by what. For cli/planned.
+
 #include "out/text/lost_time_text.h"
 
 #include <fmt/format.h>

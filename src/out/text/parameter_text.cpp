@@ -1,3 +1,5 @@
+// A parameter of a control for people: kadr explain nct N1339. For out/text/code_page.
+
 #include "out/text/parameter_text.h"
 
 #include <fmt/core.h>

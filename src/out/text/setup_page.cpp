@@ -1,3 +1,5 @@
+// The keys of a set-up for people: the page docs/setup.md, and what one control knows of them (kadr explain ID setup). For cli/explain.
+
 #include "out/text/setup_page.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// A line of a program as it is shown under an alarm: characters, not bytes, and marks under a part of them. For cli, out.
+
 #include "out/text/source_line.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Statistics: what a run came to, for the summary on stdout (design.md 5). For cli/run_view, out/picture/speed_page; tested by
+// tests/out/summary_test.cpp.
+
 #include "out/text/summary.h"
 
 #include <fmt/format.h>

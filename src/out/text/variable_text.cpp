@@ -1,3 +1,5 @@
+// A system variable for people: its numbers, its symbol, what may be done with it. For out/text/code_page, out/text/control_page.
+
 #include "out/text/variable_text.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// The words of a code with what they mean there: kadr explain nct G81. For out/text/code_page.
+
 #include "out/text/word_text.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// SampleWriter: positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates. For cli/planned;
+// tested by tests/out/samples_test.cpp.
+
 #include "out/trace/samples.h"
 
 #include <fmt/format.h>

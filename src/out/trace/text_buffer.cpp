@@ -1,3 +1,5 @@
+// TextBuffer: text on its way to a file in large pieces. For the rest of out.
+
 #include "out/trace/text_buffer.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// TraceWriter: Steps as JSON Lines (design.md 5, tests/golden/README.md). For cli/run_view; tested by tests/out/trace_test.cpp.
+
 #include "out/trace/trace.h"
 
 #include <algorithm>

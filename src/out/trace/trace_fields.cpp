@@ -1,3 +1,5 @@
+// The fields of a trace line for actions that are no motion (tests/golden/README.md "Actions"). For out/trace/trace.
+
 #include "out/trace/trace_fields.h"
 
 #include <array>

@@ -1,3 +1,5 @@
+// Geometry of one edge: a line or an arc of at most half a circle. For out, path.
+
 #include "path/area/edge.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Field: a connected area that the tool's centre may go to, for one zone. For the rest of path.
+
 #include "path/area/field.h"
 
 #include <algorithm>

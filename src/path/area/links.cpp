@@ -1,3 +1,5 @@
+// Links: ways from one pass to the next that stay down. For path/area/layers, path/area/ramp.
+
 #include "path/area/links.h"
 
 #include <algorithm>

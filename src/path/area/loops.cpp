@@ -1,3 +1,5 @@
+// Loops: the edges of a drawing in the order of going round. For path/area/mill.
+
 #include "path/area/loops.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Passes: how a scheme covers a field. For the rest of path.
+
 #include "path/area/passes.h"
 
 #include <algorithm>

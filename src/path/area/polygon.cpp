@@ -1,3 +1,5 @@
+// Polygons: areas as corners, over Clipper. For out, path.
+
 #include "path/area/polygon.h"
 
 #include <algorithm>

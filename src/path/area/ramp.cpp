@@ -1,3 +1,6 @@
+// Ramps: how a tool goes down at a slope into material that is not yet cut, near the start of a pass. For path/area/layers; tested by
+// tests/path/area/ramp_test.cpp.
+
 #include "path/area/ramp.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Recovery: the corners of an offset polygon lie on offsets of the edges it was made from: lines, arcs, and circles around their ends. For
+// path/area/field; tested by tests/path/area/recover_test.cpp.
+
 #include "path/area/recover.h"
 
 #include <algorithm>

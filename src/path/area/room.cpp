@@ -1,3 +1,6 @@
+// Room: an area prepared for the question, asked of every move, whether a line stays in it. For path/area/field; tested by
+// tests/path/area/room_test.cpp.
+
 #include "path/area/room.h"
 
 #include <algorithm>

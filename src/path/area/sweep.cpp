@@ -1,3 +1,5 @@
+// Sweep: what the tool cuts along a path, however closely its passes lie. For the rest of path.
+
 #include "path/area/sweep.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Verification: a path, wherever it comes from (a program read back too), against the zones. For cli/mill.
+
 #include "path/area/verify.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Where a programmed contour closes: the way along it comes back to where it has been. For path/contour/contour_watch.
+
 #include "path/contour/contour_closing.h"
 
 #include <algorithm>

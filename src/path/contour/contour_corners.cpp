@@ -1,3 +1,6 @@
+// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. For cli/pipeline;
+// tested by tests/path/contour_corners_test.cpp.
+
 #include "path/contour/contour_corners.h"
 
 #include <cmath>

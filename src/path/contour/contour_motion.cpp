@@ -1,3 +1,5 @@
+// What a motion tells of its contour in the plane (ContourData): is it an element, what does it lie on. For path/contour/contour_corners.
+
 #include "path/contour/contour_motion.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// The contour in its plane, moved by the tool's radius: elements, the vectors at a junction of two of them, compensated arcs. For the rest
+// of path; tested by tests/path/contour_offset_test.cpp.
+
 #include "path/contour/contour_offset.h"
 
 #include <algorithm>

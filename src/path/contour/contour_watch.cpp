@@ -1,3 +1,6 @@
+// ContourWatch: does the tool cut into the part? A control only looks at the blocks next to each other (nct 15.5.7). For
+// path/contour/radius_compensation; tested by tests/path/contour_watch_test.cpp.
+
 #include "path/contour/contour_watch.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Interference: a block of the contour whose compensated way goes against its programmed one. For path/contour/radius_compensation.
+
 #include "path/contour/interference.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Bezier: a curve of the third degree between two points of the axes' space with given directions there. For motion/least_time/smoothing.
+
 #include "path/curve/bezier.h"
 
 #include <algorithm>

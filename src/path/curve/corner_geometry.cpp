@@ -1,3 +1,6 @@
+// The corner between two elements of a contour: where it lies if that is to be calculated, the chamfer and the rounding there. For
+// path/contour/contour_corners, path/contour/contour_motion; tested by tests/path/corner_geometry_test.cpp.
+
 #include "path/curve/corner_geometry.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// machine_extents(): the bounding box of a motion in machine coordinates, turned frames included (nct 10.2.3). For
+// machine/virtual_machine, path/curve/machine_path.
+
 #include "path/curve/machine_extents.h"
 
 #include <algorithm>

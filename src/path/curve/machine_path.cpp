@@ -1,3 +1,6 @@
+// MachinePath: the way of one motion in machine coordinates, and the bounding boxes of its pieces: what a guard of the axes looks at. For
+// machine/zone_box, motion/least_time/axis_motion; tested by tests/path/machine_path_test.cpp.
+
 #include "path/curve/machine_path.h"
 
 namespace kadr {

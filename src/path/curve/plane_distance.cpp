@@ -1,3 +1,5 @@
+// Distance of two pieces of path in a plane: lines and arcs. For the rest of path.
+
 #include "path/curve/plane_distance.h"
 
 #include <algorithm>

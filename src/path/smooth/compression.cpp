@@ -1,3 +1,6 @@
+// Compression: short straight feed motions made as one (nct 4.7, N3103 Accuracy). For machine/virtual_machine; tested by
+// tests/path/compression_test.cpp.
+
 #include "path/smooth/compression.h"
 
 #include <algorithm>

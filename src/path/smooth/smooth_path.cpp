@@ -1,3 +1,6 @@
+// SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance (path/smooth/soft_corner). For
+// motion/least_time/planner; tested by tests/path/smooth_path_test.cpp.
+
 #include "path/smooth/smooth_path.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// SoftCorner: how a corner of a path is rounded so that the third derivative of the path is bounded. For motion/least_time/planner,
+// path/smooth/smooth_path.
+
 #include "path/smooth/soft_corner.h"
 
 #include <algorithm>

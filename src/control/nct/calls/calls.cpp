@@ -1,3 +1,6 @@
+// Macro and subprogram calls: arguments, levels, modal calls, codes and addresses bound to programs (spec/nct/23 23.3, 14.4). For the rest
+// of control.
+
 #include "control/nct/calls/calls.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Interrupt macro: M96, M97, the signal CP_MINT (spec/nct/23 23.4). For the rest of control.
+
 #include "control/nct/calls/interrupt.h"
 
 #include <utility>

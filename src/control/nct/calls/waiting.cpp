@@ -1,3 +1,5 @@
+// Waiting codes: the channels of a machine wait for each other at `M501 P12` (spec/nct/14 14.5). For the rest of control.
+
 #include "control/nct/calls/waiting.h"
 
 #include <string>

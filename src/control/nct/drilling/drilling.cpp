@@ -1,3 +1,6 @@
+// Drilling cycles G73 … G89 (spec/nct/18): what is kept while the mode is on, and what other functions ask about it. For the rest of
+// control; tested by tests/control/nct/drilling_test.cpp.
+
 #include "control/nct/drilling/drilling.h"
 
 #include <cmath>

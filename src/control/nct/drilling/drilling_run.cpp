@@ -1,3 +1,6 @@
+// A drilling cycle operation by operation (spec/nct/18.0, 18.1), pass by pass: constant memory for any L and any depth. For
+// control/nct/drilling/drilling.
+
 #include "control/nct/drilling/drilling_run.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). For control/nct/drilling/drilling, control/nct/nct; tested by
+// tests/control/nct/transformations_test.cpp.
+
 #include "control/nct/frames/transformations.h"
 
 #include <algorithm>

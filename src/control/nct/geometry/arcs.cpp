@@ -1,3 +1,5 @@
+// G2, G3 of the NCT control: circles, spirals, helices, cones, in any plane, on surfaces (spec/nct/04 4.3). For control/nct/dialect.
+
 #include "control/nct/geometry/arcs.h"
 
 #include <cmath>

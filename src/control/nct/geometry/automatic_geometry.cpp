@@ -1,3 +1,5 @@
+// ,C ,R ,A and over-determined blocks (spec/nct/17): end points by an angle. For the rest of control.
+
 #include "control/nct/geometry/automatic_geometry.h"
 
 #include <cmath>

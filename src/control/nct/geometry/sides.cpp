@@ -1,3 +1,6 @@
+// What cutter radius compensation (path/contour/radius_compensation) is told of motions and blocks (spec/nct/15 15.5). For the rest of
+// control.
+
 #include "control/nct/geometry/sides.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): statements → the file being written. For control/nct/calls/statements,
+// control/nct/variables/messages.
+
 #include "control/nct/output/output.h"
 
 #include <cmath>

@@ -1,3 +1,6 @@
+// What DPRNT and BPRNT send, and variables inside the text of #3107 (nct 23.2.13, 23.1.8). For control/nct/output/output,
+// control/nct/output/output_file; tested by tests/control/nct/print_test.cpp.
+
 #include "control/nct/output/print.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Axes that follow others: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6). For the rest of control; tested by
+// tests/control/nct/coupling_test.cpp.
+
 #include "control/nct/spindles/coupling.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Tool management (nct 12): the tables of tools, pockets and forms, tool call and change, life, data input by G10. For control/nct/memory;
+// tested by tests/control/nct/tools_test.cpp.
+
 #include "control/nct/tools/tools.h"
 
 #include <cmath>

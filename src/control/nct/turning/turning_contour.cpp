@@ -1,3 +1,6 @@
+// The contour of a turning cycle: blocks P … Q read from the program without being carried out (spec/nct/19.A 2, 5). For
+// control/nct/turning/turning, control/nct/turning/turning_rough.
+
 #include "control/nct/turning/turning_contour.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// What must survive power-off and has changed: rows for the state file (spec/nct/09, 12.3, 23.1.4, 23.1.9, 24.1). For control/nct/memory.
+
 #include "control/nct/variables/changes.h"
 
 #include "control/interpreter.h"

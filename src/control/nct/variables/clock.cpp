@@ -1,3 +1,6 @@
+// Date and time that a program reads (spec/nct/23 23.1.9): the set-up's clock plus virtual time. For
+// control/nct/variables/system_variables.
+
 #include "control/nct/variables/clock.h"
 
 #include <cmath>

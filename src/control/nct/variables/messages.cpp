@@ -1,3 +1,5 @@
+// #3000, #3006, #3106, #3107 (spec/nct/23 23.1.8) and jumps to block numbers. For control/nct/calls/calls, control/nct/calls/statements.
+
 #include "control/nct/variables/messages.h"
 
 #include <fmt/core.h>

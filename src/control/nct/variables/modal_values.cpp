@@ -1,3 +1,5 @@
+// #4001 … #4530: modal codes and words (spec/nct/23 23.1.14). For control/nct/variables/system_variables.
+
 #include "control/nct/variables/modal_values.h"
 
 #include <string>

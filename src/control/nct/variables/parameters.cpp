@@ -1,3 +1,6 @@
+// The parameters of the control: what the set-up gives, PRM reads (nct 24.2) and G10 L52 writes (24.1). For control/nct/nct; tested by
+// tests/control/nct/parameters_test.cpp.
+
 #include "control/nct/variables/parameters.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// What the parameters say, in the form the interpreter works with. For control/nct/memory, control/nct/words/coordinates.
+
 #include "control/nct/variables/settings.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// System variables of the NCT control by number (spec/nct/23 23.1.5–23.1.22) and PRM (24.2). For the rest of control.
+
 #include "control/nct/variables/system_variables.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
-// Expressions of custom macros: text → instructions (spec/nct/23, grammar at its end).
+// Expressions: text → instructions. Operators, functions and relations are rows of the control's file (ExpressionRules); what a row cannot
+// say differs between two families, Grammar::macro: RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23, grammar at its end). For
+// lexer, word_reader and statement_reader; tests/lang/expression_test.cpp, macro_test.cpp, expression_rules_test.cpp.
 
 #include <algorithm>
 
@@ -9,38 +11,22 @@
 namespace kadr {
 namespace {
 
-struct Name {
-  std::string_view text;
-  Op op;
-  int binding = 0;
-};
-constexpr Name functions[] = {
-    // longer names first: ASIN before no other, SQRT before SIN
-    {"SQRT", Op::square_root}, {"ASIN", Op::arc_sine},      {"ACOS", Op::arc_cosine}, {"ATAN", Op::arc_tangent}, {"SIN", Op::sine},
-    {"COS", Op::cosine},       {"TAN", Op::tangent},        {"EXP", Op::exp},         {"LN", Op::logarithm},     {"ABS", Op::abs},
-    {"FIX", Op::truncate},     {"FUP", Op::away_from_zero}, {"NOT", Op::bit_not},
-};
-/// 23.2.6; INFERRED: AND binds like *, OR and XOR like + (Fanuc).
-constexpr Name operators[] = {
-    {"*", Op::multiply, 2}, {"/", Op::divide, 2},   {"MOD", Op::remainder, 2}, {"AND", Op::bit_and, 2},
-    {"+", Op::add, 1},      {"-", Op::subtract, 1}, {"OR", Op::bit_or, 1},     {"XOR", Op::bit_xor, 1},
-};
-constexpr Name relations[] = {
-    {"EQ", Op::equal}, {"NE", Op::not_equal}, {"GT", Op::greater}, {"LT", Op::less}, {"GE", Op::greater_equal}, {"LE", Op::less_equal},
-};
-
-class MacroCompiler {
+class Compiler {
  public:
-  MacroCompiler(Cursor& cursor, const Grammar& grammar, Block& block, bool reads_parameters = false)
+  Compiler(Cursor& cursor, const Grammar& grammar, Block& block, bool reads_parameters = false)
       : cursor_(cursor), grammar_(grammar), block_(block), reads_parameters_(reads_parameters) {}
 
+  /// Precedence climbing: a value, then operators that bind at least so tightly, each with its right side.
   Status sum(int least_binding) {
     KADR_TRY(factor());
     for (;;) {
       cursor_.skip_blanks();
       const std::size_t begin = cursor_.at;
-      const Name* const found = named(operators);
-      if (found == nullptr || found->binding < least_binding) return {};
+      const ExpressionRow* const found = grammar_.expression.operators.find(rest());
+      if (found == nullptr) return grammar_.macro ? Status() : end_of_expression(begin);
+      if (found->binding == 0)
+        return fail(alarm(AlarmId::operator_unknown, span(begin, begin + found->text.size()), std::string_view(found->text)));
+      if (found->binding < least_binding) return {};
       cursor_.at += found->text.size();
       KADR_TRY(enter(begin));
       KADR_TRY(sum(found->binding + 1));
@@ -70,7 +56,7 @@ class MacroCompiler {
     if (is_digit(c) || c == '.') return number();
     if (c == '#') {
       ++cursor_.at;
-      return variable(begin);
+      return grammar_.macro ? variable(begin) : variable_of_value(begin);
     }
     if (c == '[') return bracket();
     if (is_letter(c)) return word();
@@ -118,7 +104,7 @@ class MacroCompiler {
     KADR_TRY(sum(1));
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at;
-    const Name* const found = named(relations);
+    const ExpressionRow* const found = grammar_.expression.relations.find(rest());
     if (found == nullptr) {
       if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(begin, begin + 1), '='));
       return wrong(begin);
@@ -147,6 +133,7 @@ class MacroCompiler {
   }
 
   tl::unexpected<Alarm> wrong(std::size_t at) const {
+    if (!grammar_.macro) return fail(alarm(AlarmId::expression_syntax, span(at, at + 1), character_at(at)));
     if (at < cursor_.text.size() && (static_cast<unsigned char>(cursor_.text[at]) & 0x80) != 0) {
       const std::size_t bytes = std::max<std::size_t>(1, first_character(cursor_.text.substr(at)).size);
       return fail(alarm(AlarmId::unexpected_character, span(at, at + bytes), cursor_.text.substr(at, bytes)));
@@ -173,7 +160,8 @@ class MacroCompiler {
 
   Status close(std::size_t begin) {
     cursor_.skip_blanks();
-    if (cursor_.peek() != ']' && is_open(begin)) return fail(alarm(AlarmId::bracket_not_closed, span(begin, begin + 1)));
+    if (cursor_.peek() != ']' && (!grammar_.macro || is_open(begin)))
+      return fail(alarm(AlarmId::bracket_not_closed, span(begin, begin + 1)));
     if (cursor_.peek() != ']') return wrong(cursor_.at);
     ++cursor_.at;
     return {};
@@ -181,22 +169,43 @@ class MacroCompiler {
 
   Status word() {
     const std::size_t begin = cursor_.at;
-    if (const Name* const found = named(functions); found != nullptr) {
+    if (const ExpressionRow* const found = grammar_.expression.functions.find(rest()); found != nullptr) {
       cursor_.at += found->text.size();
       cursor_.skip_blanks();
-      const std::size_t operand = cursor_.at;
-      KADR_TRY(enter(begin));
-      KADR_TRY(factor());  // only the operand that follows (23.2.4), with its signs
-      --depth_;
-      if (found->op == Op::arc_tangent) warn_of_quotient(begin, operand);
-      return step(found->op, 0, begin, 0);
+      if (found->operand == Operand::value) return function_of_value(*found, begin);
+      if (cursor_.peek() == '[') return function_of_bracket(*found, begin);
     }
-    if (starts_with("AXNUM")) return axis_number(begin);
-    if (starts_with("PRM")) return control_value(begin);
+    if (grammar_.macro && starts_with("AXNUM", begin)) return axis_number(begin);
+    if (grammar_.macro && starts_with("PRM", begin)) return control_value(begin);
     std::size_t end = begin;
     while (end < cursor_.text.size() && is_letter(cursor_.text[end])) ++end;
-    const AlarmId id = end - begin > 1 ? AlarmId::function_unknown : AlarmId::expression_syntax;
+    const AlarmId id = end - begin > 1 || !grammar_.macro ? AlarmId::function_unknown : AlarmId::expression_syntax;
     return fail(alarm(id, span(begin, end), cursor_.text.substr(begin, end - begin)));
+  }
+
+  /// Only the operand that follows (nct 23.2.4), with its signs.
+  Status function_of_value(const ExpressionRow& row, std::size_t begin) {
+    const std::size_t operand = cursor_.at;
+    KADR_TRY(enter(begin));
+    KADR_TRY(factor());
+    --depth_;
+    if (row.op == Op::arc_tangent) warn_of_quotient(begin, operand);
+    return step(row.op, 0, begin, 0);
+  }
+
+  Status function_of_bracket(const ExpressionRow& row, std::size_t begin) {
+    KADR_TRY(bracket());
+    if (row.operand == Operand::bracket) return step(row.op, 0, begin, 0);
+    const auto other_missing = [&] {  // ATAN[y]/[x]
+      return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), std::string_view(row.text + "[ ]/[ ]")));
+    };
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '/') return other_missing();
+    ++cursor_.at;
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '[') return other_missing();
+    KADR_TRY(bracket());
+    return step(row.op, 0, begin, -1);
   }
 
   /// ATAN[a]/[b]: with Fanuc a function of both, here a division (23.2.6).
@@ -288,18 +297,35 @@ class MacroCompiler {
     return step(Op::element, static_cast<double>(found - grammar_.symbols.begin()), begin - 1, 0);
   }
 
-  template <std::size_t n>
-  const Name* named(const Name (&names)[n]) const {
-    for (const Name& row : names)
-      if (starts_with(row.text)) return &row;
-    return nullptr;
+  std::string_view rest() const { return cursor_.text.substr(std::min(cursor_.at, cursor_.text.size())); }
+
+  bool starts_with(std::string_view word, std::size_t at) const {
+    if (cursor_.text.size() - at < word.size()) return false;
+    for (std::size_t i = 0; i < word.size(); ++i)
+      if (to_upper(cursor_.text[at + i]) != word[i]) return false;
+    return true;
   }
 
-  bool starts_with(std::string_view word) const {
-    if (cursor_.text.size() - cursor_.at < word.size()) return false;
-    for (std::size_t i = 0; i < word.size(); ++i)
-      if (to_upper(cursor_.text[cursor_.at + i]) != word[i]) return false;
-    return true;
+  /// The character there, whole.
+  std::string_view character_at(std::size_t at) const {
+    if (at >= cursor_.text.size()) return "…";
+    return cursor_.text.substr(at, std::max<std::size_t>(first_character(cursor_.text.substr(at)).size, 1));
+  }
+
+  /// RS274/NGC: behind an operand only ] and the end are no operators.
+  Status end_of_expression(std::size_t at) const {
+    const char c = cursor_.peek();
+    if (c == ']' || c == '\0') return {};
+    const bool is_value = c == '#' || c == '[' || c == '.' || is_digit(c);  // an operator is missing in front of it
+    return fail(alarm(is_value ? AlarmId::expression_syntax : AlarmId::operator_unknown, span(at, at + 1), character_at(at)));
+  }
+
+  /// RS274/NGC: any value may stand behind '#', #-1 and ##1 too.
+  Status variable_of_value(std::size_t begin) {
+    KADR_TRY(enter(begin));
+    KADR_TRY(factor());
+    --depth_;
+    return step(Op::variable, 0, begin, 0);
   }
 
   Status enter(std::size_t at) {
@@ -331,13 +357,18 @@ Result<Expression> compiled(Block& block, Compile compile) {
 
 }  // namespace
 
+Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& block) {
+  Compiler compiler(cursor, grammar, block);
+  return compiled(block, [&] { return compiler.factor(); });
+}
+
 Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent) {
-  MacroCompiler compiler(cursor, grammar, block, extent == MacroValue::assigned);
+  Compiler compiler(cursor, grammar, block, extent == MacroValue::assigned);
   return compiled(block, [&] { return extent == MacroValue::operand ? compiler.value() : compiler.sum(1); });
 }
 
 Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Block& block) {
-  MacroCompiler compiler(cursor, grammar, block);
+  Compiler compiler(cursor, grammar, block);
   return compiled(block, [&]() -> Status {
     cursor.skip_blanks();
     const std::size_t open = cursor.at;
@@ -355,7 +386,7 @@ Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Blo
 }
 
 Result<Expression> compile_macro_target(Cursor& cursor, const Grammar& grammar, Block& block) {
-  MacroCompiler compiler(cursor, grammar, block);
+  Compiler compiler(cursor, grammar, block);
   return compiled(block, [&]() -> Status {
     const std::size_t begin = cursor.at;
     bool constant_number = false;

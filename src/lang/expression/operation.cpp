@@ -1,0 +1,71 @@
+// Names of operations in control files: for config/control_loader_expressions.
+
+#include "lang/expression/operation.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kadr {
+namespace {
+
+constexpr std::pair<std::string_view, Op> names[] = {
+    {"abs", Op::abs},
+    {"acos", Op::acos},
+    {"asin", Op::asin},
+    {"cos", Op::cos},
+    {"exp", Op::exp},
+    {"fix", Op::fix},
+    {"fup", Op::fup},
+    {"ln", Op::ln},
+    {"round", Op::round},
+    {"sin", Op::sin},
+    {"sqrt", Op::sqrt},
+    {"tan", Op::tan},
+    {"bit_not", Op::bit_not},
+    {"truncate", Op::truncate},
+    {"away_from_zero", Op::away_from_zero},
+    {"square_root", Op::square_root},
+    {"sine", Op::sine},
+    {"cosine", Op::cosine},
+    {"tangent", Op::tangent},
+    {"arc_sine", Op::arc_sine},
+    {"arc_cosine", Op::arc_cosine},
+    {"arc_tangent", Op::arc_tangent},
+    {"logarithm", Op::logarithm},
+    {"add", Op::add},
+    {"subtract", Op::subtract},
+    {"multiply", Op::multiply},
+    {"divide", Op::divide},
+    {"modulo", Op::modulo},
+    {"power", Op::power},
+    {"logic_and", Op::logic_and},
+    {"logic_or", Op::logic_or},
+    {"logic_xor", Op::logic_xor},
+    {"equal", Op::equal},
+    {"not_equal", Op::not_equal},
+    {"greater", Op::greater},
+    {"greater_equal", Op::greater_equal},
+    {"less", Op::less},
+    {"less_equal", Op::less_equal},
+    {"atan", Op::atan},
+    {"remainder", Op::remainder},
+    {"bit_and", Op::bit_and},
+    {"bit_or", Op::bit_or},
+    {"bit_xor", Op::bit_xor},
+};
+
+}  // namespace
+
+std::optional<Op> operation_named(std::string_view name, int operands) {
+  for (const auto& [text, op] : names)
+    if (text == name && takes_two(op) == (operands == 2)) return op;
+  return std::nullopt;
+}
+
+std::string_view operation_name(std::size_t place, int operands) {
+  for (const auto& [text, op] : names)
+    if (takes_two(op) == (operands == 2) && place-- == 0) return text;
+  return {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,77 @@
+#pragma once
+// Op: one step of an expression. Expressions are compiled to a row of them for a stack.
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace kadr {
+
+enum class Op : std::uint8_t {
+  number,
+  variable,
+  parameter,  // push; `variable` replaces the top by #top
+  add,
+  subtract,
+  multiply,
+  divide,
+  modulo,
+  power,
+  negate,
+  logic_and,
+  logic_or,
+  logic_xor,
+  equal,  // comparisons: a vacant value is greater than every number and equal to itself (nct 23.1.6)
+  not_equal,
+  greater,
+  greater_equal,
+  less,
+  less_equal,
+  abs,
+  acos,
+  asin,
+  atan,
+  cos,
+  exp,
+  fix,
+  fup,
+  ln,
+  round,
+  sin,
+  sqrt,
+  tan,
+  scale,  // divides by `number`: raw digits to the unit of the address
+  // custom macros (nct 23.2)
+  remainder,
+  bit_and,
+  bit_or,
+  bit_xor,
+  bit_not,
+  truncate,        // FIX
+  away_from_zero,  // FUP
+  square_root,
+  sine,
+  cosine,
+  tangent,
+  arc_sine,
+  arc_cosine,
+  arc_tangent,
+  logarithm,
+  keep_negate,   // of a word: a vacant value stays vacant
+  variable_at,   // push the variable `number`
+  element,       // replaces the index on top by the number of that element of symbol `number`
+  control_value  // PRM: replaces number, bit, index on top by the value
+};
+
+/// The operation of an operator, a function, a relation by its name in control files ("add", "sine").
+///   returns  nothing: there is none of that name with so many operands
+std::optional<Op> operation_named(std::string_view name, int operands);
+/// Names of all with so many operands, for messages.
+std::string_view operation_name(std::size_t place, int operands);
+
+/// Steps with two operands.
+constexpr bool takes_two(Op op) {
+  return (op >= Op::add && op <= Op::less_equal && op != Op::negate) || op == Op::atan || (op >= Op::remainder && op <= Op::bit_xor);
+}
+
+}  // namespace kadr
