@@ -27,6 +27,16 @@ std::optional<Table> built_in(const std::string& file, From from) {
   return text ? std::optional(toml_tools::parsed(*text, file)) : std::nullopt;
 }
 
+/// Operations where neither a file nor what it extends has rows for them: those of mach3, RS274/NGC; with macros those of nct.
+void lay_operations(toml::table& under, const toml::table& over) {
+  const auto is_on = [&](std::string_view key) {
+    return over["grammar"][key].value<bool>().value_or(under["grammar"][key].value_or(false));
+  };
+  if (under.contains("expressions") || !is_on("expressions")) return;
+  auto base = toml_tools::embedded_table(is_on("macro") ? "controls/nct.toml" : "controls/mach3.toml");
+  if (base) under.insert("expressions", std::move(*(*base)["expressions"].as_table()));
+}
+
 /// The table of a file with what it extends laid under it; `lineage` collects the ids below.
 Table merged(Table table, const std::string& file, From from, std::vector<std::string>& lineage) {
   constexpr std::size_t deepest = 8;  // a file that extends itself would never end
@@ -49,6 +59,7 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
   }
   auto under = merged(std::move(*base_table), name, from, lineage);
   if (!under) return under;
+  lay_operations(*under, *table);
   toml_tools::merge(*under, std::move(*table));
   return under;
 }
@@ -72,6 +83,7 @@ tl::expected<ControlDef, std::string> load(Table own, const std::string& file, F
   std::vector<std::string> lineage;
   auto table = merged(std::move(own), file, from, lineage);
   if (!table) return Failed(table.error());
+  lay_operations(*table, *table);
   auto def = ControlLoader(*table, file).load();
   if (def) def->lineage = std::move(lineage);
   return def;

@@ -47,6 +47,16 @@ TEST(expression_rows, change_how_tightly_an_operator_binds) {
   EXPECT_EQ(variables_of("[expressions.operators]\n\"+\" = {does = \"add\", binding = 4}\n", "#1=[2*3+4]\nM30\n").at("#1"), 14);
 }
 
+/// A base without them, and a file that only switches expressions on.
+TEST(expression_rows, that_nobody_writes_are_those_of_RS274) {
+  const auto def = parse_control(
+      "id = \"own\"\nextends = \"gost\"\nname = {en = \"x\", ru = \"x\"}\n[grammar]\nexpressions = true\nvariables = 99\n", "own.toml");
+  ASSERT_TRUE(def) << def.error();
+  EXPECT_TRUE(def->grammar.expression.operators.has("**"));
+  EXPECT_TRUE(def->grammar.expression.functions.has("SQRT"));
+  EXPECT_TRUE(load_control("gost")->grammar.expression.operators.all().empty());
+}
+
 TEST(expression_rows, that_cannot_be_are_refused_by_name) {
   const std::pair<const char*, const char*> refused[] = {
       {"[expressions]\noperator = {}\n", "own.toml:5: unknown key 'operator', nearest: 'operators'"},
