@@ -104,7 +104,7 @@ class Run {
         control_(shop.def, setup_,
                  {shop.file, text_source(std::move(text)), (switches & as_cp1251) != 0 ? std::optional(Encoding::cp1251) : std::nullopt},
                  shop.limits),
-        stand_{control_.ending().position, control_.ending().machine_position},
+        stand_(control_.tool_position()),
         machine_(control_.axes(), control_.rotary(), shop.profile, setup_, stand_),
         statistics_(control_.axes(), control_.rotary(), rates_of(shop.profile, setup_, control_.axes())),
         plot_(control_.axes(), control_.rotary(), stand_),

@@ -73,7 +73,7 @@ Planned planned(const std::string& file, const Machine& machine) {
   const AxisRoles roles = AxisRoles::of(control.axes(), control.rotary());
   const MachineProfile profile = profile_of(machine, control.axes());
   const MotionLimits limits = motion_limits(profile, Setup{}, control.axes());
-  const ToolPosition position{control.ending().position, control.ending().machine_position};
+  const ToolPosition position = control.tool_position();
   TimeEstimate estimate(roles, rates_of(profile, Setup{}, control.axes()));
   Collector collector;
   AxisMotion motion(roles, limits, machine.tolerance, position, [&](const TimedCells& cells) { collector.take(cells); });

@@ -281,7 +281,8 @@ struct Action {
 class ActionBatch {
  public:
   Action& add() {
-    if (end_ == actions_.size()) actions_.emplace_back();
+    if (end_ == actions_.size()) [[unlikely]]
+      grow();
     return actions_[end_++];
   }
   /// One more before the first: once, until the batch is cleared.
@@ -298,6 +299,8 @@ class ActionBatch {
   const Action* end() const { return actions_.data() + end_; }
 
  private:
+  [[gnu::noinline]] void grow() { actions_.emplace_back(); }
+
   std::vector<Action> actions_ = std::vector<Action>(1);
   std::size_t begin_ = 1, end_ = 1;  // the first place is kept free
 };

@@ -12,28 +12,22 @@ namespace {
 
 AxisMask followers_of(const MotionDetail* detail) {
   AxisMask axes = 0;
-  if (detail != nullptr)
-    for (const Follower& follower : detail->followers) axes |= AxisMask{1} << follower.axis;
+  for (const Follower& follower : detail->followers) axes |= AxisMask{1} << follower.axis;
   return axes;
 }
 
 }  // namespace
 
-Curve::Curve(const AxisRoles& roles, const Axes& from, const Motion& motion)
-    : roles_(roles),
-      from_(from),
-      motion_(motion),
-      arc_(is_arc(motion.kind)),
-      surface_(motion.detail ? motion.detail->surface : PathSurface::plane),
-      rolled_(motion.detail ? motion.detail->rolled : 0),
-      following_(followers_of(motion.detail.get())),
-      first_(motion.first),
-      second_(motion.second),
-      flat_(plane_path()) {}
+void Curve::find_path() {
+  if (const MotionDetail* const detail = motion_.detail.get(); detail != nullptr) {
+    surface_ = detail->surface;
+    rolled_ = detail->rolled;
+    following_ = followers_of(detail);
+  }
+  if (!straight()) flat_ = plane_path();
+}
 
-/// From the members before it; made in its place.
 FlatPath Curve::plane_path() const {
-  if (straight()) return FlatPath();
   const bool flat = surface_ == PathSurface::plane;
   const Vec2 start = flat ? Vec2{from_[first_], from_[second_]} : motion_.detail->flat_from;
   const Vec2 end = flat ? Vec2{motion_.to[first_], motion_.to[second_]} : motion_.detail->flat_to;
@@ -50,13 +44,6 @@ double Curve::unit(std::size_t axis) const {
 }
 
 PolarPath Curve::polar() const { return {flat_, motion_.detail->side, motion_.detail->offset, from_[second_]}; }
-
-double Curve::squares(AxisMask axes) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < roles_.count; ++i)
-    if ((axes >> i & 1U) != 0) sum += way(i) * way(i);
-  return sum;
-}
 
 double Curve::length() const {
   const double outside = rise(FeedAlong::path);

@@ -21,7 +21,10 @@ struct Extents {
 ///   law  at(0) is the start and at(1) the end, bit by bit
 class Curve {
  public:
-  Curve(const AxisRoles& roles, const Axes& from, const Motion& motion);
+  Curve(const AxisRoles& roles, const Axes& from, const Motion& motion)
+      : roles_(roles), from_(from), motion_(motion), arc_(is_arc(motion.kind)), first_(motion.first), second_(motion.second) {
+    if (arc_ || motion.detail) find_path();  // else a straight line, of which its ends are all
+  }
   Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 
   bool arc() const { return arc_; }
@@ -79,8 +82,16 @@ class Curve {
   AxisMask plane_axes() const { return straight() ? 0 : AxisMask{1} << first_ | AxisMask{1} << second_; }
   AxisMask all_axes() const { return (AxisMask{1} << roles_.count) - 1; }
   AxisMask own_axes() const { return all_axes() & ~following_; }
+  void find_path();
   FlatPath plane_path() const;
-  double squares(AxisMask axes) const;
+  double squares(AxisMask axes) const {
+    double sum = 0;
+    for (; axes != 0; axes &= axes - 1) {
+      const double w = way(static_cast<std::size_t>(__builtin_ctz(axes)));
+      sum += w * w;
+    }
+    return sum;
+  }
   double rise(FeedAlong along) const;
   PolarPath polar() const;
   double unit(std::size_t axis) const;

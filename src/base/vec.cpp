@@ -3,16 +3,35 @@
 
 #include "base/vec.h"
 
+#include <cmath>
+#include <cstdint>
+
 namespace kadr {
 namespace {
 
 constexpr double root_half = 0.70710678118654752440;
 
+/// What std::remquo(deg, 90, &quarter) gives, which is exact, sooner: a whole number of quarters has so few digits that neither the product
+/// nor the difference is rounded. At 45 degrees the quarter may be either of the two.
+double beyond_quarters(double deg, int& quarter) {
+  constexpr double most = 1e12, to_whole = 0x1.8p52;  // added and taken away again: rounded to a whole number
+  if (!(std::fabs(deg) < most)) return std::remquo(deg, 90.0, &quarter);
+  double quarters = (deg / 90 + to_whole) - to_whole;
+  double rest = deg - quarters * 90;
+  if (std::fabs(rest) > 45) {  // the quotient was rounded over the middle
+    const double one = std::copysign(1.0, rest);
+    quarters += one;
+    rest -= one * 90;
+  }
+  quarter = static_cast<int>(static_cast<std::int64_t>(quarters) & 3);
+  return rest == 0 ? std::copysign(0.0, deg) : rest;
+}
+
 }  // namespace
 
 SinCos sincos_deg(double deg) {
   int quarter = 0;
-  const double rest_deg = std::remquo(deg, 90.0, &quarter);  // remquo is exact; deg + 90 would round
+  const double rest_deg = beyond_quarters(deg, quarter);  // deg + 90 would round
   const double rest = rest_deg * rad_per_deg;
   const bool middle = std::fabs(rest_deg) == 45;  // either neighbour may be the nearest quarter: both must give the same
   const double s = middle ? std::copysign(root_half, rest) : std::sin(rest);

@@ -145,9 +145,9 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
       setup_(setup),
       outlets_(outlets),
       logic_(logic),
-      corners_({control.ending().position, control.ending().machine_position}),
-      compensation_({control.ending().position, control.ending().machine_position}),
-      machine_(control.axes(), control.rotary(), profile, setup, {control.ending().position, control.ending().machine_position}),
+      corners_(control.tool_position()),
+      compensation_(control.tool_position()),
+      machine_(control.axes(), control.rotary(), profile, setup, control.tool_position()),
       rates_(rates_of(profile, setup, control.axes())),
       least_most_(rates_.least_most()),
       clock_(outlets.clock) {

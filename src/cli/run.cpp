@@ -121,12 +121,14 @@ class RunCommand {
     View& view = *views_.front();
     Outlets outlets = outlets_of(view);
     outlets.works_long = view.trace || view.plot || view.planned;
-    if (!options_.quiet || outlets.works_long)  // else nobody reads the summary
+    Control& control = *channels_.front().control;
+    if (!options_.quiet || outlets.works_long)
       outlets.step = [&view](const Step& step) {
         view.show(step);
         view.look(step);
       };
-    Stopped stopped = carry_out(*channels_.front().control, job_, outlets);
+    else if (!control.may_read_clock()) outlets.clock = nullptr;  // nobody reads the summary
+    Stopped stopped = carry_out(control, job_, outlets);
     if (view.look_ahead) view.look_ahead->finish();
     return stopped;
   }

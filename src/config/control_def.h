@@ -2,6 +2,7 @@
 // A control, as its file says: rows for every code, address, group, cycle, variable (design.md 3).
 // Rows refer to each other by index; strings are for people and are not looked at while a program runs.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -144,6 +145,9 @@ struct VariableRange {
   std::uint32_t repeat = 1;
 };
 
+inline bool is_clock(VariableKind kind) {
+  return kind == VariableKind::clock || kind == VariableKind::cutting_clock || kind == VariableKind::time;
+}
 struct VariableRow {
   VariableKind kind = VariableKind::free;
   std::vector<VariableRange> ranges;  // the short numbers, the long ones; the symbol means the last
@@ -259,6 +263,10 @@ struct ControlDef {
 
   /// The axes and their names are the machine's: the set-up says them (nct 2).
   bool machine_axes() const { return dialect == DialectId::nct; }
+  /// Some variables tell the time.
+  bool has_clocks() const {
+    return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return is_clock(row.kind); });
+  }
   /// It has axis correctors (spec/correctors).
   bool has_correctors() const { return dialect == DialectId::correctors; }
   const AddressRow& address(char letter) const { return addresses[static_cast<std::size_t>(letter - 'A')]; }

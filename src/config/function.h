@@ -25,7 +25,7 @@ namespace kadr {
 //   facts   leaves_mode: beside it a motion code only sets the mode (`G0 G91 G28 Z0` is what shops write) · ends: the program, a subprogram
 //           or a repetition · stops: the program · calls: a subprogram, when the block's other words have acted · passes_control: calls or
 //           returns at once · plain_motion: G0 to G3 · breaks_contour: where radius compensation is on, the tool's centre goes to the
-//           programmed point before it (nct 15.5.2)
+//           programmed point before it (nct 15.5.2) · steady: given again while it is in force it changes nothing
 #define KADR_FUNCTIONS(X) \
   /* addresses */ \
   X(block_number,         none,          none, word, nothing,    usual, nothing) \
@@ -61,17 +61,17 @@ namespace kadr {
   X(pocket_define,        motion,        own,  code, correctors, usual, nothing) \
   X(pocket_run,           motion,        own,  code, correctors, usual, nothing) \
   /* modes */ \
-  X(plane_xy,             plane,         none, code, no_nct,     usual, nothing) \
-  X(plane_zx,             plane,         none, code, no_nct,     usual, nothing) \
-  X(plane_yz,             plane,         none, code, no_nct,     usual, nothing) \
-  X(absolute,             distance,      none, code, nothing,    usual, nothing) \
-  X(incremental,          distance,      none, code, nothing,    usual, nothing) \
-  X(centers_absolute,     distance,      none, code, no_nct,     usual, nothing) \
-  X(centers_incremental,  distance,      none, code, no_nct,     usual, nothing) \
+  X(plane_xy,             plane,         none, code, no_nct,     usual, steady) \
+  X(plane_zx,             plane,         none, code, no_nct,     usual, steady) \
+  X(plane_yz,             plane,         none, code, no_nct,     usual, steady) \
+  X(absolute,             distance,      none, code, nothing,    usual, steady) \
+  X(incremental,          distance,      none, code, nothing,    usual, steady) \
+  X(centers_absolute,     distance,      none, code, no_nct,     usual, steady) \
+  X(centers_incremental,  distance,      none, code, no_nct,     usual, steady) \
   X(inch,                 unit,          none, code, nothing,    usual, nothing) \
-  X(millimetre,           unit,          none, code, nothing,    usual, nothing) \
+  X(millimetre,           unit,          none, code, nothing,    usual, steady) \
   X(feed_inverse_time,    feed_mode,     none, code, no_nct,     usual, nothing) \
-  X(feed_per_minute,      feed_mode,     none, code, nothing,    usual, nothing) \
+  X(feed_per_minute,      feed_mode,     none, code, nothing,    usual, steady) \
   X(feed_per_revolution,  feed_mode,     none, code, nothing,    usual, nothing) \
   X(surface_speed,        speed_mode,    none, code, no_nct,     usual, nothing) \
   X(spindle_rpm,          speed_mode,    none, code, no_nct,     usual, nothing) \
@@ -237,7 +237,7 @@ enum class CalledBy : std::uint8_t { word, code };
 /// Of KADR_FUNCTIONS, a bit each.
 namespace function_fact {
 inline constexpr std::uint8_t nothing = 0, leaves_mode = 1, ends = 2, stops = 4, calls = 8, passes_control = 16, plain_motion = 32,
-                              breaks_contour = 64;
+                              breaks_contour = 64, steady = 128;
 }  // namespace function_fact
 
 struct FunctionTraits {

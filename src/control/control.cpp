@@ -116,6 +116,7 @@ void Control::power_cycle() { interpreter_->power_cycle(); }
 void Control::set_time(double now_ms, double cutting_ms) {
   if (MachineSide* const side = machine_side()) side->set_time(now_ms, cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms));
 }
+bool Control::may_read_clock() const { return interpreter_->def.has_clocks(); }
 bool Control::reads_clock() const { return interpreter_->reads_clock; }
 std::optional<RunState> Control::run_state() const {
   const MachineSide* const side = machine_side();
@@ -131,6 +132,7 @@ const WrittenFiles& Control::files_written() const {
   return side == nullptr ? none : side->files_written();
 }
 const std::string& Control::file_name(std::uint16_t file) const { return interpreter_->flow.file(file).path(); }
+ToolPosition Control::tool_position() const { return {interpreter_->position.work, interpreter_->position.machine}; }
 Ending Control::ending() const { return interpreter_->ending(); }
 void Control::watch_states() { interpreter_->watch_states(); }
 std::optional<BlockState> Control::state_of(const Origin& origin) const { return interpreter_->state_of(origin); }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "action/action.h"
+#include "action/tool_position.h"
 #include "base/file_id.h"
 #include "base/stop.h"
 #include "config/control_def.h"
@@ -101,6 +102,8 @@ class Control {
   void set_time(double now_ms, double cutting_ms);
   /// The program may read a clock: from here on set_time() counts, and each block is handed over.
   bool reads_clock() const;
+  /// Programs of this control can read one: the time since the start may be asked for.
+  bool may_read_clock() const;
   /// Tables and switches after the run, in the form of a set-up; nothing where the control has none to show.
   std::optional<RunState> run_state() const;
 
@@ -128,6 +131,8 @@ class Control {
   const WrittenFiles& files_written() const;
 
   Ending ending() const;
+  /// Where the tool stands, all blocks carried out; its frame is the first of the actions.
+  ToolPosition tool_position() const;
   /// From now on state_of() can tell; a block costs a comparison, one that changes a mode a copy of the state.
   void watch_states();
   /// What was in force when the block that an action comes from had been carried out: the control may be far ahead. Nothing where

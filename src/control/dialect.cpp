@@ -51,6 +51,7 @@ void Dialect::note_motion(Interpreter& m, Motion& motion) {
   if (m.modal.contour != ContourPhase::off) note_contour(m, motion, m.moved_from);
 }
 double Dialect::inch_feed(const Interpreter&, const Motion& motion, const Axes&) const { return motion.feed; }
+ArcRule Dialect::arc_rule(const Interpreter& m) const { return m.plain_arc_rule(); }
 void Dialect::note_feed(Interpreter&) {}
 SurfaceSpeed Dialect::surface_speed(const Interpreter& m) const { return m.speed_by_x(); }
 void Dialect::refresh_frames(Interpreter& m) { m.frames_by_tables(); }

@@ -32,6 +32,7 @@ enum class BlockMoment : std::uint8_t { start, end };
 enum class BlockChanges : std::uint8_t {
   position,  // nothing else: the motion either fails before, or is made
   little,    // motion code and feed
+  cycle,     // those, and the words of a drilling cycle
   anything,
 };
 
@@ -153,12 +154,14 @@ class Dialect {
   virtual Status arc(Interpreter& m, const Call& call, Turn turn);
   /// A straight motion where the plane is a surface (PathSurface).
   virtual Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named);
-  /// Lines that give only the end point of a straight motion, by axis words, go on as the block before did: neither words, modes nor
-  /// anything else that is known here has to be looked at again (control/block/straight_run).
+  /// Blocks that give only the end point of a motion, its centre, a feed that is in force, go on as the block before did: neither words,
+  /// modes nor anything else that is known here has to be looked at again (control/block/motion_run).
   virtual bool lines_follow(const Interpreter&) const { return false; }
   /// Axes for which this does not hold.
   virtual AxisMask rolling_axes(const Interpreter&) const { return 0; }
-  /// Such a line has been carried out.
+  /// How it reads the centre of an arc in such blocks.
+  virtual ArcRule arc_rule(const Interpreter& m) const;
+  /// Such a block has been carried out.
   virtual void note_line(Interpreter&) {}
   /// These axes may be moved.
   virtual Status may_move(const Interpreter& m, AxisMask named) const;

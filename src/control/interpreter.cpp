@@ -33,7 +33,7 @@ Interpreter::~Interpreter() = default;
 Control::State Interpreter::run(ActionBatch& to) {
   to.clear();
   batch = &to;
-  straight_run_.end();  // between two calls anything may have been changed
+  motion_run_.end();  // between two calls anything may have been changed
   if (needs_frames) {
     needs_frames = false;
     emit(frame_change());
@@ -71,10 +71,11 @@ Control::State Interpreter::run(ActionBatch& to) {
     }
     if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
     else origin.number = static_cast<std::uint32_t>(flow.blocks());
-    if (straight_run_.is_on()) {
-      if (got && straight_run_.take(*this)) [[likely]]
+    if (motion_run_.is_on()) {
+      if (got && motion_run_.take(*this)) [[likely]] {
+        if (block_states_) block_states_->note(origin.number, *this);
         continue;
-      straight_run_.end();
+      }
     }
     if (got && dialect && !reads_clock && !block->no_clock && !block->code.empty()) {
       if (dialect->reads_clock(*block)) {
@@ -90,11 +91,12 @@ Control::State Interpreter::run(ActionBatch& to) {
     }
     if (got) {
       take_block();
-      if (block->shape && !stopped_) straight_run_.begin(*this);
+      motion_run_.note(*this);
       if (block_states_) [[unlikely]]
         block_states_->note(origin.number, *this);
     } else {
       damaged = true;
+      motion_run_.end();
       fail_with(got.error());
     }
     if (needs_probe) return Control::State::needs_probe;
@@ -105,6 +107,13 @@ Control::State Interpreter::run(ActionBatch& to) {
 void Interpreter::watch_states() {
   if (!block_states_) block_states_ = std::make_unique<BlockStates>();
   block_states_->note(origin.number, *this);
+}
+
+void Interpreter::carry_out_statement() {
+  journal.begin();
+  pass_varies = true;
+  if (const Status status = dialect->statement(*this); !status) fail_with(status.error());
+  else report_changes();
 }
 
 /// What the block changed of the things that survive power-off.
@@ -270,8 +279,9 @@ Status Interpreter::words() {
   const BlockChanges changes = each_block ? BlockChanges::anything
                                : dialect  ? dialect->changes_of(*this, *plan_now_)
                                           : changes_of_block(*plan_now_);
-  if (changes == BlockChanges::little) keep_little();
-  else if (changes == BlockChanges::anything) keep_state();
+  if (changes == BlockChanges::anything) keep_state();
+  else if (changes != BlockChanges::position) keep_little();
+  if (changes == BlockChanges::cycle) journal.keep(cycle_memory);
   KADR_TRY(carry_out(*plan_now_));
   if (state_kept_) {
     KADR_TRY(check_place());
@@ -308,8 +318,8 @@ Status Interpreter::plan() {
 }
 
 BlockChanges Interpreter::changes_of_block(const Plan& plan) const {
-  if (!plan.moves_only || modal.polar || modal.motion == MotionMode::cycle || !transform.identity) return BlockChanges::anything;
-  return BlockChanges::position;
+  if (!plan.moves_only || modal.polar || !transform.identity) return BlockChanges::anything;
+  return modal.motion == MotionMode::cycle ? BlockChanges::cycle : BlockChanges::position;
 }
 
 /// Shifts and factors must not carry the tool beyond what a number of the control can hold.

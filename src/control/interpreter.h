@@ -9,9 +9,9 @@
 
 #include "base/units.h"
 #include "config/setup_file.h"
+#include "control/block/motion_run.h"
 #include "control/block/plan.h"
 #include "control/block/shapes.h"
-#include "control/block/straight_run.h"
 #include "control/control.h"
 #include "control/cycles/cycle_run.h"
 #include "control/cycles/ellipse_run.h"
@@ -110,9 +110,20 @@ class Interpreter : public ControlState, public RunMemory {
   Status within_reach(const Axes& work) const;
   /// A straight motion to a machine position on the named axes.
   Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed);
+  /// The tool stands where `position.programmed` says, on these axes, where work coordinates are the programmed ones and the frame is not
+  /// turned.
+  void place_plainly(AxisMask named) {
+    for (; named != 0; named &= named - 1) {
+      const auto a = static_cast<std::size_t>(__builtin_ctz(named));
+      position.work[a] = position.programmed[a];
+      position.machine[a] = position.work[a] + frames.origin[a] + frames.length[a];
+    }
+  }
   /// Position after a motion; the axes not named stay where they are.
   void move_to(const Axes& programmed, const Axes& work, AxisMask named);
   Motion& add_motion(MotionKind kind, AxisMask named);
+  /// The same where the modes are known: to where the tool is to stand now.
+  Motion& add_motion_as(const MotionModes& modes, AxisMask named);
   Status feed_known(Span where);
   /// The motion's feed, unit, exact stop from the modal state.
   void set_feed(Motion& motion);
@@ -137,6 +148,7 @@ class Interpreter : public ControlState, public RunMemory {
   /// What G96, G97 make of the speed of the main spindle (nct 11.5); of controls but NCT by X as a radius (spec/gost 4; INFERRED: X).
   SurfaceSpeed surface_speed() const;
   double radius_in_force() const;
+  ArcRule arc_rule() const { return dialect ? dialect->arc_rule(*this) : plain_arc_rule(); }
   /// Modes that a cycle sets by itself.
   void run_modes(std::initializer_list<Function> functions);
   /// The mirrored axes of the panel that are in force in the plane (2С42 6.8).
@@ -150,6 +162,8 @@ class Interpreter : public ControlState, public RunMemory {
 
   /// The state is kept: an alarm later in the block brings it back.
   void keep_state();
+  /// The block is a statement, and nobody watches: carried out, or an alarm.
+  void carry_out_statement();
   /// The same of where the program goes on.
   void keep_flow_place() { flow_before_ = flow.place(); }
   bool keeps_flow_place() const { return flow_before_.has_value(); }
@@ -169,6 +183,7 @@ class Interpreter : public ControlState, public RunMemory {
   Status note_answer(const ProbeAnswer& answer);
   Status emit_machine_function(const Call& call);
   Status plain_arc(Turn turn, Span where);
+  ArcRule plain_arc_rule() const;
   BlockChanges changes_of_block(const Plan& plan) const;
 
   // ---- what the functions work on
@@ -209,6 +224,7 @@ class Interpreter : public ControlState, public RunMemory {
   void start_modal(const Setup& setup);
   bool starts(const std::string& text) const;
   bool note_unserved();
+  Motion& next_motion();
   Status modes_served(const PlanItem& item) const;
   Status execute();
   void take_block();
@@ -260,7 +276,7 @@ class Interpreter : public ControlState, public RunMemory {
   std::vector<KeptPlan> plans_;
   Plan* plan_now_ = &plan_;
   Shapes shapes_;
-  StraightRun straight_run_;
+  MotionRun motion_run_;
   ShapeFacts* shape_ = nullptr;                              // of the block in hand
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;

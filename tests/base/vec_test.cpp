@@ -6,6 +6,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <bit>
+#include <cstdint>
+#include <cstring>
+#include <random>
 
 namespace kadr {
 namespace {
@@ -34,6 +37,33 @@ TEST(sincos_deg, known_values) {
 }
 
 bool odd_multiple_of_45(double deg) { return std::fabs(std::remainder(deg, 90.0)) == 45.0; }
+
+/// By std::remquo, which is exact.
+SinCos slowly(double deg) {
+  int quarter = 0;
+  const double rest_deg = std::remquo(deg, 90.0, &quarter), rest = rest_deg * rad_per_deg;
+  const bool middle = std::fabs(rest_deg) == 45;
+  const double s = middle ? std::copysign(0.70710678118654752440, rest) : std::sin(rest),
+               c = middle ? 0.70710678118654752440 : std::cos(rest);
+  const SinCos turns[] = {{s, c}, {c, -s}, {-s, -c}, {-c, s}};
+  return turns[quarter & 3];
+}
+
+TEST(sincos_deg, is_that_of_the_exact_rest_bit_by_bit) {
+  std::mt19937_64 choose(5);
+  const auto same = [](double deg) {
+    const SinCos a = sincos_deg(deg), b = slowly(deg);
+    EXPECT_TRUE(std::memcmp(&a, &b, sizeof a) == 0) << std::hexfloat << deg;
+  };
+  for (const double deg : {0.0, -0.0, 90.0, -90.0, 1e11, -1e12, 1e12, 1e13, 1e300, 5e-324, -5e-324}) same(deg);
+  for (int i = 0; i < 300'000; ++i) {
+    const double middle = 45.0 * static_cast<double>(static_cast<std::int64_t>(choose() % 2'000'001) - 1'000'000);
+    same(middle);
+    same(std::nextafter(middle, 1e300));
+    same(std::nextafter(middle, -1e300));
+    same(std::ldexp(static_cast<double>(static_cast<std::int64_t>(choose())), -static_cast<int>(choose() % 64) - 20));
+  }
+}
 
 RC_GTEST_PROP(sincos_deg, a_quarter_turn_more_is_cos_and_minus_sin_bit_by_bit, ()) {
   const double a = exact_angle();

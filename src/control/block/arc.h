@@ -13,6 +13,14 @@ struct PlaneArc {
   double turns = 0;  // swept angle / 360, positive; 1 for a full circle
 };
 
+/// How a control reads the centre of an arc and what it lets pass.
+struct ArcRule {
+  bool by_words = false;        // its words, the block's modes and nothing else say where it is
+  bool absolute = false;        // they are coordinates; else distances from the start
+  bool lead_on_normal = false;  // that on the normal axis is the lead of a helix (2С42 6.6.6)
+  double difference = 0;        // mm; how far the radii at start and end may differ
+};
+
 /// Arc from `from` to `to` around `center`; a full circle if the two coincide.
 ///   from, to, center  mm, in the plane
 ///   turn              seen from the positive end of the plane's normal

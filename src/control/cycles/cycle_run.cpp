@@ -11,15 +11,26 @@
 
 namespace kadr {
 
-void CycleRun::start(const Job& job, SpindleDir spindle) {
+void CycleRun::start(const Interpreter& m, const Job& job) {
   cycle_ = job.cycle;
   job_ = job;
-  spindle_ = spindle;
+  spindle_ = m.modal.spindle;
   hole_ = 0;
   in_hole_ = false;
+  plain_ = !m.dialect && m.transform.identity && !m.frames.turn && !m.modal.inch && m.modal.contour == ContourPhase::off &&
+           m.modal.feeds_of_axes == 0;
 }
 
+/// A cycle that moves nothing is left now and then, too: a Ctrl-C is asked for between two calls.
 Status CycleRun::next(Interpreter& m) {
+  for (std::size_t i = 0; i < batch_size && active(); ++i) {
+    KADR_TRY(go_on(m));
+    if (m.each_block || m.batch->size() >= batch_size) break;
+  }
+  return {};
+}
+
+Status CycleRun::go_on(Interpreter& m) {
   if (!in_hole_) {
     if (hole_ == job_.holes) {
       stop();
@@ -114,18 +125,38 @@ Status CycleRun::passes(Interpreter& m) {
 }
 
 Status CycleRun::drill_to(Interpreter& m, MotionKind kind, double level) {
+  double& at = m.position.programmed[job_.drill];
+  if (std::fabs(at - level) <= tol::level) return {};
+  if (plain_) {
+    at = level;
+    return line(m, kind, 1u << job_.drill);
+  }
   Axes to = m.position.programmed;
-  if (std::fabs(to[job_.drill] - level) <= tol::level) return {};
   to[job_.drill] = level;
   return m.straight(kind, to, 1u << job_.drill);
 }
 
 Status CycleRun::plane_to(Interpreter& m, double first, double second) {
-  Axes to = m.position.programmed;
-  if (std::fabs(to[job_.first] - first) <= tol::level && std::fabs(to[job_.second] - second) <= tol::level) return {};
+  Axes& at = m.position.programmed;
+  const AxisMask named = 1u << job_.first | 1u << job_.second;
+  if (std::fabs(at[job_.first] - first) <= tol::level && std::fabs(at[job_.second] - second) <= tol::level) return {};
+  if (plain_) {
+    at[job_.first] = first;
+    at[job_.second] = second;
+    return line(m, MotionKind::rapid, named);
+  }
+  Axes to = at;
   to[job_.first] = first;
   to[job_.second] = second;
-  return m.straight(MotionKind::rapid, to, 1u << job_.first | 1u << job_.second);
+  return m.straight(MotionKind::rapid, to, named);
+}
+
+/// To the programmed position, as Interpreter::straight would.
+Status CycleRun::line(Interpreter& m, MotionKind kind, AxisMask named) {
+  m.place_plainly(named);
+  Motion& motion = m.add_motion(kind, named);
+  if (kind == MotionKind::feed) m.set_feed(motion);
+  return {};
 }
 
 }  // namespace kadr

@@ -32,18 +32,20 @@ class CycleRun {
     bool preliminary = true;                                  // up to R before the first hole if below it
     bool pass_from_level = false;                             // L83: rapid to the level a pass begins at
   };
-  void start(const Job& job, SpindleDir spindle);
+  void start(const Interpreter& m, const Job& job);
 
-  /// Hands the next action(s) on: at most a few.
+  /// Emits the next actions, as many as the batch has room for; a few at a time where each block is handed over.
   Status next(Interpreter& m);
 
  private:
+  Status go_on(Interpreter& m);
   Status begin_hole(Interpreter& m);
   Status step(Interpreter& m);
   Status peck(Interpreter& m, bool full);
   Status passes(Interpreter& m);
   Status drill_to(Interpreter& m, MotionKind kind, double level);
   Status plane_to(Interpreter& m, double first, double second);
+  Status line(Interpreter& m, MotionKind kind, AxisMask named);
 
   const CycleRow* cycle_ = nullptr;
   Job job_;
@@ -53,6 +55,7 @@ class CycleRun {
   std::uint32_t part_ = 0;  // within pecks
   double depth_ = 0;        // reached by pecks
   bool in_hole_ = false;
+  bool plain_ = false;  // a motion of one axis changes nothing else
 };
 
 }  // namespace kadr

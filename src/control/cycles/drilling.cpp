@@ -44,7 +44,7 @@ class Drilling {
     CycleRun::Job job;
     KADR_TRY(levels(job));
     KADR_TRY(holes(job));
-    m_.cycle_run.start(job, m_.modal.spindle);
+    m_.cycle_run.start(m_, job);
     return {};
   }
 
@@ -121,7 +121,7 @@ class Drilling {
   Status within_reach(const CycleRun::Job& job, Axes hole) const {
     for (const double level : {job.level, job.bottom, job.clear, job.back_face}) {
       hole[axes_.drill] = level;
-      const Axes work = m_.transform.to_work(hole);
+      const Axes work = m_.transform.identity ? hole : m_.transform.to_work(hole);
       for (std::size_t a = 0; a < m_.axis_count; ++a)
         if (!(std::fabs(work[a]) <= farthest) || !(std::fabs(hole[a]) <= farthest))
           return fail(alarm(AlarmId::position_out_of_range, call_.where, letter_of(a), work[a]));
@@ -151,7 +151,7 @@ class Drilling {
     last[axes_.first] += job.step_first * (job.holes - 1);
     last[axes_.second] += job.step_second * (job.holes - 1);
     KADR_TRY(within_reach(job, job.hole));
-    return within_reach(job, last);
+    return job.holes == 1 ? Status() : within_reach(job, last);
   }
 
   Interpreter& m_;

@@ -133,14 +133,16 @@ std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, P
 
 const Loop* ProgramFile::loop_from(Position position) {
   if (!loops_found_) find_loops();
+  if (last_loop_ != nullptr && last_loop_->begin.offset == position.offset) return last_loop_;
   const auto found = loops_by_begin_.find(position.offset);
   return found == loops_by_begin_.end() ? nullptr : &loops_[found->second];
 }
 
 const Loop* ProgramFile::loop_to(Position position) {
   if (!loops_found_) find_loops();
+  if (last_loop_ != nullptr && last_loop_->end.offset == position.offset) return last_loop_;
   const auto found = loops_by_end_.find(position.offset);
-  return found == loops_by_end_.end() ? nullptr : &loops_[found->second];
+  return last_loop_ = found == loops_by_end_.end() ? nullptr : &loops_[found->second];
 }
 
 /// Pairs DOm and ENDm by their place in the text: a loop may be entered by a jump (nct 23.2.11).

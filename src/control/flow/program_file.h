@@ -116,6 +116,7 @@ class ProgramFile {
   std::vector<Loop> loops_;
   std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;
   bool loops_found_ = false;
+  const Loop* last_loop_ = nullptr;  // whose END was met last
   std::size_t searched_ = 0;  // blocks read for numbers
   std::optional<BlockNumbers> index_;
   bool index_possible_ = true;

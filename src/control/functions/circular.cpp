@@ -29,7 +29,7 @@ tl::unexpected<Alarm> placed(const Interpreter& m, Alarm alarm) {
 
 class Circular {
  public:
-  Circular(Interpreter& m, Turn turn) : m_(m), turn_(turn), axes_(m.modal.axes) {}
+  Circular(Interpreter& m, Turn turn) : m_(m), turn_(turn), axes_(m.modal.axes), rule_(m.plain_arc_rule()) {}
 
   Status run(Span where) {
     if (m_.modal.polar) return fail(alarm(AlarmId::polar_motion, where, turn_ == Turn::cw ? "G2" : "G3"));
@@ -65,22 +65,19 @@ class Circular {
   }
 
   Result<PlaneArc> shape(const Axes& start, const Axes& end, Span where) {
-    const Behaviour& behaviour = m_.def.behaviour;
-    const bool of_inch = m_.modal.inch && behaviour.arc_difference_inch > 0;
-    const double tolerance = of_inch ? behaviour.arc_difference_inch : behaviour.arc_radius_difference;
     const Vec2 from = in_plane(start, axes_);
     const Vec2 to = in_plane(end, axes_);
     if (m_.def.behaviour.arc_radius_word && m_.has('R')) {
       if (has_center(axes_.first) || has_center(axes_.second)) return fail(alarm(AlarmId::not_together, m_.where('R'), "R", "I J K"));
-      const auto arc = arc_by_radius(from, to, m_.length_value('R'), turn_, tolerance);
+      const auto arc = arc_by_radius(from, to, m_.length_value('R'), turn_, rule_.difference);
       if (!arc) return placed(m_, arc.error());
       return arc;
     }
     if (!has_center(axes_.first) && !has_center(axes_.second)) return fail(alarm(AlarmId::center_missing, where));
-    if (!m_.def.behaviour.helix_by_lead && has_center(axes_.normal) && m_.value(m_.letters.center_letter[axes_.normal]) != 0)
+    if (!rule_.lead_on_normal && has_center(axes_.normal) && m_.value(m_.letters.center_letter[axes_.normal]) != 0)
       return fail(
           alarm(AlarmId::arc_not_in_plane, m_.where(m_.letters.center_letter[axes_.normal]), m_.letters.center_letter[axes_.normal]));
-    const auto arc = arc_around(from, to, {center(axes_.first, from.x), center(axes_.second, from.y)}, turn_, tolerance);
+    const auto arc = arc_around(from, to, {center(axes_.first, from.x), center(axes_.second, from.y)}, turn_, rule_.difference);
     if (!arc) return placed(m_, arc.error());
     return arc;
   }
@@ -91,16 +88,12 @@ class Circular {
   double center(std::size_t axis, double start) const {
     if (!has_center(axis)) return start;
     const double v = m_.length_value(m_.letters.center_letter[axis]);
-    switch (m_.def.behaviour.arc_centers) {
-      case ArcCenters::as_distance: return m_.modal.absolute ? v : start + v;
-      case ArcCenters::by_code: return m_.modal.centers_absolute ? v : start + v;
-      default: return start + v;
-    }
+    return rule_.absolute ? v : start + v;
   }
 
   /// 2С42 6.6.6: with a motion on the normal axis K is the lead; Z/K a whole number, the turns.
   Status helix(const Axes& start, const Axes& end, PlaneArc& arc) {
-    if (!m_.def.behaviour.helix_by_lead) return {};
+    if (!rule_.lead_on_normal) return {};
     const double rise = std::fabs(end[axes_.normal] - start[axes_.normal]);
     const char letter = m_.letters.center_letter[axes_.normal];
     if (!has_center(axes_.normal)) {
@@ -158,6 +151,7 @@ class Circular {
   Interpreter& m_;
   Turn turn_;
   PlaneAxes axes_;
+  ArcRule rule_;
 };
 
 Status circular(Interpreter& m, const Call& call, Turn turn, MotionMode mode) {
@@ -172,6 +166,14 @@ Status circular(Interpreter& m, const Call& call, Turn turn, MotionMode mode) {
 }
 
 }  // namespace
+
+ArcRule Interpreter::plain_arc_rule() const {
+  const Behaviour& b = def.behaviour;
+  const bool as_distance = b.arc_centers == ArcCenters::as_distance, by_code = b.arc_centers == ArcCenters::by_code;
+  const bool absolute = (as_distance && modal.absolute) || (by_code && modal.centers_absolute);
+  const double difference = modal.inch && b.arc_difference_inch > 0 ? b.arc_difference_inch : b.arc_radius_difference;
+  return {true, absolute, b.helix_by_lead, difference};
+}
 
 Status Interpreter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).run(where); }
 

@@ -34,23 +34,36 @@ Status Interpreter::axis_words(Axes& to, AxisMask& named) const {
   return {};
 }
 
-Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
+/// The next action of the batch, a motion to where the tool is to stand; its modes are those of another.
+Motion& Interpreter::next_motion() {
   Action& action = batch->add();
   action.origin = origin;
   Motion* const reused = std::get_if<Motion>(&action.what);
   Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
+  motion.detail.reset();
+  for (std::size_t a = 0; a < axis_count; ++a) {  // the others stay 0
+    motion.to[a] = position.work[a];
+    motion.machine[a] = position.machine[a];
+  }
+  return motion;
+}
+
+Motion& Interpreter::add_motion_as(const MotionModes& modes, AxisMask named) {
+  Motion& motion = next_motion();
+  static_cast<MotionModes&>(motion) = modes;
+  motion.named = named;
+  return motion;
+}
+
+Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
+  Motion& motion = next_motion();
   motion.kind = kind;
   motion.first = static_cast<std::uint8_t>(modal.axes.first);
   motion.second = static_cast<std::uint8_t>(modal.axes.second);
   motion.along = FeedAlong::path;
   motion.own_override = !modal.override_enabled || (modal.override_permission & feed_permission) == 0;
   motion.no_hold = motion.in_position = false;
-  motion.detail.reset();
   motion.named = named;
-  for (std::size_t a = 0; a < axis_count; ++a) {  // the others stay 0
-    motion.to[a] = position.work[a];
-    motion.machine[a] = position.machine[a];
-  }
   motion.exact = block_exact || (modal.exact && kind != MotionKind::rapid);
   motion.tolerance = modal.blend_tolerance;
   motion.join = 0;

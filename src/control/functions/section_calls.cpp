@@ -42,7 +42,7 @@ Status start_deep_drilling(Interpreter& m, const CycleRow& cycle, Span where) {
   m.modal.feed = r[0];
   m.modal.feed_known = true;
   m.block_exact = true;
-  m.cycle_run.start(job, m.modal.spindle);
+  m.cycle_run.start(m, job);
   return {};
 }
 

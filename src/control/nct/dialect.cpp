@@ -129,8 +129,16 @@ AxisMask Nct::rolling_axes(const Interpreter& m) const {
   return rolling;
 }
 
+/// I, J, K belong to X, Y, Z whatever axes the plane has (4.3); with others there Kadr looks closer.
+ArcRule Nct::arc_rule(const Interpreter& m) const {
+  return {m.modal.axes == axes_of(m.modal.plane), settings.centers_absolute, false, settings.radius_difference};
+}
+
 void Nct::note_line(Interpreter& m) {
   if (m.block->has_number) state.words.n = m.block->number;  // 23.1.14
+  if ((m.block->letters & letter_bit('F')) == 0) return;
+  state.words.f = m.block->find('F')->value;
+  state.thread_lead = 0;
 }
 
 Status Nct::surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) {

@@ -147,7 +147,7 @@ Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::share
   m.tables.zeros.resize(all_systems);
   m.tables.rotations.resize(all_systems);
   for (const VariableRow& row : m.def.variables)
-    if (row.kind == VariableKind::clock || row.kind == VariableKind::cutting_clock || row.kind == VariableKind::time)
+    if (is_clock(row.kind))
       for (const VariableRange& range : row.ranges) clocks_.push_back(range.from);
 }
 

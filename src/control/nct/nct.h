@@ -116,6 +116,7 @@ class Nct : public Dialect, public MachineSide, public Memory {
   Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named) override;
   bool lines_follow(const Interpreter& m) const override;
   AxisMask rolling_axes(const Interpreter& m) const override;
+  ArcRule arc_rule(const Interpreter& m) const override;
   void note_line(Interpreter& m) override;
   Status may_move(const Interpreter& m, AxisMask named) const override;
   void note_motion(Interpreter& m, Motion& motion) override;

@@ -1,4 +1,4 @@
-// control/block/straight_run: lines that go on a run of straight motions do what they do the general way. Handed over block by block,
+// control/block/motion_run: blocks that go on a run of plain motions do what they do the general way. Handed over block by block,
 // nothing goes on a run: that is the twin.
 
 #include <random>
@@ -75,12 +75,19 @@ std::string program_of(const std::string& id, std::mt19937& choose) {
       continue;
     }
     if (form.empty() || below(8) == 0) {
-      static const char* const forms[] = {"X", "XY", "XYZ", "1X", "1XZ", "YX", "0X", "NXY", "Z", "ZX"};
+      static const char* const forms[] = {"X",   "XY", "XYZ", "1X", "1XZ", "YX", "0X",  "NXY", "Z",  "ZX",   "1XF", "F1X",
+                                          "QXF", "c",  "pc",  "2c", "3cZ", "3h", "p2h", "h",   "2k", "p2kF", "3XYc"};
       form = forms[below(std::size(forms))];
     }
     for (const char c : form) {
       if (c == 'N') text += "N" + std::to_string(i + 1) + " ";
-      else if (c == '0' || c == '1') text += std::string("G") + c + " ";
+      else if (c >= '0' && c <= '3') text += std::string("G") + c + " ";
+      else if (c == 'F') text += below(6) == 0 ? "F200 " : "F100 ";
+      else if (c == 'Q') text += below(6) == 0 ? "G91 G94 " : "G90 G94 ";
+      else if (c == 'p') text += below(6) == 0 ? "G18 " : "G17 ";
+      else if (c == 'c') text += "I" + std::to_string(below(9)) + " J-2.5 ";  // whole circles, where nothing else stands there
+      else if (c == 'k') text += "J" + std::to_string(below(3)) + " K" + std::to_string(below(3)) + " ";
+      else if (c == 'h') text += "X" + std::to_string(2 * below(2)) + " I" + std::to_string(below(2)) + " ";  // half ones, now and then
       else
         text +=
             c + std::to_string(static_cast<int>(below(200)) - (id == "gost" && below(4) != 0 ? 0 : 100)) + (below(2) == 0 ? ".5 " : " ");
@@ -90,17 +97,67 @@ std::string program_of(const std::string& id, std::mt19937& choose) {
   return text;
 }
 
-class StraightRuns : public testing::TestWithParam<const char*> {};
+/// A loop of motions whose words are expressions, with what macros write between them.
+std::string loop_of(std::mt19937& choose) {
+  const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(choose); };
+  static const char* const motions[] = {
+      "X[#1*2]",    "G1 X[#1] Y#2 F100", "Y#3",         "Z[#1-#2]",        "G0 X[#1]", "G2 I[#1+1] J0", "X2 I[#1]", "N5 X[#1]", "X#1 F[#4]",
+      "G1 X#2 Y#1", "G3 I-5 J#1",        "X#4 Y[#1/2]", "G1 G90 X#1 F100", "X1",       "G1 Y2 X[#1]",   "Z#1"};
+  static const char* const others[] = {"#2=#1*2",
+                                       "#3=#0",
+                                       "#3=5",
+                                       "#4=100",
+                                       "#5221=#1",
+                                       "#2001=#1",
+                                       "#3004=7",
+                                       "#3004=0",
+                                       "#100=#1",
+                                       "IF[#1EQ2]GOTO9",
+                                       "G65 P9100 A#1 F5",
+                                       "M98 P9101",
+                                       "X[#1] M98 P9101",
+                                       "G91 M98 P9101",
+                                       "G90",
+                                       "G91",
+                                       "G17",
+                                       "G68 X0 Y0 R[#1]",
+                                       "G69",
+                                       "G41 D1",
+                                       "G40",
+                                       "G4 P1",
+                                       "X[99999999*#1]",
+                                       "/X[#1]",
+                                       "(c)",
+                                       "G66 P9100 A1",
+                                       "G67",
+                                       "G65 P9102 A#1",
+                                       "G#1 X1",
+                                       "X[1/#5]",
+                                       "G43 H1 Z#1",
+                                       "G49",
+                                       "IX[#1]",
+                                       "G20",
+                                       "G21",
+                                       "G54.1P1"};
+  std::string text = "%\nG90 G1 F100 X0\n#1=0\n#2=1\n#4=100\nWHILE[#1LT6]DO1\n";
+  for (std::size_t i = 0; i < 14; ++i)
+    text += std::string(below(4) == 0 ? others[below(std::size(others))] : motions[below(std::size(motions))]) + "\n";
+  return text +
+         "N9 #1=#1+1\nEND1\nM30\nO9100\nG1 X#1 Y[#1+1] F100\nM99\nO9101\nX#1\nG91\nX[#2]\nG90\nM99\n"
+         "O9102\n#1=#1+1\nX#1\nX[#1]\nM99\n%\n";
+}
 
-TEST_P(StraightRuns, are_the_general_way) {
+class MotionRuns : public testing::TestWithParam<const char*> {};
+
+TEST_P(MotionRuns, are_the_general_way) {
   const std::string id = GetParam();
   std::mt19937 choose(11);
   const std::string axes = id == "nct" ? R"("axes": ["X", "Y", "Z", "C"], "parameters": {"N0106.C#1": 1, "N0107.C#0": 1}, )" : "";
   const auto setup = parse_setup("{" + axes + R"("start": {"X": 3, "Z": 50}, "offsets": {"1": {"length": 10, "radius": 2}}})");
   ASSERT_TRUE(setup) << setup.error();
   std::size_t motions = 0;
-  for (int i = 0; i < 600; ++i) {
-    const std::string program = program_of(id, choose);
+  for (int i = 0; i < (id == "nct" ? 1200 : 600); ++i) {
+    const std::string program = i < 600 ? program_of(id, choose) : loop_of(choose);
     const Given fast = run_as(id, program, *setup, false), general = run_as(id, program, *setup, true);
     motions += fast.actions.size();
     ASSERT_EQ(fast.alarms, general.alarms) << program;
@@ -111,7 +168,7 @@ TEST_P(StraightRuns, are_the_general_way) {
   EXPECT_GT(motions, 5000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(straight_run, StraightRuns, testing::Values("mach3", "nct", "gost", "correctors"),
+INSTANTIATE_TEST_SUITE_P(motion_run, MotionRuns, testing::Values("mach3", "nct", "gost", "correctors"),
                          [](const auto& control) { return std::string(control.param); });
 
 }  // namespace

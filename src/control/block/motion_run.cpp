@@ -1,0 +1,275 @@
+// Plain motions one after another, as CAM systems write them. For Interpreter::run().
+
+#include "control/block/motion_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/interpreter.h"
+
+namespace kadr {
+namespace {
+
+/// The block did with its motion what the modes say.
+bool was_plain(const Interpreter& m) { return !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact; }
+
+/// Nothing but a motion's own words decides what it does.
+bool only_words_count(const Interpreter& m) {
+  const Modal& modal = m.modal;
+  const bool plain_modes = !modal.inch && !modal.polar && modal.surface == PathSurface::plane && modal.diameter == 0 &&
+                           modal.feeds_of_axes == 0 && modal.feed_mode != FeedMode::inverse_time;
+  const bool uncompensated = modal.radius_side == 0 && modal.contour == ContourPhase::off;
+  const bool plain_frames = m.transform.identity && !m.frames.turn;
+  const bool unwatched = !m.use.watches() && !m.each_block && (m.on_block == nullptr || !*m.on_block);
+  const bool in_program = !m.flow.in_body() && m.flow.started() && !m.skipping_section && !m.cycling() && m.cycle_memory.row < 0;
+  return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unserved == 0 &&
+         (!m.dialect || m.dialect->lines_follow(m));
+}
+
+constexpr MotionKind kind_made[] = {MotionKind::rapid, MotionKind::feed, MotionKind::arc_cw, MotionKind::arc_ccw};
+constexpr MotionMode mode_made[] = {MotionMode::rapid, MotionMode::linear, MotionMode::arc_cw, MotionMode::arc_ccw};
+
+/// Nothing that a motion depends on: neither modes nor tables.
+bool keeps_modes(const Block& block) {
+  switch (block.statement.kind) {
+    case StatementKind::loop:
+    case StatementKind::loop_end:
+    case StatementKind::go_to: return true;
+    case StatementKind::assign: {
+      const Expression target = block.statement.target;
+      const Instruction& number = block.code[target.begin];
+      return target.end == target.begin + 1 && number.op == Op::number && number.number <= last_common;
+    }
+    default: return false;
+  }
+}
+
+/// It calls a subprogram or returns from it, and does nothing else.
+bool only_calls(const Interpreter& m, const Block& block) {
+  bool calls = false, takes_words = false;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    if (w.code < 0 || w.address == 0) continue;
+    const std::int32_t row = m.def.row_of(w.address, w.code);
+    const Function function = row < 0 ? Function::count : m.def.codes[static_cast<std::size_t>(row)].function;
+    if (row < 0 || !traits_of(function).is(function_fact::passes_control)) return false;
+    calls = true;
+    takes_words = takes_words || function == Function::macro_call;
+  }
+  return calls && (takes_words || (block.letters & (m.letters.acting | m.letters.axes)) == 0);
+}
+
+/// `O9010` alone, where a subprogram begins.
+bool is_label(const Block& block) {
+  return block.marker == Marker::label && block.word_count == 0 && block.assignments.empty() && block.comments.empty();
+}
+
+/// A loop carries it out again, and nothing is to be done beside what its words say.
+bool is_read_again(const Block& block) {
+  return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
+         block.warnings.empty();
+}
+
+/// The same, and some of its words are expressions.
+bool is_kept(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
+
+AxisMask plane_of(const Interpreter& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
+
+}  // namespace
+
+void MotionRun::note(const Interpreter& m) {
+  const Block& block = *m.block;
+  if (block.statement.kind != StatementKind::none) {
+    if (!keeps_modes(block)) end();
+    return;
+  }
+  if (is_label(block)) return;
+  if (!block.shape && !is_kept(block)) return end();
+  const Form& form = form_of(m, block);
+  if (form.fits) return begin(m, form);
+  const bool stays = form.calls && !m.flow.in_body() && !m.skipping_section && (!m.dialect || m.dialect->lines_follow(m));
+  if (!stays) end();  // a modal call may act again where the program has returned to
+}
+
+void MotionRun::begin(const Interpreter& m, const Form& form) {
+  on_ = false;
+  const auto* const mode = std::find(std::begin(mode_made), std::end(mode_made), m.modal.motion);
+  const std::int16_t row = m.modal.motion_row;
+  if (row < 0 || mode == std::end(mode_made) || m.batch->empty()) return end();
+  const auto kind = static_cast<Kind>(mode - mode_made);
+  const Action& last = m.batch->back();
+  const auto* const motion = std::get_if<Motion>(&last.what);
+  if (motion == nullptr || last.origin.number != m.origin.number || motion->detail || motion->kind != kind_made[kind]) return end();
+  const AxisMask named = kind >= arc_cw ? form.named | plane_of(m) : form.named;
+  if (named != motion->named || !was_plain(m) || !only_words_count(m)) return end();
+  on_ = true;
+  known_ = static_cast<std::uint8_t>(known_ | 1u << kind);
+  rows_[kind] = row;
+  modes_[kind] = *motion;
+  absolute_ = m.modal.absolute;
+  arcs_ = m.arc_rule();
+  rolling_ = m.dialect ? m.dialect->rolling_axes(m) : 0;
+  const AddressRow& number = m.def.address('N');
+  const bool checks_numbers = m.def.grammar.macro;  // nct 1.1
+  number_least_ = checks_numbers ? static_cast<std::uint32_t>(std::clamp(number.least, 0.0, 4e9)) : 0;
+  number_most_ = checks_numbers ? static_cast<std::uint32_t>(std::clamp(number.most, 0.0, 4e9)) : ~std::uint32_t{0};
+}
+
+const MotionRun::Form& MotionRun::form_of(const Interpreter& m, const Block& block) {
+  const bool shaped = static_cast<bool>(block.shape);
+  const std::uint64_t key = shaped ? block.shape.first : reinterpret_cast<std::uintptr_t>(&block) / alignof(Block);  // NOLINT: a place
+  Form& form = forms_[(key * 0x9E3779B97F4A7C15u) >> 60];
+  static_assert(forms == 16);
+  if (shaped ? form.shape == block.shape : form.kept == &block && form.letters == block.letters) [[likely]]
+    return form;
+  form = {};
+  if (shaped) form.shape = block.shape;
+  else form.kept = &block, form.letters = block.letters;
+  form.fits = make(m, block, form);
+  form.calls = !form.fits && only_calls(m, block);
+  return form;
+}
+
+/// Axis words, each axis once; besides at most a motion code, codes that change nothing, a centre and a feed.
+bool MotionRun::make(const Interpreter& m, const Block& block, Form& form) const {
+  constexpr double most_value = 1e9;  // as Interpreter::check_ranges
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    const Word& w = block.words[i];
+    if (w.code >= 0) {
+      if (!add_code(m, w, form)) return false;
+      continue;
+    }
+    if (w.address == 0 || w.address != w.written || w.incremental || w.bare || w.axis) return false;
+    const AddressRow& row = m.def.address(w.address);
+    if (row.whole) return false;
+    const Slot slot{
+        static_cast<std::uint8_t>(i),  row.axis, row.function == Function::increment_axis, row.scale, std::max(row.least, -most_value),
+        std::min(row.most, most_value)};
+    if ((m.letters.axes & letter_bit(w.address)) != 0) {
+      if (form.axes == most_words || (form.named >> row.axis & 1u) != 0) return false;
+      form.named |= AxisMask{1} << row.axis;
+      form.slots[form.axes++] = slot;
+    } else if (row.function == Function::feed_word) {
+      if (form.feed.word != no_word || m.def.behaviour.feed_of_axis || !m.def.feed_codes.empty()) return false;
+      form.feed = slot;
+    } else {
+      const auto* const axis = std::find(m.letters.center_letter.begin(), m.letters.center_letter.begin() + form.center.size(), w.address);
+      const auto a = static_cast<std::size_t>(axis - m.letters.center_letter.begin());
+      if (row.function != Function::center || a == form.center.size() || form.center[a].word != no_word) return false;
+      form.center[a] = slot;
+      form.centered = true;
+    }
+  }
+  return form.axes != 0 || form.centered;
+}
+
+bool MotionRun::add_code(const Interpreter& m, const Word& word, Form& form) const {
+  const std::int32_t row = m.def.row_of(word.address, word.code);
+  if (row < 0) return false;
+  const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
+  const FunctionTraits& traits = traits_of(code.function);
+  if (!code.modal || code.group == 0 || !code.works) return false;
+  if (traits.is(function_fact::plain_motion)) {
+    if (form.row >= 0) return false;
+    form.row = static_cast<std::int16_t>(row);
+    return true;
+  }
+  if (!traits.is(function_fact::steady) || form.codes == most_codes) return false;
+  for (std::size_t i = 0; i < form.codes; ++i)
+    if (m.def.codes[static_cast<std::size_t>(form.steady[i])].group == code.group) return false;
+  form.steady[form.codes++] = static_cast<std::int16_t>(row);
+  return true;
+}
+
+/// The codes that it repeats are in force, the numbers within their limits; the feed is the one in force.
+bool MotionRun::holds(const Interpreter& m, const Form& form) const {
+  const Block& block = *m.block;
+  for (std::size_t i = 0; i < form.codes; ++i)
+    if (m.modal.rows[m.def.codes[static_cast<std::size_t>(form.steady[i])].group] != form.steady[i]) return false;
+  if (form.feed.word != no_word) {
+    const double v = block.words[form.feed.word].value, most = m.def.behaviour.feed_most;
+    if (!(v >= form.feed.least && v <= form.feed.most) || !m.modal.feed_known || v * form.feed.scale != m.modal.feed) return false;
+    if (most > 0 && v * form.feed.scale > most) return false;
+  }
+  return number_fits(block);
+}
+
+/// By its centre, as the general way would.
+bool MotionRun::find_arc(const Interpreter& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const {
+  const PlaneAxes plane = m.modal.axes;
+  const AxisMask normal = AxisMask{1} << plane.normal;
+  if (!arcs_.by_words || plane.first > 2 || plane.second > 2 || plane.normal > 2) return false;
+  if (form.center[plane.normal].word != no_word || (arcs_.lead_on_normal && (form.named & normal) != 0)) return false;
+  const Vec2 from{m.position.programmed[plane.first], m.position.programmed[plane.second]};
+  Vec2 center = from;
+  bool given = false;
+  const auto read = [&](const Slot& slot, double& at) {
+    if (slot.word == no_word) return true;
+    const double v = m.block->words[slot.word].value;
+    if (!(v >= slot.least && v <= slot.most)) return false;
+    given = true;
+    at = arcs_.absolute ? v * slot.scale : at + v * slot.scale;
+    return true;
+  };
+  if (!read(form.center[plane.first], center.x) || !read(form.center[plane.second], center.y) || !given) return false;
+  const auto found = arc_around(from, {to[plane.first], to[plane.second]}, center, kind == arc_cw ? Turn::cw : Turn::ccw, arcs_.difference);
+  if (found) arc = *found;
+  return found.has_value();
+}
+
+// NOLINTNEXTLINE(readability-function-size): in one piece, it is what a line costs
+bool MotionRun::take(Interpreter& m) {
+  const Block& block = *m.block;
+  if (block.statement.kind != StatementKind::none) {
+    if (!is_read_again(block) || !keeps_modes(block) || !number_fits(block)) return false;
+    m.carry_out_statement();
+    return true;
+  }
+  if (is_label(block) || (!block.shape && !is_kept(block))) return false;
+  if (block.skip != 0 || block.marker != Marker::none || block.altered) return end(), false;
+  const Form& form = form_of(m, block);
+  if (form.calls) return false;
+  if (!form.fits) return end(), false;
+  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return end(), false;  // the general way says what is wrong
+  if ((form.named & rolling_) != 0 || !holds(m, form)) return end(), false;
+  const std::int16_t row = form.row >= 0 ? form.row : m.modal.motion_row;
+  std::size_t k = 0;
+  while (k < kinds && !((known_ >> k & 1u) != 0 && rows_[k] == row)) ++k;
+  if (k == kinds) return on_ = false;  // the general way, and then it is known
+  const auto kind = static_cast<Kind>(k);
+  if (kind < arc_cw ? form.centered : !form.centered) return end(), false;
+
+  const bool arc = kind >= arc_cw;
+  Axes to;
+  if (arc) to = m.position.programmed;
+  for (std::size_t i = 0; i < form.axes; ++i) {
+    const Slot& slot = form.slots[i];
+    const double v = block.words[slot.word].value;
+    if (!(v >= slot.least && v <= slot.most)) return end(), false;
+    const double way = v * slot.scale;
+    to[slot.axis] = absolute_ && !slot.adds ? way : m.position.programmed[slot.axis] + way;
+    if (!(std::fabs(to[slot.axis]) <= farthest)) return end(), false;
+  }
+  PlaneArc found;
+  if (arc && !find_arc(m, form, kind, to, found)) return end(), false;
+
+  const AxisMask named = arc ? form.named | plane_of(m) : form.named;
+  for (AxisMask rest = form.named; rest != 0; rest &= rest - 1) {
+    const auto a = static_cast<std::size_t>(__builtin_ctz(rest));
+    m.position.programmed[a] = to[a];
+  }
+  m.place_plainly(named);
+  if (form.row >= 0) {
+    m.modal.motion = mode_made[kind];
+    m.modal.motion_row = m.modal.rows[m.def.codes[static_cast<std::size_t>(row)].group] = row;
+  }
+  Motion& motion = m.add_motion_as(modes_[kind], named);
+  if (arc) {
+    motion.center = found.center;
+    motion.turns = found.turns;
+  }
+  if (m.dialect) m.dialect->note_line(m);
+  return true;
+}
+
+}  // namespace kadr
