@@ -27,8 +27,6 @@ bool can_be_written(std::string_view text, bool only_letters) {
   return is_of_letters(text) || (!only_letters && text.find_first_not_of(signs) == std::string_view::npos);
 }
 
-bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_equal; }
-
 std::vector<std::string_view> operations(int operands) {
   std::vector<std::string_view> names;
   for (std::string_view name = operation_name(0, operands); !name.empty(); name = operation_name(names.size(), operands))

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "config/control_file.h"
+#include "config/machine_axes.h"
 #include "control/control.h"
+#include "lang/expression/expression.h"
 
 namespace kadr {
 namespace {
@@ -55,6 +57,38 @@ TEST(expression_rows, that_nobody_writes_are_those_of_RS274) {
   EXPECT_TRUE(def->grammar.expression.operators.has("**"));
   EXPECT_TRUE(def->grammar.expression.functions.has("SQRT"));
   EXPECT_TRUE(load_control("gost")->grammar.expression.operators.all().empty());
+}
+
+/// Comparisons as operators of custom macros (Fanuc): a condition is any expression; one without them keeps asking for its relation.
+TEST(expression_rows, may_make_a_condition_of_any_expression) {
+  const auto compiles = [](const std::string& rows, std::string_view text) {
+    const auto def = parse_control("id = \"own\"\nextends = \"nct\"\nname = {en = \"x\", ru = \"x\"}\n" + rows, "own.toml");
+    Block block;
+    Cursor cursor{text, 0};
+    return compile_condition(cursor, def.value().grammar, block) && cursor.at == text.size();
+  };
+  const std::string rows =
+      "[expressions.operators]\nEQ = {does = \"equal\", binding = 1}\nLT = {does = \"less\", binding = 1}\n"
+      "AND = {does = \"logic_and\"}\n";
+  for (const char* const text : {"[#1 EQ 2]", "[[#1 EQ 2] AND [#3 LT 4]]", "[#1 GT 2]"}) EXPECT_TRUE(compiles(rows, text)) << text;
+  EXPECT_TRUE(compiles("", "[#1 EQ 2]"));
+  for (const char* const text : {"[#1]", "[#1 AND 2]", "[[#1 EQ 2] AND [#3 LT 4]]"}) EXPECT_FALSE(compiles("", text)) << text;
+}
+
+/// A function whose text begins AXNUM and is written with a bracket: AXNUM[…] is itself still.
+TEST(expression_rows, do_not_hide_axnum) {
+  auto def = parse_control(
+      "id = \"own\"\nextends = \"nct\"\nname = {en = \"x\", ru = \"x\"}\n[expressions.functions]\nAXN = {does = \"abs\"}\n", "own.toml");
+  ASSERT_TRUE(def) << def.error();
+  ASSERT_EQ(fit_to_machine(*def, {}), "");
+  for (const std::string_view text : {"AXNUM[X]", "AXNUM[Z]+AXN[1]"}) {
+    Block block;
+    Cursor cursor{text, 0};
+    const auto compiled = compile_macro_value(cursor, def->grammar, block, MacroValue::sum);
+    ASSERT_TRUE(compiled) << text << " " << name_of(compiled.error().id);
+    EXPECT_EQ(cursor.at, text.size());
+    EXPECT_EQ(block.code[0].number, text[6] == 'X' ? 1 : 3);
+  }
 }
 
 TEST(expression_rows, that_cannot_be_are_refused_by_name) {

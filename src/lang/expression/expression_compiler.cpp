@@ -106,6 +106,7 @@ class Compiler {
     const std::size_t begin = cursor_.at;
     const ExpressionRow* const found = grammar_.expression.relations.find(rest());
     if (found == nullptr) {
+      if (cursor_.peek() == ']' && grammar_.expression.operators.compare()) return {};  // the comparison was an operator
       if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(begin, begin + 1), '='));
       return wrong(begin);
     }
@@ -221,7 +222,7 @@ class Compiler {
 
   /// AXNUM[X]: the control-wide number of an axis (23.2.12).
   Status axis_number(std::size_t begin) {
-    cursor_.at += 5;
+    cursor_.at = begin + 5;
     cursor_.skip_blanks();
     if (cursor_.peek() != '[') return wrong(cursor_.at);
     const std::size_t open = cursor_.at++;
@@ -247,7 +248,7 @@ class Compiler {
 
   /// PRM[n], PRM[n,bit], …/[index] (24.2); what is left out is vacant.
   Status control_value(std::size_t begin) {
-    cursor_.at += 3;
+    cursor_.at = begin + 3;
     if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: in an assignment only
     cursor_.skip_blanks();
     if (cursor_.peek() != '[') return wrong(cursor_.at);

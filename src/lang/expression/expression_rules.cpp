@@ -29,6 +29,10 @@ bool ExpressionRows::has(std::string_view text) const {
   return std::any_of(rows_.begin(), rows_.end(), [&](const ExpressionRow& row) { return row.text == text; });
 }
 
+bool ExpressionRows::compare() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const ExpressionRow& row) { return row.binding > 0 && is_comparison(row.op); });
+}
+
 const ExpressionRow* ExpressionRows::find(std::string_view text) const {
   if (text.empty()) return nullptr;
   const auto c = static_cast<unsigned char>(to_upper(text[0]));

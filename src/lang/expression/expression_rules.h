@@ -31,6 +31,8 @@ class ExpressionRows {
   static constexpr std::size_t most = 64;
   void add(ExpressionRow row);
   bool has(std::string_view text) const;
+  /// Is one of these operators a comparison?
+  bool compare() const;
   const std::vector<ExpressionRow>& all() const { return rows_; }
   /// The row that the text begins with, small letters like capitals; nullptr: none.
   const ExpressionRow* find(std::string_view text) const;

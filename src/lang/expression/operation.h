@@ -69,6 +69,8 @@ std::optional<Op> operation_named(std::string_view name, int operands);
 /// Names of all with so many operands, for messages.
 std::string_view operation_name(std::size_t place, int operands);
 
+constexpr bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_equal; }
+
 /// Steps with two operands.
 constexpr bool takes_two(Op op) {
   return (op >= Op::add && op <= Op::less_equal && op != Op::negate) || op == Op::atan || (op >= Op::remainder && op <= Op::bit_xor);
