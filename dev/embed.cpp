@@ -25,7 +25,7 @@ std::string text_of(const fs::path& file) {
   return std::move(text).str();
 }
 
-/// `static const unsigned char NAME[]` with a 0 behind: no compiler limits the length of a list.
+/// `static const unsigned char NAME[]` with a 0 after: no compiler limits the length of a list.
 void array(std::ostream& out, const std::string& name, std::string_view bytes) {
   fmt::print(out, "static const unsigned char {}[] = {{", name);
   for (std::size_t i = 0; i < bytes.size(); ++i) fmt::print(out, "{}{},", i % 64 == 0 ? "\n" : "", static_cast<unsigned char>(bytes[i]));

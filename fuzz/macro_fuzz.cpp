@@ -38,7 +38,7 @@ const kadr::Grammar& grammar() {
   return def.grammar;
 }
 
-/// #n: vacant for every third number, else a number that depends on n; system variables behind it.
+/// #n: vacant for every third number, else a number that depends on n; system variables after it.
 struct Variables {
   static double value(double n) { return std::fmod(n, 3) == 0 ? kadr::vacant : (n - 50) / 8; }
   bool known(double number, double& to) const {

@@ -109,7 +109,7 @@ FILES = [
     ('correctors', '{"correctors": {"100": 1}}', 1, must_be('correctors.100', 'named by a whole number, 1 to 99', 'номер — целое число от 1 до 99')),
 ]
 
-# control, options, what stderr must begin with behind `kadr: `
+# control, options, what stderr must begin with after `kadr: `
 OPTIONS = [
     ('nct', ['--zero', 'G99=X1'], '--zero G99=X1: ', ("setup key 'work_offsets.G99': no work offset 'G99'; did you mean 'G59'?", None)),
     ('nct', ['--zero', 'G54=x1'], '--zero G54=x1: ', no_axis('work_offsets.G54.x', 'x', 'X')),

@@ -120,7 +120,7 @@ struct MotionDetail {
   std::optional<double> torque;       // limit of a probe motion, %
   int input = 0;                      // of a probe motion: 1 to 8; 98: torque; 0: any
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the way in or out
-  std::vector<Follower> followers;    // each behind its master; their way is no part of the path
+  std::vector<Follower> followers;    // each after its master; their way is no part of the path
   std::optional<ContourData> contour;
 };
 
@@ -258,7 +258,7 @@ struct ContourCheck {
   friend bool operator==(const ContourCheck&, const ContourCheck&) = default;
 };
 /// Compensation is interrupted: the tool's centre stands on the programmed point (nct 15.5.2); `off`: it is over (G40, 15.5.3).
-/// `here`: the program takes the place where the tool stands, beside the contour, for its point (G92 behind G40, Mach3 10.7.27).
+/// `here`: the program takes the place where the tool stands, beside the contour, for its point (G92 after G40, Mach3 10.7.27).
 struct ContourBreak {
   bool off = false;
   bool here = false;
@@ -277,7 +277,7 @@ struct Action {
       what;
 };
 
-/// Actions are handed on in batches. Clearing keeps the elements, so that a long run builds none anew.
+/// Actions are emitted in batches. Clearing keeps the elements, so that a long run builds none anew.
 class ActionBatch {
  public:
   Action& add() {

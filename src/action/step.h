@@ -41,7 +41,7 @@ class Step {
   mutable std::optional<Curve> curve_;
 };
 
-/// A Step that outlives what it was made of: of those who run behind the machine and hand it on later.
+/// A Step that outlives what it was made of: of those who run behind the machine and pass it on later.
 struct KeptStep {
   explicit KeptStep(const Step& step)
       : roles(step.roles), action(step.action), from(step.from), begins(step.begins), time(step.time), pause(step.pause) {}

@@ -45,7 +45,7 @@ class InOrder {
   void put(std::size_t channel, const Step& step) { queues_[channel].push_back({++count_, KeptStep(step)}); }
 
   using Sink = std::function<void(std::size_t channel, const Step&)>;
-  /// Hands on what nothing can come before any more. `clocks`: from which time on each channel may still put something.
+  /// Emits what nothing can come before any more. `clocks`: from which time on each channel may still put something.
   void release(const std::vector<double>& clocks, const Sink& sink);
 
  private:

@@ -12,7 +12,7 @@
 namespace kadr::cli {
 namespace {
 
-/// What may stand behind an option, or in the place of an argument.
+/// What may stand after an option, or in the place of an argument.
 struct Values {
   std::string words;   // separated by blanks
   std::string ending;  // of files, an extended pattern of names: "json", "@(svg|png)"; empty: any
@@ -190,7 +190,7 @@ std::string in_quotes(const std::string& text) {
   return "'" + out + "'";
 }
 
-/// What fish offers behind an option.
+/// What fish offers after an option.
 std::string fish_values(const Values& values) {
   std::string offer;
   if (!values.words.empty()) offer += values.words + " ";

@@ -1,4 +1,4 @@
-// CLI11 counts bytes where it sets columns, and says "TEXT:{a,b} REQUIRED" for what may stand behind an option: here that is ours.
+// CLI11 counts bytes where it sets columns, and says "TEXT:{a,b} REQUIRED" for what may stand after an option: here that is ours.
 
 #include <fmt/core.h>
 

@@ -21,7 +21,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string number_of(double value) { return fmt::format("{:.12g}", value); }
 
-/// "X Y 30000, Z 24000": axes one behind the other that go equally fast stand together.
+/// "X Y 30000, Z 24000": axes one after the other that go equally fast stand together.
 std::string rapids_of(const MachineProfile& machine) {
   std::string list, axes;
   for (auto axis = machine.axes.begin(); axis != machine.axes.end(); ++axis) {

@@ -1,4 +1,4 @@
-// What stands behind an option: its name in the help, and whether it is one. For the rest of cli.
+// What stands after an option: its name in the help, and whether it is one. For the rest of cli.
 
 #include "cli/option_values.h"
 

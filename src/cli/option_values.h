@@ -1,5 +1,5 @@
 #pragma once
-// What stands behind an option: its name in the help, and whether it is one. A wrong one is refused in words, with the nearest right one.
+// What stands after an option: its name in the help, and whether it is one. A wrong one is refused in words, with the nearest right one.
 
 #include <limits>
 #include <string>

@@ -41,7 +41,7 @@ bool take_setup(Job& job, const Options& options) {
   return true;
 }
 
-/// What the corners of `path` may expect behind a batch.
+/// What the corners of `path` may expect after a batch.
 ContourCorners::Follows behind(Control::State state) {
   switch (state) {
     case Control::State::running: return ContourCorners::Follows::more;
@@ -191,7 +191,7 @@ Control::State ChannelRun::next_batch() {
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
   const Control::State state = control_.run(batch_);
-  // It pays only where the rooms behind the control have about as much to do: else handing over costs more than it saves.
+  // It pays only where the rooms after the control have about as much to do: else handing over costs more than it saves.
   const bool pays = outlets_.works_long || compensation_.at_work();
   if (ahead_ && pays && state == Control::State::running && !control_.hands_over_each_block()) ahead_->start();
   return state;

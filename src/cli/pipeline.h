@@ -77,7 +77,7 @@ struct Outlets {
   TimeEstimate* clock = nullptr;                    // times the steps; missing: counted here, if somebody asks
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
   std::function<bool()> writable{};                 // all that was handed over could be written; missing: nothing is written
-  StopToken stop{};                                 // asked behind each batch
+  StopToken stop{};                                 // asked after each batch
   bool works_long = false;                          // on each step: writes or draws it
 };
 
@@ -146,7 +146,7 @@ class ChannelRun {
   double goes_on_at_ = 0;                  // time at which it waited last …
   double spent_then_ = 0;                  // … and what it had spent until then: no sum that rounding could put out of order
   ActionBatch batch_;
-  std::optional<RunAhead> ahead_;            // where nothing behind the control tells it what to do
+  std::optional<RunAhead> ahead_;            // where nothing after the control tells it what to do
   std::vector<AlarmReport> early_warnings_;  // of the batch taken last
   unsigned steps_ = 0;
   Stopped stopped_;

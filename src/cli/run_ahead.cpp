@@ -1,4 +1,4 @@
-// RunAhead: the control interprets the next batches in a thread of its own while the rooms behind it take the last one (design.md 1). For
+// RunAhead: the control interprets the next batches in a thread of its own while the rooms after it take the last one (design.md 1). For
 // cli/pipeline.
 
 #include "cli/run_ahead.h"

@@ -1,8 +1,8 @@
 #pragma once
-// RunAhead: the control interprets the next batches in a thread of its own while the rooms behind it take the last one (design.md 1).
+// RunAhead: the control interprets the next batches in a thread of its own while the rooms after it take the last one (design.md 1).
 //
 //   control    batch k+1 · k+2 · … · k+depth, then it waits
-//   behind it  batch k
+//   after it  batch k
 //
 // How far the control has come when it is asked for something is the same in every run: `depth` batches, or as far as it can go. Where
 // there is one processor only, it goes as far at once.
@@ -24,7 +24,7 @@ class RunAhead {
   RunAhead(const RunAhead&) = delete;
   RunAhead& operator=(const RunAhead&) = delete;
 
-  /// The control begins: until it must be answered. From here on it may be asked behind settle() only.
+  /// The control begins: until it must be answered. From here on it may be asked after settle() only.
   void start();
   /// Batches are there, or are to come.
   bool is_going() const { return going_; }

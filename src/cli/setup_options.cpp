@@ -44,7 +44,7 @@ std::optional<std::vector<Named>> list_of(std::string_view text) {
     const auto value = number_of(item.substr(letters + equals));
     if (letters == 0 || !value) return std::nullopt;
     list.push_back({std::string(item.substr(0, letters)), *value});
-    if (comma + 1 == text.size()) return std::nullopt;  // nothing behind the comma
+    if (comma + 1 == text.size()) return std::nullopt;  // nothing after the comma
     text.remove_prefix(std::min(comma + 1, text.size()));
   }
   if (list.empty()) return std::nullopt;

@@ -69,7 +69,7 @@ std::string missing(const CLI::App& command) {
                      fmt::join(commands_of(command), ", "));
 }
 
-/// The option that CLI11's own sentence is about; it stands first in it, or behind the first ": ".
+/// The option that CLI11's own sentence is about; it stands first in it, or after the first ": ".
 const CLI::Option* option_of(const CLI::App& command, const std::string& sentence) {
   const CLI::Option* found = nullptr;
   std::size_t first = std::string::npos;

@@ -36,7 +36,7 @@ inline tl::unexpected<ContourFault> contour_fault(std::uint32_t line, const Alar
 
 namespace limits {
 inline constexpr std::size_t contour_bytes = 16u << 20;  // of a file
-inline constexpr std::size_t contour_edges = 20'000;     // the geometry behind takes time with each
+inline constexpr std::size_t contour_edges = 20'000;     // the geometry after takes time with each
 inline constexpr double contour_reach = 100'000;         // mm from the origin; no milling machine is larger
 }  // namespace limits
 

@@ -60,7 +60,7 @@ class TextReader {
     return alarm(AlarmId::contour_syntax, {words.at[i], words.at[i] + size}, words.word[i]);
   }
 
-  /// The numbers behind the first word, and the words behind them.
+  /// The numbers after the first word, and the words after them.
   std::optional<Alarm> take(std::string_view line) {
     Words words = split(line);
     if (words.count == 0) return std::nullopt;

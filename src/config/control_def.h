@@ -175,7 +175,7 @@ struct ParameterRow {
   ParameterClass when = ParameterClass::run_time;
   double least = -1e300, most = 1e300;
   double initial = 0;
-  std::vector<std::string> bits;  // names by number; "" unknown; a name without a known number stands behind the eighth
+  std::vector<std::string> bits;  // names by number; "" unknown; a name without a known number stands after the eighth
   bool used = false;              // Kadr obeys it
   Text text;                      // en: the manual's own name first
   std::string manual;
@@ -208,9 +208,9 @@ struct Behaviour {
   bool end_required = false;            // a program without M2 or M30 is warned of
   bool ends_reading = true;             // nothing after the end is read (GOST)
   bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
-  bool feed_of_axis = false;            // F right behind an axis' word, others follow: the feed of that axis (GOST 20999-83)
+  bool feed_of_axis = false;            // F right after an axis' word, others follow: the feed of that axis (GOST 20999-83)
   bool diameter_by_setup = false;       // the set-up may say which axes are programmed as diameters (spec/gost 5)
-  bool label_is_number = false;         // O0001 right behind % numbers the program (spec/gost 1)
+  bool label_is_number = false;         // O0001 right after % numbers the program (spec/gost 1)
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;

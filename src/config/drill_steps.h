@@ -32,7 +32,7 @@ enum class DrillStep : std::uint8_t {
   manual,  // M0
 };
 
-/// Operations 2 … 10 between the single-block stops behind 1 and 10.
+/// Operations 2 … 10 between the single-block stops after 1 and 10.
 struct DrillCycle {
   std::int32_t code;
   std::array<DrillStep, 14> steps;

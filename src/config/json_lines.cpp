@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 constexpr int deepest_table = 64;  // tables in tables: far beyond any set-up
 
-/// Hands the text out and counts its lines: what stands behind the last byte handed out has not been looked at.
+/// Hands the text out and counts its lines: what stands after the last byte handed out has not been looked at.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;

@@ -36,7 +36,7 @@ class JsonScan {
   std::string run() {
     if (value()) {
       blanks();
-      if (at_ < text_.size()) fault("something stands behind the end: " + here(), "после конца стоит что-то ещё: " + here());
+      if (at_ < text_.size()) fault("something stands after the end: " + here(), "после конца стоит что-то ещё: " + here());
     }
     return fault_;
   }

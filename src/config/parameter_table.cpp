@@ -102,7 +102,7 @@ class RowReader {
     return 0;
   }
 
-  /// "REN ASH - ABS | cut": names from bit 0 on; behind the bar those whose number is unknown stand from the ninth on.
+  /// "REN ASH - ABS | cut": names from bit 0 on; after the bar those whose number is unknown stand from the ninth on.
   void bits(ParameterRow& row) {
     const std::string text = value("bits", std::string(), "a text");
     if (!text.empty() && row.type != ParameterType::bits) fault_at("bits", "bits, but the type is not bits");

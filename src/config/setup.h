@@ -82,7 +82,7 @@ using PlaceTable = std::map<std::pair<int, int>, int>;  // {magazine, pocket} â†
 
 /// Name of a parameter: "N0107.4#0" â†’ 107, index 4, bit "0".
 struct ParameterKey {
-  std::string name;   // "0107": the four digits behind the N; or "CLRG", which has no N
+  std::string name;   // "0107": the four digits after the N; or "CLRG", which has no N
   std::string index;  // axis name or number, channel, spindle; empty: none
   std::string bit;    // number or name; empty: none
   friend bool operator==(const ParameterKey&, const ParameterKey&) = default;

@@ -30,7 +30,7 @@ constexpr SetupRange spindles{1, 16};
 constexpr bool null = true, stated = false;
 
 // clang-format off
-// Order: as a person fills it in; the rows of a table behind it. Columns: path, form, names, range, unit, null, needs, words, example, instead, en, ru.
+// Order: as a person fills it in; the rows of a table after it. Columns: path, form, names, range, unit, null, needs, words, example, instead, en, ru.
 constexpr SetupKey keys[] = {
   {"axes", F::texts, N::any, any, U::none, stated, H::nothing, "", R"(["X", "Y", "Z"])", "", "names of the axes in the order of their numbers; default those of the control. Names in A, B, C are rotary", "имена осей в порядке номеров; по умолчанию оси УЧПУ. Оси A, B, C поворотные"},
   {"start", F::table, N::axis, any, U::none, stated, H::nothing, "", R"({"X": 0, "Y": 150, "Z": -20})", "", "position of the axes before the start", "положение осей перед пуском"},
@@ -188,7 +188,7 @@ constexpr SetupSignal signals[] = {
 };
 // clang-format on
 
-/// Each path once, and behind the table it stands in.
+/// Each path once, and after the table it stands in.
 constexpr bool paths_in_order() {
   for (std::size_t i = 0; i < std::size(keys); ++i) {
     const std::string_view path = keys[i].path;

@@ -1,4 +1,4 @@
-// Parameters of the set-up as the rooms behind the control read them: by axis of the channel or of the channel itself. For machine,
+// Parameters of the set-up as the rooms after the control read them: by axis of the channel or of the channel itself. For machine,
 // motion.
 
 #include "config/setup_parameters.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Parameters of the set-up as the rooms behind the control read them: by axis of the channel or of the channel itself. A value
+// Parameters of the set-up as the rooms after the control read them: by axis of the channel or of the channel itself. A value
 // with an index goes before one without, a bit before the whole value (as ParameterStore). Not given: 0.
 
 #include <string>

@@ -1,4 +1,4 @@
-// The door of the interpreter: each call is handed on to Interpreter, or to what the dialect lets the machine tell. For cli, control,
+// The door of the interpreter: each call is passed to Interpreter, or to what the dialect lets the machine tell. For cli, control,
 // session.
 
 #include "control/control.h"
@@ -66,7 +66,7 @@ const AlarmReport& Control::report() const { return interpreter_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
   const Block& last = *interpreter_->block;
   if (origin.line == last.position.line && origin.file == interpreter_->flow.reader() && !interpreter_->flow.in_body()) {
-    Alarm placed = alarm;  // the block is still in hand
+    Alarm placed = alarm;  // the block is still the current one
     placed.where = last.where;
     return interpreter_->report_of(placed, origin, last.text);
   }

@@ -82,7 +82,7 @@ class Control {
   AlarmReport::Line line_at(const Origin& origin) const;
 
   /// Called before and after each block that is carried out, for what the machine's logic does then (Control::set_signal, …);
-  /// behind a block only when its actions have been handed over, and not if it failed.
+  /// after a block only when its actions have been handed over, and not if it failed.
   std::function<void(const Origin&, bool at_end)> on_block;
   /// Called for each signal that the machine's logic sets.
   std::function<void(const std::string& name, bool on)> on_signal;
@@ -107,7 +107,7 @@ class Control {
   /// Tables and switches after the run, in the form of a set-up; nothing where the control has none to show.
   std::optional<RunState> run_state() const;
 
-  /// Called behind each block that changed something that survives power-off (nct); the block is carried out.
+  /// Called after each block that changed something that survives power-off (nct); the block is carried out.
   std::function<void(const StateChanges&)> on_changes;
 
   /// Called for every warning (look-alike letters, …).

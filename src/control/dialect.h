@@ -131,7 +131,7 @@ class Dialect {
   /// A subprogram of the program has the number of a cycle, which is called instead. `where`: the call, or its first block.
   virtual void note_shadowed(Interpreter& m, std::uint32_t number, Span where);
 
-  // ---- behind a faulty block, for people who check
+  // ---- after a faulty block, for people who check
 
   virtual void note_fault(Interpreter& m, bool may_have_steered);
   /// A main program begins again: what was noted of its passes is forgotten.

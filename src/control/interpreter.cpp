@@ -134,7 +134,7 @@ void Interpreter::take_block() {
 /// The machine's logic looks at each block, or an interrupt macro may come.
 bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || (dialect && dialect->watches_blocks()); }
 
-/// A block with what the machine's logic does before it; behind it: end_block, when its actions have been handed over (nct 23.4).
+/// A block with what the machine's logic does before it; after it: end_block, when its actions have been handed over (nct 23.4).
 /// A block that an interrupt macro has put off comes again, and then at once: INFERRED, so that a signal that stays lets it pass.
 void Interpreter::watch_block() {
   const bool is_skipped = block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)];

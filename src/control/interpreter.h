@@ -33,15 +33,15 @@ class Interpreter;
 struct Call;
 
 inline constexpr double farthest = 1e7;        // mm, degrees: a coordinate beyond ten kilometres is a mistake
-inline constexpr std::size_t batch_size = 64;  // actions handed on at a time
+inline constexpr std::size_t batch_size = 64;  // actions emitted at a time
 
-/// What goes on behind its block, some actions at a time, so that a cycle of any length runs in constant memory.
+/// What goes on after its block, some actions at a time, so that a cycle of any length runs in constant memory.
 class Running {
  public:
   virtual ~Running() = default;
-  /// Hands the next actions on, at most a few; false: it is over.
+  /// Emits the next actions, at most a few; false: it is over.
   virtual Result<bool> next(Interpreter& m) = 0;
-  /// The other functions of its block act before it goes on (drilling, nct 18.0); else those behind the motion wait for its end.
+  /// The other functions of its block act before it goes on (drilling, nct 18.0); else those after the motion wait for its end.
   virtual bool functions_first() const { return false; }
 };
 
@@ -104,7 +104,7 @@ class Interpreter : public ControlState, public RunMemory {
   Status target(Axes& to, AxisMask& named) const;
   /// One axis word as a programmed end coordinate.
   double axis_target(const Word& w, std::size_t axis) const;
-  /// Hands a straight motion to a programmed point on.
+  /// Emits a straight motion to a programmed point.
   Status straight(MotionKind kind, const Axes& programmed, AxisMask named);
   /// A point that a transformation has led to. alarms position_out_of_range
   Status within_reach(const Axes& work) const;
@@ -277,7 +277,7 @@ class Interpreter : public ControlState, public RunMemory {
   Plan* plan_now_ = &plan_;
   Shapes shapes_;
   MotionRun motion_run_;
-  ShapeFacts* shape_ = nullptr;                              // of the block in hand
+  ShapeFacts* shape_ = nullptr;                              // of the current block
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the block's cycle
   std::size_t waiting_count_ = 0;
   std::optional<Flow::Place> flow_before_;             // kept where a block has more than one item that jumps
@@ -290,7 +290,7 @@ class Interpreter : public ControlState, public RunMemory {
   StopToken stop_;
   bool stopped_ = false;
   // of a block that the machine's logic watches (nct 23.4)
-  bool again_ = false;  // the block in hand comes once more
+  bool again_ = false;  // the current block comes once more
   std::vector<std::string> watch_;
 
  public:

@@ -15,7 +15,7 @@ std::uint32_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// Behind a comment over several lines the place is in the last of them (nct 14.3).
+/// After a comment over several lines the place is in the last of them (nct 14.3).
 void to_own_line(AlarmReport& r) {
   const std::string_view before = std::string_view(r.line_text).substr(0, r.alarm.where.begin);
   const std::size_t end = r.line_text.find('\n', r.alarm.where.begin);

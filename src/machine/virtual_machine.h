@@ -58,7 +58,7 @@ class VirtualMachine {
   /// What a straight probe motion from here meets on its way.
   ProbeAnswer probe(const Motion& motion) const;
 
-  /// Motions may be refused, or stop the run behind them.
+  /// Motions may be refused, or stop the run after them.
   bool has_limits() const;
 
   const ToolPosition& position() const { return position_; }

@@ -1,5 +1,5 @@
 // control: an alarm leaves everything as it was: modes, variables, offsets, position, calls (design.md 4). A faulty block,
-// passed over, must be as if it had not been written: the blocks behind it, which show all of the state, act the same.
+// passed over, must be as if it had not been written: the blocks after it, which show all of the state, act the same.
 
 #include "choices.h"
 #include "control/random_path.h"

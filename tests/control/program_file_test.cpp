@@ -56,7 +56,7 @@ std::string random_program(std::mt19937& random, std::size_t lines, int numbers)
       case 2: text += "/2N" + n() + "\n"; break;
       case 3: text += "\n"; break;
       case 4: text += "X" + n() + " (N" + n() + ")\n"; break;
-      case 5: text += "N" + n() + " ] [ *\n"; break;  // damaged behind its number
+      case 5: text += "N" + n() + " ] [ *\n"; break;  // damaged after its number
       case 6: text += "(over\nN" + n() + " lines)\n"; break;
       case 7: text += any(4) == 0 ? "G10 L52\n" : "G10 L75 P1\n"; break;
       case 8: text += any(2) == 0 ? "N" + n() + " G11\n" : "G11\n"; break;

@@ -47,7 +47,7 @@ std::vector<std::string> texts_of(const std::string& text) {
   return texts;
 }
 
-/// The slow twin: the whole text in hand, cut at each end of line.
+/// The slow twin: the whole text at once, cut at each end of line.
 std::vector<Read> naive_split(const std::string& text) {
   std::vector<Read> lines;
   const bool has_lf = text.substr(0, window).find('\n') != std::string::npos;
@@ -147,7 +147,7 @@ TEST(line_reader, loop_across_the_border_of_windows_is_read_few_times) {
   while (text.size() < 2 * window) text += "N10 G1 X100 Y100\n";  // 17 bytes
   int reads = 0;
   LineReader reader(std::make_unique<CountingSource>(text, reads));
-  const std::uint64_t begin = (window / 17 - 500) * 17;  // 500 lines before the border to 500 behind it
+  const std::uint64_t begin = (window / 17 - 500) * 17;  // 500 lines before the border to 500 after it
   for (int i = 0; i < 100; ++i) {
     reader.seek(begin, 1);
     Line line;

@@ -52,7 +52,7 @@ struct MacroVariables {
 
 const MacroVariables some_variables{{{1, 5}, {2, -2.5}, {3, 0}, {5, 3}, {7, 1e6}, {33, 0.25}}};
 
-/// Value of the expression behind `#100=`, or the alarm as "id: characters".
+/// Value of the expression after `#100=`, or the alarm as "id: characters".
 std::string assigned(const std::string& expression) {
   const Sample sample("#100=" + expression, nct());
   if (!sample.alarm.empty()) return sample.alarm;

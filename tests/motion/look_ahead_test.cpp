@@ -32,7 +32,7 @@ std::vector<Timed> run(const std::vector<Action>& program, const SpeedRules& rul
   const Rates rates = rates_of(MachineProfile{}, setup, names);
   TimeEstimate estimate(roles, rates);
   std::vector<Timed> out;
-  ToolPosition at;  // behind what has come out
+  ToolPosition at;  // after what has come out
   LookAhead look_ahead(roles, rules, rates.rapid, [&](const Step& step, double longer) {
     out.push_back({step.action, step.time});
     EXPECT_EQ(step.from.work, at.work) << "it is handed on with where the tool stood";

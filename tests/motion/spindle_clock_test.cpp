@@ -37,7 +37,7 @@ TEST(spindle_clock, a_new_speed_counts_from_what_is_planned_behind_it) {
   EXPECT_EQ(behind.angle, 360);
 }
 
-// 4.4: the zero pulse, then Q; the ramp begins behind the pulse.
+// 4.4: the zero pulse, then Q; the ramp begins after the pulse.
 TEST(spindle_clock, waits_for_the_pulse_and_the_angle) {
   SpindleClock clock;
   clock.take(act(Spindle{SpindleDir::cw, 60, 1, {}, {}}));

@@ -73,7 +73,7 @@ TEST(thread_chain, one_thread) {
   expect_smooth(cells);
 }
 
-// A cone behind a cylinder, the same lead: the leading axis is not disturbed.
+// A cone after a cylinder, the same lead: the leading axis is not disturbed.
 TEST(thread_chain, the_leading_axis_goes_on_evenly) {
   const ThreadChain chain = chain_of({{0, -20, 2}, {5, -40, 2}});
   const TimedCells cells = chain.cells();

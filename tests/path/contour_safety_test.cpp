@@ -71,7 +71,7 @@ Outcome carried_out(const Contour& contour, const ContourCheck& check) {
   return outcome;
 }
 
-/// Points of the part's contour: without what lies before the place where it closes and behind it.
+/// Points of the part's contour: without what lies before the place where it closes and after it.
 std::vector<Vec2> part_of(const Contour& contour) {
   std::vector<PlanePiece> pieces;
   for (std::size_t i = 1; i + 1 < contour.motions.size(); ++i) {

@@ -40,7 +40,7 @@ double most_moved(const std::vector<Corner>& corners) {
 
 TEST(SmoothPath, ACornerAloneUsesItsTolerance) { EXPECT_NEAR(most_moved({{30, 0, 0.02}, {30, 30, 0.02}}), 1, 1e-3); }
 
-// A gentle corner close to a sharp one: what moves the path most lies behind both.
+// A gentle corner close to a sharp one: what moves the path most lies after both.
 TEST(SmoothPath, AWideRoundingBesideANarrowOneStaysWithin) {
   EXPECT_LE(most_moved({{3, 0, 0.005}, {3.004, 0.0097, 0.005}, {3.3, 1.32, 0.005}, {5, 1.2, 0.005}, {5, 4, 0.005}}), 1.001);
 }

@@ -64,14 +64,14 @@ Status Interpreter::carry_out(const PlanItem& item) {
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
   if (dialect) dialect->before_function(*this, function);
-  const std::int32_t code = w != nullptr ? w->code : -1;  // a jump may put another block in hand
+  const std::int32_t code = w != nullptr ? w->code : -1;  // a jump may make another block the current one
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
   if (dialect && row != nullptr) dialect->after_code(*this, *row, code);
   return {};
 }
 
-/// In a drilling cycle's block M0 acts behind operation 1, the end of the program behind the last hole; in a turning cycle's
+/// In a drilling cycle's block M0 acts after operation 1, the end of the program after the last hole; in a turning cycle's
 /// all that follows a motion waits.
 bool Interpreter::waits_for(const Running& cycle, const PlanItem& item) const {
   if (cycle.functions_first()) return ends(row_of(item));

@@ -1,4 +1,4 @@
-// An arc under unequal scale factors is part of an ellipse (Mach3 10.7.15): handed on as short straight motions, one at a time, so that it
+// An arc under unequal scale factors is part of an ellipse (Mach3 10.7.15): emitted as short straight motions, one at a time, so that it
 // takes no memory. For control/interpreter.
 
 #include "control/cycles/ellipse_run.h"

@@ -1,5 +1,5 @@
 #pragma once
-// An arc under unequal scale factors is part of an ellipse (Mach3 10.7.15): handed on as short straight motions, one at
+// An arc under unequal scale factors is part of an ellipse (Mach3 10.7.15): emitted as short straight motions, one at
 // a time, so that it takes no memory. Nothing fails after its start.
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class EllipseRun {
   /// Pieces whose chords stay within tol::ellipse_chord of the ellipse.
   void start(const Job& job);
 
-  /// Hands the next straight motion on.
+  /// Emits the next straight motion.
   Status next(Interpreter& m);
 
  private:

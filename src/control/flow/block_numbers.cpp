@@ -42,7 +42,7 @@ bool BlockNumbers::make(BlockReader& reader, StopToken stop) {
   return true;
 }
 
-/// The G10 that its data lines belong to is the last one before the row: a search from behind it has not seen it.
+/// The G10 that its data lines belong to is the last one before the row: a search from after it has not seen it.
 bool BlockNumbers::counts_from(const Row& row, std::uint64_t from) const {
   if ((row.place & 1u) == 0) return true;
   const auto behind = std::lower_bound(openings_.begin(), openings_.end(), row.place & ~std::uint64_t{1});

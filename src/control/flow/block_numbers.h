@@ -15,7 +15,7 @@ namespace kadr {
 class DataLines {
  public:
   enum class Step : std::uint8_t { none, begins, ends };
-  /// What the block does to those behind it.
+  /// What the block does to those after it.
   static Step step_of(const Block& block);
 };
 

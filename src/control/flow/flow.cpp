@@ -54,7 +54,7 @@ Result<BlockReader::Got> Flow::next(Block*& block) {
   return bodies_->next(body_block_);
 }
 
-/// `last`: the block before, still in hand.
+/// `last`: the block before, still the current one.
 Status Flow::count_repeated(const Block& last) {
   if (++now_.repeated <= limits_.repeated_blocks) return {};
   now_.ended = true;

@@ -158,11 +158,11 @@ class Flow {
     if (now_.reader != 1) files_[now_.reader]->note_told(block);
   }
   std::uint64_t blocks() const { return now_.blocks; }
-  std::uint64_t repeated() const { return now_.repeated; }  // of them again, behind a jump back, in a call or another pass
+  std::uint64_t repeated() const { return now_.repeated; }  // of them again, after a jump back, in a call or another pass
   std::uint64_t bytes_read() const { return program().offset(); }
   std::uint64_t bytes() const { return program().size(); }
   const BlockReader& program() const { return files_[0]->reader(); }
-  /// Position behind the block just read.
+  /// Position after the block just read.
   Position position() const { return now_.reader == 1 ? bodies_->position() : files_[now_.reader]->position(); }
 
   /// Blocks of the subprograms that were never called, in the file's order.
@@ -186,7 +186,7 @@ class Flow {
   RunLimits limits_;
   std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] stands for the cycle bodies
   std::map<std::string, std::uint16_t> opened_, built_in_;
-  std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places: the block in hand keeps its text
+  std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places: the current block keeps its text
   Grammar body_grammar_;
   std::unique_ptr<BlockReader> bodies_;
   Block body_block_;

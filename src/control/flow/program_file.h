@@ -28,9 +28,9 @@ struct KeptBlock {
 /// DO … END of a file, paired as they stand in the text.
 struct Loop {
   Position begin;   // the block with DO
-  Position body;    // behind it
+  Position body;    // after it
   Position end;     // the block with END
-  Position behind;  // behind that
+  Position behind;  // after that
   AlarmId fault = AlarmId::count;
   std::uint8_t number = 0;  // 0: WHILE whose DO is missing
   bool damaged = false;     // one of the two blocks cannot be read: END does nothing
@@ -105,7 +105,7 @@ class ProgramFile {
   std::shared_ptr<ByteSource> source_;
   const Grammar& grammar_;
   BlockReader reader_;
-  std::unique_ptr<BlockReader> scanner_;  // reads in other places: the block in hand keeps its text
+  std::unique_ptr<BlockReader> scanner_;  // reads in other places: the current block keeps its text
   Block in_hand_;
   Position elsewhere_;                                                   // where the next block begins …
   bool moved_ = false;                                                   // … if that is not where the reader is
@@ -117,7 +117,7 @@ class ProgramFile {
   std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;
   bool loops_found_ = false;
   const Loop* last_loop_ = nullptr;  // whose END was met last
-  std::size_t searched_ = 0;  // blocks read for numbers
+  std::size_t searched_ = 0;         // blocks read for numbers
   std::optional<BlockNumbers> index_;
   bool index_possible_ = true;
   StopToken stop_;

@@ -1,4 +1,4 @@
-// Going on: another pass of a main program; behind a faulty block, for people who check.
+// Going on: another pass of a main program; after a faulty block, for people who check.
 
 #include <algorithm>
 
@@ -47,7 +47,7 @@ void Interpreter::go_on() {
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
-/// What the faulty block would have left to those behind it, so that one fault is one alarm: a feed, the end of a
+/// What the faulty block would have left to those after it, so that one fault is one alarm: a feed, the end of a
 /// subprogram or repetition.
 void Interpreter::keep_from_faulty_block() {
   if (block->position.line != report.origin.line) return;

@@ -1,5 +1,5 @@
 #pragma once
-// What a check does not wait for behind a fault.
+// What a check does not wait for after a fault.
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace kadr {
 
-/// The end of a call or repetition that is to be made very often, behind a fault that `kadr check` has told: one pass shows the faults in
+/// The end of a call or repetition that is to be made very often, after a fault that `kadr check` has told: one pass shows the faults in
 /// it, the others cost minutes and end with a false endless_program. INFERRED: 1000 passes are still made, so that increments add up.
 inline void shorten_behind_fault(Interpreter& m) {
   constexpr std::uint32_t most_passes = 1000;

@@ -34,7 +34,7 @@ void tell_beside(Interpreter& m, const Motion& motion, const Axes& from) {
 }
 
 /// The motion that G40 has been waiting for, or one that leaves the tool where it stands in the plane. That is the contour's, whatever
-/// plane has been chosen behind G40.
+/// plane has been chosen after G40.
 void lead_off(Interpreter& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   motion.side = modal.contour_side;

@@ -6,12 +6,12 @@
 
 namespace kadr {
 
-/// G41 (side -1), G42 (+1) are in force from the block's motion on. INFERRED: behind a G40 that has not led off the contour yet, as
+/// G41 (side -1), G42 (+1) are in force from the block's motion on. INFERRED: after a G40 that has not led off the contour yet, as
 /// if that had not been.
 ///   alarms  compensation_active: the tool still stands beside a contour of another plane
 Status begin_contour(Interpreter& m, const Call& call, std::int8_t side);
 
-/// G41, G42 are in force. Behind G40 they are not, though the tool may still stand beside the contour until the next motion in its
+/// G41, G42 are in force. After G40 they are not, though the tool may still stand beside the contour until the next motion in its
 /// plane: plane, unit and zero may change there (RS274/NGC: the mode ends with G40).
 bool compensates(const Modal& modal);
 
@@ -39,7 +39,7 @@ Status contour_allows_infeed(const Interpreter& m, Span where);
 ///   alarms  compensation_begins_in_arc, compensation_ends_in_arc
 Status arc_beside_contour(const Interpreter& m, Span where, std::string_view code);
 
-/// Side, radius and joint of a motion that is handed on; counts the blocks of the contour.
+/// Side, radius and joint of a motion that is emitted; counts the blocks of the contour.
 ///   from  work coordinates at its beginning
 void note_contour(Interpreter& m, Motion& motion, const Axes& from);
 

@@ -208,7 +208,7 @@ Status temporary_shift(Interpreter& m, const Call& call) {
 }
 
 /// G92 (Mach3 10.7.27): the current point gets the given coordinates, as the program's words count them: under G68 and G51 the zero is
-/// laid so that the tool, turned and scaled, reads them. Behind G40 the current point is where the tool stands.
+/// laid so that the tool, turned and scaled, reads them. After G40 the current point is where the tool stands.
 Status set_position(Interpreter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));

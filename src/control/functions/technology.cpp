@@ -41,7 +41,7 @@ Status dwell_for(Interpreter& m, char letter) {
   return {};
 }
 
-/// GOST 20999-83: an F right behind the word of an axis belongs to that axis; behind the last of them it belongs to all that have none.
+/// GOST 20999-83: an F right after the word of an axis belongs to that axis; after the last of them it belongs to all that have none.
 ///   returns  the axis, or nothing
 std::optional<std::size_t> axis_of_feed(const Interpreter& m, const Word& f) {
   const auto index = static_cast<std::uint32_t>(&f - m.block->words.data());

@@ -1,5 +1,5 @@
 // Blocks of the NCT control around the common plan: statements, what calls macros instead of being carried out, data lines, what happens
-// behind a block (spec/nct/23 23.3, 23.5). For the rest of control.
+// after a block (spec/nct/23 23.3, 23.5). For the rest of control.
 
 #include "control/nct/blocks.h"
 
@@ -166,7 +166,7 @@ bool may_stop(const Interpreter& m) {
   return nct.single_block && (nct.control_1 & 1u) == 0 && (nct.control_2 & m_ov) == 0 && m.modal.rows[nct.stop_group] != nct.inhibiting;
 }
 
-/// Single block: a stop behind NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
+/// Single block: a stop after NC blocks; INFERRED: macro blocks pass with the next NC block (23.5). A cycle stops by itself.
 void stop_single_block(Interpreter& m, bool was_hidden) {
   if (!may_stop(m) || m.block->word_count == 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});

@@ -1,6 +1,6 @@
 #pragma once
 // Blocks of the NCT control around the common plan: statements, what calls macros instead of being carried out, data lines,
-// what happens behind a block (spec/nct/23 23.3, 23.5; 24.1; 12.4).
+// what happens after a block (spec/nct/23 23.3, 23.5; 24.1; 12.4).
 
 #include "base/result.h"
 

@@ -80,7 +80,7 @@ Status Nct::statement(Interpreter& m) { return run_statement(m); }
 
 Result<bool> Nct::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
-  if (done && !*done && (state.active_modal_calls != 0 || !pending.empty())) m.keep_flow_place();  // a call behind the block may fail
+  if (done && !*done && (state.active_modal_calls != 0 || !pending.empty())) m.keep_flow_place();  // a call after the block may fail
   return done;
 }
 

@@ -30,7 +30,7 @@ struct Moment {
 
 namespace {
 
-constexpr std::uint64_t compared_passes = 8;                                        // behind a snapshot
+constexpr std::uint64_t compared_passes = 8;                                        // after a snapshot
 constexpr std::uint64_t jumps_behind_fault = 20'000, blocks_behind_fault = 50'000;  // in passes of loops: then every loop is left
 constexpr std::size_t most_faults = 1000;
 

@@ -3,9 +3,9 @@
 //
 // A pass is decided by the place in the program, the variables, the open calls and, where the pass read one, what a system variable
 // shows. If a jump back is made twice with all of these alike, it is made for ever. A snapshot is taken at passes 1, 2, 4, 8 … and
-// the few passes behind each are held against it, so that a loop of a million passes pays nothing.
+// the few passes after each are held against it, so that a loop of a million passes pays nothing.
 //
-// `kadr check` goes on behind faults. A loop in which a faulty block would have written a variable or jumped, and one that a fault
+// `kadr check` goes on after faults. A loop in which a faulty block would have written a variable or jumped, and one that a fault
 // before it keeps from ending, is left after a pass: one fault is one alarm.
 
 #include <array>
@@ -29,7 +29,7 @@ class Endless {
   enum class Verdict : std::uint8_t {
     go,       // nothing is known against the jump
     endless,  // it would be made for ever
-    leave,    // behind a fault: the program goes on behind the loop
+    leave,    // after a fault: the program goes on after the loop
   };
   /// A jump back to `target`, in the file being read, is about to be made.
   Verdict look(const Interpreter& m, Position target, std::uint16_t reader, std::uint64_t blocks) {
@@ -46,7 +46,7 @@ class Endless {
   void note_reading() { ++readings_; }
   /// Something that system variables show, and nothing else, has changed.
   void note_change() { ++changes_; }
-  /// The block in hand was faulty, and the run goes on. `may_steer`: it would have written a variable, called or jumped.
+  /// The current block was faulty, and the run goes on. `may_steer`: it would have written a variable, called or jumped.
   void note_fault(const Interpreter& m, bool may_steer);
   /// Another pass of the whole program: what was seen counts no more.
   void forget();
@@ -79,7 +79,7 @@ class Endless {
   std::array<Watch, 64> watches_;
   std::vector<Fault> faults_;  // that may steer
   bool any_fault_ = false;
-  // … behind one: jumps looked at, blocks of passes one after another, and where the last look was
+  // … after one: jumps looked at, blocks of passes one after another, and where the last look was
   std::uint64_t looks_ = 0, looped_ = 0, looked_at_ = 0;
   std::size_t looked_ = ~std::size_t{0};  // by watches_
   std::uint64_t readings_ = 0, changes_ = 0;

@@ -100,7 +100,7 @@ inline constexpr std::string_view interrupt_signal = "CP_MINT";
 inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
 inline constexpr std::size_t all_systems = 1 + basic_systems + extended_systems;
 
-/// A word that calls a subprogram behind its block: T, S, A, B, C, M or an ASCII letter (23.3.6–23.3.8).
+/// A word that calls a subprogram after its block: T, S, A, B, C, M or an ASCII letter (23.3.6–23.3.8).
 struct PendingCall {
   int program = 0;
   char letter = 0;

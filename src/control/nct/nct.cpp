@@ -232,7 +232,7 @@ void stop_machine(Interpreter& m) {
   m.batch->cut(silent);
 }
 
-/// Where a tool's life is counted in time, the machine's time is looked at behind each block.
+/// Where a tool's life is counted in time, the machine's time is looked at after each block.
 void watch_tool_time(Interpreter& m) {
   if (!nct_of(m).tools.counts_time()) return;
   m.reads_clock = m.each_block = nct_of(m).counts_time = true;

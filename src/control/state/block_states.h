@@ -15,7 +15,7 @@ namespace kadr {
 
 class BlockStates {
  public:
-  static constexpr std::size_t most = 4096;  // changes of state; of motions, more than all rooms behind the control hold back together
+  static constexpr std::size_t most = 4096;  // changes of state; of motions, more than all rooms after the control hold back together
 
   /// A block has been carried out.
   void note(std::uint32_t block, const ControlState& now);

@@ -40,7 +40,7 @@ class Journal {
   std::uint64_t block() const { return block_; }
 
  private:
-  /// Stands behind the bytes that the cell held, so that the last change is found first.
+  /// Stands after the bytes that the cell held, so that the last change is found first.
   struct Change {
     void* cell;        // nullptr: undos_[size]
     std::size_t size;  // bytes

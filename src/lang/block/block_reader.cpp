@@ -89,7 +89,7 @@ Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   return fail(alarm(AlarmId::tape_reversed, {}, name_of(lie_)));
 }
 
-/// Takes a new line in hand; passes over the blocks before `nth` when a jump goes into its middle.
+/// Takes a new line; passes over the blocks before `nth` when a jump goes into its middle.
 Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   text_ = {line_.bytes.data(), line_.bytes.size()};
   rest_ = 0;
@@ -150,7 +150,7 @@ Status BlockReader::lex_line(Block& block) {
     }
   }
   if (!lexed) {
-    // The words behind the fault are lost up to the next end of block.
+    // The words after the fault are lost up to the next end of block.
     const std::size_t mark = is_text_ ? text_.find(mark_in_text, lexed.error().where.end) : std::string_view::npos;
     rest_ = mark == std::string_view::npos ? text_.size() : mark + mark_in_text.size();
     return fail(lexed.error());
@@ -186,7 +186,7 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
       joined_ += '\n';
       joined_ += next.bytes;
     } else {
-      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // places behind the comment count them
+      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // places after the comment count them
       if (closed) joined_ += next.bytes.substr(end);
     }
   }

@@ -22,7 +22,7 @@ class BlockReader {
   enum class Got : std::uint8_t { block, end };
 
   /// The next block that holds anything. On an alarm `block` has its text, place and, where read, its number; the
-  /// next call goes on behind it.
+  /// next call goes on after it.
   Result<Got> next(Block& block);
   /// Goes on with the block at `position`.
   void seek(Position position);

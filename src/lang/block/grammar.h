@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// Addresses are characters: A to Z, behind them words with a comma (`,C`) and names of several characters (`XDE`, `S2`).
+/// Addresses are characters: A to Z, after them words with a comma (`,C`) and names of several characters (`XDE`, `S2`).
 inline constexpr std::size_t most_addresses = 63;
 inline constexpr char comma_chamfer = '[';    // ,C
 inline constexpr char comma_rounding = '\\';  // ,R

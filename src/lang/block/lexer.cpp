@@ -90,7 +90,7 @@ class Lexer {
 
   Status item() {
     const char c = cursor_.text[cursor_.at];
-    if (block_.statement.kind != StatementKind::none && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // behind its comment
+    if (block_.statement.kind != StatementKind::none && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // after its comment
       return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_capital(c)) return word(c, 1);
     if (is_blank(c)) {
@@ -338,7 +338,7 @@ class Lexer {
     return fail(alarm(AlarmId::unexpected_character, where, cursor_.text[cursor_.at]));
   }
 
-  /// One `]` too many (nct 23.2.6); `=` behind a name that the channel does not have (2.2): Z2=5.
+  /// One `]` too many (nct 23.2.6); `=` after a name that the channel does not have (2.2): Z2=5.
   Status out_of_place(char c) {
     const Span where = span(cursor_.at, cursor_.at + 1);
     if (c == ']') return fail(alarm(AlarmId::expression_syntax, where, c));

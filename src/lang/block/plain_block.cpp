@@ -15,7 +15,7 @@ constexpr std::size_t exact_digits = 15;  // so many digits are a whole number e
 constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
 
-/// A name that goes on behind a digit and needs no '=' cannot be told from two words here (nct 2.2).
+/// A name that goes on after a digit and needs no '=' cannot be told from two words here (nct 2.2).
 bool looks_like_words(const AddressName& name) {
   return std::any_of(name.text.begin(), name.text.end() - 1, is_digit) && !is_digit(name.text.back());
 }
@@ -75,7 +75,7 @@ bool PlainBlocks::read_words(std::string_view text, std::size_t from, Block& blo
   return grammar_.block_length == 0 || text.size() - from <= grammar_.block_length;
 }
 
-/// Digits with at most one point among them; behind them.
+/// Digits with at most one point among them; after them.
 inline const char* PlainBlocks::digits_at(const char* at, const char* end, Digits& digits) {
   constexpr unsigned ten = 10;
   const auto digit = [](char c) { return static_cast<unsigned>(static_cast<unsigned char>(c)) - unsigned{'0'}; };
@@ -108,7 +108,7 @@ const char* PlainBlocks::block_number(const char* at, const char* end, Block& bl
   return behind;
 }
 
-/// Behind the word that begins here; nullptr: it is not plain, or at fault.
+/// After the word that begins here; nullptr: it is not plain, or at fault.
 const char* PlainBlocks::word(const char* at, const char* end, Block& block) const {
   const char* const begin = at;
   const char letter = letter_of(*at++);

@@ -35,7 +35,7 @@ class StatementReader {
   /// Reads a statement at the cursor, up to the end of the block or a comment.
   ///   alarms  expression_syntax, terminator_wrong, while_without_do, do_number, illegal_address, statement_not_alone
   Status read(Keyword keyword);
-  /// `#n=…` at the cursor, which stands behind '#'. `begin`: of the '#'.
+  /// `#n=…` at the cursor, which stands after '#'. `begin`: of the '#'.
   Status assignment(std::size_t begin);
 
  private:

@@ -104,7 +104,7 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
     const char c = cursor_.peek();
     const double constant = format.implied ? read.mantissa : read.value;  // raw digits, as a parameter has them
     if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -constant : constant, c, begin);
-    cursor_.at = end;  // blanks behind the word are no part of it
+    cursor_.at = end;  // blanks after the word are no part of it
   }
   if (format.second_number) return second_number(w);
   return {};
@@ -171,7 +171,7 @@ Status WordReader::second_number(Word& w) {
   const std::size_t end = cursor_.at;
   cursor_.skip_blanks();
   if (!is_digit(cursor_.peek())) {
-    cursor_.at = end;  // blanks behind the word are no part of it
+    cursor_.at = end;  // blanks after the word are no part of it
     return {};
   }
   Number read;
@@ -188,7 +188,7 @@ bool WordReader::parameter_here() const {
   return c == grammar_.parameter_address || grammar_.long_parameters.find(c) != std::string::npos;
 }
 
-/// Of the parameter whose letter stands at the cursor: behind it a digit, or two or three.
+/// Of the parameter whose letter stands at the cursor: after it a digit, or two or three.
 Result<double> WordReader::parameter_index() {
   const std::size_t begin = cursor_.at;
   const char letter = cursor_.text[cursor_.at++];

@@ -19,26 +19,26 @@ class WordReader {
   ///   alarms  too_many_words, address_twice, too_many_codes
   Status room_for(char letter, const WordFormat& format, std::size_t begin);
 
-  /// Sign, digits, point or expression behind the address at the cursor. `begin`: of the word, for alarms.
+  /// Sign, digits, point or expression after the address at the cursor. `begin`: of the word, for alarms.
   Status value(Word& w, const WordFormat& format, std::size_t begin);
 
   /// `R2+50` sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
   Status formal_parameter(std::size_t begin);
 
-  /// `R01+50.`, `P123=5`: behind the letter at the cursor stand two or three digits, then a sign or '=' (spec/correctors 3).
+  /// `R01+50.`, `P123=5`: after the letter at the cursor stand two or three digits, then a sign or '=' (spec/correctors 3).
   bool assigns_parameter(char letter) const;
   Status long_parameter(char letter, std::size_t begin);
 
-  /// The number behind N or ':'.
+  /// The number after N or ':'.
   Status block_number(std::size_t begin, const WordFormat& format);
 
-  /// The number behind O.
+  /// The number after O.
   Status label(std::size_t begin, const WordFormat& format);
 
   /// AX[n]=v: the axis by its number (nct 23.2.12); the address is known when the block is carried out.
   Status axis_by_number(std::size_t begin);
 
-  /// The longest name that stands here; one that ends with a digit needs '=' behind it (nct 2.2). nullptr: none.
+  /// The longest name that stands here; one that ends with a digit needs '=' after it (nct 2.2). nullptr: none.
   const AddressName* name_here() const;
 
   /// Nothing that could be a value stands at the cursor.

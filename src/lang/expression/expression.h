@@ -31,16 +31,16 @@ Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& 
 
 /// How much of the text at the cursor is the value.
 enum class MacroValue : std::uint8_t {
-  operand,   // behind an address: a number, #n, #[…], #_NAME, […], a function of the operand that follows
+  operand,   // after an address: a number, #n, #[…], #_NAME, […], a function of the operand that follows
   sum,       // a whole expression
-  assigned,  // the same behind `#n=`, where alone PRM may stand (nct 24.2)
+  assigned,  // the same after `#n=`, where alone PRM may stand (nct 24.2)
 };
 /// The same in the language of custom macros (grammar.macro). ATAN[a]/[b], which other controls read otherwise, gets a warning.
 ///   alarms  expression_syntax (nct 2064), bracket_not_closed, nesting_too_deep, number_damaged, illegal_address
 Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent);
 /// What stands between the brackets of IF[…] and WHILE[…]: one relation (nct 23.2.7). alarms also terminator_wrong
 Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Block& block);
-/// The number of a variable as it is written behind '#': digits, […], _NAME[…].
+/// The number of a variable as it is written after '#': digits, […], _NAME[…].
 Result<Expression> compile_macro_target(Cursor& cursor, const Grammar& grammar, Block& block);
 
 /// Reads an unsigned number with an optional point; the cursor must stand on a digit or a point.

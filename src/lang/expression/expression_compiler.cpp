@@ -63,7 +63,7 @@ class Compiler {
     return wrong(begin);
   }
 
-  /// Behind '#': digits, […], _NAME[…] (23.1.1); `##n` is an error.
+  /// After '#': digits, […], _NAME[…] (23.1.1); `##n` is an error.
   Status reference(bool& constant_number, double& number) {
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at;
@@ -313,7 +313,7 @@ class Compiler {
     return cursor_.text.substr(at, std::max<std::size_t>(first_character(cursor_.text.substr(at)).size, 1));
   }
 
-  /// RS274/NGC: behind an operand only ] and the end are no operators.
+  /// RS274/NGC: after an operand only ] and the end are no operators.
   Status end_of_expression(std::size_t at) const {
     const char c = cursor_.peek();
     if (c == ']' || c == '\0') return {};
@@ -321,7 +321,7 @@ class Compiler {
     return fail(alarm(is_value ? AlarmId::expression_syntax : AlarmId::operator_unknown, span(at, at + 1), character_at(at)));
   }
 
-  /// RS274/NGC: any value may stand behind '#', #-1 and ##1 too.
+  /// RS274/NGC: any value may stand after '#', #-1 and ##1 too.
   Status variable_of_value(std::size_t begin) {
     KADR_TRY(enter(begin));
     KADR_TRY(factor());

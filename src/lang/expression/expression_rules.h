@@ -14,7 +14,7 @@ namespace kadr {
 /// How a function's operand is written.
 enum class Operand : std::uint8_t {
   bracket,  // SIN[…]
-  value,    // SIN #1, SIN[…]: the value behind it, with its signs
+  value,    // SIN #1, SIN[…]: the value after it, with its signs
   pair,     // ATAN[…]/[…]
 };
 

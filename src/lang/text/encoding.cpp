@@ -86,7 +86,7 @@ Status append_eia_rows(std::string_view rows, std::string& text) {
 
 // ---- the guess: how surely Russian words stand in the sample, read as each encoding
 
-/// Bits, by halves, that a letter costs behind another: 'a' none, 'z' 12.5 and more. Rows: the first of the pair,
+/// Bits, by halves, that a letter costs after another: 'a' none, 'z' 12.5 and more. Rows: the first of the pair,
 /// columns: the second, а..я and the edge of a word. Counted from the words of the controls' manuals (spec/) and of
 /// the shop (СВЕРЛО, ФРЕЗА, …), each by the root of its count; ПС, which ends every block, weighs like a frequent one.
 constexpr std::size_t word_edge = 32;
@@ -125,7 +125,7 @@ constexpr std::array<std::string_view, 33> pair_cost = {
     "xznrniqmzxrtjlzvmojzznnrzmzzzzkqb",  // я
     "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  //
 };
-constexpr int mixed_case_cost = 24;  // a capital behind a small letter, a small one behind two capitals: wrong encoding
+constexpr int mixed_case_cost = 24;  // a capital after a small letter, a small one after two capitals: wrong encoding
 constexpr int typography_cost = 20;  // №, quotes, dashes, degrees: rare, but text
 constexpr int other_sign_cost = 48;  // frames, fractions, letters of other languages
 

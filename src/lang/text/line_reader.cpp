@@ -184,7 +184,7 @@ void LineReader::seek(std::uint64_t offset, std::uint32_t number) {
   next_read_ = first_read;
 }
 
-/// Reads on behind what the window holds; only where it is full the lines already read make room, so that a loop
+/// Reads on after what the window holds; only where it is full the lines already read make room, so that a loop
 /// of fewer than 256 KiB stays within. False: the source is at its end.
 bool LineReader::fill() {
   if (at_end_) return false;

@@ -35,7 +35,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path);
 std::unique_ptr<ByteSource> text_source(std::string text);
 
 /// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone where the sample holds no LF.
-/// A UTF-8 byte order mark at the beginning is passed over; nothing behind the last end of line is no line.
+/// A UTF-8 byte order mark at the beginning is passed over; nothing after the last end of line is no line.
 class LineReader {
  public:
   explicit LineReader(std::shared_ptr<ByteSource> source);

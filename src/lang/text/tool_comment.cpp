@@ -33,8 +33,8 @@ bool is_name_letter(char c) { return is_capital(c) || is_high(c); }
 struct Piece {
   std::string word;  // letters; empty: a number
   double number = 0;
-  bool joined = false;  // it follows the piece before without a blank, or behind `=`
-  bool equals = false;  // behind `=`
+  bool joined = false;  // it follows the piece before without a blank, or after `=`
+  bool equals = false;  // after `=`
 };
 
 std::vector<Piece> pieces_of(std::string_view text) {
@@ -79,7 +79,7 @@ bool names_tool_number(std::string_view w) { return is_among(w, {"T", "Т", "TOO
 bool names_diameter(std::string_view w) {
   return is_among(w, {"D", "Д", "DIA", "DIAM", "DIAMETER", "Ø", "ø", "⌀", "Ф", "ДИАМ", "ДИАМЕТР", "DIAMETR"});
 }
-/// A figure behind such a word is its diameter.
+/// A figure after such a word is its diameter.
 bool names_kind(std::string_view w) {
   return is_among(w, {"ФРЕЗА", "СВЕРЛО", "МЕТЧИК", "ЗЕНКЕР", "РАЗВЕРТКА", "РАЗВЁРТКА", "ЦЕКОВКА", "FREZA", "SVERLO", "METCHIK", "ENDMILL",
                       "MILL", "DRILL", "TAP", "REAMER", "CUTTER", "BALLNOSE", "BALL"});

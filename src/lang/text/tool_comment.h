@@ -19,7 +19,7 @@ struct ToolComment {
 /// `text`: UTF-8. `inch`: figures without a unit are inches.
 ToolComment read_tool_comment(std::string_view text, bool inch);
 
-/// The comments of a line: between brackets, behind a semicolon, UTF-8.
+/// The comments of a line: between brackets, after a semicolon, UTF-8.
 std::vector<std::string> comments_of(std::string_view line);
 /// The line without them and without blanks at its ends.
 std::string without_comments(std::string_view line);

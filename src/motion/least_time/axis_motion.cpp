@@ -23,7 +23,7 @@ const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
   return nullptr;
 }
 
-/// Actions during which the axes stand (nct 7.0.1: the motion stops where a function is carried out behind it). Words that only set
+/// Actions during which the axes stand (nct 7.0.1: the motion stops where a function is carried out after it). Words that only set
 /// something – speed, coolant, tool to be brought, message – do not.
 bool needs_rest(const Action& action) {
   return std::holds_alternative<Dwell>(action.what) || std::holds_alternative<Stop>(action.what) ||

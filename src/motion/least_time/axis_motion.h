@@ -112,7 +112,7 @@ class AxisMotion {
   Axes rapid_{};  // mm/min or degrees/min
   std::deque<Record> records_;
   std::uint64_t motions_ = 0;
-  bool exact_ = true;  // the last motion ended exactly: no rounding behind it
+  bool exact_ = true;  // the last motion ended exactly: no rounding after it
   Planner::Sink sink_;
   Planner planner_;
   SpindleClock spindle_;

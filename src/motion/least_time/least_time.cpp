@@ -76,7 +76,7 @@ double LeastTime::line_search(double mu) {
   return 0;
 }
 
-/// A speed that obeys all limits: an earlier solution that crawls on behind its end, or one so low that all limits are far away.
+/// A speed that obeys all limits: an earlier solution that crawls on after its end, or one so low that all limits are far away.
 bool LeastTime::first_guess() {
   constexpr double slowing = 0.9;  // of b, from cell to cell
   if (!ends_.guess.empty()) {

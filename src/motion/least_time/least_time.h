@@ -31,7 +31,7 @@ struct TimedPath {
   std::vector<double> acceleration, jerk;  // of each axis, mm/s², mm/s³
   std::vector<double> h;                   // length of each cell, mm
   std::vector<double> most;                // greatest ṡ² in each cell, mm²/s²
-  std::vector<char> turns;                 // the path turns back behind this cell
+  std::vector<char> turns;                 // the path turns back after this cell
   std::vector<double> x1, x2, x3;          // x′, x″, x‴ in each cell at its places: (cell * axes + axis) * places + place
 
   /// Where the limits are looked at: at the ends of a cell and between, denser where the jerk of its polynomial is greatest.
@@ -54,7 +54,7 @@ class LeastTime {
   struct Ends {
     bool from_stop = true;
     PathSpeed from{};             // else: that of an earlier solution at its knot
-    bool to_stop = true;          // else: at the end it crawls, so slow that it may go on or stop behind it
+    bool to_stop = true;          // else: at the end it crawls, so slow that it may go on or stop after it
     double crawl = 0;             // ṡ² then, at most
     std::vector<double> guess{};  // middles to begin with, of the first cells; the others crawl
   };
@@ -78,7 +78,7 @@ class LeastTime {
 
  private:
   static constexpr std::size_t places = TimedPath::places;
-  static constexpr std::size_t beyond = 2;  // a cell may name variables behind the last; derivatives and steps of these are 0
+  static constexpr std::size_t beyond = 2;  // a cell may name variables after the last; derivatives and steps of these are 0
   using Three = std::array<double, 3>;
   /// b in a cell by its Bézier ordinates: at the start, the middle one, at the end.
   using Ordinates = Three;
@@ -97,7 +97,7 @@ class LeastTime {
   struct Diagonals {
     std::vector<double> h0, h1, h2;
   };
-  /// An ordinate as a sum of variables: of those before, of and behind its cell.
+  /// An ordinate as a sum of variables: of those before, of and after its cell.
   struct Mix {
     double given = 0;
     Three by{};

@@ -161,7 +161,7 @@ LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   return is_within ? Height{time(), logs.sum()} : none;
 }
 
-/// Ordinates by variables: those of the cells before it, of it, behind it.
+/// Ordinates by variables: those of the cells before it, of it, after it.
 void LeastTime::by_variables(std::size_t cell, std::array<Three, 3>& by) const {
   by = {mixes_[cell][0].by, {}, mixes_[cell][1].by};
   if (!(cell == 0 && first_given_)) by[1][variable_[cell] - first_variable(cell)] = scale_[cell];

@@ -100,7 +100,7 @@ void LeastTime::find_moving() {
 /// that comes to as a limit of its variable: its middle is a third of b₁.
 void LeastTime::keep_stop(std::size_t cell) {
   const TimedPath& path = *path_;
-  const double h = path.h[cell], ahead = cell == 0 ? 1 : -1;  // the stop is before it, or behind
+  const double h = path.h[cell], ahead = cell == 0 ? 1 : -1;  // the stop is before it, or after
   double most = infinite;                                     // of b₁
   for (std::size_t a = 0; a < path.axes; ++a)
     for (std::size_t p = 0; p < places; ++p) {

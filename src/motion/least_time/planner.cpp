@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t planned_at = 512;    // pieces: so many come in before the next plan
 constexpr std::size_t least_window = 600;  // cells
 constexpr std::size_t most_window = 6000;  // cells: then some are handed out though the window's end may have slowed them
-constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: behind the window's end
+constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: after the window's end
 constexpr double growth = 0.2;             // of the cells, by their distance from what made them small
 constexpr double corner_part = 1.0 / SoftCorner::cells;
 constexpr double longest_s = 0.01;  // of a cell, at the commanded speed

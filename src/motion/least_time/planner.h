@@ -58,12 +58,12 @@ class Planner {
   };
   const Refused& refused() const { return refused_; }
 
-  /// So many times what it takes with a stop at each corner no plan takes. One with a stop behind each cell takes up to 50 times that: a
+  /// So many times what it takes with a stop at each corner no plan takes. One with a stop after each cell takes up to 50 times that: a
   /// cell is passed in 0.01 s at the feed v, from rest to rest with the jerk j in ∛(0.32 v/j) s. A speed that comes to nothing by rounding
   /// takes 10⁶ times that, or for ever.
   static constexpr double most_of_standing = 100;
 
-  /// Stretches for which no speed was found, planned cell by cell with a stop behind each (TimedCells::unsolved).
+  /// Stretches for which no speed was found, planned cell by cell with a stop after each (TimedCells::unsolved).
   std::size_t failures() const { return failures_; }
 
  private:

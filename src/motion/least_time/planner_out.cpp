@@ -67,7 +67,7 @@ void Planner::hand_on(double from, double to) {
   refused_ = {to - from, out_.sources.empty() ? path_.tag(path_.piece_at(from, 0)) : out_.sources[longest].tag};
 }
 
-/// The first cells go out; the path begins anew behind them.
+/// The first cells go out; the path begins anew after them.
 void Planner::hand_out(std::size_t count) {
   const std::size_t axes = cells_.axes, all = cells_.cells();
   const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
@@ -100,7 +100,7 @@ void Planner::hand_out(std::size_t count) {
   piece_ -= before - path_.pieces();
 }
 
-/// No speed was found: the cells one after the other, as straight lines with a stop behind each.
+/// No speed was found: the cells one after the other, as straight lines with a stop after each.
 void Planner::cell_by_cell() {
   ++failures_;
   const std::size_t axes = cells_.axes, row = axes * TimedCells::terms;

@@ -44,7 +44,7 @@ class Smoothing {
   Smoothing() = default;
   explicit Smoothing(const SmoothingRules& rules) : rules_(rules) {}
 
-  /// The next piece; the one before is handed on.
+  /// The next piece; the one before is emitted.
   void take(const Piece& piece, const Line& line);
   /// Something else follows.
   void finish(const Line& line);
@@ -64,7 +64,7 @@ class Smoothing {
 
   SmoothingRules rules_;
   std::optional<Held> held_;
-  bool before_smoothed_ = false;  // the piece handed on last
+  bool before_smoothed_ = false;  // the piece emitted last
 };
 
 }  // namespace kadr

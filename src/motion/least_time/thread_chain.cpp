@@ -20,7 +20,7 @@ double path_speed(const Axes& speed) {
 /// A step of speed of 1 at time 0, spread: the way since −∞ and its derivatives.
 using Spread = std::array<double, 4>;
 
-/// Before the middle of the step; behind it, the mirror image of that.
+/// Before the middle of the step; after it, the mirror image of that.
 Spread before_middle(double u, double longer, double shorter) {
   const double flat = (longer - shorter) / 2, x = u + (longer + shorter) / 2, area = longer * shorter;
   if (x <= 0) return {};

@@ -1,7 +1,7 @@
 #pragma once
 // ThreadChain: threads that follow each other, as one motion in step with the spindle. NCT 4.4.
 //
-//   speed of an axis, as the spindle asks:   ┌────┐┌───   each step is spread over the same time T, half before it and half behind:
+//   speed of an axis, as the spindle asks:   ┌────┐┌───   each step is spread over the same time T, half before it and half after:
 //                                            │    └┘      ──/‾‾‾\_/‾‾  so that between the steps the axes are where the spindle
 //                                         ───┘                         says, neither ahead nor behind
 //
@@ -36,7 +36,7 @@ class ThreadChain {
   /// T: so much longer it takes from rest to rest.
   double ramp() const;
 
-  /// From rest to rest, the first step `ramp() / 2` behind the beginning.
+  /// From rest to rest, the first step `ramp() / 2` after the beginning.
   ///   law  between two steps, T/2 away from both, position = that at the step + way · time since / time of the thread
   TimedCells cells() const;
 
@@ -46,8 +46,8 @@ class ThreadChain {
   struct Knot {
     double time;
     Axes at;
-    Axes speed;         // behind it, per s
-    std::uint64_t tag;  // of what lies behind it
+    Axes speed;         // after it, per s
+    std::uint64_t tag;  // of what lies after it
   };
   struct Weight {
     double longer = 0, shorter = 0;  // W1, W2, s

@@ -1,4 +1,4 @@
-// TimedCells: a stretch of path with its time: what a planner hands on, what positions are sampled from. For the rest of motion.
+// TimedCells: a stretch of path with its time: what a planner emits, what positions are sampled from. For the rest of motion.
 
 #include "motion/least_time/timed_cells.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// TimedCells: a stretch of path with its time: what a planner hands on, what positions are sampled from.
+// TimedCells: a stretch of path with its time: what a planner emits, what positions are sampled from.
 
 #include <cstddef>
 #include <cstdint>
@@ -72,7 +72,7 @@ struct TimedCells {
   std::vector<CellSource> sources;
   std::vector<double> path;            // x(s) of each cell and axis: Σ c_i s^i, c at (cell * axes + axis) * terms
   std::vector<SpindleTurn> spindle{};  // of each cell; empty: nobody has told
-  bool unsolved = false;               // no speed was found for them: the axes stand behind each
+  bool unsolved = false;               // no speed was found for them: the axes stand after each
 
   void clear() { laws.clear(), sources.clear(), path.clear(), spindle.clear(), unsolved = false; }
   /// Axis positions at a way along a cell.

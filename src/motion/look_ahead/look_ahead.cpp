@@ -162,7 +162,7 @@ void LookAhead::close(double slow_from) {
   open_.reset();
 }
 
-/// Everything held is decided: the axes stand behind it.
+/// Everything held is decided: the axes stand after it.
 void LookAhead::rest() {
   last_rapid_.reset();
   if (open_) {
@@ -174,7 +174,7 @@ void LookAhead::rest() {
   start_speed_ = 0;
 }
 
-/// The end of the last motion within the older half behind which the path can be planned anew, else of the first one behind that;
+/// The end of the last motion within the older half after which the path can be planned anew, else of the first one after that;
 /// all, if there is none.
 std::size_t LookAhead::place_to_part() const {
   std::size_t end = 0, best = pieces_.size();
@@ -195,7 +195,7 @@ void LookAhead::plan_older() {
   release(count);
 }
 
-/// Hands on the motions of the first pieces, and what stands behind them.
+/// Emits the motions of the first pieces, and what stands after them.
 void LookAhead::release(std::size_t pieces) {
   std::size_t done = 0;
   while (!held_.empty() && (done < pieces || (held_.front().pieces == 0 && !(open_ && open_->held == &held_.front())))) {

@@ -30,7 +30,7 @@ class LookAhead {
   LookAhead(const LookAhead&) = delete;  // it points into what it holds
   LookAhead& operator=(const LookAhead&) = delete;
 
-  /// Takes a step, a motion with its time by the TimeEstimate; hands on what is decided by now. Holds at most `most_pieces` motions: when
+  /// Takes a step, a motion with its time by the TimeEstimate; emits what is decided by now. Holds at most `most_pieces` motions: when
   /// full, the older half is decided as if the newest ended at rest. That is safe: with more to come the speeds at the end can only rise,
   /// and those of the older half are low enough to stop; what is lost is speed in runs of motions so short that the machine could not stop
   /// within the newer half.
@@ -44,7 +44,7 @@ class LookAhead {
 
  private:
   struct Held {
-    KeptStep kept;           // it is handed on later: with where the tool stood then
+    KeptStep kept;           // it is emitted later: with where the tool stood then
     double longer = 0;       // s
     std::size_t pieces = 0;  // of the path; 0: its time is known, or it is the open one
   };
@@ -54,7 +54,7 @@ class LookAhead {
     PathShape shape;
     double commanded;       // mm/s
     double enter = 0;       // the highest speed at its start, mm/s
-    double slow_until = 0;  // mm from its start, behind an inner corner (nct 6.3.5)
+    double slow_until = 0;  // mm from its start, after an inner corner (nct 6.3.5)
     Axes bend{};            // where it begins
     const Motion& motion() const { return std::get<Motion>(held->kept.action.what); }
   };
@@ -81,7 +81,7 @@ class LookAhead {
   SpeedRules rules_;
   Axes rapid_rates_{};  // per s
   Sink sink_;
-  std::deque<Held> held_;          // in order; what stands behind the last motion follows it
+  std::deque<Held> held_;          // in order; what stands after the last motion follows it
   std::vector<PathPiece> pieces_;  // of the held motions, the open one excepted
   std::optional<Open> open_;
   std::optional<LastRapid> last_rapid_;

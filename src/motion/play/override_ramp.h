@@ -19,7 +19,7 @@ class OverrideRamp {
   OverrideRamp(OverrideShare from, double to, double seconds);
 
   double seconds() const { return seconds_; }
-  /// The share behind it.
+  /// The share after it.
   double end() const { return end_; }
   OverrideShare at(double t) const;
   /// Time on the plan that has passed after t: ∫ share.

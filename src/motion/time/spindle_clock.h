@@ -37,7 +37,7 @@ class SpindleClock {
   SpindleTurn turn(double per_second, const TimeLaw& law);
 
   /// Waiting time for a motion that takes `ahead` s until it is in step, so that the spindle then has turned by `angle` degrees.
-  ///   law  it begins behind a zero pulse (nct 4.4), and the angle counts from a zero pulse
+  ///   law  it begins after a zero pulse (nct 4.4), and the angle counts from a zero pulse
   ///   pre  the spindle turns
   double seconds_to(double angle, double ahead) const;
 

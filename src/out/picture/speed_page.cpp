@@ -133,7 +133,7 @@ class SpeedPage {
     canvas.text({area.x, area.y - 9}, heading, {14, ink, Align::left, true});
   }
 
-  /// Calls back with stretches of columns of one kind: the first and the one behind the last.
+  /// Calls back with stretches of columns of one kind: the first and the one after the last.
   template <class Same, class Take>
   void each_run(const Same& same, const Take& take) const {
     for (std::size_t first = 0; first < columns_.size();) {

@@ -39,7 +39,7 @@ std::string latin_capitals(std::string_view what) {
   return text;
 }
 
-/// The number behind a single letter: "G5.1" → 5.1; nothing, if it is no such word.
+/// The number after a single letter: "G5.1" → 5.1; nothing, if it is no such word.
 std::optional<double> number_of(const std::string& code) {
   if (code.size() < 2 || !is_capital(code[0]) || code.find_first_not_of("0123456789.", 1) != std::string::npos) return std::nullopt;
   char* end = nullptr;

@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::array<std::string_view, 2>;  // by Lang
 constexpr double unbounded = 1e299;
-constexpr std::size_t bits_with_number = 8;  // those behind have a name only (24.0)
+constexpr std::size_t bits_with_number = 8;  // those after have a name only (24.0)
 
 std::string_view said(const Words& words, Lang lang) { return words[lang == Lang::ru ? 1 : 0]; }
 

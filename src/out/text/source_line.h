@@ -12,7 +12,7 @@ namespace kadr {
 /// Number of characters in the first `bytes` bytes of UTF-8 text.
 std::uint32_t characters_before(std::string_view text, std::size_t bytes);
 
-/// The line without blanks around it, cut off behind so many characters.
+/// The line without blanks around it, cut off after so many characters.
 std::string shortened_line(std::string_view line, std::size_t most);
 
 /// The line and below it `^~~` under the characters of `place`; both indented, each ending in '\n'.

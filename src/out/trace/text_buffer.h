@@ -12,7 +12,7 @@ namespace kadr {
 
 /// Writes `value`, rounded to 1e-9, without trailing zeros or -0; null if it is not a number.
 ///   at       room for 32 characters
-///   returns  behind the last character
+///   returns  after the last character
 char* put_number(char* at, double value);
 
 inline char* put_text(char* at, std::string_view text) {

@@ -28,7 +28,7 @@ std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
   return {blocks_.data(), count_};
 }
 
-/// The first of the window is checked against those behind it, and goes: the motion, what waits behind it, the way round the corner.
+/// The first of the window is checked against those after it, and goes: the motion, what waits after it, the way round the corner.
 void RadiusCompensation::release_first() {
   const Mended mended = check_.interference ? mend_first() : Mended::sound;
   Held& first = held(0);

@@ -1,5 +1,5 @@
 #pragma once
-// Where a programmed contour closes: the way along it comes back to where it has been. What lies before that place and behind it, the
+// Where a programmed contour closes: the way along it comes back to where it has been. What lies before that place and after it, the
 // run-in and the run-out, bounds no part: a square entered and left along the extensions of its sides, arcs that lead to a point of
 // the contour and away from it, an end that goes on over the beginning.
 //

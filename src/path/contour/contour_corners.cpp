@@ -58,7 +58,7 @@ std::size_t ContourCorners::untouched(const ActionBatch& batch, Follows follows)
   return follows == Follows::more && before != nullptr && may_end_elsewhere(*before) ? place : batch.size();
 }
 
-/// The tool's position behind these actions.
+/// The tool's position after these actions.
 void ContourCorners::follow(const ActionBatch& batch, std::size_t from, std::size_t end) {
   const Motion* last = nullptr;
   for (std::size_t i = from; i < end; ++i) {
@@ -185,7 +185,7 @@ std::optional<ContourElement> ContourCorners::held_element(Vec2 end) const {
   return length(end - start.corner) > tol::same_point ? std::optional(ContourElement::line(start.corner, end)) : std::nullopt;
 }
 
-/// The held motion ends at the corner, or where something is inserted there; what waits comes behind that.
+/// The held motion ends at the corner, or where something is inserted there; what waits comes after that.
 void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certainty certainty) {
   const auto element = held_element(corner);
   const Start& start = held_->start;

@@ -4,7 +4,7 @@
 //
 //   programmed ──▶ held motion k · actions between ──▶ corner k/k+1 ──▶ motion k · chamfer or rounding · actions between · (k+1)
 //
-// What is handed out are ordinary motions: cutter radius compensation comes behind. Where an over-determined block may still move the
+// What is handed out are ordinary motions: cutter radius compensation comes after. Where an over-determined block may still move the
 // end of motion k+1, what its start was cut by cannot be judged yet: motion k and its corner wait until motion k+1 has an end.
 
 #include "action/tool_position.h"
@@ -15,7 +15,7 @@ namespace kadr {
 
 class ContourCorners {
  public:
-  /// What comes behind a batch: more, nothing that a corner could go to, or an alarm (then the programmed corner stays as it is).
+  /// What comes after a batch: more, nothing that a corner could go to, or an alarm (then the programmed corner stays as it is).
   enum class Follows : std::uint8_t { more, nothing, alarm };
 
   /// `start`: where the tool stands before the first action.
@@ -66,7 +66,7 @@ class ContourCorners {
 
   static constexpr std::size_t most_waiting = 64;  // actions between two motions; the NCT's is not known
 
-  ToolPosition at_;  // programmed, behind the last action taken
+  ToolPosition at_;  // programmed, after the last action taken
   std::optional<Held> held_;
   std::vector<Action> waiting_;  // between the held motion and the next one
   std::vector<Action> settled_;  // before the held motion: they wait for its length

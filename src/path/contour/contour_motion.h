@@ -32,7 +32,7 @@ inline Vec2 in_plane(const Axes& axes, const Motion& of) { return {axes[of.first
 /// +1 counter-clockwise.
 inline double sense_of(const Motion& arc) { return arc.kind == MotionKind::arc_ccw ? 1 : -1; }
 
-/// Nothing that comes behind can be looked at before this has been done: codes that empty the buffer (15.5.2), stops, G39, G40 alone.
+/// Nothing that comes after can be looked at before this has been done: codes that empty the buffer (15.5.2), stops, G39, G40 alone.
 bool ends_look_ahead(const Action& action);
 
 /// The line or circle that a motion from one point to the other lies on (17.3 rule 9); nothing: a line of no length.

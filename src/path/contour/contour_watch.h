@@ -3,7 +3,7 @@
 // that lie within some blocks, and tells what the control would do.
 //
 // The part's boundary is the programmed contour, without the run-in and run-out that cross each other or lead to a point of it and away
-// (path/contour/contour_closing): where the tool's centre comes nearer to it than the radius, it cuts into the material that lies behind.
+// (path/contour/contour_closing): where the tool's centre comes nearer to it than the radius, it cuts into the material that lies after.
 // What run-in and run-out look like is known at the end only: until then each piece of the contour keeps the deepest cut into it.
 
 #include <array>

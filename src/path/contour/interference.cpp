@@ -23,7 +23,7 @@ bool arc_turns_round(const ContourElement& arc, const CompensatedBlock& block, V
   return compensated_turns(arc, block.start_vector, end_vector) * arc.sense() < -tol::same_angle;
 }
 
-/// Is the way from the first junction to that behind the block `j` against the programmed one?
+/// Is the way from the first junction to that after the block `j` against the programmed one?
 bool interferes(Window window, std::size_t j) {
   const JunctionVectors &a = *window[0].end, &b = *window[j].end;
   if (a.count == 0 || b.count == 0) return j == 1;
@@ -64,7 +64,7 @@ std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
   return std::nullopt;
 }
 
-/// Step 4: the offsets of the first block and of the one behind `j` meet.
+/// Step 4: the offsets of the first block and of the one after `j` meet.
 std::optional<ContourJoin> join_by_offsets(Window window, std::size_t j) {
   const CompensatedBlock &first = window[0], &next = window[j + 1];
   if (!first.plain || !next.plain || first.side != next.side) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<ContourJoin> join_by_offsets(Window window, std::size_t j) {
   return ContourJoin{j + 1, single(*meet), point + *meet - next.element->from};
 }
 
-/// Would the block behind the join go back? Only where its own end is known.
+/// Would the block after the join go back? Only where its own end is known.
 bool turns_next(Window window, const ContourJoin& join) {
   CompensatedBlock next = window[join.next];
   if (!next.plain || next.end == nullptr || next.end->count == 0) return false;

@@ -40,10 +40,10 @@ class RadiusCompensation {
   /// Warnings of the last batch: contour_cut, one for a contour, at its deepest place.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
-  /// A contour is under way, behind what was handed out.
+  /// A contour is under way, after what was handed out.
   bool at_work() const { return count_ > 0 || beside(); }
 
-  /// The tool does not stand on the programmed point, behind what was handed out.
+  /// The tool does not stand on the programmed point, after what was handed out.
   bool beside() const { return dot(vector_, vector_) > tol::same_point * tol::same_point; }
 
   /// What is held is not carried out after all.
@@ -61,7 +61,7 @@ class RadiusCompensation {
     bool regular = false;           // `end` is what the corner rules say for it and the next, both on one side
     std::uint64_t number = 0;       // of its contour, for the watch
     bool watched = false;           // its way must not cut into the contour
-    std::vector<Action> waiting{};  // behind it
+    std::vector<Action> waiting{};  // after it
   };
 
   // what comes in
@@ -110,11 +110,11 @@ class RadiusCompensation {
   static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's is not known
   static constexpr std::size_t most_held = 16;     // 3 + 8 of N1404 (15.5.7), and the one that comes; a power of two
 
-  ToolPosition at_;     // programmed, behind the last action taken
-  ToolPosition stand_;  // programmed, behind what was handed out
+  ToolPosition at_;     // programmed, after the last action taken
+  ToolPosition stand_;  // programmed, after what was handed out
   std::size_t first_ = 0, second_ = 1;
   bool keeps_vector_ = false;  // as on controls with a ContourEntry of their own: only the program's motions lead back to the contour
-  Vec2 vector_;                // from the programmed point to the tool's centre, behind what was handed out
+  Vec2 vector_;                // from the programmed point to the tool's centre, after what was handed out
   std::array<Held, most_held> window_;
   std::size_t head_ = 0, count_ = 0;
   std::array<CompensatedBlock, most_held> blocks_;

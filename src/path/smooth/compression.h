@@ -4,7 +4,7 @@
 //   way since the last point let out, in every axis at most `join`:   ·──·─·──·      held back, only its end is kept
 //   the next motion that goes further in some axis:                   ·─────────────▸·   let out, from there straight to its end
 //
-// Whatever else comes lets the rest out first. At most one motion, and the single-block stop behind it, is held: constant memory.
+// Whatever else comes lets the rest out first. At most one motion, and the single-block stop after it, is held: constant memory.
 
 #include <optional>
 
@@ -15,7 +15,7 @@ namespace kadr {
 class Compression {
  public:
   /// Joins the motions of a batch, in place.
-  ///   from   where the tool stands before it (behind all that was let out), work coordinates
+  ///   from   where the tool stands before it (after all that was let out), work coordinates
   ///   last   nothing follows: nothing is held back
   ///   returns  how many of its first actions belong to batches before
   ///   law    motions whose `join` is 0 come out as they went in
@@ -33,7 +33,7 @@ class Compression {
   ActionBatch out_;
   Axes from_{};  // the last point let out
   std::optional<Action> held_;
-  std::optional<Action> stop_;  // single_block, behind the held one (4.7: it stops after the joined block)
+  std::optional<Action> stop_;  // single_block, after the held one (4.7: it stops after the joined block)
   bool held_before_ = false;    // `held_` is of a batch before
   std::size_t of_before_ = 0;
 };

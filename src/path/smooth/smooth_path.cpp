@@ -97,7 +97,7 @@ double SmoothPath::moved(double s, std::size_t around) const {
 /// that is felt, but not beyond a vertex that asks for as much, and in some between there and half the way to the next vertex.
 double SmoothPath::moved_beside(std::size_t vertex, int side) const {
   constexpr int places = 6;   // from the vertex to where it swings out
-  constexpr int farther = 4;  // behind that
+  constexpr int farther = 4;  // after that
   const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
   const std::size_t beside = side < 0 ? vertex - 1 : vertex;
   std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = beside;

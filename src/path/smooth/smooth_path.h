@@ -31,7 +31,7 @@ class SmoothPath {
   ///        to end before, then nothing may be made of it
   void settle(bool last, StopToken stop = {});
 
-  /// Forgets the pieces that end before a length, but for those whose corners are felt behind it.
+  /// Forgets the pieces that end before a length, but for those whose corners are felt after it.
   void forget(double before);
 
   std::size_t pieces() const { return length_.size(); }

@@ -3,10 +3,10 @@
 //
 // At a corner the direction of a path of straight pieces jumps by Δu: its second derivative is a pulse. The pulse is spread over
 // [−w, w] as Δu k(s), which moves the path by Δu g(s), g″ = k. A pulse that also has negative parts lets the path swing out before and
-// behind the corner as far as it cuts the corner: for the same deviation the corner takes a third to a sixth of the jerk.
+// after the corner as far as it cuts the corner: for the same deviation the corner takes a third to a sixth of the jerk.
 //
 //   gentle corner   the speed stays the same while the corner is passed: g‴ = ±c
-//   sharp corner    the speed falls towards the corner and rises behind it, as on a machine whose axes one after the other come
+//   sharp corner    the speed falls towards the corner and rises after it, as on a machine whose axes one after the other come
 //                   to rest and start with constant jerk: the same in time, mapped to the path; derived for 90°
 //
 // Both have equal deviation at the corner and where they swing out most. Found as perfect splines (Karlin 1975); our own work.

@@ -258,7 +258,7 @@ RC_GTEST_PROP(drilling, cuts_the_same_with_g98_and_g99, ()) {
   RC_ASSERT(std::fabs(to_level.second - h.level / 1000.0) < 1e-9);
 }
 
-TEST(drilling, runs_in_batches) {  // constant memory: a batch is handed on while the cycle goes on
+TEST(drilling, runs_in_batches) {  // constant memory: a batch is emitted while the cycle goes on
   const auto r = run("nct", "G91 G81 X0.001 Z-1 R-1 F100 L20000\n");
   EXPECT_EQ(r.first_alarm(), "");
   EXPECT_NEAR(r.ending.position[0], 20, 1e-6);
@@ -274,7 +274,7 @@ TEST(drilling, an_alarm_takes_the_data_back) {
   EXPECT_EQ(bottoms, (std::vector<double>{-1, -1}));
 }
 
-TEST(drilling, an_alarm_behind_operation_1_takes_it_back) {  // the dwell in revolutions is checked behind S and M5
+TEST(drilling, an_alarm_behind_operation_1_takes_it_back) {  // the dwell in revolutions is checked after S and M5
   const auto r = run("nct", "S500 M3 G95\nG82 X5 Z-1 R1 P10 F0.1 M5\n");
   EXPECT_EQ(r.first_alarm(), "spindle_not_turning");
   EXPECT_TRUE(r.motions().empty());

@@ -23,7 +23,7 @@ struct Step {
   enum class Kind { assign, move, unless, loop, leave } kind = Kind::assign;
   int target = 1;        // assign: #target; loop: passes
   Tree value;            // assign, move: of #target, of X
-  Tree left, right;      // unless, leave: IF[left relation right]GOTO behind the body, or out of the loop
+  Tree left, right;      // unless, leave: IF[left relation right]GOTO after the body, or out of the loop
   std::string relation;  // … assign: "" or IF[…]THEN
   Steps body;
 };

@@ -62,7 +62,7 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   return nct.settings.modal_each_block ? call_modal(m, arguments) : Status();
 }
 
-/// Takes the word out of the block; the subprogram follows behind the block.
+/// Takes the word out of the block; the subprogram follows after the block.
 void pend(Interpreter& m, Word& w, int program) {
   nct_of(m).pending.push_back({program, w.written, w.code, w.where});
   w.address = 0;

@@ -56,7 +56,7 @@ Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   frame.caller = m.origin;
   frame.modal_calls = nct.state.active_modal_calls;
   frame.opened_level = !nct.settings.interrupt_keeps_locals;
-  if (moment == BlockMoment::start) m.flow.jump(m.block->position);  // it is read again behind the macro
+  if (moment == BlockMoment::start) m.flow.jump(m.block->position);  // it is read again after the macro
   KADR_TRY(m.flow.call_at(nct.state.interrupt_program->reader, nct.state.interrupt_program->start, frame, m.block->where));
   if (frame.opened_level) nct.variables.open_level(no_locals());
   nct.interrupted = {true, m.modal, nct.state.words, m.transform};

@@ -16,7 +16,7 @@ namespace kadr::nct {
 Result<bool> interrupt_code(Interpreter& m, const Call& call);
 
 /// Calls the interrupt macro if it is enabled and the signal asks for it. INFERRED: with TPI=0 before the block that would begin,
-/// with TPI=1 behind the block; with a signal that stays (ELT=0) the interrupted program goes on by a block between two calls.
+/// with TPI=1 after the block; with a signal that stays (ELT=0) the interrupted program goes on by a block between two calls.
 ///   returns  true: it was called; at the start of a block: instead of the block, which follows the macro
 Result<bool> call_interrupt(Interpreter& m, BlockMoment moment);
 

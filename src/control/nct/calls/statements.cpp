@@ -45,7 +45,7 @@ Status jump_to(Interpreter& m, Position target, Span where) {
   return {};
 }
 
-/// WHILE[…] DOm, DOm: on with the body, or behind the END (23.2.11).
+/// WHILE[…] DOm, DOm: on with the body, or after the END (23.2.11).
 Status loop(Interpreter& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
   const Loop* const found = file.loop_from(m.block->position);

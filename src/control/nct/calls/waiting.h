@@ -22,7 +22,7 @@ std::uint32_t channels_of(const Setup& setup);
 /// CP_NOWT: waiting codes have no effect.
 bool waiting_suspended(const Nct& nct);
 
-/// `Mm P…` with m from N2201 to N2202, at most 100 codes: the channel waits for those whose digits stand behind P, in any order.
+/// `Mm P…` with m from N2201 to N2202, at most 100 codes: the channel waits for those whose digits stand after P, in any order.
 ///   returns  true: it was such a code
 ///   alarms   own_block; word_missing: no P; channel_list: 0, 9, a channel that the machine has not;
 ///            channels_wait: this run has no other channels (Control::Waiting::alarm)

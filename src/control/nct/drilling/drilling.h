@@ -1,6 +1,6 @@
 #pragma once
 // Drilling cycles G73 … G89 (spec/nct/18): what is kept while the mode is on, and what other functions ask about it.
-// The mode is on while group 9 holds a cycle; the code of group 1 stays in force behind it.
+// The mode is on while group 9 holds a cycle; the code of group 1 stays in force after it.
 
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +37,7 @@ std::int16_t motion_row(const Interpreter& m);
 int drills_along(const Interpreter& m);
 /// A code has been carried out: one of group 1 deletes the cycle mode (18.0).
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth);
-/// What the cycle of this block needs from words that act behind operation 1: S, M3.
+/// What the cycle of this block needs from words that act after operation 1: S, M3.
 ///   alarms  spindle_not_turning
 Status check_drilling(const Interpreter& m);
 /// Operator I after R: R is an increment only in a cycle (5.1). alarms increment_not_allowed

@@ -224,7 +224,7 @@ Status DrillingRun::feed(Interpreter& m, double level, double percent) {
   return {};
 }
 
-/// 18.1.9: a turn a lead, clockwise into the hole with G84.2. The feed is handed on in mm/min: the spindle turns with the axis.
+/// 18.1.9: a turn a lead, clockwise into the hole with G84.2. The feed is emitted in mm/min: the spindle turns with the axis.
 Status DrillingRun::tap(Interpreter& m, double level, double percent) {
   const double way = level - m.position.programmed[job_.axis];
   if (std::fabs(way) <= tol::level) return {};

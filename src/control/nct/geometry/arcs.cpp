@@ -28,7 +28,7 @@ CenterLetters center_letters(Plane plane) {
   }
 }
 
-/// The arc is found behind the transformations (16.0): start, end and centre are transformed, the sense by their determinant.
+/// The arc is found after the transformations (16.0): start, end and centre are transformed, the sense by their determinant.
 class Arc {
  public:
   Arc(Interpreter& m, const Call& call, Turn turn)
@@ -209,7 +209,7 @@ class Arc {
   Interpreter& m_;
   const Call& call_;
   Turn programmed_turn_;
-  Turn turn_;  // behind the transformations, as from_ and to_
+  Turn turn_;  // after the transformations, as from_ and to_
   PlaneAxes plane_;
   CenterLetters letters_;
   Axes end_{};

@@ -40,7 +40,7 @@ bool follows(const Couplings& couplings, std::size_t axis, std::size_t master) {
   return axis == master;
 }
 
-/// Each behind its master: an axis that has come to be followed goes before its followers.
+/// Each after its master: an axis that has come to be followed goes before its followers.
 void sort(std::vector<Follower>& followers) {
   std::vector<Follower> sorted;
   AxisMask waiting = 0;

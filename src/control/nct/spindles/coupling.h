@@ -16,7 +16,7 @@ namespace kadr::nct {
 
 /// The axes that follow now; machine = lead + sign · machine of the master.
 struct Couplings {
-  std::vector<Follower> followers;  // each behind its master
+  std::vector<Follower> followers;  // each after its master
   Axes lead{};                      // by axis
   AxisMask axes = 0;                // that follow
 };

@@ -86,7 +86,7 @@ struct ToolLimits {
   int offsets = 999;      // N1400, greatest number of H, D, G, W
 };
 
-/// What T and M6 hand on to the machine.
+/// What T and M6 emit for the machine.
 struct ToolCall {
   std::uint32_t tool = 0;  // T as programmed, or the type number of the row
   int data = 0;            // row of the tool table; 0: none

@@ -42,12 +42,12 @@ struct TurningMemory {
 /// A contour that G70.7 carries out block by block: where it ends, where the tool goes back to.
 struct Finishing {
   std::size_t depth = 0;     // calls open inside it
-  std::uint64_t behind = 0;  // offset in the file behind its last block
+  std::uint64_t behind = 0;  // offset in the file after its last block
   Vec2 start;                // in the plane, programmed
   Origin origin;             // of G70.7
 };
 
-/// Behind the last block of a contour: back to the start, and on behind G70.7.
+/// After the last block of a contour: back to the start, and on after G70.7.
 ///   returns  true: it has been left
 Result<bool> end_contour(Interpreter& m);
 

@@ -25,7 +25,7 @@ struct ContourPiece {
 struct Contour {
   std::vector<ContourPiece> pieces;  // in order, the first begins where the tool stands
   Position behind;                   // its last block
-  bool follows = false;              // it stands behind the cycle's block: the program goes on at `behind`
+  bool follows = false;              // it stands after the cycle's block: the program goes on at `after`
 };
 
 /// Where blocks P … Q stand in the file being read.
@@ -33,7 +33,7 @@ struct ContourPlace {
   Position first, last;
   Position behind;  // the last
 };
-/// By the words P and Q of the block in hand. alarms  word_missing, contour_block_missing, contour_order
+/// By the words P and Q of the current block. alarms  word_missing, contour_block_missing, contour_order
 Result<ContourPlace> find_contour(Interpreter& m, const Call& call);
 
 /// The contour from where the tool stands.

@@ -44,7 +44,7 @@ class GrooveRun final : public Running {
 
   Status to(Interpreter& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
 
-  /// Off the wall, out, over the next place; behind the last one back to the start.
+  /// Off the wall, out, over the next place; after the last one back to the start.
   Status leave(Interpreter& m) {
     const double off = job_.target.y < job_.start.y ? job_.relief : -job_.relief;
     KADR_TRY(to(m, MotionKind::rapid, {depth_, place_ + off}));

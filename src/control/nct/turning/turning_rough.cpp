@@ -15,7 +15,7 @@ namespace {
 constexpr double most_cuts = 1e6;
 constexpr int halvings = 60;
 
-/// Along the contour to the last motion; the program goes on behind it.
+/// Along the contour to the last motion; the program goes on after it.
 Status jump_behind(Interpreter& m, const Contour& contour) {
   if (contour.follows) m.flow.jump(contour.behind);
   return {};

@@ -38,7 +38,7 @@ Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, Axi
 /// A point in the plane of the surface, mm; the real axes of a programmed one; what a motion on a surface has beside its end.
 Vec2 flat_point(const Interpreter& m, const Axes& point);
 Axes surface_work(const Interpreter& m, const Axes& programmed);
-/// The same of a point behind the transformations, in polar interpolation: the angle is the one nearest to `near` degrees.
+/// The same of a point after the transformations, in polar interpolation: the angle is the one nearest to `near` degrees.
 Axes polar_work(const Interpreter& m, const Axes& point, double near);
 /// An arc in the plane of polar interpolation; turns counter-clockwise positive.
 struct FlatArc {
@@ -47,9 +47,9 @@ struct FlatArc {
 };
 /// Degrees that the point's direction from the pole turns by on its way, whole turns included (4.5).
 double swept_about_pole(const FlatArc& arc);
-/// A programmed point behind mirroring, scaling and rotation (16.0).
+/// A programmed point after mirroring, scaling and rotation (16.0).
 Axes transformed(const Interpreter& m, const Axes& programmed);
-/// Where the tool stands behind the transformations: work coordinates, in polar interpolation the virtual ones.
+/// Where the tool stands after the transformations: work coordinates, in polar interpolation the virtual ones.
 Axes before_transform(const Interpreter& m);
 void finish_surface(Interpreter& m, Motion& motion, const Axes& from);
 /// The detail of a motion, to be filled.
