@@ -1,9 +1,12 @@
 // lang/block/statement_reader, lang/expression/expression_compiler, lang/expression/macro_arithmetic: the language of custom macros,
 // spec/nct/23 23.1, 23.2.
 
+#include <bit>
 #include <map>
+#include <random>
 
 #include "config/machine_axes.h"
+#include "lang/expression/macro_arithmetic.h"
 #include "lang/read_block.h"
 #include "macro_trees.h"
 
@@ -149,6 +152,19 @@ TEST(macro_expressions, of_a_word_keep_what_is_vacant) {
   EXPECT_TRUE(is_vacant(value(1)));
   EXPECT_EQ(value(2), -6);
   EXPECT_EQ(value(3), 0.25);
+}
+
+TEST(remainder_of, is_fmod_bit_by_bit) {
+  std::mt19937_64 choose(3);
+  const auto any = [&] {
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(choose()) >> choose() % 64);
+    return choose() % 3 == 0 ? std::ldexp(whole, -static_cast<int>(choose() % 70)) : whole;
+  };
+  for (int i = 0; i < 200'000; ++i) {
+    const double a = any(), b = any();
+    if (b == 0) continue;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(remainder_of(a, b)), std::bit_cast<std::uint64_t>(std::fmod(a, b))) << a << ' ' << b;
+  }
 }
 
 TEST(macro_statements, are_read_with_their_parts) {

@@ -78,6 +78,7 @@ AxisMask plane_of(const Interpreter& m) { return AxisMask{1} << m.modal.axes.fir
 }  // namespace
 
 void MotionRun::note(const Interpreter& m) {
+  if (m.modal.radius_side != 0 || m.modal.contour != ContourPhase::off) return end();  // soonest seen, and mostly for long
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
     if (!keeps_modes(block)) end();
@@ -225,7 +226,8 @@ bool MotionRun::take(Interpreter& m) {
     m.carry_out_statement();
     return true;
   }
-  if (is_label(block) || (!block.shape && !is_kept(block))) return false;
+  if (is_label(block)) return block.kept && m.flow.depth() != 0 && !m.def.behaviour.label_is_number;  // looked at when it came first
+  if (!block.shape && !is_kept(block)) return false;
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return end(), false;
   const Form& form = form_of(m, block);
   if (form.calls) return false;

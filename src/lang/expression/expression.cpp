@@ -33,7 +33,7 @@ Result<double> apply_pair(Op op, double a, double b, Span where) {
       return finite(a / b, where);
     case Op::modulo: {
       if (b == 0) return fail(alarm(AlarmId::division_by_zero, where));
-      const double rest = std::fmod(a, b);
+      const double rest = remainder_of(a, b);
       return rest < 0 ? rest + std::fabs(b) : rest;  // RS274/NGC: never negative
     }
     case Op::power: return finite(std::pow(a, b), where);

@@ -48,11 +48,21 @@ Result<double> arc(Op op, double a, Span where) {
 
 }  // namespace
 
+double remainder_of(double a, double b) {
+  constexpr double exact = 9007199254740992;  // 2^53
+  if (std::fabs(a) < exact && std::fabs(b) < exact) {
+    const auto left = static_cast<std::int64_t>(a), right = static_cast<std::int64_t>(b);
+    if (right != 0 && static_cast<double>(left) == a && static_cast<double>(right) == b)
+      return std::copysign(static_cast<double>(left % right), a);
+  }
+  return std::fmod(a, b);
+}
+
 Result<double> apply_macro(Op op, double a, double b, Span where) {
   switch (op) {
     case Op::remainder:
       if (b == 0) return fail(alarm(AlarmId::division_by_zero, where));
-      return std::fmod(a, b);  // INFERRED: the sign of the dividend
+      return remainder_of(a, b);  // INFERRED: the sign of the dividend
     case Op::bit_and:
     case Op::bit_or:
     case Op::bit_xor:

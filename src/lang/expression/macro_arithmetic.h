@@ -11,4 +11,7 @@ namespace kadr {
 ///           argument_not_positive, not_a_number
 Result<double> apply_macro(Op op, double a, double b, Span where);
 
+/// std::fmod(a, b), b not 0; sooner where both are whole numbers.
+double remainder_of(double a, double b);
+
 }  // namespace kadr
