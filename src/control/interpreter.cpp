@@ -116,6 +116,23 @@ void Interpreter::carry_out_statement() {
   else report_changes();
 }
 
+bool Interpreter::carry_out_call(std::uint8_t word) {
+  const Word& w = block->words[word];
+  const CodeRow& row = def.codes[static_cast<std::size_t>(def.row_of(w.address, w.code))];
+  if (row.function == Function::return_program) {
+    const CallFrame* const top = flow.innermost();
+    const bool plain = top != nullptr && (top->kind == CallFrame::Kind::macro || top->kind == CallFrame::Kind::subprogram);
+    if (!plain || top->return_to >= 0) return false;  // another pass of the main program, an interrupt, a jump
+  }
+  journal.begin();
+  if (!evaluate_words() || !handler_of(row.function)(*this, {&row, &w, w.where})) return false;
+  if (dialect) {
+    dialect->after_code(*this, row, w.code);
+    dialect->note_line(*this);
+  }
+  return true;
+}
+
 /// What the block changed of the things that survive power-off.
 void Interpreter::report_changes() {
   if (!dialect || on_changes == nullptr || !*on_changes) return;

@@ -164,6 +164,9 @@ class Interpreter : public ControlState, public RunMemory {
   void keep_state();
   /// The block is a statement, and nobody watches: carried out, or an alarm.
   void carry_out_statement();
+  /// The block is a call of a macro or a return alone (its `word`), and nobody watches.
+  ///   returns  false: it must go the general way; nothing has changed
+  bool carry_out_call(std::uint8_t word);
   /// The same of where the program goes on.
   void keep_flow_place() { flow_before_ = flow.place(); }
   bool keeps_flow_place() const { return flow_before_.has_value(); }

@@ -100,9 +100,25 @@ std::string program_of(const std::string& id, std::mt19937& choose) {
 /// A loop of motions whose words are expressions, with what macros write between them.
 std::string loop_of(std::mt19937& choose) {
   const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(choose); };
-  static const char* const motions[] = {
-      "X[#1*2]",    "G1 X[#1] Y#2 F100", "Y#3",         "Z[#1-#2]",        "G0 X[#1]", "G2 I[#1+1] J0", "X2 I[#1]", "N5 X[#1]", "X#1 F[#4]",
-      "G1 X#2 Y#1", "G3 I-5 J#1",        "X#4 Y[#1/2]", "G1 G90 X#1 F100", "X1",       "G1 Y2 X[#1]",   "Z#1"};
+  static const char* const motions[] = {"X[#1*2]",
+                                        "G1 X[#1] Y#2 F100",
+                                        "Y#3",
+                                        "Z[#1-#2]",
+                                        "G0 X[#1]",
+                                        "G2 I[#1+1] J0",
+                                        "X2 I[#1]",
+                                        "N5 X[#1]",
+                                        "X#1 F[#4]",
+                                        "G1 X#2 Y#1",
+                                        "G3 I-5 J#1",
+                                        "X#4 Y[#1/2]",
+                                        "G1 G90 X#1 F100",
+                                        "X1",
+                                        "G1 Y2 X[#1]",
+                                        "Z#1",
+                                        "Y[#4113/9]",
+                                        "Z[#4109/50]",
+                                        "X[#4114+#4115]"};
   static const char* const others[] = {"#2=#1*2",
                                        "#3=#0",
                                        "#3=5",

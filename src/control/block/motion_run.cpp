@@ -26,6 +26,11 @@ bool only_words_count(const Interpreter& m) {
          (!m.dialect || m.dialect->lines_follow(m));
 }
 
+/// A modal call may act again where the program has returned to.
+bool stays_after_call(const Interpreter& m) {
+  return !m.flow.in_body() && !m.skipping_section && (!m.dialect || m.dialect->lines_follow(m));
+}
+
 constexpr MotionKind kind_made[] = {MotionKind::rapid, MotionKind::feed, MotionKind::arc_cw, MotionKind::arc_ccw};
 constexpr MotionMode mode_made[] = {MotionMode::rapid, MotionMode::linear, MotionMode::arc_cw, MotionMode::arc_ccw};
 
@@ -64,6 +69,20 @@ bool is_label(const Block& block) {
   return block.marker == Marker::label && block.word_count == 0 && block.assignments.empty() && block.comments.empty();
 }
 
+/// The word that calls a macro, or returns without any other word: such a block either fails before it has changed anything, or is done.
+std::uint8_t quick_call(const Interpreter& m, const Block& block) {
+  std::uint8_t word = no_word;
+  for (std::uint32_t i = 0; i < block.word_count; ++i) {
+    if (block.words[i].code < 0) continue;
+    if (word != no_word) return no_word;
+    word = static_cast<std::uint8_t>(i);
+  }
+  const Word& w = block.words[word];
+  const Function function = m.def.codes[static_cast<std::size_t>(m.def.row_of(w.address, w.code))].function;
+  const bool quick = function == Function::macro_call || (function == Function::return_program && block.word_count == 1);
+  return quick ? word : no_word;
+}
+
 /// A loop carries it out again, and nothing is to be done beside what its words say.
 bool is_read_again(const Block& block) {
   return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
@@ -88,8 +107,7 @@ void MotionRun::note(const Interpreter& m) {
   if (!block.shape && !is_kept(block)) return end();
   const Form& form = form_of(m, block);
   if (form.fits) return begin(m, form);
-  const bool stays = form.calls && !m.flow.in_body() && !m.skipping_section && (!m.dialect || m.dialect->lines_follow(m));
-  if (!stays) end();  // a modal call may act again where the program has returned to
+  if (!form.calls || !stays_after_call(m)) end();
 }
 
 void MotionRun::begin(const Interpreter& m, const Form& form) {
@@ -128,6 +146,7 @@ const MotionRun::Form& MotionRun::form_of(const Interpreter& m, const Block& blo
   else form.kept = &block, form.letters = block.letters;
   form.fits = make(m, block, form);
   form.calls = !form.fits && only_calls(m, block);
+  if (form.calls && block.kept) form.call = quick_call(m, block);
   return form;
 }
 
@@ -230,7 +249,11 @@ bool MotionRun::take(Interpreter& m) {
   if (!block.shape && !is_kept(block)) return false;
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return end(), false;
   const Form& form = form_of(m, block);
-  if (form.calls) return false;
+  if (form.calls) {
+    const bool done = form.call != no_word && is_read_again(block) && number_fits(block) && m.carry_out_call(form.call);
+    if (done && !stays_after_call(m)) end();
+    return done;
+  }
   if (!form.fits) return end(), false;
   if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return end(), false;  // the general way says what is wrong
   if ((form.named & rolling_) != 0 || !holds(m, form)) return end(), false;

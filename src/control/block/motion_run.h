@@ -10,6 +10,7 @@
 #include "action/action.h"
 #include "base/vec.h"
 #include "control/block/arc.h"
+#include "control/block/plan.h"
 #include "control/state/state.h"
 #include "lang/block/block.h"
 
@@ -30,8 +31,6 @@ class MotionRun {
 
  private:
   static constexpr std::size_t most_words = 8, forms = 16, most_codes = 4;
-  static constexpr std::uint8_t no_word = 255;
-
   /// The motion codes, as an index.
   enum Kind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, kinds };
 
@@ -49,6 +48,7 @@ class MotionRun {
     std::uint64_t letters = 0;                      // of `kept`: some may be vacant
     bool fits = false;                              // a plain motion
     bool calls = false;                             // calls or returns, and nothing else
+    std::uint8_t call = no_word;                    // the word that does, where it can be carried out alone
     std::int16_t row = -1;                          // of its motion code; -1: none, that in force
     std::uint8_t axes = 0, codes = 0;               // how many
     std::array<std::int16_t, most_codes> steady{};  // rows of codes that do nothing if they are in force

@@ -136,6 +136,8 @@ ArcRule Nct::arc_rule(const Interpreter& m) const {
 
 void Nct::note_line(Interpreter& m) {
   if (m.block->has_number) state.words.n = m.block->number;  // 23.1.14
+  if (m.block->calls_macro) return;                          // its words are arguments
+  if (const Word* const code = m.block->find('M'); code != nullptr) state.words.m = code->value;
   if ((m.block->letters & letter_bit('F')) == 0) return;
   state.words.f = m.block->find('F')->value;
   state.thread_lead = 0;
