@@ -7,8 +7,8 @@
 #include <set>
 #include <tuple>
 
-#include "cli/channels.h"
 #include "cli/files.h"
+#include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/program_files.h"
 #include "cli/progress.h"
@@ -83,7 +83,7 @@ struct Count {
 /// What is found goes to the collector of its channel.
 Outlets outlets_of(Collector& collector, Progress& progress) {
   const auto take = [&collector](const AlarmReport& report) { return collector.take(report); };
-  return {.warning = [take](const AlarmReport& report) { (void)take(report); }, .alarm = take, .progress = &progress, .stop = stop_token()};
+  return {.warning = [take](const AlarmReport& report) { (void)take(report); }, .alarm = take, .onlooker = &progress, .stop = stop_token()};
 }
 
 Checked check_program(const Options& options, const Job& job, Count& count, Report& report, std::deque<Collector::Seen>& seen) {
@@ -106,9 +106,9 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
   }
   if (channels->size() == 1) {
     channels->front().control->set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
-    (void)carry_out(*channels->front().control, job, outlets.own.front());
+    (void)carry_out(*channels->front().control, job.profile, job.setup, outlets.own.front());
   } else {
-    (void)Channels(*channels, job, outlets).run();
+    (void)Channels(*channels, job.profile, job.setup, outlets).run();
   }
   bool clean = true;
   for (std::size_t i = 0; i < channels->size(); ++i) {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <utility>
 
-#include "cli/pipeline.h"
+#include "cli/job.h"
 #include "config/read_file.h"
 #include "lang/text/several_programs.h"
 #include "lang/text/utf16.h"

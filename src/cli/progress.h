@@ -4,20 +4,20 @@
 #include <chrono>
 #include <string>
 
-#include "control/control.h"
+#include "session/channel_run.h"
 
 namespace kadr::cli {
 
-class Progress {
+class Progress : public Onlooker {
  public:
   explicit Progress(bool quiet);
   /// Leaves nothing on the terminal.
-  ~Progress();
+  ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   /// Something is to be shown; nothing off a terminal.
-  bool is_due() const;
-  void show(const Control& control);
+  bool is_due() const override;
+  void show(const Control& control) override;
   /// A part 0..1 of what is to be done, and what that is.
   void show(double part, const std::string& what);
 

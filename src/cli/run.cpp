@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "cli/channels.h"
+#include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/run_view.h"
@@ -71,7 +71,7 @@ class RunCommand {
       if (channels.size() == 1) view.begin_look_ahead(channel, rates, job.profile);
       if (channel.number != job.setup.channel) continue;
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job, stand, options.limits.stop);
+      if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job.profile, stand, options.limits.stop);
       if (samples != nullptr)
         view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
       if (!options.plot_speed.empty()) view.planned->record_speed();
@@ -110,7 +110,7 @@ class RunCommand {
     return {.step = {},
             .warning = say,
             .alarm = [say](const AlarmReport& report) { return say(report), false; },
-            .progress = &progress_,
+            .onlooker = &progress_,
             .clock = &view.statistics.clock(),
             .programmed = view.programmed(),
             .writable = [&view] { return (!view.trace || view.trace->ok()) && (!view.planned || view.planned->ok()); },
@@ -128,7 +128,7 @@ class RunCommand {
         view.look(step);
       };
     else if (!control.may_read_clock()) outlets.clock = nullptr;  // nobody reads the summary
-    Stopped stopped = carry_out(control, job_, outlets);
+    Stopped stopped = carry_out(control, job_.profile, job_.setup, outlets);
     if (view.look_ahead) view.look_ahead->finish();
     return stopped;
   }
@@ -151,7 +151,7 @@ class RunCommand {
         view.look(step);
       };
     }
-    together = std::make_unique<Channels>(channels_, job_, outlets);
+    together = std::make_unique<Channels>(channels_, job_.profile, job_.setup, outlets);
     std::vector<Stopped> stopped = together->run();
     for (std::size_t i = 0; i < channels_.size(); ++i) views_[i]->waited = together->waited(i);
     if (views_[writes]->trace) views_[writes]->trace->flush();

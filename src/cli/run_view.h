@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "cli/channels.h"
-#include "cli/planned.h"
+#include "cli/job.h"
+#include "session/planned.h"
 #include "motion/look_ahead/look_ahead.h"
 #include "out/picture/plot.h"
 #include "out/text/summary.h"

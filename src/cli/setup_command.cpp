@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "cli/channels.h"
+#include "cli/job.h"
 #include "cli/stop.h"
 #include "cli/unstated.h"
 #include "config/read_file.h"
@@ -213,7 +213,7 @@ std::size_t carry_out_past_faults(Channel& channel, const Job& job) {
     return !fatal && faults < gives_up_at;
   };
   channel.control->set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
-  (void)carry_out(*channel.control, job, outlets);
+  (void)carry_out(*channel.control, job.profile, job.setup, outlets);
   return faults;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/pipeline.h"
+#include "cli/job.h"
 #include "config/state_file.h"
 
 namespace kadr::cli {

@@ -5,7 +5,7 @@
 #include "cli/files.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
-#include "cli/pipeline.h"
+#include "cli/job.h"
 #include "lang/text/eia.h"
 #include "lang/text/encoding.h"
 #include "lang/text/tape_side.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/pipeline.h"
+#include "cli/job.h"
 #include "config/setup_names.h"
 
 namespace kadr::cli {

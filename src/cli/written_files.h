@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/channels.h"
+#include "cli/job.h"
 
 namespace kadr::cli {
 

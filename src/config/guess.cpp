@@ -1,4 +1,4 @@
-// Which control a program was written for, guessed from its text. For cli/pipeline, cli/program_files; tested by
+// Which control a program was written for, guessed from its text. For session/channel_run, cli/program_files; tested by
 // tests/config/guess_test.cpp.
 
 #include "config/guess.h"

@@ -1,4 +1,4 @@
-// Plc: the machine's logic and its operator, as the events of a set-up say (tests/golden/README.md, "Events"). For cli/pipeline,
+// Plc: the machine's logic and its operator, as the events of a set-up say (tests/golden/README.md, "Events"). For session/channel_run,
 // session/plc_commands; tested by tests/machine/plc_test.cpp.
 
 #include "machine/plc.h"

@@ -1,4 +1,4 @@
-// Rendezvous: which channels wait for each other, and when they may go on (nct 14.5). For cli/channels; tested by
+// Rendezvous: which channels wait for each other, and when they may go on (nct 14.5). For session/channels; tested by
 // tests/machine/rendezvous_test.cpp.
 
 #include "machine/rendezvous.h"

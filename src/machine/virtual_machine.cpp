@@ -1,4 +1,4 @@
-// VirtualMachine: follows the Actions, guards the axis limits and zones, and says what a probe meets. For cli/pipeline; tested by
+// VirtualMachine: follows the Actions, guards the axis limits and zones, and says what a probe meets. For session/channel_run; tested by
 // tests/machine/virtual_machine_test.cpp.
 
 #include "machine/virtual_machine.h"

@@ -1,4 +1,4 @@
-// What the machine's logic (machine/plc) commands, carried to the controls of its channels. For cli/pipeline.
+// What the machine's logic (machine/plc) commands, carried to the controls of its channels. For session/channel_run.
 
 #include "session/plc_commands.h"
 

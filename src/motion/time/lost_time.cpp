@@ -1,5 +1,5 @@
 // LostTime: which lines of a program take longer than their feed alone would, and by which limit of the axes
-// (motion/look_ahead/limited_by). For cli/planned, out/text/lost_time_text.
+// (motion/look_ahead/limited_by). For session/planned, out/text/lost_time_text.
 
 #include "motion/time/lost_time.h"
 

@@ -1,4 +1,4 @@
-// PlannedTime: what the time of the planner of least time is made of. For cli/planned, out/text/summary.
+// PlannedTime: what the time of the planner of least time is made of. For session/planned, out/text/summary.
 
 #include "motion/time/planned_time.h"
 

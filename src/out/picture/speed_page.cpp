@@ -1,5 +1,5 @@
 // The picture of `kadr run --plot-speed`: speed along the path with the feed commanded, and how near the axes are to their acceleration
-// and jerk, over the time of the planner of least time. For cli/planned.
+// and jerk, over the time of the planner of least time. For session/planned.
 
 #include "out/picture/speed_page.h"
 

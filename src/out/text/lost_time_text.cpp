@@ -1,4 +1,4 @@
-// The table of `kadr run --why`: the lines that lose most time, and by what. For cli/planned.
+// The table of `kadr run --why`: the lines that lose most time, and by what. For session/planned.
 
 #include "out/text/lost_time_text.h"
 

@@ -1,4 +1,4 @@
-// SampleWriter: positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates. For cli/planned;
+// SampleWriter: positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates. For session/planned;
 // tested by tests/out/samples_test.cpp.
 
 #include "out/trace/samples.h"

@@ -1,4 +1,4 @@
-// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. For cli/pipeline;
+// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. For session/channel_run;
 // tested by tests/path/contour_corners_test.cpp.
 
 #include "path/contour/contour_corners.h"

@@ -1,45 +1,16 @@
-// The rooms in a row: program → control → machine → Steps → trace, summary, plot. For the rest of cli.
+// One channel on its way: program → control → path → machine → Steps → whoever looks. For session/channels, cli.
 
-#include "cli/pipeline.h"
-
-#include <fmt/core.h>
+#include "session/channel_run.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
-#include "cli/program_files.h"
-#include "cli/setup_options.h"
-#include "config/control_file.h"
-#include "config/guess.h"
-#include "config/read_file.h"
-#include "lang/text/utf16.h"
+#include "session/plc_commands.h"
 
-namespace kadr::cli {
+namespace kadr {
 namespace {
 
-constexpr unsigned shown_each = 64;  // batches between two looks at the progress
-
-/// The set-up file, over it what the options state; complains of what is wrong.
-bool take_setup(Job& job, const Options& options) {
-  std::vector<SetupSource> sources;
-  if (!options.setup.empty()) {
-    auto file = setup_source(options.setup);
-    if (!file) return complain(file.error()), false;
-    sources.push_back(std::move(*file));
-  }
-  auto stated = setup_of_options(options, *job.def, job.lang);
-  if (!stated) return complain(stated.error()), false;
-  sources.insert(sources.end(), stated->begin(), stated->end());
-  if (sources.empty()) return true;
-  auto read = read_setup(sources, job.def.get(), job.lang);
-  if (!read) return complain(read.error()), false;
-  job.setup = std::move(read->setup);
-  job.stated = std::move(read->stated);
-  if (!options.setup.empty()) job.setup_lines = std::move(read->lines);
-  return true;
-}
+constexpr unsigned shown_each = 64;  // batches between two looks of the onlooker
 
 /// What the corners of `path` may expect after a batch.
 ContourCorners::Follows behind(Control::State state) {
@@ -51,92 +22,6 @@ ContourCorners::Follows behind(Control::State state) {
 }
 
 }  // namespace
-
-const AlarmTexts& Job::texts() const {
-  if (texts_) return *texts_;
-  auto texts = AlarmTexts::load(def.get());
-  if (!texts) complain(texts.error());
-  texts_ = std::make_unique<AlarmTexts>(texts ? std::move(*texts) : AlarmTexts());
-  return *texts_;
-}
-
-namespace {
-
-/// The beginning of a program as text.
-std::optional<std::string> sample_of(const std::string& file, const std::string& encoding_name) {
-  SaidEncoding said;
-  (void)read_encoding(encoding_name, said);  // a name that nobody knows is refused later
-  OpenedText opened = open_text(file, said);
-  if (!opened.source) return std::nullopt;
-  LineReader reader(std::move(opened.source));
-  const std::string_view sample = reader.sample();
-  const auto encoding = opened.encoding ? opened.encoding : detect_encoding(sample);
-  std::string text;
-  if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
-  else text = sample;
-  return text;
-}
-
-}  // namespace
-
-std::string control_by_pattern(const Options& options, const std::string& file) {
-  for (const std::string& rule : options.control_for) {
-    const std::size_t equals = rule.rfind('=');
-    if (equals != std::string::npos && is_like(file, rule.substr(0, equals))) return rule.substr(equals + 1);
-  }
-  return options.control;
-}
-
-std::optional<std::string> control_of(const Options& options, const std::string& file) {
-  if (std::string named = control_by_pattern(options, file); !named.empty()) return named;
-  const auto text = sample_of(file, options.encoding);
-  if (!text) return complain(fmt::format("{}: {}", file, told_errno(errno))), std::nullopt;
-  const Guess guess = guess_control(*text);
-  const bool ru = language(options) == Lang::ru;
-  if (guess.control.empty())
-    complain(ru ? fmt::format("{}: УЧПУ неизвестно ({}); если это УП: --control", file, guess.reason_ru)
-                : fmt::format("{}: unknown, no program of a control that Kadr knows ({}); if it is one: --control", file, guess.reason_en));
-  else if (!options.guesses_silently)
-    complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
-                : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
-  return guess.control;
-}
-
-std::string Job::place_of(const std::string& key) const {
-  const std::uint32_t line = line_of(setup_lines, key);
-  return line == 0 ? setup_file : fmt::format("{}:{}", setup_file, line);
-}
-
-std::string no_encoding(const std::string& name, bool ru) {
-  return fmt::format(fmt::runtime(ru ? "кодировки «{}» нет; есть: {}" : "no encoding '{}': {}"), name,
-                     "utf-8, cp1251, koi8-r, cp866, utf-16, utf-16le, utf-16be, iso7, eia");
-}
-
-std::optional<Job> make_job(const Options& options, const std::string& file) {
-  const auto control = control_of(options, file);
-  if (!control || control->empty()) return std::nullopt;
-  return make_job(options, file, *control);
-}
-
-std::optional<Job> make_job(const Options& options, const std::string& file, const std::string& control) {
-  Job job;
-  job.file = file;
-  job.setup_file = options.setup;
-  job.lang = language(options);
-  job.program = options.program;
-  auto def = load_control(control);
-  if (!def) return complain(def.error()), std::nullopt;
-  job.def = std::make_unique<ControlDef>(std::move(*def));
-  auto profile = load_machine(options.machine.empty() ? "generic" : options.machine);
-  if (!profile) return complain(profile.error()), std::nullopt;
-  job.profile = std::move(*profile);
-  if (!take_setup(job, options)) return std::nullopt;
-  if (const std::string error = Plc(job.setup.events).error(); !error.empty()) return complain(options.setup + ": " + error), std::nullopt;
-  job.setup.skip.insert(job.setup.skip.end(), options.skip.begin(), options.skip.end());
-  job.setup.optional_stop = job.setup.optional_stop || options.optional_stop;
-  if (!read_encoding(options.encoding, job.encoding)) return complain(no_encoding(options.encoding, job.lang == Lang::ru)), std::nullopt;
-  return job;
-}
 
 VirtualTime virtual_time(const TimeSplit& split) { return {split.total(), split.cutting}; }
 
@@ -250,7 +135,7 @@ ChannelRun::State ChannelRun::step() {
     (void)outlets_.alarm(report);
     return stop(report);
   }
-  if (outlets_.progress != nullptr && ++steps_ % shown_each == 0 && outlets_.progress->is_due()) outlets_.progress->show(settled());
+  if (outlets_.onlooker != nullptr && ++steps_ % shown_each == 0 && outlets_.onlooker->is_due()) outlets_.onlooker->show(settled());
   return state == Control::State::waiting ? State::waiting : State::running;
 }
 
@@ -322,9 +207,9 @@ void ChannelRun::watch_feed(const Step& step) {
   too_fast_told_ = true;
 }
 
-Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
-  Logic logic{Plc(job.setup.events), {&control}};
-  ChannelRun run(control, job.profile, job.setup, outlets, logic);
+Stopped carry_out(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets) {
+  Logic logic{Plc(setup.events), {&control}};
+  ChannelRun run(control, profile, setup, outlets, logic);
   for (;;) {
     const ChannelRun::State state = run.step();
     if (state == ChannelRun::State::stopped) return run.stopped();
@@ -334,4 +219,4 @@ Stopped carry_out(Control& control, const Job& job, const Outlets& outlets) {
   }
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

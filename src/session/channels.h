@@ -9,10 +9,12 @@
 #include <memory>
 #include <vector>
 
-#include "cli/pipeline.h"
+#include "base/result.h"
+#include "config/setup_file.h"
 #include "machine/rendezvous.h"
+#include "session/channel_run.h"
 
-namespace kadr::cli {
+namespace kadr {
 
 struct Channel {
   int number = 1;
@@ -20,10 +22,16 @@ struct Channel {
   std::unique_ptr<Control> control;
 };
 
+/// A key of the set-up that the control has not, in one of several channels (0: there is one only).
+struct ChannelsFault {
+  SetupFault fault;
+  int channel = 0;
+};
+
 /// The program's own channel and those of the set-up, in the order of their numbers. The program of channel n is the file
-/// channelN.nct in the folder of the main program: subprograms are looked for there. Complains of what a control has not.
-///   returns  nothing: wrong usage
-std::optional<std::vector<Channel>> make_channels(const Job& job, Program program, RunLimits limits);
+/// channelN.nct in the folder of the main program: subprograms are looked for there.
+tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef& def, const Setup& setup, Program program,
+                                                                RunLimits limits);
 
 /// What a channel beside the program's own starts with: parameters, machine, panel and tool tables are the machine's; offsets, work
 /// zeros, variables and positions its own, all 0 (INFERRED).
@@ -61,7 +69,8 @@ class InOrder {
 
 class Channels {
  public:
-  Channels(std::vector<Channel>& channels, const Job& job, ChannelOutlets& outlets);
+  /// `profile`, `setup`: of the machine.
+  Channels(std::vector<Channel>& channels, const MachineProfile& profile, const Setup& setup, ChannelOutlets& outlets);
 
   /// Carries all out.
   ///   returns  how each came to its end, by index
@@ -94,4 +103,4 @@ class Channels {
   InOrder order_;
 };
 
-}  // namespace kadr::cli
+}  // namespace kadr

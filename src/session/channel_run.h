@@ -1,64 +1,21 @@
 #pragma once
-// The rooms in a row: program → control → machine → Steps → trace, summary, plot. The one place where they are put together; for the
-// channels of one machine side by side: cli/channels.
+// One channel on its way: program → control → path → machine → Steps → whoever looks. The one place where the rooms are put together; the
+// channels of one machine side by side: session/channels.
 
 #include <functional>
-#include <memory>
 #include <optional>
 
-#include "cli/options.h"
-#include "cli/progress.h"
-#include "cli/run_ahead.h"
 #include "config/machine_profile.h"
-#include "lang/text/utf16.h"
+#include "config/setup.h"
+#include "control/control.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
 #include "motion/time/steps.h"
 #include "path/contour/contour_corners.h"
-#include "session/plc_commands.h"
+#include "path/contour/radius_compensation.h"
+#include "session/run_ahead.h"
 
-namespace kadr::cli {
-
-/// A program with everything that is needed to run it.
-struct Job {
-  std::string file;
-  std::string setup_file;
-  std::unique_ptr<ControlDef> def;
-  MachineProfile profile;
-  Setup setup;
-  SaidEncoding encoding;
-  std::uint32_t program = 0;                 // number of one on a tape with several
-  std::optional<std::size_t> program_index;  // … or its place there, from 0
-  KeyLines setup_lines;                      // of the set-up's keys
-  std::set<std::string> stated;              // PlacedSetup::stated
-  Lang lang = Lang::en;
-
-  /// Read when the first alarm is to be told: a run without one need not wait for them.
-  const AlarmTexts& texts() const;
-  /// Of a key of the set-up: "shop.json:3".
-  std::string place_of(const std::string& key) const;
-
- private:
-  mutable std::unique_ptr<AlarmTexts> texts_;
-};
-
-/// What to say where nobody knows that name.
-std::string no_encoding(const std::string& name, bool ru);
-
-/// Loads what the options name; complains to stderr.
-///   returns  nothing, if something is missing or wrong (exit status 2)
-std::optional<Job> make_job(const Options& options, const std::string& file);
-
-/// The control that the options name for the file, or the one its text looks like: said on stderr, with what it was seen by.
-///   returns  nothing: it cannot be read; empty: it is no program of a control that Kadr knows
-std::optional<std::string> control_of(const Options& options, const std::string& file);
-std::optional<Job> make_job(const Options& options, const std::string& file, const std::string& control);
-
-/// Opens the program, the one that the job names of a tape with several; complains if it cannot be read or is not there.
-std::optional<Program> open_program(const Job& job);
-
-/// Programs of the file: 1, or more on a tape (spec/gost 1); of a file that cannot be read 1.
-std::size_t count_programs(const Job& job);
+namespace kadr {
 
 /// Virtual time since the start, s.
 struct VirtualTime {
@@ -67,13 +24,23 @@ struct VirtualTime {
 };
 VirtualTime virtual_time(const TimeSplit& split);
 
+/// Shown how far a run has come: a bar.
+class Onlooker {
+ public:
+  virtual ~Onlooker() = default;
+  /// Something is to be shown; asked often.
+  virtual bool is_due() const = 0;
+  /// The control stands still meanwhile.
+  virtual void show(const Control& control) = 0;
+};
+
 /// What looks at a run.
 struct Outlets {
   std::function<void(const Step&)> step{};  // after the machine has taken its action; missing: nobody looks
   std::function<void(const AlarmReport&)> warning;
   /// An alarm; true: go on with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  Progress* progress = nullptr;                     // looked at now and then
+  Onlooker* onlooker = nullptr;                     // shown the run now and then
   TimeEstimate* clock = nullptr;                    // times the steps; missing: counted here, if somebody asks
   std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
   std::function<bool()> writable{};                 // all that was handed over could be written; missing: nothing is written
@@ -153,6 +120,6 @@ class ChannelRun {
 };
 
 /// Carries the program of the only channel out.
-Stopped carry_out(Control& control, const Job& job, const Outlets& outlets);
+Stopped carry_out(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets);
 
-}  // namespace kadr::cli
+}  // namespace kadr

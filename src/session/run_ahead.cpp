@@ -1,14 +1,14 @@
 // RunAhead: the control interprets the next batches in a thread of its own while the rooms after it take the last one (design.md 1). For
-// cli/pipeline.
+// session/channel_run.
 
-#include "cli/run_ahead.h"
+#include "session/run_ahead.h"
 
 #include <sched.h>
 
 #include <system_error>
 #include <utility>
 
-namespace kadr::cli {
+namespace kadr {
 namespace {
 
 /// Waits until `done`: looks for a while, as mostly the other side is nearly ready, then sleeps until `changes` does. To be woken takes
@@ -126,4 +126,4 @@ bool RunAhead::keep(const AlarmReport& warning) {
   return true;
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

@@ -1,6 +1,6 @@
-// The channels of one machine side by side in virtual time (nct 1.2, 14.5). For the rest of cli.
+// The channels of one machine side by side in virtual time (nct 1.2, 14.5). For cli.
 
-#include "cli/channels.h"
+#include "session/channels.h"
 
 #include <fmt/core.h>
 
@@ -8,20 +8,17 @@
 #include <filesystem>
 #include <limits>
 
-#include "config/told.h"
 #include "control/shared_memory.h"
+#include "session/plc_commands.h"
 
-namespace kadr::cli {
+namespace kadr {
 namespace {
 
-/// Control of one channel; complains of what its set-up names and the control has not.
-bool open_channel(Channel& channel, const Job& job, Program program, RunLimits limits, const std::shared_ptr<SharedMemory>& shared) {
-  channel.control = std::make_unique<Control>(*job.def, channel.setup, std::move(program), limits, shared);
-  const SetupFault& fault = channel.control->setup_fault();
-  if (fault.empty()) return true;
-  const std::string where = shared ? fmt::format("{} {}: ", job.lang == Lang::ru ? "канал" : "channel", channel.number) : std::string();
-  complain(fmt::format("{}: {}{}", job.place_of(fault.key), where, job.lang == Lang::ru ? fault.ru : fault.en));
-  return false;
+/// Control of one channel.
+SetupFault open_channel(Channel& channel, const ControlDef& def, Program program, RunLimits limits,
+                        const std::shared_ptr<SharedMemory>& shared) {
+  channel.control = std::make_unique<Control>(def, channel.setup, std::move(program), limits, shared);
+  return channel.control->setup_fault();
 }
 
 /// Where a program that writes nothing would write, and may call files from.
@@ -58,26 +55,28 @@ Setup setup_of_channel(const Setup& main, int number) {
   return s;
 }
 
-std::optional<std::vector<Channel>> make_channels(const Job& job, Program program, RunLimits limits) {
-  const Setup& main = job.setup;
-  if (!main.channels.empty() && !job.def->machine_axes())
-    return complain(told(fmt::format("{}: the control {} has no channels", job.setup_file, job.def->id),
-                         fmt::format("{}: у системы {} каналов нет", job.setup_file, job.def->id))),
-           std::nullopt;
-  if (main.channels.contains(main.channel))
-    return complain(told(fmt::format("{}: channel {} is the program's own", job.setup_file, main.channel),
-                         fmt::format("{}: канал {} — самой УП", job.setup_file, main.channel))),
-           std::nullopt;
-  if (!limits.writes_files) limits.files = folder_of(job.file);
-  const auto shared = main.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
-  std::vector<Channel> channels(1);
-  channels[0] = {main.channel, main, nullptr};
-  if (!open_channel(channels[0], job, std::move(program), limits, shared)) return std::nullopt;
-  for (const auto& [number, other] : main.channels) {
-    const auto file = std::filesystem::path(job.file).parent_path() / fmt::format("channel{}.nct", number);
-    channels.push_back({number, setup_of_channel(main, number), nullptr});
-    if (!open_channel(channels.back(), job, {file.string(), text_source(other.program), Encoding::utf8}, limits, shared))
-      return std::nullopt;
+tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef& def, const Setup& setup, Program program,
+                                                                RunLimits limits) {
+  const auto refused = [](std::string en, std::string ru) { return tl::unexpected(ChannelsFault{{"", std::move(en), std::move(ru)}, 0}); };
+  if (!setup.channels.empty() && !def.machine_axes())
+    return refused(fmt::format("the control {} has no channels", def.id), fmt::format("у системы {} каналов нет", def.id));
+  if (setup.channels.contains(setup.channel))
+    return refused(fmt::format("channel {} is the program's own", setup.channel), fmt::format("канал {} — самой УП", setup.channel));
+  const std::string file = program.file;
+  if (!limits.writes_files) limits.files = folder_of(file);
+  const auto shared = setup.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
+  std::vector<Channel> channels;
+  const auto open = [&](int number, Setup own, Program its) -> tl::expected<void, ChannelsFault> {
+    channels.push_back({number, std::move(own), nullptr});
+    if (SetupFault fault = open_channel(channels.back(), def, std::move(its), limits, shared); !fault.empty())
+      return tl::unexpected(ChannelsFault{std::move(fault), shared ? number : 0});
+    return {};
+  };
+  if (auto opened = open(setup.channel, setup, std::move(program)); !opened) return tl::unexpected(std::move(opened.error()));
+  for (const auto& [number, other] : setup.channels) {
+    const auto path = std::filesystem::path(file).parent_path() / fmt::format("channel{}.nct", number);
+    auto opened = open(number, setup_of_channel(setup, number), {path.string(), text_source(other.program), Encoding::utf8});
+    if (!opened) return tl::unexpected(std::move(opened.error()));
   }
   std::sort(channels.begin(), channels.end(), [](const Channel& a, const Channel& b) { return a.number < b.number; });
   return channels;
@@ -97,10 +96,10 @@ void InOrder::release(const std::vector<double>& clocks, const Sink& sink) {
   }
 }
 
-Channels::Channels(std::vector<Channel>& channels, const Job& job, ChannelOutlets& outlets)
+Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile, const Setup& setup, ChannelOutlets& outlets)
     : channels_(channels),
       outlets_(outlets),
-      logic_{Plc(job.setup.events), {}},
+      logic_{Plc(setup.events), {}},
       states_(channels.size(), State::running),
       stopped_(channels.size()),
       order_(channels.size()) {
@@ -109,7 +108,7 @@ Channels::Channels(std::vector<Channel>& channels, const Job& job, ChannelOutlet
     logic_.channels.push_back(&control);
     control.hand_over_each_block();
     control.set_waiting(Control::Waiting::meet);
-    runs_.push_back(std::make_unique<ChannelRun>(control, job.profile, channels[i].setup, outlets.own[i], logic_));
+    runs_.push_back(std::make_unique<ChannelRun>(control, profile, channels[i].setup, outlets.own[i], logic_));
     (void)runs_.back()->now();  // the clock runs from the start
   }
 }
@@ -233,4 +232,4 @@ void Channels::show_past() {
   order_.release(clocks, outlets_.in_order);
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

@@ -1,6 +1,6 @@
 // Planned: one channel's axes in time by the planner of least time (docs/planner.md), and whoever looks at it. For cli/run_view.
 
-#include "cli/planned.h"
+#include "session/planned.h"
 
 #include <cmath>
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 #include "out/text/lost_time_text.h"
 
-namespace kadr::cli {
+namespace kadr {
 
-Planned::Planned(const Channel& channel, const Job& job, const ToolPosition& stand, StopToken stop)
+Planned::Planned(const Channel& channel, const MachineProfile& profile, const ToolPosition& stand, StopToken stop)
     : stop_(stop),
       axes_(channel.control->axes()),
-      limits_(motion_limits(job.profile, channel.setup, axes_)),
-      motion_(AxisRoles::of(axes_, channel.control->rotary()), limits_, job.profile.tolerance, stand,
+      limits_(motion_limits(profile, channel.setup, axes_)),
+      motion_(AxisRoles::of(axes_, channel.control->rotary()), limits_, profile.tolerance, stand,
               [this](const TimedCells& cells) { see(cells); }) {
   motion_.stop_by(stop);
   motion_.start(channel.setup, axes_);
@@ -95,4 +95,4 @@ std::string Planned::why(const Control& control, Lang lang) const {
   return lost_time_text(rows, lost_time_->all(), axes_, lang);
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

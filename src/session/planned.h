@@ -3,19 +3,19 @@
 
 #include <cstdio>
 
-#include "cli/channels.h"
 #include "motion/least_time/axis_motion.h"
 #include "motion/time/lost_time.h"
 #include "motion/time/planned_time.h"
 #include "out/picture/speed_page.h"
 #include "out/trace/samples.h"
+#include "session/channels.h"
 
-namespace kadr::cli {
+namespace kadr {
 
 class Planned {
  public:
   /// `stand`: where the axes stand at the start. `stop`: what was planned until then is handed out, and then nothing more.
-  Planned(const Channel& channel, const Job& job, const ToolPosition& stand, StopToken stop = {});
+  Planned(const Channel& channel, const MachineProfile& profile, const ToolPosition& stand, StopToken stop = {});
   Planned(const Planned&) = delete;  // the planner calls it back
   Planned& operator=(const Planned&) = delete;
 
@@ -70,4 +70,4 @@ class Planned {
   AxisMotion motion_;
 };
 
-}  // namespace kadr::cli
+}  // namespace kadr

@@ -2,7 +2,7 @@
 // RunAhead: the control interprets the next batches in a thread of its own while the rooms after it take the last one (design.md 1).
 //
 //   control    batch k+1 · k+2 · … · k+depth, then it waits
-//   after it  batch k
+//   after it   batch k
 //
 // How far the control has come when it is asked for something is the same in every run: `depth` batches, or as far as it can go. Where
 // there is one processor only, it goes as far at once.
@@ -15,7 +15,7 @@
 
 #include "control/control.h"
 
-namespace kadr::cli {
+namespace kadr {
 
 class RunAhead {
  public:
@@ -69,4 +69,4 @@ class RunAhead {
   std::atomic<std::uint32_t> news_ = 0;  // counts what the thread may wait for
 };
 
-}  // namespace kadr::cli
+}  // namespace kadr
