@@ -327,7 +327,7 @@ inline Tried try_own(const std::string& file, const std::string& program, unsign
   shop.plain_frames = false;
   shop.file = "/nonexistent/own.nc";  // no program calls a file of the machine it runs on
   shop.limits = {300, 2};
-  Run(shop, program, switches).carry_out();
+  run_text(shop, program, switches);
   return Tried::ran;
 }
 

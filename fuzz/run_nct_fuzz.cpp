@@ -152,8 +152,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }();
   static const std::size_t open_before = files_elsewhere(memory.folder());
   if (size == 0 || climbs(data, size)) return 0;
-  kadr::fuzz::Run run(shop, std::string(reinterpret_cast<const char*>(data) + 1, size - 1), data[0]);
-  run.carry_out();
-  require(files_elsewhere(memory.folder()) <= open_before, "no file outside the program memory is open");
+  kadr::fuzz::run_text(shop, std::string(reinterpret_cast<const char*>(data) + 1, size - 1), data[0],
+                       [] { require(files_elsewhere(memory.folder()) <= open_before, "no file outside the program memory is open"); });
   return 0;
 }
