@@ -92,29 +92,24 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
   RunLimits limits = options.limits;
   const bool one_pass = limits.restarts == RunLimits{}.restarts;
   if (one_pass) limits.restarts = 0;
-  auto channels = make_channels(job, std::move(*program), limits);
-  if (!channels) return Checked::unreadable;
+  const auto session = make_session(job, std::move(*program), limits);
+  if (!session) return Checked::unreadable;
+  const std::vector<Channel>& channels = session->channels();
   Progress progress(options.quiet);
   std::deque<Collector> collectors;
-  ChannelOutlets outlets;
-  outlets.stop_together = false;
-  for (std::size_t i = 0; i < channels->size(); ++i) {
+  session->together().stop_together = false;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
     if (seen.size() <= i) seen.emplace_back();
     collectors.emplace_back(job, options, report, seen[i]);
     collectors.back().one_pass = one_pass;
-    outlets.own.push_back(outlets_of(collectors.back(), progress));
+    session->outlets(i) = outlets_of(collectors.back(), progress);
   }
-  if (channels->size() == 1) {
-    channels->front().control->set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
-    (void)carry_out(*channels->front().control, job.profile, job.setup, outlets.own.front());
-  } else {
-    (void)Channels(*channels, job.profile, job.setup, outlets).run();
-  }
+  if (channels.size() == 1) session->control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
+  (void)session->run();
   bool clean = true;
-  for (std::size_t i = 0; i < channels->size(); ++i) {
-    if (!interrupted()) (*channels)[i].control->check_uncalled([&](const AlarmReport& r) { (void)collectors[i].take(r); });
-    const bool own = (*channels)[i].number == job.setup.channel;
-    if (const auto note = own ? unstated(*(*channels)[i].control, job) : std::nullopt) (void)collectors[i].take(*note);
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (!interrupted()) channels[i].control->check_uncalled([&](const AlarmReport& r) { (void)collectors[i].take(r); });
+    if (const auto note = i == session->own() ? unstated(*channels[i].control, job) : std::nullopt) (void)collectors[i].take(*note);
     count.faults += collectors[i].faults;
     count.warnings += collectors[i].warnings;
     clean = clean && collectors[i].clean();

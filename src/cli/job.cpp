@@ -115,7 +115,7 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
   job.program = options.program;
   auto def = load_control(control);
   if (!def) return complain(def.error()), std::nullopt;
-  job.def = std::make_unique<ControlDef>(std::move(*def));
+  job.def = std::make_shared<const ControlDef>(std::move(*def));
   auto profile = load_machine(options.machine.empty() ? "generic" : options.machine);
   if (!profile) return complain(profile.error()), std::nullopt;
   job.profile = std::move(*profile);
@@ -127,14 +127,14 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
   return job;
 }
 
-std::optional<std::vector<Channel>> make_channels(const Job& job, Program program, RunLimits limits) {
-  auto channels = open_channels(*job.def, job.setup, std::move(program), limits);
-  if (channels) return std::move(*channels);
-  const auto& [fault, number] = channels.error();
+std::unique_ptr<Session> make_session(const Job& job, Program program, const RunLimits& limits) {
+  auto session = Session::open({job.def, job.profile, job.setup, std::move(program), limits});
+  if (session) return std::move(*session);
+  const auto& [fault, number] = session.error();
   const bool ru = job.lang == Lang::ru;
   const std::string where = number != 0 ? fmt::format("{} {}: ", ru ? "канал" : "channel", number) : std::string();
   complain(fmt::format("{}: {}{}", job.place_of(fault.key), where, ru ? fault.ru : fault.en));
-  return std::nullopt;
+  return nullptr;
 }
 
 }  // namespace kadr::cli

@@ -7,7 +7,7 @@
 #include "cli/options.h"
 #include "config/machine_profile.h"
 #include "lang/text/utf16.h"
-#include "session/channels.h"
+#include "session/session.h"
 
 namespace kadr::cli {
 
@@ -15,7 +15,7 @@ namespace kadr::cli {
 struct Job {
   std::string file;
   std::string setup_file;
-  std::unique_ptr<ControlDef> def;
+  std::shared_ptr<const ControlDef> def;
   MachineProfile profile;
   Setup setup;
   SaidEncoding encoding;
@@ -50,8 +50,8 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
 std::optional<Program> open_program(const Job& job);
 
 /// All channels of the machine with it; complains of what a control has not.
-///   returns  nothing: wrong usage
-std::optional<std::vector<Channel>> make_channels(const Job& job, Program program, RunLimits limits);
+///   returns  nullptr: wrong usage
+std::unique_ptr<Session> make_session(const Job& job, Program program, const RunLimits& limits);
 
 /// Programs of the file: 1, or more on a tape (spec/gost 1); of a file that cannot be read 1.
 std::size_t count_programs(const Job& job);

@@ -50,28 +50,29 @@ bool writes_to_terminal(const Options& options) { return (options.trace == "-" |
 
 class RunCommand {
  public:
-  RunCommand(const Options& options, const Job& job, std::vector<Channel>& channels, const Outputs& outputs)
+  RunCommand(const Options& options, const Job& job, Session& session, const Outputs& outputs)
       : options_(options),
         job_(job),
         lang_(language(options)),
-        channels_(channels),
+        session_(session),
+        channels_(session.channels()),
         outputs_(outputs),
         progress_(options.quiet || writes_to_terminal(options)) {
     std::FILE* const trace = outputs.stream("--trace");
     std::FILE* const samples = outputs.stream("--samples");
-    for (const Channel& channel : channels) {
-      const Ending start = channel.control->ending();
-      const ToolPosition stand{start.position, start.machine_position};
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const Channel& channel = channels_[i];
       const auto& axes = channel.control->axes();
       const Rates rates = rates_of(job.profile, channel.setup, axes);
       View& view = *views_.emplace_back(std::make_unique<View>(channel, rates));
       const AxisMask rotary = channel.control->rotary();
       if (trace != nullptr) view.trace.emplace(trace, axes, rotary, channel.setup.points);
-      if (view.trace && channels.size() > 1) view.trace->set_channel(channel.number);
-      if (channels.size() == 1) view.begin_look_ahead(channel, rates, job.profile);
-      if (channel.number != job.setup.channel) continue;
-      if (!options.plot.empty()) view.plot.emplace(axes, rotary, stand);
-      if (needs_planner(options, job.profile)) view.planned = std::make_unique<Planned>(channel, job.profile, stand, options.limits.stop);
+      if (view.trace && channels_.size() > 1) view.trace->set_channel(channel.number);
+      if (const auto rules = session.look_ahead())
+        view.statistics.count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
+      if (i != session.own()) continue;
+      if (!options.plot.empty()) view.plot.emplace(axes, rotary, channel.control->tool_position());
+      if (needs_planner(options, job.profile)) view.planned = &session.plan(i, options.limits.stop);
       if (samples != nullptr)
         view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
       if (!options.plot_speed.empty()) view.planned->record_speed();
@@ -84,7 +85,10 @@ class RunCommand {
   }
 
   Exit run() {
-    const std::vector<Stopped> stopped = channels_.size() == 1 ? std::vector{run_alone()} : run_together();
+    if (channels_.size() == 1) run_alone();
+    else run_together();
+    std::vector<Stopped> stopped;
+    for (std::size_t i = 0; i < channels_.size(); ++i) stopped.push_back(session_.stopped(i));
     tell_unstated();
     for (const auto& view : views_)
       if (view->statistics.extents().systems().size() > 1) view->statistics.name_systems(system_names(*job_.def));
@@ -117,45 +121,38 @@ class RunCommand {
             .stop = options_.limits.stop};
   }
 
-  Stopped run_alone() {
+  void run_alone() {
     View& view = *views_.front();
-    Outlets outlets = outlets_of(view);
+    Outlets& outlets = session_.outlets();
+    outlets = outlets_of(view);
     outlets.works_long = view.trace || view.plot || view.planned;
-    Control& control = *channels_.front().control;
-    if (!options_.quiet || outlets.works_long)
-      outlets.step = [&view](const Step& step) {
-        view.show(step);
-        view.look(step);
-      };
-    else if (!control.may_read_clock()) outlets.clock = nullptr;  // nobody reads the summary
-    Stopped stopped = carry_out(control, job_.profile, job_.setup, outlets);
-    if (view.look_ahead) view.look_ahead->finish();
-    return stopped;
+    if (!options_.quiet || outlets.works_long) {
+      outlets.step = [&view](const Step& step) { view.show(step); };
+      outlets.timed = [&view](const Step& step, double longer) { view.show_timed(step, longer); };
+    } else if (!channels_.front().control->may_read_clock()) {
+      outlets.clock = nullptr;  // nobody reads the summary
+    }
+    (void)session_.run();
   }
 
-  std::vector<Stopped> run_together() {
+  void run_together() {
     std::size_t writes = 0;
-    ChannelOutlets outlets;
-    outlets.in_order = [&](std::size_t i, const Step& step) {
+    session_.together().in_order = [&](std::size_t i, const Step& step) {
       if (!views_[i]->trace) return;
       if (i != writes) views_[writes]->trace->flush();
       views_[writes = i]->trace->write(step);
     };
-    std::unique_ptr<Channels> together;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       View& view = *views_[i];
-      outlets.own.push_back(outlets_of(view));
-      outlets.own.back().step = [&view, &together, i](const Step& step) {
-        view.statistics.consume(step);
-        together->show(i, step);
-        view.look(step);
+      session_.outlets(i) = outlets_of(view);
+      session_.outlets(i).step = [this, &view, i](const Step& step) {
+        session_.show(i, step);
+        view.show(step);
       };
     }
-    together = std::make_unique<Channels>(channels_, job_.profile, job_.setup, outlets);
-    std::vector<Stopped> stopped = together->run();
-    for (std::size_t i = 0; i < channels_.size(); ++i) views_[i]->waited = together->waited(i);
+    (void)session_.run();
+    for (std::size_t i = 0; i < channels_.size(); ++i) views_[i]->waited = session_.waited(i);
     if (views_[writes]->trace) views_[writes]->trace->flush();
-    return stopped;
   }
 
   /// In the picture. The line of an alarm in another channel is none of its program.
@@ -256,16 +253,13 @@ class RunCommand {
   const Options& options_;
   const Job& job_;
   const Lang lang_;
-  std::vector<Channel>& channels_;
+  Session& session_;
+  const std::vector<Channel>& channels_;
   const Outputs& outputs_;
   Progress progress_;
   std::vector<std::unique_ptr<View>> views_;
   bool plan_failed_ = false;  // there is no plan, or no more of its samples (exit status 1)
 };
-
-Control& own_channel(std::vector<Channel>& channels, const Job& job) {
-  return *std::find_if(channels.begin(), channels.end(), [&](const Channel& c) { return c.number == job.setup.channel; })->control;
-}
 
 /// `fault`: the first one that keeps a change from being saved.
 void save_changes(StateFile& file, Control& control, std::string& fault) {
@@ -311,14 +305,14 @@ int run(const Options& options) {
   limits.writes_files = !options.files.empty();
   if (limits.writes_files) limits.files = options.files;
   limits.untouched = outputs.all();
-  auto channels = make_channels(*job, std::move(*program), limits);
-  if (!channels || !outputs.open()) return wrong_usage;
+  const auto session = make_session(*job, std::move(*program), limits);
+  if (!session || !outputs.open()) return wrong_usage;
   std::string state_fault;
-  if (state_file) save_changes(*state_file, own_channel(*channels, *job), state_fault);
-  const Exit exit = RunCommand(options, *job, *channels, outputs).run();
-  tell_unwritten(options, *channels);
+  if (state_file) save_changes(*state_file, session->control(), state_fault);
+  const Exit exit = RunCommand(options, *job, *session, outputs).run();
+  tell_unwritten(options, session->channels());
   if (interrupted()) return interrupted_status();
-  if (exit == wrong_usage || !state_fault.empty() || !outputs.keep(files_read(*channels))) return wrong_usage;
+  if (exit == wrong_usage || !state_fault.empty() || !outputs.keep(files_read(session->channels()))) return wrong_usage;
   return exit;
 }
 

@@ -10,30 +10,14 @@ View::View(const Channel& channel, const Rates& rates) : statistics(channel.cont
   statistics.start_with(channel.setup.spindle().rpm, static_cast<std::uint32_t>(std::max(channel.setup.tool, 0)));
 }
 
-void View::begin_look_ahead(const Channel& channel, const Rates& rates, const MachineProfile& profile) {
-  const Control& control = *channel.control;
-  SpeedRules rules = speed_rules(channel.setup, control.axes(), profile);
-  if (control.has_machine_parameters()) obey_parameters(rules, channel.setup, control.axes());
-  else rules.blend = profile.tolerance;  // INFERRED: of all that state no limit at corners
-  if (!rules.in_force) return;
-  statistics.count_by(rules.accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
-  look_ahead.emplace(AxisRoles::of(control.axes(), control.rotary()), rules, rates.rapid, [this](const Step& step, double longer) {
-    if (const Motion* const motion = step.motion()) statistics.lengthen(*motion, longer);
-    if (trace) trace->write(step);
-  });
-}
-
 void View::show(const Step& step) {
-  const bool is_motion = step.motion() != nullptr;
-  if (is_motion) statistics.consume(step);
-  if (look_ahead) look_ahead->consume(step);
-  else if (trace) trace->write(step);
-  if (!is_motion) statistics.consume(step);
+  statistics.consume(step);
+  if (plot) plot->consume(step);
 }
 
-void View::look(const Step& step) {
-  if (plot) plot->consume(step);
-  if (planned) planned->consume(step);
+void View::show_timed(const Step& step, double longer) {
+  if (const Motion* const motion = step.motion(); motion != nullptr && longer != 0) statistics.lengthen(*motion, longer);
+  if (trace) trace->write(step);
 }
 
 std::function<void(const Action&)> View::programmed() {

@@ -6,36 +6,30 @@
 #include <optional>
 
 #include "cli/job.h"
-#include "session/planned.h"
-#include "motion/look_ahead/look_ahead.h"
 #include "out/picture/plot.h"
 #include "out/text/summary.h"
 #include "out/trace/trace.h"
+#include "session/planned.h"
 
 namespace kadr::cli {
 
 struct View {
   View(const Channel& channel, const Rates& rates);
 
-  /// Of a channel alone: several wait for each other by their programmed times, and their speeds are not planned.
-  void begin_look_ahead(const Channel& channel, const Rates& rates, const MachineProfile& profile);
-
-  /// To the statistics and the trace. The time of what the look-ahead holds counts as programmed; another tool, only when all motions of
-  /// the one before are through.
+  /// As the machine takes it. The time of what the look-ahead holds counts as programmed.
   void show(const Step& step);
 
-  /// To whoever draws, before who times what is drawn.
-  void look(const Step& step);
+  /// In the machine's time.
+  void show_timed(const Step& step, double longer);
 
   /// Takes the motions as programmed, before compensation; empty: nobody looks.
   std::function<void(const Action&)> programmed();
 
   Statistics statistics;
   std::optional<TraceWriter> trace;
-  std::optional<LookAhead> look_ahead;  // where something limits the speed
-  std::optional<Plot> plot;             // of the program's own channel
-  std::unique_ptr<Planned> planned;     // of the program's own channel
-  double waited = 0;                    // s
+  std::optional<Plot> plot;    // of the program's own channel
+  Planned* planned = nullptr;  // of the program's own channel
+  double waited = 0;           // s
 };
 
 }  // namespace kadr::cli

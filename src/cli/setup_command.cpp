@@ -202,9 +202,9 @@ class TemplateMaker {
 };
 
 /// Carries the program out past its faults, a limited number of blocks; returns how many faults there were.
-std::size_t carry_out_past_faults(Channel& channel, const Job& job) {
+std::size_t carry_out_past_faults(Session& session) {
   std::size_t faults = 0;
-  Outlets outlets;
+  Outlets& outlets = session.outlets();
   outlets.stop = stop_token();
   outlets.warning = [](const AlarmReport&) {};
   outlets.alarm = [&](const AlarmReport& report) {
@@ -212,8 +212,8 @@ std::size_t carry_out_past_faults(Channel& channel, const Job& job) {
     if (!fatal) ++faults;
     return !fatal && faults < gives_up_at;
   };
-  channel.control->set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
-  (void)carry_out(*channel.control, job.profile, job.setup, outlets);
+  session.control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
+  (void)session.run();
   return faults;
 }
 
@@ -237,13 +237,12 @@ int write_setup(const SetupOptions& options) {
   limits.restarts = 0;
   limits.stop = stop_token();
   job->setup.channels.clear();
-  auto channels = make_channels(*job, std::move(*program), limits);
-  if (!channels) return wrong_usage;
-  Channel& channel = channels->front();
-  channel.control->watch_use();
-  const std::size_t faults = carry_out_past_faults(channel, *job);
+  const auto session = make_session(*job, std::move(*program), limits);
+  if (!session) return wrong_usage;
+  session->control().watch_use();
+  const std::size_t faults = carry_out_past_faults(*session);
   if (interrupted()) return interrupted_status();
-  return write_to(options.output, template_text(TemplateMaker(*job, *channel.control, faults).make())) ? ok : wrong_usage;
+  return write_to(options.output, template_text(TemplateMaker(*job, session->control(), faults).make())) ? ok : wrong_usage;
 }
 
 }  // namespace kadr::cli

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include "cli/files.h"
+#include "cli/job.h"
 #include "cli/options.h"
 #include "cli/outputs.h"
-#include "cli/job.h"
 #include "lang/text/eia.h"
 #include "lang/text/encoding.h"
 #include "lang/text/tape_side.h"

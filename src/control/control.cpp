@@ -27,6 +27,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
   interpreter_->on_warning = &on_warning;
   interpreter_->on_block = &on_block;
   interpreter_->on_changes = &on_changes;
+  interpreter_->holds_before = &holds_before;
 }
 Control::~Control() = default;
 MachineSide* Control::machine_side() const { return interpreter_->dialect ? interpreter_->dialect->machine_side() : nullptr; }
@@ -58,6 +59,15 @@ void Control::refused() {
   release();
 }
 void Control::set_waiting(Waiting waiting) { interpreter_->waiting.mode = waiting; }
+bool Control::in_block() const { return interpreter_->in_block(); }
+void Control::enter(const std::string& line) {
+  interpreter_->block = &interpreter_->first_block;  // that of the line before is going
+  interpreter_->flow.enter(line + "\n");
+}
+bool Control::in_entered() const { return interpreter_->flow.in_entered(); }
+Result<double> Control::evaluate(std::string_view expression) const { return interpreter_->value_of(expression); }
+std::vector<AlarmReport::Call> Control::calls() const { return interpreter_->calls(); }
+BlockState Control::state_now() const { return interpreter_->state_now(); }
 const std::optional<Control::Meeting>& Control::meeting() const { return interpreter_->waiting.meeting; }
 void Control::release() { interpreter_->waiting.meeting.reset(); }
 bool Control::is_stopped() const { return interpreter_->is_stopped(); }

@@ -39,17 +39,36 @@ class Control {
           std::shared_ptr<SharedMemory> shared = nullptr);
   ~Control();
 
-  enum class State : std::uint8_t { running, needs_probe, waiting, stopped, ended };
+  enum class State : std::uint8_t { running, needs_probe, waiting, held, stopped, ended };
 
   /// Carries out blocks until `batch` (cleared first) is full or something must be answered.
   ///   needs_probe  the last action is a probe motion: call answer() with what it met, then go on
   ///   waiting      at a waiting code (nct 14.5), after meet_channels(): meeting() tells; call release(), then go on
+  ///   held         holds_before() asked for it
   ///   stopped      by an alarm: report() tells; go_on() takes the next block (checking), nothing of the faulty one has been done
   ///   ended        the program is at its end
   State run(ActionBatch& batch);
 
-  /// All that decides how the run goes on, between two blocks; nothing in the middle of one: while a cycle runs, a probe or another
-  /// channel is waited for. What the program has read from standard input or written into files is not in it.
+  /// Asked before each block that has been read; true: it is not carried out now, and read once more by the next run(). The control may
+  /// be asked for anything meanwhile, but for what it is asked about in the middle of a block.
+  std::function<bool(const Origin&)> holds_before;
+  /// A block has been begun and is not over: a cycle goes on, something waits for its end.
+  bool in_block() const;
+  /// The operator enters a line (MDI): it is carried out next, in the present state; after it the program goes on where it stood.
+  ///   pre  !in_block()
+  void enter(const std::string& line);
+  /// It is not over.
+  bool in_entered() const;
+  /// The value of an expression, written as a program would write it, now: `#100+1`, `R2`.
+  ///   alarms  expression_syntax and what else an expression may be refused for
+  Result<double> evaluate(std::string_view expression) const;
+  /// Calls and repetitions that are open, the outermost first.
+  std::vector<AlarmReport::Call> calls() const;
+  /// What is in force, all blocks so far carried out.
+  BlockState state_now() const;
+
+  /// All that decides how the run goes on; nothing while a probe is waited for. What the program has read from standard input or written
+  /// into files is not in it, nor what refused() brings back.
   std::optional<Snapshot> snapshot() const;
   /// Goes on from a snapshot of a control of the same file, set-up and program: the actions, alarms and notes that follow are those that
   /// followed there. The tables shared by channels get the values of this channel.

@@ -59,9 +59,13 @@ Control::State Interpreter::run(ActionBatch& to) {
       if (!waits) fail_with(waits.error());
       if (!waits || *waits) continue;
     }
-    auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
-    again_ = false;
+    const bool once_more = std::exchange(again_, false), looked_at = holds_before != nullptr && *holds_before && !once_more;
+    const Flow::Mark before = looked_at ? flow.mark() : Flow::Mark();
+    Block* const last = block;
+    auto got = once_more ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
     if (got && *got == BlockReader::Got::end) {
+      block = last;  // what is told is told there
+      if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) continue;
       if (const Status closed = end_of_file(); !closed) {
         fail_with(closed.error());
         break;
@@ -71,6 +75,12 @@ Control::State Interpreter::run(ActionBatch& to) {
     }
     if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
     else origin.number = static_cast<std::uint32_t>(flow.blocks());
+    if (looked_at && !flow.in_body()) [[unlikely]] {
+      if ((*holds_before)(origin)) {
+        flow.unread(before);
+        return Control::State::held;
+      }
+    }
     if (motion_run_.is_on()) {
       if (got && motion_run_.take(*this)) [[likely]] {
         if (block_states_) block_states_->note(origin.number, *this);

@@ -31,6 +31,7 @@ namespace kadr {
 
 class Interpreter;
 struct Call;
+struct BlockMemory;  // control/snapshot_content.h
 
 inline constexpr double farthest = 1e7;        // mm, degrees: a coordinate beyond ten kilometres is a mistake
 inline constexpr std::size_t batch_size = 64;  // actions emitted at a time
@@ -39,10 +40,19 @@ inline constexpr std::size_t batch_size = 64;  // actions emitted at a time
 class Running {
  public:
   virtual ~Running() = default;
+  /// A copy that goes on from here, in a control restored from a snapshot.
+  virtual std::unique_ptr<Running> clone() const = 0;
   /// Emits the next actions, at most a few; false: it is over.
   virtual Result<bool> next(Interpreter& m) = 0;
   /// The other functions of its block act before it goes on (drilling, nct 18.0); else those after the motion wait for its end.
   virtual bool functions_first() const { return false; }
+};
+
+/// A cycle that is a plain value: `class Pocket final : public RunningValue<Pocket>`.
+template <class Cycle>
+class RunningValue : public Running {
+ public:
+  std::unique_ptr<Running> clone() const final { return std::make_unique<Cycle>(static_cast<const Cycle&>(*this)); }
 };
 
 /// The state is its base: `m.modal` is that of the block being carried out.
@@ -54,8 +64,7 @@ class Interpreter : public ControlState, public RunMemory {
   ~Interpreter();
 
   Control::State run(ActionBatch& batch);
-  /// Nothing in the middle of a block: while a cycle runs, a probe or another channel is waited for.
-  /// `cutting_seen_ms` goes along for Control.
+  /// Nothing while a probe is waited for. `cutting_seen_ms` goes along for Control.
   std::optional<Snapshot> snapshot(double cutting_seen_ms) const;
   Status restore(const Snapshot& from);
   void answer(const ProbeAnswer& answer);
@@ -91,6 +100,14 @@ class Interpreter : public ControlState, public RunMemory {
   bool has_code(std::initializer_list<Function> functions) const;
   /// What is known of blocks like this one; nullptr: it is no plain block, or words were taken away from it.
   ShapeFacts* shape() const { return block->altered ? nullptr : shape_; }
+  /// A block has been begun and is not over: its cycle is being carried out, or what waits for the cycle's end.
+  bool in_block() const { return cycling() || waiting_count_ != 0 || block_open || again_; }
+  /// The value of an expression as the program would write it, now.
+  ///   alarms  those of compile_value and of its evaluation; expression_syntax: something follows it
+  Result<double> value_of(std::string_view expression);
+  /// Calls and repetitions that are open, the outermost first.
+  std::vector<AlarmReport::Call> calls() const;
+  BlockState state_now() const;
   /// A cycle of the block is being carried out.
   bool cycling() const { return cycle_run.active() || ellipse_run.active() || running != nullptr; }
   /// Every value within the limits of its address.
@@ -212,13 +229,14 @@ class Interpreter : public ControlState, public RunMemory {
   bool each_block = false;  // hand over after each block
   bool block_open = false;  // a watched block has been carried out, its end is to come
 
-  Block first_block;            // before the first one is read
+  Block first_block;            // before the first one is read, and in the middle of which a snapshot was taken
   Block* block = &first_block;  // being carried out
   ActionBatch* batch = nullptr;
   std::vector<std::string> axis_names;
   std::size_t axis_count = 3;
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   std::function<void(const Origin&, bool)>* on_block = nullptr;
+  const std::function<bool(const Origin&)>* holds_before = nullptr;
   std::function<void(const StateChanges&)>* on_changes = nullptr;
 
  private:
@@ -266,6 +284,8 @@ class Interpreter : public ControlState, public RunMemory {
   Origin origin_of_block() const;
   void fail_with(const Alarm& alarm);
   void keep_from_faulty_block();
+  std::shared_ptr<const BlockMemory> block_memory() const;
+  void go_on_in_block(const BlockMemory& then);
 
   Plan plan_;
   /// Plans of blocks that loops carry out again, found by the block's place in memory.
@@ -289,6 +309,7 @@ class Interpreter : public ControlState, public RunMemory {
   std::unique_ptr<BlockStates> block_states_;  // nullptr: nobody asks
   ControlState before_;
   bool state_kept_ = false;
+  std::string first_text_;  // of first_block
   std::vector<double> assigned_;
   StopToken stop_;
   bool stopped_ = false;

@@ -69,9 +69,15 @@ AlarmReport Interpreter::report_of(const Alarm& alarm, const Origin& at, std::st
     Span all;
     r.own_text = flow.shown(block->text_of(block->comments.front()), all);
   }
-  for (const CallFrame& frame : flow.frames())
-    r.calls.push_back({Flow::name_of(def, frame), frame.caller.line, frame.caller.block, frame.caller.has_block});
+  r.calls = calls();
   return r;
+}
+
+std::vector<AlarmReport::Call> Interpreter::calls() const {
+  std::vector<AlarmReport::Call> open;
+  for (const CallFrame& frame : flow.frames())
+    open.push_back({Flow::name_of(def, frame), frame.caller.line, frame.caller.block, frame.caller.has_block});
+  return open;
 }
 
 Origin Interpreter::origin_of_block() const {
@@ -127,6 +133,8 @@ std::vector<std::string> Interpreter::codes_in_force(const Modal& of) const {
   add("H", of.length_number);
   return codes;
 }
+
+BlockState Interpreter::state_now() const { return {codes_in_force(modal), modal.tool, frames.origin, frames.length}; }
 
 std::optional<BlockState> Interpreter::state_of(const Origin& at) const {
   const auto state = block_states_ ? block_states_->of(at.number) : nullptr;

@@ -34,6 +34,11 @@ Status Flow::remember(const Memory& memory) {
   std::vector<std::uint16_t> readers;
   for (std::size_t i = own_files; i < memory.files.size(); ++i) {
     const File& file = memory.files[i];
+    if (i == memory.now.entered.reader) {
+      readers.push_back(static_cast<std::uint16_t>(files_.size()));
+      files_.push_back(std::make_unique<ProgramFile>("MDI", text_source(memory.now.entered.line), body_grammar_, Encoding::utf8));
+      continue;
+    }
     const auto reader = file.built_in ? open_built_in(file.name) : open_program(file.name);
     if (!reader) return fail(alarm(AlarmId::file_missing, {}, std::string_view(file.name)));
     readers.push_back(*reader);
@@ -48,7 +53,8 @@ Status Flow::remember(const Memory& memory) {
   for (std::size_t i = 0; i < files_.size(); ++i) {
     if (!files_[i]) continue;
     files_[i]->remember(memory.files[i].memory);
-    if (i >= own_files) (memory.files[i].built_in ? built_in_ : opened_)[memory.files[i].name] = static_cast<std::uint16_t>(i);
+    if (i >= own_files && i != memory.now.entered.reader)
+      (memory.files[i].built_in ? built_in_ : opened_)[memory.files[i].name] = static_cast<std::uint16_t>(i);
   }
   if (!memory.called.empty() && !indexed_) make_index();
   for (auto& [number, label] : labels_) label.called = false;
@@ -60,7 +66,7 @@ Status Flow::remember(const Memory& memory) {
 }
 
 std::optional<Snapshot> Interpreter::snapshot(double cutting_seen_ms) const {
-  if (cycling() || waiting_count_ != 0 || block_open || again_ || needs_probe || waiting.meeting) return std::nullopt;
+  if (needs_probe) return std::nullopt;
   auto content = std::make_shared<Snapshot::Content>();
   content->state = *this;
   content->run = *this;
@@ -69,7 +75,49 @@ std::optional<Snapshot> Interpreter::snapshot(double cutting_seen_ms) const {
   content->variables = shared_with(last_variables_, variables.all());
   content->cutting_seen_ms = cutting_seen_ms;
   if (dialect) content->dialect = dialect->snapshot();
+  content->each_block = each_block;
+  content->block = block_memory();
   return Snapshot(std::move(content));
+}
+
+std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
+  auto now = std::make_shared<BlockMemory>();
+  now->block = *block;
+  now->text = block->text;
+  now->plan = *plan_now_;
+  now->waiting.assign(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_));
+  now->cycle_run = cycle_run;
+  if (cycle_run.active()) now->cycle = static_cast<std::size_t>(cycle_run.cycle() - def.cycles.data());
+  now->ellipse_run = ellipse_run;
+  if (running) now->running = running->clone();
+  now->block_open = block_open;
+  now->again = again_;
+  now->stopped = stopped_;
+  now->exact = block_exact;
+  now->machine_coordinates = block_machine_coordinates;
+  now->axes_taken = block_axes_taken;
+  return now;
+}
+
+void Interpreter::go_on_in_block(const BlockMemory& then) {
+  first_block = then.block;
+  first_block.kept = false;  // it stands in no loop's memory here
+  first_text_ = then.text;
+  first_block.text = first_text_;
+  plan_ = then.plan;
+  plan_now_ = &plan_;
+  std::copy(then.waiting.begin(), then.waiting.end(), waiting_.begin());
+  waiting_count_ = then.waiting.size();
+  cycle_run = then.cycle_run;
+  if (cycle_run.active()) cycle_run.lead_to(&def.cycles[then.cycle]);
+  ellipse_run = then.ellipse_run;
+  if (then.running) running = then.running->clone();
+  block_open = then.block_open;
+  again_ = then.again;
+  stopped_ = then.stopped;
+  block_exact = then.exact;
+  block_machine_coordinates = then.machine_coordinates;
+  block_axes_taken = then.axes_taken;
 }
 
 Status Interpreter::restore(const Snapshot& from) {
@@ -82,13 +130,15 @@ Status Interpreter::restore(const Snapshot& from) {
   journal.begin();
   first_block = Block();
   block = &first_block;  // the one before stands in a file that may be gone
+  shape_ = nullptr;
   static_cast<ControlState&>(*this) = then.state;
   static_cast<RunMemory&>(*this) = then.run;
-  each_block = each_block || reads_clock;
+  each_block = each_block || then.each_block;
   if (std::exchange(block_states_, nullptr)) watch_states();  // block numbers have gone back
   tables = *then.tables;
   variables.put(*then.variables);
   variables.inch = modal.inch;
+  go_on_in_block(*then.block);
   return dialect ? dialect->restore(*this, *then.dialect) : Status();
 }
 

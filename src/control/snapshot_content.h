@@ -3,14 +3,24 @@
 
 #include <memory>
 
-#include "control/dialect.h"
-#include "control/flow/flow.h"
-#include "control/state/run_memory.h"
+#include "control/interpreter.h"
 #include "control/state/snapshot.h"
-#include "control/state/state.h"
-#include "control/variables/variables.h"
 
 namespace kadr {
+
+/// The current block, and what stands open of it: a cycle, what waits for its end.
+struct BlockMemory {
+  Block block;
+  std::string text;  // of the block
+  Plan plan;
+  std::vector<std::uint8_t> waiting;  // items of the plan
+  CycleRun cycle_run;
+  std::size_t cycle = 0;  // row of it
+  EllipseRun ellipse_run;
+  std::shared_ptr<const Running> running;
+  bool block_open = false, again = false, stopped = false;
+  bool exact = false, machine_coordinates = false, axes_taken = false;  // of Interpreter
+};
 
 struct Snapshot::Content {
   ControlState state;
@@ -19,7 +29,9 @@ struct Snapshot::Content {
   std::shared_ptr<const Tables> tables;
   std::shared_ptr<const Variables::Values> variables;
   std::shared_ptr<const DialectState> dialect;  // nullptr: the control has none
-  double cutting_seen_ms = 0;                   // of Control
+  std::shared_ptr<const BlockMemory> block;
+  bool each_block = false;
+  double cutting_seen_ms = 0;  // of Control
 };
 
 }  // namespace kadr

@@ -127,6 +127,17 @@ Status VirtualMachine::in_position() const {
   return fail(alarm(AlarmId::position_error, {}, std::string_view(names_[static_cast<std::size_t>(__builtin_ctz(missing_))])));
 }
 
+VirtualMachine::Memory VirtualMachine::memory() const {
+  return {position_, missing_, compression_.memory(), zones_ ? std::optional(zones_->memory()) : std::nullopt};
+}
+
+void VirtualMachine::remember(const Memory& memory) {
+  position_ = memory.position;
+  missing_ = memory.missing;
+  compression_.remember(memory.compression);
+  if (zones_ && memory.zones) zones_->remember(*memory.zones);
+}
+
 void VirtualMachine::set_signal(std::string_view name, bool on) {
   if (zones_ && name == "CP_LIM2DIS") zones_->suspend(2, on);
   if (zones_ && name == "CP_LIM3DIS") zones_->suspend(3, on);

@@ -66,6 +66,16 @@ class VirtualMachine {
   void go_back(const ToolPosition& to) { position_ = to; }
   const AxisRoles& roles() const { return roles_; }
 
+  /// What it remembers from batch to batch.
+  struct Memory {
+    ToolPosition position;
+    AxisMask missing = 0;
+    Compression::Memory compression{};
+    std::optional<Zones::Memory> zones{};
+  };
+  Memory memory() const;
+  void remember(const Memory& memory);
+
   /// A signal of the machine's logic: CP_LIM2DIS, CP_LIM3DIS hold the check of a zone off (nct 22.2, 22.3); others say nothing here.
   void set_signal(std::string_view name, bool on);
 

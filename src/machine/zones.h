@@ -37,6 +37,10 @@ class Zones {
   bool in_force() const { return ends_.axes != 0 || zone2_.on || zone3_.axes != 0; }
   bool checks_before() const { return checks_before_; }
 
+  struct Memory;
+  Memory memory() const;
+  void remember(const Memory& memory);
+
   ///   alarms  with CBM zone1_positive, zone1_negative, zone2_positive, zone2_negative (axis), zone2_inside, zone3_inside,
   ///           zone2_entry, zone3_entry; else zone1_reached_positive, zone1_reached_negative, zone2_reached_positive,
   ///           zone2_reached_negative (axis, limit), zone2_reached_inside, zone3_reached_inside
@@ -79,5 +83,17 @@ class Zones {
   bool checks_before_ = false;
   bool suspended2_ = false, suspended3_ = false;
 };
+
+/// What a run has changed of them.
+struct Zones::Memory {
+  Zone2 zone2;
+  bool suspended2 = false, suspended3 = false;
+};
+inline Zones::Memory Zones::memory() const { return {zone2_, suspended2_, suspended3_}; }
+inline void Zones::remember(const Memory& memory) {
+  zone2_ = memory.zone2;
+  suspended2_ = memory.suspended2;
+  suspended3_ = memory.suspended3;
+}
 
 }  // namespace kadr

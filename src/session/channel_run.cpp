@@ -15,11 +15,15 @@ constexpr unsigned shown_each = 64;  // batches between two looks of the onlooke
 /// What the corners of `path` may expect after a batch.
 ContourCorners::Follows behind(Control::State state) {
   switch (state) {
-    case Control::State::running: return ContourCorners::Follows::more;
+    case Control::State::running:
+    case Control::State::held: return ContourCorners::Follows::more;
     case Control::State::stopped: return ContourCorners::Follows::alarm;
     default: return ContourCorners::Follows::nothing;
   }
 }
+
+/// More is to come at once.
+bool goes_on(Control::State state) { return state == Control::State::running || state == Control::State::held; }
 
 }  // namespace
 
@@ -43,7 +47,7 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
   control.on_signal = [this](const std::string& name, bool on) { machine_.set_signal(name, on); };
   const bool answers = machine_.has_limits() || !logic.plc.idle();
   if (answers) control.hand_over_each_block();
-  if (!answers && logic.channels.size() == 1 && !control.on_changes) ahead_.emplace(control);
+  if (!answers && logic.channels.size() == 1 && !control.on_changes && !control.holds_before) ahead_.emplace(control);
   if (logic.plc.idle()) return;
   control.on_block = [this](const Origin& origin, bool at_end) { apply(logic_.plc.block(origin, at_end), control_, logic_.channels); };
 }
@@ -68,6 +72,13 @@ ChannelRun::State ChannelRun::stop(const AlarmReport& report) {
 
 /// lang, control: blocks → actions.
 Control::State ChannelRun::next_batch() {
+  if (!to_come_.empty()) {
+    RunAhead::Batch next = std::move(to_come_.front());
+    to_come_.pop_front();
+    batch_ = std::move(next.actions);
+    for (const AlarmReport& warning : next.warnings) outlets_.warning(warning);
+    return next.state;
+  }
   if (ahead_ && ahead_->is_going()) {
     const Control::State state = ahead_->take(batch_, early_warnings_);
     for (const AlarmReport& warning : early_warnings_) outlets_.warning(warning);
@@ -90,13 +101,13 @@ Control& ChannelRun::settled() {
 
 ChannelRun::State ChannelRun::step() {
   const Control::State state = next_batch();
-  const bool is_ahead = ahead_ && ahead_->is_going();              // then control_ is settled() only
-  const auto corner_fault = corners_.take(batch_, behind(state));  // path: calculated corners, roundings
+  const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();  // then control_ is settled() only
+  const auto corner_fault = corners_.take(batch_, behind(state));             // path: calculated corners, roundings
   if (outlets_.programmed)
     for (const Action& action : batch_) outlets_.programmed(action);
-  const auto fault = compensation_.take(batch_, corner_fault || state != Control::State::running);  // path: the tool's radius
+  const auto fault = compensation_.take(batch_, corner_fault || !goes_on(state));  // path: the tool's radius
   ToolPosition before = machine_.position();
-  const auto follows = state == Control::State::running ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
+  const auto follows = goes_on(state) ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
   const auto taken =
       machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });  // limits, zones, probes
   batch_.cut(taken.done);
@@ -136,6 +147,7 @@ ChannelRun::State ChannelRun::step() {
     return stop(report);
   }
   if (outlets_.onlooker != nullptr && ++steps_ % shown_each == 0 && outlets_.onlooker->is_due()) outlets_.onlooker->show(settled());
+  if (state == Control::State::held) return State::held;
   return state == Control::State::waiting ? State::waiting : State::running;
 }
 
@@ -149,6 +161,47 @@ bool ChannelRun::goes_on_after(const std::optional<CompensationFault>& fault) {
   return false;
 }
 
+void ChannelRun::look_ahead(const SpeedRules& rules) {
+  look_ahead_.emplace(machine_.roles(), rules, rates_.rapid, [this](const Step& step, double longer) {
+    if (outlets_.timed) outlets_.timed(step, longer);
+  });
+}
+
+void ChannelRun::finish() {
+  if (look_ahead_) look_ahead_->finish();
+}
+
+std::optional<ChannelRun::Memory> ChannelRun::memory() {
+  if (ahead_) ahead_->settle();
+  auto control = control_.snapshot();
+  if (!control) return std::nullopt;
+  Memory now{std::move(*control),
+             {to_come_.begin(), to_come_.end()},
+             corners_.memory(),
+             std::make_shared<const RadiusCompensation::Memory>(compensation_.memory()),
+             machine_.memory(),
+             clock_ != nullptr ? std::optional(*clock_) : std::nullopt,
+             look_ahead_ ? std::optional(look_ahead_->memory()) : std::nullopt,
+             now_,
+             stopped_};
+  if (ahead_) ahead_->add_to_come(now.to_come);
+  return now;
+}
+
+Status ChannelRun::remember(const Memory& memory) {
+  if (ahead_) ahead_->forget();
+  KADR_TRY(control_.restore(memory.control));
+  to_come_.assign(memory.to_come.begin(), memory.to_come.end());
+  corners_.remember(memory.corners);
+  compensation_.remember(*memory.compensation);
+  machine_.remember(memory.machine);
+  if (memory.clock) clock() = *memory.clock;
+  if (look_ahead_ && memory.look_ahead) look_ahead_->remember(*memory.look_ahead);
+  now_ = memory.own;
+  stopped_ = memory.stopped;
+  return {};
+}
+
 TimeEstimate& ChannelRun::clock() {
   if (clock_ == nullptr) {
     clock_ = &own_clock_.emplace(machine_.roles(), rates_);
@@ -157,22 +210,22 @@ TimeEstimate& ChannelRun::clock() {
   return *clock_;
 }
 
-double ChannelRun::now() { return goes_on_at_ + (spent().now - spent_then_); }
+double ChannelRun::now() { return now_.goes_on_at + (spent().now - now_.spent_then); }
 
 void ChannelRun::wait_until(double at) {
   const double from = now();
   if (!(at > from)) return;
-  waited_ += at - from;
-  goes_on_at_ = at;
-  spent_then_ = spent().now;
+  now_.waited += at - from;
+  now_.goes_on_at = at;
+  now_.spent_then = spent().now;
 }
 
 /// out: trace, summary, plot; here alone it is told where the tool stands before each action, and when that happens.
 ///   from  before the batch
 void ChannelRun::hand_out(ToolPosition from) {
   const auto watched = [this](const Action& action) { return is_suspect(action); };
-  const bool looks_on = outlets_.step || clock_ != nullptr;
-  if (!looks_on && (too_fast_told_ || std::none_of(batch_.begin(), batch_.end(), watched))) return;
+  const bool looks_on = outlets_.step || outlets_.timed || clock_ != nullptr;
+  if (!looks_on && (now_.too_fast_told || std::none_of(batch_.begin(), batch_.end(), watched))) return;
   Steps steps(machine_.roles(), std::move(from), clock_);
   for (const Action& action : batch_) give(steps, action);
 }
@@ -185,8 +238,12 @@ void ChannelRun::show(const Action& action) {
 void ChannelRun::give(Steps& steps, const Action& action) {
   const double begins = outlets_.step && clock_ != nullptr ? now() : 0;
   steps.give(action, begins, [this](const Step& step) {
-    if (outlets_.step) outlets_.step(step);
-    if (!too_fast_told_ && is_suspect(step.action)) watch_feed(step);
+    const bool moves = step.motion() != nullptr;  // another tool, only when all motions of the one before are through
+    if (moves && outlets_.step) outlets_.step(step);
+    if (look_ahead_) look_ahead_->consume(step);
+    else if (outlets_.timed) outlets_.timed(step, 0);
+    if (!moves && outlets_.step) outlets_.step(step);
+    if (!now_.too_fast_told && is_suspect(step.action)) watch_feed(step);
   });
 }
 
@@ -204,19 +261,7 @@ void ChannelRun::watch_feed(const Step& step) {
   if (!(slowest.minutes > step.curve().length(motion.along) / motion.feed * (1 + rounding))) return;
   const Alarm told = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
   outlets_.warning(settled().report_for(told, step.action.origin));
-  too_fast_told_ = true;
-}
-
-Stopped carry_out(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets) {
-  Logic logic{Plc(setup.events), {&control}};
-  ChannelRun run(control, profile, setup, outlets, logic);
-  for (;;) {
-    const ChannelRun::State state = run.step();
-    if (state == ChannelRun::State::stopped) return run.stopped();
-    if (state != ChannelRun::State::ended) continue;
-    apply(logic.plc.program_end(), control, logic.channels);
-    return run.stopped();
-  }
+  now_.too_fast_told = true;
 }
 
 }  // namespace kadr

@@ -2,14 +2,18 @@
 // One channel on its way: program → control → path → machine → Steps → whoever looks. The one place where the rooms are put together; the
 // channels of one machine side by side: session/channels.
 
+#include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "config/machine_profile.h"
 #include "config/setup.h"
 #include "control/control.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
+#include "motion/look_ahead/look_ahead.h"
 #include "motion/time/steps.h"
 #include "path/contour/contour_corners.h"
 #include "path/contour/radius_compensation.h"
@@ -37,6 +41,9 @@ class Onlooker {
 /// What looks at a run.
 struct Outlets {
   std::function<void(const Step&)> step{};  // after the machine has taken its action; missing: nobody looks
+  /// The same with the time that the machine takes, where something limits the speed (ChannelRun::look_ahead): later then, `longer` s than
+  /// it was timed.
+  std::function<void(const Step&, double longer)> timed{};
   std::function<void(const AlarmReport&)> warning;
   /// An alarm; true: go on with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
@@ -69,9 +76,10 @@ class ChannelRun {
   ChannelRun& operator=(const ChannelRun&) = delete;
   ~ChannelRun();
 
-  enum class State : std::uint8_t { running, waiting, stopped, ended };
+  enum class State : std::uint8_t { running, waiting, held, stopped, ended };
   /// Carries out what the control hands over at once.
   ///   waiting  for other channels: Control::meeting()
+  ///   held     before a block: Control::holds_before() asked for it
   ///   stopped  by an alarm: stopped() tells
   State step();
   /// Something that all channels do together happens now: to the outlets.
@@ -82,7 +90,38 @@ class ChannelRun {
   double now();
   /// It has waited for other channels.
   void wait_until(double at);
-  double waited() const { return waited_; }
+  double waited() const { return now_.waited; }
+
+  /// From here on Outlets::timed gets what these rules make of the steps. Of a channel alone: several wait for each other by their
+  /// programmed times, and their speeds are not planned.
+  void look_ahead(const SpeedRules& rules);
+  /// Nothing follows: what is held back to see ahead is let out.
+  void finish();
+
+  /// What is remembered from step to step, its own.
+  struct Clocks {
+    double waited = 0;      // s, in all
+    double goes_on_at = 0;  // time at which it waited last …
+    double spent_then = 0;  // … and what it had spent until then: no sum that rounding could put out of order
+    bool too_fast_told = false;
+  };
+  /// All that decides how it goes on, its rooms included: a value.
+  struct Memory {
+    Snapshot control;
+    std::vector<RunAhead::Batch> to_come;  // that the control had carried out already
+    ContourCorners::Memory corners;
+    std::shared_ptr<const RadiusCompensation::Memory> compensation;
+    VirtualMachine::Memory machine;
+    std::optional<TimeEstimate> clock;
+    std::optional<LookAhead::Memory> look_ahead;
+    Clocks own;
+    Stopped stopped;
+  };
+  /// Nothing while the control waits for a probe.
+  std::optional<Memory> memory();
+  /// Goes on from there.
+  ///   alarms  those of Control::restore()
+  Status remember(const Memory& memory);
 
  private:
   Control::State next_batch();
@@ -105,21 +144,17 @@ class ChannelRun {
   RadiusCompensation compensation_;
   VirtualMachine machine_;
   Rates rates_;
-  double least_most_;  // of the axes' rapid rates
-  bool too_fast_told_ = false;
+  double least_most_;                      // of the axes' rapid rates
   TimeEstimate* clock_;                    // of the outlets, or …
   std::optional<TimeEstimate> own_clock_;  // … the one begun when somebody asked; else nullptr
-  double waited_ = 0;                      // s, in all
-  double goes_on_at_ = 0;                  // time at which it waited last …
-  double spent_then_ = 0;                  // … and what it had spent until then: no sum that rounding could put out of order
+  std::optional<LookAhead> look_ahead_;    // where something limits the speed
+  Clocks now_;
   ActionBatch batch_;
   std::optional<RunAhead> ahead_;            // where nothing after the control tells it what to do
+  std::deque<RunAhead::Batch> to_come_;      // of a snapshot: the control is ahead by them
   std::vector<AlarmReport> early_warnings_;  // of the batch taken last
   unsigned steps_ = 0;
   Stopped stopped_;
 };
-
-/// Carries the program of the only channel out.
-Stopped carry_out(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets);
 
 }  // namespace kadr

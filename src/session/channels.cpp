@@ -126,24 +126,30 @@ std::optional<std::size_t> Channels::next() {
   return first;
 }
 
-std::vector<Stopped> Channels::run() {
-  for (;;) {
-    if (const auto i = next()) {
-      step(*i);
-      show_past();
-    } else if (std::find(states_.begin(), states_.end(), State::waiting) == states_.end() || !end_deadlock()) {
-      break;
-    }
+ChannelRun::State Channels::step() {
+  if (over_) return ChannelRun::State::ended;
+  if (const auto i = next()) {
+    const ChannelRun::State state = step(*i);
+    show_past();
+    return state == ChannelRun::State::held ? state : ChannelRun::State::running;
   }
+  if (std::find(states_.begin(), states_.end(), State::waiting) != states_.end() && end_deadlock()) return ChannelRun::State::running;
+  end();
+  return ChannelRun::State::ended;
+}
+
+void Channels::end() {
+  over_ = true;
   if (std::all_of(states_.begin(), states_.end(), [](State s) { return s == State::ended; }))
     apply(logic_.plc.program_end(), *logic_.channels.front(), logic_.channels);
   show_past();
-  return stopped_;
 }
 
-void Channels::step(std::size_t i) {
-  switch (runs_[i]->step()) {
-    case ChannelRun::State::running: break;
+ChannelRun::State Channels::step(std::size_t i) {
+  const ChannelRun::State state = runs_[i]->step();
+  switch (state) {
+    case ChannelRun::State::running:
+    case ChannelRun::State::held: break;
     case ChannelRun::State::waiting: begin_waiting(i); break;
     case ChannelRun::State::ended:
       states_[i] = State::ended;
@@ -153,9 +159,31 @@ void Channels::step(std::size_t i) {
       stopped_[i] = runs_[i]->stopped();
       states_[i] = State::stopped;
       if (outlets_.stop_together) stop_all(i);
-      return;
+      return state;
   }
   wake(now(i));
+  return state;
+}
+
+std::optional<Channels::Memory> Channels::memory() {
+  Memory now{{}, logic_.plc, states_, stopped_, rendezvous_, order_, over_};
+  for (const auto& run : runs_) {
+    auto own = run->memory();
+    if (!own) return std::nullopt;
+    now.runs.push_back(std::move(*own));
+  }
+  return now;
+}
+
+Status Channels::remember(const Memory& memory) {
+  for (std::size_t i = 0; i < runs_.size(); ++i) KADR_TRY(runs_[i]->remember(memory.runs[i]));
+  logic_.plc = memory.plc;
+  states_ = memory.states;
+  stopped_ = memory.stopped;
+  rendezvous_ = memory.rendezvous;
+  order_ = memory.order;
+  over_ = memory.over;
+  return {};
 }
 
 void Channels::begin_waiting(std::size_t i) {

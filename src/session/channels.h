@@ -72,9 +72,11 @@ class Channels {
   /// `profile`, `setup`: of the machine.
   Channels(std::vector<Channel>& channels, const MachineProfile& profile, const Setup& setup, ChannelOutlets& outlets);
 
-  /// Carries all out.
-  ///   returns  how each came to its end, by index
-  std::vector<Stopped> run();
+  /// Carries the next block of the channel whose time is lowest out.
+  ///   returns  ended: nothing more can come
+  ChannelRun::State step();
+  /// How each came to its end, by index.
+  const std::vector<Stopped>& stopped() const { return stopped_; }
 
   double now(std::size_t channel) { return runs_[channel]->now(); }
   double waited(std::size_t channel) const { return runs_[channel]->waited(); }
@@ -83,8 +85,25 @@ class Channels {
 
  private:
   enum class State : std::uint8_t { running, waiting, ended, stopped };
+
+ public:
+  /// All that decides how they go on: a value.
+  struct Memory {
+    std::vector<ChannelRun::Memory> runs;
+    Plc plc;
+    std::vector<State> states;
+    std::vector<Stopped> stopped;
+    Rendezvous rendezvous;
+    InOrder order;
+    bool over = false;
+  };
+  std::optional<Memory> memory();
+  Status remember(const Memory& memory);
+
+ private:
   std::optional<std::size_t> next();
-  void step(std::size_t i);
+  ChannelRun::State step(std::size_t i);
+  void end();
   void begin_waiting(std::size_t i);
   void release(const Rendezvous::Met& met, std::size_t last);
   void wake(double at);
@@ -101,6 +120,7 @@ class Channels {
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;
   InOrder order_;
+  bool over_ = false;
 };
 
 }  // namespace kadr

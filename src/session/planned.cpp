@@ -26,6 +26,14 @@ void Planned::write_samples(std::FILE* file, SampleOptions options) {
   writer_.emplace(file, axes_, limits_, std::move(options));
 }
 
+Planned::Memory Planned::memory() const { return {motion_.snapshot(), time_, writer_ ? std::optional(writer_->memory()) : std::nullopt}; }
+
+void Planned::remember(const Memory& memory) {
+  motion_.restore(memory.motion);
+  time_ = memory.time;
+  if (writer_ && memory.samples) writer_->remember(*memory.samples);
+}
+
 void Planned::colour(Plot& plot) {
   coloured_ = &plot;
   motion_.on_motion = [&plot](std::uint64_t number, double way) { plot.shaded().set_motion(number, way); };

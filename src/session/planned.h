@@ -33,6 +33,15 @@ class Planned {
 
   void consume(const Step& step) { motion_.consume(step); }
 
+  /// What it remembers from step to step; the tables of ask_why(), record_speed(), colour() are not in it.
+  struct Memory {
+    AxisMotion::Snapshot motion;
+    PlannedTime time;
+    std::optional<SampleWriter::Memory> samples;
+  };
+  Memory memory() const;
+  void remember(const Memory& memory);
+
   /// All samples so far could be written; else the error of the system.
   bool ok() const { return !writer_ || writer_->ok(); }
   int error() const { return writer_ ? writer_->error() : 0; }

@@ -120,6 +120,19 @@ void RunAhead::settle() {
   });
 }
 
+void RunAhead::add_to_come(std::vector<Batch>& to) const {
+  if (!going_) return;
+  for (std::uint64_t k = taken_; k < made_.load(std::memory_order_acquire); ++k) to.push_back(ring_[k % depth]);
+}
+
+void RunAhead::forget() {
+  settle();
+  going_ = false;
+  taken_ = made_.load(std::memory_order_acquire);
+  allowed_.store(taken_, std::memory_order_release);
+  stands_.store(true, std::memory_order_release);
+}
+
 bool RunAhead::keep(const AlarmReport& warning) {
   if (in_work_ == nullptr) return false;
   in_work_->warnings.push_back(warning);

@@ -42,6 +42,10 @@ class RunAhead {
   Control::State take(ActionBatch& actions, std::vector<AlarmReport>& warnings);
   /// The control stands still, as far ahead as it goes.
   void settle();
+  /// The batches made and not taken yet, in order; it stands still.
+  void add_to_come(std::vector<Batch>& to) const;
+  /// The control is somewhere else: these are not to come any more.
+  void forget();
   /// A warning of the control: kept until its batch is taken. False: it is not under way.
   bool keep(const AlarmReport& warning);
 

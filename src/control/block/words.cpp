@@ -1,5 +1,7 @@
 // The words of the block being carried out: their values, and what the functions ask of them.
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,6 +29,28 @@ Status Interpreter::evaluate_word(Word& w) {
   const bool is_code = std::fabs(written * 10 - nearest) < tol::whole_number && nearest >= 0 && nearest < ControlDef::most_codes;
   w.code = is_code ? static_cast<std::int32_t>(nearest) : -1;
   return {};
+}
+
+Result<double> Interpreter::value_of(std::string_view expression) {
+  const bool brackets = !def.grammar.macro && def.grammar.expressions;  // there a sum stands between them only
+  const std::string text = brackets ? fmt::format("[{}]", expression) : std::string(expression);
+  Cursor cursor{text};
+  Block looked_at;
+  looked_at.text = text;
+  const auto wrong = [&](std::size_t at) {
+    return fail(alarm(AlarmId::expression_syntax, {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(text.size())}));
+  };
+  cursor.skip_blanks();
+  if (cursor.at == text.size()) return wrong(0);
+  for (int i = 0; i < variables.parameter_count(); ++i)  // R2, QN15: without brackets they stand alone
+    if (!brackets && !def.grammar.macro && variables.name_of_parameter(i) == text) return variables.parameter(i, {});
+  if (!brackets && !def.grammar.macro && def.grammar.variables == 0) return wrong(0);
+  const auto compiled = def.grammar.macro ? compile_macro_value(cursor, def.grammar, looked_at, MacroValue::sum)
+                                          : compile_value(cursor, def.grammar, looked_at);
+  if (!compiled) return fail(compiled.error());
+  cursor.skip_blanks();
+  if (cursor.at < text.size()) return wrong(cursor.at);
+  return kadr::evaluate(looked_at, *compiled, Reading{*this});
 }
 
 /// AX[n]=…: the channel's axis of that control-wide number (nct 23.2.12).

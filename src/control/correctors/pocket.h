@@ -46,7 +46,7 @@ class PocketRounds {
 std::array<PocketPiece, 9> pieces_of(const PocketRound& round, double direction);
 
 /// The cycle, a round at a time: constant memory for any pocket.
-class PocketRun final : public Running {
+class PocketRun final : public RunningValue<PocketRun> {
  public:
   /// middle: programmed; Z the face
   PocketRun(const PocketCycle& pocket, const PocketRounds& rounds, const Axes& middle)

@@ -17,6 +17,9 @@ class CycleRun {
  public:
   bool active() const { return cycle_ != nullptr; }
   void stop() { cycle_ = nullptr; }
+  const CycleRow* cycle() const { return cycle_; }
+  /// The same row in the table of another control of the same kind.
+  void lead_to(const CycleRow* same) { cycle_ = job_.cycle = same; }
 
   /// Levels and holes of one block. Axes by index: first and second in the plane, drilling axis.
   struct Job {

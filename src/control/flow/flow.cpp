@@ -88,8 +88,8 @@ std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
 
 std::vector<std::string> Flow::paths() const {
   std::vector<std::string> paths;
-  for (const auto& file : files_)
-    if (file) paths.push_back(file->path());
+  for (std::size_t i = 0; i < files_.size(); ++i)
+    if (files_[i] && (i == 0 || i != now_.entered.reader)) paths.push_back(files_[i]->path());
   return paths;
 }
 

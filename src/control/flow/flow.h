@@ -48,7 +48,38 @@ class Flow {
   /// The next block to carry out, or the end of the program.
   Result<BlockReader::Got> next(Block*& block);
 
+  // ---- a block that is not to be carried out yet
+  /// Where reading stands.
+  struct Mark {
+    Position position;
+    BlockReader::Memory memory;
+    std::uint64_t blocks = 0, repeated = 0;
+    bool ended = false;
+  };
+  Mark mark() const;
+  /// As if the block read since then had not been.
+  void unread(const Mark& before);
+
+  // ---- a line entered by the operator (MDI)
+  /// Reading goes on with it, and after it where it stood.
+  void enter(std::string line);
+  /// It is being carried out.
+  bool in_entered() const { return now_.entered.on; }
+  /// Calls that were open when it was entered.
+  std::size_t entered_depth() const { return now_.entered.depth; }
+  /// At its end: back to the program. false: there is none.
+  bool leave_entered();
+
   // ---- snapshot
+  struct Entered {
+    bool on = false;
+    bool ended = false, started = false;  // of the program
+    std::uint16_t reader = 0;             // 0: no line has been entered yet
+    std::uint16_t back_reader = 0;
+    Position back;
+    std::size_t depth = 0;
+    std::string line;
+  };
   /// What stays open between two blocks.
   struct Counts {
     std::uint16_t reader = 0;
@@ -61,6 +92,7 @@ class Flow {
     std::uint64_t blocks = 0;
     std::uint64_t repeated = 0;
     bool started = false;  // a block that begins with '%' has been seen
+    Entered entered;
   };
   struct File {
     std::string name;  // path; of a program that the control brings along its name

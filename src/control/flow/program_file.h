@@ -85,6 +85,7 @@ class ProgramFile {
 
   const std::string& path() const { return path_; }
   const BlockReader& reader() const { return reader_; }
+  BlockReader& reader() { return reader_; }
   const std::shared_ptr<ByteSource>& source() const { return source_; }
   std::string shown(std::string_view text, Span& place) const { return reader_.shown(text, place); }
   const Grammar& grammar() const { return grammar_; }

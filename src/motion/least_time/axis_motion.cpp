@@ -76,33 +76,33 @@ MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, co
 AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink)
     : roles_(roles),
       tolerance_(tolerance),
+      now_(limits),
       sink_(std::move(sink)),
       planner_(limits, [this](TimedCells& cells) { hand_out(cells); }),
       line_([this](const Axes& to, double feed, double corner, bool on_curve, std::uint64_t tag) {
         planner_.line_to(to.data(), feed, corner, on_curve, tag);
-      }),
-      threads_(limits) {
+      }) {
   for (std::size_t a = 0; a < limits.speed.size(); ++a) rapid_[a] = limits.speed[a] * 60;
   planner_.begin(start.machine.data());
-  threads_.begin(start.machine);
+  now_.threads.begin(start.machine);
 }
 
 void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes) {
-  spindle_.start(setup.spindle(), setup.spindle_override / 100);
-  smoothing_ = Smoothing(smoothing_rules(setup, axes));
+  now_.spindle.start(setup.spindle(), setup.spindle_override / 100);
+  now_.smoothing = Smoothing(smoothing_rules(setup, axes));
 }
 
 /// What is planned from here on belongs to this motion: the tag of its cells until they are handed out.
 std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& motion) {
-  Record record{++motions_, spent.tag(), switches, spindle_.turning(), motion.own_override ? 1 : spindle_.override_part(), 0};
+  Record record{++now_.motions, spent.tag(), switches, now_.spindle.turning(), motion.own_override ? 1 : now_.spindle.override_part(), 0};
   SurfaceSpeed& surface = record.spindle.surface;
   if (surface.on && surface.axis < max_axes) record.shift = motion.to[surface.axis] - motion.machine[surface.axis];
   if (spent.on == Spent::On::rapid) {  // nct 11.5.1: at once as fast as at its end
     record.spindle.arrive(motion.to);
     surface.on = false;
   }
-  records_.push_back(record);
-  return motions_;
+  now_.records.push_back(record);
+  return now_.motions;
 }
 
 /// Degrees a second; with a constant surface speed that in the middle of the cell.
@@ -122,12 +122,12 @@ void AxisMotion::hand_out(TimedCells& cells) {
   cells.spindle.clear();
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
     CellSource& source = cells.sources[k];
-    while (records_.front().motion < source.tag) records_.pop_front();
-    const Record& record = records_.front();
+    while (now_.records.front().motion < source.tag) now_.records.pop_front();
+    const Record& record = now_.records.front();
     source.tag = record.spent;
     source.motion = record.motion;
     source.switches = record.switches;
-    cells.spindle.push_back(spindle_.turn(spindle_rate(record, cells, k), cells.laws[k]));
+    cells.spindle.push_back(now_.spindle.turn(spindle_rate(record, cells, k), cells.laws[k]));
   }
   look_for_faults(cells);
   sink_(cells);
@@ -136,13 +136,13 @@ void AxisMotion::hand_out(TimedCells& cells) {
 void AxisMotion::look_for_faults(const TimedCells& cells) {
   constexpr double tolerated = 0.01;  // of a tolerance: it is looked at in places only (docs/planner.md)
   if (cells.unsolved && !cells.sources.empty()) {
-    if (faults_.unsolved++ == 0) faults_.unsolved_at = Spent::of(cells.sources.front().tag);
-    for (const TimeLaw& law : cells.laws) faults_.unsolved_way += law.length;
+    if (now_.faults.unsolved++ == 0) now_.faults.unsolved_at = Spent::of(cells.sources.front().tag);
+    for (const TimeLaw& law : cells.laws) now_.faults.unsolved_way += law.length;
   }
   for (const CellSource& source : cells.sources) {
-    if (source.beyond <= std::max(tolerated, faults_.beyond)) continue;
-    if (faults_.beyond == 0) faults_.beyond_at = Spent::of(source.tag);
-    faults_.beyond = source.beyond;
+    if (source.beyond <= std::max(tolerated, now_.faults.beyond)) continue;
+    if (now_.faults.beyond == 0) now_.faults.beyond_at = Spent::of(source.tag);
+    now_.faults.beyond = source.beyond;
   }
 }
 
@@ -153,7 +153,7 @@ void AxisMotion::stop_by(StopToken stop) {
 
 AxisMotion::Refused AxisMotion::refused() const {
   const Planner::Refused& refused = planner_.refused();
-  for (const Record& record : records_)
+  for (const Record& record : now_.records)
     if (record.motion == refused.tag) return {refused.way, Spent::of(record.spent)};
   return {refused.way, {}};
 }
@@ -167,13 +167,13 @@ void AxisMotion::rest() {
 TimedCells AxisMotion::standing(const Axes& at, double seconds, Spent spent, double spindle) {
   TimedCells still{roles_.count, {TimeLaw{seconds, 0, true, 0, 0, 0}}, {{spent.tag()}}, {}};
   for (std::size_t a = 0; a < roles_.count; ++a) still.path.insert(still.path.end(), {at[a], 0, 0, 0, 0, 0});
-  still.spindle.push_back(spindle_.turn(spindle, still.laws[0]));
+  still.spindle.push_back(now_.spindle.turn(spindle, still.laws[0]));
   return still;
 }
 
 void AxisMotion::stand(const Axes& at, double seconds, Spent spent) {
   if (!(seconds > 0) || ended() != PlanEnd::none) return;
-  TimedCells still = standing(at, seconds, spent, spindle_.overridden());
+  TimedCells still = standing(at, seconds, spent, now_.spindle.overridden());
   sink_(still);
 }
 
@@ -186,11 +186,11 @@ void AxisMotion::consume(const Step& step) {
     rest();
     stand(step.from.machine, step.pause,
           {std::holds_alternative<Dwell>(action.what) ? Spent::On::dwell : Spent::On::tool_change, action.origin.line, action.origin.file});
-    exact_ = true;
+    now_.exact = true;
   } else if (std::holds_alternative<Speed>(action.what)) {
     cut_threads();
   }
-  spindle_.take(action);
+  now_.spindle.take(action);
 }
 
 void AxisMotion::move(const Step& step, const Motion& motion) {
@@ -208,54 +208,54 @@ void AxisMotion::move(const Step& step, const Motion& motion) {
   else if (smooths) smooth(step, motion, record(spent, switches, motion));
   else cut(step, motion, record(spent, switches, motion));
   if (taps) release();
-  spindle_.arrive(motion.to);
+  now_.spindle.arrive(motion.to);
 }
 
 /// The spindle turns with the axis (nct 18.1.9).
 void AxisMotion::couple(const Step& step, const Motion& motion) {
   rest();
   const double way = distance(step.from.machine, motion.machine);
-  if (way > 0) spindle_.couple(*motion.detail->turn / way);
+  if (way > 0) now_.spindle.couple(*motion.detail->turn / way);
 }
 
 void AxisMotion::release() {
   rest();
-  exact_ = true;
-  spindle_.release();
+  now_.exact = true;
+  now_.spindle.release();
 }
 
 void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t number) {
   const Axes& from = step.from.machine;
   const double way = distance(from, motion.machine);
   if (on_motion) on_motion(number, way);
-  smoothing_.take({from, motion.machine, way / step.time.seconds, exact_ ? 0 : tolerance_, number, motion.smoothing}, line_);
-  exact_ = false;
+  now_.smoothing.take({from, motion.machine, way / step.time.seconds, now_.exact ? 0 : tolerance_, number, motion.smoothing}, line_);
+  now_.exact = false;
 }
 
-void AxisMotion::end_smoothing() { smoothing_.finish(line_); }
+void AxisMotion::end_smoothing() { now_.smoothing.finish(line_); }
 
 /// Several in a row go on without a stop; only the first waits for the spindle (nct 4.4).
 void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent) {
   const bool anew = motion.detail->start_angle.has_value();
-  if (anew || threads_.full()) cut_threads();
-  if (threads_.empty()) {
+  if (anew || now_.threads.full()) cut_threads();
+  if (now_.threads.empty()) {
     planner_.stop();
-    threads_.begin(step.from.machine);
-    thread_spent_ = spent;
-    if (anew) thread_angle_ = *motion.detail->start_angle;
+    now_.threads.begin(step.from.machine);
+    now_.thread_spent = spent;
+    if (anew) now_.thread_angle = *motion.detail->start_angle;
   }
   const Axes end = MachinePath(step).end();
   const std::uint64_t number = record(spent, {false, false}, motion);
   if (on_motion) on_motion(number, distance(step.from.machine, end));
-  threads_.add(end, step.time.seconds, number);
+  now_.threads.add(end, step.time.seconds, number);
   if (motion.exact) cut_threads();
 }
 
 /// The axes stand until the first thread may begin (nct 4.4); there is such a cell even where nothing is to be waited for, as an override
 /// may have let the axes come later.
 void AxisMotion::wait_for_spindle() {
-  const double seconds = spindle_.seconds_to(thread_angle_, threads_.ramp() / 2);
-  TimedCells still = standing(threads_.start(), seconds, thread_spent_, spindle_.per_second());
+  const double seconds = now_.spindle.seconds_to(now_.thread_angle, now_.threads.ramp() / 2);
+  TimedCells still = standing(now_.threads.start(), seconds, now_.thread_spent, now_.spindle.per_second());
   still.sources[0].switches = {false, false};
   still.spindle[0].awaited = true;
   sink_(still);
@@ -263,16 +263,16 @@ void AxisMotion::wait_for_spindle() {
 
 /// Where threads had to end before the last one (another speed, a function, too many) the next goes on in the same groove.
 void AxisMotion::cut_threads() {
-  if (threads_.empty() || ended() != PlanEnd::none) return;
-  const Axes end = threads_.end();
+  if (now_.threads.empty() || ended() != PlanEnd::none) return;
+  const Axes end = now_.threads.end();
   wait_for_spindle();
-  TimedCells cells = threads_.cells();
+  TimedCells cells = now_.threads.cells();
   hand_out(cells);
   constexpr double turn = 360;
-  thread_angle_ = std::fmod(thread_angle_ + std::fabs(spindle_.per_second()) * threads_.seconds(), turn);
+  now_.thread_angle = std::fmod(now_.thread_angle + std::fabs(now_.spindle.per_second()) * now_.threads.seconds(), turn);
   planner_.begin(end.data());
-  threads_.begin(end);
-  exact_ = true;
+  now_.threads.begin(end);
+  now_.exact = true;
 }
 
 AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) const {
@@ -302,8 +302,8 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
-  const double junction = exact_ ? 0 : tolerance;
-  const Pace pace(roles_, curve, motion, step.time.feed, rapid_, spindle_.turning());
+  const double junction = now_.exact ? 0 : tolerance;
+  const Pace pace(roles_, curve, motion, step.time.feed, rapid_, now_.spindle.turning());
   const int pieces = std::max(curve.pieces(chord_of_tolerance * rounding), pace.pieces());
   const auto [length, speeds] = feeds(pace, path, step.time, pieces);
   if (on_motion) on_motion(number, length);
@@ -311,7 +311,7 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
     const double feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];
     planner_.line_to(path.at(static_cast<double>(i) / pieces).data(), feed, i == 1 ? junction : rounding, i > 1, number);
   }
-  exact_ = stops;
+  now_.exact = stops;
   if (stops) planner_.stop();
 }
 

@@ -67,7 +67,7 @@ class AxisMotion {
   void stop_by(StopToken stop);
   /// Why nothing more is handed out; from then on actions are passed over.
   PlanEnd ended() const { return planner_.ended(); }
-  const PlanFaults& faults() const { return faults_; }
+  const PlanFaults& faults() const { return now_.faults; }
   /// What the planner would not hand out, by an error of its own.
   struct Refused {
     double way = 0;  // mm
@@ -84,6 +84,29 @@ class AxisMotion {
     double spindle_part;  // override / 100
     double shift;         // work coordinate less machine coordinate, of the axis that tells the surface speed, mm
   };
+
+ public:
+  /// What it remembers from step to step.
+  struct Memory {
+    explicit Memory(const MotionLimits& limits) : threads(limits) {}
+    std::deque<Record> records;
+    std::uint64_t motions = 0;
+    bool exact = true;  // the last motion ended exactly: no rounding after it
+    SpindleClock spindle;
+    Smoothing smoothing;
+    ThreadChain threads;  // not yet cut
+    Spent thread_spent;   // of the first of them
+    PlanFaults faults;
+    double thread_angle = 0;  // of the spindle where the next thread begins, degrees since a zero pulse
+  };
+  struct Snapshot {
+    Memory own;
+    Planner::Memory planner;
+  };
+  Snapshot snapshot() const { return {now_, planner_.memory()}; }
+  void restore(const Snapshot& from) { now_ = from.own, planner_.remember(from.planner); }
+
+ private:
   /// The way of a motion, mm, and the speed of each of its pieces, mm/s between its ends; the last one counts for all that follow.
   struct Feeds {
     double length;
@@ -110,19 +133,11 @@ class AxisMotion {
   AxisRoles roles_;
   double tolerance_;
   Axes rapid_{};  // mm/min or degrees/min
-  std::deque<Record> records_;
-  std::uint64_t motions_ = 0;
-  bool exact_ = true;  // the last motion ended exactly: no rounding after it
+  Memory now_;
   Planner::Sink sink_;
   Planner planner_;
-  SpindleClock spindle_;
-  Smoothing smoothing_;
   Smoothing::Line line_;  // to the planner
-  ThreadChain threads_;   // not yet cut
-  Spent thread_spent_;    // of the first of them
   StopToken stop_;
-  PlanFaults faults_;
-  double thread_angle_ = 0;  // of the spindle where the next thread begins, degrees since a zero pulse
 };
 
 }  // namespace kadr

@@ -62,6 +62,48 @@ class CellRing {
     return path_.data() + (cell % size_ * axes_ + axis) * TimedCells::terms;
   }
 
+  /// All that is in it. While neither side is at work.
+  struct Memory {
+    std::uint64_t begin = 0, end = 0;
+    double offered = 0;
+    bool finished = false;
+    std::vector<TimeLaw> laws;
+    std::vector<std::uint64_t> tags;
+    std::vector<Switches> switches;
+    std::vector<SpindleTurn> spindle;
+    std::vector<double> path;
+  };
+  Memory memory() const {
+    Memory now{begin_.load(), end_.load(), offered_.load(), finished_.load(), {}, {}, {}, {}, {}};
+    const std::size_t row = axes_ * TimedCells::terms;
+    for (std::uint64_t cell = now.begin; cell < now.end; ++cell) {
+      const std::size_t slot = cell % size_;
+      now.laws.push_back(laws_[slot]);
+      now.tags.push_back(tags_[slot]);
+      now.switches.push_back(switches_[slot]);
+      now.spindle.push_back(spindle_[slot]);
+      now.path.insert(now.path.end(), path_.begin() + static_cast<std::ptrdiff_t>(slot * row),
+                      path_.begin() + static_cast<std::ptrdiff_t>((slot + 1) * row));
+    }
+    return now;
+  }
+  void remember(const Memory& memory) {
+    begin_ = memory.begin;
+    end_ = memory.end;
+    offered_ = memory.offered;
+    finished_ = memory.finished;
+    const std::size_t row = axes_ * TimedCells::terms;
+    for (std::uint64_t cell = memory.begin; cell < memory.end; ++cell) {
+      const std::size_t slot = cell % size_, from = static_cast<std::size_t>(cell - memory.begin);
+      laws_[slot] = memory.laws[from];
+      tags_[slot] = memory.tags[from];
+      switches_[slot] = memory.switches[from];
+      spindle_[slot] = memory.spindle[from];
+      std::copy_n(memory.path.begin() + static_cast<std::ptrdiff_t>(from * row), row,
+                  path_.begin() + static_cast<std::ptrdiff_t>(slot * row));
+    }
+  }
+
  private:
   std::size_t axes_, size_;
   std::vector<TimeLaw> laws_;

@@ -39,91 +39,91 @@ void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to,
 
 }  // namespace
 
-Planner::Planner(MotionLimits limits, Sink sink) : limits_(std::move(limits)), sink_(std::move(sink)), path_(limits_.speed.size()) {
-  cells_.axes = out_.axes = limits_.speed.size();
-  cells_.acceleration = limits_.acceleration;
-  cells_.jerk = limits_.jerk;
+Planner::Planner(MotionLimits limits, Sink sink) : limits_(std::move(limits)), sink_(std::move(sink)), now_(limits_.speed.size()) {
+  now_.cells.axes = out_.axes = limits_.speed.size();
+  now_.cells.acceleration = limits_.acceleration;
+  now_.cells.jerk = limits_.jerk;
 }
 
 void Planner::begin(const double* at) {
-  at_.assign(at, at + cells_.axes);
-  way_.clear();
-  path_.begin(at);
-  cells_.clear();
-  shapes_.clear();
-  sources_.clear();
-  cut_ = 0;
-  has_knot_ = false;
-  piece_ = fresh_ = 0;
-  ends_ = {};
+  now_.at.assign(at, at + now_.cells.axes);
+  now_.way.clear();
+  now_.path.begin(at);
+  now_.cells.clear();
+  now_.shapes.clear();
+  now_.sources.clear();
+  now_.cut = 0;
+  now_.has_knot = false;
+  now_.piece = now_.fresh = 0;
+  now_.ends = {};
 }
 
 /// The next piece goes another way than the last.
 bool Planner::turns(const double* to) const {
   constexpr double straight = 1e-9;  // |Δu|
-  if (way_.empty()) return false;
+  if (now_.way.empty()) return false;
   double squares = 0, bend = 0;
-  for (std::size_t a = 0; a < cells_.axes; ++a) squares += square(to[a] - at_[a]);
+  for (std::size_t a = 0; a < now_.cells.axes; ++a) squares += square(to[a] - now_.at[a]);
   const double length = std::sqrt(squares);
-  for (std::size_t a = 0; a < cells_.axes; ++a) bend += square((to[a] - at_[a]) / length - way_[a]);
+  for (std::size_t a = 0; a < now_.cells.axes; ++a) bend += square((to[a] - now_.at[a]) / length - now_.way[a]);
   return bend > square(straight);
 }
 
 void Planner::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag) {
   if (halted()) return;
   if (tolerance <= 0 && turns(to)) stop();
-  const std::size_t before = path_.pieces();
-  path_.line_to(to, feed, tolerance, on_curve, tag);
-  if (path_.pieces() == before) return;
+  const std::size_t before = now_.path.pieces();
+  now_.path.line_to(to, feed, tolerance, on_curve, tag);
+  if (now_.path.pieces() == before) return;
   double squares = 0;
-  for (std::size_t a = 0; a < cells_.axes; ++a) squares += square(to[a] - at_[a]);
-  way_.resize(cells_.axes);
-  for (std::size_t a = 0; a < cells_.axes; ++a) way_[a] = (to[a] - at_[a]) / std::sqrt(squares);
-  at_.assign(to, to + cells_.axes);
-  if (++fresh_ >= planned_at) plan(false);
+  for (std::size_t a = 0; a < now_.cells.axes; ++a) squares += square(to[a] - now_.at[a]);
+  now_.way.resize(now_.cells.axes);
+  for (std::size_t a = 0; a < now_.cells.axes; ++a) now_.way[a] = (to[a] - now_.at[a]) / std::sqrt(squares);
+  now_.at.assign(to, to + now_.cells.axes);
+  if (++now_.fresh >= planned_at) plan(false);
 }
 
 void Planner::stop() {
-  if (!halted() && !path_.empty()) plan(true);
-  const std::vector<double> at = at_;
+  if (!halted() && !now_.path.empty()) plan(true);
+  const std::vector<double> at = now_.at;
   begin(at.data());
 }
 
 bool Planner::halted() {
-  if (ended_ == PlanEnd::none && stop_.asked()) ended_ = PlanEnd::stopped;
-  return ended_ != PlanEnd::none;
+  if (now_.ended == PlanEnd::none && stop_.asked()) now_.ended = PlanEnd::stopped;
+  return now_.ended != PlanEnd::none;
 }
 
 void Planner::plan(bool last) {
-  fresh_ = 0;
-  if (last && cells_.cells() == 0 && ends_.from_stop && path_.is_one_line()) return straight_line();
-  path_.settle(last, stop_);
+  now_.fresh = 0;
+  if (last && now_.cells.cells() == 0 && now_.ends.from_stop && now_.path.is_one_line()) return straight_line();
+  now_.path.settle(last, stop_);
   if (halted()) return;
   cut_cells(last);
   if (halted()) return;
-  if (last || cells_.cells() >= least_window) solve(last);
+  if (last || now_.cells.cells() >= least_window) solve(last);
 }
 
 bool Planner::feed_changes(std::size_t vertex) const {
   constexpr double of_way = 1e-6,
                    on_surface = 0.05;  // relative: the feed is the way divided by its time; on a surface it changes all along
-  const double same = path_.on_curve(vertex) ? on_surface : of_way;
-  const double before = path_.feed(vertex - 1), behind = path_.feed(vertex);
+  const double same = now_.path.on_curve(vertex) ? on_surface : of_way;
+  const double before = now_.path.feed(vertex - 1), behind = now_.path.feed(vertex);
   return std::fabs(before - behind) > same * (before + behind);
 }
 
 /// A cell has the lowest feed of its pieces: of a short one that is much slower it must not reach far beyond it, mm.
 double Planner::room_at_feed_change(std::size_t vertex) const {
   constexpr double much = 2;
-  const std::size_t slower = path_.feed(vertex - 1) < path_.feed(vertex) ? vertex - 1 : vertex, faster = 2 * vertex - 1 - slower;
-  if (path_.feed(faster) < much * path_.feed(slower)) return path_.ends() - path_.begins();
-  return path_.at(slower + 1) - path_.at(slower);
+  const std::size_t slower = now_.path.feed(vertex - 1) < now_.path.feed(vertex) ? vertex - 1 : vertex, faster = 2 * vertex - 1 - slower;
+  if (now_.path.feed(faster) < much * now_.path.feed(slower)) return now_.path.ends() - now_.path.begins();
+  return now_.path.at(slower + 1) - now_.path.at(slower);
 }
 
 /// Longer than any ramp to a speed lasts, s: farther from the ends of a piece it is passed evenly.
 double Planner::ramp_s(double speed) const {
   double seconds = 0;
-  for (std::size_t a = 0; a < cells_.axes; ++a)
+  for (std::size_t a = 0; a < now_.cells.axes; ++a)
     seconds = std::max(seconds, speed / limits_.acceleration[a] + limits_.acceleration[a] / limits_.jerk[a]);
   return seconds;
 }
@@ -132,21 +132,21 @@ double Planner::ramp_s(double speed) const {
 /// passed in longest_s, but in the middle of a long piece. `curve_part`: of a rounding's
 /// width, of those between the chords of a curve.
 double Planner::size_at(double s, std::size_t piece, bool last, double curve_part) const {
-  const double feed = path_.feed(piece), nearest = std::min(s - path_.at(piece), path_.at(piece + 1) - s);
+  const double feed = now_.path.feed(piece), nearest = std::min(s - now_.path.at(piece), now_.path.at(piece + 1) - s);
   double size = longest_s * feed + growth * std::max(0.0, nearest - feed * ramp_s(feed));
   const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };  // beside a stop: a part of the way that a ramp takes
-  const auto rest = [&](std::size_t vertex) { return ramp_part(path_.room(vertex)); };
+  const auto rest = [&](std::size_t vertex) { return ramp_part(now_.path.room(vertex)); };
   size = std::min(size, rest(0) + growth * s);
-  if (last) size = std::min(size, rest(path_.pieces()) + growth * (path_.ends() - s));
+  if (last) size = std::min(size, rest(now_.path.pieces()) + growth * (now_.path.ends() - s));
   const double reach = SmoothPath::widest + size / growth;
   const auto take = [&](std::size_t i) {
-    const double w = path_.width(i), away = std::fabs(s - path_.at(i));
-    if (path_.turns_back(i)) size = std::min(size, rest(i) + growth * away);
+    const double w = now_.path.width(i), away = std::fabs(s - now_.path.at(i));
+    if (now_.path.turns_back(i)) size = std::min(size, rest(i) + growth * away);
     else if (feed_changes(i)) size = std::min(size, ramp_part(room_at_feed_change(i)) + growth * away);
-    if (w > 0) size = std::min(size, w * (path_.on_curve(i) ? curve_part : corner_part) + growth * std::max(0.0, away - w));
+    if (w > 0) size = std::min(size, w * (now_.path.on_curve(i) ? curve_part : corner_part) + growth * std::max(0.0, away - w));
   };
-  for (std::size_t i = piece + 1; i-- > 1 && s - path_.at(i) < reach;) take(i);
-  for (std::size_t i = piece + 1; i < path_.pieces() && path_.at(i) - s < reach; ++i) take(i);
+  for (std::size_t i = piece + 1; i-- > 1 && s - now_.path.at(i) < reach;) take(i);
+  for (std::size_t i = piece + 1; i < now_.path.pieces() && now_.path.at(i) - s < reach; ++i) take(i);
   return size;
 }
 
@@ -154,127 +154,130 @@ double Planner::size_at(double s, std::size_t piece, bool last, double curve_par
 bool Planner::is_even(double h) const {
   constexpr double uneven = 0.003;       // of the curvature
   constexpr double unimportant = 0.001;  // of the acceleration that the axis may have
-  Knot middle, end;
-  const std::size_t half = path_.piece_at(cut_ + h / 2, piece_), far = path_.piece_at(cut_ + h, half);
-  path_.evaluate(cut_ + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
-  path_.evaluate(cut_ + h, far, end.x.data(), end.x1.data(), end.x2.data());
+  Memory::Knot middle, end;
+  const std::size_t half = now_.path.piece_at(now_.cut + h / 2, now_.piece), far = now_.path.piece_at(now_.cut + h, half);
+  now_.path.evaluate(now_.cut + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
+  now_.path.evaluate(now_.cut + h, far, end.x.data(), end.x1.data(), end.x2.data());
   double off = 0, most = 0, allowed = fastest;
-  for (std::size_t a = 0; a < cells_.axes; ++a) {
-    off = std::max(off, std::fabs(middle.x2[a] - (knot_.x2[a] + end.x2[a]) / 2));
-    most = std::max({most, std::fabs(knot_.x2[a]), std::fabs(middle.x2[a]), std::fabs(end.x2[a])});
+  for (std::size_t a = 0; a < now_.cells.axes; ++a) {
+    off = std::max(off, std::fabs(middle.x2[a] - (now_.knot.x2[a] + end.x2[a]) / 2));
+    most = std::max({most, std::fabs(now_.knot.x2[a]), std::fabs(middle.x2[a]), std::fabs(end.x2[a])});
     allowed = std::min(allowed, unimportant * limits_.acceleration[a]);
   }
-  return off <= std::max(uneven * most, allowed / square(path_.feed(piece_)));
+  return off <= std::max(uneven * most, allowed / square(now_.path.feed(now_.piece)));
 }
 
 double Planner::next_size(bool last) const {
   constexpr double wide = 0.2;
-  double size = size_at(cut_, piece_, last, wide);
-  const double least = size_at(cut_, piece_, last, corner_part);
-  while (size > least && (cut_ + size > path_.ends() || !is_even(size))) size = std::max(least, size / 2);
+  double size = size_at(now_.cut, now_.piece, last, wide);
+  const double least = size_at(now_.cut, now_.piece, last, corner_part);
+  while (size > least && (now_.cut + size > now_.path.ends() || !is_even(size))) size = std::max(least, size / 2);
   return size;
 }
 
-void Planner::set_knot(double s, std::size_t piece) { path_.evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
+void Planner::set_knot(double s, std::size_t piece) {
+  now_.path.evaluate(s, piece, now_.knot.x.data(), now_.knot.x1.data(), now_.knot.x2.data());
+}
 
 /// Of the roundings that reach into a cell the tightest one.
 Bend Planner::bend_at(double from, double to) const {
   Bend bend = Bend::none;
   double tightest = 0;
   const auto take = [&](std::size_t i) {
-    const double w = path_.width(i);
-    if (w <= 0 || path_.at(i) - w >= to || path_.at(i) + w <= from || path_.turn(i) <= tightest * w) return;
-    tightest = path_.turn(i) / w;
-    bend = path_.on_curve(i) ? Bend::curve : Bend::corner;
+    const double w = now_.path.width(i);
+    if (w <= 0 || now_.path.at(i) - w >= to || now_.path.at(i) + w <= from || now_.path.turn(i) <= tightest * w) return;
+    tightest = now_.path.turn(i) / w;
+    bend = now_.path.on_curve(i) ? Bend::curve : Bend::corner;
   };
-  for (std::size_t i = piece_ + 1; i-- > 1 && from - path_.at(i) < SmoothPath::widest;) take(i);
-  for (std::size_t i = piece_ + 1; i < path_.pieces() && path_.at(i) - to < SmoothPath::widest; ++i) take(i);
+  for (std::size_t i = now_.piece + 1; i-- > 1 && from - now_.path.at(i) < SmoothPath::widest;) take(i);
+  for (std::size_t i = now_.piece + 1; i < now_.path.pieces() && now_.path.at(i) - to < SmoothPath::widest; ++i) take(i);
   return bend;
 }
 
 /// How far the last cell, begun in a piece, is beyond the tolerance of the path, in its middle and at its end, the knot.
 double Planner::beyond(double from, double h, std::size_t piece) const {
-  if (sources_.back().bend == Bend::none) return 0;
+  if (now_.sources.back().bend == Bend::none) return 0;
   std::array<double, max_axes> middle{};
-  const double half = h / 2, *c = shapes_.data() + shapes_.size() - cells_.axes * TimedCells::terms;
-  for (std::size_t a = 0; a < cells_.axes; ++a, c += TimedCells::terms)
+  const double half = h / 2, *c = now_.shapes.data() + now_.shapes.size() - now_.cells.axes * TimedCells::terms;
+  for (std::size_t a = 0; a < now_.cells.axes; ++a, c += TimedCells::terms)
     middle[a] = c[0] + half * (c[1] + half * (c[2] + half * (c[3] + half * (c[4] + half * c[5]))));
-  return std::max(path_.beyond(from + half, path_.piece_at(from + half, piece), middle.data()),
-                  path_.beyond(from + h, piece_, knot_.x.data()));
+  return std::max(now_.path.beyond(from + half, now_.path.piece_at(from + half, piece), middle.data()),
+                  now_.path.beyond(from + h, now_.piece, now_.knot.x.data()));
 }
 
 void Planner::add_cell(double from, double to, bool turns) {
-  const std::size_t axes = cells_.axes, shape = shapes_.size();
+  const std::size_t axes = now_.cells.axes, shape = now_.shapes.size();
   const double h = to - from;
-  const Knot start = knot_;
-  double feed = path_.feed(piece_);
-  for (std::size_t i = piece_; i + 1 < path_.pieces() && path_.at(i + 1) < to; ++i) feed = std::min(feed, path_.feed(i + 1));
-  sources_.push_back({path_.tag(piece_), feed, bend_at(from, to)});
-  const std::size_t begun = piece_, next = path_.piece_at(to, piece_);
+  const Memory::Knot start = now_.knot;
+  double feed = now_.path.feed(now_.piece);
+  for (std::size_t i = now_.piece; i + 1 < now_.path.pieces() && now_.path.at(i + 1) < to; ++i)
+    feed = std::min(feed, now_.path.feed(i + 1));
+  now_.sources.push_back({now_.path.tag(now_.piece), feed, bend_at(from, to)});
+  const std::size_t begun = now_.piece, next = now_.path.piece_at(to, now_.piece);
   set_knot(to, turns ? next - 1 : next);
-  piece_ = next;
-  shapes_.resize(shape + axes * TimedCells::terms);
-  const bool straight = sources_.back().bend == Bend::none;
+  now_.piece = next;
+  now_.shapes.resize(shape + axes * TimedCells::terms);
+  const bool straight = now_.sources.back().bend == Bend::none;
   for (std::size_t a = 0; a < axes; ++a) {
-    double* const c = shapes_.data() + shape + a * TimedCells::terms;
+    double* const c = now_.shapes.data() + shape + a * TimedCells::terms;
     if (straight) c[0] = start.x[a], c[1] = start.x1[a];  // no rounding of small differences, whose third derivative would slow it
-    else quintic({start.x[a], start.x1[a], start.x2[a]}, {knot_.x[a], knot_.x1[a], knot_.x2[a]}, h, c);
+    else quintic({start.x[a], start.x1[a], start.x2[a]}, {now_.knot.x[a], now_.knot.x1[a], now_.knot.x2[a]}, h, c);
   }
-  sources_.back().beyond = beyond(from, h, begun);
+  now_.sources.back().beyond = beyond(from, h, begun);
   double most = fastest;
   std::array<double, TimedPath::places> squares{};
   for (std::size_t a = 0; a < axes; ++a) {
-    const double* const c = shapes_.data() + shape + a * TimedCells::terms;
+    const double* const c = now_.shapes.data() + shape + a * TimedCells::terms;
     for (std::size_t p = 0; p < TimedPath::places; ++p) {
       const double s = TimedPath::part[p] * h;
       const double x1 = c[1] + s * (2 * c[2] + s * (3 * c[3] + s * (4 * c[4] + s * 5 * c[5])));
-      cells_.x1.push_back(x1);
-      cells_.x2.push_back(2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * 20 * c[5])));
-      cells_.x3.push_back(6 * c[3] + s * (24 * c[4] + s * 60 * c[5]));
+      now_.cells.x1.push_back(x1);
+      now_.cells.x2.push_back(2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * 20 * c[5])));
+      now_.cells.x3.push_back(6 * c[3] + s * (24 * c[4] + s * 60 * c[5]));
       if (x1 != 0) most = std::min(most, square(limits_.speed[a] / x1));
       squares[p] += square(x1);
     }
   }
   for (const double way : squares) most = std::min(most, square(feed) / way);
-  cells_.h.push_back(h);
-  cells_.most.push_back(most);
-  cells_.turns.push_back(turns ? 1 : 0);
+  now_.cells.h.push_back(h);
+  now_.cells.most.push_back(most);
+  now_.cells.turns.push_back(turns ? 1 : 0);
   if (turns) set_knot(to, next);
 }
 
 void Planner::cut_cells(bool last) {
-  if (!has_knot_) set_knot(cut_, piece_ = path_.piece_at(cut_, 0));
-  has_knot_ = true;
+  if (!now_.has_knot) set_knot(now_.cut, now_.piece = now_.path.piece_at(now_.cut, 0));
+  now_.has_knot = true;
   constexpr double rest = 1.5;  // cells: what is left before an end becomes one
-  const double settled = path_.settled();
-  for (std::size_t turn = piece_ + 1; cut_ < settled && !stop_.asked();) {
-    while (turn < path_.pieces() && (path_.at(turn) <= cut_ || !path_.turns_back(turn))) ++turn;
-    const bool known = turn < path_.pieces();
-    const double end = known ? path_.at(turn) : path_.ends(), size = next_size(last);
-    const bool at_end = (known || last) && cut_ + rest * size >= end;
-    const double to = at_end ? end : cut_ + size;
+  const double settled = now_.path.settled();
+  for (std::size_t turn = now_.piece + 1; now_.cut < settled && !stop_.asked();) {
+    while (turn < now_.path.pieces() && (now_.path.at(turn) <= now_.cut || !now_.path.turns_back(turn))) ++turn;
+    const bool known = turn < now_.path.pieces();
+    const double end = known ? now_.path.at(turn) : now_.path.ends(), size = next_size(last);
+    const bool at_end = (known || last) && now_.cut + rest * size >= end;
+    const double to = at_end ? end : now_.cut + size;
     if (to > settled) break;
-    add_cell(cut_, to, at_end && known);
-    cut_ = to;
+    add_cell(now_.cut, to, at_end && known);
+    now_.cut = to;
   }
 }
 
 /// How many cells of a solution that ends crawling are as they will be: up to the last speed that the end has not lowered.
 std::size_t Planner::sure_cells() const {
   const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
-  std::size_t cell = cells_.cells();
+  std::size_t cell = now_.cells.cells();
   while (cell > 1 && speeds[cell - 1].start.b >= speeds[cell - 1].end.b) --cell;
   return cell;
 }
 
 void Planner::solve(bool last) {
-  ends_.to_stop = last;
-  ends_.crawl = crawl_of_slowest * least_.slowest(cells_);
-  const bool found = cells_.cells() >= 4 && least_.solve(cells_, ends_, stop_);
+  now_.ends.to_stop = last;
+  now_.ends.crawl = crawl_of_slowest * least_.slowest(now_.cells);
+  const bool found = now_.cells.cells() >= 4 && least_.solve(now_.cells, now_.ends, stop_);
   if (halted()) return;
   if (!found) return cell_by_cell();
-  if (last) return hand_out(cells_.cells());
-  const std::size_t all = cells_.cells(), sure = sure_cells();
+  if (last) return hand_out(now_.cells.cells());
+  const std::size_t all = now_.cells.cells(), sure = sure_cells();
   if (sure >= all / 3) hand_out(sure - sure / 8);
   else if (all > most_window) hand_out(all / 3);
 }

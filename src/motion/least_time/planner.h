@@ -49,14 +49,14 @@ class Planner {
   /// Asked by all that may take long.
   void stop_by(StopToken stop) { stop_ = stop; }
   /// From then on whatever comes in is passed over.
-  PlanEnd ended() const { return ended_; }
+  PlanEnd ended() const { return now_.ended; }
   /// Where it ended by an error of its own: mm of the path that were not handed out then, and the tag of the piece that would have taken
   /// longest.
   struct Refused {
     double way = 0;
     std::uint64_t tag = 0;
   };
-  const Refused& refused() const { return refused_; }
+  const Refused& refused() const { return now_.refused; }
 
   /// So many times what it takes with a stop at each corner no plan takes. One with a stop after each cell takes up to 50 times that: a
   /// cell is passed in 0.01 s at the feed v, from rest to rest with the jerk j in ∛(0.32 v/j) s. A speed that comes to nothing by rounding
@@ -64,7 +64,32 @@ class Planner {
   static constexpr double most_of_standing = 100;
 
   /// Stretches for which no speed was found, planned cell by cell with a stop after each (TimedCells::unsolved).
-  std::size_t failures() const { return failures_; }
+  std::size_t failures() const { return now_.failures; }
+
+  /// What it remembers from piece to piece: the window of the path that is not handed out yet.
+  struct Memory {
+    explicit Memory(std::size_t axes) : path(axes) {}
+    SmoothPath path;
+    std::vector<double> at;   // the end of the last piece
+    std::vector<double> way;  // of the last piece: its unit vector; empty: none yet
+    std::size_t fresh = 0;    // pieces since the last plan
+    // cells not yet handed out
+    TimedPath cells;
+    std::vector<double> shapes;  // their polynomials
+    std::vector<CellSource> sources;
+    struct Knot {
+      std::array<double, max_axes> x{}, x1{}, x2{};
+    } knot;  // the last one
+    bool has_knot = false;
+    double cut = 0;         // length at the last knot
+    std::size_t piece = 0;  // that holds it
+    LeastTime::Ends ends;
+    std::size_t failures = 0;
+    PlanEnd ended = PlanEnd::none;
+    Refused refused;
+  };
+  const Memory& memory() const { return now_; }
+  void remember(const Memory& memory) { now_ = memory; }
 
  private:
   bool turns(const double* to) const;
@@ -93,28 +118,10 @@ class Planner {
 
   MotionLimits limits_;
   Sink sink_;
-  SmoothPath path_;
-  std::vector<double> at_;   // the end of the last piece
-  std::vector<double> way_;  // of the last piece: its unit vector; empty: none yet
-  std::size_t fresh_ = 0;    // pieces since the last plan
-
-  // cells not yet handed out
-  TimedPath cells_;
-  std::vector<double> shapes_;  // their polynomials
-  std::vector<CellSource> sources_;
-  struct Knot {
-    std::array<double, max_axes> x{}, x1{}, x2{};
-  } knot_;  // the last one
-  bool has_knot_ = false;
-  double cut_ = 0;         // length at the last knot
-  std::size_t piece_ = 0;  // that holds it
+  Memory now_;
   LeastTime least_;
-  LeastTime::Ends ends_;
   TimedCells out_;
-  std::size_t failures_ = 0;
   StopToken stop_;
-  PlanEnd ended_ = PlanEnd::none;
-  Refused refused_;
 };
 
 }  // namespace kadr

@@ -54,6 +54,25 @@ void LookAhead::consume(const Step& step) {
 
 void LookAhead::finish() { rest(); }
 
+LookAhead::Memory LookAhead::memory() const {
+  Memory now{held_, pieces_, open_, 0, last_rapid_, 0, start_speed_};
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    if (open_ && open_->held == &held_[i]) now.open_at = i;
+    if (last_rapid_ && last_rapid_->held == &held_[i]) now.last_rapid_at = i;
+  }
+  return now;
+}
+
+void LookAhead::remember(const Memory& memory) {
+  held_ = memory.held;
+  pieces_ = memory.pieces;
+  open_ = memory.open;
+  if (open_) open_->held = &held_[memory.open_at];
+  last_rapid_ = memory.last_rapid;
+  if (last_rapid_) last_rapid_->held = &held_[memory.last_rapid_at];
+  start_speed_ = memory.start_speed;
+}
+
 void LookAhead::hold(const Step& step) {
   if (held_.empty()) sink_(step, 0);
   else held_.push_back({KeptStep(step)});

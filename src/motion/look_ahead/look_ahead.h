@@ -65,6 +65,21 @@ class LookAhead {
     double ahead;  // s before its end
   };
 
+ public:
+  /// What it remembers from step to step.
+  struct Memory {
+    std::deque<Held> held;
+    std::vector<PathPiece> pieces;
+    std::optional<Open> open;             // points to …
+    std::size_t open_at = 0;              // … the held one there
+    std::optional<LastRapid> last_rapid;  // likewise
+    std::size_t last_rapid_at = 0;
+    double start_speed = 0;
+  };
+  Memory memory() const;
+  void remember(const Memory& memory);
+
+ private:
   void motion(const Step& step, const Motion& motion);
   void rapid(const Step& step, const Motion& motion, const PathShape& shape, bool exact);
   void cut(const Step& step, const PathShape& shape, bool exact);

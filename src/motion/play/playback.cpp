@@ -61,8 +61,8 @@ void Playback::show(const Cursor& at, double* x) {
     const double* const c = ring_.path(cell, a);
     x[a] = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
   }
-  tag_ = ring_.tag(cell);
-  spindle_ = ring_.spindle(cell).at(t, s) + slip_;
+  now_.tag = ring_.tag(cell);
+  now_.spindle = ring_.spindle(cell).at(t, s) + now_.slip;
 }
 
 /// No axis exceeds at this pace what it may, or what the plan itself asks of it.
@@ -81,7 +81,7 @@ bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
     const double now = pace.share * pace.share * acceleration + pace.rate * speed;
     const double change = pace.share * (pace.share * pace.share * jerk + 3 * pace.rate * acceleration) + pace.bend * speed;
     if (std::fabs(now) > rounding * std::max(limits_.acceleration[a], std::fabs(acceleration))) return false;
-    if (std::fabs(change) > (rounding + over_) * std::max(limits_.jerk[a], std::fabs(jerk))) return false;
+    if (std::fabs(change) > (rounding + now_.over) * std::max(limits_.jerk[a], std::fabs(jerk))) return false;
   }
   return true;
 }
@@ -89,13 +89,13 @@ bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
 /// What a ramp to a share takes at least, by the speed and limits of the axes here, s.
 double Playback::shortest(double target) const {
   double seconds = least_ramp * period_;
-  if (is_over(at_)) return seconds;
-  const TimeLaw& law = ring_.law(at_.cell);
-  const TimeLaw::State i = law.after(at_.t);
+  if (is_over(now_.at)) return seconds;
+  const TimeLaw& law = ring_.law(now_.at.cell);
+  const TimeLaw::State i = law.after(now_.at.t);
   const double change = std::fabs(target - share());
   constexpr double most_rate = 1.875, most_bend = 5.77;  // of a ramp from 0 to 1 in 1 s
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
-    const double* const c = ring_.path(at_.cell, a);
+    const double* const c = ring_.path(now_.at.cell, a);
     const double speed =
         change * std::fabs(i.speed * (c[1] + i.way * (2 * c[2] + i.way * (3 * c[3] + i.way * (4 * c[4] + i.way * 5 * c[5])))));
     seconds = std::max({seconds, most_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / limits_.jerk[a])});
@@ -106,150 +106,150 @@ double Playback::shortest(double target) const {
 /// Begins to try a ramp to a share, of so many seconds, from the instant at which it will have been tried.
 void Playback::try_ramp(double target, double seconds) {
   const auto lead = static_cast<std::uint64_t>(std::ceil(seconds / period_ / tries_an_instant)) + 2;
-  probe_ = at_;
-  double on_ramp = on_ramp_;
-  for (std::uint64_t i = 0; i < lead; ++i, on_ramp += period_) advance(probe_, ramp_, on_ramp);
-  next_ = OverrideRamp(ramp_.at(on_ramp), target, seconds);
-  begins_ = instant_ + lead;
-  on_next_ = 0;
-  trying_ = true;
-  tried_ = false;
+  now_.probe = now_.at;
+  double on_ramp = now_.on_ramp;
+  for (std::uint64_t i = 0; i < lead; ++i, on_ramp += period_) advance(now_.probe, now_.ramp, on_ramp);
+  now_.next = OverrideRamp(now_.ramp.at(on_ramp), target, seconds);
+  now_.begins = now_.instant + lead;
+  now_.on_next = 0;
+  now_.trying = true;
+  now_.tried = false;
 }
 
 /// From the shortest again.
 void Playback::exceed_a_little() {
-  over_ = std::min(over_ + a_little_more, most_over);
-  try_ramp(next_.end(), shortest(next_.end()));
+  now_.over = std::min(now_.over + a_little_more, most_over);
+  try_ramp(now_.next.end(), shortest(now_.next.end()));
 }
 
 /// The limits are looked at at the instants and, as jerk jumps there, at both sides of each cell's end.
 void Playback::go_on_trying() {
   bool allowed = true;
   const auto look = [&](const Cursor& end, double on_ramp) -> std::optional<double> {
-    const OverrideShare pace = next_.at(on_ramp);
+    const OverrideShare pace = now_.next.at(on_ramp);
     allowed = allowed && is_allowed(end, pace) && is_allowed({end.cell + 1, 0}, pace);
     return std::nullopt;
   };
   for (int i = 0; i < tries_an_instant; ++i) {
-    if (on_next_ > next_.seconds()) {
-      tried_ = true;
+    if (now_.on_next > now_.next.seconds()) {
+      now_.tried = true;
       return;
     }
-    const bool known = advance(probe_, next_, on_next_, look) || ring_.finished();
-    on_next_ += period_;
+    const bool known = advance(now_.probe, now_.next, now_.on_next, look) || ring_.finished();
+    now_.on_next += period_;
     if (!known) {  // somewhat more jerk, or a smaller change that fits into what is known; from there on another
       const bool fits = shortest(0) * share() < 2 * ahead();
-      if (next_.end() <= 0 && over_ < most_over && fits) return exceed_a_little();
-      const double from = next_.at(0).share, change = (next_.end() - from) / 2;
-      const double target = std::fabs(change) > least_change ? from + change : goal_;
+      if (now_.next.end() <= 0 && now_.over < most_over && fits) return exceed_a_little();
+      const double from = now_.next.at(0).share, change = (now_.next.end() - from) / 2;
+      const double target = std::fabs(change) > least_change ? from + change : now_.goal;
       return try_ramp(target, shortest(target));
     }
-    if (allowed && is_allowed(probe_, next_.at(on_next_))) continue;
-    const double seconds = longer * next_.seconds();
+    if (allowed && is_allowed(now_.probe, now_.next.at(now_.on_next))) continue;
+    const double seconds = longer * now_.next.seconds();
     if (seconds >= longest) return exceed_a_little();
-    return try_ramp(next_.end(), seconds);
+    return try_ramp(now_.next.end(), seconds);
   }
 }
 
 /// The share that the operator asks for, as far as the switches act here.
 double Playback::asked() {
   const double wanted = wanted_.load(std::memory_order_relaxed);
-  if (wanted > 0) last_override_ = wanted;
-  if (is_over(at_)) return wanted;
-  const Switches switches = ring_.switches(at_.cell);
+  if (wanted > 0) now_.last_override = wanted;
+  if (is_over(now_.at)) return wanted;
+  const Switches switches = ring_.switches(now_.at.cell);
   if (wanted <= 0 && switches.hold) return 0;
-  return switches.feed_override ? last_override_ : 1;
+  return switches.feed_override ? now_.last_override : 1;
 }
 
 /// Sees to the share that is wanted.
 void Playback::steer() {
-  const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (goal_ > 0 ? 1 : 2);
+  const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (now_.goal > 0 ? 1 : 2);
   const double wanted = scarce ? 0 : asked();
-  if (wanted != goal_ || (!trying_ && on_ramp_ >= ramp_.seconds() && ramp_.end() != goal_)) {
-    goal_ = wanted;
-    over_ = 0;
-    try_ramp(goal_, shortest(goal_));
+  if (wanted != now_.goal || (!now_.trying && now_.on_ramp >= now_.ramp.seconds() && now_.ramp.end() != now_.goal)) {
+    now_.goal = wanted;
+    now_.over = 0;
+    try_ramp(now_.goal, shortest(now_.goal));
   }
-  if (trying_ && !tried_) go_on_trying();
-  if (!trying_ || instant_ < begins_) return;
-  if (!tried_) return try_ramp(next_.end(), next_.seconds());
-  ramp_ = next_;
-  on_ramp_ = over_ = 0;
-  trying_ = tried_ = false;
+  if (now_.trying && !now_.tried) go_on_trying();
+  if (!now_.trying || now_.instant < now_.begins) return;
+  if (!now_.tried) return try_ramp(now_.next.end(), now_.next.seconds());
+  now_.ramp = now_.next;
+  now_.on_ramp = now_.over = 0;
+  now_.trying = now_.tried = false;
 }
 
 /// A cell begins at whose end the axes go in step with the spindle: how much longer it must turn, s.
 double Playback::wait_for_spindle(std::uint64_t cell) {
   constexpr double turn = 360, same = 1e-6;  // degrees
-  const double rate = ring_.spindle(cell).per_second, turns = std::round(slip_ / turn);
-  if (rate == 0 || std::fabs(slip_ - turn * turns) < same) return slip_ = turn * turns, 0;
-  const double aim = turn * (rate > 0 ? std::ceil(slip_ / turn) : std::floor(slip_ / turn));
-  const double wait = (aim - slip_) / rate;
-  return slip_ = aim, wait;
+  const double rate = ring_.spindle(cell).per_second, turns = std::round(now_.slip / turn);
+  if (rate == 0 || std::fabs(now_.slip - turn * turns) < same) return now_.slip = turn * turns, 0;
+  const double aim = turn * (rate > 0 ? std::ceil(now_.slip / turn) : std::floor(now_.slip / turn));
+  const double wait = (aim - now_.slip) / rate;
+  return now_.slip = aim, wait;
 }
 
 /// One instant further, axes and spindle.
 bool Playback::go_on() {
   constexpr double turn = 360;
-  const bool as_planned = on_ramp_ >= ramp_.seconds() && ramp_.end() == 1;
-  const double begins = on_ramp_;
-  double on_plan = at_.t, on_clock = begins, over = 0;  // s; where the cell was begun
+  const bool as_planned = now_.on_ramp >= now_.ramp.seconds() && now_.ramp.end() == 1;
+  const double begins = now_.on_ramp;
+  double on_plan = now_.at.t, on_clock = begins, over = 0;  // s; where the cell was begun
   bool in_step = false;
   const auto turns_on = [&](const Cursor& to, double clock) {  // it turns by the clock, not by the plan
     if (!as_planned && !in_step) over += ring_.spindle(to.cell).per_second * ((clock - on_clock) - (to.t - on_plan));
   };
-  const bool known = advance(at_, ramp_, begins, [&](const Cursor& end, double clock) -> std::optional<double> {
+  const bool known = advance(now_.at, now_.ramp, begins, [&](const Cursor& end, double clock) -> std::optional<double> {
     turns_on(end, clock);
     on_plan = 0, on_clock = clock;
     if (end.cell + 1 >= ring_.end()) return std::nullopt;
     const SpindleTurn& next = ring_.spindle(end.cell + 1);
-    if (next.absolute) slip_ = turn * std::round((slip_ + over) / turn), over = 0;
+    if (next.absolute) now_.slip = turn * std::round((now_.slip + over) / turn), over = 0;
     if (!next.awaited) return std::nullopt;
-    slip_ += over, over = 0;
+    now_.slip += over, over = 0;
     in_step = true;
     return wait_for_spindle(end.cell + 1);
   });
-  if (!is_over(at_)) turns_on(at_, begins + period_);
+  if (!is_over(now_.at)) turns_on(now_.at, begins + period_);
   if (!known && !ring_.finished()) return false;
-  slip_ += over;
-  on_ramp_ += period_;
+  now_.slip += over;
+  now_.on_ramp += period_;
   if (in_step) {
-    ramp_ = OverrideRamp(goal_ = 1);
-    on_ramp_ = 0;
-    trying_ = tried_ = false;
+    now_.ramp = OverrideRamp(now_.goal = 1);
+    now_.on_ramp = 0;
+    now_.trying = now_.tried = false;
   }
   return true;
 }
 
 void Playback::step() {
   steer();
-  const Cursor before = at_;
-  const double slip = slip_;
+  const Cursor before = now_.at;
+  const double slip = now_.slip;
   if (!go_on()) {
-    at_ = before, slip_ = slip;
-    on_ramp_ += period_;
-    ++starved_;
+    now_.at = before, now_.slip = slip;
+    now_.on_ramp += period_;
+    ++now_.starved;
   }
-  ++instant_;
-  for (std::uint64_t cell = before.cell; cell < at_.cell; ++cell) played_ += ring_.law(cell).seconds;
-  ring_.release(at_.cell > 0 ? at_.cell - 1 : 0);
+  ++now_.instant;
+  for (std::uint64_t cell = before.cell; cell < now_.at.cell; ++cell) now_.played += ring_.law(cell).seconds;
+  ring_.release(now_.at.cell > 0 ? now_.at.cell - 1 : 0);
 }
 
 std::size_t Playback::fill(double* positions, std::size_t count) {
-  if (!started_) {
+  if (!now_.started) {
     const double share = asked();
     if (ring_.end() == 0) {
-      done_ = ring_.finished();
+      now_.done = ring_.finished();
       return 0;
     }
-    ramp_ = OverrideRamp(goal_ = share);
+    now_.ramp = OverrideRamp(now_.goal = share);
   }
   std::size_t rows = 0;
-  while (rows < count && !done_) {
-    if (started_) step();
-    started_ = true;
-    done_ = ring_.finished() && is_over(at_);
-    show(at_, positions + rows * ring_.axes());
+  while (rows < count && !now_.done) {
+    if (now_.started) step();
+    now_.started = true;
+    now_.done = ring_.finished() && is_over(now_.at);
+    show(now_.at, positions + rows * ring_.axes());
     ++rows;
   }
   return rows;

@@ -44,21 +44,23 @@ class Playback {
   /// Positions at the next instants, `count` rows of all axes; never allocates. Fewer when the motion is over: the last row is its end.
   std::size_t fill(double* positions, std::size_t count);
   /// The end was handed out.
-  bool done() const { return done_; }
+  bool done() const { return now_.done; }
   /// The share that has been reached.
-  double share() const { return ramp_.at(on_ramp_).share; }
+  double share() const { return now_.ramp.at(now_.on_ramp).share; }
   /// It stands by an override of 0.
-  bool is_held() const { return started_ && ramp_.at(on_ramp_).share <= 0 && goal_ <= 0 && wanted_.load(std::memory_order_relaxed) <= 0; }
+  bool is_held() const {
+    return now_.started && now_.ramp.at(now_.on_ramp).share <= 0 && now_.goal <= 0 && wanted_.load(std::memory_order_relaxed) <= 0;
+  }
   /// The tag of the cell of the last instant.
-  std::uint64_t tag() const { return tag_; }
+  std::uint64_t tag() const { return now_.tag; }
   /// The spindle's angle at the last instant, degrees.
-  double spindle() const { return spindle_; }
+  double spindle() const { return now_.spindle; }
   /// s on the plan that can still be played without more cells.
-  double ahead() const { return ring_.offered() - played_ - at_.t; }
+  double ahead() const { return ring_.offered() - now_.played - now_.at.t; }
   /// Less than this ahead, s on the plan, and it brakes.
   static constexpr double reserve = 1;
   /// Instants at which it had to stand at once for want of cells: none unless braking takes longer than the reserve.
-  std::uint64_t starved() const { return starved_; }
+  std::uint64_t starved() const { return now_.starved; }
 
  private:
   /// A place on the plan.
@@ -66,6 +68,41 @@ class Playback {
     std::uint64_t cell = 0;
     double t = 0;  // s into it
   };
+  struct Place {
+    Cursor at;
+    OverrideRamp ramp{1};  // the one in force
+    double on_ramp = 0;    // s since it began
+    double played = 0;     // s, of the cells that are through
+    std::uint64_t instant = 0, tag = 0, starved = 0;
+    double spindle = 0, slip = 0;  // degrees; slip: beyond the planned angle
+    double last_override = 1;      // above 0
+    bool started = false, done = false;
+
+    // the next one
+    bool trying = false, tried = false;  // tried: it may be taken
+    double goal = 1;                     // the share it is all about, or that in force
+    OverrideRamp next{1};
+    std::uint64_t begins = 0;  // instant
+    Cursor probe;
+    double on_next = 0;  // s, of the probe on the next ramp
+    double over = 0;     // share of the jerk limits that it may exceed them by: a feed hold must come to pass
+  };
+
+ public:
+  /// Where it is, and the cells that are still to be played. While nobody else is at work.
+  struct Memory {
+    Place place;
+    double wanted = 1;
+    CellRing::Memory cells;
+  };
+  Memory memory() const { return {now_, wanted_.load(), ring_.memory()}; }
+  void remember(const Memory& memory) {
+    now_ = memory.place;
+    wanted_ = memory.wanted;
+    ring_.remember(memory.cells);
+  }
+
+ private:
   bool is_over(const Cursor& at) const { return at.cell >= ring_.end(); }
   template <class Crossed>
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, Crossed&& crossed) const;
@@ -87,23 +124,7 @@ class Playback {
   CellRing ring_;
   std::atomic<double> wanted_{1};
 
-  Cursor at_;
-  OverrideRamp ramp_{1};  // the one in force
-  double on_ramp_ = 0;    // s since it began
-  double played_ = 0;     // s, of the cells that are through
-  std::uint64_t instant_ = 0, tag_ = 0, starved_ = 0;
-  double spindle_ = 0, slip_ = 0;  // degrees; slip: beyond the planned angle
-  double last_override_ = 1;       // above 0
-  bool started_ = false, done_ = false;
-
-  // the next one
-  bool trying_ = false, tried_ = false;  // tried_: it may be taken
-  double goal_ = 1;                      // the share it is all about, or that in force
-  OverrideRamp next_{1};
-  std::uint64_t begins_ = 0;  // instant
-  Cursor probe_;
-  double on_next_ = 0;  // s, of the probe on the next ramp
-  double over_ = 0;     // share of the jerk limits that it may exceed them by: a feed hold must come to pass
+  Place now_;
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// SampleWriter: positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates. For session/planned;
-// tested by tests/out/samples_test.cpp.
+// SampleWriter: positions at the servo rate as CSV (design.md 5): t,X,Y,Z,… in s and mm (degrees), machine coordinates. For
+// session/planned; tested by tests/out/samples_test.cpp.
 
 #include "out/trace/samples.h"
 
@@ -60,6 +60,14 @@ void SampleWriter::take(const TimedCells& cells) {
   while (offered < cells.laws.size() && play()) offered += playback_.offer(cells, offered);
   while (playback_.ahead() > enough && play()) {
   }
+}
+
+void SampleWriter::remember(const Memory& memory) {
+  playback_.remember(memory.playback);
+  changed_ = memory.changed;
+  instant_ = memory.instant;
+  text_ = memory.text;
+  ended_ = memory.ended;
 }
 
 void SampleWriter::finish() {

@@ -35,6 +35,17 @@ class SampleWriter {
   /// The tag of the cell of the last one.
   std::uint64_t tag() const { return playback_.tag(); }
 
+  /// What it remembers, what is not written into the file yet included.
+  struct Memory {
+    Playback::Memory playback;
+    std::size_t changed = 0;
+    std::uint64_t instant = 0;
+    std::string text;
+    SampleEnd ended = SampleEnd::none;
+  };
+  Memory memory() const { return {playback_.memory(), changed_, instant_, text_, ended_}; }
+  void remember(const Memory& memory);
+
  private:
   bool halted();
   bool play();

@@ -22,6 +22,9 @@ class TraceWriter {
 
   /// Where there are several channels: each line names this one. They share the file: flush() before another one writes.
   void set_channel(int channel) { channel_ = channel; }
+  /// What it remembers of the step before: a motion after a probe's tells how far it goes.
+  bool behind_probe() const { return behind_probe_; }
+  void go_on_behind_probe(bool is) { behind_probe_ = is; }
   void flush() { out_.flush(); }
 
   /// One line; FrameChange and ZoneChange give none. A motion that nobody has timed has no length, seconds and highest feed.

@@ -19,61 +19,61 @@ Motion& motion_in(Action& action) {
 }  // namespace
 
 std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
-  for (std::size_t i = 0; i < count_; ++i) {
+  for (std::size_t i = 0; i < now_.count; ++i) {
     const Held& h = held(i);
     const bool plain = h.motion.side_step == SideStep::none || h.motion.side_step == SideStep::holds;
-    const bool known = i + 1 < count_ || h.end.count > 0;
+    const bool known = i + 1 < now_.count || h.end.count > 0;
     blocks_[i] = {&h.element, h.motion.tool_radius, static_cast<double>(h.motion.side), plain, h.start_vector, known ? &h.end : nullptr};
   }
-  return {blocks_.data(), count_};
+  return {blocks_.data(), now_.count};
 }
 
 /// The first of the window is checked against those after it, and goes: the motion, what waits after it, the way round the corner.
 void RadiusCompensation::release_first() {
-  const Mended mended = check_.interference ? mend_first() : Mended::sound;
+  const Mended mended = now_.check.interference ? mend_first() : Mended::sound;
   Held& first = held(0);
   if (mended != Mended::sound) {
     const Origin origin = held(mended == Mended::first_fails ? 0 : 1).origin;
-    if (mended == Mended::next_fails && check_.further == 0) (void)let_go(first);  // looking further the alarm comes before it
+    if (mended == Mended::next_fails && now_.check.further == 0) (void)let_go(first);  // looking further the alarm comes before it
     const AlarmId id = first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection;
     if (!fault_) fault(alarm(id, {}), origin);
     return;
   }
-  if (first.end.round) round_first_ = first.motion;  // it is about to go
+  if (first.end.round) now_.round_first = first.motion;  // it is about to go
   if (!let_go(first)) return;
-  vector_ = first.end.first();
+  now_.vector = first.end.first();
   for (Action& action : first.waiting) {
-    stand_.take(action);
-    if (auto* const m = std::get_if<Motion>(&action.what)) shift(*m, vector_);
+    now_.stand.take(action);
+    if (auto* const m = std::get_if<Motion>(&action.what)) shift(*m, now_.vector);
     if (auto* const frame = std::get_if<FrameChange>(&action.what)) shift(*frame);
     out_.add() = std::move(action);
   }
   first.waiting.clear();
-  regular_start_ = first.regular;
-  radius_before_ = first.motion.tool_radius;
+  now_.regular_start = first.regular;
+  now_.radius_before = first.motion.tool_radius;
   go_round(first);
   drop_first();
 }
 
 /// From the first vector at the end of `first` to the last: with the next motion's feed and kind; by an arc as the first one's.
 void RadiusCompensation::go_round(const Held& first) {
-  const bool follows = count_ > 1;
+  const bool follows = now_.count > 1;
   if (first.end.round) {
-    const Motion& like = !follows || held(1).motion.kind == MotionKind::rapid ? round_first_ : held(1).motion;
+    const Motion& like = !follows || held(1).motion.kind == MotionKind::rapid ? now_.round_first : held(1).motion;
     return round(first.end.last(), follows ? held(1).origin : first.origin, like);
   }
   const ContourSpan known = first.regular ? ContourSpan{first.number, first.number + 1} : ContourSpan{};
   for (std::size_t i = 1; i < first.end.count && follows; ++i) {
-    watch_step(vector_, first.end.at[i], held(1).motion, held(1).origin, known);
+    watch_step(now_.vector, first.end.at[i], held(1).motion, held(1).origin, known);
     step(first.end.at[i], held(1).motion, held(1).origin);
   }
-  vector_ = first.end.last();
+  now_.vector = first.end.last();
 }
 
 /// Joins the first of the window with a later one, if that mends it; the blocks between are dropped, their actions are not. 15.5.7.
 RadiusCompensation::Mended RadiusCompensation::mend_first() {
   Held& first = held(0);
-  const auto join = check_interference(checked_blocks(), check_.further, check_.always_alarm);
+  const auto join = check_interference(checked_blocks(), now_.check.further, now_.check.always_alarm);
   if (join && join->next > 1) {
     first.end = join->vectors;
     first.regular = false;
@@ -81,8 +81,8 @@ RadiusCompensation::Mended RadiusCompensation::mend_first() {
       for (Action& action : std::exchange(held(i).waiting, {})) first.waiting.push_back(std::move(action));
     held(join->next).start_vector = join->start_vector;
     const std::size_t dropped = join->next - 1;
-    for (std::size_t i = 1; i + dropped < count_; ++i) std::swap(held(i), held(i + dropped));
-    count_ -= dropped;
+    for (std::size_t i = 1; i + dropped < now_.count; ++i) std::swap(held(i), held(i + dropped));
+    now_.count -= dropped;
   }
   if (first.end.count == 0 || (checked_blocks()[0].plain && goes_back(blocks_[0]))) return Mended::first_fails;
   return join ? Mended::sound : Mended::next_fails;
@@ -93,12 +93,12 @@ RadiusCompensation::Mended RadiusCompensation::mend_first() {
 bool RadiusCompensation::let_go(Held& held) {
   Motion& m = held.motion;
   const Vec2 end_vector = held.end.first();
-  const bool of_contour = keeps_vector_ && m.side_step == SideStep::none && m.tool_radius != 0;
+  const bool of_contour = now_.keeps_vector && m.side_step == SideStep::none && m.tool_radius != 0;
   if (of_contour && !fits(held.element, held.start_vector, end_vector, m.tool_radius, m.side)) {
     fault(alarm(AlarmId::compensation_gouge, {}, m.tool_radius), held.origin);
     return false;
   }
-  stand_.take(m);
+  now_.stand.take(m);
   if (held.rejoins && is_arc(m.kind)) {
     if (!rejoin(m, held, end_vector)) {
       fault(alarm(AlarmId::compensation_turn, {}), held.origin);
@@ -134,10 +134,10 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
 
 /// From the vector in force to another one, about the programmed point (15.5.6).
 void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
-  const double swept = angle_deg({dot(vector_, to), cross(vector_, to)});  // counter-clockwise
+  const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});  // counter-clockwise
   const bool cw = like.side > 0;
   const double turns = (cw ? -swept : swept) / 360;
-  const Vec2 point = in_plane(stand_.work);
+  const Vec2 point = in_plane(now_.stand.work);
   const std::size_t behind = out_.size();
   step(to, like, origin);
   if (out_.size() == behind || turns == 0) return;
@@ -149,33 +149,33 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
 
 /// A straight motion in the plane to the programmed point plus a vector.
 void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& origin) {
-  if (length(vector - vector_) <= tol::same_point) return;
+  if (length(vector - now_.vector) <= tol::same_point) return;
   Action& action = out_.add();
   action.origin = origin;
   Motion& m = motion_in(action) = like;
   if (is_arc(m.kind)) m.kind = MotionKind::feed;
-  m.named = AxisMask{1} << first_ | AxisMask{1} << second_;
+  m.named = AxisMask{1} << now_.first | AxisMask{1} << now_.second;
   m.detail.reset();
   m.turns = 0;
   m.exact = m.in_position = false;
-  m.to = stand_.work;
-  m.machine = stand_.machine;
+  m.to = now_.stand.work;
+  m.machine = now_.stand.machine;
   shift(m, vector);
-  vector_ = vector;
+  now_.vector = vector;
 }
 
 /// Programmed actions as they are; those that compensation moves have been moved.
 void RadiusCompensation::hand_out(Action action) {
-  stand_.take(action);
+  now_.stand.take(action);
   out_.add() = std::move(action);
 }
 
-void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, first_, second_, vector, at_.turn.get()); }
+void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, now_.first, now_.second, vector, now_.at.turn.get()); }
 
 /// The tool's coordinates in a frame: those programmed and the vector.
 void RadiusCompensation::shift(FrameChange& frame) const {
-  frame.work[first_] += vector_.x;
-  frame.work[second_] += vector_.y;
+  frame.work[now_.first] += now_.vector.x;
+  frame.work[now_.second] += now_.vector.y;
 }
 
 /// Motions at feed along the contour; neither the way in nor the way out, nor what is next to a change of side, nor what holds its
@@ -184,36 +184,36 @@ void RadiusCompensation::watch_last() {
   Held& now = last_held();
   const Motion& m = now.motion;
   const bool plain = m.side_step == SideStep::none || m.side_step == SideStep::begun;
-  if (m.side_step == SideStep::begins || m.side_step == SideStep::begun) astray_ = false;
-  now.watched = plain && !astray_ && m.kind != MotionKind::rapid && m.tool_radius > 0;
-  if (count_ > 1 && held(count_ - 2).motion.side * m.side < 0) {
-    held(count_ - 2).watched = now.watched = false;
+  if (m.side_step == SideStep::begins || m.side_step == SideStep::begun) now_.astray = false;
+  now.watched = plain && !now_.astray && m.kind != MotionKind::rapid && m.tool_radius > 0;
+  if (now_.count > 1 && held(now_.count - 2).motion.side * m.side < 0) {
+    held(now_.count - 2).watched = now.watched = false;
     end_watch();
   }
-  if (now.watched) now.number = watch_.contour(now.element, m.tool_radius, now.origin);
+  if (now.watched) now.number = now_.watch.contour(now.element, m.tool_radius, now.origin);
 }
 
 void RadiusCompensation::watch_way(const Held& held, Vec2 end_vector) {
   if (!held.watched) return;
   const Motion& m = held.motion;
-  const double radius = std::min(m.tool_radius, radius_before_);  // a new D: the allowance changes on the way
+  const double radius = std::min(m.tool_radius, now_.radius_before);  // a new D: the allowance changes on the way
   const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
   ContourSpan known;
   if (is_arc(m.kind) == held.element.is_arc && lies_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))
-    known = {held.number - (regular_start_ ? 1 : 0), held.number + (held.regular ? 1 : 0)};
-  if (is_arc(m.kind)) watch_.path([&] { return PlanePiece::arc(from, to, m.center, turns); }, radius, held.origin, known);
-  else if (length(to - from) > tol::same_point) watch_.path([&] { return PlanePiece::line(from, to); }, radius, held.origin, known);
+    known = {held.number - (now_.regular_start ? 1 : 0), held.number + (held.regular ? 1 : 0)};
+  if (is_arc(m.kind)) now_.watch.path([&] { return PlanePiece::arc(from, to, m.center, turns); }, radius, held.origin, known);
+  else if (length(to - from) > tol::same_point) now_.watch.path([&] { return PlanePiece::line(from, to); }, radius, held.origin, known);
 }
 
 void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known) {
-  const Vec2 point = in_plane(stand_.work);
+  const Vec2 point = in_plane(now_.stand.work);
   if (like.kind == MotionKind::rapid || length(to - from) <= tol::same_point) return;
-  watch_.path([&] { return PlanePiece::line(point + from, point + to); }, like.tool_radius, origin, known);
+  now_.watch.path([&] { return PlanePiece::line(point + from, point + to); }, like.tool_radius, origin, known);
 }
 
 void RadiusCompensation::end_watch() {
-  if (const auto cut = watch_.end())
+  if (const auto cut = now_.watch.end())
     warnings_.push_back({warning(AlarmId::contour_cut, {}, cut->depth, static_cast<double>(cut->contour.line)), cut->tool, cut->contour});
 }
 

@@ -1,5 +1,5 @@
-// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. For session/channel_run;
-// tested by tests/path/contour_corners_test.cpp.
+// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. For
+// session/channel_run; tested by tests/path/contour_corners_test.cpp.
 
 #include "path/contour/contour_corners.h"
 
@@ -15,9 +15,9 @@ namespace kadr {
 
 std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follows follows) {
   put_back(batch);
-  const std::size_t begin = held_ ? 0 : untouched(batch, follows);
+  const std::size_t begin = now_.held ? 0 : untouched(batch, follows);
   follow(batch, 0, begin);
-  if (!held_ && begin == batch.size()) return std::nullopt;  // mostly
+  if (!now_.held && begin == batch.size()) return std::nullopt;  // mostly
   out_.clear();
   fault_.reset();
   std::size_t i = begin;
@@ -33,14 +33,14 @@ std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follow
 
 /// A held motion whose end is the programmed one, as the next motion shows, is the first of the batch.
 void ContourCorners::put_back(ActionBatch& batch) {
-  if (!held_ || contour_of(held()) != nullptr || held_->start.cut > 0 || held_->start.calculated) return;
-  if (!waiting_.empty() || !settled_.empty()) return;
+  if (!now_.held || contour_of(held()) != nullptr || now_.held->start.cut > 0 || now_.held->start.calculated) return;
+  if (!now_.waiting.empty() || !now_.settled.empty()) return;
   for (const Action& action : batch) {
     const auto* const next = std::get_if<Motion>(&action.what);
     if (next == nullptr) continue;
     if (contour_of(*next) != nullptr) return;
-    batch.add_front() = std::move(held_->action);
-    held_.reset();
+    batch.add_front() = std::move(now_.held->action);
+    now_.held.reset();
     return;
   }
 }
@@ -64,9 +64,9 @@ void ContourCorners::follow(const ActionBatch& batch, std::size_t from, std::siz
   for (std::size_t i = from; i < end; ++i) {
     const Action& action = batch.begin()[i];
     if (const auto* const m = std::get_if<Motion>(&action.what)) last = m;
-    else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) at_.take(*frame), last = nullptr;
+    else if (const auto* const frame = std::get_if<FrameChange>(&action.what)) now_.at.take(*frame), last = nullptr;
   }
-  if (last != nullptr) at_.take(*last);
+  if (last != nullptr) now_.at.take(*last);
 }
 
 void ContourCorners::next(ActionBatch& batch, std::size_t place, Follows follows) {
@@ -81,21 +81,21 @@ void ContourCorners::next(ActionBatch& batch, std::size_t place, Follows follows
     }
     return motion(action, open ? End::open : End::programmed);
   }
-  if (held_ && (ends_look_ahead(action) || waiting_.size() == most_waiting)) finish(Follows::nothing);
-  at_.take(action);
+  if (now_.held && (ends_look_ahead(action) || now_.waiting.size() == most_waiting)) finish(Follows::nothing);
+  now_.at.take(action);
   if (fault_) return;
-  if (held_) waiting_.push_back(std::move(action));
+  if (now_.held) now_.waiting.push_back(std::move(action));
   else out_.add() = std::move(action);
 }
 
 void ContourCorners::motion(Action& action, End end) {
   const auto& m = std::get<Motion>(action.what);
   const ContourData* const c = contour_of(m);
-  std::optional<Start> start = Start{in_plane(at_.work, m), {}, 0, false};
-  if (held_) start = join(action, end);
+  std::optional<Start> start = Start{in_plane(now_.at.work, m), {}, 0, false};
+  if (now_.held) start = join(action, end);
   else if (is_over_determined(c)) fail(AlarmId::contour_no_intersection, action.origin);
   if (!fault_ && is_shaped(c) && !alone_in_plane(m)) fail(AlarmId::corner_illegal, action.origin);
-  at_.take(m);
+  now_.at.take(m);
   if (fault_) return;
   const bool waits = end == End::open || is_shaped(c) || is_way(c);
   if (!waits && c == nullptr && start->cut == 0 && !start->calculated) {
@@ -103,7 +103,7 @@ void ContourCorners::motion(Action& action, End end) {
     return;
   }
   const Vec2 programmed = in_plane(m.to, m);
-  held_ = Held{std::move(action), *start, programmed};
+  now_.held = Held{std::move(action), *start, programmed};
   if (!waits) release();
 }
 
@@ -113,14 +113,14 @@ std::optional<ContourCorners::Start> ContourCorners::join(const Action& action, 
   const ContourData *const own = contour_of(held()), *const its = contour_of(m);
   const bool same_plane = is_element(m) && m.first == held().first && m.second == held().second;
   const bool calculated = is_over_determined(its) && same_plane;
-  if (is_shaped(own) && !(same_plane && alone_in_plane(m))) return failed(AlarmId::corner_illegal, held_->action.origin);
-  if (is_way(own) && !calculated) return failed(AlarmId::contour_no_intersection, held_->action.origin);
+  if (is_shaped(own) && !(same_plane && alone_in_plane(m))) return failed(AlarmId::corner_illegal, now_.held->action.origin);
+  if (is_way(own) && !calculated) return failed(AlarmId::contour_no_intersection, now_.held->action.origin);
   if (is_over_determined(its) && !calculated) return failed(AlarmId::contour_no_intersection, action.origin);
-  Start start{held_->end, {}, 0, calculated};
+  Start start{now_.held->end, {}, 0, calculated};
   if (calculated) {
-    const auto first = support_of(held(), held_->start.corner, held_->end), second = support_of(m, {}, in_plane(m.to, m));
+    const auto first = support_of(held(), now_.held->start.corner, now_.held->end), second = support_of(m, {}, in_plane(m.to, m));
     const auto corner = first ? calculated_corner(*first, *second, {its->farther, its->mirrored}) : std::nullopt;
-    if (!corner) return failed(AlarmId::contour_no_intersection, held_->action.origin);
+    if (!corner) return failed(AlarmId::contour_no_intersection, now_.held->action.origin);
     start.corner = *corner;
   }
   CornerElement nothing;
@@ -129,7 +129,7 @@ std::optional<ContourCorners::Start> ContourCorners::join(const Action& action, 
     let_go(start.corner, nothing, Certainty::certain);
   } else {
     const auto second = element_from(start.corner, m, end);
-    if (!second) return failed(AlarmId::corner_illegal, held_->action.origin);
+    if (!second) return failed(AlarmId::corner_illegal, now_.held->action.origin);
     const bool open = end == End::open || is_way(its);
     const auto inserted = element_at(start.corner, *second, open ? End::open : End::programmed);
     if (!inserted) return std::nullopt;
@@ -161,24 +161,25 @@ std::optional<ContourElement> ContourCorners::element_from(Vec2 corner, const Mo
 std::optional<CornerElement> ContourCorners::element_at(Vec2 corner, const ContourElement& second, End end) {
   const ContourData& own = *contour_of(held());
   const auto first = held_element(corner);
-  if (first && !is_circular(*first)) return failed(AlarmId::corner_illegal, held_->action.origin);
-  if (!first) return failed(AlarmId::corner_too_large, held_->action.origin);
+  if (first && !is_circular(*first)) return failed(AlarmId::corner_illegal, now_.held->action.origin);
+  if (!first) return failed(AlarmId::corner_too_large, now_.held->action.origin);
   CornerElement nothing;
   nothing.from = nothing.to = corner;
   if (own.rounding > 0 && meet_smoothly(*first, second)) return nothing;
   const double there = second.is_arc ? 1 : std::numeric_limits<double>::infinity();
   const CornerRoom room{whole_way(*first), end == End::open ? there : whole_way(second)};
   const auto inserted = own.rounding > 0 ? rounding(*first, second, own.rounding, room) : chamfer(*first, second, own.chamfer);
-  if (!inserted || !(inserted->second_way <= room.second + slack(second))) return failed(AlarmId::corner_too_large, held_->action.origin);
+  if (!inserted || !(inserted->second_way <= room.second + slack(second)))
+    return failed(AlarmId::corner_too_large, now_.held->action.origin);
   return inserted;
 }
 
 /// The held motion up to an end point; nothing: a line of no length.
 std::optional<ContourElement> ContourCorners::held_element(Vec2 end) const {
-  const auto& m = std::get<Motion>(held_->action.what);
-  const Start& start = held_->start;
+  const auto& m = std::get<Motion>(now_.held->action.what);
+  const Start& start = now_.held->start;
   if (is_arc(m.kind)) {
-    const bool programmed = !start.calculated && end == held_->end;
+    const bool programmed = !start.calculated && end == now_.held->end;
     const double turns = programmed ? m.turns : calculated_turns(start.corner, end, m.center, sense_of(m));
     return ContourElement::arc(start.corner, end, m.center, sense_of(m) * turns);
   }
@@ -188,24 +189,24 @@ std::optional<ContourElement> ContourCorners::held_element(Vec2 end) const {
 /// The held motion ends at the corner, or where something is inserted there; what waits comes after that.
 void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certainty certainty) {
   const auto element = held_element(corner);
-  const Start& start = held_->start;
+  const Start& start = now_.held->start;
   const bool backwards = element && start.cut > 0 && !element->is_arc && dot(element->start, start.direction) < 0;
   const double way = element && !backwards ? whole_way(*element) : 0, tolerance = element ? slack(*element) : tol::same_point;
   if (!(start.cut <= way + tolerance) && start.cut > 0) {
-    settled_.clear();
-    fail(AlarmId::corner_too_large, settled_origin_);
+    now_.settled.clear();
+    fail(AlarmId::corner_too_large, now_.settled_origin);
     return;
   }
   const double taken = start.cut + inserted.first_way, rest = way - taken;
-  if (taken > 0 && !(rest >= -tolerance)) return fail(AlarmId::corner_too_large, held_->action.origin);
-  for (Action& action : settled_) out_.add() = std::move(action);
-  settled_.clear();
-  if (certainty == Certainty::settled_later) settled_origin_ = held_->action.origin;
-  Action last = std::move(held_->action);
+  if (taken > 0 && !(rest >= -tolerance)) return fail(AlarmId::corner_too_large, now_.held->action.origin);
+  for (Action& action : now_.settled) out_.add() = std::move(action);
+  now_.settled.clear();
+  if (certainty == Certainty::settled_later) now_.settled_origin = now_.held->action.origin;
+  Action last = std::move(now_.held->action);
   auto& m = std::get<Motion>(last.what);
   without_contour(m);
-  shift_in_plane(m, m.first, m.second, inserted.from - held_->end, at_.turn.get());
-  if (corner != held_->end || taken > 0) m.named |= AxisMask{1} << m.first | AxisMask{1} << m.second;
+  shift_in_plane(m, m.first, m.second, inserted.from - now_.held->end, now_.at.turn.get());
+  if (corner != now_.held->end || taken > 0) m.named |= AxisMask{1} << m.first | AxisMask{1} << m.second;
   if (is_arc(m.kind)) m.turns = std::max(rest, 0.0);
   const bool used_up = taken > 0 && rest <= tolerance && m.side_step == SideStep::none;
   if (length(inserted.to - inserted.from) <= tol::same_point) {
@@ -215,9 +216,9 @@ void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certaint
     if (!used_up) hand_on(std::move(last), certainty);
     hand_on(std::move(between), certainty);
   }
-  for (Action& action : waiting_) hand_on(std::move(action), certainty);
-  waiting_.clear();
-  held_.reset();
+  for (Action& action : now_.waiting) hand_on(std::move(action), certainty);
+  now_.waiting.clear();
+  now_.held.reset();
 }
 
 /// The chamfer or rounding as a motion of the block before it: its feed, side and tool.
@@ -228,27 +229,27 @@ Action ContourCorners::shaped_like(const Action& before, const CornerElement& in
   m.center = inserted.center;
   m.turns = std::fabs(inserted.turns);
   m.side_step = SideStep::none;
-  shift_in_plane(m, m.first, m.second, inserted.to - inserted.from, at_.turn.get());
+  shift_in_plane(m, m.first, m.second, inserted.to - inserted.from, now_.at.turn.get());
   return action;
 }
 
 void ContourCorners::hand_on(Action action, Certainty certainty) {
-  if (certainty == Certainty::settled_later) settled_.push_back(std::move(action));
+  if (certainty == Certainty::settled_later) now_.settled.push_back(std::move(action));
   else out_.add() = std::move(action);
 }
 
 /// Nothing calculates the held motion's end: it is the programmed one.
 void ContourCorners::release() {
   CornerElement nothing;
-  nothing.from = nothing.to = held_->end;
-  let_go(held_->end, nothing, Certainty::certain);
+  nothing.from = nothing.to = now_.held->end;
+  let_go(now_.held->end, nothing, Certainty::certain);
 }
 
 /// Nothing follows that a corner could go to. Before an alarm the programmed corner is left; a line without an end is not begun.
 void ContourCorners::finish(Follows follows) {
-  if (!held_) return;
+  if (!now_.held) return;
   const ContourData* const c = contour_of(held());
-  const Origin origin = held_->action.origin;
+  const Origin origin = now_.held->action.origin;
   if (follows == Follows::nothing && is_shaped(c)) return fail(AlarmId::corner_illegal, origin);
   if (follows == Follows::nothing && is_way(c)) return fail(AlarmId::contour_no_intersection, origin);
   if (is_way(c)) drop();
@@ -257,10 +258,10 @@ void ContourCorners::finish(Follows follows) {
 
 /// The held motion is not carried out.
 void ContourCorners::drop() {
-  for (Action& action : settled_) out_.add() = std::move(action);
-  settled_.clear();
-  waiting_.clear();
-  held_.reset();
+  for (Action& action : now_.settled) out_.add() = std::move(action);
+  now_.settled.clear();
+  now_.waiting.clear();
+  now_.held.reset();
 }
 
 void ContourCorners::fail(AlarmId id, const Origin& origin) {
@@ -280,7 +281,7 @@ bool ContourCorners::alone_in_plane(const Motion& m) const {
   for (std::size_t i = 0; m.detail && i < m.detail->followers.size(); ++i)
     if (const Follower& f = m.detail->followers[i]; (in_it >> f.master & 1U) != 0) in_it |= AxisMask{1} << f.axis;
   for (std::size_t i = 0; i < max_axes; ++i)
-    if ((in_it >> i & 1U) == 0 && !(std::fabs(m.to[i] - at_.work[i]) <= tol::same_point)) return false;
+    if ((in_it >> i & 1U) == 0 && !(std::fabs(m.to[i] - now_.at.work[i]) <= tol::same_point)) return false;
   return true;
 }
 

@@ -19,7 +19,7 @@ class ContourCorners {
   enum class Follows : std::uint8_t { more, nothing, alarm };
 
   /// `start`: where the tool stands before the first action.
-  explicit ContourCorners(const ToolPosition& start) : at_(start) {}
+  explicit ContourCorners(const ToolPosition& start) { now_.at = start; }
 
   /// Takes a batch; leaves in it what can be said by now.
   ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), at the block before the corner:
@@ -44,6 +44,19 @@ class ContourCorners {
     Vec2 end;  // programmed
   };
 
+ public:
+  /// What it remembers from batch to batch.
+  struct Memory {
+    ToolPosition at;  // programmed, after the last action taken
+    std::optional<Held> held{};
+    std::vector<Action> waiting{};  // between the held motion and the next one
+    std::vector<Action> settled{};  // before the held motion: they wait for its length
+    Origin settled_origin{};        // of the block with the corner among them
+  };
+  const Memory& memory() const { return now_; }
+  void remember(const Memory& memory) { now_ = memory; }
+
+ private:
   void put_back(ActionBatch& batch);
   std::size_t untouched(const ActionBatch& batch, Follows follows) const;
   void follow(const ActionBatch& batch, std::size_t from, std::size_t end);
@@ -61,16 +74,12 @@ class ContourCorners {
   void drop();
   void fail(AlarmId id, const Origin& origin);
   std::nullopt_t failed(AlarmId id, const Origin& origin);
-  const Motion& held() const { return std::get<Motion>(held_->action.what); }
+  const Motion& held() const { return std::get<Motion>(now_.held->action.what); }
   bool alone_in_plane(const Motion& m) const;
 
   static constexpr std::size_t most_waiting = 64;  // actions between two motions; the NCT's is not known
 
-  ToolPosition at_;  // programmed, after the last action taken
-  std::optional<Held> held_;
-  std::vector<Action> waiting_;  // between the held motion and the next one
-  std::vector<Action> settled_;  // before the held motion: they wait for its length
-  Origin settled_origin_;        // of the block with the corner among them
+  Memory now_;
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
 };

@@ -34,25 +34,25 @@ JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second,
 }  // namespace
 
 void RadiusCompensation::drop() {
-  for (; count_ > 0; drop_first()) held(0).waiting.clear();
-  zero_.reset();
-  corner_.reset();
-  stand_ = at_;
-  (void)watch_.end();
-  astray_ = true;
+  for (; now_.count > 0; drop_first()) held(0).waiting.clear();
+  now_.zero.reset();
+  now_.corner.reset();
+  now_.stand = now_.at;
+  (void)now_.watch.end();
+  now_.astray = true;
 }
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
   warnings_.clear();
-  if (count_ == 0 && !zero_ && !beside()) {  // mostly: nothing to do but to know where the tool stands
+  if (now_.count == 0 && !now_.zero && !beside()) {  // mostly: nothing to do but to know where the tool stands
     bool any = false;
     for (const Action& action : batch) {
       if (const auto* const m = std::get_if<Motion>(&action.what)) any = any || m->side != 0;
       else any = any || std::holds_alternative<ContourCheck>(action.what);
     }
     if (!any) {
-      for (const Action& action : batch) at_.take(action);
-      stand_ = at_;
+      for (const Action& action : batch) now_.at.take(action);
+      now_.stand = now_.at;
       return std::nullopt;
     }
   }
@@ -64,7 +64,7 @@ std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bo
   }
   if (!fault_ && last) flush({});
   if (last && !fault_) end_watch();
-  astray_ = astray_ || last;
+  now_.astray = now_.astray || last;
   std::swap(batch, out_);
   if (fault_) drop();
   return fault_;
@@ -81,25 +81,25 @@ void RadiusCompensation::next(Action& action) {
   if (std::holds_alternative<ContourCorner>(action.what)) return corner(action);
   if (const auto* const check = std::get_if<ContourCheck>(&action.what)) {
     flush({});
-    check_ = *check;
+    now_.check = *check;
     return;
   }
   if (auto* const frame = std::get_if<FrameChange>(&action.what)) return frame_change(action, *frame);
-  at_.take(action);
-  if (count_ == 0) hand_out(std::move(action));
+  now_.at.take(action);
+  if (now_.count == 0) hand_out(std::move(action));
   else wait(std::move(action));
 }
 
 /// A length does not touch the path; where the zero moves, an offset that the program may leave by itself (`entry`) stays.
 void RadiusCompensation::frame_change(Action& action, FrameChange& frame) {
-  const bool stays = length(in_plane(frame.work) - in_plane(at_.work)) <= tol::same_point && frame.placement.turn == at_.turn;
-  if (!keeps_vector_) flush(Vec2{});
+  const bool stays = length(in_plane(frame.work) - in_plane(now_.at.work)) <= tol::same_point && frame.placement.turn == now_.at.turn;
+  if (!now_.keeps_vector) flush(Vec2{});
   else if (!stays) flush({});
   if (fault_) return;
-  at_.take(frame);
-  if (count_ > 0) return wait(std::move(action));
-  stand_.take(frame);
-  if (keeps_vector_) shift(frame);
+  now_.at.take(frame);
+  if (now_.count > 0) return wait(std::move(action));
+  now_.stand.take(frame);
+  if (now_.keeps_vector) shift(frame);
   out_.add() = std::move(action);
 }
 
@@ -113,27 +113,27 @@ void RadiusCompensation::motion(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool ends = m.side_step == SideStep::ends;
   if ((m.side == 0 && !ends) || !in_contour(m)) return outside_contour(action);
-  first_ = m.first;
-  second_ = m.second;
-  keeps_vector_ = m.entry != ContourEntry::by_corner;
-  const Vec2 way = in_plane(m.to) - in_plane(at_.work);
+  now_.first = m.first;
+  now_.second = m.second;
+  now_.keeps_vector = m.entry != ContourEntry::by_corner;
+  const Vec2 way = in_plane(m.to) - in_plane(now_.at.work);
   if (length(way) > tol::same_point || is_arc(m.kind)) return contour(action);
-  const bool named = (m.named & (AxisMask{1} << first_ | AxisMask{1} << second_)) != 0;
+  const bool named = (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) != 0;
   if (named && ends) {
     leave();
-    at_.take(m);
+    now_.at.take(m);
     hand_out(std::move(action));
-  } else if (named && !keeps_vector_) {  // zero displacement (15.5.1, 15.5.2): the way to the next vector is its own
+  } else if (named && !now_.keeps_vector) {  // zero displacement (15.5.1, 15.5.2): the way to the next vector is its own
     flush({});
-    at_.take(m);
-    zero_ = std::move(action);
-  } else if (count_ > 0) {
-    at_.take(m);
+    now_.at.take(m);
+    now_.zero = std::move(action);
+  } else if (now_.count > 0) {
+    now_.at.take(m);
     wait(std::move(action));
   } else {
-    at_.take(m);
-    stand_.take(m);
-    shift(m, vector_);
+    now_.at.take(m);
+    now_.stand.take(m);
+    shift(m, now_.vector);
     out_.add() = std::move(action);
   }
 }
@@ -141,42 +141,42 @@ void RadiusCompensation::motion(Action& action) {
 /// A motion that is no part of the contour: to the programmed point, but for the axes of the plane where it leaves them alone.
 void RadiusCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
-  const bool stays = m.side != 0 && (m.named & (AxisMask{1} << first_ | AxisMask{1} << second_)) == 0;
-  if (keeps_vector_) flush({});
+  const bool stays = m.side != 0 && (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) == 0;
+  if (now_.keeps_vector) flush({});
   else flush(Vec2{});
   if (fault_) return;
-  at_.take(m);
-  stand_.take(m);
-  if (stays) shift(m, vector_);
-  else vector_ = {};
+  now_.at.take(m);
+  now_.stand.take(m);
+  if (stays) shift(m, now_.vector);
+  else now_.vector = {};
   out_.add() = std::move(action);
 }
 
 void RadiusCompensation::contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
-  ContourElement& element = held(count_).element;  // of the place it will be held at
+  ContourElement& element = held(now_.count).element;  // of the place it will be held at
   made_in(element, [&] { return element_of(m); });
   if (element.start == Vec2{}) {
-    const double way = length(in_plane(m.to) - in_plane(at_.work));
+    const double way = length(in_plane(m.to) - in_plane(now_.at.work));
     return fault(alarm(AlarmId::compensation_entry_short, {}, way, m.tool_radius), action.origin);
   }
   const Vec2 beside = m.tool_radius * side_normal(element.start, m.side);
-  Vec2 start = vector_;
-  if (count_ > 0 && corner_) {
+  Vec2 start = now_.vector;
+  if (now_.count > 0 && now_.corner) {
     const Motion before = last_held().motion;
-    const Origin origin = std::exchange(corner_, std::nullopt)->origin;
+    const Origin origin = std::exchange(now_.corner, std::nullopt)->origin;
     flush({});
     if (!fault_) round(beside, origin, before.kind == MotionKind::rapid ? m : before);
     start = beside;
-  } else if (count_ > 0) {
+  } else if (now_.count > 0) {
     join(m, element);
     const JunctionVectors& end = last_held().end;
     start = end.count > 0 ? end.last() : beside;
-  } else if (zero_) {
-    const auto& like = std::get<Motion>(zero_->what);
-    if (like.side_step == SideStep::none) watch_step(vector_, beside, m, zero_->origin, {});
-    step(beside, like, zero_->origin);
-    zero_.reset();
+  } else if (now_.zero) {
+    const auto& like = std::get<Motion>(now_.zero->what);
+    if (like.side_step == SideStep::none) watch_step(now_.vector, beside, m, now_.zero->origin, {});
+    step(beside, like, now_.zero->origin);
+    now_.zero.reset();
     start = beside;
   } else if (m.side_step == SideStep::begun) {
     step(beside, m, action.origin);
@@ -186,28 +186,28 @@ void RadiusCompensation::contour(Action& action) {
 }
 
 void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec2 start_vector) {
-  Held& now = held(count_++);
+  Held& now = held(now_.count++);
   now.motion = std::move(std::get<Motion>(action.what));
   now.origin = action.origin;
   if (&now.element != &element) now.element = element;  // blocks between have been dropped
   now.start_vector = start_vector;
   now.end.count = 0;
   now.rejoins = now.regular = false;
-  at_.take(now.motion);
+  now_.at.take(now.motion);
   watch_last();
   if (now.motion.side_step == SideStep::ends) {
     flush(Vec2{});
     end_watch();
   }
-  while (!fault_ && count_ >= looked_at()) release_first();
+  while (!fault_ && now_.count >= looked_at()) release_first();
 }
 
 /// G39: with a direction of its own at once; else when the next motion is known.
 void RadiusCompensation::corner(Action& action) {
-  if (count_ == 0) return;
+  if (now_.count == 0) return;
   const auto& way = std::get<ContourCorner>(action.what).way;
   if (!way) {
-    corner_ = std::move(action);
+    now_.corner = std::move(action);
     return;
   }
   const Motion before = last_held().motion;
@@ -217,23 +217,23 @@ void RadiusCompensation::corner(Action& action) {
 
 /// Nothing follows in the plane: the last held motion ends with this vector, by default perpendicular to its end.
 void RadiusCompensation::flush(std::optional<Vec2> vector) {
-  if (zero_) {
-    auto& m = std::get<Motion>(zero_->what);
-    stand_.take(m);
-    shift(m, vector.value_or(vector_));
-    out_.add() = std::move(*zero_);
-    zero_.reset();
-    vector_ = vector.value_or(vector_);
+  if (now_.zero) {
+    auto& m = std::get<Motion>(now_.zero->what);
+    now_.stand.take(m);
+    shift(m, vector.value_or(now_.vector));
+    out_.add() = std::move(*now_.zero);
+    now_.zero.reset();
+    now_.vector = vector.value_or(now_.vector);
   }
-  if (count_ == 0 || fault_) return;
+  if (now_.count == 0 || fault_) return;
   Held& last = last_held();
   last.end = single(vector.value_or(last.motion.tool_radius * side_normal(last.element.end, last.motion.side)));
-  while (!fault_ && count_ > 0) release_first();
+  while (!fault_ && now_.count > 0) release_first();
 }
 
 /// G40 without a motion in the plane: beside the end of the last block, then straight to its point (15.5.3).
 void RadiusCompensation::leave() {
-  if (count_ == 0) return flush(Vec2{});
+  if (now_.count == 0) return flush(Vec2{});
   const Motion like = last_held().motion;
   const Origin origin = last_held().origin;
   std::vector<Action> behind = std::exchange(last_held().waiting, {});
@@ -248,18 +248,18 @@ void RadiusCompensation::leave() {
 void RadiusCompensation::stay() {
   flush({});
   if (fault_) return;
-  for (ToolPosition* const position : {&at_, &stand_})
+  for (ToolPosition* const position : {&now_.at, &now_.stand})
     for (Axes* const axes : {&position->work, &position->machine}) {
-      (*axes)[first_] += vector_.x;
-      (*axes)[second_] += vector_.y;
+      (*axes)[now_.first] += now_.vector.x;
+      (*axes)[now_.second] += now_.vector.y;
     }
-  vector_ = {};
+  now_.vector = {};
   end_watch();
 }
 
 /// What the motion is to its neighbours. Without a direction: it cannot begin compensation, the point lies within the tool.
 ContourElement RadiusCompensation::element_of(const Motion& m) const {
-  const Vec2 from = in_plane(at_.work), to = in_plane(m.to);
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (m.side_step == SideStep::begins && m.entry == ContourEntry::tangent) {
     const auto way = entry_direction(to - from, m.tool_radius, m.side);
     return way ? ContourElement::line(to - *way, to) : ContourElement();
@@ -275,8 +275,8 @@ void RadiusCompensation::join(const Motion& next, const ContourElement& second) 
   first.regular = vectors && first.watched && first.motion.side == next.side && first.motion.tool_radius == next.tool_radius &&
                   next.side_step == SideStep::none && next.kind != MotionKind::rapid && gentle(first.element, second);
   if (vectors) {
-    first.end = check_.least_step > 0 ? without_short_steps(*vectors, check_.least_step) : *vectors;
-  } else if (!check_.interference) {
+    first.end = now_.check.least_step > 0 ? without_short_steps(*vectors, now_.check.least_step) : *vectors;
+  } else if (!now_.check.interference) {
     const bool inside = corner_of(first.element.end, second.start, first.motion.side) == Corner::inside;
     fault(alarm(inside ? AlarmId::compensation_no_intersection : AlarmId::compensation_corner_sharp, {}), first.origin);
   }
@@ -290,9 +290,9 @@ std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next
   const double radius = m.tool_radius, side = m.side;
   if (radius == 0) return single({});
   const bool begins = m.side_step == SideStep::begins, ends = next.side_step == SideStep::ends;
-  if (keeps_vector_ && ends) return single(radius * side_normal(first.end, side));
-  if (keeps_vector_ && begins && m.entry == ContourEntry::normal) return single(radius * side_normal(second.start, side));
-  if (keeps_vector_ && next.side == m.side) return joined(first, second, radius, side, join_of(m, next));
+  if (now_.keeps_vector && ends) return single(radius * side_normal(first.end, side));
+  if (now_.keeps_vector && begins && m.entry == ContourEntry::normal) return single(radius * side_normal(second.start, side));
+  if (now_.keeps_vector && next.side == m.side) return joined(first, second, radius, side, join_of(m, next));
   if (const auto& way = direction_of(m); begins && way) {
     const ContourElement in = ContourElement::line(first.to - *way, first.to);
     return meeting(offset_at_end(in, radius, side), offset_at_start(second, radius, side), first.to,

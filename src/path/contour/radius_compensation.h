@@ -28,7 +28,7 @@ struct CompensationFault {
 class RadiusCompensation {
  public:
   /// `start`: where the tool stands before the first action.
-  explicit RadiusCompensation(const ToolPosition& start) : at_(start), stand_(start) {}
+  explicit RadiusCompensation(const ToolPosition& start) { now_.at = now_.stand = start; }
 
   /// Takes a batch; leaves in it what can be said by now. `last`: nothing follows.
   ///   alarms  compensation_no_intersection (nct 2047), compensation_interference (2049), compensation_buffer (2090),
@@ -41,15 +41,18 @@ class RadiusCompensation {
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
   /// A contour is under way, after what was handed out.
-  bool at_work() const { return count_ > 0 || beside(); }
+  bool at_work() const { return now_.count > 0 || beside(); }
 
   /// The tool does not stand on the programmed point, after what was handed out.
-  bool beside() const { return dot(vector_, vector_) > tol::same_point * tol::same_point; }
+  bool beside() const { return dot(now_.vector, now_.vector) > tol::same_point * tol::same_point; }
 
   /// What is held is not carried out after all.
   void drop();
 
  private:
+  static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's is not known
+  static constexpr std::size_t most_held = 16;     // 3 + 8 of N1404 (15.5.7), and the one that comes; a power of two
+
   /// A motion of the contour, and what stands between it and the next.
   struct Held {
     Motion motion;
@@ -64,6 +67,29 @@ class RadiusCompensation {
     std::vector<Action> waiting{};  // after it
   };
 
+ public:
+  /// What it remembers from batch to batch.
+  struct Memory {
+    ToolPosition at;     // programmed, after the last action taken
+    ToolPosition stand;  // programmed, after what was handed out
+    std::size_t first = 0, second = 1;
+    bool keeps_vector = false;  // as on controls with a ContourEntry of their own: only the program's motions lead back to the contour
+    Vec2 vector;                // from the programmed point to the tool's centre, after what was handed out
+    std::array<Held, most_held> window;
+    std::size_t head = 0, count = 0;
+    Motion round_first;  // the motion before an arc about the programmed point
+    ContourCheck check;
+    std::optional<Action> corner;  // G39 waits for the next motion
+    std::optional<Action> zero;    // a block of no displacement in the plane, its way is to the next vector
+    ContourWatch watch;
+    double radius_before = 0;    // of the motion handed out last, mm
+    bool regular_start = false;  // the first of the window begins where such a junction ended
+    bool astray = false;         // after an alarm or an end: nothing is known of the contour until it begins anew
+  };
+  const Memory& memory() const { return now_; }
+  void remember(const Memory& memory) { now_ = memory; }
+
+ private:
   // what comes in
   void next(Action& action);
   void frame_change(Action& action, FrameChange& frame);
@@ -98,36 +124,19 @@ class RadiusCompensation {
   void watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known);
   void end_watch();
 
-  Vec2 in_plane(const Axes& axes) const { return {axes[first_], axes[second_]}; }
+  Vec2 in_plane(const Axes& axes) const { return {axes[now_.first], axes[now_.second]}; }
   void fault(const Alarm& alarm, const Origin& origin) { fault_ = CompensationFault{alarm, origin}; }
 
   // the window
-  Held& held(std::size_t i) { return window_[(head_ + i) % window_.size()]; }
-  Held& last_held() { return held(count_ - 1); }
-  void drop_first() { head_ = (head_ + 1) % window_.size(), --count_; }
-  std::size_t looked_at() const { return check_.interference ? 3U + check_.further : 2U; }
+  Held& held(std::size_t i) { return now_.window[(now_.head + i) % now_.window.size()]; }
+  Held& last_held() { return held(now_.count - 1); }
+  void drop_first() { now_.head = (now_.head + 1) % now_.window.size(), --now_.count; }
+  std::size_t looked_at() const { return now_.check.interference ? 3U + now_.check.further : 2U; }
 
-  static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's is not known
-  static constexpr std::size_t most_held = 16;     // 3 + 8 of N1404 (15.5.7), and the one that comes; a power of two
-
-  ToolPosition at_;     // programmed, after the last action taken
-  ToolPosition stand_;  // programmed, after what was handed out
-  std::size_t first_ = 0, second_ = 1;
-  bool keeps_vector_ = false;  // as on controls with a ContourEntry of their own: only the program's motions lead back to the contour
-  Vec2 vector_;                // from the programmed point to the tool's centre, after what was handed out
-  std::array<Held, most_held> window_;
-  std::size_t head_ = 0, count_ = 0;
+  Memory now_;
   std::array<CompensatedBlock, most_held> blocks_;
-  Motion round_first_;  // the motion before an arc about the programmed point
-  ContourCheck check_;
-  std::optional<Action> corner_;  // G39 waits for the next motion
-  std::optional<Action> zero_;    // a block of no displacement in the plane, its way is to the next vector
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
-  ContourWatch watch_;
-  double radius_before_ = 0;    // of the motion handed out last, mm
-  bool regular_start_ = false;  // the first of the window begins where such a junction ended
-  bool astray_ = false;         // after an alarm or an end: nothing is known of the contour until it begins anew
   std::vector<CompensationFault> warnings_;
 };
 

@@ -26,6 +26,12 @@ class Compression {
   /// What is held back is not carried out: its block was taken back.
   void drop() { held_.reset(), stop_.reset(); }
 
+  struct Memory {
+    std::optional<Action> held, stop;
+  };
+  Memory memory() const { return {held_, stop_}; }
+  void remember(const Memory& memory) { held_ = memory.held, stop_ = memory.stop; }
+
  private:
   void join(Action& action);
   void let_out();

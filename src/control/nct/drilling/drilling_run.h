@@ -19,7 +19,7 @@ Status over_hole(Interpreter& m, std::size_t drill);
 double tapping_rpm(const Interpreter& m);
 
 /// Operations 2 … 10 of the first pass and all of the others that L asks for. Nothing fails in it that check_drilling has let pass.
-class DrillingRun final : public Running {
+class DrillingRun final : public RunningValue<DrillingRun> {
  public:
   /// What the program and the parameters say about one block. Levels: programmed, mm.
   struct Job {

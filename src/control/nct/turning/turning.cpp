@@ -182,7 +182,7 @@ Status simple_thread(Interpreter& m, const Call& call) {
 }
 
 /// G70.7: the blocks of the contour are carried out as they stand (19.A 6).
-class FinishingRun final : public Running {
+class FinishingRun final : public RunningValue<FinishingRun> {
  public:
   FinishingRun(Position first, Position behind, std::uint32_t name) : first_(first), behind_(behind), name_(name) {}
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double most_steps = 1e6;
 
-class GrooveRun final : public Running {
+class GrooveRun final : public RunningValue<GrooveRun> {
  public:
   /// deep: the axis of the pecks; across: that of the places. Coordinates programmed, mm.
   struct Job {

@@ -112,7 +112,7 @@ class Profile {
   std::vector<ContourPiece> pieces_;
 };
 
-class RoughRun final : public Running {
+class RoughRun final : public RunningValue<RoughRun> {
  public:
   RoughRun(Contour contour, Profile profile, Vec2 allowance, const TurningMemory& data)
       : contour_(std::move(contour)), profile_(std::move(profile)), allowance_(allowance), depth_(data.depth), back_(data.back) {}
@@ -175,7 +175,7 @@ class RoughRun final : public Running {
 };
 
 /// The whole contour `passes` times, nearer each time.
-class PatternRun final : public Running {
+class PatternRun final : public RunningValue<PatternRun> {
  public:
   PatternRun(Contour contour, Vec2 allowance, Vec2 relief, std::uint32_t passes)
       : contour_(std::move(contour)), allowance_(allowance), relief_(relief), passes_(passes) {}

@@ -30,7 +30,7 @@ Status cut_thread(Interpreter& m, Vec2 to, double lead, double angle) {
 }
 
 /// Passes of a compound thread: depths Δ1·√n, steps of at least `least`, up to the height less the allowance, then the finishing passes.
-class ThreadRun final : public Running {
+class ThreadRun final : public RunningValue<ThreadRun> {
  public:
   struct Job {
     Vec2 start, target;  // the target lies at the root of the thread

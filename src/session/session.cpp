@@ -1,0 +1,144 @@
+// Session: opening, going on, snapshot. For cli, fuzz, bench and whoever embeds Kadr; tested by tests/session.
+
+#include "session/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "motion/look_ahead/control_speed.h"
+#include "session/plc_commands.h"
+
+namespace kadr {
+
+struct SessionSnapshot::Content {
+  std::optional<ChannelRun::Memory> alone;
+  std::optional<Plc> plc;
+  std::optional<Channels::Memory> together;
+  std::vector<std::optional<Planned::Memory>> planned;
+  Session::State state = Session::State::running;
+};
+
+Session::Session(SessionSpec spec) : spec_(std::move(spec)) {}
+Session::~Session() = default;
+
+tl::expected<std::unique_ptr<Session>, ChannelsFault> Session::open(SessionSpec spec) {
+  auto session = std::unique_ptr<Session>(new Session(std::move(spec)));  // the constructor is private
+  auto channels = open_channels(*session->spec_.control, session->spec_.setup, std::move(session->spec_.program), session->spec_.limits);
+  if (!channels) return tl::unexpected(std::move(channels.error()));
+  session->channels_ = std::move(*channels);
+  const auto is_own = [&](const Channel& channel) { return channel.number == session->spec_.setup.channel; };
+  session->own_ =
+      static_cast<std::size_t>(std::find_if(session->channels_.begin(), session->channels_.end(), is_own) - session->channels_.begin());
+  session->outlets_.own.resize(session->channels_.size());
+  session->planned_.resize(session->channels_.size());
+  for (Outlets& outlets : session->outlets_.own) {
+    outlets.warning = [](const AlarmReport&) {};
+    outlets.alarm = [](const AlarmReport&) { return false; };
+    outlets.stop = session->spec_.limits.stop;
+  }
+  return session;
+}
+
+std::optional<SpeedRules> Session::look_ahead() {
+  if (channels_.size() != 1) return std::nullopt;
+  const Control& control = *channels_.front().control;
+  SpeedRules rules = speed_rules(channels_.front().setup, control.axes(), spec_.machine);
+  if (control.has_machine_parameters()) obey_parameters(rules, channels_.front().setup, control.axes());
+  else rules.blend = spec_.machine.tolerance;  // INFERRED: of all that state no limit at corners
+  if (rules.in_force) rules_ = rules;
+  return rules_;
+}
+
+Planned& Session::plan(std::size_t channel, const StopToken& stop) {
+  const Channel& of = channels_[channel];
+  planned_[channel] = std::make_unique<Planned>(of, spec_.machine, of.control->tool_position(), stop);
+  return *planned_[channel];
+}
+
+/// The rooms are put together when it is known who looks.
+void Session::begin() {
+  begun_ = true;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (!planned_[i]) continue;
+    outlets_.own[i].step = [look = std::move(outlets_.own[i].step), planned = planned_[i].get()](const Step& step) {
+      if (look) look(step);
+      planned->consume(step);
+    };
+  }
+  if (channels_.size() > 1) {
+    channels_run_ = std::make_unique<Channels>(channels_, spec_.machine, spec_.setup, outlets_);
+    return;
+  }
+  Channel& only = channels_.front();
+  logic_.emplace(Logic{Plc(spec_.setup.events), {only.control.get()}});
+  alone_ = std::make_unique<ChannelRun>(*only.control, spec_.machine, only.setup, outlets_.own.front(), *logic_);
+  if (rules_) alone_->look_ahead(*rules_);
+}
+
+Session::State Session::end(ChannelRun::State state) {
+  if (state == ChannelRun::State::ended) apply(logic_->plc.program_end(), *channels_.front().control, logic_->channels);
+  alone_->finish();
+  return state == ChannelRun::State::ended ? State::ended : State::stopped;
+}
+
+Session::State Session::go_on() {
+  if (!begun_) begin();
+  if (state_ == State::ended || state_ == State::stopped) return state_;
+  const ChannelRun::State state = alone_ ? alone_->step() : channels_run_->step();
+  switch (state) {
+    case ChannelRun::State::running:
+    case ChannelRun::State::waiting: return state_ = State::running;
+    case ChannelRun::State::held: return state_ = State::held;
+    case ChannelRun::State::stopped:
+    case ChannelRun::State::ended: break;
+  }
+  if (alone_) return state_ = end(state);
+  const auto& all = channels_run_->stopped();
+  const bool stood = std::any_of(all.begin(), all.end(), [](const Stopped& s) { return s.report.has_value(); });
+  return state_ = stood ? State::stopped : State::ended;
+}
+
+Session::State Session::run() {
+  State state = State::running;
+  while (state == State::running) state = go_on();
+  return state;
+}
+
+const Stopped& Session::stopped(std::size_t channel) const {
+  static const Stopped not_yet;
+  if (!begun_) return not_yet;
+  return alone_ ? alone_->stopped() : channels_run_->stopped()[channel];
+}
+
+double Session::waited(std::size_t channel) const { return channels_run_ ? channels_run_->waited(channel) : 0; }
+
+std::optional<SessionSnapshot> Session::snapshot() {
+  if (!begun_) begin();
+  auto now = std::make_shared<SessionSnapshot::Content>();
+  now->state = state_;
+  if (alone_) {
+    now->plc = logic_->plc;
+    if (!(now->alone = alone_->memory())) return std::nullopt;
+  } else if (!(now->together = channels_run_->memory())) {
+    return std::nullopt;
+  }
+  for (const auto& planned : planned_) now->planned.push_back(planned ? std::optional(planned->memory()) : std::nullopt);
+  return SessionSnapshot(std::move(now));
+}
+
+Status Session::restore(const SessionSnapshot& from) {
+  if (!begun_) begin();
+  const SessionSnapshot::Content& then = from.content();
+  if (alone_) {
+    KADR_TRY(alone_->remember(*then.alone));
+    logic_->plc = *then.plc;
+  } else {
+    KADR_TRY(channels_run_->remember(*then.together));
+  }
+  for (std::size_t i = 0; i < planned_.size(); ++i)
+    if (planned_[i] && then.planned[i]) planned_[i]->remember(*then.planned[i]);
+  state_ = then.state;
+  return {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,124 @@
+#pragma once
+// Session: a program being run, or those of all channels of a machine. The one door for whoever runs programs: cli, page, debugger,
+// library (design.md 9).
+//
+//   auto session = Session::open({control, machine, setup, program, limits});
+//   (*session)->outlets().step = [](const Step& step) { … };                    // who looks
+//   while ((*session)->go_on() == Session::State::running) {}
+//
+//   program ─▶ ChannelRun (control → path → machine) ─▶ Steps ─▶ outlets ─▶ LookAhead ─▶ outlets, in the machine's time
+//                                                            └─▶ Planned: axes in time, samples
+//
+// All that decides how it goes on is a value: snapshot(), restore().
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "config/machine_profile.h"
+#include "config/setup.h"
+#include "control/control.h"
+#include "session/channels.h"
+#include "session/planned.h"
+
+namespace kadr {
+
+/// What is run, and on what.
+struct SessionSpec {
+  std::shared_ptr<const ControlDef> control;
+  MachineProfile machine;
+  Setup setup;
+  Program program;
+  RunLimits limits{};  // its `stop` ends a run
+};
+
+/// Copies share what they hold.
+class SessionSnapshot {
+ public:
+  struct Content;
+  explicit SessionSnapshot(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+  const Content& content() const { return *content_; }
+
+ private:
+  std::shared_ptr<const Content> content_;
+};
+
+class Session {
+ public:
+  /// A key of the set-up that the control has not: told.
+  static tl::expected<std::unique_ptr<Session>, ChannelsFault> open(SessionSpec spec);
+  ~Session();
+  Session(const Session&) = delete;  // its rooms point to each other
+  Session& operator=(const Session&) = delete;
+
+  // ---- what it is made of
+  const ControlDef& def() const { return *spec_.control; }
+  const MachineProfile& machine() const { return spec_.machine; }
+  const Setup& setup() const { return spec_.setup; }
+  /// All channels, in the order of their numbers.
+  std::vector<Channel>& channels() { return channels_; }
+  const std::vector<Channel>& channels() const { return channels_; }
+  /// The program's own channel.
+  std::size_t own() const { return own_; }
+  Control& control() { return *channels_[own_].control; }
+  const Control& control() const { return *channels_[own_].control; }
+
+  // ---- who looks: before the first go_on()
+  Outlets& outlets(std::size_t channel) { return outlets_.own[channel]; }
+  Outlets& outlets() { return outlets(own_); }
+  ChannelOutlets& together() { return outlets_; }
+  /// The steps get the time that the machine takes, where something limits the speed: Outlets::timed. Of a channel alone.
+  ///   returns  the rules; nothing: the programmed times hold
+  std::optional<SpeedRules> look_ahead();
+  /// The axes in time by the planner of least time.
+  Planned& plan(std::size_t channel, const StopToken& stop = {});
+  Planned* planned(std::size_t channel) { return planned_[channel].get(); }
+  /// Of several channels: this step is shown when its time has come.
+  void show(std::size_t channel, const Step& step) { channels_run_->show(channel, step); }
+
+  // ---- going on
+  enum class State : std::uint8_t {
+    running,
+    held,     // before a block, by Control::holds_before
+    stopped,  // by an alarm: stopped() tells
+    ended,
+  };
+  /// Carries out as much as is handed over at once: some dozen actions of the only channel, a block of the one whose time is lowest.
+  State go_on();
+  /// Until it stands.
+  State run();
+  /// How a channel came to its end.
+  const Stopped& stopped(std::size_t channel) const;
+  const Stopped& stopped() const { return stopped(own_); }
+  /// s in which a channel has waited for others.
+  double waited(std::size_t channel) const;
+
+  // ---- snapshot
+  /// All that decides how it goes on, between two calls of go_on(); not what the outlets have made of it, but for the planner's.
+  /// Nothing while a probe is waited for.
+  std::optional<SessionSnapshot> snapshot();
+  /// Goes on from there; `from` may be of another session of the same program, control, machine, set-up and outlets.
+  ///   alarms  those of Control::restore()
+  Status restore(const SessionSnapshot& from);
+
+ private:
+  explicit Session(SessionSpec spec);
+  void begin();
+  State end(ChannelRun::State state);
+
+  SessionSpec spec_;
+  std::vector<Channel> channels_;
+  std::size_t own_ = 0;
+  ChannelOutlets outlets_;
+  std::vector<std::unique_ptr<Planned>> planned_;
+  std::optional<SpeedRules> rules_;
+  bool begun_ = false;
+  // one channel alone, or …
+  std::optional<Logic> logic_;
+  std::unique_ptr<ChannelRun> alone_;
+  // … several
+  std::unique_ptr<Channels> channels_run_;
+  State state_ = State::running;
+};
+
+}  // namespace kadr
