@@ -152,6 +152,7 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   language_option(*app, c.options.lang);
   add_run(*app, c);
   add_check(*app, c);
+  add_debug(*app, c);
   add_explain(*app, c);
   add_lists(*app, c);
   add_setup(*app, c);

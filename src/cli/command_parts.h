@@ -5,8 +5,9 @@
 
 namespace kadr::cli {
 
-/// run, check, setup (program_commands.cpp).
+/// run, debug, check, setup (program_commands.cpp).
 void add_run(CLI::App& app, Commands& commands);
+void add_debug(CLI::App& app, Commands& commands);
 void add_check(CLI::App& app, Commands& commands);
 void add_setup(CLI::App& app, Commands& commands);
 /// mill (mill_command.cpp).

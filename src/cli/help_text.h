@@ -20,6 +20,7 @@ std::string whole_name(const CLI::App& command);
 /// Examples and exit status of a command, as told().
 std::string run_examples();
 std::string check_examples();
+std::string debug_examples();
 std::string explain_examples();
 std::string controls_examples();
 std::string machines_examples();

@@ -27,6 +27,7 @@ namespace {
 
 int perform(const CLI::App& app, const Commands& commands) {
   if (app.got_subcommand("run")) return run(commands.options);
+  if (app.got_subcommand("debug")) return debug(commands.options);
   if (app.got_subcommand("check")) return check(commands.options);
   if (app.got_subcommand("explain")) return explain(commands.explain);
   if (app.got_subcommand("setup")) return write_setup(commands.setup);

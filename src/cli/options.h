@@ -43,6 +43,7 @@ struct Options {
   std::uint32_t program = 0;             // number of one on a tape with several; 0: the first, of check all
   bool optional_stop = false;
   bool quiet = false;
+  std::string from, to;  // LINE[:PASS], LINE; empty: from the beginning, to the end
   RunLimits limits;
   std::vector<std::string> tools, zeros, correctors;  // laid over the set-up: "1:r8,l100", "G54=X-400", "17=-0.35"
 };
@@ -53,6 +54,7 @@ Lang language(const Options& options);
 void complain(const std::string& text);
 
 int run(const Options& options);
+int debug(const Options& options);
 int check(const Options& options);
 
 struct ExplainOptions {

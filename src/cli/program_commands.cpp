@@ -123,6 +123,32 @@ void picture_options(CLI::App& run, Options& o) {
                                  "график скорости, ускорения и рывка во времени: файл .svg или .png")));
 }
 
+/// What a run gives, and the part of the program that it is.
+void result_options(CLI::App& run, Options& o) {
+  takes_file(run.add_option("--trace", o.trace,
+                            told("every action as a line of JSON, to a file or - for stdout",
+                                 "протокол: каждое действие строкой JSON, в файл или - на стандартный вывод")));
+  takes_file(
+      run.add_option("--state", o.state,
+                     told("file that keeps offsets, #500-#999, tool life, parameters from run to run (nct)",
+                          "файл, где от прогона к прогону хранятся корректоры, #500–#999, стойкость инструмента и параметры (nct)")));
+  takes(run.add_option("--files", o.files,
+                       told("folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: it writes nothing)",
+                            "папка для того, что пишет сама УП (FOPEN, DPRNT …); вне её ничего (по умолчанию УП ничего не пишет)")),
+        "DIR", "ПАПКА");
+  sample_options(run, o);
+  picture_options(run, o);
+  run.add_flag("--why", o.why,
+               told("the ten lines that lose most time against their feed, and the limit that costs it",
+                    "десять строк, теряющих больше всего времени против своей подачи, и предел, из-за которого оно теряется"));
+  takes(run.add_option(
+            "--from", o.from,
+            told("begin with this line of the program, what is before it silently: LINE, or LINE:PASS where it comes several times",
+                 "начать с этой строки УП, пройдя предыдущее молча: СТРОКА или СТРОКА:ПРОХОД, если она встречается не раз")),
+        "LINE[:PASS]", "СТРОКА[:ПРОХОД]");
+  takes(run.add_option("--to", o.to, told("end after this line of the program", "закончить после этой строки УП")), "LINE", "СТРОКА");
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, Commands& c) {
@@ -130,23 +156,17 @@ void add_run(CLI::App& app, Commands& c) {
       app.add_subcommand("run", told("carry a program out: summary, trace, picture", "отработать УП: сводка, протокол, чертёж"));
   program_argument(*run, c.options);
   program_options(*run, c.options);
-  takes_file(run->add_option("--trace", c.options.trace,
-                             told("every action as a line of JSON, to a file or - for stdout",
-                                  "протокол: каждое действие строкой JSON, в файл или - на стандартный вывод")));
-  takes_file(
-      run->add_option("--state", c.options.state,
-                      told("file that keeps offsets, #500-#999, tool life, parameters from run to run (nct)",
-                           "файл, где от прогона к прогону хранятся корректоры, #500–#999, стойкость инструмента и параметры (nct)")));
-  takes(run->add_option("--files", c.options.files,
-                        told("folder for what the program itself writes (FOPEN, DPRNT …); nothing outside it (default: it writes nothing)",
-                             "папка для того, что пишет сама УП (FOPEN, DPRNT …); вне её ничего (по умолчанию УП ничего не пишет)")),
-        "DIR", "ПАПКА");
-  sample_options(*run, c.options);
-  picture_options(*run, c.options);
-  run->add_flag("--why", c.options.why,
-                told("the ten lines that lose most time against their feed, and the limit that costs it",
-                     "десять строк, теряющих больше всего времени против своей подачи, и предел, из-за которого оно теряется"));
+  result_options(*run, c.options);
   run->footer(run_examples());
+}
+
+void add_debug(CLI::App& app, Commands& c) {
+  CLI::App* const debug = app.add_subcommand("debug", told("carry a program out step by step, by commands on standard input",
+                                                           "отрабатывать УП по шагам, командами со стандартного ввода"));
+  program_argument(*debug, c.options);
+  program_options(*debug, c.options);
+  result_options(*debug, c.options);
+  debug->footer(debug_examples());
 }
 
 void add_check(CLI::App& app, Commands& c) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "cli/drive.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
@@ -50,11 +51,12 @@ bool writes_to_terminal(const Options& options) { return (options.trace == "-" |
 
 class RunCommand {
  public:
-  RunCommand(const Options& options, const Job& job, Session& session, const Outputs& outputs)
+  RunCommand(const Options& options, const Job& job, Session& session, Drive& drive, const Outputs& outputs)
       : options_(options),
         job_(job),
         lang_(language(options)),
         session_(session),
+        drive_(drive),
         channels_(session.channels()),
         outputs_(outputs),
         progress_(options.quiet || writes_to_terminal(options)) {
@@ -97,7 +99,7 @@ class RunCommand {
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
     erase_bar();  // the summary may go to the same terminal
-    if (!options_.quiet) print_summary();
+    if (!options_.quiet && drive_.wants_summary()) print_summary();
     if (options_.why) print_why();
     if (!written) return wrong_usage;
     const bool stood = std::any_of(stopped.begin(), stopped.end(), [](const Stopped& s) { return s.report.has_value(); });
@@ -132,7 +134,8 @@ class RunCommand {
     } else if (!channels_.front().control->may_read_clock()) {
       outlets.clock = nullptr;  // nobody reads the summary
     }
-    (void)session_.run();
+    session_.change_outlets();
+    drive_.carry_out(session_);
   }
 
   void run_together() {
@@ -150,7 +153,7 @@ class RunCommand {
         view.show(step);
       };
     }
-    (void)session_.run();
+    drive_.carry_out(session_);
     for (std::size_t i = 0; i < channels_.size(); ++i) views_[i]->waited = session_.waited(i);
     if (views_[writes]->trace) views_[writes]->trace->flush();
   }
@@ -254,6 +257,7 @@ class RunCommand {
   const Job& job_;
   const Lang lang_;
   Session& session_;
+  Drive& drive_;
   const std::vector<Channel>& channels_;
   const Outputs& outputs_;
   Progress progress_;
@@ -286,7 +290,7 @@ Outputs outputs_of(const Options& options, const Job& job) {
 
 }  // namespace
 
-int run(const Options& options) {
+int run_by(const Options& options, Drive& drive) {
   const std::string& file = options.programs.front();
   if (!can_draw("--plot", options.plot) || !can_draw("--plot-speed", options.plot_speed)) return wrong_usage;
   if (!options.colour.empty() && options.plot.empty())
@@ -309,11 +313,17 @@ int run(const Options& options) {
   if (!session || !outputs.open()) return wrong_usage;
   std::string state_fault;
   if (state_file) save_changes(*state_file, session->control(), state_fault);
-  const Exit exit = RunCommand(options, *job, *session, outputs).run();
+  if (const auto nothing = drive.begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
+  const Exit exit = RunCommand(options, *job, *session, drive, outputs).run();
   tell_unwritten(options, session->channels());
   if (interrupted()) return interrupted_status();
   if (exit == wrong_usage || !state_fault.empty() || !outputs.keep(files_read(session->channels()))) return wrong_usage;
   return exit;
+}
+
+int run(const Options& options) {
+  auto drive = drive_of(options);
+  return drive ? run_by(options, *drive) : wrong_usage;
 }
 
 }  // namespace kadr::cli

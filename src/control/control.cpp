@@ -59,6 +59,10 @@ void Control::refused() {
   release();
 }
 void Control::set_waiting(Waiting waiting) { interpreter_->waiting.mode = waiting; }
+void Control::note_lines(LineMarks* marks, std::uint64_t most) {
+  interpreter_->line_marks = marks;
+  interpreter_->most_unseen = most;
+}
 bool Control::in_block() const { return interpreter_->in_block(); }
 void Control::enter(const std::string& line) {
   interpreter_->block = &interpreter_->first_block;  // that of the line before is going
@@ -67,6 +71,8 @@ void Control::enter(const std::string& line) {
 bool Control::in_entered() const { return interpreter_->flow.in_entered(); }
 Result<double> Control::evaluate(std::string_view expression) const { return interpreter_->value_of(expression); }
 std::vector<AlarmReport::Call> Control::calls() const { return interpreter_->calls(); }
+std::vector<InForce> Control::in_force() const { return interpreter_->in_force(); }
+std::size_t Control::plane_normal() const { return interpreter_->modal.axes.normal; }
 BlockState Control::state_now() const { return interpreter_->state_now(); }
 const std::optional<Control::Meeting>& Control::meeting() const { return interpreter_->waiting.meeting; }
 void Control::release() { interpreter_->waiting.meeting.reset(); }

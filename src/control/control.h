@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "action/action.h"
+#include "action/in_force.h"
 #include "action/tool_position.h"
 #include "base/file_id.h"
 #include "base/stop.h"
@@ -29,6 +30,7 @@ namespace kadr {
 using WrittenFiles = std::map<std::string, std::uint64_t>;
 
 class Interpreter;   // control/interpreter.h
+class LineMarks;     // control/state/line_marks.h
 class MachineSide;   // control/dialect.h
 class SharedMemory;  // control/shared_memory.h
 
@@ -52,6 +54,9 @@ class Control {
   /// Asked before each block that has been read; true: it is not carried out now, and read once more by the next run(). The control may
   /// be asked for anything meanwhile, but for what it is asked about in the middle of a block.
   std::function<bool(const Origin&)> holds_before;
+  /// From now on the lines that blocks are carried out of are noted there, while the control stands still (RunAhead::settle) to be looked
+  /// at; after so many of them without actions run() returns. nullptr: no more.
+  void note_lines(LineMarks* marks, std::uint64_t most);
   /// A block has been begun and is not over: a cycle goes on, something waits for its end.
   bool in_block() const;
   /// The operator enters a line (MDI): it is carried out next, in the present state; after it the program goes on where it stood.
@@ -64,8 +69,11 @@ class Control {
   Result<double> evaluate(std::string_view expression) const;
   /// Calls and repetitions that are open, the outermost first.
   std::vector<AlarmReport::Call> calls() const;
+  /// Axis of the normal of the plane in force.
+  std::size_t plane_normal() const;
   /// What is in force, all blocks so far carried out.
   BlockState state_now() const;
+  std::vector<InForce> in_force() const;
 
   /// All that decides how the run goes on; nothing while a probe is waited for. What the program has read from standard input or written
   /// into files is not in it, nor what refused() brings back.

@@ -39,7 +39,8 @@ Control::State Interpreter::run(ActionBatch& to) {
     emit(frame_change());
     if (modal.surface_speed) emit(surface_speed());
   }
-  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty()) && !stop_.asked()) {
+  const std::uint64_t until = line_marks != nullptr ? flow.blocks() + most_unseen : ~std::uint64_t{0};
+  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty()) && !stop_.asked() && flow.blocks() < until) {
     if (waiting.meeting) return Control::State::waiting;
     if (cycling()) {
       if (const Status status = next_of_cycle(); !status) fail_with(status.error());
@@ -81,6 +82,8 @@ Control::State Interpreter::run(ActionBatch& to) {
         return Control::State::held;
       }
     }
+    if (line_marks != nullptr) [[unlikely]]
+      line_marks->note(flow.in_body() ? std::uint16_t{1} : origin.file, origin.line);
     if (motion_run_.is_on()) {
       if (got && motion_run_.take(*this)) [[likely]] {
         if (block_states_) block_states_->note(origin.number, *this);

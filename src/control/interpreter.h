@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "action/in_force.h"
 #include "base/units.h"
 #include "config/setup_file.h"
 #include "control/block/motion_run.h"
@@ -19,6 +20,7 @@
 #include "control/flow/flow.h"
 #include "control/state/block_states.h"
 #include "control/state/journal.h"
+#include "control/state/line_marks.h"
 #include "control/state/run_memory.h"
 #include "control/state/snapshot.h"
 #include "control/state/state.h"
@@ -108,6 +110,7 @@ class Interpreter : public ControlState, public RunMemory {
   /// Calls and repetitions that are open, the outermost first.
   std::vector<AlarmReport::Call> calls() const;
   BlockState state_now() const;
+  std::vector<InForce> in_force();
   /// A cycle of the block is being carried out.
   bool cycling() const { return cycle_run.active() || ellipse_run.active() || running != nullptr; }
   /// Every value within the limits of its address.
@@ -237,6 +240,8 @@ class Interpreter : public ControlState, public RunMemory {
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   std::function<void(const Origin&, bool)>* on_block = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
+  LineMarks* line_marks = nullptr;
+  std::uint64_t most_unseen = 0;  // blocks that run() carries out without being looked at, where lines are noted
   std::function<void(const StateChanges&)>* on_changes = nullptr;
 
  private:

@@ -41,7 +41,7 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
       least_most_(rates_.least_most()),
       clock_(outlets.clock) {
   control.on_warning = [this](const AlarmReport& warning) {
-    if (!(ahead_ && ahead_->keep(warning))) outlets_.warning(warning);
+    if (!(ahead_ && ahead_->keep(warning))) warn(warning);
   };
   if (control.has_machine_parameters()) machine_.obey_parameters(setup);
   control.on_signal = [this](const std::string& name, bool on) { machine_.set_signal(name, on); };
@@ -76,19 +76,19 @@ Control::State ChannelRun::next_batch() {
     RunAhead::Batch next = std::move(to_come_.front());
     to_come_.pop_front();
     batch_ = std::move(next.actions);
-    for (const AlarmReport& warning : next.warnings) outlets_.warning(warning);
+    for (const AlarmReport& warning : next.warnings) warn(warning);
     return next.state;
   }
   if (ahead_ && ahead_->is_going()) {
     const Control::State state = ahead_->take(batch_, early_warnings_);
-    for (const AlarmReport& warning : early_warnings_) outlets_.warning(warning);
+    for (const AlarmReport& warning : early_warnings_) warn(warning);
     return state;
   }
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
   const Control::State state = control_.run(batch_);
   // It pays only where the rooms after the control have about as much to do: else handing over costs more than it saves.
-  const bool pays = outlets_.works_long || compensation_.at_work();
+  const bool pays = (outlets_.works_long || compensation_.at_work()) && !control_.holds_before;
   if (ahead_ && pays && state == Control::State::running && !control_.hands_over_each_block()) ahead_->start();
   return state;
 }
@@ -99,11 +99,26 @@ Control& ChannelRun::settled() {
   return control_;
 }
 
-ChannelRun::State ChannelRun::step() {
-  const Control::State state = next_batch();
+void ChannelRun::warn(const AlarmReport& warning) {
+  if (!outlets_.silent) outlets_.warning(warning);
+}
+
+ChannelRun::State ChannelRun::step() { return take(next_batch()); }
+
+ChannelRun::State ChannelRun::let_out() {
+  batch_.clear();
+  const State state = take(Control::State::ended);
+  finish();
+  return state;
+}
+
+/// What the control has handed over goes through the rooms after it.
+ChannelRun::State ChannelRun::take(Control::State state) {
+  if (!ahead_ || !ahead_->is_going()) blocks_ = control_.blocks();
+  else if (!batch_.empty()) blocks_ = batch_.back().origin.number;
   const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();  // then control_ is settled() only
   const auto corner_fault = corners_.take(batch_, behind(state));             // path: calculated corners, roundings
-  if (outlets_.programmed)
+  if (outlets_.programmed && !outlets_.silent)
     for (const Action& action : batch_) outlets_.programmed(action);
   const auto fault = compensation_.take(batch_, corner_fault || !goes_on(state));  // path: the tool's radius
   ToolPosition before = machine_.position();
@@ -126,7 +141,7 @@ ChannelRun::State ChannelRun::step() {
   for (const CompensationFault& cut : compensation_.warnings()) {
     AlarmReport report = settled().report_for(cut.alarm, cut.origin);
     report.other = settled().line_at(cut.other);
-    outlets_.warning(report);
+    warn(report);
   }
   if (!goes_on_after(fault) || !goes_on_after(corner_fault)) return State::stopped;
   if (state == Control::State::stopped || (!is_ahead && control_.is_stopped())) {
@@ -159,6 +174,18 @@ bool ChannelRun::goes_on_after(const std::optional<CompensationFault>& fault) {
   stopped_.machine_stood = machine_.position();
   stopped_.report = report;
   return false;
+}
+
+void ChannelRun::change_clock() {
+  const double at = now();
+  if (outlets_.clock != nullptr && clock_ != outlets_.clock) {
+    if (clock_ != nullptr) *outlets_.clock = *clock_;
+    clock_ = outlets_.clock;
+    own_clock_.reset();
+  }
+  if (clock_ != nullptr) clock_->start_over();
+  now_.goes_on_at = at;
+  now_.spent_then = 0;
 }
 
 void ChannelRun::look_ahead(const SpeedRules& rules) {
@@ -224,7 +251,7 @@ void ChannelRun::wait_until(double at) {
 ///   from  before the batch
 void ChannelRun::hand_out(ToolPosition from) {
   const auto watched = [this](const Action& action) { return is_suspect(action); };
-  const bool looks_on = outlets_.step || outlets_.timed || clock_ != nullptr;
+  const bool looks_on = ((outlets_.step || outlets_.timed) && !outlets_.silent) || clock_ != nullptr;
   if (!looks_on && (now_.too_fast_told || std::none_of(batch_.begin(), batch_.end(), watched))) return;
   Steps steps(machine_.roles(), std::move(from), clock_);
   for (const Action& action : batch_) give(steps, action);
@@ -238,6 +265,7 @@ void ChannelRun::show(const Action& action) {
 void ChannelRun::give(Steps& steps, const Action& action) {
   const double begins = outlets_.step && clock_ != nullptr ? now() : 0;
   steps.give(action, begins, [this](const Step& step) {
+    if (outlets_.silent) return;
     const bool moves = step.motion() != nullptr;  // another tool, only when all motions of the one before are through
     if (moves && outlets_.step) outlets_.step(step);
     if (look_ahead_) look_ahead_->consume(step);
@@ -260,7 +288,7 @@ void ChannelRun::watch_feed(const Step& step) {
   const SlowestAxis slowest = slowest_axis(step.roles, step.curve(), motion, rates_.most);
   if (!(slowest.minutes > step.curve().length(motion.along) / motion.feed * (1 + rounding))) return;
   const Alarm told = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
-  outlets_.warning(settled().report_for(told, step.action.origin));
+  warn(settled().report_for(told, step.action.origin));
   now_.too_fast_told = true;
 }
 

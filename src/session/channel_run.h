@@ -53,6 +53,7 @@ struct Outlets {
   std::function<bool()> writable{};                 // all that was handed over could be written; missing: nothing is written
   StopToken stop{};                                 // asked after each batch
   bool works_long = false;                          // on each step: writes or draws it
+  bool silent = false;                              // steps and warnings are not handed over: the program is only looked through
 };
 
 /// How a run came to its end.
@@ -95,8 +96,18 @@ class ChannelRun {
   /// From here on Outlets::timed gets what these rules make of the steps. Of a channel alone: several wait for each other by their
   /// programmed times, and their speeds are not planned.
   void look_ahead(const SpeedRules& rules);
-  /// Nothing follows: what is held back to see ahead is let out.
+  /// Nothing follows: what the rooms hold back to see ahead is let out, as if the program ended here.
+  ///   returns  stopped  by an alarm of theirs
+  State let_out();
   void finish();
+  /// Blocks that the control has carried out, as far as the rooms after it have come.
+  std::uint64_t blocks() const { return blocks_; }
+  /// Where the machine stands.
+  const ToolPosition& position() const { return machine_.position(); }
+  /// From here on the clock of the outlets counts; it goes on as the one before stood, but for the times spent so far.
+  void change_clock();
+  /// The alarm that stopped it is answered for: it may go on.
+  void acknowledge() { stopped_ = {}; }
 
   /// What is remembered from step to step, its own.
   struct Clocks {
@@ -125,6 +136,8 @@ class ChannelRun {
 
  private:
   Control::State next_batch();
+  State take(Control::State state);
+  void warn(const AlarmReport& warning);
   Control& settled();
   void hand_out(ToolPosition from);
   void give(Steps& steps, const Action& action);
@@ -154,6 +167,7 @@ class ChannelRun {
   std::deque<RunAhead::Batch> to_come_;      // of a snapshot: the control is ahead by them
   std::vector<AlarmReport> early_warnings_;  // of the batch taken last
   unsigned steps_ = 0;
+  std::uint64_t blocks_ = 0;
   Stopped stopped_;
 };
 

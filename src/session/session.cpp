@@ -31,6 +31,7 @@ tl::expected<std::unique_ptr<Session>, ChannelsFault> Session::open(SessionSpec 
       static_cast<std::size_t>(std::find_if(session->channels_.begin(), session->channels_.end(), is_own) - session->channels_.begin());
   session->outlets_.own.resize(session->channels_.size());
   session->planned_.resize(session->channels_.size());
+  session->attached_.resize(session->channels_.size());
   for (Outlets& outlets : session->outlets_.own) {
     outlets.warning = [](const AlarmReport&) {};
     outlets.alarm = [](const AlarmReport&) { return false; };
@@ -51,20 +52,26 @@ std::optional<SpeedRules> Session::look_ahead() {
 
 Planned& Session::plan(std::size_t channel, const StopToken& stop) {
   const Channel& of = channels_[channel];
-  planned_[channel] = std::make_unique<Planned>(of, spec_.machine, of.control->tool_position(), stop);
+  planned_[channel] = std::make_unique<Planned>(of, spec_.machine, alone_ ? alone_->position() : of.control->tool_position(), stop);
+  attached_[channel] = false;
   return *planned_[channel];
 }
 
-/// The rooms are put together when it is known who looks.
-void Session::begin() {
-  begun_ = true;
+void Session::attach_planners() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    if (!planned_[i]) continue;
+    if (!planned_[i] || attached_[i]) continue;
+    attached_[i] = true;
     outlets_.own[i].step = [look = std::move(outlets_.own[i].step), planned = planned_[i].get()](const Step& step) {
       if (look) look(step);
       planned->consume(step);
     };
   }
+}
+
+/// The rooms are put together when it is known who looks.
+void Session::begin() {
+  begun_ = true;
+  attach_planners();
   if (channels_.size() > 1) {
     channels_run_ = std::make_unique<Channels>(channels_, spec_.machine, spec_.setup, outlets_);
     return;
@@ -102,6 +109,34 @@ Session::State Session::run() {
   State state = State::running;
   while (state == State::running) state = go_on();
   return state;
+}
+
+Session::State Session::stop_here() {
+  if (!begun_ || !alone_) return state_;
+  const ChannelRun::State state = alone_->let_out();
+  return state_ = state == ChannelRun::State::stopped ? State::stopped : State::ended;
+}
+
+void Session::acknowledge() {
+  if (control().is_stopped()) control().go_on();
+  if (alone_) alone_->acknowledge();
+  state_ = State::running;
+}
+
+void Session::enter(const std::string& line) {
+  if (!begun_) begin();
+  acknowledge();
+  control().enter(line);
+}
+
+ToolPosition Session::stand() const { return alone_ ? alone_->position() : control().tool_position(); }
+
+void Session::change_outlets() {
+  if (!begun_) return;
+  attach_planners();
+  if (!alone_) return;
+  alone_->change_clock();
+  if (rules_) alone_->look_ahead(*rules_);
 }
 
 const Stopped& Session::stopped(std::size_t channel) const {

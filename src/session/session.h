@@ -87,6 +87,19 @@ class Session {
   State go_on();
   /// Until it stands.
   State run();
+  /// Nothing more is to come: what the rooms hold back to see ahead is let out, as if the program ended here. Of a channel alone.
+  State stop_here();
+  /// The alarm that stopped it is answered for: it goes on with the next block, as after a reset of the control.
+  void acknowledge();
+  /// The operator enters a line (MDI): it is carried out next, also after the program's end or an alarm; then the program goes on.
+  ///   pre  held, stopped or ended; no block is open (Control::in_block)
+  void enter(const std::string& line);
+  /// Where the machine of a channel alone stands; of several: where its control is.
+  ToolPosition stand() const;
+  /// Who looks has changed in mid program: the outlets' clock counts from here, plan() and look_ahead() begin here.
+  void change_outlets();
+  /// Blocks that the control of a channel alone has carried out, as far as the rooms after it have come.
+  std::uint64_t blocks() const { return alone_ ? alone_->blocks() : control().blocks(); }
   /// How a channel came to its end.
   const Stopped& stopped(std::size_t channel) const;
   const Stopped& stopped() const { return stopped(own_); }
@@ -104,6 +117,7 @@ class Session {
  private:
   explicit Session(SessionSpec spec);
   void begin();
+  void attach_planners();
   State end(ChannelRun::State state);
 
   SessionSpec spec_;
@@ -113,6 +127,7 @@ class Session {
   std::vector<std::unique_ptr<Planned>> planned_;
   std::optional<SpeedRules> rules_;
   bool begun_ = false;
+  std::vector<bool> attached_;  // Session::planned_ gets the steps
   // one channel alone, or …
   std::optional<Logic> logic_;
   std::unique_ptr<ChannelRun> alone_;

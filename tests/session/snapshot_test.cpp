@@ -1,30 +1,18 @@
 // Session::snapshot() and restore(): whatever the place, a fresh session that goes on from there gives what the run gives that was never
 // stopped: the same trace, alarms and samples, byte for byte.
 
-#include <gtest/gtest.h>
-
-#include <cstdio>
-#include <cstdlib>
 #include <deque>
 #include <random>
 
-#include "config/control_file.h"
-#include "control/run_program.h"
-#include "out/trace/trace.h"
-#include "session/session.h"
-#include "some_programs.h"
+#include "session/a_session.h"
 
 namespace kadr {
 namespace {
 
-using test::Folder, test::Work;
+using test::Folder, test::Work, test::Written;
 
 constexpr std::size_t most_calls = 3000;  // of go_on()
 constexpr std::size_t most_alarms = 30;
-
-std::shared_ptr<const ControlDef> shared_control(const std::string& id) {
-  return {&test::control(id), [](const ControlDef*) {}};  // it lives as long as the tests
-}
 
 /// What is looked at, and how.
 struct Look {
@@ -33,36 +21,14 @@ struct Look {
   bool limits = false;       // the machine's: each block is handed over
 };
 
-/// What was written, in memory.
-class Written {
- public:
-  Written() : file_(::open_memstream(&text_, &size_)) {}
-  ~Written() {
-    std::fclose(file_);
-    std::free(text_);  // NOLINT: of open_memstream
-  }
-  Written(const Written&) = delete;
-  Written& operator=(const Written&) = delete;
-  std::FILE* file() const { return file_; }
-  std::string text() const {
-    std::fflush(file_);
-    return {text_, size_};
-  }
-
- private:
-  char* text_ = nullptr;
-  std::size_t size_ = 0;
-  std::FILE* file_;
-};
-
 /// A session and all that it gives.
 class Run {
  public:
   Run(const Work& work, Look look) {
     Setup setup = work.setup;
     if (look.limits && setup.machine.empty()) setup.machine["*"].limits = {-2000, 2000};
-    static const MachineProfile machine = load_machine("generic").value();
-    auto opened = Session::open({shared_control(work.id), machine, setup, {work.main_file, text_source(work.program), {}}, {20'000, 5}});
+    auto opened = Session::open(
+        {test::shared_control(work.id), test::generic_machine(), setup, {work.main_file, text_source(work.program), {}}, {20'000, 5}});
     if (!opened) return;
     session_ = std::move(*opened);
     if (session_->channels().size() == 1) session_->control().set_waiting(Control::Waiting::pass);

@@ -64,6 +64,8 @@ class TimeEstimate {
 
   void spindle(double rpm) { spindle_of(1).rpm = rpm; }
   const TimeSplit& split() const { return split_; }
+  /// Counts from zero; how the spindles turn is kept.
+  void start_over() { split_ = {}; }
 
  private:
   double& share_of(const Motion& motion);

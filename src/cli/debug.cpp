@@ -1,0 +1,299 @@
+// kadr debug: a program step by step, by commands on standard input, one a line. Tested by tests/debug.py.
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <deque>
+#include <iostream>
+#include <map>
+
+#include "cli/drive.h"
+#include "cli/stop.h"
+#include "cli/terminal.h"
+#include "config/told.h"
+#include "lang/expression/expression.h"
+#include "out/text/alarm_print.h"
+#include "out/text/in_force_text.h"
+
+namespace kadr::cli {
+namespace {
+
+/// A command line: its first word, and what follows.
+struct Said {
+  std::string word, rest;
+};
+
+Said split(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of(" \t\r");
+  if (begin == std::string::npos) return {};
+  const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
+  const std::size_t rest = line.find_first_not_of(" \t\r", end);
+  std::string after = rest == std::string::npos ? "" : line.substr(rest);
+  after.erase(after.find_last_not_of(" \t\r") + 1);
+  return {line.substr(begin, end - begin), after};
+}
+
+/// A whole number; nothing: it is none. Nothing written: `otherwise`.
+std::optional<std::uint32_t> count_of(const std::string& text, std::uint32_t otherwise) {
+  if (text.empty()) return otherwise;
+  if (text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  return static_cast<std::uint32_t>(std::stoul(text));
+}
+
+std::string commands_text() {
+  return told(
+      "  step [N]             N blocks, into calls          next [N]     N blocks, over calls\n"
+      "  finish               out of the call               continue     to the next breakpoint, or to the end\n"
+      "  until LINE[:PASS]    to a line                     back [N]     N commands of motion back\n"
+      "  break [FILE:]LINE [if CONDITION], break if CONDITION, break call NAME\n"
+      "  breaks               lists them                    delete N     takes one away\n"
+      "  print EXPRESSION     #100, R2, [#1+2]*3            watch EXPRESSION    the same after each stop; unwatch N\n"
+      "  where                the block and its calls       list [N]     N lines around it\n"
+      "  state                what is in force              mdi BLOCK    carries a block out now\n"
+      "  quit                 ends\n",
+      "  step [N]             N кадров, заходя в вызовы     next [N]     N кадров, не заходя в вызовы\n"
+      "  finish               до выхода из вызова           continue     до точки останова или до конца\n"
+      "  until СТРОКА[:ПРОХОД] до строки                    back [N]     на N команд движения назад\n"
+      "  break [ФАЙЛ:]СТРОКА [if УСЛОВИЕ], break if УСЛОВИЕ, break call ИМЯ\n"
+      "  breaks               их перечень                   delete N     убрать точку\n"
+      "  print ВЫРАЖЕНИЕ      #100, R2, [#1+2]*3            watch ВЫРАЖЕНИЕ     то же после каждого останова; unwatch N\n"
+      "  where                кадр и вызовы                 list [N]     N строк вокруг него\n"
+      "  state                что действует                 mdi КАДР     отработать кадр сейчас\n"
+      "  quit                 закончить\n");
+}
+
+class Debugger : public PartOfProgram {
+ public:
+  explicit Debugger(Part part) : PartOfProgram(part.from, part.to), begins_inside_(part.from.line != 0) {}
+
+  std::optional<Exit> begin(Session& session, const Job& job) override {
+    session_ = &session;
+    job_ = &job;
+    return PartOfProgram::begin(session, job);
+  }
+
+  void carry_out(Session&) override {
+    if (!begins_inside_) state_ = stepping().go(Stepping::How::block);
+    show();
+    const bool asks = ::isatty(STDIN_FILENO) != 0;
+    for (std::string line; !quit_ && !interrupted();) {
+      if (asks) fmt::print("(kadr) ");
+      std::fflush(stdout);
+      if (!std::getline(std::cin, line)) break;
+      obey(split(line));
+    }
+    if (state_ == Session::State::held) (void)session_->stop_here();
+    else finished_ = true;
+  }
+  bool wants_summary() const override { return finished_; }
+
+ private:
+  void obey(const Said& said) {
+    using How = Stepping::How;
+    const auto& [word, rest] = said;
+    if (word.empty() || word[0] == '#') return;  // a script may hold comments
+    if (word == "step" || word == "s") return move(How::block, rest);
+    if (word == "next" || word == "n") return move(How::over, rest);
+    if (word == "finish" || word == "f") return move(How::out, "");
+    if (word == "continue" || word == "c") return go_on();
+    if (word == "until" || word == "u") return until(rest);
+    if (word == "back") return back(rest);
+    if (word == "break" || word == "b") return add_break(rest);
+    if (word == "breaks") return list_breaks();
+    if (word == "delete" || word == "d") return remove(rest);
+    if (word == "print" || word == "p") return print(rest);
+    if (word == "watch" || word == "w") return watch(rest);
+    if (word == "unwatch") return unwatch(rest);
+    if (word == "where" || word == "bt") return where();
+    if (word == "list" || word == "l") return list(rest);
+    if (word == "state") return fmt::print("{}", in_force_text(session_->control().in_force(), job_->lang));
+    if (word == "mdi" || word == "m") return mdi(rest);
+    if (word == "quit" || word == "q") return void(quit_ = true);
+    if (word == "help" || word == "h" || word == "?") return fmt::print("{}", commands_text());
+    fmt::print("{}: {}\n", word, told("no such command (help lists them)", "такой команды нет (перечень: help)"));
+  }
+
+  bool is_held() const {
+    if (state_ == Session::State::held) return true;
+    fmt::print("{}\n", state_ == Session::State::ended
+                           ? told("the program is over", "УП закончена")
+                           : told("stopped by an alarm: back, mdi or quit", "остановлено ошибкой: back, mdi или quit"));
+    return false;
+  }
+
+  /// So that back() leads here.
+  void keep() {
+    constexpr std::size_t most = 200;
+    if (auto now = stepping().snapshot()) kept_.push_back(std::move(*now));
+    if (kept_.size() > most) kept_.pop_front();
+  }
+
+  void move(Stepping::How how, const std::string& times) {
+    const auto count = count_of(times, 1);
+    if (!count) return wrong(times);
+    if (!is_held()) return;
+    keep();
+    for (std::uint32_t i = 0; i < *count && state_ == Session::State::held && (i == 0 || stepping().hit() == 0); ++i)
+      state_ = stepping().go(how);
+    show();
+  }
+
+  void go_on() {
+    if (!is_held()) return;
+    keep();
+    state_ = to() != 0 ? stepping().go_past(to()) : stepping().go(Stepping::How::free);
+    show();
+  }
+
+  void until(const std::string& rest) {
+    const std::size_t colon = rest.find(':');
+    const auto line = count_of(rest.substr(0, colon), 0);
+    const auto pass = colon == std::string::npos ? std::optional(0U) : count_of(rest.substr(colon + 1), 0);
+    if (!line || *line == 0 || !pass) return wrong(rest);
+    if (!is_held()) return;
+    keep();
+    StopPoint target;
+    target.line = *line;
+    target.pass = *pass;
+    state_ = stepping().go_to(target);
+    show();
+  }
+
+  void back(const std::string& times) {
+    const auto count = count_of(times, 1);
+    if (!count || *count == 0) return wrong(times);
+    if (kept_.empty()) return fmt::print("{}\n", told("nothing to go back to", "возвращаться некуда"));
+    for (std::uint32_t i = 1; i < *count && kept_.size() > 1; ++i) kept_.pop_back();
+    const Status restored = stepping().restore(kept_.back());
+    kept_.pop_back();
+    if (!restored) return tell(restored.error(), "");
+    state_ = Session::State::held;
+    show();
+  }
+
+  void add_break(const std::string& text) {
+    StopPoint point;
+    std::string place = text;
+    if (const std::size_t at = text.starts_with("if ") ? 0 : text.find(" if "); at != std::string::npos) {
+      point.condition = text.substr(text.find("if ", at) + 3);
+      place = text.substr(0, at);
+    }
+    if (place.starts_with("call ")) {
+      point.call = place.substr(place.find_first_not_of(' ', 5));
+    } else if (!place.empty()) {
+      const std::size_t colon = place.rfind(':');
+      const auto line = count_of(colon == std::string::npos ? place : place.substr(colon + 1), 0);
+      if (!line || *line == 0) return wrong(text);
+      point.line = *line;
+      if (colon != std::string::npos) point.file = place.substr(0, colon);
+    } else if (point.condition.empty()) {
+      return wrong(text);
+    }
+    if (!point.condition.empty())
+      if (const auto holds = stepping().holds(point.condition); !holds) return tell(holds.error(), point.condition);
+    fmt::print("{} {}\n", told("breakpoint", "точка останова"), stepping().add(point));
+  }
+
+  void list_breaks() const {
+    for (const auto& [number, point] : const_cast<Debugger*>(this)->stepping().points()) {
+      std::string text;
+      if (!point.call.empty()) text = "call " + point.call;
+      else if (point.line != 0) text = point.file.empty() ? std::to_string(point.line) : fmt::format("{}:{}", point.file, point.line);
+      if (!point.condition.empty()) text += (text.empty() ? "if " : " if ") + point.condition;
+      fmt::print("{}  {}\n", number, text);
+    }
+  }
+
+  void remove(const std::string& text) {
+    const auto number = count_of(text, 0);
+    if (!number || !stepping().remove(*number)) wrong(text);
+  }
+
+  void print(const std::string& expression) {
+    const auto value = stepping().value(expression);
+    if (!value) return tell(value.error(), expression);
+    fmt::print("{} = {}\n", expression, is_vacant(*value) ? told("vacant", "пусто") : fmt::format("{:.12g}", *value));
+  }
+
+  void watch(const std::string& expression) {
+    if (const auto value = stepping().value(expression); !value) return tell(value.error(), expression);
+    watches_[watches_.empty() ? 1 : watches_.rbegin()->first + 1] = expression;
+    print(expression);
+  }
+
+  void unwatch(const std::string& text) {
+    const auto number = count_of(text, 0);
+    if (!number || watches_.erase(*number) == 0) wrong(text);
+  }
+
+  void where() {
+    if (stepping().next()) fmt::print("{}\n", place_text(stepping().line()));
+    const auto calls = session_->control().calls();
+    for (auto call = calls.rbegin(); call != calls.rend(); ++call)
+      fmt::print("  {} {} {}\n", call->what, told("called in line", "вызов в строке"), call->line);
+  }
+
+  void list(const std::string& text) {
+    const auto count = count_of(text, 11);
+    if (!count || *count == 0) return wrong(text);
+    const auto& next = stepping().next();
+    if (!next) return;
+    const std::uint32_t first = next->line > *count / 2 ? next->line - *count / 2 : 1;
+    std::set<std::uint32_t> wanted;
+    for (std::uint32_t i = 0; i < std::min(*count, 1000U); ++i) wanted.insert(first + i);
+    for (const auto& [line, shown] : session_->control().texts_of(wanted, next->file))
+      fmt::print("{} {:>5}  {}\n", line == next->line ? "▸" : " ", line, shown.substr(0, shown.find_last_not_of(" \t\r\n") + 1));
+  }
+
+  void mdi(const std::string& line) {
+    if (line.empty()) return wrong(line);
+    keep();
+    const Session::State done = stepping().enter(line);
+    if (state_ == Session::State::stopped) state_ = done;
+    if (stepping().next()) state_ = Session::State::held;
+    show();
+  }
+
+  /// Where it stands, and what is watched.
+  void show() {
+    if (interrupted()) return;
+    if (stepping().hit() != 0) fmt::print("{} {}\n", told("breakpoint", "точка останова"), stepping().hit());
+    if (stepping().next()) fmt::print("{}\n", place_text(stepping().line()));
+    else if (state_ == Session::State::ended) fmt::print("{}\n", told("the program is over", "УП закончена"));
+    for (const auto& [number, expression] : watches_) print(expression);
+  }
+
+  void wrong(const std::string& text) const { fmt::print("{}: {}\n", text, told("not understood (help)", "непонятно (help)")); }
+
+  /// An alarm of what was typed.
+  void tell(const Alarm& alarm, const std::string& typed) const {
+    AlarmReport report{alarm, told("command", "команда"), typed, {}, {}, {}};
+    report.origin.line = 1;
+    report.origin.column = alarm.where.begin + 1;
+    say(alarm_text(report, job_->texts(), job_->lang, colours()));
+  }
+
+  Session* session_ = nullptr;
+  const Job* job_ = nullptr;
+  const bool begins_inside_;
+  Session::State state_ = Session::State::held;
+  std::deque<Stepping::Memory> kept_;
+  std::map<std::size_t, std::string> watches_;
+  bool quit_ = false, finished_ = false;
+};
+
+}  // namespace
+
+int debug(const Options& options) {
+  if (options.programs.front() == "-")
+    return complain(told("debug: the program cannot come from standard input, the commands do",
+                         "debug: УП не может идти со стандартного ввода: оттуда идут команды")),
+           wrong_usage;
+  auto part = part_of(options);
+  if (!part) return wrong_usage;
+  Debugger debugger(std::move(*part));
+  return run_by(options, debugger);
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,38 @@
+#pragma once
+// LineMarks: which lines a run has come to, roughly: some dozen lines share a mark. Whoever looks for a line skips what has no mark for it.
+
+#include <array>
+#include <cstdint>
+
+namespace kadr {
+
+class LineMarks {
+ public:
+  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // a million lines have marks of their own; then they share them
+
+  void note(std::uint16_t file, std::uint32_t line) {
+    const std::uint32_t mark = mark_of(file, line);
+    bits_[mark / 64] |= std::uint64_t{1} << mark % 64;
+    ++blocks_;
+  }
+  /// False: it surely has not.
+  bool may_hold(std::uint16_t file, std::uint32_t line) const {
+    const std::uint32_t mark = mark_of(file, line);
+    return (bits_[mark / 64] >> mark % 64 & 1U) != 0;
+  }
+  /// Blocks noted.
+  std::uint64_t blocks() const { return blocks_; }
+  /// Both runs, one after the other.
+  void add(const LineMarks& other) {
+    for (std::size_t i = 0; i < bits_.size(); ++i) bits_[i] |= other.bits_[i];
+    blocks_ += other.blocks_;
+  }
+
+ private:
+  static std::uint32_t mark_of(std::uint16_t file, std::uint32_t line) { return (line / lines_a_mark + file * 7919U) % marks; }
+
+  std::array<std::uint64_t, marks / 64> bits_{};
+  std::uint64_t blocks_ = 0;
+};
+
+}  // namespace kadr

@@ -1,0 +1,58 @@
+#pragma once
+// Words as the text that one control reads, by its word formats.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/result.h"
+#include "config/control_def.h"
+
+namespace kadr {
+
+/// How the words of one address are written.
+class Words {
+ public:
+  Words(const ControlDef& def, char letter) : row_(def.address(letter)), format_(def.grammar.word(letter)), letter_(letter) {}
+
+  bool known() const { return format_.known; }
+  int decimals() const {
+    if (format_.implied || format_.fraction_digits > 0) return format_.fraction_digits;
+    return format_.whole_digits > 0 || (!format_.point && row_.whole) ? 0 : free_decimals;
+  }
+  double increment() const { return row_.scale * std::pow(10.0, -decimals()); }
+  double rounded(double value) const { return std::round(value / increment()) * increment(); }
+
+  /// The word of a value in mm, mm/min, …
+  Result<std::string> word(double value) const {
+    const double counts = std::round(value / increment());
+    const double most = format_.whole_digits > 0 ? std::pow(10.0, format_.whole_digits + decimals()) - 1 : 1e15;
+    if (!known() || !(std::abs(counts) <= most) || (counts < 0 && !format_.sign))
+      return fail(alarm(AlarmId::word_has_no_room, {}, letter_, value));
+    std::string digits = fmt::format("{:.0f}", std::abs(counts));
+    const auto fraction = static_cast<std::size_t>(decimals());
+    if (format_.point && !format_.implied) digits = with_point(digits, fraction);
+    else if (!format_.drop_zeros && digits.size() < format_.whole_digits + fraction)
+      digits.insert(0, format_.whole_digits + fraction - digits.size(), '0');
+    return fmt::format("{}{}{}", letter_, counts < 0 ? "-" : "", digits);
+  }
+
+ private:
+  static constexpr int free_decimals = 3;  // of a word with any number of digits: the controls' increment of 0.001 mm
+
+  /// Lengths keep their point, so that no control takes them for increments.
+  std::string with_point(std::string digits, std::size_t fraction) const {
+    if (digits.size() <= fraction) digits.insert(0, fraction + 1 - digits.size(), '0');
+    std::string text = digits.substr(0, digits.size() - fraction) + "." + digits.substr(digits.size() - fraction);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.' && row_.unit != WordUnit::length) text.pop_back();
+    return text;
+  }
+
+  const AddressRow& row_;
+  const WordFormat& format_;
+  char letter_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,114 @@
+// Restart in mid program. For the panel, whoever embeds Kadr; tested by tests/session/restart_test.cpp.
+
+#include "session/restart.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+
+namespace kadr {
+namespace {
+
+bool same_thing(const InForce& a, const InForce& b) { return a.kind == b.kind && a.name == b.name; }
+
+bool same_value(const InForce& a, const InForce& b) {
+  return a.code == b.code && std::fabs(a.value - b.value) <= tol::same_point * (1 + std::fabs(a.value));
+}
+
+/// Holes are places over which the tool comes down.
+bool is_beside(const Axes& a, const Axes& b, std::size_t axes, std::size_t normal) {
+  for (std::size_t i = 0; i < axes; ++i)
+    if (i != normal && std::fabs(a[i] - b[i]) > tol::same_point) return true;
+  return false;
+}
+
+/// Carries the cycle's block out until the tool is over its n-th hole. False: it has not so many.
+bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole) {
+  Control& control = session.control();
+  control.hand_over_each_block();  // a cycle hands over a motion at a time then
+  const std::size_t axes = control.axes().size(), normal = control.plane_normal();
+  std::optional<Axes> over;
+  std::uint32_t holes = 0;
+  bool went_down = false;
+  Axes last = control.tool_position().work;
+  Session::State state = stepping.begin_block();
+  while (state == Session::State::running && control.in_block()) {
+    const Axes now = control.tool_position().work;
+    const bool moved_down = !is_beside(now, last, axes, normal) && std::fabs(now[normal] - last[normal]) > tol::same_point;
+    if (!over && !moved_down) over = now, holes = 1;
+    if (moved_down && over) went_down = true;
+    if (went_down && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
+    if (holes == hole) return true;
+    last = now;
+    state = session.go_on();
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Restart> restart_here(Session& session, const Stepping& stepping) {
+  if (!stepping.next()) return std::nullopt;
+  return Restart{*stepping.next(), session.control().in_force(), session.stand(), session.control().plane_normal()};
+}
+
+std::optional<Restart> restart_at(Session& session, Stepping& stepping, const StopPoint& target, std::uint32_t hole) {
+  if (stepping.go_to(target) != Session::State::held) return std::nullopt;
+  auto restart = restart_here(session, stepping);
+  if (!restart || hole == 0) return restart;
+  if (!go_over_hole(session, stepping, hole)) return std::nullopt;
+  restart->in_force = session.control().in_force();
+  restart->stand = session.stand();
+  return restart;
+}
+
+std::vector<Difference> differences(const std::vector<InForce>& wanted, const std::vector<InForce>& now) {
+  std::vector<Difference> all;
+  const auto found_in = [](const std::vector<InForce>& among, const InForce& one) {
+    const auto found = std::find_if(among.begin(), among.end(), [&](const InForce& other) { return same_thing(one, other); });
+    return found == among.end() ? std::optional<InForce>() : std::optional(*found);
+  };
+  for (const InForce& one : wanted) {
+    const auto is = found_in(now, one);
+    if (!is || !same_value(one, *is)) all.push_back({one, is});
+  }
+  for (const InForce& one : now)
+    if (!found_in(wanted, one)) all.push_back({std::nullopt, one});
+  return all;
+}
+
+std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes) {
+  std::vector<WayPoint> way;
+  const std::size_t n = to.normal;
+  const AxisMask normal = AxisMask{1} << n;
+  const double offset = to.stand.machine[n] - to.stand.work[n];
+  const double end = to.stand.machine[n], clear = std::max({rules.clearance + offset, end, from.machine[n]});
+  const double near = std::min(clear, std::max(end, end + rules.above));
+  Axes at = from.machine;
+  const auto go = [&](const Axes& machine, AxisMask named, bool rapid) {
+    AxisMask moves = 0;
+    for (std::size_t a = 0; a < axes; ++a)
+      if ((named >> a & 1U) != 0 && std::fabs(machine[a] - at[a]) > tol::same_point) moves |= AxisMask{1} << a;
+    if (moves == 0) return;
+    at = machine;
+    way.push_back({rapid, moves, machine, rapid ? 0 : rules.feed});
+  };
+  const bool stands_there = !is_beside(at, to.stand.machine, axes, n);
+  Axes next = at;
+  if (!stands_there) {
+    next[n] = clear;
+    go(next, normal, true);
+    next = to.stand.machine;
+    next[n] = clear;
+    go(next, ~normal, true);
+  }
+  next = at;
+  next[n] = std::min(at[n], near);
+  if (at[n] > near) go(next, normal, true);
+  next[n] = end;
+  go(next, normal, at[n] < end);  // upwards at rapid: it is out of the material
+  return way;
+}
+
+}  // namespace kadr

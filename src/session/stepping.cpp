@@ -1,0 +1,229 @@
+// Stepping: where a session is held. For cli/debug, cli/run (--from, --to), session/restart; tested by tests/session/stepping_test.cpp.
+
+#include "session/stepping.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/ascii.h"
+#include "lang/expression/expression.h"
+
+namespace kadr {
+namespace {
+
+struct Relation {
+  std::string_view written;
+  Op op;
+};
+// The longer ones first.
+constexpr std::array relations = {Relation{"<=", Op::less_equal},    Relation{">=", Op::greater_equal}, Relation{"==", Op::equal},
+                                  Relation{"!=", Op::not_equal},     Relation{"<>", Op::not_equal},     Relation{"<", Op::less},
+                                  Relation{">", Op::greater},        Relation{"EQ", Op::equal},         Relation{"NE", Op::not_equal},
+                                  Relation{"GE", Op::greater_equal}, Relation{"GT", Op::greater},       Relation{"LE", Op::less_equal},
+                                  Relation{"LT", Op::less}};
+
+/// Where a relation stands outside of all brackets.
+std::optional<std::pair<std::size_t, Relation>> relation_in(std::string_view text) {
+  int open = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '[' || text[i] == '(') ++open;
+    if (text[i] == ']' || text[i] == ')') --open;
+    if (open != 0 || (i > 0 && is_letter(text[i - 1]))) continue;
+    for (const Relation& relation : relations) {
+      const std::string_view here = text.substr(i, relation.written.size());
+      if (std::equal(here.begin(), here.end(), relation.written.begin(), relation.written.end(),
+                     [](char a, char b) { return to_upper(a) == b; }))
+        return std::pair{i, relation};
+    }
+  }
+  return std::nullopt;
+}
+
+std::string_view last_part(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? path : path.substr(slash + 1);
+}
+
+}  // namespace
+
+Stepping::Stepping(Session& session) : session_(session) {
+  session_.control().holds_before = [this](const Origin& origin) { return asked(origin); };
+}
+
+Stepping::~Stepping() { session_.control().holds_before = nullptr; }
+
+bool Stepping::is_file(const std::string& file, std::uint16_t reader) const {
+  if (file.empty()) return reader == 0;
+  const std::string& path = session_.control().file_name(reader);
+  return path == file || last_part(path) == file;
+}
+
+bool Stepping::matches(const StopPoint& point, const Origin& origin, bool begins_call) const {
+  if (point.line != 0 && (origin.line != point.line || !is_file(point.file, origin.file))) return false;
+  if (point.pass != 0 && passes(point.line, point.file) != point.pass) return false;
+  if (!point.call.empty() && (!begins_call || session_.control().calls().back().what != point.call)) return false;
+  if (point.condition.empty()) return true;
+  const auto is_true = holds(point.condition);
+  return is_true && *is_true;
+}
+
+bool Stepping::ends_at_target(const Origin& origin, bool same_line, bool begins_call) {
+  if (!same_line && matches(*target_, origin, begins_call)) return true;
+  ran_out_ = most_ == 0;
+  --most_;
+  return ran_out_;
+}
+
+bool Stepping::asks_for(const Origin& origin, bool same_line) const {
+  if (past_ != 0) return past_at_ && origin.depth <= *past_at_ && !(same_line && origin.line == past_);
+  switch (how_) {
+    case How::block: return true;
+    case How::over: return origin.depth <= depth_;
+    case How::out: return origin.depth < depth_;
+    default: return false;
+  }
+}
+
+/// Is it held before this block?
+bool Stepping::asked(const Origin& origin) {
+  if (std::exchange(again_, false)) return false;
+  const Origin before = std::exchange(last_, origin);
+  if (entered_) {
+    if (session_.control().in_entered()) return false;
+    next_ = origin;
+    return true;
+  }
+  const bool same_line = before.line == origin.line && before.file == origin.file && origin.column > before.column;  // `N1 … ПС N2 …`
+  const bool begins_call = origin.depth > before.depth;
+  const auto is_asked_for = [&](const StopPoint& p) { return p.line == origin.line; };
+  const bool counts = (target_ && is_asked_for(*target_)) ||
+                      std::any_of(points_.begin(), points_.end(), [&](const auto& p) { return is_asked_for(p.second); });
+  if (counts && !same_line) ++seen_[{origin.file, origin.line}];
+  hit_ = 0;
+  for (const auto& [number, point] : points_)
+    if (!same_line && matches(point, origin, begins_call)) hit_ = number;
+  const bool is_held = target_ ? ends_at_target(origin, same_line, begins_call) : hit_ != 0 || asks_for(origin, same_line);
+  if (past_ != 0 && origin.file == 0 && origin.line == past_ && !past_at_) past_at_ = origin.depth;
+  if (is_held) next_ = origin;
+  return is_held;
+}
+
+Session::State Stepping::run() {
+  again_ = next_.has_value();
+  depth_ = next_ ? next_->depth : 0;
+  next_.reset();
+  hit_ = 0;
+  return session_.run();
+}
+
+Session::State Stepping::begin_block() {
+  how_ = How::block;
+  target_.reset();
+  past_ = 0;
+  again_ = next_.has_value();
+  next_.reset();
+  return session_.go_on();
+}
+
+Session::State Stepping::go(How how) {
+  how_ = how;
+  target_.reset();
+  past_ = 0;
+  return run();
+}
+
+Session::State Stepping::go_to(const StopPoint& target, std::uint64_t most_blocks) {
+  most_ = most_blocks;
+  ran_out_ = false;
+  how_ = How::free;
+  target_ = target;
+  past_ = 0;
+  const Session::State state = run();
+  target_.reset();
+  return state;
+}
+
+Session::State Stepping::go_past(std::uint32_t line) {
+  how_ = How::free;
+  past_ = line;
+  past_at_.reset();
+  if (next_ && next_->file == 0 && next_->line == line) past_at_ = next_->depth;
+  const Session::State state = run();
+  past_ = 0;
+  return state;
+}
+
+Session::State Stepping::enter(const std::string& line) {
+  const std::optional<Origin> stood = next_;
+  hit_ = 0;
+  entered_ = true;
+  again_ = false;
+  session_.enter(line);
+  const Session::State state = session_.run();
+  if (state == Session::State::stopped) {
+    session_.acknowledge();
+    (void)session_.run();
+  }
+  entered_ = false;
+  if (!next_) next_ = stood;
+  return state;
+}
+
+std::optional<Stepping::Memory> Stepping::snapshot() const {
+  auto session = session_.snapshot();
+  if (!session) return std::nullopt;
+  return Memory{std::move(*session), next_, last_, seen_};
+}
+
+Status Stepping::restore(const Memory& from) {
+  KADR_TRY(session_.restore(from.session));
+  next_ = from.next;
+  last_ = from.last;
+  seen_ = from.seen;
+  hit_ = 0;
+  return {};
+}
+
+Status Stepping::restore(const SessionSnapshot& from, const StopPoint& target, std::uint32_t passed) {
+  KADR_TRY(session_.restore(from));
+  next_.reset();
+  last_ = {};
+  seen_.clear();
+  if (passed != 0) seen_[{0, target.line}] = passed;
+  hit_ = 0;
+  return {};
+}
+
+AlarmReport::Line Stepping::line() const { return next_ ? session_.control().line_at(*next_) : AlarmReport::Line{}; }
+
+Result<bool> Stepping::holds(std::string_view condition) const {
+  const auto found = relation_in(condition);
+  if (!found) {
+    const auto value = session_.control().evaluate(condition);
+    if (!value) return fail(value.error());
+    return !is_vacant(*value) && *value != 0;
+  }
+  const auto left = session_.control().evaluate(condition.substr(0, found->first));
+  if (!left) return fail(left.error());
+  const auto right = session_.control().evaluate(condition.substr(found->first + found->second.written.size()));
+  if (!right) return fail(right.error());
+  return compare(found->second.op, *left, *right);
+}
+
+std::size_t Stepping::add(StopPoint point) {
+  const std::size_t number = points_.empty() ? 1 : points_.rbegin()->first + 1;
+  points_.emplace(number, std::move(point));
+  return number;
+}
+
+bool Stepping::remove(std::size_t number) { return points_.erase(number) != 0; }
+
+std::uint32_t Stepping::passes(std::uint32_t line, const std::string& file) const {
+  std::uint32_t count = 0;
+  for (const auto& [place, times] : seen_)
+    if (place.second == line && is_file(file, place.first)) count += times;
+  return count;
+}
+
+}  // namespace kadr
