@@ -27,13 +27,13 @@ std::string debug_examples() {
       "print EXPRESSION, where, state, list, mdi BLOCK, back, quit. A place is printed as file:line: text.\n"
       "Examples:\n"
       "  kadr debug part.nc                              commands from the keyboard\n"
-      "  printf 'break 40\\ncontinue\\nprint #100\\n' | kadr debug part.nc\n"
+      "  kadr debug part.nc < commands.txt               commands from a file\n"
       "Exit status: 0 ran to its end or quit, 1 stopped by an alarm, 2 wrong usage or unreadable file.",
       "Команды, по одной в строке (перечень: `help`): step, next, finish, continue, until СТРОКА, break СТРОКА if #100 > 5,\n"
       "watch #100, print ВЫРАЖЕНИЕ, where, state, list, mdi КАДР, back, quit. Место выводится как файл:строка: текст.\n"
       "Примеры:\n"
       "  kadr debug part.nc                              команды с клавиатуры\n"
-      "  printf 'break 40\\ncontinue\\nprint #100\\n' | kadr debug part.nc\n"
+      "  kadr debug part.nc < commands.txt               команды из файла\n"
       "Код возврата: 0 — УП дошла до конца или quit, 1 — остановлена ошибкой, 2 — неверная команда или файл не читается.");
 }
 

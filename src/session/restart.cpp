@@ -111,4 +111,19 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
   return way;
 }
 
+std::vector<BlockWay> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def) {
+  std::vector<BlockWay> blocks;
+  const AxisMask normal = AxisMask{1} << to.normal;
+  const auto add = [&](const WayPoint& point) {
+    BlockWay& block = blocks.emplace_back(BlockWay{point.rapid, {}, point.feed, point.named == normal});
+    for (std::size_t a = 0; a < def.axes.size() && a < max_axes; ++a)
+      if ((point.named >> a & 1U) != 0)
+        block.to.emplace_back(def.axes[a].front(), point.machine[a] - (to.stand.machine[a] - to.stand.work[a]));
+  };
+  for (const WayPoint& point : way) add(point);
+  const bool none_along = std::none_of(blocks.begin(), blocks.end(), [](const BlockWay& block) { return block.along_tool; });
+  if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});  // no motion, but a length is taken with it
+  return blocks;
+}
+
 }  // namespace kadr

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "action/in_force.h"
+#include "out/program/restart_blocks.h"
 #include "session/stepping.h"
 
 namespace kadr {
@@ -47,5 +48,9 @@ struct WayRules {
 };
 /// Up to the clearance, over the place, down to it: the last way at feed. Motions of no length are left out.
 std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes);
+
+/// The same in the work coordinates that are in force there, for restart_blocks(); one block at least names the axis of the tool.
+///   pre  the frame is not turned (no G68): else no words say them
+std::vector<BlockWay> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def);
 
 }  // namespace kadr

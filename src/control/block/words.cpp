@@ -38,7 +38,8 @@ Result<double> Interpreter::value_of(std::string_view expression) {
   Block looked_at;
   looked_at.text = text;
   const auto wrong = [&](std::size_t at) {
-    return fail(alarm(AlarmId::expression_syntax, {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(text.size())}));
+    const Span from = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(text.size())};
+    return fail(alarm(AlarmId::expression_syntax, from, std::string_view(text).substr(at)));
   };
   cursor.skip_blanks();
   if (cursor.at == text.size()) return wrong(0);

@@ -3,7 +3,10 @@
 #include "out/program/restart_blocks.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "base/units.h"
+#include "lang/block/block.h"
 #include "out/program/words.h"
 
 namespace kadr {
@@ -11,98 +14,193 @@ namespace {
 
 using Kind = InForce::Kind;
 
-/// The first code of the table with that function, and with `arg` where it is given.
+/// The first code of the table with that function; nullptr: it has none.
 const CodeRow* row_of(const ControlDef& def, Function function) {
   const auto found = std::find_if(def.codes.begin(), def.codes.end(), [&](const CodeRow& row) { return row.function == function; });
   return found == def.codes.end() ? nullptr : &*found;
 }
 
+const CodeRow* row_of(const ControlDef& def, const InForce& one) {
+  const auto found = std::find_if(def.codes.begin(), def.codes.end(), [&](const CodeRow& row) { return row.code == one.code; });
+  return found == def.codes.end() ? nullptr : &*found;
+}
+
+/// Lines and rapids: the last block of the way leaves one of them in force.
+bool is_line(const CodeRow& row) { return row.function == Function::linear || row.function == Function::rapid; }
+
+/// Said by blocks of its own after the way, which is written in absolute lengths.
+bool is_distance(const CodeRow& row) { return row.function == Function::absolute || row.function == Function::incremental; }
+
+/// Beside its code it needs words that are not known here: a cycle's data, a rotation's centre; or it acts at once.
+bool wants_words(const CodeRow& row) {
+  return row.needs != 0 || row.needs_axis || row.phase == Phase::motion || row.phase == Phase::transform ||
+         row.phase == Phase::compensation;
+}
+
+/// Of an offset's word; 0: it is none.
+char letter_of(Kind kind) { return kind == Kind::offset ? 'D' : kind == Kind::length_offset ? 'H' : '\0'; }
+
 class Writer {
  public:
-  explicit Writer(const ControlDef& def) : def_(def) {}
+  Writer(const ControlDef& def, bool inch, bool has_way) : def_(def), inch_(inch), has_way_(has_way) {}
 
-  Status tool(const InForce& one) {
-    const CodeRow* const change = row_of(def_, Function::tool_call);
-    if (one.value == 0) return by_hand(one);
-    KADR_TRY(word('T', one.value));
-    if (change != nullptr) add(change->code);
-    end();
-    return {};
-  }
-  Status code(const InForce& one) {
-    const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& r) { return r.code == one.code; });
-    const bool is_motion = row != def_.codes.end() && (row->function == Function::linear || row->function == Function::rapid ||
-                                                       row->function == Function::arc_cw || row->function == Function::arc_ccw || row->function == Function::cycle || row->function == Function::drilling);
-    if (is_motion || row == def_.codes.end() || row->needs != 0) return {};  // the program's blocks name it, or it wants words
-    add(one.code);
-    return {};
-  }
-  Status way(const BlockWay& to) {
-    const CodeRow* const row = row_of(def_, to.rapid ? Function::rapid : Function::linear);
-    if (row != nullptr) add(row->code);
-    for (const auto& [letter, value] : to.to) KADR_TRY(word(letter, value));
-    if (!to.rapid) KADR_TRY(word('F', to.feed));
-    end();
-    return {};
-  }
-  Status word(char letter, double value) {
-    const auto text = Words(def_, letter).word(value);
-    if (!text) return fail(text.error());
-    add(*text);
-    return {};
-  }
+  void by_hand(const InForce& one) { made_.by_hand.push_back(one); }
   void add(const std::string& word) { line_ += (line_.empty() ? "" : " ") + word; }
   void end() {
     if (!line_.empty()) made_.blocks.push_back(std::move(line_));
     line_.clear();
   }
-  Status by_hand(const InForce& one) {
-    made_.by_hand.push_back(one);
+  void line(const std::string& block) {
+    end();
+    made_.blocks.push_back(block);
+  }
+  bool knows(char letter) const { return Words(def_, letter).known(); }
+  Status word(char letter, double value) {
+    const auto text = Words(def_, letter).word(inch_ && is_length(letter) ? value / mm_per_inch : value);
+    if (!text) return fail(text.error());
+    add(*text);
+    return {};
+  }
+  Status tool(const InForce& one) {
+    const std::int32_t change = def_.row_of('M', 60);
+    if (one.value == 0 || change < 0) return by_hand(one), Status();
+    KADR_TRY(word('T', one.value));
+    add(def_.codes[static_cast<std::size_t>(change)].code);
+    end();
+    return {};
+  }
+  /// With the offset that it takes: `G43 H5`.
+  Status code(const InForce& one, const std::vector<InForce>& in_force) {
+    const CodeRow* const row = row_of(def_, one);
+    if (row == nullptr || is_line(*row) || is_distance(*row)) return {};
+    // What switches something off wants no words: it stands at power-on.
+    const bool usual = row->group != 0 && def_.groups[row->group].power_on >= 0 &&
+                       &def_.codes[static_cast<std::size_t>(def_.groups[row->group].power_on)] == row;
+    if (wants_words(*row) && !usual) return by_hand(one), Status();
+    end();
+    add(one.code);
+    for (const InForce& offset : in_force) {
+      const char letter = letter_of(offset.kind);
+      const bool takes = letter != 0 && ((row->takes & letter_bit(letter)) != 0 || (letter == 'H' && row->phase == Phase::length));
+      if (!takes || offset.value == 0 || !knows(letter)) continue;
+      KADR_TRY(word(letter, offset.value));
+      said_ |= letter_bit(letter);
+    }
+    // Some controls take a length with a motion of that axis only: it goes with the first of the way.
+    if (row->phase == Phase::length && has_way_) with_way_ = std::exchange(line_, {});
+    return end(), Status();
+  }
+  bool is_unit(const InForce& one) const {
+    const CodeRow* const row = one.kind == Kind::code ? row_of(def_, one) : nullptr;
+    return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
+  }
+  /// Stood beside its code.
+  bool has_said(char letter) const { return (said_ & letter_bit(letter)) != 0; }
+  Status way(const BlockWay& to) {
+    if (to.along_tool && !with_way_.empty()) add(std::exchange(with_way_, {}));
+    if (const CodeRow* const row = row_of(def_, to.rapid ? Function::rapid : Function::linear)) add(row->code);
+    for (const auto& [letter, value] : to.to) KADR_TRY(word(letter, value));
+    if (!to.rapid) KADR_TRY(word('F', to.feed));
+    end();
     return {};
   }
   RestartBlocks& made() { return made_; }
-  bool knows(char letter) const { return Words(def_, letter).known(); }
 
  private:
+  bool is_length(char letter) const { return letter == 'F' || def_.address(letter).unit == WordUnit::length; }
+
   const ControlDef& def_;
+  bool inch_, has_way_;
+  std::string with_way_;    // stands in its first block along the tool
+  std::uint64_t said_ = 0;  // letters
   std::string line_;
   RestartBlocks made_;
 };
 
+bool is_set(const std::vector<InForce>& wanted, const ControlDef& def, Function function) {
+  return std::any_of(wanted.begin(), wanted.end(), [&](const InForce& one) {
+    const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
+    return row != nullptr && row->function == function;
+  });
+}
+
+/// Some modal group says how the spindle turns, or that coolant flows: its code is written instead of the plain one.
+bool is_said_by_group(const InForce& one, const std::vector<InForce>& in_force, const ControlDef& def) {
+  return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
+    const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
+    if (row == nullptr || row->letter != 'M') return false;
+    const bool both = row->tenth == 130 || row->tenth == 140;  // M13, M14: spindle and coolant
+    if (one.kind == Kind::spindle) return both || row->phase == Phase::spindle || row->phase == Phase::spindle_stop;
+    return other.code == one.code || (both && one.code == "M8");
+  });
+}
+
+/// Codes of coolant come before those of the spindle: M13 switches both on.
+bool comes_before(const ControlDef& def, const InForce& a, const InForce& b) {
+  const auto rank = [&](const InForce& one) {
+    const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
+    return row != nullptr && (row->phase == Phase::coolant || row->phase == Phase::coolant_off) ? 0 : 1;
+  };
+  return rank(a) < rank(b);
+}
+
+Status write_technology(Writer& writer, const InForce& one, const std::vector<InForce>& in_force) {
+  switch (one.kind) {
+    case Kind::tool: return writer.tool(one);
+    case Kind::code: return writer.code(one, in_force);
+    case Kind::offset:
+    case Kind::length_offset: {
+      const char letter = letter_of(one.kind);
+      if (writer.has_said(letter)) return {};
+      if (!writer.knows(letter)) return writer.by_hand(one), Status();
+      KADR_TRY(writer.word(letter, one.value));
+      return writer.end(), Status();
+    }
+    case Kind::speed:
+      if (one.value > 0) KADR_TRY(writer.word('S', one.value));
+      return writer.end(), Status();
+    case Kind::spindle:
+    case Kind::coolant: return writer.line(one.code), Status();
+    default: return {};
+  }
+}
+
 }  // namespace
 
-Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& wanted, const std::vector<BlockWay>& way) {
-  Writer writer(def);
-  const auto each = [&](std::initializer_list<Kind> kinds, const auto& write) -> Status {
-    for (const InForce& one : wanted)
-      if (std::find(kinds.begin(), kinds.end(), one.kind) != kinds.end()) KADR_TRY(write(one));
-    return {};
-  };
-  KADR_TRY(each({Kind::tool}, [&](const InForce& one) { return writer.tool(one); }));
-  KADR_TRY(each({Kind::code}, [&](const InForce& one) { return writer.code(one); }));
-  writer.end();
-  KADR_TRY(each({Kind::offset, Kind::length_offset}, [&](const InForce& one) {
-    const char letter = one.kind == Kind::offset ? 'D' : 'H';
-    return writer.knows(letter) ? writer.word(letter, one.value) : writer.by_hand(one);
-  }));
-  writer.end();
-  KADR_TRY(each({Kind::speed}, [&](const InForce& one) { return one.value > 0 ? writer.word('S', one.value) : Status(); }));
-  KADR_TRY(each({Kind::spindle, Kind::coolant}, [&](const InForce& one) {
-    writer.add(one.code);
-    return Status();
-  }));
-  writer.end();
+Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& wanted, const std::vector<InForce>& in_force,
+                                     const std::vector<BlockWay>& way) {
+  Writer writer(def, is_set(in_force, def, Function::inch), !way.empty());
+  for (const InForce& one : wanted)
+    if (writer.is_unit(one)) writer.line(one.code);
+  for (const InForce& one : wanted) {
+    if (one.kind != Kind::variable) continue;
+    // Before the way: zeros may be among them.
+    if (one.name.starts_with('#') && def.grammar.expressions) writer.line(fmt::format("{}={:.9g}", one.name, one.value));
+    else writer.by_hand(one);
+  }
+  std::vector<InForce> sorted = wanted;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const InForce& a, const InForce& b) { return comes_before(def, a, b); });
+  for (const Kind kind : {Kind::tool, Kind::speed, Kind::code, Kind::offset, Kind::length_offset, Kind::spindle, Kind::coolant})
+    for (const InForce& one : sorted) {
+      if (one.kind != kind || writer.is_unit(one)) continue;
+      if ((kind == Kind::spindle || kind == Kind::coolant) && is_said_by_group(one, in_force, def)) continue;
+      KADR_TRY(write_technology(writer, one, in_force));
+    }
+  if (!way.empty())
+    if (const CodeRow* const absolute = row_of(def, Function::absolute)) writer.line(absolute->code);
   for (const BlockWay& to : way) KADR_TRY(writer.way(to));
-  KADR_TRY(each({Kind::feed}, [&](const InForce& one) { return writer.word('F', one.value); }));
-  writer.end();
-  KADR_TRY(each({Kind::variable}, [&](const InForce& one) {
-    if (!one.name.starts_with('#') || !def.grammar.expressions) return writer.by_hand(one);
-    writer.add(fmt::format("{}={:.9g}", one.name, one.value));
-    writer.end();
-    return Status();
-  }));
-  KADR_TRY(each({Kind::origin, Kind::length, Kind::rotation, Kind::scale, Kind::selected},
-                [&](const InForce& one) { return writer.by_hand(one); }));
+  for (const InForce& one : in_force) {  // the way may have changed them
+    const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
+    if (row != nullptr && (is_line(*row) || is_distance(*row))) writer.line(one.code);
+    if (one.kind == Kind::feed && one.value > 0) {
+      KADR_TRY(writer.word('F', one.value));
+      writer.end();
+    }
+  }
+  for (const InForce& one : wanted) {
+    const bool follows = one.kind == Kind::origin || one.kind == Kind::length;  // from tables, by the codes
+    if (follows || one.kind == Kind::rotation || one.kind == Kind::scale || one.kind == Kind::selected) writer.by_hand(one);
+  }
   return std::move(writer.made());
 }
 
