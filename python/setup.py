@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from setuptools import Extension, setup
@@ -51,4 +52,6 @@ class BuildByCMake(build_ext):
         shutil.copy2(made[0], to)
 
 
-setup(version=version(), ext_modules=[Extension('kadr._kadr', [])], cmdclass={'build_ext': BuildByCMake})
+# what setuptools makes on the way does not stay in the source tree
+way = tempfile.TemporaryDirectory()
+setup(options={'build': {'build_base': way.name}, 'egg_info': {'egg_base': way.name}}, version=version(), ext_modules=[Extension('kadr._kadr', [])], cmdclass={'build_ext': BuildByCMake})

@@ -67,9 +67,9 @@ void Run::go() {
     do state_ = session_->go_on();
     while (state_ == Session::State::running);
   }
+  if (too_many_) throw Failed{"more than " + std::to_string(most_) + " motions: max_motions"};  // it may be at its end
   if (state_ == Session::State::held) return void(at_block_ = true);
   if (state_ != Session::State::stopped) return;
-  if (too_many_) throw Failed{"more than " + std::to_string(most_) + " motions: max_motions"};
   if (stop_) throw Interrupted{};
   for (std::size_t i = 0; i < session_->channels().size(); ++i)
     if (const auto& report = session_->stopped(i).report) throw Alarmed{spec_->finding(*report)};
