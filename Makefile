@@ -24,7 +24,7 @@ check:
 
 install:
 	@dev/setup build
-	@dev/build program kadr kadr_files
+	@dev/build program kadr kadr_files kadr_library
 	cmake --install build/release --prefix "$(PREFIX)"
 
 deb:

@@ -1,7 +1,11 @@
 #pragma once
-// Kadr as a library: read a control's file, interpret a program, pull its actions. examples/library shows it whole.
+// Kadr as a library, whole. docs/library.md shows it by examples.
 
-#include "action/curve.h"         // length, points and extents of a motion
-#include "config/control_file.h"  // load_control
-#include "config/setup.h"         // the state before the start
-#include "control/control.h"      // Control: blocks → actions
+#include "action.h"   // what a program makes the machine do: values
+#include "alarm.h"    // alarms and their texts
+#include "config.h"   // controls, machines, set-ups
+#include "control.h"  // Control: blocks → actions
+#include "program.h"  // open_file, text_source
+#include "session.h"  // Session: the whole chain from program to samples
+#include "sinks.h"    // trace, summary, picture
+#include "version.h"

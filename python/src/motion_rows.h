@@ -1,0 +1,44 @@
+#pragma once
+// MotionRows: motions as rows of bytes, which numpy takes for a structured array (kadr/motions.py has the same fields).
+
+#include <kadr/kadr.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kadr::python {
+
+/// What each row begins with; after it four values of each axis: from, to in work coordinates, from, to in those of the machine.
+struct MotionRow {
+  double begins = 0, seconds = 0, length = 0, feed = 0;  // s, s, mm, mm/min
+  double center_x = 0, center_y = 0, turns = 0;          // of an arc: in its plane, mm; swept angle / 360
+  std::uint32_t line = 0;
+  std::int32_t block = -1;  // N…; -1: none
+  std::uint32_t tool = 0;
+  std::uint16_t file = 0;
+  std::uint8_t kind = 0, channel = 1;
+};
+static_assert(sizeof(MotionRow) == 72);  // kadr/motions.py
+
+/// Copies share what they hold: a snapshot keeps one.
+class MotionRows {
+ public:
+  explicit MotionRows(std::size_t axes) : axes_(axes) {}
+  void add(const Step& step, const Motion& motion, std::uint32_t tool, int channel);
+  std::size_t size() const { return count_; }
+  void append_to(std::string& bytes) const;
+  std::size_t bytes() const { return count_ * row_bytes(); }
+
+ private:
+  static constexpr std::size_t rows_of_chunk = 1024;
+  std::size_t row_bytes() const { return sizeof(MotionRow) + 4 * axes_ * sizeof(double); }
+  std::string& last_chunk();
+
+  std::size_t axes_;
+  std::size_t count_ = 0;
+  std::vector<std::shared_ptr<std::string>> chunks_;
+};
+
+}  // namespace kadr::python

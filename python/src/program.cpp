@@ -1,0 +1,78 @@
+// A program with all it is run on. For run.cpp, views.cpp; tested by tests/python_binding.py.
+
+#include "program.h"
+
+#include <cerrno>
+#include <utility>
+
+namespace kadr::python {
+namespace {
+
+/// A value, or its error sentence thrown.
+template <class T>
+T got(tl::expected<T, std::string> value) {
+  if (!value) throw Failed{std::move(value.error())};
+  return std::move(*value);
+}
+
+/// What a control is guessed from: UTF-8.
+std::string beginning_of(OpenedText text) {
+  LineReader reader(std::move(text.source));
+  const std::string_view sample = reader.sample();
+  const auto encoding = text.encoding ? text.encoding : detect_encoding(sample);
+  if (!encoding) return std::string(sample);
+  std::string utf8;
+  (void)append_utf8(sample, *encoding, utf8);  // up to the first damaged byte
+  return utf8;
+}
+
+}  // namespace
+
+ProgramSpec::ProgramSpec(const Wanted& wanted) : file_(wanted.file), text_(wanted.text), lang_(wanted.lang) {
+  std::string id = wanted.control;
+  if (id.empty()) {
+    const Guess guess = guess_control(beginning_of(as_text(source())));
+    if (guess.control.empty())
+      throw Failed{file_ + ": " + (lang_ == Lang::ru ? "УЧПУ неизвестно: " + guess.reason_ru : "unknown control: " + guess.reason_en)};
+    id = guess.control;
+  }
+  control_ = std::make_shared<const ControlDef>(got(load_control(id)));
+  machine_ = got(load_machine(wanted.machine));
+  setup_ = setup_of(wanted);
+  texts_ = got(AlarmTexts::load(control_.get()));
+  (void)source();  // a file that is not there is told now
+}
+
+Setup ProgramSpec::setup_of(const Wanted& wanted) const {
+  SetupSource from{"setup", wanted.setup_json};
+  if (!wanted.setup_file.empty()) from = got(setup_source(wanted.setup_file));
+  if (from.json.empty()) return {};
+  Setup setup = got(read_setup({from}, control_.get(), lang_)).setup;
+  if (const std::string error = Plc(setup.events).error(); !error.empty()) throw Failed{from.place + ": " + error};
+  return setup;
+}
+
+std::unique_ptr<ByteSource> ProgramSpec::source() const {
+  if (text_) return text_source(*text_);
+  errno = 0;
+  auto source = open_file(file_);
+  if (!source) throw FileFailed{errno, file_};
+  return source;
+}
+
+std::unique_ptr<Session> ProgramSpec::open(const std::atomic<bool>& stop, RunLimits limits) const {
+  OpenedText text = as_text(source());
+  limits.stop = StopToken(stop);
+  auto session = Session::open({control_, machine_, setup_, {file_, std::move(text.source), text.encoding}, limits});
+  if (!session) throw Failed{"setup: " + (lang_ == Lang::ru ? session.error().fault.ru : session.error().fault.en)};
+  return std::move(*session);
+}
+
+TimeEstimate clock_of(Session& session, std::size_t channel) {
+  const Channel& of = session.channels()[channel];
+  TimeEstimate clock(AxisRoles::of(of.control->axes(), of.control->rotary()), rates_of(session.machine(), of.setup, of.control->axes()));
+  clock.spindle(of.setup.spindle().rpm);
+  return clock;
+}
+
+}  // namespace kadr::python
