@@ -148,6 +148,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     s.setup = nct_setup;
     s.plain_frames = false;  // basic rotations, polar interpolation
     s.logic = logic;
+    s.second_channel = "G1 U5 F100\nM530 P12\n#500=#500+1\nG0 V#500\nM531 P12\nM98 P101\nM99\n";
     return s;
   }();
   static const std::size_t open_before = files_elsewhere(memory.folder());

@@ -2,17 +2,12 @@
 
 #include "run_program.h"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <random>
 
-#include "config/state_json.h"
-#include "machine/virtual_machine.h"
-#include "motion/time/steps.h"
-#include "out/picture/plot.h"
-#include "out/text/summary.h"
-#include "out/trace/trace.h"
-#include "path/contour/contour_corners.h"
-#include "path/contour/radius_compensation.h"
+#include "looks.h"
+#include "session/checkpoints.h"
+#include "session/restart.h"
 
 namespace kadr::fuzz {
 
@@ -40,223 +35,249 @@ Setup some_setup(unsigned switches) {
 namespace {
 
 constexpr std::size_t most_actions = 20'000;  // of one run
+constexpr std::size_t most_planned = 150;     // a sharp corner takes the planner a millisecond
 constexpr std::size_t most_alarms = 200;
-constexpr std::size_t most_shown = 40;     // alarms that are put into words
-constexpr std::size_t most_compared = 15;  // alarms before which the state is kept, to be compared
-constexpr std::size_t most_watched = 200;  // blocks around which the state is kept
-constexpr double farthest_end = 1e8;       // mm: what no motion may reach
-constexpr double same_place = 1e-5;        // mm: rounding of coordinates of ten kilometres
+constexpr std::size_t most_calls = 4000;  // of go_on(): loops without an action
+constexpr std::size_t most_commands = 60;
 
-bool is_finite(const Axes& axes) {
-  for (const double v : axes)
-    if (!std::isfinite(v)) return false;
-  return true;
-}
-bool near(double a, double b) { return std::fabs(a - b) <= same_place * (1 + 1e-6 * std::fabs(a)); }
-bool near(const Axes& a, const Axes& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (!near(a[i], b[i])) return false;
-  return true;
-}
+enum class Way : std::uint8_t { watched, rewound, fresh, planned, stepped, searched, count };
 
-class Run {
+/// Made of the text: the same text runs the same way.
+class Chance {
  public:
-  Run(const Shop& shop, std::string text, unsigned switches)
-      : shop_(shop),
-        setup_(shop.setup(switches)),
-        control_(shop.def, setup_,
-                 {shop.file, text_source(std::move(text)), (switches & as_cp1251) != 0 ? std::optional(Encoding::cp1251) : std::nullopt},
-                 shop.limits),
-        stand_(control_.tool_position()),
-        machine_(control_.axes(), control_.rotary(), shop.profile, setup_, stand_),
-        statistics_(control_.axes(), control_.rotary(), rates_of(shop.profile, setup_, control_.axes())),
-        plot_(control_.axes(), control_.rotary(), stand_),
-        corners_(stand_),
-        compensation_(stand_),
-        trace_(shop.nowhere, control_.axes(), control_.rotary(), setup_.points),
-        steps_(machine_.roles(), stand_, &statistics_.clock()) {
-    require(is_finite(stand_.work) && is_finite(stand_.machine), "the run begins somewhere");
-    control_.on_warning = [this](const AlarmReport& report) { show(report); };
-    if (!shop.logic || (switches & machine_logic) == 0) return;
-    control_.hand_over_each_block();
-    control_.on_block = [this](const Origin& origin, bool at_end) {
-      watch_block(at_end);
-      shop_.logic(control_, origin, at_end);
-    };
+  explicit Chance(std::string_view text) {
+    std::uint32_t sum = 2166136261U;
+    for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 16777619U;
+    engine_.seed(sum);
   }
-
-  void carry_out() {
-    ActionBatch batch;
-    for (Control::State state = Control::State::running;
-         state != Control::State::ended && actions_ < most_actions && alarms_ < most_alarms;) {
-      const bool compared = !shop_.logic && alarms_ < most_compared;  // nct may hand over before a block: watch_block
-      const Ending before = compared ? control_.ending() : Ending();
-      const std::uint64_t blocks = control_.blocks();
-      state = control_.run(batch);
-      const bool one_block = control_.blocks() == blocks + 1;
-      go_beside(batch, state != Control::State::running);
-      for (Action& action : batch) take(action);
-      if (state == Control::State::stopped || control_.is_stopped()) {
-        stopped(compared && state == Control::State::stopped && one_block ? &before : nullptr);
-        control_.go_on();
-      }
-    }
-    control_.check_uncalled([this](const AlarmReport& report) { show(report); });
-    const Ending end = control_.ending();
-    if (alarms_ == 0) trace_.finish(end);
-    else trace_.finish(end, last_, shop_.texts, Lang::ru);
-    require(is_utf8(statistics_.text(control_.blocks(), Lang::ru)), "the summary is UTF-8");
-    if (const auto state = control_.run_state(); state) {
-      const std::string text = state_json(*state);
-      require(nlohmann::json::accept(text), "the state is JSON");
-      require(parse_setup(text).has_value(), "the state is a set-up");
-    }
+  std::size_t below(std::size_t count) { return count == 0 ? 0 : engine_() % count; }
+  bool one_in(std::size_t count) { return below(count) == 0; }
+  /// Some line of the text, or part of it.
+  std::string piece_of(const std::string& text) {
+    const std::size_t begin = below(text.size()), end = text.find('\n', begin);
+    return text.substr(begin, std::min<std::size_t>(end - begin, 80));
   }
 
  private:
-  /// Keeps the state before a block that the machine's logic sees.
-  void watch_block(bool at_end) {
-    block_open_ = !at_end && ++watched_ <= most_watched;
-    if (block_open_) before_block_ = control_.ending();
+  std::mt19937 engine_;
+};
+
+class Run {
+ public:
+  Run(const Shop& shop, const std::string& text, unsigned switches)
+      : shop_(shop),
+        text_(text),
+        switches_(switches),
+        chance_(text),
+        way_(static_cast<Way>(chance_.below(static_cast<std::size_t>(Way::count)))) {
+    has_logic_ = shop.logic && (switches & machine_logic) != 0;
+    if (has_logic_ && way_ != Way::stepped) way_ = Way::watched;  // what the logic remembers is in no snapshot
+    has_channels_ = !shop.second_channel.empty() && chance_.one_in(4);
   }
 
-  void take(Action& action) {
-    ++actions_;
-    block_open_ = false;  // a cycle that has begun
-    if (auto* const motion = std::get_if<Motion>(&action.what)) {
-      if (motion->kind == MotionKind::probe) {
-        const ProbeAnswer answer = machine_.probe(*motion);
-        end_at(*motion, answer, machine_.position().turn.get());
-        control_.answer(answer);
-      }
-      check_motion(*motion);
+  /// `then`: while the session still stands.
+  void carry_out(const std::function<void()>& then) {
+    const std::unique_ptr<Session> session = open();
+    if (!session) return;
+    Looks looks(shop_, *session);
+    if (has_logic_) attach_logic(*session, looks);
+    switch (way_) {
+      case Way::watched: watch(*session, looks); break;
+      case Way::rewound: rewind(*session, looks); break;
+      case Way::fresh: go_on_in_a_fresh_one(*session, looks); break;
+      case Way::planned: plan(*session, looks); break;
+      case Way::stepped: step(*session, looks); break;
+      default: search(*session, looks); break;
     }
-    if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
-      require(is_finite(frame->placement.origin) && is_finite(frame->placement.length) && is_finite(frame->work),
-              "the frame is of numbers");
-      frame_ = *frame;
+    if (state_ == Session::State::ended || state_ == Session::State::stopped) looks.finish();
+    if (then) then();
+  }
+
+ private:
+  /// Nothing: the control has not what the shop's set-up names, not even an empty one.
+  std::unique_ptr<Session> open() const {
+    for (Setup setup : {shop_.setup(switches_), Setup()}) {
+      if (has_channels_) setup.channels[2] = {shop_.second_channel, {"U", "V"}};
+      const auto encoding = (switches_ & as_cp1251) != 0 ? std::optional(Encoding::cp1251) : std::nullopt;
+      auto session = Session::open({{&shop_.def, [](const ControlDef*) {}},
+                                    shop_.profile,
+                                    std::move(setup),
+                                    {shop_.file, text_source(text_), encoding},
+                                    shop_.limits});
+      if (session) return std::move(*session);
+      require(!session.error().fault.en.empty() && !session.error().fault.ru.empty(), "a refusal says why in both languages");
     }
-    check_other(action);
-    if (const Status taken = machine_.take(action); !taken) show(control_.report_for(taken.error(), action.origin));
-    stand_.take(action);
-    steps_.give(action, [this](const Step& step) {
-      statistics_.consume(step);
-      plot_.consume(step);
-      trace_.write(step);
-    });
+    return nullptr;
   }
 
-  /// The same actions through the stages of `path`, as the tool's centre goes; the machine takes those of the program.
-  void go_beside(const ActionBatch& batch, bool last) {
-    beside_ = batch;
-    const auto corner = corners_.take(beside_, last ? ContourCorners::Follows::nothing : ContourCorners::Follows::more);
-    const auto fault = compensation_.take(beside_, corner || last);
-    for (const auto& f : {corner, fault})
-      if (f) show(control_.report_for(f->alarm, f->origin));
-    for (const CompensationFault& cut : compensation_.warnings()) show(control_.report_for(cut.alarm, cut.origin));
-    for (const Action& action : beside_) {
-      const auto* const m = std::get_if<Motion>(&action.what);
-      if (m == nullptr) continue;
-      require(is_finite(m->to) && is_finite(m->machine), "the tool's centre goes somewhere");
-      const bool arc = is_arc(m->kind);
-      require(arc ? m->turns > 0 && std::isfinite(m->turns) : m->turns == 0, "its arcs turn, its lines do not");
-      require(!arc || (std::isfinite(m->center.x) && std::isfinite(m->center.y)), "its arcs have a centre");
+  void attach_logic(Session& session, Looks& looks) const {
+    session.control().hand_over_each_block();
+    session.control().on_block = [&shop = shop_, &control = session.control(), &looks](const Origin& origin, bool at_end) {
+      if (!at_end) looks.before_block();
+      shop.logic(control, origin, at_end);
+    };
+  }
+
+  bool goes_on(const Looks& looks) {
+    const std::size_t most = way_ == Way::planned ? most_planned : most_actions;
+    return ++calls_ < most_calls && state_ == Session::State::running && looks.actions() < most && looks.alarms() < most_alarms;
+  }
+  void run(Session& session, const Looks& looks) {
+    while (goes_on(looks)) state_ = session.go_on();
+  }
+
+  /// The state before each block is kept; alarms stop the session, and it goes on.
+  void watch(Session& session, Looks& looks) {
+    looks.goes_on_after_alarm = [this] { return !chance_.one_in(3); };
+    session.control().holds_before = [&looks, this](const Origin&) {
+      if (!has_logic_) looks.before_block();
+      return false;
+    };
+    while (goes_on(looks)) {
+      state_ = session.go_on();
+      if (state_ != Session::State::stopped) continue;
+      session.acknowledge();
+      state_ = Session::State::running;
     }
   }
 
-  void check_motion(const Motion& motion) const {
-    require(is_finite(motion.to) && is_finite(motion.machine), "a motion ends somewhere");
-    require(std::isfinite(motion.center.x) && std::isfinite(motion.center.y), "an arc has a centre");
-    require(std::isfinite(motion.feed) && motion.feed >= 0, "the feed is a number");
-    require(std::isfinite(motion.turns) && std::isfinite(motion.tolerance) && motion.tolerance >= 0, "turns and tolerance are numbers");
-    const bool calculated =
-        motion.detail && motion.detail->contour && motion.detail->contour->on == SupportingCurve::circle;  // its start is found in `path`
-    require(is_arc(motion.kind) ? motion.turns > 0 || calculated : motion.turns == 0, "an arc turns, a line does not");
-    for (std::size_t a = 0; a < control_.axes().size(); ++a) {
-      require(std::fabs(motion.to[a]) < farthest_end && std::fabs(motion.machine[a]) < farthest_end, "a motion ends on this earth");
-      // An axis that does not move keeps a length that its next motion takes out (2С42).
-      const double apart = motion.machine[a] - motion.to[a];
-      const bool in_frame = near(apart, frame_.placement.origin[a] + frame_.placement.length[a]);
-      require(!shop_.plain_frames || in_frame || near(apart, stand_.machine[a] - stand_.work[a]), "machine = work + origin + length");
+  /// Taken back now and then: what comes is what came.
+  void rewind(Session& session, Looks& looks) {
+    session.outlets().works_long = true;  // the control runs ahead
+    while (goes_on(looks)) {
+      state_ = session.go_on();
+      if (state_ == Session::State::running && chance_.one_in(8)) repeat(session, looks);
     }
   }
-
-  static void check_other(const Action& action) {
-    if (const auto* const dwell = std::get_if<Dwell>(&action.what))
-      require(std::isfinite(dwell->seconds) && dwell->seconds >= 0, "a dwell ends");
-    if (const auto* const spindle = std::get_if<Spindle>(&action.what)) require(std::isfinite(spindle->rpm), "the speed is a number");
-    if (const auto* const message = std::get_if<Message>(&action.what)) require(is_utf8(message->text), "a message is UTF-8");
+  void repeat(Session& session, Looks& looks) {
+    const auto snapshot = session.snapshot();
+    if (!snapshot) return;
+    const Looks::Place place = looks.place();
+    const std::size_t begin = looks.digest().size(), count = 1 + chance_.below(12);
+    for (std::size_t i = 0; i < count && goes_on(looks); ++i) state_ = session.go_on();
+    const std::size_t middle = looks.digest().size();
+    require(session.restore(*snapshot).has_value(), "a snapshot of the session is restored");
+    looks.begin_at(place);
+    state_ = Session::State::running;
+    for (std::size_t i = 0; i < count && goes_on(looks); ++i) state_ = session.go_on();
+    same(looks.digest(), begin, middle, looks.digest(), middle);
   }
 
-  /// `before`: the state before the block that failed, where the run began with it.
-  void stopped(const Ending* before) {
-    ++alarms_;
-    last_ = control_.report();
-    show(last_);
-    if (alarms_ > 2 * most_compared) return;
-    const Ending after = control_.ending();
-    require(near(after.position, stand_.work) && near(after.machine_position, stand_.machine),
-            "after an alarm the control stands where the motions led");
-    if (block_open_ && last_.alarm.id != AlarmId::call_too_deep) same_state(before_block_, after);  // an interrupt macro may nest too deep
-    block_open_ = false;
-    if (before == nullptr) return;
-    same_state(*before, after);
+  void go_on_in_a_fresh_one(Session& session, Looks& looks) {
+    for (std::size_t first = chance_.below(30); first > 0 && goes_on(looks); --first) state_ = session.go_on();
+    const auto snapshot = state_ == Session::State::running ? session.snapshot() : std::nullopt;
+    const Looks::Place place = looks.place();
+    const std::size_t begin = looks.digest().size();
+    run(session, looks);
+    if (!snapshot) return;
+    const std::unique_ptr<Session> fresh = open();
+    Looks other(shop_, *fresh);
+    require(fresh->restore(*snapshot).has_value(), "a snapshot is restored in a fresh session");
+    other.begin_at(place);
+    const Session::State ended = std::exchange(state_, Session::State::running);
+    calls_ = 0;
+    run(*fresh, other);
+    same(looks.digest(), begin, looks.digest().size(), other.digest(), 0);
+    if (ended == Session::State::ended && state_ == Session::State::ended)
+      require(looks.digest().size() - begin == other.digest().size(), "a fresh session goes as far");
   }
 
-  static void same_state(const Ending& before, const Ending& after) {
-    if (before.variables != after.variables || before.modal != after.modal)
-      std::fprintf(stderr, "before: %s\nafter:  %s\n", text_of(before).c_str(), text_of(after).c_str());
-    require(before.variables == after.variables, "a faulty block changes no variable");
-    require(before.modal == after.modal, "a faulty block changes no mode");
+  static void same(const std::vector<std::uint64_t>& a, std::size_t begin, std::size_t end, const std::vector<std::uint64_t>& b,
+                   std::size_t at) {
+    for (; begin < end && at < b.size(); ++begin, ++at) require(a[begin] == b[at], "what comes after a snapshot is what came before");
   }
 
-  static std::string text_of(const Ending& e) {
-    std::string text;
-    for (const auto& [name, value] : e.variables) text += name + "=" + std::to_string(value) + " ";
-    for (const std::string& code : e.modal) text += code + " ";
-    return text;
-  }
-
-  void show(const AlarmReport& report) {
-    if (++shown_ > most_shown) return;
-    std::vector<Finding> findings;
-    for (const Lang lang : {Lang::en, Lang::ru}) {
-      require(is_utf8(alarm_text(report, shop_.texts, lang)), "an alarm is UTF-8");
-      findings.push_back(finding_of(report, shop_.texts, lang));
-      require(!findings.back().text.empty() && findings.back().end_column >= findings.back().column, "an alarm has a text and a place");
+  void plan(Session& session, Looks& looks) {
+    SampleOptions options;
+    options.rate = 50;
+    options.max_time = 10;
+    (void)session.look_ahead();
+    session.plan(session.own()).write_samples(shop_.nowhere, options);
+    while (goes_on(looks)) {
+      state_ = session.go_on();
+      if (state_ == Session::State::running && chance_.one_in(16)) repeat(session, looks);
     }
-    require(nlohmann::json::accept(findings_json(findings)), "the list of alarms is JSON");
-    if (shown_ % 8 == 1) require(nlohmann::json::accept(findings_sarif(findings, {"0", 0, {}})), "the SARIF log is JSON");
+    if (chance_.one_in(2)) return;
+    if (state_ == Session::State::running) state_ = session.stop_here();
+    (void)session.planned(session.own())->finish();
+  }
+
+  void step(Session& session, Looks& looks) {
+    looks.goes_on_after_alarm = [this] { return chance_.one_in(2); };
+    Stepping stepping(session);
+    std::optional<Stepping::Memory> kept;
+    for (std::size_t i = 0; i < most_commands && looks.actions() < most_actions; ++i) {
+      state_ = command(session, stepping, kept);
+      looks.begin_at({session.control().tool_position(), std::nullopt});
+      if (state_ == Session::State::stopped && chance_.one_in(2)) session.acknowledge();
+    }
+  }
+  Session::State command(Session& session, Stepping& stepping, std::optional<Stepping::Memory>& kept) {
+    constexpr Stepping::How hows[] = {Stepping::How::block, Stepping::How::over, Stepping::How::out};
+    constexpr std::uint64_t most_blocks = 300;
+    switch (chance_.below(9)) {
+      case 0: return stepping.go_to(some_line(), most_blocks);
+      case 1:
+        if (!stepping.next()) break;
+        return stepping.enter(chance_.piece_of(text_));
+      case 2: (void)stepping.value(chance_.piece_of(text_)); break;
+      case 3: (void)stepping.holds(chance_.piece_of(text_) + " > " + chance_.piece_of(text_)); break;
+      case 4: (void)stepping.add({.line = static_cast<std::uint32_t>(chance_.below(20)), .condition = chance_.piece_of(text_)}); break;
+      case 5: kept = stepping.next() ? stepping.snapshot() : std::nullopt; break;
+      case 6:
+        if (!kept) break;
+        require(stepping.restore(*kept).has_value(), "a snapshot of stepping is restored");
+        return Session::State::held;
+      case 7: (void)session.control().in_force(); break;
+      default: break;
+    }
+    return stepping.go(hows[chance_.below(3)]);
+  }
+  StopPoint some_line() {
+    return {.line = static_cast<std::uint32_t>(1 + chance_.below(20)), .pass = static_cast<std::uint32_t>(chance_.below(3))};
+  }
+
+  /// Checkpoints, then lines reached from them; restart there.
+  void search(Session& session, Looks& looks) {
+    if (session.channels().size() > 1) return run(session, looks);
+    looks.goes_on_after_alarm = [&looks] { return looks.alarms() < most_alarms; };
+    looks.jumps = true;
+    Checkpoints checkpoints(session, 8, 4);
+    state_ = checkpoints.run();
+    Stepping stepping(session);
+    for (int i = 0; i < 4; ++i) {
+      const auto reached = checkpoints.reach(stepping, some_line());
+      if (!reached) return;
+      state_ = *reached;
+      looks.begin_at({session.control().tool_position(), std::nullopt});
+      if (state_ != Session::State::held) continue;
+      if (const auto restart = restart_here(session, stepping)) write_way(session, *restart);
+      state_ = stepping.go(Stepping::How::over);
+    }
+  }
+  static void write_way(const Session& session, const Restart& restart) {
+    const ControlDef& def = session.def();
+    const auto way = way_there({}, restart, {.clearance = 100, .above = 2, .feed = 100}, session.control().axes().size());
+    const auto blocks = restart_blocks(def, restart.in_force, restart.in_force, in_work_coordinates(way, restart, def));
+    if (!blocks) return;
+    for (const std::string& block : blocks->blocks) require(is_utf8(block) && block.find('\n') == std::string::npos, "a block is a line");
   }
 
   const Shop& shop_;
-  Setup setup_;
-  Control control_;
-  ToolPosition stand_;
-  VirtualMachine machine_;
-  Statistics statistics_;
-  Plot plot_;
-  ContourCorners corners_;
-  RadiusCompensation compensation_;
-  ActionBatch beside_;
-  TraceWriter trace_;
-  Steps steps_;
-  FrameChange frame_{};
-  AlarmReport last_;
-  Ending before_block_;
-  std::size_t watched_ = 0;
-  bool block_open_ = false;
-  std::size_t actions_ = 0;
-  std::size_t alarms_ = 0;
-  std::size_t shown_ = 0;
+  const std::string& text_;
+  unsigned switches_;
+  Chance chance_;
+  Way way_;
+  bool has_logic_ = false, has_channels_ = false;
+  Session::State state_ = Session::State::running;
+  std::size_t calls_ = 0;
 };
 
 }  // namespace
 
-void run_text(const Shop& shop, std::string text, unsigned switches, const std::function<void()>& then) {
-  Run run(shop, std::move(text), switches);
-  run.carry_out();
-  if (then) then();
+void run_text(const Shop& shop, const std::string& text, unsigned switches, const std::function<void()>& then) {
+  Run run(shop, text, switches);
+  run.carry_out(then);
 }
 
 }  // namespace kadr::fuzz

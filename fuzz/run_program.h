@@ -1,6 +1,7 @@
 #pragma once
-// A whole run as a fuzz target: text → Control → machine → statistics, plot, trace, alarms in both languages.
-// The first byte holds the switches below, the rest is the program. Checking goes on after alarms.
+// A whole run as a fuzz target: a session of the text, looked at by all that looks at runs (looks.h). By chance, which the text itself
+// decides: it is watched block by block, planned, stopped and gone on with from snapshots in the same or a fresh session, stepped,
+// searched from checkpoints; on a machine of several channels. The first byte holds the switches below, the rest is the program.
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +34,8 @@ struct Shop {
   Setup (*setup)(unsigned switches) = some_setup;
   bool plain_frames = true;  // machine = work + origin + length always
   std::function<void(Control&, const Origin&, bool at_end)>
-      logic{};  // of the machine, around each block (nct), with the switch `machine_logic`
+      logic{};                   // of the machine, around each block (nct), with the switch `machine_logic`
+  std::string second_channel{};  // its program, where the machine has several
 
   static Shop open(const char* control) {
     auto def = load_control(control);
@@ -48,7 +50,7 @@ struct Shop {
 };
 
 /// Carries a program out in the shop, and looks at all that comes of it. `then`: while it still stands.
-void run_text(const Shop& shop, std::string text, unsigned switches, const std::function<void()>& then = {});
+void run_text(const Shop& shop, const std::string& text, unsigned switches, const std::function<void()>& then = {});
 
 inline int run_program(const Shop& shop, const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;

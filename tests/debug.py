@@ -52,6 +52,10 @@ SCRIPTS = [
     ('what is not understood', 'foo\nstep x\nbreak\nbreak 0\ndelete 7\nuntil\nprint\n',
      ['foo: no such command (help lists them)', 'x: not understood (help)', ': not understood (help)', '0: not understood (help)',
       '7: not understood (help)', ': not understood (help)'], 0),
+    ('the blocks of a restart', 'until 5\nrestart 50\n',
+     ['p.nc:5: N50 G81 X1 Y1 Z-5 R1 F100', '#100=1', 'G0 Z50.', 'G0 X10. Y10.', 'G0 Z7.', 'G1 Z5. F100', 'G0', 'F200'], 0),
+    ('restart there, and wrong ones', 'restart x\nrestart 10\n', ['x: not understood (help)'], 0),
+    ('the block search of the control', 'search 4\nback\nsearch 99\n', ['p.nc:4: N40 G0 X10 Y10 Z5', 'p.nc:1: N10 G21 G90 G17', 'the program is over'], 0),
     ('comments and empty lines of a script', '# first\n\nstep\nquit\nstep\n', ['p.nc:2: N20 #100=1'], 0),
 ]
 

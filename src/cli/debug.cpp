@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 
+#include "cli/debug_restart.h"
 #include "cli/drive.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
@@ -51,6 +52,8 @@ std::string commands_text() {
       "  print EXPRESSION     #100, R2, [#1+2]*3            watch EXPRESSION    the same after each stop; unwatch N\n"
       "  where                the block and its calls       list [N]     N lines around it\n"
       "  state                what is in force              mdi BLOCK    carries a block out now\n"
+      "  restart [CLEARANCE]  the blocks that bring from the start what is in force here, over a clearance (work coordinate, 100)\n"
+      "  search LINE[:PASS]   to a line as the control's own block search goes there, and what that forgets (nct)\n"
       "  quit                 ends\n",
       "  step [N]             N кадров, заходя в вызовы     next [N]     N кадров, не заходя в вызовы\n"
       "  finish               до выхода из вызова           continue     до точки останова или до конца\n"
@@ -60,6 +63,8 @@ std::string commands_text() {
       "  print ВЫРАЖЕНИЕ      #100, R2, [#1+2]*3            watch ВЫРАЖЕНИЕ     то же после каждого останова; unwatch N\n"
       "  where                кадр и вызовы                 list [N]     N строк вокруг него\n"
       "  state                что действует                 mdi КАДР     отработать кадр сейчас\n"
+      "  restart [БЕЗОП]      кадры, которые от начала восстановят то, что здесь действует, через плоскость безопасности\n"
+      "  search СТРОКА[:ПРОХОД]  до строки, как ищет кадр сама система, и что при этом теряется (nct)\n"
       "  quit                 закончить\n");
 }
 
@@ -70,6 +75,8 @@ class Debugger : public PartOfProgram {
   std::optional<Exit> begin(Session& session, const Job& job) override {
     session_ = &session;
     job_ = &job;
+    begins_.in_force = session.control().in_force();
+    begins_.stand = session.control().tool_position();
     return PartOfProgram::begin(session, job);
   }
 
@@ -109,6 +116,8 @@ class Debugger : public PartOfProgram {
     if (word == "list" || word == "l") return list(rest);
     if (word == "state") return fmt::print("{}", in_force_text(session_->control().in_force(), job_->lang));
     if (word == "mdi" || word == "m") return mdi(rest);
+    if (word == "restart") return restart(rest);
+    if (word == "search") return search(rest);
     if (word == "quit" || word == "q") return void(quit_ = true);
     if (word == "help" || word == "h" || word == "?") return fmt::print("{}", commands_text());
     fmt::print("{}: {}\n", word, told("no such command (help lists them)", "такой команды нет (перечень: help)"));
@@ -146,18 +155,43 @@ class Debugger : public PartOfProgram {
     show();
   }
 
-  void until(const std::string& rest) {
+  /// LINE or LINE:PASS; nothing: it has been said that it is none.
+  std::optional<StopPoint> target_of(const std::string& rest) const {
     const std::size_t colon = rest.find(':');
     const auto line = count_of(rest.substr(0, colon), 0);
     const auto pass = colon == std::string::npos ? std::optional(0U) : count_of(rest.substr(colon + 1), 0);
-    if (!line || *line == 0 || !pass) return wrong(rest);
-    if (!is_held()) return;
-    keep();
+    if (!line || *line == 0 || !pass) return wrong(rest), std::nullopt;
     StopPoint target;
     target.line = *line;
     target.pass = *pass;
-    state_ = stepping().go_to(target);
+    return target;
+  }
+
+  void until(const std::string& rest) {
+    const auto target = target_of(rest);
+    if (!target || !is_held()) return;
+    keep();
+    state_ = stepping().go_to(*target);
     show();
+  }
+
+  void search(const std::string& rest) {
+    const auto target = target_of(rest);
+    if (!target || !is_held()) return;
+    keep();
+    if (!tell_search(*session_, stepping(), *target, job_->lang)) {
+      kept_.pop_back();
+      return fmt::print("{}\n", told("this control has no block search of its own", "у этой системы своего поиска кадра нет"));
+    }
+    state_ = stepping().next() ? Session::State::held : session_->go_on();  // over: what it is
+    show();
+  }
+
+  void restart(const std::string& clearance) {
+    constexpr std::uint32_t usual = 100;
+    const auto over = count_of(clearance, usual);
+    if (!over) return wrong(clearance);
+    if (is_held()) tell_restart(*session_, stepping(), begins_, *over, job_->lang);
   }
 
   void back(const std::string& times) {
@@ -276,6 +310,7 @@ class Debugger : public PartOfProgram {
 
   Session* session_ = nullptr;
   const Job* job_ = nullptr;
+  Restart begins_;  // the state before the first block
   const bool begins_inside_;
   Session::State state_ = Session::State::held;
   std::deque<Stepping::Memory> kept_;

@@ -1,4 +1,4 @@
-// A part of a program: --from, --to. For cli/run, cli/debug; tested by tests/run_part.py.
+// A part of a program: --from, --to. For cli/run, cli/debug; tested by tests/debug.py.
 
 #include "cli/drive.h"
 

@@ -160,6 +160,10 @@ bool Control::encoding_was_guessed() const { return interpreter_->flow.program()
 const std::vector<std::string>& Control::axes() const { return interpreter_->axis_names; }
 const ProgramUse& Control::use() const { return interpreter_->use; }
 void Control::watch_use() { interpreter_->use.watch(); }
+std::optional<SearchRules> Control::search_rules() const {
+  const MachineSide* const side = machine_side();
+  return side != nullptr ? std::optional(side->search_rules()) : std::nullopt;
+}
 bool Control::has_machine_parameters() const { return machine_side() != nullptr; }
 std::uint32_t Control::rotary() const { return interpreter_->def.rotary; }
 const SetupFault& Control::setup_fault() const { return interpreter_->start_fault; }

@@ -19,6 +19,7 @@
 #include "config/setup_file.h"
 #include "config/state_file.h"
 #include "control/state/run_limits.h"
+#include "control/state/search_rules.h"
 #include "control/state/snapshot.h"
 #include "control/state/usage.h"
 #include "control/state/waiting.h"
@@ -133,6 +134,9 @@ class Control {
   bool may_read_clock() const;
   /// Tables and switches after the run, in the form of a set-up; nothing where the control has none to show.
   std::optional<RunState> run_state() const;
+
+  /// Of its own block search (session/block_search); nothing: it has none.
+  std::optional<SearchRules> search_rules() const;
 
   /// Called after each block that changed something that survives power-off (nct); the block is carried out.
   std::function<void(const StateChanges&)> on_changes;

@@ -24,6 +24,7 @@ struct Call;
 struct Commons;
 struct Plan;
 struct RunLimits;
+struct SearchRules;
 
 /// When the machine's logic and an interrupt macro are looked at.
 enum class BlockMoment : std::uint8_t { start, end };
@@ -50,6 +51,7 @@ class MachineSide {
   /// ms since the start of the run, and ms at feed since the last call.
   virtual void set_time(double now_ms, double cut_ms) = 0;
   virtual RunState run_state(const Interpreter& m) const = 0;
+  virtual SearchRules search_rules() const = 0;
   /// What the program has written: path, bytes.
   virtual const WrittenFiles& files_written() const = 0;
   /// Waiting codes have no effect.

@@ -42,6 +42,7 @@ void Planned::colour(Plot& plot) {
 void Planned::see(const TimedCells& cells) {
   time_.take(cells, limits_);
   if (writer_) writer_->take(cells);
+  if (on_cells) on_cells(cells);
   if (lost_time_) lost_time_->take(cells);
   if (record_) record_->take(cells);
   if (coloured_ != nullptr) coloured_->take(cells, limits_);

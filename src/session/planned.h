@@ -2,6 +2,7 @@
 // Planned: one channel's axes in time by the planner of least time (docs/planner.md), and whoever looks at it.
 
 #include <cstdio>
+#include <functional>
 
 #include "motion/least_time/axis_motion.h"
 #include "motion/time/lost_time.h"
@@ -31,7 +32,11 @@ class Planned {
   /// Colours a picture that takes each step before consume(); it must outlive this.
   void colour(Plot& plot);
 
+  /// Gets the cells as they are planned (session/player).
+  std::function<void(const TimedCells&)> on_cells{};
+
   void consume(const Step& step) { motion_.consume(step); }
+  const MotionLimits& limits() const { return limits_; }
 
   /// What it remembers from step to step; the tables of ask_why(), record_speed(), colour() are not in it.
   struct Memory {

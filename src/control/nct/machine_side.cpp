@@ -3,6 +3,7 @@
 #include "control/nct/calls/waiting.h"
 #include "control/nct/nct.h"
 #include "control/nct/spindles/coupling.h"
+#include "control/state/search_rules.h"
 
 namespace kadr::nct {
 
@@ -34,6 +35,14 @@ void Nct::convert_spindle(int number, bool to_axis) {
   s.master = 0;
   s.loop_closed = to_axis;
   s.referenced = false;
+}
+
+/// A group that N1341 to N1372 leave 0 is none.
+SearchRules Nct::search_rules() const {
+  SearchRules rules{{}, settings.change_on_m6};
+  for (const auto& group : settings.m_groups)
+    if (group.second > 0) rules.groups.push_back(group);
+  return rules;
 }
 
 void Nct::set_time(double at_ms, double cut_ms) {

@@ -80,6 +80,7 @@ class Nct : public Dialect, public MachineSide, public Memory {
   void set_time(double at_ms, double cut_ms) override;
   const WrittenFiles& files_written() const override { return output.files(); }
   bool waiting_suspended() const override;
+  SearchRules search_rules() const override;
 
   // ---- what the interpreter asks (dialect.cpp): each is a function of this folder
   bool starts_code_by_code() const override { return true; }

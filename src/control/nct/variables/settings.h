@@ -85,7 +85,7 @@ struct Settings {
   int waiting_low = 0, waiting_high = 0;           // N2201, N2202
   int part_code = 0;                               // N2305
   bool life_counts_on_t = false;                   // N2901 #1 TLC
-  bool change_on_m6 = true;                        // N1338 #0 M06; INFERRED: of no effect outside block search
+  bool change_on_m6 = true;                        // N1338 #0 M06: in block search; INFERRED: of no effect outside it
   int offset_by_tool = 0;                          // N2923
   int place_code = 0;                              // N2924
   int user_columns = 20;                           // N2903

@@ -124,6 +124,15 @@ double mirror_bits(const Interpreter& m) {
   return bits;
 }
 
+/// Of #_CNTBS (23.1.11): all three as a mask, or one.
+double search_bits(const Nct& n, int bit) {
+  constexpr const char* names[] = {"BSEARCH", "TEST", "MCHLOCK"};
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 3; ++i)
+    if (const auto found = n.signals.find(names[i]); found != n.signals.end() && found->second != 0) bits |= 1U << i;
+  return bit < 0 ? bits : bits >> bit & 1U;
+}
+
 double read_plain(const Interpreter& m, const Found& f) {
   const Nct& n = nct_of(m);
   const VariableRow& row = *f.row;
@@ -145,6 +154,7 @@ double read_plain(const Interpreter& m, const Found& f) {
     case VariableKind::single_block_lock: return row.bit < 0 ? n.control_1 : n.control_1 >> row.bit & 1u;
     case VariableKind::override_lock: return row.bit < 0 ? n.control_2 : n.control_2 >> row.bit & 1u;
     case VariableKind::mirror_state: return mirror_bits(m);
+    case VariableKind::search_state: return search_bits(n, row.bit);
     case VariableKind::main_program: return number_of_file(m.flow.main_file());
     case VariableKind::modal_group: return modal_group(m, row.arg, f.index);
     case VariableKind::modal_word: return modal_word(m, row.arg);

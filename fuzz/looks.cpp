@@ -1,0 +1,191 @@
+// What looks at a fuzzed run. For fuzz/run_program.
+
+#include "looks.h"
+
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "config/state_json.h"
+
+namespace kadr::fuzz {
+namespace {
+
+constexpr std::size_t most_shown = 40;  // alarms that are put into words
+constexpr std::size_t most_kept = 200;  // blocks before which the state is kept, to be compared
+constexpr double farthest_end = 1e8;    // mm: what no motion may reach
+constexpr double same_place = 1e-5;     // mm: rounding of coordinates of ten kilometres
+
+bool is_finite(const Axes& axes) {
+  for (const double v : axes)
+    if (!std::isfinite(v)) return false;
+  return true;
+}
+bool near(double a, double b) { return std::fabs(a - b) <= same_place * (1 + 1e-6 * std::fabs(a)); }
+bool near(const Axes& a, const Axes& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!near(a[i], b[i])) return false;
+  return true;
+}
+
+std::string text_of(const Ending& e) {
+  std::string text;
+  for (const auto& [name, value] : e.variables) text += name + "=" + std::to_string(value) + " ";
+  for (const std::string& code : e.modal) text += code + " ";
+  return text;
+}
+
+void same_state(const Ending& before, const Ending& after) {
+  if (before.variables != after.variables || before.modal != after.modal)
+    std::fprintf(stderr, "before: %s\nafter:  %s\n", text_of(before).c_str(), text_of(after).c_str());
+  require(before.variables == after.variables, "a faulty block changes no variable");
+  require(before.modal == after.modal, "a faulty block changes no mode");
+}
+
+void check_other(const Action& action) {
+  if (const auto* const dwell = std::get_if<Dwell>(&action.what))
+    require(std::isfinite(dwell->seconds) && dwell->seconds >= 0, "a dwell ends");
+  if (const auto* const spindle = std::get_if<Spindle>(&action.what)) require(std::isfinite(spindle->rpm), "the speed is a number");
+  if (const auto* const message = std::get_if<Message>(&action.what)) require(is_utf8(message->text), "a message is UTF-8");
+}
+
+/// FNV-1a.
+class Digest {
+ public:
+  void add(std::uint64_t value) {
+    for (int shift = 0; shift < 64; shift += 8) sum_ = (sum_ ^ (value >> shift & 0xffU)) * 0x100000001b3ULL;
+  }
+  void add(const Axes& axes) {
+    for (const double v : axes) add(std::bit_cast<std::uint64_t>(v));
+  }
+  std::uint64_t sum() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 0xcbf29ce484222325ULL;
+};
+
+}  // namespace
+
+Looks::Looks(const Shop& shop, Session& session)
+    : shop_(shop),
+      session_(session),
+      control_(session.control()),
+      stand_(control_.tool_position()),
+      statistics_(control_.axes(), control_.rotary(), rates_of(session.machine(), session.setup(), control_.axes())),
+      plot_(control_.axes(), control_.rotary(), stand_),
+      trace_(shop.nowhere, control_.axes(), control_.rotary(), session.setup().points) {
+  require(is_finite(stand_.work) && is_finite(stand_.machine), "the run begins somewhere");
+  Outlets& outlets = session.outlets();
+  outlets.programmed = [this](const Action& action) { programmed(action); };
+  outlets.step = [this](const Step& step) { stepped(step); };
+  outlets.warning = [this](const AlarmReport& report) { show(report); };
+  outlets.alarm = [this](const AlarmReport& report) { return stopped(report); };
+  if (session.channels().size() == 1) outlets.clock = &statistics_.clock();
+}
+
+void Looks::before_block() {
+  before_is_kept_ = ++kept_ <= most_kept;
+  if (before_is_kept_) before_block_ = control_.ending();
+}
+
+void Looks::begin_at(const Place& place) {
+  stand_ = place.stand;
+  frame_ = place.frame;
+  before_is_kept_ = false;
+}
+
+/// As the program says it, before cutter radius compensation.
+void Looks::programmed(const Action& action) {
+  ++actions_;
+  before_is_kept_ = false;  // a cycle that has begun
+  if (const auto* const motion = std::get_if<Motion>(&action.what)) check_motion(*motion);
+  if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
+    require(is_finite(frame->placement.origin) && is_finite(frame->placement.length) && is_finite(frame->work), "the frame is of numbers");
+    frame_ = *frame;
+  }
+  check_other(action);
+  stand_.take(action);
+}
+
+/// As the tool's centre goes.
+void Looks::stepped(const Step& step) {
+  Digest digest;
+  digest.add(step.action.what.index());
+  digest.add(step.action.origin.line);
+  if (const Motion* const m = step.motion()) {
+    require(is_finite(m->to) && is_finite(m->machine), "the tool's centre goes somewhere");
+    require(is_arc(m->kind) ? m->turns > 0 && std::isfinite(m->turns) : m->turns == 0, "its arcs turn, its lines do not");
+    require(!is_arc(m->kind) || (std::isfinite(m->center.x) && std::isfinite(m->center.y)), "its arcs have a centre");
+    if (m->kind == MotionKind::probe) stand_.take(step.action);  // where it touched
+    digest.add(m->to);
+    digest.add(m->machine);
+    digest.add(std::bit_cast<std::uint64_t>(m->feed));
+  }
+  digest_.push_back(digest.sum());
+  statistics_.consume(step);
+  plot_.consume(step);
+  trace_.write(step);
+}
+
+void Looks::check_motion(const Motion& motion) const {
+  require(is_finite(motion.to) && is_finite(motion.machine), "a motion ends somewhere");
+  require(std::isfinite(motion.center.x) && std::isfinite(motion.center.y), "an arc has a centre");
+  require(std::isfinite(motion.feed) && motion.feed >= 0, "the feed is a number");
+  require(std::isfinite(motion.turns) && std::isfinite(motion.tolerance) && motion.tolerance >= 0, "turns and tolerance are numbers");
+  require(is_arc(motion.kind) ? motion.turns > 0 : motion.turns == 0, "an arc turns, a line does not");
+  for (std::size_t a = 0; a < control_.axes().size(); ++a) {
+    require(std::fabs(motion.to[a]) < farthest_end && std::fabs(motion.machine[a]) < farthest_end, "a motion ends on this earth");
+    // An axis that does not move keeps a length that its next motion takes out (2С42).
+    const double apart = motion.machine[a] - motion.to[a];
+    const bool in_frame = !frame_ || near(apart, frame_->placement.origin[a] + frame_->placement.length[a]);
+    require(!shop_.plain_frames || in_frame || near(apart, stand_.machine[a] - stand_.work[a]), "machine = work + origin + length");
+  }
+}
+
+bool Looks::stopped(const AlarmReport& report) {
+  constexpr std::size_t most_compared = 30;
+  ++alarms_;
+  last_ = report;
+  show(report);
+  Digest digest;
+  digest.add(static_cast<std::uint64_t>(report.alarm.id));
+  digest.add(report.origin.line);
+  digest_.push_back(digest.sum());
+  const bool of_control = control_.holds_before && control_.is_stopped() && !jumps;  // and it is not ahead
+  if (of_control && alarms_ <= most_compared && session_.channels().size() == 1) {
+    const Ending after = control_.ending();
+    require(near(after.position, stand_.work) && near(after.machine_position, stand_.machine),
+            "after an alarm the control stands where the motions led");
+    if (before_is_kept_ && report.alarm.id != AlarmId::call_too_deep)
+      same_state(before_block_, after);  // an interrupt macro may nest too deep
+  }
+  before_is_kept_ = false;
+  return goes_on_after_alarm();
+}
+
+void Looks::finish() {
+  control_.check_uncalled([this](const AlarmReport& report) { show(report); });
+  const Ending end = control_.ending();
+  if (alarms_ == 0) trace_.finish(end);
+  else trace_.finish(end, last_, shop_.texts, Lang::ru);
+  require(is_utf8(statistics_.text(control_.blocks(), Lang::ru)), "the summary is UTF-8");
+  if (const auto state = control_.run_state(); state) {
+    const std::string text = state_json(*state);
+    require(nlohmann::json::accept(text), "the state is JSON");
+    require(parse_setup(text).has_value(), "the state is a set-up");
+  }
+}
+
+void Looks::show(const AlarmReport& report) {
+  if (++shown_ > most_shown) return;
+  std::vector<Finding> findings;
+  for (const Lang lang : {Lang::en, Lang::ru}) {
+    require(is_utf8(alarm_text(report, shop_.texts, lang)), "an alarm is UTF-8");
+    findings.push_back(finding_of(report, shop_.texts, lang));
+    require(!findings.back().text.empty() && findings.back().end_column >= findings.back().column, "an alarm has a text and a place");
+  }
+  require(nlohmann::json::accept(findings_json(findings)), "the list of alarms is JSON");
+  if (shown_ % 8 == 1) require(nlohmann::json::accept(findings_sarif(findings, {"0", 0, {}})), "the SARIF log is JSON");
+}
+
+}  // namespace kadr::fuzz

@@ -1,0 +1,53 @@
+// What the debugger tells of going on in mid program. For cli/debug; tested by tests/debug.py.
+
+#include "cli/debug_restart.h"
+
+#include <fmt/core.h>
+
+#include "config/told.h"
+#include "out/text/in_force_text.h"
+#include "session/block_search.h"
+
+namespace kadr::cli {
+namespace {
+
+void list(const std::string& title, const std::vector<InForce>& things, Lang lang) {
+  if (!things.empty()) fmt::print("{}:\n{}", title, in_force_text(things, lang));
+}
+
+void list(const std::string& title, const std::vector<BlockSearch::Code>& codes) {
+  if (codes.empty()) return;
+  std::string text;
+  for (const auto& code : codes) text += fmt::format(" {} ({} {})", code.text, told("line", "строка"), code.origin.line);
+  fmt::print("{}:{}\n", title, text);
+}
+
+}  // namespace
+
+void tell_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang) {
+  constexpr double above = 2, feed = 100;  // mm, mm/min: of the last way down
+  const auto restart = restart_here(session, stepping);
+  if (!restart) return;
+  std::vector<InForce> wanted;
+  for (const Difference& d : differences(restart->in_force, begins.in_force))
+    if (d.wanted) wanted.push_back(*d.wanted);
+  const ControlDef& def = session.def();
+  const auto way = way_there(begins.stand, *restart, {clearance, above, feed}, session.control().axes().size());
+  const auto blocks = restart_blocks(def, wanted, restart->in_force, in_work_coordinates(way, *restart, def));
+  if (!blocks)
+    return fmt::print("{}\n", told("a value has no room in a word of this control", "значение не помещается в слово этой системы"));
+  for (const std::string& block : blocks->blocks) fmt::print("{}\n", block);
+  list(told("by hand", "вручную"), blocks->by_hand, lang);
+}
+
+bool tell_search(Session& session, Stepping& stepping, const StopPoint& target, Lang lang) {
+  if (!session.control().search_rules()) return false;
+  const auto search = search_block(session, stepping, target);
+  if (!search) return true;
+  list(told("carried out at its end", "выполняется в конце поиска"), search->carried_out);
+  list(told("of no group, not known", "вне групп, неизвестно"), search->of_no_group);
+  list(told("forgotten", "не восстанавливается"), search->forgotten, lang);
+  return true;
+}
+
+}  // namespace kadr::cli

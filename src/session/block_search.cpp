@@ -1,0 +1,120 @@
+// BlockSearch: the control's own block search (spec/nct 13.1, 12.1, 23.1.11). For the debugger, the panel, whoever embeds Kadr; tested by
+// tests/session/block_search_test.cpp.
+
+#include "session/block_search.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace kadr {
+namespace {
+
+/// The M code that an action was commanded by; 0: it is of none that the machine's logic gets.
+std::uint32_t m_code_of(const Action& action) {
+  if (const auto* const function = std::get_if<MachineFunction>(&action.what)) return function->code;
+  if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) {
+    constexpr std::uint32_t codes[] = {9, 7, 8};
+    return codes[static_cast<std::size_t>(coolant->what)];
+  }
+  const auto* const spindle = std::get_if<Spindle>(&action.what);
+  if (spindle == nullptr) return 0;
+  switch (spindle->dir) {
+    case SpindleDir::cw: return 3;
+    case SpindleDir::ccw: return 4;
+    case SpindleDir::stop: return 5;
+    case SpindleDir::orient: return 19;
+    default: return 0;
+  }
+}
+
+/// Notes the codes that go by.
+class Collector {
+ public:
+  explicit Collector(const SearchRules& rules) : rules_(rules) {}
+
+  void see(const Action& action) {
+    if (const auto* const select = std::get_if<ToolSelect>(&action.what); select != nullptr && !rules_.tool_on_m6)
+      tool_ = BlockSearch::Code{fmt::format("T{}", select->tool), action.origin};
+    if (const auto* const change = std::get_if<ToolChange>(&action.what); change != nullptr && rules_.tool_on_m6)
+      tool_ = BlockSearch::Code{fmt::format("T{} M6", change->tool), action.origin};
+    const std::uint32_t code = m_code_of(action);
+    if (code == 0) return;
+    const auto group = std::find_if(rules_.groups.begin(), rules_.groups.end(), [&](const auto& g) {
+      return static_cast<std::int64_t>(code) >= g.first && static_cast<std::int64_t>(code) <= g.second;
+    });
+    const bool in_group = group != rules_.groups.end();
+    // Of a group only the last one stays; of no group, the last of each code.
+    auto& list = in_group ? grouped_ : others_;
+    const std::int64_t key = in_group ? group - rules_.groups.begin() : static_cast<std::int64_t>(code);
+    std::erase_if(list, [&](const auto& noted) { return noted.first == key; });
+    list.emplace_back(key, BlockSearch::Code{fmt::format("M{}", code), action.origin});
+  }
+
+  void write(BlockSearch& search) {
+    for (auto& [key, code] : grouped_) search.carried_out.push_back(std::move(code));
+    if (tool_) search.carried_out.push_back(std::move(*tool_));
+    for (auto& [key, code] : others_) search.of_no_group.push_back(std::move(code));
+  }
+
+ private:
+  using Noted = std::vector<std::pair<std::int64_t, BlockSearch::Code>>;
+  const SearchRules& rules_;
+  Noted grouped_, others_;
+  std::optional<BlockSearch::Code> tool_;
+};
+
+/// The outlets get nothing but what the collector sees; afterwards they are as before.
+class Unseen {
+ public:
+  Unseen(Session& session, Collector& collector) : session_(session), before_(session.outlets()) {
+    Outlets& outlets = session.outlets();
+    outlets.step = nullptr;
+    outlets.timed = nullptr;
+    outlets.warning = [](const AlarmReport&) {};
+    outlets.programmed = [&collector](const Action& action) { collector.see(action); };
+    session.control().set_signal("BSEARCH", 1);
+  }
+  ~Unseen() {
+    session_.control().set_signal("BSEARCH", 0);
+    session_.outlets() = std::move(before_);
+  }
+  Unseen(const Unseen&) = delete;
+  Unseen& operator=(const Unseen&) = delete;
+
+ private:
+  Session& session_;
+  Outlets before_;
+};
+
+std::vector<InForce> forgotten_of(const BlockSearch& search) {
+  std::vector<InForce> forgotten;
+  for (const InForce& one : search.restart.in_force) {
+    if (one.kind != InForce::Kind::spindle && one.kind != InForce::Kind::coolant) continue;
+    const bool brought =
+        std::any_of(search.carried_out.begin(), search.carried_out.end(), [&](const auto& c) { return c.text == one.code; });
+    if (!brought) forgotten.push_back(one);
+  }
+  return forgotten;
+}
+
+}  // namespace
+
+std::optional<BlockSearch> search_block(Session& session, Stepping& stepping, const StopPoint& target) {
+  const auto rules = session.control().search_rules();
+  if (!rules) return std::nullopt;
+  Collector collector(*rules);
+  {
+    const Unseen unseen(session, collector);
+    if (stepping.go_to(target) != Session::State::held) return std::nullopt;
+  }
+  auto restart = restart_here(session, stepping);
+  if (!restart) return std::nullopt;
+  BlockSearch search{std::move(*restart), {}, {}, {}};
+  collector.write(search);
+  search.forgotten = forgotten_of(search);
+  return search;
+}
+
+}  // namespace kadr
