@@ -55,7 +55,7 @@ def installed_by_pip(python, build, folder):
     if done.returncode:
         yield f'pip: {done.stdout[-2000:]}{done.stderr[-2000:]}'
         return
-    program = 'import kadr; print(kadr.__file__, len(list(kadr.Session("%\\nG0 X5\\nM30\\n%\\n").run().moves())))'
+    program = 'import kadr; print(kadr.__file__, len(list(kadr.Session("%\\nG0 X5\\nM30\\n%\\n", control="nct").run().moves())))'
     ran = run([there / 'bin/python', '-c', program], env=environment, cwd=folder)
     yield None if ran.stdout.startswith(str(there)) and ran.stdout.endswith(' 1\n') else f'after pip: {ran.stdout}{ran.stderr}'
     typed = list(there.glob('lib/*/site-packages/kadr/py.typed')) + list(there.glob('lib/*/site-packages/kadr/_kadr.pyi'))

@@ -107,7 +107,7 @@ class Session:
     >>> session.run().motions()['to']
     """
 
-    def __init__(self, program: Program, control: Optional[str] = 'nct', machine: str = 'generic',
+    def __init__(self, program: Program, control: Optional[str] = None, machine: str = 'generic',
                  setup: Union[Mapping[str, Any], str, os.PathLike[str], None] = None, *, lang: str = 'en', max_motions: int = 5_000_000) -> None:
         if lang not in ('en', 'ru'):
             raise ValueError(f"lang: 'en' or 'ru', not {lang!r}")

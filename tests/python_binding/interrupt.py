@@ -19,7 +19,7 @@ def interrupted(call):
 
 
 def test_run():
-    session = kadr.Session(ENDLESS)
+    session = kadr.Session(ENDLESS, control='nct')
     kept = session.snapshot()
     interrupted(session.run)
     assert session.state == 'stopped'
@@ -29,7 +29,7 @@ def test_run():
 
 def test_check_plot_samples():
     for call in ('check', 'plot', 'samples'):
-        interrupted(getattr(kadr.Session(ENDLESS), call))
+        interrupted(getattr(kadr.Session(ENDLESS, control='nct'), call))
 
 
 def test_a_handler_of_the_program_itself():
@@ -42,7 +42,7 @@ def test_a_handler_of_the_program_itself():
     before = signal.signal(signal.SIGINT, handler)
     try:
         threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
-        raises(Mine, kadr.Session(ENDLESS).run)
+        raises(Mine, kadr.Session(ENDLESS, control='nct').run)
     finally:
         signal.signal(signal.SIGINT, before)
 

@@ -10,7 +10,7 @@ ARC = 10 * pi   # mm, half a circle of radius 10
 
 
 def test_motions():
-    rows = kadr.Session(PART).run().motions()
+    rows = kadr.Session(PART, control='nct').run().motions()
     assert rows['line'].tolist() == [4, 5, 6, 8, 9] and rows['block'].tolist() == [20, 30, 40, 60, 70]
     assert rows['kind'].tolist() == [kadr.Kind.RAPID] + [kadr.Kind.FEED] * 3 + [kadr.Kind.ARC_CW]
     assert rows['tool'].tolist() == [1, 1, 1, 2, 2]
@@ -22,28 +22,28 @@ def test_motions():
 
 
 def test_machine_coordinates():
-    session = kadr.Session('%\nG54 G0 X1 Y2 Z3\nM30\n%\n', setup={'work_offsets': {'G54': {'X': 100, 'Y': -50}}}).run()
+    session = kadr.Session('%\nG54 G0 X1 Y2 Z3\nM30\n%\n', setup={'work_offsets': {'G54': {'X': 100, 'Y': -50}}}, control='nct').run()
     assert session.motions()['machine_to'][-1].tolist() == [101, -48, 3]
     assert session.position == {'X': 1, 'Y': 2, 'Z': 3} and session.machine_position == {'X': 101, 'Y': -48, 'Z': 3}
 
 
 def test_steps():
-    session = kadr.Session(PART)
+    session = kadr.Session(PART, control='nct')
     assert session.state == 'running' and session.next is None
     seen = [(block.line, block.block, session.position['X'], session.position['Y']) for block in session if block.block]
     assert seen == [(3, 10, 0, 0), (4, 20, 0, 0), (5, 30, 30, 0), (6, 40, 30, 40), (7, 50, 30, 40), (8, 60, 0, 0), (9, 70, 20, 0), (10, 80, 20, 0)], seen
     assert session.state == 'ended' and session.step() is None
-    assert session.motions().tobytes() == kadr.Session(PART).run().motions().tobytes()
+    assert session.motions().tobytes() == kadr.Session(PART, control='nct').run().motions().tobytes()
 
 
 def test_calls_have_depth():
-    session = kadr.Session('O0001\nM98 P0002\nM30\nO0002\nG0 X1\nM99\n')
+    session = kadr.Session('O0001\nM98 P0002\nM30\nO0002\nG0 X1\nM99\n', control='nct')
     assert [(block.line, block.depth) for block in session if block.line == 5] == [(5, 1)]
 
 
 def test_snapshot_goes_on_as_if_never_stopped():
-    whole = kadr.Session(PART).run()
-    session = kadr.Session(PART)
+    whole = kadr.Session(PART, control='nct').run()
+    session = kadr.Session(PART, control='nct')
     while session.step().line < 5:
         pass
     kept = session.snapshot()
@@ -54,13 +54,13 @@ def test_snapshot_goes_on_as_if_never_stopped():
         assert session.next.line == 6 and session.position == {'X': 30, 'Y': 0, 'Z': 0} and len(session.motions()) == 2
         assert session.step().line == 6 and session.position['Y'] == 40
     assert fork.next.line == 6 and fork.run().motions().tobytes() == whole.motions().tobytes()
-    other = kadr.Session(PART)
+    other = kadr.Session(PART, control='nct')
     raises(kadr.Error, lambda: other.restore(kept), 'another program')
 
 
 def test_many_motions_and_their_snapshots():
     lines = [f'X{i}' for i in range(1, 3001)]
-    session = kadr.Session('G1 F100\n' + '\n'.join(lines) + '\nM30\n')
+    session = kadr.Session('G1 F100\n' + '\n'.join(lines) + '\nM30\n', control='nct')
     kept = []
     for block in session:
         if block.line in (1024, 1025, 1026, 2500):
@@ -74,14 +74,14 @@ def test_many_motions_and_their_snapshots():
 
 
 def test_expressions_and_variables():
-    session = kadr.Session('#100=7\n#101=#100*2\nM30\n')
+    session = kadr.Session('#100=7\n#101=#100*2\nM30\n', control='nct')
     session.step(), session.step()
     assert session.evaluate('#100+#101/2') == 14 and session.variables['#101'] == 14
     raises(kadr.Alarm, lambda: session.evaluate('#100+'))
 
 
 def test_a_picture():
-    session = kadr.Session(PART)
+    session = kadr.Session(PART, control='nct')
     picture = session.plot()
     assert isinstance(picture, str) and picture.lstrip().startswith(('<?xml', '<svg')) and '</svg>' in picture
     assert picture._repr_svg_() == session._repr_svg_() == str(picture)
@@ -91,7 +91,7 @@ def test_a_picture():
 
 
 def test_axes_in_time():
-    session = kadr.Session(PART)
+    session = kadr.Session(PART, control='nct')
     rows = session.samples(rate=100)
     assert rows.dtype.names == ('t', 'X', 'Y', 'Z') and rows['t'][0] == 0
     assert numpy.allclose(numpy.diff(rows['t'])[:-1], 0.01) and numpy.allclose([rows[axis][-1] for axis in 'XYZ'], [20, 0, 0], atol=1e-6)
