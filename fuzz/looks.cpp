@@ -96,7 +96,7 @@ void Looks::begin_at(const Place& place) {
 
 /// As the program says it, before cutter radius compensation.
 void Looks::programmed(const Action& action) {
-  ++actions_;
+  if (++actions_ > last_action_ && stop_ != nullptr) *stop_ = true;
   before_is_kept_ = false;  // a cycle that has begun
   if (const auto* const motion = std::get_if<Motion>(&action.what)) check_motion(*motion);
   if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
@@ -138,7 +138,8 @@ void Looks::check_motion(const Motion& motion) const {
     // An axis that does not move keeps a length that its next motion takes out (2С42).
     const double apart = motion.machine[a] - motion.to[a];
     const bool in_frame = !frame_ || near(apart, frame_->placement.origin[a] + frame_->placement.length[a]);
-    require(!shop_.plain_frames || in_frame || near(apart, stand_.machine[a] - stand_.work[a]), "machine = work + origin + length");
+    require(!shop_.plain_frames || jumps || in_frame || near(apart, stand_.machine[a] - stand_.work[a]),
+            "machine = work + origin + length");
   }
 }
 
@@ -151,8 +152,10 @@ bool Looks::stopped(const AlarmReport& report) {
   digest.add(static_cast<std::uint64_t>(report.alarm.id));
   digest.add(report.origin.line);
   digest_.push_back(digest.sum());
-  const bool of_control = control_.holds_before && control_.is_stopped() && !jumps;  // and it is not ahead
-  if (of_control && alarms_ <= most_compared && session_.channels().size() == 1) {
+  // The machine refuses a motion beyond its limits: its block is taken back, and the control is elsewhere.
+  if (!jumps && control_.holds_before && !control_.is_stopped()) jumps = true;
+  const bool is_known = !jumps && control_.holds_before && session_.channels().size() == 1;  // and the control is not ahead
+  if (is_known && alarms_ <= most_compared) {
     const Ending after = control_.ending();
     require(near(after.position, stand_.work) && near(after.machine_position, stand_.machine),
             "after an alarm the control stands where the motions led");

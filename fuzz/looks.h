@@ -2,6 +2,7 @@
 // What looks at a fuzzed run: every action, step and alarm is checked; statistics, picture, trace and texts are made of them; a digest
 // tells two runs apart.
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,11 +26,13 @@ class Looks {
   void before_block();
   /// Asked at each alarm: does the run go on with the next block?
   std::function<bool()> goes_on_after_alarm = [] { return true; };
-  /// The session is restored beside begin_at(): where the motions led is not known.
+  /// Where the motions led is not known any more: a session that is restored beside begin_at().
   bool jumps = false;
   /// After the end: summary, trace, state.
   void finish();
 
+  /// The session is asked to stop after so many actions more.
+  void stop_after(std::size_t most, std::atomic<bool>& flag) { last_action_ = actions_ + most, stop_ = &flag; }
   std::size_t actions() const { return actions_; }
   std::size_t alarms() const { return alarms_; }
 
@@ -62,7 +65,8 @@ class Looks {
   Ending before_block_;
   bool before_is_kept_ = false;
   std::size_t kept_ = 0;
-  std::size_t actions_ = 0;
+  std::size_t actions_ = 0, last_action_ = 0;
+  std::atomic<bool>* stop_ = nullptr;
   std::size_t alarms_ = 0;
   std::size_t shown_ = 0;
   std::vector<std::uint64_t> digest_;

@@ -2,6 +2,7 @@
 
 #include "run_program.h"
 
+#include <atomic>
 #include <memory>
 #include <random>
 
@@ -35,10 +36,12 @@ Setup some_setup(unsigned switches) {
 namespace {
 
 constexpr std::size_t most_actions = 20'000;  // of one run
-constexpr std::size_t most_planned = 150;     // a sharp corner takes the planner a millisecond
+constexpr std::size_t most_planned = 24;      // a sharp corner takes the planner a millisecond, with sanitizers a hundred
+constexpr std::size_t most_cells = 150;
 constexpr std::size_t most_alarms = 200;
 constexpr std::size_t most_calls = 4000;  // of go_on(): loops without an action
 constexpr std::size_t most_commands = 60;
+constexpr std::size_t most_commanded = 5000;  // actions, of stepping or searching
 
 enum class Way : std::uint8_t { watched, rewound, fresh, planned, stepped, searched, count };
 
@@ -126,6 +129,12 @@ class Run {
     while (goes_on(looks)) state_ = session.go_on();
   }
 
+  /// A command may carry out many blocks, and a block many motions.
+  void stop_after_some(Session& session, Looks& looks) {
+    looks.stop_after(most_commanded, stop_);
+    session.outlets().stop = StopToken(stop_);
+  }
+
   /// The state before each block is kept; alarms stop the session, and it goes on.
   void watch(Session& session, Looks& looks) {
     looks.goes_on_after_alarm = [this] { return !chance_.one_in(3); };
@@ -192,21 +201,24 @@ class Run {
     options.rate = 50;
     options.max_time = 10;
     (void)session.look_ahead();
-    session.plan(session.own()).write_samples(shop_.nowhere, options);
+    Planned& planned = session.plan(session.own(), StopToken(planned_enough_));
+    planned.write_samples(shop_.nowhere, options);
+    planned.on_cells = [this](const TimedCells& more) { planned_enough_ = (cells_ += more.laws.size()) > most_cells; };
     while (goes_on(looks)) {
       state_ = session.go_on();
       if (state_ == Session::State::running && chance_.one_in(16)) repeat(session, looks);
     }
     if (chance_.one_in(2)) return;
     if (state_ == Session::State::running) state_ = session.stop_here();
-    (void)session.planned(session.own())->finish();
+    (void)planned.finish();
   }
 
   void step(Session& session, Looks& looks) {
     looks.goes_on_after_alarm = [this] { return chance_.one_in(2); };
+    stop_after_some(session, looks);
     Stepping stepping(session);
     std::optional<Stepping::Memory> kept;
-    for (std::size_t i = 0; i < most_commands && looks.actions() < most_actions; ++i) {
+    for (std::size_t i = 0; i < most_commands && !stop_; ++i) {
       state_ = command(session, stepping, kept);
       looks.begin_at({session.control().tool_position(), std::nullopt});
       if (state_ == Session::State::stopped && chance_.one_in(2)) session.acknowledge();
@@ -242,6 +254,7 @@ class Run {
     if (session.channels().size() > 1) return run(session, looks);
     looks.goes_on_after_alarm = [&looks] { return looks.alarms() < most_alarms; };
     looks.jumps = true;
+    stop_after_some(session, looks);
     Checkpoints checkpoints(session, 8, 4);
     state_ = checkpoints.run();
     Stepping stepping(session);
@@ -271,6 +284,8 @@ class Run {
   bool has_logic_ = false, has_channels_ = false;
   Session::State state_ = Session::State::running;
   std::size_t calls_ = 0;
+  std::size_t cells_ = 0;  // of the planner
+  std::atomic<bool> planned_enough_ = false, stop_ = false;
 };
 
 }  // namespace

@@ -82,6 +82,7 @@ class Debugger : public PartOfProgram {
 
   void carry_out(Session&) override {
     if (!begins_inside_) state_ = stepping().go(Stepping::How::block);
+    first_ = stepping().snapshot();
     show();
     const bool asks = ::isatty(STDIN_FILENO) != 0;
     for (std::string line; !quit_ && !interrupted();) {
@@ -178,11 +179,12 @@ class Debugger : public PartOfProgram {
   void search(const std::string& rest) {
     const auto target = target_of(rest);
     if (!target || !is_held()) return;
-    keep();
-    if (!tell_search(*session_, stepping(), *target, job_->lang)) {
-      kept_.pop_back();
+    if (!session_->control().search_rules())
       return fmt::print("{}\n", told("this control has no block search of its own", "у этой системы своего поиска кадра нет"));
-    }
+    keep();
+    if (first_)  // it searches from the beginning
+      if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
+    tell_search(*session_, stepping(), *target, job_->lang);
     state_ = stepping().next() ? Session::State::held : session_->go_on();  // over: what it is
     show();
   }
@@ -313,6 +315,7 @@ class Debugger : public PartOfProgram {
   Restart begins_;  // the state before the first block
   const bool begins_inside_;
   Session::State state_ = Session::State::held;
+  std::optional<Stepping::Memory> first_;  // before the first block
   std::deque<Stepping::Memory> kept_;
   std::map<std::size_t, std::string> watches_;
   bool quit_ = false, finished_ = false;

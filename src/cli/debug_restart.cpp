@@ -40,14 +40,12 @@ void tell_restart(Session& session, const Stepping& stepping, const Restart& beg
   list(told("by hand", "вручную"), blocks->by_hand, lang);
 }
 
-bool tell_search(Session& session, Stepping& stepping, const StopPoint& target, Lang lang) {
-  if (!session.control().search_rules()) return false;
+void tell_search(Session& session, Stepping& stepping, const StopPoint& target, Lang lang) {
   const auto search = search_block(session, stepping, target);
-  if (!search) return true;
+  if (!search) return;
   list(told("carried out at its end", "выполняется в конце поиска"), search->carried_out);
   list(told("of no group, not known", "вне групп, неизвестно"), search->of_no_group);
   list(told("forgotten", "не восстанавливается"), search->forgotten, lang);
-  return true;
 }
 
 }  // namespace kadr::cli

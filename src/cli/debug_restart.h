@@ -12,7 +12,7 @@ namespace kadr::cli {
 void tell_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang);
 
 /// The control's own block search to a line (nct 13.1): what it carries out at its end, what it forgets.
-///   returns  false: the control has none
-bool tell_search(Session& session, Stepping& stepping, const StopPoint& target, Lang lang);
+///   pre  the control has one
+void tell_search(Session& session, Stepping& stepping, const StopPoint& target, Lang lang);
 
 }  // namespace kadr::cli

@@ -64,7 +64,7 @@ std::string place_text(const AlarmReport::Line& line) {
 }
 
 std::optional<Exit> PartOfProgram::begin(Session& session, const Job& job) {
-  if (session.channels().size() > 1) {
+  if (session.channels().size() > 1 && (from_.line != 0 || to_ != 0)) {
     complain(told("--from, --to: the program has several channels", "--from, --to: у УП несколько каналов"));
     return wrong_usage;
   }

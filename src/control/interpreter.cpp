@@ -28,6 +28,18 @@ Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> 
   start_modal(setup);
 }
 
+namespace {
+
+/// Before the block that was read: it is to be held there, and read again then. Notes its line otherwise, where lines are noted.
+bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
+  const bool asks = before && m.holds_before != nullptr && *m.holds_before && !m.flow.in_body();
+  if (asks && (*m.holds_before)(m.origin)) return m.flow.unread(*before), true;
+  if (m.line_marks != nullptr) m.line_marks->note(m.flow.in_body() ? std::uint16_t{1} : m.origin.file, m.origin.line);
+  return false;
+}
+
+}  // namespace
+
 Interpreter::~Interpreter() = default;
 
 Control::State Interpreter::run(ActionBatch& to) {
@@ -39,8 +51,9 @@ Control::State Interpreter::run(ActionBatch& to) {
     emit(frame_change());
     if (modal.surface_speed) emit(surface_speed());
   }
-  const std::uint64_t until = line_marks != nullptr ? flow.blocks() + most_unseen : ~std::uint64_t{0};
-  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty()) && !stop_.asked() && flow.blocks() < until) {
+  const bool looked_at = line_marks != nullptr || (holds_before != nullptr && *holds_before);
+  const std::uint64_t until = flow.blocks() + most_unseen;
+  while (to.size() < batch_size && !stopped_ && !(each_block && !to.empty()) && !stop_.asked()) {
     if (waiting.meeting) return Control::State::waiting;
     if (cycling()) {
       if (const Status status = next_of_cycle(); !status) fail_with(status.error());
@@ -60,10 +73,14 @@ Control::State Interpreter::run(ActionBatch& to) {
       if (!waits) fail_with(waits.error());
       if (!waits || *waits) continue;
     }
-    const bool once_more = std::exchange(again_, false), looked_at = holds_before != nullptr && *holds_before && !once_more;
-    const Flow::Mark before = looked_at ? flow.mark() : Flow::Mark();
+    std::optional<Flow::Mark> before;
+    if (looked_at) [[unlikely]] {
+      if (line_marks != nullptr && flow.blocks() >= until) break;
+      if (!again_) before = flow.mark();
+    }
     Block* const last = block;
-    auto got = once_more ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
+    auto got = again_ ? Result<BlockReader::Got>(BlockReader::Got::block) : flow.next(block);
+    again_ = false;
     if (got && *got == BlockReader::Got::end) {
       block = last;  // what is told is told there
       if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) continue;
@@ -76,14 +93,8 @@ Control::State Interpreter::run(ActionBatch& to) {
     }
     if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
     else origin.number = static_cast<std::uint32_t>(flow.blocks());
-    if (looked_at && !flow.in_body()) [[unlikely]] {
-      if ((*holds_before)(origin)) {
-        flow.unread(before);
-        return Control::State::held;
-      }
-    }
-    if (line_marks != nullptr) [[unlikely]]
-      line_marks->note(flow.in_body() ? std::uint16_t{1} : origin.file, origin.line);
+    if (looked_at && is_held(*this, before)) [[unlikely]]
+      return Control::State::held;
     if (motion_run_.is_on()) {
       if (got && motion_run_.take(*this)) [[likely]] {
         if (block_states_) block_states_->note(origin.number, *this);

@@ -144,6 +144,11 @@ bool comes_before(const ControlDef& def, const InForce& a, const InForce& b) {
   return rank(a) < rank(b);
 }
 
+bool is_in_spindle(const InForce& selected, const std::vector<InForce>& in_force) {
+  return std::any_of(in_force.begin(), in_force.end(),
+                     [&](const InForce& other) { return other.kind == Kind::tool && other.value == selected.value; });
+}
+
 Status write_technology(Writer& writer, const InForce& one, const std::vector<InForce>& in_force) {
   switch (one.kind) {
     case Kind::tool: return writer.tool(one);
@@ -198,8 +203,9 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     }
   }
   for (const InForce& one : wanted) {
-    const bool follows = one.kind == Kind::origin || one.kind == Kind::length;  // from tables, by the codes
-    if (follows || one.kind == Kind::rotation || one.kind == Kind::scale || one.kind == Kind::selected) writer.by_hand(one);
+    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_said('H'));  // else H brings it
+    const bool next_tool = one.kind == Kind::selected && !is_in_spindle(one, in_force);
+    if (of_tables || next_tool || one.kind == Kind::rotation || one.kind == Kind::scale) writer.by_hand(one);
   }
   return std::move(writer.made());
 }
