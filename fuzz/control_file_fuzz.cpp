@@ -5,15 +5,12 @@
 
 #include "config/control_file.h"
 #include "config/range.h"
-#include "control/control.h"
 #include "out/text/code_page.h"
-#include "require.h"
+#include "run_program.h"
 
 namespace {
 
-constexpr const char* program = "%\nN1 G90 G0 X1 Y2 Z3 F100 S100 M3\nN2 G1 X5 T1 D1 H1 L1\nN3 G2 X1 I1 J1 R1\nN4 M2\n";
-const kadr::RunLimits few_passes{200, 2};
-constexpr int most_batches = 50;
+const char* const program = "%\nN1 G90 G0 X1 Y2 Z3 F100 S100 M3\nN2 G1 X5 T1 D1 H1 L1\nN3 G2 X1 I1 J1 R1\nN4 M2\n";
 
 /// What is accepted is within the ranges of config/range.h.
 void hold_ranges(const kadr::ControlDef& def) {
@@ -30,14 +27,12 @@ void try_out(const kadr::ControlDef& def) {
   hold_ranges(def);
   static const kadr::AlarmTexts texts = kadr::AlarmTexts::load(nullptr).value();
   (void)kadr::control_page(def, texts);
-  kadr::Control control(def, {}, {"fuzz.nc", kadr::text_source(program), std::nullopt}, few_passes);
-  kadr::ActionBatch batch;
-  for (int i = 0; i < most_batches; ++i) {
-    const auto state = control.run(batch);
-    if (state == kadr::Control::State::ended) return;
-    if (state == kadr::Control::State::needs_probe) control.answer({});
-    if (control.is_stopped()) control.go_on();
-  }
+  static kadr::fuzz::Shop shop = kadr::fuzz::Shop::open("gost");
+  shop.def = def;
+  shop.plain_frames = false;
+  shop.file = "/nonexistent/fuzz.nc";  // no program calls a file of the machine it runs on
+  shop.limits = {200, 2};
+  kadr::fuzz::run_text(shop, program, 0);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct Shop {
   std::FILE* nowhere;
   std::string file = "fuzz.nc";
   RunLimits limits = few_passes;
-  Setup (*setup)(unsigned switches) = some_setup;
+  std::function<Setup(unsigned switches)> setup = some_setup;
   bool plain_frames = true;  // machine = work + origin + length always
   std::function<void(Control&, const Origin&, bool at_end)>
       logic{};                   // of the machine, around each block (nct), with the switch `machine_logic`

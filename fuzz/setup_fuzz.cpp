@@ -1,42 +1,20 @@
 // Fuzz target for config/setup: any text may be a set-up file. What is accepted also begins a run.
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-#include "config/control_file.h"
-#include "config/machine_profile.h"
 #include "config/range.h"
-#include "control/control.h"
-#include "machine/virtual_machine.h"
-#include "motion/time/estimate.h"
-#include "require.h"
+#include "run_program.h"
 
 namespace {
 
-constexpr const char* program = "N1 G90 G0 X1 Y2 Z3\nN2 G31 Z-5 F100\nN3 G1 X5\nN4 M30\n";
-constexpr int most_batches = 20;
+const char* const program = "N1 G90 G0 X1 Y2 Z3\nN2 G31 Z-5 F100\nN3 G1 X5\nN4 M30\n";
 
 void try_out(const kadr::Setup& setup) {
-  static const kadr::ControlDef def = std::move(*kadr::load_control("mach3"));
-  static const kadr::MachineProfile profile = std::move(*kadr::load_machine("generic"));
-  kadr::Control control(def, setup, {"fuzz.nc", kadr::text_source(program), std::nullopt}, {});
-  const kadr::Ending start = control.ending();
-  kadr::VirtualMachine machine(control.axes(), control.rotary(), profile, setup, {start.position, start.machine_position});
-  (void)kadr::rates_of(profile, setup, control.axes());
-  kadr::ActionBatch batch;
-  for (int i = 0; i < most_batches; ++i) {
-    const auto state = control.run(batch);
-    for (kadr::Action& action : batch) {
-      if (auto* const motion = std::get_if<kadr::Motion>(&action.what)) {
-        for (const double v : motion->to) kadr::fuzz::require(std::isfinite(v), "a motion ends somewhere");
-        if (motion->kind == kadr::MotionKind::probe) control.answer(machine.probe(*motion));
-      }
-      (void)machine.take(action);
-    }
-    if (state == kadr::Control::State::ended) return;
-    if (control.is_stopped()) control.go_on();
-  }
+  static kadr::fuzz::Shop shop = kadr::fuzz::Shop::open("mach3");
+  shop.setup = [&setup](unsigned) { return setup; };
+  shop.plain_frames = false;
+  kadr::fuzz::run_text(shop, program, 0);
 }
 
 /// What is accepted is within the ranges of config/range.h: no motion that never ends.

@@ -6,9 +6,7 @@
 #include <stdexcept>
 
 #include "config/control_file.h"
-#include "control/control.h"
-#include "motion/least_time/axis_motion.h"
-#include "motion/time/steps.h"
+#include "session/session.h"
 #include "stretch.h"
 
 namespace kadr::reference {
@@ -68,25 +66,17 @@ Planned planned(const std::string& file, const Machine& machine) {
   std::stringstream text;
   text << in.rdbuf();
   if (!in) throw std::runtime_error(file + ": cannot be read");
-  static const ControlDef def = *load_control("mach3");
-  Control control(def, Setup{}, Program{file, text_source(text.str()), Encoding::utf8}, RunLimits{});
-  const AxisRoles roles = AxisRoles::of(control.axes(), control.rotary());
-  const MachineProfile profile = profile_of(machine, control.axes());
-  const MotionLimits limits = motion_limits(profile, Setup{}, control.axes());
-  const ToolPosition position = control.tool_position();
-  TimeEstimate estimate(roles, rates_of(profile, Setup{}, control.axes()));
+  static const auto def = std::make_shared<const ControlDef>(*load_control("mach3"));
+  const std::vector<std::string> axes = Control(*def, {}, {file, text_source(""), Encoding::utf8}, {}).axes();
+  const auto session = std::move(*Session::open({def, profile_of(machine, axes), {}, {file, text_source(text.str()), Encoding::utf8}}));
   Collector collector;
-  AxisMotion motion(roles, limits, machine.tolerance, position, [&](const TimedCells& cells) { collector.take(cells); });
-  Steps steps(roles, position, &estimate);
-  ActionBatch batch;
-  for (auto state = Control::State::running; state == Control::State::running;) {
-    state = control.run(batch);
-    if (state != Control::State::running && state != Control::State::ended) throw std::runtime_error(file + ": it stops");
-    for (const Action& action : batch) steps.give(action, [&](const Step& step) { motion.consume(step); });
-  }
-  motion.finish();
-  if (motion.faults().unsolved > 0) throw std::runtime_error(file + ": the planner found no speed");
-  return {limits, std::move(collector.stretches())};
+  kadr::Planned& plan = session->plan(session->own());
+  plan.on_cells = [&](const TimedCells& cells) { collector.take(cells); };
+  if (session->run() != Session::State::ended) throw std::runtime_error(file + ": it stops");
+  (void)plan.finish();
+  for (const AlarmReport& report : plan.reports(session->control()))
+    if (report.alarm.id == AlarmId::plan_unsolved) throw std::runtime_error(file + ": the planner found no speed");
+  return {plan.limits(), std::move(collector.stretches())};
 }
 
 }  // namespace kadr::reference
