@@ -101,6 +101,17 @@ struct ContourData {
   bool mirrored = false;  // the programmed plane is: its clockwise is counter-clockwise here
 };
 
+/// Where the tool is along a motion that leads its tip, where that is not what the motion's curve and the rotary axes' even way say: tool
+/// posture control, cutting point control (nct 25.15 to 25.17). kinematics/tip_ways has them.
+class TipWay {
+ public:
+  virtual ~TipWay() = default;
+  /// Work coordinates of tip and rotary axes at the part where the curve is at `on_curve`.
+  virtual Axes at(double part, const Axes& on_curve) const = 0;
+  /// Of the surface at the cutting point, in the work system; {}: there is none.
+  virtual Vec3 normal(double /*part*/) const { return {}; }
+};
+
 /// What only few motions have.
 struct MotionDetail {
   AxisMask rolled = 0;  // rotary axes that roll over: `travel` is their signed way, degrees (nct 5.6)
@@ -121,6 +132,8 @@ struct MotionDetail {
   int input = 0;                      // of a probe motion: 1 to 8; 98: torque; 0: any
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the way in or out
   std::vector<Follower> followers;    // each after its master; their way is no part of the path
+  std::shared_ptr<const TipWay> tip_way;
+  bool evenly = false;  // the axes go evenly, although the tip is led by other motions (G53, nct 25.2)
   std::optional<ContourData> contour;
 };
 
@@ -148,6 +161,7 @@ struct MotionModes {
   ContourEntry entry = ContourEntry::by_corner;  // where it begins compensation
   std::uint8_t system = 0;                       // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
   bool inch = false;                             // its block was read in inches
+  bool as_programmed = false;                    // its end is what the program's words say: told where frames in space may be (nct 25)
   double tool_radius = 0;                        // mm, at its end
   double join = 0;                               // mm; straight motions no longer than this in any axis are made as one (nct 4.7, N3103)
 };

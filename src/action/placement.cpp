@@ -32,9 +32,16 @@ Axes turned_axes(const FrameTurn& turn, const Axes& work) {
   return all;
 }
 
+Axes turned_back_axes(const FrameTurn& turn, const Axes& way) {
+  Axes all = way;
+  set_main(turn, all, turned_back(turn, of_main(turn, way)));
+  return all;
+}
+
 Axes Placement::machine_of(const Axes& work) const {
   Axes machine;
   for (std::size_t a = 0; a < max_axes; ++a) machine[a] = work[a] + origin[a] + length[a];
+  if (space && !space->is_plain()) return space->machine_of(work, machine);
   if (!turn) return machine;
   const FrameTurn& r = *turn;
   set_main(r, machine, of_main(r, origin) + of_main(r, length) + turned(r, of_main(r, shift) + of_main(r, work)));
@@ -44,6 +51,7 @@ Axes Placement::machine_of(const Axes& work) const {
 Axes Placement::work_of(const Axes& machine) const {
   Axes work;
   for (std::size_t a = 0; a < max_axes; ++a) work[a] = machine[a] - origin[a] - length[a];
+  if (space && !space->is_plain()) return space->work_of(machine, work);
   if (!turn) return work;
   const FrameTurn& r = *turn;
   set_main(r, work, turned_back(r, of_main(r, machine) - of_main(r, origin) - of_main(r, length)) - of_main(r, shift));
@@ -51,6 +59,7 @@ Axes Placement::work_of(const Axes& machine) const {
 }
 
 AxisMask Placement::moved_with(AxisMask named) const {
+  if (space && !space->is_plain()) named = space->moved_with(named);
   if (!turn) return named;
   AxisMask main = 0;
   for (const std::int8_t axis : turn->main)

@@ -13,7 +13,8 @@ namespace kadr {
 struct ToolPosition {
   Axes work{};
   Axes machine{};
-  std::shared_ptr<const FrameTurn> turn{};  // nullptr: none
+  std::shared_ptr<const FrameTurn> turn{};   // nullptr: none
+  std::shared_ptr<const WorkSpace> space{};  // nullptr: none
 
   void take(const Motion& motion) {
     work = motion.to;
@@ -22,6 +23,7 @@ struct ToolPosition {
   void take(const FrameChange& frame) {
     work = frame.work;
     turn = frame.placement.turn;
+    space = frame.placement.space;
   }
   void take(const Action& action) {
     if (const auto* motion = std::get_if<Motion>(&action.what)) take(*motion);
@@ -29,10 +31,27 @@ struct ToolPosition {
   }
 };
 
+/// The motion leads the tool's tip: the axes' ways follow from that.
+inline bool leads_tip(const ToolPosition& from, const Motion& motion) {
+  return from.space && from.space->leads_tip() && !(motion.detail && motion.detail->evenly);
+}
+
+/// The same where the tip is led (nct 25.14): the tool is where the motion's own way or the work coordinates say, and so are the axes.
+inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
+  if (part <= 0) return from.machine;
+  if (part >= 1) return motion.machine;
+  const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
+  const Axes tool = way != nullptr ? way->at(part, work) : work;
+  Axes plainly = motion.machine;
+  for (std::size_t i = 0; i < max_axes; ++i) plainly[i] += tool[i] - motion.to[i];
+  return from.space->machine_of(tool, plainly);
+}
+
 /// Machine coordinates at the `part` of a motion where the work coordinates are `work`. What lies between the two (the work
 /// coordinates turned, if the frame is) is the same along the motion, or taken up evenly by it (a tool length that the next
 /// motion takes out, 2С42). An axis that rolls over counts on beyond its turn until the end.
 inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
+  if (leads_tip(from, motion)) return led_along(from, motion, work, part);
   const FrameTurn* const turn = from.turn.get();
   const Axes start = turned(turn, from.work), end = turned(turn, motion.to);
   Axes machine = turned(turn, work);

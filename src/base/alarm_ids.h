@@ -60,6 +60,7 @@
   X(surface_state) X(surface_start) X(smoothing_length) X(cycle_data_missing) \
   X(probe_state) X(probe_torque) X(probe_torque_axis) X(probe_torque_unknown)                \
   X(probe_window) X(contour_block_missing) X(contour_order) X(contour_shape)                 \
+  X(rough_uncompensated)                                                                   \
   /* zones (nct 22), in-position (nct 4.1.1), channels (nct 14.5) */                         \
   X(zone1_positive) X(zone1_negative) X(zone2_positive) X(zone2_negative) X(zone2_inside)    \
   X(zone3_inside) X(zone2_entry) X(zone3_entry)                                              \
@@ -98,5 +99,9 @@
   X(plan_unsolved) X(plan_tolerance) X(plan_endless) X(samples_too_long) \
   /* what a program does not mean as it stands, and what is worth a note */                   \
   X(feed_above_rapid) X(program_begins_again) X(passes_done) X(block_number_vacant)          \
-  X(arctangent_divides) X(axis_is_spindle) X(length_no_axis)
+  X(arctangent_divides) X(axis_is_spindle) X(length_no_axis) \
+  /* five axes */ \
+  X(no_five_axes) X(frame_axis) X(frames_too_many) X(plane_q) X(plane_points) X(plane_degenerate) X(frame_missing) \
+  X(length_missing) X(words_exclude) X(direction_unreachable) X(lead_mode) X(lead_state) X(lead_words) X(lead_angle) \
+  X(normal_missing) X(direction_zero)
 // clang-format on

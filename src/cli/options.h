@@ -22,6 +22,7 @@ struct Options {
   std::string trace;                           // file, "-": stdout
   std::string plot;                            // .svg or .png
   std::string samples;                         // file, "-": stdout
+  std::string samples_tip;                     // file
   double rate = 1000;                          // of the samples, Hz
   double max_time = SampleOptions{}.max_time;  // of the samples, s
   std::vector<OverrideChange> overrides;

@@ -93,6 +93,10 @@ void sample_options(CLI::App& run, Options& o) {
   takes_file(run.add_option("--samples", o.samples,
                             told("positions of the axes at the servo rate as CSV, to a file or - for stdout",
                                  "положения осей с тактом привода в виде CSV: в файл или - на стандартный вывод")));
+  takes_file(run.add_option("--samples-tip", o.samples_tip,
+                            told("beside --samples: the tool's tip in work coordinates and its direction at the same times, as CSV",
+                                 "вместе с --samples: вершина инструмента в координатах детали и его направление в те же моменты, CSV")))
+      ->needs("--samples");
   number(run.add_option("--rate", o.rate, told("of the samples, Hz", "частота этих отсчётов, Гц")), "HZ", "ГЦ", 1, 1e6)
       ->capture_default_str();
   number(run.add_option("--max-time", o.max_time,

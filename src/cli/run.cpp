@@ -77,6 +77,7 @@ class RunCommand {
       if (needs_planner(options, job.profile)) view.planned = &session.plan(i, options.limits.stop);
       if (samples != nullptr)
         view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
+      if (std::FILE* const tips = outputs.stream("--samples-tip"); tips != nullptr) view.planned->write_tips(tips);
       if (!options.plot_speed.empty()) view.planned->record_speed();
       if (!options.colour.empty()) {
         view.plot->colour_by(options.colour == "speed" ? PlotColour::speed : PlotColour::limit);
@@ -283,6 +284,7 @@ Outputs outputs_of(const Options& options, const Job& job) {
   outputs.writes("--state", options.state, Outputs::Opened::by_its_owner);
   outputs.writes("--trace", options.trace);
   outputs.writes("--samples", options.samples);
+  outputs.writes("--samples-tip", options.samples_tip);
   outputs.writes("--plot", options.plot);
   outputs.writes("--plot-speed", options.plot_speed);
   return outputs;

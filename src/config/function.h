@@ -169,6 +169,12 @@ namespace kadr {
   X(plane_rotation_on,    transform,     own,  code, nct,        usual, leaves_mode) \
   X(plane_rotation_off,   transform,     none, code, nct,        first, nothing) \
   X(transform_off,        transform,     none, code, nct,        usual, nothing) \
+  X(space_rotation,       transform,     own,  code, nct,        usual, breaks_contour) \
+  X(tilted_plane,         transform,     own,  code, nct,        usual, breaks_contour) \
+  X(space_frame_off,      transform,     none, code, nct,        first, breaks_contour) \
+  X(tool_orientation,     motion,        own,  code, nct,        usual, breaks_contour) \
+  X(tool_lead,            length,        none, code, nct,        usual, breaks_contour) \
+  X(dynamic_zero,         zero,          none, code, nct,        usual, breaks_contour) \
   X(local_system,         data,          own,  code, nct,        usual, leaves_mode | breaks_contour) \
   X(machine_move,         data,          own,  code, nct,        usual, leaves_mode | breaks_contour) \
   X(work_system,          zero,          none, code, nct,        usual, breaks_contour) \

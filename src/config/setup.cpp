@@ -61,7 +61,7 @@ Readers readers_of(Setup& setup) {
   readers.merge(readers_of_machine(setup));
   readers.merge(readers_of_events(setup));
   const Reader nothing = [](const Json&, const std::string&) {};  // for others: the referee of the golden cases, people; or not served yet
-  for (const char* key : {"search", "kinematics", "frame", "files", "main_file", "notes"}) readers.emplace(key, nothing);
+  for (const char* key : {"search", "frame", "files", "main_file", "notes"}) readers.emplace(key, nothing);
   return readers;
 }
 
@@ -120,6 +120,7 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
   }
   try {
     setup_reader::read_table(whole, "", setup_reader::readers_of(result.setup));
+    setup_reader::give_kinematics(result.setup);
   } catch (const setup_reader::Wrong& error) {  // each is right by itself, together they are not
     return tl::unexpected(error.sentence);
   }

@@ -44,6 +44,13 @@ struct AxisLimits {
   double position_error = 0;                        // mm; the axis stays that far from the command
 };
 
+/// Rotary axes of a five-axis machine in words (nct 25.1).
+struct KinematicsSetup {
+  std::string type;                                    // head-head, table-table, head-table; empty: none is given
+  std::string axes, reversed;                          // letters
+  std::map<std::string, std::vector<double>> vectors;  // T1, T2, E, D: mm
+};
+
 struct SpindleSetup {
   std::string name;
   int channel = 1;
@@ -138,8 +145,10 @@ struct Setup {
       work_offsets;  // "G54", "G59 P7", "common"; a basic rotation other than 0 is "G17", "G18", "G19", degrees
   std::map<int, AxisValues> zeros;
   std::map<int, double> correctors;
-  std::map<std::string, std::optional<double>> variables;  // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant
-  std::map<std::string, AxisLimits> machine;               // axis or "*"
+  std::map<std::string, std::optional<double>> variables;        // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant
+  std::map<std::string, AxisLimits> machine;                     // axis or "*"
+  std::map<std::string, std::pair<double, double>> axis_limits;  // no key: of the set-up and the machine file together (session)
+  KinematicsSetup kinematics;                                    // given as parameters too, where these say nothing
   std::map<int, SpindleSetup> spindles;
   int tool = 0;
   std::map<int, ToolRow> tool_table;
@@ -183,6 +192,7 @@ struct RunState {
     std::optional<double> angle;
   };
   std::map<int, SpindleState> spindles;
+  std::map<std::string, AxisValues> frame{};  // of G68.1, G68.2 in work coordinates: "origin", "x", "y", "z"; empty: none
 };
 
 /// From JSON text.

@@ -176,7 +176,14 @@ constexpr SetupKey keys[] = {
   {"main_file", F::text, N::fixed, any, U::none, null, H::nothing, "", R"("main.nct")", "", "of a golden case: the program's name there", "только в эталонных примерах: имя программы там"},
   {"notes", F::texts, N::any, any, U::none, null, H::nothing, "", R"(["G54: measured on the vice"])", "", "remarks for people; without effect", "примечания для людей; ни на что не влияют"},
   {"search", F::text, N::fixed, any, U::none, null, H::machine_axes, "", R"("")", "", "block search; not served yet, must be empty", "поиск кадра; пока не поддерживается, должен быть пустым"},
-  {"kinematics", F::table, N::any, any, U::none, null, H::machine_axes, "", "{}", "", "five axes; not served yet, must be empty", "пять осей; пока не поддерживаются, должно быть пусто"},
+  {"kinematics", F::table, N::fixed, any, U::none, null, H::machine_axes, "", R"({"type": "table-table", "axes": "AC", "reversed": "AC", "T1": [300, -200, -450], "T2": [0, 4, -60]})", "", "the machine's rotary axes in words: what N3200 to N3224 say; those go before", "поворотные оси станка словами: то же, что N3200–N3224; параметры имеют преимущество"},
+  {"kinematics.type", F::one_of, N::fixed, any, U::none, stated, H::machine_axes, "head-head table-table head-table", R"("table-table")", "", "what the rotary axes turn", "что поворачивают оси"},
+  {"kinematics.axes", F::one_of, N::fixed, any, U::none, stated, H::machine_axes, "CA CB AB BA AC BC", R"("AC")", "", "first and second rotary axis; A turns about X, B about Y, C about Z", "первая и вторая поворотные оси; A — вокруг X, B — вокруг Y, C — вокруг Z"},
+  {"kinematics.reversed", F::text, N::fixed, any, U::none, stated, H::machine_axes, "", R"("AC")", "", "axes whose positive motion is left-handed (RD1, RD2 of N3212)", "оси, у которых положительное вращение левое (RD1, RD2 параметра N3212)"},
+  {"kinematics.T1", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[300, -200, -450]", "", "point of the (first) table's axis, machine coordinates", "точка на оси (первого) стола, в координатах станка"},
+  {"kinematics.T2", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[0, 4, -60]", "", "from there to the second table's axis", "оттуда до оси второго стола"},
+  {"kinematics.E", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[5, -3, 200]", "", "from the gauge point to the axis nearest to the tool", "от базы инструмента до ближайшей к нему оси"},
+  {"kinematics.D", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[20, 8, 50]", "", "from the second axis of the head to the first", "от второй оси головки до первой"},
   {"frame", F::table, N::any, any, U::none, null, H::machine_axes, "", "{}", "", "of a printed state; must be empty", "из напечатанного состояния; должно быть пусто"},
 };
 

@@ -83,6 +83,22 @@ std::optional<AxisValues> signal_position(const Json& value, const std::string& 
   return value.is_null() ? std::nullopt : std::optional(axis_values(value, key));
 }
 
+void kinematics(const Json& value, const std::string& key, KinematicsSetup& to) {
+  const auto vector = [&](const Json& v, const std::string& k) {
+    const std::vector<double> parts = list(v, k, number);
+    if (parts.size() != 3) wrong(k, "three numbers, along X, Y and Z");
+    to.vectors[k.substr(k.rfind('.') + 1)] = parts;
+  };
+  read_table(value, key,
+             {{"type", [&](const Json& v, const std::string& k) { to.type = word(v, k); }},
+              {"axes", [&](const Json& v, const std::string& k) { to.axes = word(v, k); }},
+              {"reversed", [&](const Json& v, const std::string& k) { to.reversed = word(v, k); }},
+              {"T1", vector},
+              {"T2", vector},
+              {"E", vector},
+              {"D", vector}});
+}
+
 void overrides(const Json& value, const std::string& key, Setup& s) {
   read_table(value, key,
              {{"feed", to_range(s.feed_override, ranges::percent)},
@@ -112,8 +128,33 @@ Readers readers_of_machine(Setup& s) {
        [&](const Json& v, const std::string& k) {
          numbered(v, k, s.probe, signal_position, {1, most_inputs});
        }},
+      {"kinematics", or_null([&](const Json& v, const std::string& k) { kinematics(v, k, s.kinematics); })},
       {"probe_workpiece", or_null([&](const Json& v, const std::string& k) { probe_workpiece(v, k, s); })},
   };
+}
+
+/// The parameters that say the same (nct 25.1, spec/nct/25a); those of the set-up go before.
+void give_kinematics(Setup& setup) {
+  const KinematicsSetup& k = setup.kinematics;
+  if (k.type.empty() || k.axes.size() != 2) return;
+  const auto give = [&](const std::string& number, const std::string& bit, double value) {
+    setup.parameters.emplace(ParameterKey{number, "", bit}, value);
+  };
+  const std::string types[] = {"head-head", "table-table", "head-table"};
+  give("3200", "", static_cast<double>(std::find(std::begin(types), std::end(types), k.type) - types + 1));
+  give("3201", "", 3);
+  for (int n = 0; n < 2; ++n) {
+    const std::string letter(1, k.axes[static_cast<std::size_t>(n)]);
+    const auto at = std::find(setup.axes.begin(), setup.axes.end(), letter);
+    if (at == setup.axes.end()) continue;  // the first code that needs it says that there are no such axes
+    give(n == 0 ? "3204" : "3208", "", static_cast<double>(at - setup.axes.begin() + 1));
+    give(n == 0 ? "3205" : "3209", "", letter[0] >= 'A' && letter[0] <= 'C' ? letter[0] - 'A' + 1 : 3);
+    give("3212", n == 0 ? "RD1" : "RD2", k.reversed.find(letter) != std::string::npos ? 1 : 0);
+  }
+  const std::pair<const char*, int> firsts[] = {{"T1", 3213}, {"T2", 3216}, {"E", 3219}, {"D", 3222}};
+  for (const auto& [name, first] : firsts)
+    if (const auto found = k.vectors.find(name); found != k.vectors.end())
+      for (int i = 0; i < 3; ++i) give(std::to_string(first + i), "", found->second[static_cast<std::size_t>(i)]);
 }
 
 }  // namespace kadr::setup_reader

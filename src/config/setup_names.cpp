@@ -112,7 +112,7 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
     if (row.letter != 'G' || row.tenth < first_system || row.tenth > last_system || (row.takes & letter_bit('P')) == 0) continue;
     if (row.function == Function::fixture) add(row, 1, static_cast<int>(def.behaviour.fixtures), 0);
     if (row.function == Function::work_system_extended) add(row, 1, extended_systems, plain);
-    if (row.function == Function::not_available) add(row, 1, dynamic_systems, 0);
+    if (row.function == Function::dynamic_zero) add(row, 1, dynamic_systems, plain + extended_systems);
   }
   return systems;
 }

@@ -83,6 +83,7 @@ Reader or_null(Reader reader);  // null: as without the key
 /// The keys of setup_tables.cpp, setup_machine.cpp and setup_events.cpp.
 Readers readers_of_tables(Setup& setup);
 Readers readers_of_machine(Setup& setup);
+void give_kinematics(Setup& setup);
 Readers readers_of_events(Setup& setup);
 
 }  // namespace kadr::setup_reader

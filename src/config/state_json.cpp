@@ -137,6 +137,7 @@ std::string state_json(const RunState& state) {
   put_table(to, "correctors", t.correctors, row_name, number);
   put_table(to, "parameters", t.parameters, text_of, parameter_value);
   put_table(to, "shifts", state.shifts, own_name, axes);
+  put_table(to, "frame", state.frame, own_name, axes);
   if (!t.plane.empty()) to["plane"] = t.plane;
   for (const auto& [axis, on] : t.diameter) to["diameter"][axis] = on;
   if (t.feed) to["feed"] = number(*t.feed);

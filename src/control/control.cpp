@@ -27,6 +27,7 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
   interpreter_->on_warning = &on_warning;
   interpreter_->on_block = &on_block;
   interpreter_->on_changes = &on_changes;
+  interpreter_->find_corners = &find_corners;
   interpreter_->holds_before = &holds_before;
 }
 Control::~Control() = default;

@@ -141,6 +141,10 @@ class Control {
   /// Called after each block that changed something that survives power-off (nct); the block is carried out.
   std::function<void(const StateChanges&)> on_changes;
 
+  /// Finds the corners of a contour that is looked at before it is carried out (nct 19.A 5): chamfers, roundings, calculated ends. They
+  /// are the room path's, which control does not know. `from`: where the contour begins, work coordinates.
+  std::function<std::optional<Alarm>(ActionBatch& contour, const Axes& from)> find_corners;
+
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;
 

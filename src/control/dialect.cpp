@@ -20,7 +20,7 @@ Result<bool> Dialect::finish(Interpreter&) { return false; }
 bool Dialect::reads_clock(const Block&) const { return false; }
 void Dialect::note_skip_mark(Interpreter&) {}
 Result<bool> Dialect::interrupt(Interpreter&, BlockMoment) { return false; }
-Status Dialect::statement(Interpreter&) { return {}; }
+Result<bool> Dialect::statement(Interpreter&) { return true; }
 void Dialect::begin_block(Interpreter&) {}
 Status Dialect::restore(Interpreter&, const DialectState&) { return {}; }
 Result<bool> Dialect::takes_block(Interpreter& m) {

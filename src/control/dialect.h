@@ -112,8 +112,8 @@ class Dialect {
   virtual Result<bool> interrupt(Interpreter& m, BlockMoment moment);
   /// Numbered lines are data (of a G10), not blocks.
   virtual bool takes_data() const { return false; }
-  /// IF, WHILE, GOTO, #1=…: a block that is no words.
-  virtual Status statement(Interpreter& m);
+  /// IF, WHILE, GOTO, #1=…: a block that is no words. false: IF … THEN holds, and the words behind it are to be carried out.
+  virtual Result<bool> statement(Interpreter& m);
   virtual void begin_block(Interpreter& m);
   /// The words have their values. true: the block is done with that (its words were arguments of a macro, data …).
   virtual Result<bool> takes_block(Interpreter& m);

@@ -136,7 +136,7 @@ void Interpreter::watch_states() {
 void Interpreter::carry_out_statement() {
   journal.begin();
   pass_varies = true;
-  if (const Status status = dialect->statement(*this); !status) fail_with(status.error());
+  if (const auto done = dialect->statement(*this); !done) fail_with(done.error());
   else report_changes();
 }
 
@@ -276,7 +276,10 @@ Status Interpreter::execute() {
   if (block->empty() && block->comments.empty() && !data) return {};
   if (block->statement.kind != StatementKind::none) {
     pass_varies = true;
-    return dialect ? dialect->statement(*this) : Status();
+    if (!dialect) return {};
+    const auto done = dialect->statement(*this);
+    if (!done) return fail(done.error());
+    if (*done) return {};
   }
   return attempt();
 }

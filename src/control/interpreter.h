@@ -243,6 +243,7 @@ class Interpreter : public ControlState, public RunMemory {
   LineMarks* line_marks = nullptr;
   std::uint64_t most_unseen = 0;  // blocks that run() carries out without being looked at, where lines are noted
   std::function<void(const StateChanges&)>* on_changes = nullptr;
+  const std::function<std::optional<Alarm>(ActionBatch&, const Axes&)>* find_corners = nullptr;
 
  private:
   void read_setup(const Setup& setup);

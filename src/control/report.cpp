@@ -144,7 +144,7 @@ std::optional<BlockState> Interpreter::state_of(const Origin& at) const {
 
 Ending Interpreter::ending() {
   Ending e;
-  e.position = position.work;
+  e.position = frames.space ? frames.space->in_system(position.work) : position.work;
   e.machine_position = position.machine;
   if (dialect) dialect->add_variables(*this, e, watch_);
   for (std::uint32_t n = 1; macro_variables == nullptr && n <= variables.highest() && def.grammar.variables != 0; ++n)

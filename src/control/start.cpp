@@ -185,10 +185,14 @@ void Interpreter::start_modal(const Setup& setup) {
   if (dialect) dialect->take_setup(*this, setup);
   refresh_frames();
   const Axes start = axes_of(setup.start, axis_names);
-  for (std::size_t a = 0; a < max_axes; ++a) {
+  for (std::size_t a = 0; a < max_axes && frames.is_plain(); ++a) {
     const double shift = frames.origin[a] + frames.length[a];
     position.machine[a] = setup.start_in_work ? start[a] + shift : start[a];
     position.work[a] = position.machine[a] - shift;
+  }
+  if (!frames.is_plain()) {
+    position.machine = setup.start_in_work ? frames.machine_of(start) : start;
+    position.work = frames.work_of(position.machine);
   }
   if (dialect) dialect->roll(*this, position.work), dialect->roll(*this, position.machine);
   position.programmed = transform.to_programmed(position.work);

@@ -6,14 +6,9 @@
 #include <optional>
 
 #include "action/axis_roles.h"
+#include "action/placement.h"
 
 namespace kadr {
-
-/// Of the tool in space.
-struct Pose {
-  Vec3 tip;                 // mm
-  Vec3 direction{0, 0, 1};  // from the tip into the tool, of length 1
-};
 
 class Chain {
  public:
@@ -22,6 +17,8 @@ class Chain {
 
   /// Where the tool is; `axes`: of the machine, or work coordinates, then in the work system.
   Pose forward(const Axes& axes) const { return {tip(axes), {0, 0, 1}}; }
+  /// The same of work coordinates, in the work system where a programming frame lies otherwise.
+  Vec3 tip(const WorkSpace* space, const Axes& work) const { return tip(space == nullptr ? work : space->in_system(work)); }
   Vec3 tip(const Axes& axes) const { return {value(axes, 0), value(axes, 1), value(axes, 2)}; }
 
   /// The positions at which the tool is there; all axes that do not move it as in `near`.

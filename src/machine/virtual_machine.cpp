@@ -8,6 +8,7 @@
 
 #include "base/tolerance.h"
 #include "motion/time/estimate.h"
+#include "path/curve/machine_path.h"
 
 namespace kadr {
 namespace {
@@ -52,11 +53,19 @@ Status VirtualMachine::check(const Motion& motion) const {
     if ((to > most_[i] + tol::same_point && to > from) || (to < least_[i] - tol::same_point && to < from)) [[unlikely]]
       return beyond(i, to);
   }
-  const bool curved = is_arc(motion.kind) || (motion.detail && motion.detail->surface == PathSurface::polar);
+  const bool curved =
+      is_arc(motion.kind) || (motion.detail && motion.detail->surface == PathSurface::polar) || leads_tip(position_, motion);
   return curved ? check_curve(motion) : Status{};
 }
 
 Status VirtualMachine::check_curve(const Motion& motion) const {
+  if (leads_tip(position_, motion)) {
+    const Curve curve(roles_, position_.work, motion);
+    const Extents rough = MachinePath(roles_, position_, motion, curve).rough_extents();
+    bool within = true;
+    for (std::size_t i = 0; i < roles_.count; ++i) within = within && rough.least[i] >= least_[i] && rough.most[i] <= most_[i];
+    if (within) return {};
+  }
   const Extents box = machine_extents(roles_, position_, motion);
   for (std::size_t i = 0; i < roles_.count; ++i) {
     const double from = position_.machine[i], least = box.least[i], most = box.most[i];

@@ -25,6 +25,12 @@ ContourCorners::Follows behind(Control::State state) {
 /// More is to come at once.
 bool goes_on(Control::State state) { return state == Control::State::running || state == Control::State::held; }
 
+/// What a control asks that looks at a contour before it is carried out: all of it is there at once.
+std::optional<Alarm> corners_of(ActionBatch& contour, const Axes& from) {
+  const auto fault = ContourCorners(ToolPosition{from, from, nullptr}).take(contour, ContourCorners::Follows::nothing);
+  return fault ? std::optional(fault->alarm) : std::nullopt;
+}
+
 }  // namespace
 
 VirtualTime virtual_time(const TimeSplit& split) { return {split.total(), split.cutting}; }
@@ -43,6 +49,7 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
   control.on_warning = [this](const AlarmReport& warning) {
     if (!(ahead_ && ahead_->keep(warning))) warn(warning);
   };
+  control.find_corners = corners_of;
   if (control.has_machine_parameters()) machine_.obey_parameters(setup);
   control.on_signal = [this](const std::string& name, bool on) { machine_.set_signal(name, on); };
   const bool answers = machine_.has_limits() || !logic.plc.idle();

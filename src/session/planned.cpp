@@ -13,9 +13,9 @@ namespace kadr {
 Planned::Planned(const Channel& channel, const MachineProfile& profile, const ToolPosition& stand, StopToken stop)
     : stop_(stop),
       axes_(channel.control->axes()),
+      roles_(AxisRoles::of(axes_, channel.control->rotary())),
       limits_(motion_limits(profile, channel.setup, axes_)),
-      motion_(AxisRoles::of(axes_, channel.control->rotary()), limits_, profile.tolerance, stand,
-              [this](const TimedCells& cells) { see(cells); }) {
+      motion_(roles_, limits_, profile.tolerance, stand, [this](const TimedCells& cells) { see(cells); }) {
   motion_.stop_by(stop);
   motion_.start(channel.setup, axes_);
 }
@@ -24,6 +24,11 @@ void Planned::write_samples(std::FILE* file, SampleOptions options) {
   max_time_ = options.max_time;
   options.stop = stop_;
   writer_.emplace(file, axes_, limits_, std::move(options));
+}
+
+void Planned::write_tips(std::FILE* file) {
+  writer_->write_tips(file, roles_);
+  motion_.on_place = [this](std::uint64_t motion, const ToolPosition& from) { writer_->take_place(motion, from); };
 }
 
 Planned::Memory Planned::memory() const { return {motion_.snapshot(), time_, writer_ ? std::optional(writer_->memory()) : std::nullopt}; }

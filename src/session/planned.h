@@ -23,6 +23,9 @@ class Planned {
   /// The file stays the caller's.
   void write_samples(std::FILE* file, SampleOptions options);
 
+  /// The tool's tip at the same instants; after write_samples(). The file stays the caller's.
+  void write_tips(std::FILE* file);
+
   /// Finds the lines that lose most time.
   void ask_why() { lost_time_.emplace(limits_); }
 
@@ -74,6 +77,7 @@ class Planned {
 
   StopToken stop_;
   std::vector<std::string> axes_;
+  AxisRoles roles_;
   MotionLimits limits_;
   PlannedTime time_;
   std::optional<SampleWriter> writer_;

@@ -190,7 +190,7 @@ TEST(setup_keys, a_mistyped_key_never_passes) {
   std::size_t tried = 0;
   for (const ControlDef& def : controls())
     for (const SetupKey& row : setup_keys()) {
-      if (!has(def, row.needs) || row.path == "files" || row.path == "kinematics" || row.path == "frame") continue;
+      if (!has(def, row.needs) || row.path == "files" || row.path == "frame") continue;
       const Json good = setup_with(row, &def);
       std::vector<std::vector<std::string>> ways;
       ways_of(good, {}, ways);

@@ -206,7 +206,6 @@ TEST(setup, state_of_an_earlier_run) {
 TEST(setup, not_served_yet) {
   read(R"({"search": "", "kinematics": {}, "clock": null, "tool_table": null, "events": [], "channel": null, "plane": ""})");
   EXPECT_EQ(refusal(R"({"search": "N20"})"), "setup key 'search' is not served by this control yet");
-  EXPECT_EQ(refusal(R"({"kinematics": {"type": "head-head"}})"), "setup key 'kinematics' is not served by this control yet");
 }
 
 TEST(setup, unknown_key_names_the_nearest) {

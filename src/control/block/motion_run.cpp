@@ -19,7 +19,7 @@ bool only_words_count(const Interpreter& m) {
   const bool plain_modes = !modal.inch && !modal.polar && modal.surface == PathSurface::plane && modal.diameter == 0 &&
                            modal.feeds_of_axes == 0 && modal.feed_mode != FeedMode::inverse_time;
   const bool uncompensated = modal.radius_side == 0 && modal.contour == ContourPhase::off;
-  const bool plain_frames = m.transform.identity && !m.frames.turn;
+  const bool plain_frames = m.transform.identity && m.frames.is_plain();
   const bool unwatched = !m.use.watches() && !m.each_block && (m.on_block == nullptr || !*m.on_block);
   const bool in_program = !m.flow.in_body() && m.flow.started() && !m.skipping_section && !m.cycling() && m.cycle_memory.row < 0;
   return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unserved == 0 &&
@@ -95,6 +95,13 @@ bool is_kept(const Block& block) { return block.evaluates && is_read_again(block
 AxisMask plane_of(const Interpreter& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
 
 }  // namespace
+
+Motion& Interpreter::add_motion_as(const MotionModes& modes, AxisMask named) {
+  Motion& motion = next_motion();
+  static_cast<MotionModes&>(motion) = modes;
+  motion.named = named;
+  return motion;
+}
 
 void MotionRun::note(const Interpreter& m) {
   if (m.modal.radius_side != 0 || m.modal.contour != ContourPhase::off) return end();  // soonest seen, and mostly for long

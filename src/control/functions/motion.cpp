@@ -48,13 +48,6 @@ Motion& Interpreter::next_motion() {
   return motion;
 }
 
-Motion& Interpreter::add_motion_as(const MotionModes& modes, AxisMask named) {
-  Motion& motion = next_motion();
-  static_cast<MotionModes&>(motion) = modes;
-  motion.named = named;
-  return motion;
-}
-
 Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   Motion& motion = next_motion();
   motion.kind = kind;
@@ -79,6 +72,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.turns = 0;
   motion.center = {};
   motion.inch = modal.inch;
+  motion.as_programmed = false;
   motion.system = has_fixtures ? static_cast<std::uint8_t>(modal.fixture) : modal.work_zero;
   if (dialect) dialect->note_motion(*this, motion);
   else if (modal.contour != ContourPhase::off) note_contour(*this, motion, moved_from);
@@ -90,11 +84,16 @@ void Interpreter::move_to(const Axes& programmed, const Axes& work, AxisMask nam
   named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
     if ((named >> a & 1u) != 0) position.work[a] = work[a];
-  if (frames.turn) {
+  if (!frames.is_plain()) {
     const Axes machine = frames.machine_of(position.work);
-    named = frames.moved_with(named);
+    const AxisMask moved = frames.moved_with(named);
     for (std::size_t a = 0; a < axis_count; ++a)
-      if ((named >> a & 1u) != 0) position.machine[a] = machine[a];
+      if ((moved >> a & 1u) != 0) position.machine[a] = machine[a];
+    if (frames.space && frames.space->changes_work(named)) {  // nct N3212 FOS: the axes stand, their coordinates change
+      position.work = frames.work_of(position.machine);
+      position.programmed = transform.to_programmed(position.work);
+      return;
+    }
   } else {
     for (std::size_t a = 0; a < axis_count; ++a)
       if ((named >> a & 1u) != 0) position.machine[a] = work[a] + frames.origin[a] + frames.length[a];
@@ -142,13 +141,18 @@ Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask na
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
     position.machine[a] = machine[a];
-    if (!frames.turn) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
+    if (frames.is_plain()) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
   }
-  if (frames.turn) position.work = frames.work_of(position.machine);
+  if (!frames.is_plain()) position.work = frames.work_of(position.machine);
   position.programmed = transform.to_programmed(position.work);
   Motion& motion = add_motion(kind, named);
   if (feed > 0) motion.feed = feed;
   else if (kind == MotionKind::feed) set_feed(motion);
+  if (frames.space && frames.space->leads_tip()) {  // the axes go evenly: no tip is led to a machine position
+    auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
+    detail->evenly = true;
+    motion.detail = std::move(detail);
+  }
   return {};
 }
 
@@ -240,7 +244,7 @@ void Interpreter::change_frames() {
   const Placement before = frames;
   refresh_frames();
   if (before == frames) return;
-  if (before.turn || frames.turn) {
+  if (!before.is_plain() || !frames.is_plain()) {
     position.work = frames.work_of(position.machine);
     if (dialect) dialect->roll(*this, position.work);
     emit(frame_change());

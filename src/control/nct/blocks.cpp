@@ -10,6 +10,7 @@
 #include "control/nct/calls/calls.h"
 #include "control/nct/calls/interrupt.h"
 #include "control/nct/drilling/drilling.h"
+#include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/sides.h"
 #include "control/nct/words/data_lines.h"
 
@@ -64,8 +65,6 @@ Status check_words(const Interpreter& m) {
     const Word& w = m.block->words[i];
     if (w.address == 0) continue;
     if (w.address == 'M') ++m_codes;
-    if (w.address == comma_vector)  // spec/nct/25
-      return fail(alarm(AlarmId::not_available, w.where, m.block->text_of(w.where)));
     if (w.address == 'N') return fail(alarm(AlarmId::block_number_position, w.where));
     if ((m.letters.codes & letter_bit(w.address)) != 0) continue;
     if ((seen & letter_bit(w.address)) != 0) return fail(alarm(AlarmId::address_twice, w.where, w.address));
@@ -88,6 +87,7 @@ Status one_meaning_of_p(const Interpreter& m) {
     const Function f = row.function;
     const bool takes = f == Function::dwell_or_turns || f == Function::work_system_extended || f == Function::call_program ||
                        f == Function::return_program || f == Function::interrupt_on || f == Function::set_tables ||
+                       f == Function::dynamic_zero || (f == Function::tool_lead && row.arg != 431) ||
                        (f == Function::reference_return && row.arg == 2);
     if (!takes) continue;
     if (first != nullptr) return fail(alarm(AlarmId::not_together, w.where, first->code, row.code));
@@ -189,6 +189,7 @@ Status check_values(Interpreter& m) {
 Result<bool> before_plan(Interpreter& m) {
   Nct& nct = nct_of(m);
   nct.moved = nct.stops_reading = nct.holds_vector = false;
+  nct.taken_up = nct.by_direction = 0;
   nct.uncompensated = nct.state.compensates && m.has_code({Function::machine_move, Function::reference_return});
   if (nct.single_block) nct.was_hidden = hidden(m);
   nct.pending.clear();
@@ -201,13 +202,15 @@ Result<bool> before_plan(Interpreter& m) {
   }
   if (const auto called = call_with_block(m); !called || *called) return called;
   if (const auto called = call_by_code(m); !called || *called) return called;
-  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary) {  // known to be right from the pass before …
-    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));         // … but for values that may have changed
+  const bool looks_closer = watches_words(m);
+  if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
+      !looks_closer) {                                                           // known to be right from the pass before …
+    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but for values that may have changed
     if (!m.block->calls_macro) note_words(m);
     else if (m.block->has_number) nct.state.words.n = m.block->number;
     return false;
   }
-  if (const ShapeFacts* const shape = m.shape(); shape != nullptr && shape->words_right) {
+  if (const ShapeFacts* const shape = m.shape(); shape != nullptr && shape->words_right && !looks_closer) {
     KADR_TRY(check_values(m));
     note_words(m);
     m.block->calls_macro = false;
@@ -223,11 +226,13 @@ Result<bool> before_plan(Interpreter& m) {
   }
   KADR_TRY(check_values(m));
   KADR_TRY(take_bare_words(m));
+  KADR_TRY(five_axis_block(m));
   KADR_TRY(check_words(m));
   KADR_TRY(take_spindle_words(m));
   KADR_TRY(one_meaning_of_p(m));
   KADR_TRY(check_increment_of_r(m));
-  const bool plain = !m.block->altered && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
+  const bool plain =
+      !m.block->altered && !looks_closer && (m.block->letters & m.letters.spindles) == 0 && !m.has_code({Function::select_plane});
   m.block->checked = plain ? m.block->letters : 0;
   if (ShapeFacts* const shape = m.shape(); shape != nullptr) shape->words_right = plain;
   note_words(m);

@@ -11,7 +11,8 @@ class Interpreter;
 namespace kadr::nct {
 
 /// A macro statement (the block's words are evaluated where it needs them).
-Status run_statement(Interpreter& m);
+///   returns  false: IF … THEN holds, the words behind it are to be carried out (23.2.10)
+Result<bool> run_statement(Interpreter& m);
 /// Values of an NC block: those of expressions are rounded to the last digit of their address (23.1.1), all are in their ranges. What a
 /// macro gets as an argument is left alone: it may be any number (23.3).
 Status check_values(Interpreter& m);

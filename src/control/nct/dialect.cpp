@@ -8,6 +8,7 @@
 #include "control/nct/calls/calls.h"
 #include "control/nct/calls/interrupt.h"
 #include "control/nct/drilling/drilling.h"
+#include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/arcs.h"
 #include "control/nct/geometry/automatic_geometry.h"
 #include "control/nct/geometry/sides.h"
@@ -76,7 +77,7 @@ void Nct::note_skip_mark(Interpreter& m) { nct::note_skip_mark(m); }
 
 Result<bool> Nct::interrupt(Interpreter& m, BlockMoment moment) { return call_interrupt(m, moment); }
 
-Status Nct::statement(Interpreter& m) { return run_statement(m); }
+Result<bool> Nct::statement(Interpreter& m) { return run_statement(m); }
 
 Result<bool> Nct::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
@@ -88,6 +89,7 @@ std::int16_t Nct::motion_row(const Interpreter& m) const { return nct::motion_ro
 
 BlockChanges Nct::changes_of(const Interpreter& m, const Plan& plan) const {
   if (m.modal.polar_data || drilling_on(m) || !m.transform.identity || m.keeps_flow_place()) return BlockChanges::anything;
+  if (leads_lines(m)) return BlockChanges::anything;
   return plan.moves_and_feeds || plan.calls_only ? BlockChanges::little : BlockChanges::anything;
 }
 
@@ -106,9 +108,11 @@ bool Nct::leave_call(Interpreter& m) {
 
 Status Nct::target(const Interpreter& m, Axes& to, AxisMask& named) const { return nct::target(m, to, named); }
 
-bool Nct::shapes_lines(const Interpreter& m) const { return has_geometry_words(m); }
+bool Nct::shapes_lines(const Interpreter& m) const { return has_geometry_words(m) || leads_lines(m); }
 
-Status Nct::straight(Interpreter& m, const Call& call, MotionKind kind) { return shaped_line(m, call, kind); }
+Status Nct::straight(Interpreter& m, const Call& call, MotionKind kind) {
+  return has_geometry_words(m) ? shaped_line(m, call, kind) : led_line(m, call, kind);
+}
 
 bool Nct::only_shifts(const Interpreter& m) const { return only_shifts_length(m); }
 
@@ -117,7 +121,7 @@ Status Nct::arc(Interpreter& m, const Call& call, Turn turn) { return nct::arc(m
 bool Nct::lines_follow(const Interpreter& m) const {
   const bool plain_words = !m.modal.polar_data && !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none;
   const bool plain_motion = state.side_step == SideStep::none && !state.compensates && m.modal.smoothing < 2 && !drilling_on(m) &&
-                            couplings.axes == 0 && spindle_axes.empty() && finishing.empty();
+                            couplings.axes == 0 && spindle_axes.empty() && finishing.empty() && !watches_words(m);
   return plain_words && plain_motion && state.active_modal_calls == 0 && !single_block && !watches_blocks() && !interrupted.active;
 }
 

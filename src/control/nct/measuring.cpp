@@ -9,6 +9,7 @@
 
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"
+#include "control/nct/variables/system_variables.h"
 #include "control/nct/words/coordinates.h"
 
 namespace kadr {
@@ -202,7 +203,8 @@ Status take_answer(Interpreter& m, const ProbeAnswer& answer) {
   m.position.programmed = m.transform.to_programmed(m.position.work);
   follow_from_here(m);
   nct.probe_position = m.position.work;
-  nct.probe_length = m.frames.length;
+  nct.probe_length = length_in_force(m);
+  nct.probe_machine = m.position.machine;
   const Measurement measurement = std::exchange(nct.measurement, {});
   if (!measurement.length) return {};
   if (answer.touched) return correct_length(m, measurement, m.position.work[measurement.axis]);

@@ -12,6 +12,7 @@
 #include "action/action.h"
 #include "control/nct/drilling/drilling.h"
 #include "control/nct/endless.h"
+#include "control/nct/five_axis/five_axis_state.h"
 #include "control/nct/measuring.h"
 #include "control/nct/programs.h"
 #include "control/nct/spindles/coupling.h"
@@ -89,6 +90,7 @@ struct Volatile : MotionMemory {
   double tool_radius = 0;      // of D when it was programmed last (15.1)
   std::optional<Vec2> way;     // I J K of G41, G42, G40 in this block
   ContourCheck contour_check;  // as `path` knows it
+  FiveAxisState five_axis;
   std::vector<ModalCall> modal_calls;
   std::uint8_t active_modal_calls = 0;  // how many of them act on the blocks being carried out
   DataMode data_mode = DataMode::none;
@@ -99,6 +101,7 @@ struct Volatile : MotionMemory {
 inline constexpr std::string_view interrupt_signal = "CP_MINT";
 inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
 inline constexpr std::size_t all_systems = 1 + basic_systems + extended_systems;
+inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: rows of the tables of zeros and rotations behind the others
 
 /// A word that calls a subprogram after its block: T, S, A, B, C, M or an ASCII letter (23.3.6–23.3.8).
 struct PendingCall {
@@ -156,8 +159,13 @@ struct Memory {
   bool cartesian_block = false;  // its axis words are Cartesian even with G16 (5.4)
   AxisMask rolled = 0;           // rotary axes of the block that roll over, and their way
   Axes travel{};
-  AxisMask plane_axes = 0;  // axes whose letter stands in the block, with or without a number
+  AxisMask plane_axes = 0;    // axes whose letter stands in the block, with or without a number
+  AxisMask taken_up = 0;      // axes that its motion positions too, where they were programmed last (25h)
+  AxisMask by_direction = 0;  // rotary axes that its I J K position, at `directed` (25.14)
+  Axes directed{};
+  Vec3 normal_before;        // of the surface, where the block's motion begins (25.17)
   // of the machine and its operator
+  std::array<std::pair<double, double>, max_axes> axis_limits{};  // end positions, machine coordinates
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};
   std::uint32_t control_1 = 0, control_2 = 0;  // #3003, #3004
@@ -167,9 +175,10 @@ struct Memory {
   bool counts_time = false;               // of tools, since set_time came last
   double now_ms = 0;                      // virtual time since power-on
   double tool_magazine = 10;              // #8400
-  Axes probe_position{}, probe_length{};  // work coordinates; tool length then
-  Measurement measurement;                // of the probe motion under way
-  std::string clock;                      // "2014-05-18T15:32:41"
+  Axes probe_position{}, probe_length{};  // work coordinates; tool length then, as vector on the main axes
+  Axes probe_machine{};
+  Measurement measurement;  // of the probe motion under way
+  std::string clock;        // "2014-05-18T15:32:41"
   // for the state file
   Changes changes;
   bool tables_changed = false;

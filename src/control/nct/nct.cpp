@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "config/machine_axes.h"
 #include "control/functions/functions.h"
 #include "control/nct/calls/waiting.h"
+#include "control/nct/five_axis/five_axis.h"
 #include "control/nct/frames/transformations.h"
 #include "control/nct/variables/system_variables.h"
 #include "control/nct/words/coordinates.h"
@@ -96,6 +98,7 @@ void reset_codes(Interpreter& m, bool keep) {
 }
 
 void reset_shifts(Interpreter& m) {
+  reset_five_axis(m);
   m.modal.new_system = m.modal.local = {};
   m.modal.surface = PathSurface::plane;
   m.modal.smoothing = 0;
@@ -144,8 +147,8 @@ Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::share
   stop_group = group_of(630);
   m.macro_variables = &variables;
   m.waiting.known = channels_of(setup);
-  m.tables.zeros.resize(all_systems);
-  m.tables.rotations.resize(all_systems);
+  m.tables.zeros.resize(all_systems + dynamic_systems);
+  m.tables.rotations.resize(all_systems + dynamic_systems);
   for (const VariableRow& row : m.def.variables)
     if (is_clock(row.kind))
       for (const VariableRange& range : row.ranges) clocks_.push_back(range.from);
@@ -153,15 +156,34 @@ Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::share
 
 Nct::~Nct() = default;
 
-void Nct::refresh_settings(const Interpreter& m) {
+/// The reference points of the parameters (9, 9.2) go before those that the set-up states by themselves.
+void Nct::take_reference_points(Interpreter& m) {
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    for (std::size_t point = 1; point < m.tables.reference.size(); ++point) {
+      const double position = settings.axes[a].reference[point - 1];
+      m.tables.reference[point][a] = position != 0 ? position : setup_reference_[point][a];
+    }
+}
+
+void Nct::refresh_settings(Interpreter& m) {
   if (parameters_seen == parameters.version() + 1) return;
   parameters_seen = parameters.version() + 1;
   tools.set_limits(tool_limits(parameters));
   settings = read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
+  take_reference_points(m);
 }
 
 bool Nct::start(Interpreter& m, const Setup& setup) {
+  setup_reference_ = m.tables.reference;
   refresh_settings(m);
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    axis_limits[a] = {-unlimited, unlimited};
+    if (const auto found = setup.axis_limits.find(m.axis_names[a]); found != setup.axis_limits.end()) axis_limits[a] = found->second;
+    for (const std::string& name : {std::string("*"), m.axis_names[a]})
+      if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.limits)
+        axis_limits[a] = *found->second.limits;
+  }
   for (const auto& [number, spindle_setup] : setup.spindles) {
     if (number < 1 || number > static_cast<int>(most_spindles)) continue;
     SpindleState& s = spindle(number);
@@ -191,6 +213,20 @@ bool Nct::start(Interpreter& m, const Setup& setup) {
   return true;
 }
 
+namespace {
+
+/// G43 and H of a set-up are in force without an axis that was named: INFERRED: along the tool (25.1), else Z.
+void take_length_in_force(Interpreter& m) {
+  const std::uint32_t number = m.modal.length_number;
+  if (m.modal.length_sign == 0 || number == 0 || m.modal.turning_lengths || any_nonzero(m.modal.lengths)) return;
+  if (nct_of(m).state.five_axis.lead != ToolLead::none || number >= m.tables.offsets.size()) return;
+  const Vec3 tool = nct_of(m).settings.five_axis.tool;
+  const int axis = main_axis(m, tool.x != 0 ? 1 : tool.y != 0 ? 2 : 3);
+  if (axis >= 0) m.modal.lengths[static_cast<std::size_t>(axis)] = m.modal.length_sign * m.tables.offsets[number].whole_length();
+}
+
+}  // namespace
+
 void Nct::take_setup(Interpreter& m, const Setup& setup) {
   for (const auto& [name, value] : setup.variables) {
     if (name.size() < 2 || name[0] != '#') continue;
@@ -207,6 +243,7 @@ void Nct::take_setup(Interpreter& m, const Setup& setup) {
       if (!setup.plane.empty() && m.axis_names[first] + m.axis_names[second] == setup.plane)
         m.modal.axes.first = first, m.modal.axes.second = second;
   m.transform.refresh();
+  take_length_in_force(m);
   if (m.start_fault.empty()) m.start_fault = coupling_fault(m, setup.events);
   find_spindle_axes(m, setup);
   watch_tool_time(m);

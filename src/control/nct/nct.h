@@ -27,7 +27,7 @@ class Nct : public Dialect, public MachineSide, public Memory {
 
   // ---- parameters and what follows from them
   /// Parameters have changed: what follows from them is worked out anew.
-  void refresh_settings(const Interpreter& m);
+  void refresh_settings(Interpreter& m);
   Status parameter_line(Interpreter& m);
 
   // ---- start and end
@@ -97,7 +97,7 @@ class Nct : public Dialect, public MachineSide, public Memory {
   bool in_interrupt() const override { return interrupted.active; }
   Result<bool> interrupt(Interpreter& m, BlockMoment moment) override;
   bool takes_data() const override { return state.data_mode != DataMode::none; }
-  Status statement(Interpreter& m) override;
+  Result<bool> statement(Interpreter& m) override;
   Result<bool> takes_block(Interpreter& m) override;
   std::int16_t motion_row(const Interpreter& m) const override;
   BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
@@ -144,8 +144,11 @@ class Nct : public Dialect, public MachineSide, public Memory {
     Volatile state;
     std::size_t levels = 1, repeated_arguments = 0;
   };
+  void take_reference_points(Interpreter& m);
+
   Before before_;
-  std::vector<double> clocks_;  // numbers of the clock variables
+  std::array<Axes, 5> setup_reference_{};  // reference points that the set-up states by themselves
+  std::vector<double> clocks_;             // numbers of the clock variables
 };
 
 /// Groups of the offset table: N1400, else what the variables have room for (15.1).

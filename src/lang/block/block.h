@@ -48,6 +48,7 @@ struct Word {
 /// A statement of the macro language that stands alone in its block (nct 23.2, 23.5).
 enum class StatementKind : std::uint8_t {
   none,
+  words,  // IF[…] THEN with words of an NC block: they are carried out if the conditions hold
   assign,
   message,  // #3000=n(text) and its like: the text is the block's first comment
   go_to,

@@ -90,7 +90,7 @@ class Lexer {
 
   Status item() {
     const char c = cursor_.text[cursor_.at];
-    if (block_.statement.kind != StatementKind::none && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // after its comment
+    if (block_.statement.kind > StatementKind::words && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // after its comment
       return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_capital(c)) return word(c, 1);
     if (is_blank(c)) {
@@ -130,6 +130,9 @@ class Lexer {
     return word_of(letter, bytes, begin);
   }
 
+  /// Neither words nor IF[…] THEN stand before this.
+  bool begins() const { return block_.word_count == 0 && block_.statement.kind == StatementKind::none; }
+
   /// A word whose address is `letter`, written in `bytes` bytes.
   Status word_of(char letter, std::size_t bytes, std::size_t begin) {
     cursor_.at += bytes;
@@ -140,8 +143,8 @@ class Lexer {
     if (!format.known && letter > 'Z')
       return fail(alarm(AlarmId::not_available, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
     if (!format.known) return fail(alarm(AlarmId::address_unknown, span(begin, cursor_.at), letter));
-    if (letter == 'N' && !(grammar_.macro && (block_.has_number || block_.word_count != 0))) return words_.block_number(begin, format);
-    if (letter == grammar_.label_address && !(grammar_.macro && block_.word_count != 0)) return words_.label(begin, format);
+    if (letter == 'N' && !(grammar_.macro && (block_.has_number || !begins()))) return words_.block_number(begin, format);
+    if (letter == grammar_.label_address && !(grammar_.macro && !begins())) return words_.label(begin, format);
     if (grammar_.macro && cursor_.peek() == '=') {
       ++cursor_.at;
       cursor_.skip_blanks();

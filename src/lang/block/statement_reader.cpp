@@ -61,7 +61,7 @@ Status StatementReader::read(Keyword keyword) {
   }
 }
 
-/// IF[…] GOTOn, IF[…] THEN statement, IF[…] statement (23.2.9, 23.2.10).
+/// IF[…] GOTOn, IF[…] THEN statement or words, IF[…] statement or words (23.2.9, 23.2.10). The lexer reads the words.
 Status StatementReader::branch() {
   block_.statement.with_if = true;
   KADR_TRY(condition());
@@ -73,8 +73,12 @@ Status StatementReader::branch() {
     return assignment(at);
   }
   const Keyword next = keyword_here();
-  if (next == Keyword::none || next == Keyword::then_) return syntax(cursor_.at);
-  return read(next);
+  if (next == Keyword::then_) return syntax(cursor_.at);
+  if (next != Keyword::none) return read(next);
+  const char c = cursor_.peek();
+  if (!is_letter(c) && c != ',' && !is_high(c)) return syntax(cursor_.at);
+  block_.statement.kind = StatementKind::words;  // 23.2.10 leaves open what may stand there: words of a block too, as with Fanuc
+  return {};
 }
 
 Status StatementReader::condition() {

@@ -47,6 +47,13 @@ double degrees_for_mm(const Curve& curve, const Motion& motion) {
   return 1 / std::max(1.0, radius * rad_per_deg);
 }
 
+/// By how much more the tip goes off its way than the axes do off theirs, each by as many mm and degrees: where it is led, the rotary axes
+/// swing it.
+double lever(const Step& step, const Motion& motion) {
+  if (!leads_tip(step.from, motion)) return 1;
+  return 1 + rad_per_deg * std::max(step.from.space->arm(step.from.machine), step.from.space->arm(motion.machine));
+}
+
 }  // namespace
 
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
@@ -197,7 +204,7 @@ void AxisMotion::move(const Step& step, const Motion& motion) {
   const Origin& origin = step.action.origin;
   const bool rapid = motion.kind == MotionKind::rapid || motion.kind == MotionKind::home;
   const Spent spent{rapid ? Spent::On::rapid : Spent::On::cutting, origin.line, origin.file};
-  const bool line_in_time = step.time.seconds > 0 && step.curve().straight();
+  const bool line_in_time = step.time.seconds > 0 && MachinePath(step).straight();
   const bool thread = motion.kind == MotionKind::thread && line_in_time, smooths = motion.smoothing != 0 && line_in_time;
   const bool taps = motion.detail && motion.detail->turn;
   const Switches switches{rapid || !motion.own_override, !motion.no_hold};
@@ -208,6 +215,7 @@ void AxisMotion::move(const Step& step, const Motion& motion) {
   else if (smooths) smooth(step, motion, record(spent, switches, motion));
   else cut(step, motion, record(spent, switches, motion));
   if (taps) release();
+  if (on_place) on_place(now_.motions, step.from);
   now_.spindle.arrive(motion.to);
 }
 
@@ -279,7 +287,7 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   std::vector<double> ways, minutes;
   double length = 0, sum = 0;
   Axes last = path.start();
-  const bool even = pace.is_even();
+  const bool even = pace.is_even() && !path.bends();  // of the tip's way, where that is led: the axes go unevenly
   for (int i = 1; i <= pieces && !stop_.asked(); ++i) {
     const Axes to = path.at(static_cast<double>(i) / pieces);
     const double way = distance(last, to);
@@ -287,7 +295,7 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
     last = to;
     if (even || !(programmed.seconds > 0)) continue;
     ways.push_back(way);
-    minutes.push_back(pace.minutes(static_cast<double>(i - 1) / pieces, static_cast<double>(i) / pieces));
+    minutes.push_back(pace.is_even() ? 1.0 : pace.minutes(static_cast<double>(i - 1) / pieces, static_cast<double>(i) / pieces));
     sum += minutes.back();
   }
   if (!(programmed.seconds > 0)) return {length, {unlimited_feed}};
@@ -300,11 +308,11 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const MachinePath path(step);
   const Curve& curve = step.curve();
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
-  const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
+  const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion) / lever(step, motion);
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
   const double junction = now_.exact ? 0 : tolerance;
   const Pace pace(roles_, curve, motion, step.time.feed, rapid_, now_.spindle.turning());
-  const int pieces = std::max(curve.pieces(chord_of_tolerance * rounding), pace.pieces());
+  const int pieces = std::max(path.pieces(chord_of_tolerance * rounding), pace.pieces());
   const auto [length, speeds] = feeds(pace, path, step.time, pieces);
   if (on_motion) on_motion(number, length);
   for (int i = 1; i <= pieces && ended() == PlanEnd::none; ++i) {

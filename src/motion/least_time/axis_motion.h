@@ -58,6 +58,9 @@ class AxisMotion {
   /// to.
   std::function<void(std::uint64_t number, double way)> on_motion;
 
+  /// Called for each motion before it is planned: its number and from where it goes, in which frame.
+  std::function<void(std::uint64_t number, const ToolPosition& from)> on_place;
+
   /// A step with its time by programmed feed.
   void consume(const Step& step);
   /// The axes come to rest.

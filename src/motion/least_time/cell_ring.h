@@ -13,8 +13,18 @@ namespace kadr {
 
 class CellRing {
  public:
+  /// CellSource::tag and motion of a cell.
+  struct Owner {
+    std::uint64_t tag = 0, motion = 0;
+  };
   CellRing(std::size_t axes, std::size_t cells)
-      : axes_(axes), size_(cells), laws_(cells), tags_(cells), switches_(cells), spindle_(cells), path_(cells * axes * TimedCells::terms) {}
+      : axes_(axes),
+        size_(cells),
+        laws_(cells),
+        owners_(cells),
+        switches_(cells),
+        spindle_(cells),
+        path_(cells * axes * TimedCells::terms) {}
 
   // who writes
 
@@ -27,7 +37,7 @@ class CellRing {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t slot = (end + k) % size_, from = first + k;
       laws_[slot] = cells.laws[from];
-      tags_[slot] = cells.sources[from].tag;
+      owners_[slot] = {cells.sources[from].tag, cells.sources[from].motion};
       switches_[slot] = cells.sources[from].switches;
       if (!cells.spindle.empty()) spindle_[slot] = cells.spindle[from];
       std::copy_n(cells.path.begin() + static_cast<std::ptrdiff_t>(from * row), row,
@@ -54,7 +64,8 @@ class CellRing {
 
   std::size_t axes() const { return axes_; }
   const TimeLaw& law(std::uint64_t cell) const { return laws_[cell % size_]; }
-  std::uint64_t tag(std::uint64_t cell) const { return tags_[cell % size_]; }
+  std::uint64_t tag(std::uint64_t cell) const { return owners_[cell % size_].tag; }
+  std::uint64_t motion(std::uint64_t cell) const { return owners_[cell % size_].motion; }
   Switches switches(std::uint64_t cell) const { return switches_[cell % size_]; }
   const SpindleTurn& spindle(std::uint64_t cell) const { return spindle_[cell % size_]; }
   /// The polynomial of an axis, `TimedCells::terms` coefficients.
@@ -68,7 +79,7 @@ class CellRing {
     double offered = 0;
     bool finished = false;
     std::vector<TimeLaw> laws;
-    std::vector<std::uint64_t> tags;
+    std::vector<Owner> owners;
     std::vector<Switches> switches;
     std::vector<SpindleTurn> spindle;
     std::vector<double> path;
@@ -79,7 +90,7 @@ class CellRing {
     for (std::uint64_t cell = now.begin; cell < now.end; ++cell) {
       const std::size_t slot = cell % size_;
       now.laws.push_back(laws_[slot]);
-      now.tags.push_back(tags_[slot]);
+      now.owners.push_back(owners_[slot]);
       now.switches.push_back(switches_[slot]);
       now.spindle.push_back(spindle_[slot]);
       now.path.insert(now.path.end(), path_.begin() + static_cast<std::ptrdiff_t>(slot * row),
@@ -96,7 +107,7 @@ class CellRing {
     for (std::uint64_t cell = memory.begin; cell < memory.end; ++cell) {
       const std::size_t slot = cell % size_, from = static_cast<std::size_t>(cell - memory.begin);
       laws_[slot] = memory.laws[from];
-      tags_[slot] = memory.tags[from];
+      owners_[slot] = memory.owners[from];
       switches_[slot] = memory.switches[from];
       spindle_[slot] = memory.spindle[from];
       std::copy_n(memory.path.begin() + static_cast<std::ptrdiff_t>(from * row), row,
@@ -107,7 +118,7 @@ class CellRing {
  private:
   std::size_t axes_, size_;
   std::vector<TimeLaw> laws_;
-  std::vector<std::uint64_t> tags_;
+  std::vector<Owner> owners_;
   std::vector<Switches> switches_;
   std::vector<SpindleTurn> spindle_;
   std::vector<double> path_;

@@ -42,6 +42,8 @@ struct TimedPath {
   void clear();
 };
 
+inline constexpr std::size_t least_cells = 4;  // that are solved together
+
 /// ṡ² and its derivative by s at a knot.
 struct PathSpeed {
   double b = 0, d = 0;
@@ -109,6 +111,7 @@ class LeastTime {
   void find_moving();
   void keep_stop(std::size_t cell);
   bool first_guess();
+  bool goes_on_crawling(double gently);
   void find_envelope();
   static double alone(const TimedPath& path, std::size_t cell);
   void spread(const std::vector<double>& y);

@@ -273,8 +273,14 @@ std::size_t Planner::sure_cells() const {
 void Planner::solve(bool last) {
   now_.ends.to_stop = last;
   now_.ends.crawl = crawl_of_slowest * least_.slowest(now_.cells);
-  const bool found = now_.cells.cells() >= 4 && least_.solve(now_.cells, now_.ends, stop_);
+  bool found = now_.cells.cells() >= least_cells && least_.solve(now_.cells, now_.ends, stop_);
+  constexpr double as_slow = 2, a_little = 1e-6;  // the earlier solution's crawl does, where the new cells are hardly slower than its own
+  if (const auto& known = now_.ends.guess; !found && !halted() && !known.empty() && known.back() < as_slow * now_.ends.crawl) {
+    now_.ends.crawl = std::max(now_.ends.crawl, (1 + a_little) * known.back());
+    found = now_.cells.cells() >= least_cells && least_.solve(now_.cells, now_.ends, stop_);
+  }
   if (halted()) return;
+  if (!found && stop_where_known()) return last || now_.cells.cells() >= least_window ? solve(last) : void();
   if (!found) return cell_by_cell();
   if (last) return hand_out(now_.cells.cells());
   const std::size_t all = now_.cells.cells(), sure = sure_cells();

@@ -105,7 +105,8 @@ class Planner {
   void add_cell(double from, double to, bool turns);
   void set_knot(double s, std::size_t piece);
   void solve(bool last);
-  void hand_out(std::size_t cells);
+  void hand_out(std::size_t cells, bool stops = false);
+  bool stop_where_known();
   void straight_line();
   void cell_by_cell();
   bool halted();

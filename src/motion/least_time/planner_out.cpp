@@ -67,8 +67,8 @@ void Planner::hand_on(double from, double to) {
   now_.refused = {to - from, out_.sources.empty() ? now_.path.tag(now_.path.piece_at(from, 0)) : out_.sources[longest].tag};
 }
 
-/// The first cells go out; the path begins anew after them.
-void Planner::hand_out(std::size_t count) {
+/// The first cells go out; the path begins anew after them, from a stop if they end with one.
+void Planner::hand_out(std::size_t count, bool stops) {
   const std::size_t axes = now_.cells.axes, all = now_.cells.cells();
   const std::vector<LeastTime::CellSpeeds>& speeds = least_.speeds();
   out_.clear();
@@ -76,7 +76,8 @@ void Planner::hand_out(std::size_t count) {
     const PathSpeed from = speeds[k].start, to = speeds[k].end;
     const double h = now_.cells.h[k], q = (to.d - from.d) / h;
     if (k == 0 && now_.ends.from_stop) out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(to.b), false));
-    else if (k + 1 == all && now_.ends.to_stop) out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(from.b), true));
+    else if (k + 1 == count && (stops || (count == all && now_.ends.to_stop)))
+      out_.laws.push_back(TimeLaw::from_rest(h, std::sqrt(from.b), true));
     else out_.laws.push_back(TimeLaw::of_squares(h, std::sqrt(from.b), from.d / 2, q / 2));
   }
   out_.path.assign(now_.shapes.begin(), now_.shapes.begin() + static_cast<std::ptrdiff_t>(count * axes * TimedCells::terms));
@@ -84,11 +85,13 @@ void Planner::hand_out(std::size_t count) {
   const double from = now_.cut - way_of_cells();
   hand_on(from, from + std::accumulate(now_.cells.h.begin(), now_.cells.h.begin() + static_cast<std::ptrdiff_t>(count), 0.0));
   if (count == all) return;
-  now_.ends.from_stop = false;
-  now_.ends.from = speeds[count].start;
+  now_.ends.from_stop = stops;
+  now_.ends.from = stops ? PathSpeed{} : speeds[count].start;
   const auto cut = [](auto& v, std::size_t n) { v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n)); };
-  now_.ends.guess.assign(least_.middles().begin() + static_cast<std::ptrdiff_t>(count),
-                         least_.middles().begin() + static_cast<std::ptrdiff_t>(all));
+  now_.ends.guess.clear();
+  if (!stops)
+    now_.ends.guess.assign(least_.middles().begin() + static_cast<std::ptrdiff_t>(count),
+                           least_.middles().begin() + static_cast<std::ptrdiff_t>(all));
   cut(now_.sources, count);
   cut(now_.cells.h, count);
   cut(now_.cells.most, count);
@@ -99,6 +102,29 @@ void Planner::hand_out(std::size_t count) {
   const std::size_t before = now_.path.pieces();
   now_.path.forget(now_.cut - way_of_cells());
   now_.piece -= before - now_.path.pieces();
+}
+
+/// No speed was found that goes on from an earlier solution: where that ended crawling the axes stop, and the rest begins from there.
+///   returns  false: there is no such place, or they cannot stop there
+bool Planner::stop_where_known() {
+  const std::size_t known = now_.ends.guess.size();
+  if (now_.ends.from_stop || known < least_cells || known >= now_.cells.cells()) return false;
+  TimedPath first{now_.cells.axes, now_.cells.acceleration, now_.cells.jerk, {}, {}, {}, {}, {}, {}};
+  const auto take = [](const auto& from, auto& to, std::size_t count) {
+    to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
+  };
+  const std::size_t row = TimedPath::places * now_.cells.axes;
+  take(now_.cells.h, first.h, known);
+  take(now_.cells.most, first.most, known);
+  take(now_.cells.turns, first.turns, known);
+  take(now_.cells.x1, first.x1, known * row);
+  take(now_.cells.x2, first.x2, known * row);
+  take(now_.cells.x3, first.x3, known * row);
+  LeastTime::Ends ends = now_.ends;
+  ends.to_stop = true;
+  if (!least_.solve(first, ends, stop_)) return false;
+  hand_out(known, true);
+  return true;
 }
 
 /// No speed was found: the cells one after the other, as straight lines with a stop after each.

@@ -62,6 +62,7 @@ void Playback::show(const Cursor& at, double* x) {
     x[a] = c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
   }
   now_.tag = ring_.tag(cell);
+  now_.motion = ring_.motion(cell);
   now_.spindle = ring_.spindle(cell).at(t, s) + now_.slip;
 }
 

@@ -53,6 +53,8 @@ class Playback {
   }
   /// The tag of the cell of the last instant.
   std::uint64_t tag() const { return now_.tag; }
+  /// And its motion, counted by AxisMotion; 0: the axes stand.
+  std::uint64_t motion() const { return now_.motion; }
   /// The spindle's angle at the last instant, degrees.
   double spindle() const { return now_.spindle; }
   /// s on the plan that can still be played without more cells.
@@ -73,7 +75,7 @@ class Playback {
     OverrideRamp ramp{1};  // the one in force
     double on_ramp = 0;    // s since it began
     double played = 0;     // s, of the cells that are through
-    std::uint64_t instant = 0, tag = 0, starved = 0;
+    std::uint64_t instant = 0, tag = 0, motion = 0, starved = 0;
     double spindle = 0, slip = 0;  // degrees; slip: beyond the planned angle
     double last_override = 1;      // above 0
     bool started = false, done = false;

@@ -137,12 +137,26 @@ double TimeEstimate::cutting_minutes(const Motion& motion, const Curve& curve, M
   return std::max(minutes, slowest_axis(roles_, curve, motion, rates_.most).minutes);
 }
 
-MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve) {
+/// Where rotary axes take the tool or the part along, the axes of the machine go other ways than the work coordinates (nct 25): by their
+/// ends.
+double TimeEstimate::machine_minutes(const Motion& motion, const ToolPosition& from, bool rapid) const {
+  double minutes = 0;
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    const double rate = rapid ? rates_.rapid[i] : rates_.most[i];
+    const bool rolled = motion.detail && (motion.detail->rolled >> i & 1U) != 0;
+    const double way = std::abs(rolled ? motion.detail->travel[i] : motion.machine[i] - from.machine[i]);
+    if (way > 0 && rate > 0) minutes = std::max(minutes, way / rate);
+  }
+  return minutes;
+}
+
+MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve, const ToolPosition* from) {
   const bool rapid = motion.kind == MotionKind::rapid || (motion.kind == MotionKind::home && motion.feed <= 0);
   const bool thread = motion.kind == MotionKind::thread && motion.detail && motion.detail->lead;
   MotionTime time;
   time.length = curve.length();
-  const double minutes = rapid ? rapid_minutes(curve) : thread ? thread_minutes(motion, curve) : cutting_minutes(motion, curve, time);
+  double minutes = rapid ? rapid_minutes(curve) : thread ? thread_minutes(motion, curve) : cutting_minutes(motion, curve, time);
+  if (from != nullptr && from->space && !from->space->is_plain()) minutes = std::max(minutes, machine_minutes(motion, *from, rapid));
   if (spindles_[1].surface.on) spindles_[1].arrive(curve.at(1));
   if (!std::isfinite(minutes)) {
     ++split_.unknown;
@@ -183,7 +197,7 @@ void TimeEstimate::other(const Action& action) {
 /// A pause as the sums grow, so that pauses add up to them.
 void TimeEstimate::time(Step& step) {
   if (const Motion* const moved = step.motion()) {
-    step.time = motion(*moved, step.curve());
+    step.time = motion(*moved, step.curve(), &step.from);
     return;
   }
   const double dwell = split_.dwell, tool_change = split_.tool_change;

@@ -51,7 +51,8 @@ class TimeEstimate {
   TimeEstimate(const AxisRoles& roles, const Rates& rates);
 
   /// Of a motion along its curve.
-  MotionTime motion(const Motion& motion, const Curve& curve);
+  ///   from  where the axes stand; nullptr: as the curve begins
+  MotionTime motion(const Motion& motion, const Curve& curve, const ToolPosition* from = nullptr);
 
   /// Of any other action. A Sync takes no time of its own.
   void other(const Action& action);
@@ -73,6 +74,7 @@ class TimeEstimate {
   double turning_rpm() const { return spindles_[1].now(); }
   double feed_rpm() const { return turning_rpm() * feed_ratio_; }
   double rapid_minutes(const Curve& curve) const;
+  double machine_minutes(const Motion& motion, const ToolPosition& from, bool rapid) const;
   double thread_minutes(const Motion& motion, const Curve& curve) const;
   double feed_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const;
   double cutting_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const;

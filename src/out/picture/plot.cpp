@@ -21,6 +21,14 @@ Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
   return {chain.tip(extents.least) + shift, chain.tip(extents.most) + shift, false};
 }
 
+/// The curve's box is that of the programming frame, not of the picture's directions.
+bool has_frame(const Step& step) { return step.from.space && step.from.space->has_frame(); }
+
+/// Of the work system, machine coordinates.
+Vec3 zero_of(const Chain& chain, const Placement& placement) {
+  return placement.space && placement.space->has_rotary() ? placement.space->zero() : chain.tip(placement.origin);
+}
+
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
   if (is_arc(motion.kind)) return Stroke::arc;
   if (motion.kind == MotionKind::probe) return Stroke::probe;
@@ -36,8 +44,8 @@ Plot::Plot(const std::vector<std::string>& axes, AxisMask rotary, const ToolPosi
     : roles_(AxisRoles::of(axes, rotary)), chain_(roles_), here_(chain_.tip(start.work)), programmed_(start) {}
 
 void Plot::take_frame(const FrameChange& frame) {
-  here_ = chain_.tip(frame.work);
-  const Vec3 origin = chain_.tip(frame.placement.origin);
+  here_ = chain_.tip(frame.placement.space.get(), frame.work);
+  const Vec3 origin = zero_of(chain_, frame.placement);
   if (!origin_known_ && !started_) {
     first_origin_ = origin;
     origin_known_ = true;
@@ -64,7 +72,8 @@ void Plot::take_motion(const Step& step, const Motion& motion) {
   const Origin& origin = step.action.origin;
   if (!started_ || origin.file != last_line_.file) files_.insert(origin.file);
   last_line_ = line_of(origin);
-  const Vec3 from = chain_.tip(step.from.work), to = chain_.tip(motion.to);
+  const WorkSpace* const space = step.from.space.get();
+  const Vec3 from = chain_.tip(space, step.from.work), to = chain_.tip(space, motion.to);
   if (!started_) {
     path_.start(from + shift_);
     start_ = {PlotMark::What::start, from + shift_, last_line_};
@@ -77,7 +86,7 @@ void Plot::take_motion(const Step& step, const Motion& motion) {
   }
   if (shaded_) {
     shaded_->wait(motion, step.from, shift_, stroke, last_line_);
-    if (const Curve& curve = step.curve(); !curve.straight()) path_.reach(box_of(chain_, curve, shift_), stroke);
+    if (const Curve& curve = step.curve(); !curve.straight() && !has_frame(step)) path_.reach(box_of(chain_, curve, shift_), stroke);
   } else {
     draw(path_, step, shift_, stroke, last_line_);
   }
@@ -88,23 +97,23 @@ void Plot::draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, Pro
   const Motion& motion = *step.motion();
   if (const Curve& curve = step.curve(); !curve.straight()) {
     const int pieces = std::min(curve.pieces(chord), most_arc_pieces * static_cast<int>(std::min(1 + motion.turns, 1000.0)));
-    for (int i = 1; i < pieces; ++i) path.go(chain_.tip(curve.at(double(i) / pieces)) + shift, stroke, 0, line);
-    path.reach(box_of(chain_, curve, shift), stroke);
+    for (int i = 1; i < pieces; ++i) path.go(chain_.tip(step.from.space.get(), curve.at(double(i) / pieces)) + shift, stroke, 0, line);
+    if (!has_frame(step)) path.reach(box_of(chain_, curve, shift), stroke);
   }
-  path.go(chain_.tip(motion.to) + shift, stroke, 0, line);
+  path.go(chain_.tip(step.from.space.get(), motion.to) + shift, stroke, 0, line);
 }
 
 /// Of a contour all but the way in and out, at feed.
 void Plot::take_programmed(const Action& action) {
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
-    programmed_origin_ = chain_.tip(frame->placement.origin);
+    programmed_origin_ = zero_of(chain_, frame->placement);
     programmed_.take(*frame);
   }
   const auto* const motion = std::get_if<Motion>(&action.what);
   if (motion == nullptr) return;
   const bool way = motion->side_step == SideStep::begins || motion->side_step == SideStep::ends;
   if (motion->side != 0 && !way && motion->kind != MotionKind::rapid) {
-    const Vec3 from = chain_.tip(programmed_.work) + programmed_origin_;
+    const Vec3 from = chain_.tip(programmed_.space.get(), programmed_.work) + programmed_origin_;
     if (!has_contour_) contour_.start(from);
     else contour_.go(from, Stroke::rapid);
     has_contour_ = true;

@@ -80,7 +80,7 @@ void ShadedMotions::draw_part(const Waiting& motion, double from, double to, flo
   const int pieces = curve.straight() ? 1 : std::max(1, static_cast<int>(std::ceil(curve.pieces(chord) * (to - from))));
   for (int i = 1; i <= pieces; ++i) {
     const double part = i == pieces ? to : from + (to - from) * i / pieces;
-    keep({chain_.tip(curve.at(part)) + motion.shift, motion.stroke, shade, motion.line}, curve.straight(), path);
+    keep({chain_.tip(motion.from.space.get(), curve.at(part)) + motion.shift, motion.stroke, shade, motion.line}, curve.straight(), path);
   }
 }
 

@@ -34,7 +34,7 @@ bool is_distance(const CodeRow& row) { return row.function == Function::absolute
 /// Beside its code it needs words that are not known here: a cycle's data, a rotation's centre; or it acts at once.
 bool wants_words(const CodeRow& row) {
   return row.needs != 0 || row.needs_axis || row.phase == Phase::motion || row.phase == Phase::transform ||
-         row.phase == Phase::compensation;
+         row.phase == Phase::compensation || row.function == Function::tool_lead;
 }
 
 /// Of an offset's word; 0: it is none.

@@ -80,7 +80,7 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   constexpr const char* types[] = {"bits", "whole", "real", "text"};
   page +=
       "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all but those "
-      "that need a restart.\n\n";
+      "that need a restart. \"no effect\": kept, read and written by programs, but nothing follows from it in Kadr.\n\n";
   page += head("| number | of | kind | bits | initial | written by G10 | works | meaning | значение | source |");
   for (const ParameterRow& row : def.parameters) {
     std::string bits;
@@ -90,7 +90,7 @@ void parameter_rows(const ControlDef& def, std::string& page) {
     page +=
         fmt::format("| {}{} | {} | {} | {} | {} | {} | {} | {} | {} |\n", row.number >= 0 ? "N" : "", row.name,
                     scopes[static_cast<std::size_t>(row.scope)], types[static_cast<std::size_t>(row.type)], bits, number_text(row.initial),
-                    writable ? "yes" : "no", row.used ? "yes" : "not yet", cells(row.text), escaped(row.manual));
+                    writable ? "yes" : "no", row.used ? "yes" : "no effect", cells(row.text), escaped(row.manual));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/extremes.h"
 #include "kinematics/chain.h"
 
 namespace kadr {
@@ -63,19 +64,36 @@ void RunExtents::enter(std::uint8_t system) {
   if (found == systems_.end()) systems_.push_back({system, {}, {}});
 }
 
-void RunExtents::take(const Motion& motion, const Axes& from, const Curve& curve) {
+namespace {
+
+/// Bounding box of a motion in the directions of the work system.
+Extents in_system(const WorkSpace& space, const Curve& curve) {
+  Extents box{space.in_system(curve.at(0)), space.in_system(curve.at(1))};
+  for (std::size_t a = 0; a < max_axes; ++a) {
+    const Range range = range_of([&](double part) { return space.in_system(curve.at(part))[a]; }, curve.samples());
+    box.least[a] = range.least;
+    box.most[a] = range.most;
+  }
+  return box;
+}
+
+}  // namespace
+
+void RunExtents::take(const Motion& motion, const ToolPosition& at, const Curve& curve) {
+  const Axes& from = at.work;
+  const WorkSpace* const frame = at.space && at.space->has_frame() ? at.space.get() : nullptr;
   if (systems_.empty() || systems_[now_].system != motion.system) enter(motion.system);
   const bool cutting = cuts(motion);
   if (cutting) (motion.inch ? cut_in_inches_ : cut_in_mm_) = true;
   moved_in_inches_ = motion.inch;
   Reach& reach = cutting ? systems_[now_].cutting : systems_[now_].other;
   if (const std::size_t into = 2 * now_ + (cutting ? 1 : 0); stands_in_ != into) {
-    reach.take(roles_, from);
+    reach.take(roles_, frame != nullptr ? frame->in_system(from) : from);
     stands_in_ = into;
   }
-  reach.take(roles_, motion.to);
+  reach.take(roles_, frame != nullptr ? frame->in_system(motion.to) : motion.to);
   if (!curve.straight()) {
-    const Extents extents = curve.extents();
+    const Extents extents = frame != nullptr ? in_system(*frame, curve) : curve.extents();
     reach.take(roles_, extents.least);
     reach.take(roles_, extents.most);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "action/curve.h"
+#include "action/tool_position.h"
 #include "base/units.h"
 #include "config/alarm_texts.h"
 
@@ -66,7 +67,7 @@ class RunExtents {
   RunExtents(const std::vector<std::string>& axes, const AxisRoles& roles) : roles_(roles), axes_(axes) {}
 
   ///   from   where the tool stood, in work coordinates
-  void take(const Motion& motion, const Axes& from, const Curve& curve);
+  void take(const Motion& motion, const ToolPosition& from, const Curve& curve);
   /// The next motion does not begin where the last one ended: the frame has changed.
   void lift() { stands_in_ = nowhere; }
 

@@ -137,7 +137,7 @@ void Statistics::take_motion(const Step& step, const Motion& motion) {
   const bool cutting = cuts(motion);
   ++(curve.arc() ? arcs_ : motion.kind == MotionKind::rapid ? rapids_ : cutting ? feeds_ : others_);
   (cutting || motion.kind == MotionKind::probe ? cutting_mm_ : rapid_mm_) += step.time.length;
-  extents_.take(motion, step.from.work, curve);
+  extents_.take(motion, step.from, curve);
 }
 
 void Statistics::consume(const Step& step) {

@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <iterator>
 #include <utility>
+
+#include "base/tolerance.h"
 
 namespace kadr {
 
@@ -30,7 +33,51 @@ void SampleWriter::write(const double* at) {
   for (std::size_t a = 0; a < axes_; ++a) fmt::format_to(std::back_inserter(text_), ",{:.{}f}", at[a], decimals_);
   if (options_.spindle) fmt::format_to(std::back_inserter(text_), ",{:.{}f}", playback_.spindle(), decimals_);
   text_ += '\n';
+  if (tip_file_ != nullptr) write_tip(at);
   if (text_.size() >= chunk) flush();
+}
+
+void SampleWriter::write_tips(std::FILE* file, const AxisRoles& roles) {
+  tip_file_ = file;
+  roles_ = roles;
+  tip_text_ = "t,X,Y,Z,I,J,K\n";
+}
+
+void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
+  if (tip_file_ == nullptr) return;
+  if (!places_.empty()) {  // mostly nothing but the position changes
+    const ToolPosition& last = places_.back().from;
+    bool same = last.space == from.space && last.turn == from.turn;
+    for (std::size_t a = 0; same && a < axes_ && (!from.space || !from.space->has_rotary()); ++a)
+      same = std::fabs((last.machine[a] - last.work[a]) - (from.machine[a] - from.work[a])) <= tol::same_point;
+    if (same) return;
+  }
+  places_.push_back({motion, from});
+}
+
+/// Of a machine without rotary axes that count: by what work and machine coordinates differ, the frame as it is turned.
+void SampleWriter::write_tip(const double* at) {
+  while (places_.size() > 1 && places_[1].motion <= playback_.motion()) places_.pop_front();
+  Axes machine{};
+  std::copy_n(at, axes_, machine.begin());
+  Pose pose;
+  if (places_.empty()) return;
+  const ToolPosition& from = places_.front().from;
+  if (from.space && from.space->has_rotary()) {
+    pose = from.space->pose(machine);
+  } else {
+    Axes way{};
+    for (std::size_t a = 0; a < axes_; ++a) way[a] = machine[a] - from.machine[a];
+    if (from.turn) way = turned_back_axes(*from.turn, way);
+    for (std::size_t a = 0; a < axes_; ++a) way[a] += from.work[a];
+    if (from.space) way = from.space->in_system(way);
+    const auto of = [&](std::size_t i) { return roles_.xyz[i] < 0 ? 0.0 : way[static_cast<std::size_t>(roles_.xyz[i])]; };
+    pose.tip = {of(0), of(1), of(2)};
+  }
+  fmt::format_to(std::back_inserter(tip_text_), "{:.6f}", static_cast<double>(instant_) * period_);
+  for (const double v : {pose.tip.x, pose.tip.y, pose.tip.z, pose.direction.x, pose.direction.y, pose.direction.z})
+    fmt::format_to(std::back_inserter(tip_text_), ",{:.{}f}", v, decimals_);
+  tip_text_ += '\n';
 }
 
 bool SampleWriter::halted() {
@@ -67,6 +114,8 @@ void SampleWriter::remember(const Memory& memory) {
   changed_ = memory.changed;
   instant_ = memory.instant;
   text_ = memory.text;
+  tip_text_ = memory.tips;
+  places_ = memory.places;
   ended_ = memory.ended;
 }
 
@@ -82,6 +131,12 @@ void SampleWriter::flush() {
   const bool written = !ok() || (std::fwrite(text_.data(), 1, text_.size(), file_) == text_.size() && std::fflush(file_) == 0);
   if (!written) error_ = errno != 0 ? errno : EIO;
   text_.clear();
+  if (tip_file_ == nullptr) return;
+  errno = 0;
+  const bool tips =
+      !ok() || (std::fwrite(tip_text_.data(), 1, tip_text_.size(), tip_file_) == tip_text_.size() && std::fflush(tip_file_) == 0);
+  if (!tips) error_ = errno != 0 ? errno : EIO;
+  tip_text_.clear();
 }
 
 }  // namespace kadr

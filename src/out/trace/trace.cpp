@@ -32,6 +32,12 @@ char* put_block(char* at, const Origin& origin) {
 
 char* put_field(char* at, std::string_view key, double value) { return put_number(put_text(at, key), value); }
 
+/// Work coordinates of the tool where the curve of a motion is at `work`.
+Axes tool_at(const Motion& motion, double part, const Axes& work) {
+  const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
+  return way != nullptr ? way->at(part, work) : work;
+}
+
 /// A control's number as a JSON number if it is one.
 std::string number_or_text(const std::string& number) {
   if (number.empty()) return "null";
@@ -86,7 +92,10 @@ char* TraceWriter::put_arc(char* at, const Motion& motion) const {
 void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   const MotionTime& time = step.time;
   char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], step.action.origin);
-  at = put_axes(put_axes(at, R"(,"to":)", motion.to), R"(,"machine":)", motion.machine);
+  const WorkSpace* const space = step.from.space.get();
+  const Axes& to = motion.to;
+  at = put_axes(at, R"(,"to":)", space == nullptr ? to : space->in_system(tool_at(motion, 1, to)));
+  at = put_axes(at, R"(,"machine":)", motion.machine);
   if (is_arc(motion.kind)) at = put_arc(at, motion);
   if (motion.feed > 0) {
     at = put_field(at, R"(,"feed":)", motion.feed);
@@ -95,6 +104,8 @@ void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   }
   if (motion.kind != MotionKind::rapid) at = put_text(at, motion.exact ? R"(,"exact":true)" : R"(,"exact":false)");
   out_.done(at);
+  if (motion.as_programmed) out_.done(put_axes(out_.room(line_room_), R"(,"programmed":)", to));
+  if (space != nullptr) write_space({step, motion, 1, to, motion.machine});
   if (behind_probe_) write_way(step, motion);
   behind_probe_ = motion.kind == MotionKind::probe;
   if (motion.detail) [[unlikely]]
@@ -116,6 +127,40 @@ void TraceWriter::write_way(const Step& step, const Motion& motion) {
   }
   if (separator == '{') *at++ = '{';
   *at++ = '}';
+  out_.done(at);
+}
+
+char* TraceWriter::put_vector(char* at, std::string_view key, Vec3 v) const {
+  at = put_text(at, key);
+  *at++ = '{';
+  const double values[] = {v.x, v.y, v.z};
+  char separator = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (roles_.xyz[i] < 0) continue;
+    if (separator != 0) *at++ = separator;
+    separator = ',';
+    at = put_number(put_text(at, keys_[static_cast<std::size_t>(roles_.xyz[i])]), values[i]);
+  }
+  *at++ = '}';
+  return at;
+}
+
+/// Where the tool is in the part (nct 25), and what the program's words mean there.
+void TraceWriter::write_space(const Place& at_place) {
+  const auto& [step, motion, part, work, machine] = at_place;
+  const WorkSpace& space = *step.from.space;
+  char* at = out_.room(3 * line_room_);
+  if (motion.as_programmed && part < 1) at = put_axes(at, R"(,"programmed":)", work);
+  const Pose pose = space.pose(machine);
+  at = put_vector(at, R"(,"tip":)", pose.tip);
+  at = put_vector(at, R"(,"tool_dir":)", pose.direction);
+  const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
+  if (const Vec3 normal = way != nullptr ? way->normal(part) : Vec3{}; !(normal == Vec3{})) {
+    const auto of = [this, &at_work = work](std::size_t i) {
+      return roles_.xyz[i] < 0 ? 0.0 : at_work[static_cast<std::size_t>(roles_.xyz[i])];
+    };
+    at = put_vector(put_vector(at, R"(,"contact":)", {of(0), of(1), of(2)}), R"(,"normal":)", normal);
+  }
   out_.done(at);
 }
 
@@ -168,7 +213,14 @@ void TraceWriter::write_points(const Step& step, const Motion& motion) {
     const Axes to = curve.at(points_[n]);
     const Axes machine = machine_along(roles_, step.from, motion, to, points_[n]);
     char* at = put_field(out_.room(2 * line_room_), n == 0 ? R"({"part":)" : R"(,{"part":)", points_[n]);
-    at = put_axes(put_axes(at, R"(,"to":)", to), R"(,"machine":)", machine);
+    const WorkSpace* const space = step.from.space.get();
+    at = put_axes(at, R"(,"to":)", space == nullptr ? to : space->in_system(tool_at(motion, points_[n], to)));
+    at = put_axes(at, R"(,"machine":)", machine);
+    if (space != nullptr) {
+      out_.done(at);
+      write_space({step, motion, points_[n], to, machine});
+      at = out_.room(2 * line_room_);
+    }
     if (surface) at = put_axes(at, R"(,"programmed":)", curve.programmed(points_[n]));
     if (surface && time.exact && time.feed > 0)
       at = put_field(at, R"(,"feed":)", feed_at(curve, {time.feed, motion.detail->rotary_most, motion.along}, points_[n]));

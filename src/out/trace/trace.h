@@ -43,6 +43,16 @@ class TraceWriter {
   char* put_axes(char* at, std::string_view key, const Axes& axes) const;
   char* put_arc(char* at, const Motion& motion) const;
   void write_motion(const Step& step, const Motion& motion);
+  /// A point of a motion's way.
+  struct Place {
+    const Step& step;
+    const Motion& motion;
+    double part;
+    const Axes& work;
+    const Axes& machine;
+  };
+  char* put_vector(char* at, std::string_view key, Vec3 v) const;
+  void write_space(const Place& place);
   void write_way(const Step& step, const Motion& motion);
   void write_detail(const Step& step, const Motion& motion);
   void write_time(const Motion& motion, const MotionTime& time);

@@ -7,10 +7,12 @@
 #include <tuple>
 
 #include "base/extremes.h"
+#include "path/curve/machine_path.h"
 
 namespace kadr {
 
 Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve) {
+  if (leads_tip(from, motion)) return MachinePath(roles, from, motion, curve).extents(0, 1);
   Extents box = curve.extents();
   const AxisMask rolled = motion.detail ? motion.detail->rolled : 0;
   for (std::size_t i = 0; i < roles.count; ++i) {

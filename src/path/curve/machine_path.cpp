@@ -3,10 +3,38 @@
 
 #include "path/curve/machine_path.h"
 
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/extremes.h"
+
 namespace kadr {
+namespace {
+
+constexpr int most_pieces = 20'000;  // of one motion
+
+/// The tip is led while a rotary axis turns: the axes do not go along a line.
+bool turns_while_led(const ToolPosition& from, const Motion& motion) {
+  if (!leads_tip(from, motion)) return false;
+  if (motion.detail && motion.detail->tip_way) return true;
+  for (AxisMask left = from.space->rotary_axes(); left != 0; left &= left - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
+    if (motion.to[axis] != from.work[axis] || (motion.detail && (motion.detail->rolled >> axis & 1U) != 0)) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 MachinePath::MachinePath(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve)
-    : roles_(roles), from_(from), motion_(motion), curve_(curve), end_(motion.machine) {
+    : roles_(roles),
+      from_(from),
+      motion_(motion),
+      curve_(curve),
+      end_(motion.machine),
+      bends_(turns_while_led(from, motion)),
+      straight_(curve.straight() && !bends_) {
   for (std::size_t i = 0; i < roles.count; ++i)
     if (rolls_over(i)) end_[i] = from.machine[i] + motion.detail->travel[i];
 }
@@ -20,6 +48,71 @@ Axes MachinePath::at(double part) const {
   return point;
 }
 
+Extents MachinePath::led_extents(double from, double to) const {
+  Extents box{at(from), at(to)};
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    const Range range = range_of([&](double part) { return at(from + part * (to - from))[i]; }, samples_led());
+    box.least[i] = range.least;
+    box.most[i] = range.most;
+  }
+  return box;
+}
+
+/// The second derivative of a point that goes a way L while it is turned by ω about axes no farther than R is at most ω²R + 2ωL, and the
+/// chord is off by an eighth of it.
+Extents MachinePath::rough_extents() const {
+  const bool plain = bends_ && curve_.straight() && !(motion_.detail && motion_.detail->tip_way);
+  if (!plain) return extents(0, 1);
+  Extents box;
+  double turn = 0;
+  const AxisMask rotary = from_.space->rotary_axes();
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    std::tie(box.least[i], box.most[i]) = std::minmax({from_.machine[i], end_[i]});
+    if ((rotary >> i & 1U) != 0) turn += std::fabs(end_[i] - from_.machine[i]) * rad_per_deg;
+  }
+  const double way = curve_.length(), arm = way + std::max(from_.space->arm(from_.machine), from_.space->arm(motion_.machine));
+  const double off = (turn * turn * arm + 2 * turn * way) / 8;
+  for (std::size_t i = 0; i < roles_.count; ++i)
+    if ((rotary >> i & 1U) == 0) box.least[i] -= off, box.most[i] += off;
+  return box;
+}
+
+/// One extreme of any axis each, about: a quarter of a turn of a rotary axis has one.
+int MachinePath::samples_led() const {
+  constexpr double between = 15;  // degrees
+  double way = 0;
+  for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
+    way = std::max(way, std::fabs(end_[axis] - from_.machine[axis]));
+  }
+  constexpr int most = 1000;
+  const int least = motion_.detail && motion_.detail->tip_way ? 8 : 2;
+  return std::clamp(static_cast<int>(way / between) + least, curve_.samples(), std::max(curve_.samples(), most));
+}
+
+/// Where rotary axes bend the path the chord is measured in the middle of pieces, which are halved until it is within: as h², so that half
+/// of what is wanted is aimed at.
+int MachinePath::pieces(double chord) const {
+  const int of_curve = curve_.pieces(chord);
+  if (!bends_) return of_curve;
+  constexpr int looked_at = 8;
+  double worst = 0;
+  for (int i = 0; i < looked_at; ++i) {
+    const Axes a = at(double(i) / looked_at), b = at(double(i + 1) / looked_at), middle = at((i + 0.5) / looked_at);
+    double off = 0;
+    for (std::size_t n = 0; n < roles_.count; ++n) {
+      const double d = middle[n] - (a[n] + b[n]) / 2;
+      off += d * d;
+    }
+    worst = std::max(worst, std::sqrt(off));
+  }
+  constexpr double few = 6;  // chords: a motion so flat is one, as it meets its neighbours in corners anyway
+  if (worst * looked_at * looked_at <= few * chord) return of_curve;
+  const double aimed = chord / 2;
+  const double needed = looked_at * std::sqrt(worst / aimed);
+  return std::clamp(static_cast<int>(std::ceil(needed)), of_curve, std::max(of_curve, most_pieces));
+}
+
 Extents MachinePath::extents(double from, double to) const {
   if (straight()) {
     Extents box{at(from), at(to)};
@@ -27,8 +120,9 @@ Extents MachinePath::extents(double from, double to) const {
       if (box.least[i] > box.most[i]) std::swap(box.least[i], box.most[i]);
     return box;
   }
+  if (bends_ || (!straight_ && leads_tip(from_, motion_))) return led_extents(from, to);
   if (from <= 0 && to >= 1) return machine_extents(roles_, from_, motion_, curve_);
-  const ToolPosition piece_from{curve_.at(from), at(from), from_.turn};
+  const ToolPosition piece_from{curve_.at(from), at(from), from_.turn, from_.space};
   Motion piece = motion_;
   piece.to = curve_.at(to);
   piece.machine = at(to);

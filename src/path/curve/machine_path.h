@@ -19,7 +19,9 @@ class MachinePath {
   explicit MachinePath(const Step& step) : MachinePath(step.roles, step.from, *step.motion(), step.curve()) {}
 
   /// A straight line of all axes, from start() to end().
-  bool straight() const { return curve_.straight(); }
+  bool straight() const { return straight_; }
+  /// The tip is led, and the axes' speeds are not in proportion to its own.
+  bool bends() const { return bends_; }
   const Axes& start() const { return from_.machine; }
 
   /// Where the axes stand after it. Axes that roll over count on beyond their turn.
@@ -27,6 +29,9 @@ class MachinePath {
   bool rolls_over(std::size_t axis) const { return motion_.detail && (motion_.detail->rolled >> axis & 1U) != 0; }
 
   Axes at(double part) const;
+
+  /// Number of equal pieces whose chords stay within `chord` mm of the path, of the tool's tip too where that is led.
+  int pieces(double chord) const;
 
   /// Bounding box of the piece between two parts. Exact for lines; else as machine_extents().
   Extents extents(double from, double to) const;
@@ -39,9 +44,15 @@ class MachinePath {
     return first_not(clear, 0, 1, most_halvings);
   }
 
+  /// A box that is certainly as great as that of the whole, found at once.
+  Extents rough_extents() const;
+
   static constexpr double closeness = 1e-7;  // mm, degrees: a tenth of tol::same_point
 
  private:
+  Extents led_extents(double from, double to) const;
+  int samples_led() const;
+
   static constexpr int most_halvings = 60;
 
   template <class Clear>
@@ -61,6 +72,7 @@ class MachinePath {
   const Motion& motion_;
   const Curve& curve_;
   Axes end_;
+  bool bends_, straight_;
 };
 
 }  // namespace kadr

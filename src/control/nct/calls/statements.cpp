@@ -91,6 +91,18 @@ Status jump(Interpreter& m, const Statement& s) {
   return go_to_block(m, *number, s.where);
 }
 
+Status carry_out(Interpreter& m, const Statement& s, bool holds) {
+  if (s.kind == StatementKind::loop) return loop(m, s, holds);
+  if (!holds) return {};
+  switch (s.kind) {
+    case StatementKind::assign: return assign(m, s);
+    case StatementKind::message: return message(m, s);
+    case StatementKind::go_to: return jump(m, s);
+    case StatementKind::loop_end: return loop_end(m, s);
+    default: return output(m, s);
+  }
+}
+
 }  // namespace
 
 Status go_to_block(Interpreter& m, double number, Span where) {
@@ -107,19 +119,13 @@ Status go_to_block_again(Interpreter& m, double number, Span where) {
   return {};
 }
 
-Status run_statement(Interpreter& m) {
+Result<bool> run_statement(Interpreter& m) {
   const Statement& s = m.block->statement;
   const auto condition = holds(m, s);
   if (!condition) return fail(condition.error());
-  if (s.kind == StatementKind::loop) return loop(m, s, *condition);
-  if (!*condition) return {};
-  switch (s.kind) {
-    case StatementKind::assign: return assign(m, s);
-    case StatementKind::message: return message(m, s);
-    case StatementKind::go_to: return jump(m, s);
-    case StatementKind::loop_end: return loop_end(m, s);
-    default: return output(m, s);
-  }
+  if (s.kind == StatementKind::words) return !*condition;
+  KADR_TRY(carry_out(m, s, *condition));
+  return true;
 }
 
 }  // namespace kadr::nct

@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "control/interpreter.h"
+#include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/sides.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
@@ -39,11 +40,14 @@ int main_axis(const Interpreter& m, int role) {
 
 std::string plane_name(const Interpreter& m) { return m.axis_names[m.modal.axes.first] + m.axis_names[m.modal.axes.second]; }
 
-void refresh_frames(Interpreter& m) {
+namespace {
+
+void refresh_sums(Interpreter& m) {
   Placement& f = m.frames;
   f.turn = rotation_of(m, f.turn);
+  const bool dynamic = m.modal.work_zero >= all_systems;  // 25d: INFERRED: without the common offset
   for (std::size_t a = 0; a < m.axis_count; ++a) {
-    f.origin[a] = m.tables.common[a] + m.tables.zeros[m.modal.work_zero][a];
+    f.origin[a] = (dynamic ? 0 : m.tables.common[a]) + m.tables.zeros[m.modal.work_zero][a];
     f.shift[a] = m.modal.new_system[a] + m.modal.local[a];
     f.length[a] = m.modal.lengths[a];
   }
@@ -59,6 +63,15 @@ void refresh_frames(Interpreter& m) {
     f.origin[a] += f.shift[a];
     f.shift[a] = 0;
   }
+}
+
+}  // namespace
+
+void refresh_frames(Interpreter& m) {
+  const std::shared_ptr<const FrameTurn> before = m.frames.turn;
+  refresh_sums(m);
+  refresh_space(m);
+  if (before && m.frames.turn && *before == *m.frames.turn) m.frames.turn = before;
 }
 
 MotionDetail& detail_of(Interpreter& m, Motion& motion) {
@@ -84,7 +97,7 @@ double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from) {
     const double way = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
     ((m.def.rotary >> a & 1u) != 0 ? rotary : linear) += way * way;
   }
-  if (rotary == 0 || m.modal.surface != PathSurface::plane) return m.modal.feed;
+  if (rotary == 0 || m.modal.surface != PathSurface::plane || leads_tip(nct_of(m).state.five_axis.lead)) return m.modal.feed;
   const double feed = m.modal.feed / mm_per_inch;  // inches, degrees a minute
   return feed * std::sqrt((linear + rotary) / (linear / (mm_per_inch * mm_per_inch) + rotary));
 }
@@ -99,13 +112,24 @@ std::uint8_t smoothing_of(const Interpreter& m, const Motion& motion) {
   return motion.kind == MotionKind::feed && alone && continues ? m.modal.smoothing : std::uint8_t{0};
 }
 
+/// Within a frame in space the program's words are told beside the end that transformations, compensation make of them.
+void tell_programmed(Interpreter& m, Motion& motion) {
+  MotionDetail& detail = detail_of(m, motion);
+  detail.programmed = m.position.programmed;
+  detail.has_programmed = true;
+}
+
 }  // namespace
 
 void note_motion(Interpreter& m, Motion& motion) {
   Nct& nct = nct_of(m);
   nct.moved = true;
+  const bool plain = m.transform.identity && m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane;
+  motion.as_programmed = plain && motion.kind != MotionKind::probe;
+  if (!plain && nct.state.five_axis.frame != SpaceFrame::none) tell_programmed(m, motion);
   if (motion.kind != MotionKind::thread) nct.state.in_thread = false;
-  motion.along = FeedAlong::all_axes;                      // 4.2: millimetres and degrees alike
+  const bool tip = leads_tip(nct.state.five_axis.lead);        // 25.14: the feed is that of the tip
+  motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;  // 4.2: millimetres and degrees alike
   constexpr std::uint32_t m_fhd = 1, m_ov = 2, m_est = 4;  // #3004: no stop; override and stop as in G63; no exact stop (23.1.10, 6.3.4)
   if ((nct.control_2 & m_est) != 0) motion.exact = false;
   const bool stops = (m.block_exact || m.modal.exact) && (nct.control_2 & m_est) == 0;

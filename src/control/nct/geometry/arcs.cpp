@@ -6,6 +6,7 @@
 
 #include "base/tolerance.h"
 #include "control/interpreter.h"
+#include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/automatic_geometry.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
@@ -44,11 +45,13 @@ class Arc {
     const Status read = m_.target(end_, named_);
     nct_of(m_).absolute_block = false;
     KADR_TRY(read);
+    note_positioned(m_, named_);
     const bool has_data = m_.has('R') || has_center();
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
     if (named_ == 0 && !has_data) return {};  // the code alone: only the mode
     if (m_.has(letters_.other)) return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
+    if (!has_data && !in_plane && nct_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool turns about its tip
     if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
     if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_wrong, call_.where, call_.row->code));
     from_ = placed_flat(m_.position.programmed);
@@ -108,7 +111,9 @@ class Arc {
     named_ &= ~(1u << plane_.first | 1u << plane_.second);
     if (named_ == 0) return {};
     KADR_TRY(m_.feed_known(call_.where));
-    return m_.straight(MotionKind::feed, end_, named_);
+    const Axes from = m_.position.work;
+    KADR_TRY(m_.straight(MotionKind::feed, end_, named_));
+    return lead_motion(m_, std::get<Motion>(m_.batch->back().what), from);
   }
 
   /// I, J, K from the start, or with CCA=1 from the zero of the work system; always radii, never polar.
@@ -161,14 +166,19 @@ class Arc {
   }
 
   Status hand_on(const PlaneArc& arc) {
-    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) return move(arc, end_), Status();  // mostly
+    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // mostly
+      const Axes from = m_.position.work;
+      return lead_motion(m_, move(arc, end_), from);
+    }
     const Axes before = m_.position.programmed;
     Axes work = transformed(m_, end_);
     KADR_TRY(m_.within_reach(work));
     const bool cw = turn_ == Turn::cw;
     if (m_.modal.surface == PathSurface::polar)
       work = polar_work(m_, work, nct_of(m_).state.surface_angle + swept_about_pole({from_, to_, arc.center, cw ? -arc.turns : arc.turns}));
+    const Axes from = m_.position.work;
     Motion& motion = move(arc, work);
+    KADR_TRY(lead_motion(m_, motion, from));
     if (m_.modal.surface == PathSurface::cylinder) motion.center = in_axes(arc.center);
     if (m_.modal.surface != PathSurface::plane) finish_surface(m_, motion, before);
     return {};
@@ -182,7 +192,8 @@ class Arc {
     m_.set_feed(motion);
     motion.center = arc.center;
     motion.turns = arc.turns;
-    motion.along = nct_of(m_).settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
+    if (!leads_tip(nct_of(m_).state.five_axis.lead))
+      motion.along = nct_of(m_).settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
     return motion;
   }
 

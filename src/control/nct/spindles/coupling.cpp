@@ -146,7 +146,7 @@ void follow(Interpreter& m, Motion& motion) {
     machine[follower.axis] = c.lead[follower.axis] + follower.sign * machine[follower.master];
     m.position.work[follower.axis] = machine[follower.axis] - m.frames.origin[follower.axis] - m.frames.length[follower.axis];
   }
-  if (m.frames.turn) m.position.work = m.frames.work_of(machine);
+  if (!m.frames.is_plain()) m.position.work = m.frames.work_of(machine);
   const Axes programmed = m.transform.to_programmed(m.position.work);
   for (const Follower& follower : c.followers) m.position.programmed[follower.axis] = programmed[follower.axis];
   motion.to = m.position.work;

@@ -16,22 +16,23 @@ constexpr char rotation_letters[] = {'I', 'J', 'K'};  // G17, G18, G19
 Status set_zero(Interpreter& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
   Axes& table = common ? m.tables.common : m.tables.zeros[index];
-  Axes zero = table;  // all or nothing
+  Axes zero = table;                          // all or nothing
+  const bool dynamic = index >= all_systems;  // 25.4.1: lengths are radii; UNKNOWN whether I, J, K are possible: refused
   for (const char letter : rotation_letters)
-    if (common && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
+    if ((common || dynamic) && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     if (w.address == 0 || (m.letters.axes & letter_bit(w.address)) == 0) continue;
     const AddressRow& row = m.def.address(w.address);
     double v = w.value * (row.unit == WordUnit::length ? m.unit_scale() : 1.0);
-    if ((m.modal.diameter >> row.axis & 1u) != 0) v /= 2;
+    if ((m.modal.diameter >> row.axis & 1u) != 0 && !dynamic) v /= 2;
     const bool add = adds || w.incremental || row.function == Function::increment_axis;
     zero[row.axis] = add ? zero[row.axis] + v : v;
     if (!(std::fabs(zero[row.axis]) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, w.where, w.address, zero[row.axis]));
   }
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (zero[a] != table[a]) m.journal.keep(table[a]), table[a] = zero[a];
-  if (!common) {
+  if (!common && !dynamic) {
     Vec3& angles = m.tables.rotations[index];
     double* const parts[] = {&angles.x, &angles.y, &angles.z};
     for (std::size_t i = 0; i < 3; ++i)
@@ -119,14 +120,14 @@ Status set_tables(Interpreter& m, const Call& call) {
   if (*l == 200 || *l == 201) return set_turning_offset(m, call, *l == 200);
   ToolOffset unused;
   if (offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
-  if (*l != 2 && *l != 20) {
-    if (*l == 21) return fail(alarm(AlarmId::not_available, m.where('L'), "G10 L21"));
+  if (*l != 2 && *l != 20 && *l != 21) {
     return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
   }
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
-  const auto p = *l == 2 ? m.whole('P', 0, basic_systems) : m.whole('P', 1, extended_systems);
+  const auto p = *l == 2 ? m.whole('P', 0, basic_systems) : *l == 20 ? m.whole('P', 1, extended_systems) : m.whole('P', 1, dynamic_systems);
   if (!p) return fail(p.error());
-  const std::uint32_t index = *l == 2 ? *p : static_cast<std::uint32_t>(basic_systems) + *p;
+  const auto before = static_cast<std::uint32_t>(*l == 2 ? 0 : *l == 20 ? basic_systems : all_systems - 1);
+  const std::uint32_t index = before + *p;
   return set_zero(m, call, index, *l == 2 && *p == 0);
 }
 

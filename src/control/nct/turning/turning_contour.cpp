@@ -9,13 +9,15 @@
 #include "control/functions/functions.h"
 #include "control/nct/nct.h"
 #include "control/nct/turning/turning_plane.h"
+#include "control/nct/words/coordinates.h"
 
 namespace kadr::nct {
 namespace {
 
 constexpr std::size_t most_pieces = 10'000;
 
-/// The interpreter looks at blocks that are not carried out; its state is as before at the end.
+/// The interpreter looks at blocks that are not carried out; its state is as before at the end. Without transformations: the cycle
+/// works on the contour as it is programmed, and what it makes goes through them as any motion does (16, INFERRED).
 class DryRun {
  public:
   explicit DryRun(Interpreter& m)
@@ -25,9 +27,13 @@ class DryRun {
         block_(m.block),
         batch_(m.batch),
         axes_taken_(m.block_axes_taken),
+        transform_(m.transform),
+        origin_(m.origin),
         state_(nct_of(m).state),
         moved_(nct_of(m).moved) {
     m.batch = &actions;
+    m.transform = Transform();
+    m.position.work = m.position.programmed;
     m.block_axes_taken = false;
     m.modal.feed_known = true;  // F of the contour is for finishing
     m.modal.feed = 1;
@@ -38,6 +44,8 @@ class DryRun {
     m_.block = block_;
     m_.batch = batch_;
     m_.block_axes_taken = axes_taken_;
+    m_.transform = transform_;
+    m_.origin = origin_;
     nct_of(m_).state = state_;
     nct_of(m_).moved = moved_;
   }
@@ -53,15 +61,17 @@ class DryRun {
   Block* block_;
   ActionBatch* batch_;
   bool axes_taken_;
+  Transform transform_;
+  Origin origin_;
   Volatile state_;
   bool moved_;
 };
 
 class Reader {
  public:
-  Reader(Interpreter& m, const Call& call) : m_(m), call_(call), run_(m) {}
+  Reader(Interpreter& m, const Call& call) : m_(m), call_(call), run_(m), start_(m.position.work) {}
 
-  Status run(const ContourPlace& place, std::vector<ContourPiece>& pieces) {
+  Status run(const ContourPlace& place, Contour& contour) {
     ProgramFile& file = m_.flow.program_file();
     BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
     reader.seek(place.first);
@@ -69,11 +79,15 @@ class Reader {
       const auto got = reader.next(block_);
       if (!got) return unread(got.error());
       if (*got == BlockReader::Got::end) break;
-      if (block_.has_number) number_ = block_.number;
+      if (block_.has_number) m_.origin.block = number_ = block_.number;
       if (block_.skip != 0 && m_.skip_switches[std::min<std::size_t>(block_.skip, 9)]) continue;
-      KADR_TRY(block(pieces));
+      KADR_TRY(block());
     }
-    return pieces.empty() ? shape() : Status();
+    if (run_.actions.empty()) return shape();
+    contour.uncompensated = uncompensated_;
+    KADR_TRY(corners());
+    take_pieces(contour.pieces);
+    return {};
   }
 
  private:
@@ -92,7 +106,30 @@ class Reader {
     return fail(alarm);
   }
 
-  Status block(std::vector<ContourPiece>& pieces) {
+  /// ,C ,R and what else needs the next block (17): found as for motions that are carried out.
+  Status corners() {
+    const auto waits = [](const Action& action) {
+      const Motion& motion = std::get<Motion>(action.what);
+      return motion.detail && motion.detail->contour;
+    };
+    if (std::none_of(run_.actions.begin(), run_.actions.end(), waits)) return {};
+    if (m_.find_corners == nullptr || !*m_.find_corners) return without(",C ,R ,A");
+    const auto fault = (*m_.find_corners)(run_.actions, start_);
+    return fault ? unread(*fault) : Status();
+  }
+
+  void take_pieces(std::vector<ContourPiece>& pieces) const {
+    const PlaneAxes& plane = m_.modal.axes;
+    Vec2 at{start_[plane.first], start_[plane.second]};
+    for (const Action& action : run_.actions) {
+      const auto& motion = std::get<Motion>(action.what);
+      const Vec2 to{motion.to[plane.first], motion.to[plane.second]};
+      pieces.push_back({motion.kind, at, to, motion.center, motion.turns, action.origin.block});
+      at = to;
+    }
+  }
+
+  Status block() {
     if (block_.statement.kind != StatementKind::none) return shape();
     m_.block = &block_;
     if (const Status values = m_.evaluate_words(); !values) return unread(values.error());
@@ -102,13 +139,12 @@ class Reader {
     const bool moves = (block_.letters & (m_.letters.axes | m_.letters.centers)) != 0;
     if (motion == nullptr && moves && m_.modal.motion_row >= 0) motion = &m_.def.codes[static_cast<std::size_t>(m_.modal.motion_row)];
     if (motion == nullptr) return moves ? shape() : Status();
-    return move(*motion, pieces);
+    return move(*motion);
   }
 
   Status word(const Word& w, const CodeRow*& motion) {
-    if (has_comma(w.address)) return without(",C ,R ,A");
     if ((m_.letters.codes & letter_bit(w.address)) != 0) return code(w, motion);
-    constexpr std::uint64_t of_others = letter_bit('P') | letter_bit('Q') | letter_bit('E');
+    constexpr std::uint64_t of_others = letter_bit('P') | letter_bit('E');  // Q chooses an intersection (17.3)
     if ((of_others & letter_bit(w.address)) != 0) return shape();
     return {};  // F, S, T, D are for finishing
   }
@@ -135,7 +171,7 @@ class Reader {
         return {};
       case Function::absolute:
       case Function::incremental: return handler_of(row.function)(m_, {&row, nullptr, call_.where});
-      case Function::radius_side: return row.arg == 0 || radius() == 0 ? Status() : without(row.code);
+      case Function::radius_side: side(row); return {};
       case Function::feed_per_minute:
       case Function::feed_per_revolution:
       case Function::css_on:
@@ -149,27 +185,34 @@ class Reader {
     return ignored ? Status() : shape();
   }
 
-  Status move(const CodeRow& row, std::vector<ContourPiece>& pieces) {
+  /// G41, G42 let blocks be over-determined (17.3). Nothing is compensated: INFERRED, as with Fanuc (19.B).
+  void side(const CodeRow& row) {
+    m_.modal.radius_side = row.arg == 0 ? std::int8_t{0} : row.arg == 1 ? std::int8_t{-1} : std::int8_t{1};
+    if (row.arg != 0 && uncompensated_.empty() && radius() != 0) uncompensated_ = row.code;
+  }
+
+  Status move(const CodeRow& row) {
     if (row.function != Function::rapid && row.function != Function::linear && row.function != Function::arc_cw &&
         row.function != Function::arc_ccw)
       return shape();
-    run_.actions.clear();
-    const Vec2 from = plane_point(m_);
+    const std::size_t before = run_.actions.size();
     if (const Status moved = handler_of(row.function)(m_, {&row, nullptr, call_.where}); !moved) return unread(moved.error());
-    if (run_.actions.empty()) return {};
-    const auto* const motion = std::get_if<Motion>(&run_.actions[0].what);
+    if (run_.actions.size() > most_pieces) return shape();
     const AxisMask both = 1u << m_.modal.axes.first | 1u << m_.modal.axes.second;
-    if (motion == nullptr || (motion->named & ~both) != 0 || motion->turns > 1 || pieces.size() == most_pieces) return shape();
-    const Vec2 to = plane_point(m_);
-    pieces.push_back({motion->kind, from, to, motion->center, motion->turns, number_});
+    for (std::size_t i = before; i < run_.actions.size(); ++i) {
+      const auto* const motion = std::get_if<Motion>(&run_.actions[i].what);
+      if (motion == nullptr || (motion->named & ~both) != 0 || motion->turns > 1) return shape();
+    }
     return {};
   }
 
   Interpreter& m_;
   const Call& call_;
   DryRun run_;
+  Axes start_;
   Block block_;
   std::uint32_t number_ = 0;
+  std::string_view uncompensated_;
 };
 
 }  // namespace
@@ -207,9 +250,14 @@ Result<ContourPlace> find_contour(Interpreter& m, const Call& call) {
 Result<Contour> read_contour(Interpreter& m, const Call& call) {
   const auto place = find_contour(m, call);
   if (!place) return fail(place.error());
-  if (!m.transform.identity) return fail(alarm(AlarmId::not_available, call.where, call.row->code));  // 19.B: not considered
+  const PlaneAxes& plane = m.modal.axes;
+  if (m.transform.leaves(plane)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   Contour contour;
-  KADR_TRY(Reader(m, call).run(*place, contour.pieces));
+  KADR_TRY(Reader(m, call).run(*place, contour));
+  const auto is_arc = [](const ContourPiece& piece) { return piece.is_arc(); };
+  if (m.transform.distorts(plane) && std::any_of(contour.pieces.begin(), contour.pieces.end(), is_arc))  // 16.2: ellipses
+    return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
+  if (!contour.uncompensated.empty()) m.warn(warning(AlarmId::rough_uncompensated, call.where, contour.uncompensated, call.row->code));
   contour.behind = place->behind;
   contour.follows = contour.behind.offset > m.flow.position().offset;
   return contour;
@@ -247,10 +295,18 @@ Status emit(Interpreter& m, const ContourPiece& piece, Vec2 shift) {
   to[plane.first] = end.x;
   to[plane.second] = end.y;
   const AxisMask both = 1u << plane.first | 1u << plane.second;
-  m.move_to(to, to, both);
-  Motion& motion = m.add_motion(piece.kind, both);
+  const Vec2 center = piece.center + shift;
+  Axes work = to;
+  MotionKind kind = piece.kind;
+  if (!m.transform.identity) {
+    work = transformed(m, to);
+    KADR_TRY(m.within_reach(work));
+    if (m.transform.reverses(plane)) kind = kind == MotionKind::arc_cw ? MotionKind::arc_ccw : MotionKind::arc_cw;
+  }
+  m.move_to(to, work, both);
+  Motion& motion = m.add_motion(kind, both);
   m.set_feed(motion);
-  motion.center = piece.center + shift;
+  motion.center = m.transform.identity ? center : m.transform.to_work(center, plane);
   motion.turns = piece.turns;
   motion.along = FeedAlong::arc;
   return {};

@@ -25,6 +25,7 @@ struct ContourPiece {
 struct Contour {
   std::vector<ContourPiece> pieces;  // in order, the first begins where the tool stands
   Position behind;                   // its last block
+  std::string_view uncompensated;    // G41 or G42 in it that the cycle does not carry out
   bool follows = false;              // it stands after the cycle's block: the program goes on at `after`
 };
 
@@ -37,7 +38,8 @@ struct ContourPlace {
 Result<ContourPlace> find_contour(Interpreter& m, const Call& call);
 
 /// The contour from where the tool stands.
-///   alarms  those of find_contour; contour_shape: a block that is no G0, G1, G2, G3 in the plane; not_available: G41, G42, ,C ,R
+///   alarms  those of find_contour; contour_shape: a block that is no G0, G1, G2, G3 in the plane; those of 17 for its corners;
+///           plane_wrong: G68 in another plane; not_together: arcs with different factors of G51
 Result<Contour> read_contour(Interpreter& m, const Call& call);
 
 /// Arcs cut where one of the axes turns back: in each piece both run one way only.

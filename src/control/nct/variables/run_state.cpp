@@ -33,9 +33,12 @@ void add_zeros(const Interpreter& m, Setup& tables) {
     if (angles.z != 0) values["G19"] = angles.z;
   };
   add("common", m.tables.common, {});
-  for (std::size_t i = 1; i < m.tables.zeros.size(); ++i)
-    add(i <= basic_systems ? "G" + std::to_string(53 + i) : "G54.1 P" + std::to_string(i - basic_systems), m.tables.zeros[i],
-        m.tables.rotations[i]);
+  for (std::size_t i = 1; i < m.tables.zeros.size(); ++i) {
+    const std::string name = i <= basic_systems ? "G" + std::to_string(53 + i)
+                             : i < all_systems  ? "G54.1 P" + std::to_string(i - basic_systems)
+                                                : "G54.2 P" + std::to_string(i - (all_systems - 1));
+    add(name, m.tables.zeros[i], m.tables.rotations[i]);
+  }
 }
 
 const char* name_of(SpindleDir dir) {
@@ -79,6 +82,20 @@ RunState Nct::run_state(const Interpreter& m) const {
   s.tables.form_table = tools.forms();
   for (std::size_t i = 1; i < m.skip_switches.size(); ++i)
     if (m.skip_switches[i]) s.tables.skip.push_back(static_cast<int>(i));
+  if (state.five_axis.frame != SpaceFrame::none) {
+    const FiveAxisState& five = state.five_axis;
+    const auto named = [&](Vec3 v) {
+      AxisValues values;
+      const double parts[] = {v.x, v.y, v.z};
+      for (int role = 1; role <= 3; ++role)
+        if (const int axis = main_axis(m, role); axis >= 0) values[m.axis_names[static_cast<std::size_t>(axis)]] = parts[role - 1];
+      return values;
+    };
+    s.frame = {{"origin", named(five.origin)},
+               {"x", named(five.turn.column(0))},
+               {"y", named(five.turn.column(1))},
+               {"z", named(five.turn.column(2))}};
+  }
   s.shifts["G92"] = by_name(m, m.modal.new_system);
   s.shifts["G52"] = by_name(m, m.modal.local);
   for (int n = 1; n <= static_cast<int>(most_spindles); ++n) {

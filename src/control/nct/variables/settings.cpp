@@ -33,6 +33,7 @@ void read_axes(Settings& s, const ParameterSource& p, const std::vector<std::str
     axis.period = period > 0 ? period : 360;
     axis.polar_offset = p.value("0217", n);
     axis.feed_most = p.value("0305", n);
+    axis.reference = {p.value("0200", n), p.value("0201", n), p.value("0202", n), p.value("0203", n)};
   }
 }
 
@@ -90,6 +91,7 @@ void read_macros(Settings& s, const ParameterSource& p) {
   s.modal_each_block = p.bit("1755", "0", 0);
   s.calls_inside_calls = p.bit("1755", "1", 0);
   s.without_length = p.bit("1755", "6", 0);
+  s.in_frame = p.bit("1755", "5", 0);
   s.lists_8000 = p.bit("1756", "0", 0);
   s.lists_9000 = p.bit("1756", "1", 0);
   s.print_bare = p.bit("1757", "0", 0);
@@ -172,6 +174,50 @@ void read_cycles(Settings& s, const ParameterSource& p) {
   s.accuracy = p.value("3103", 0);
 }
 
+/// Unit vector of an axis of rotation by its code 1 … 6 and its inclination (25.1, spec/nct/25a 3).
+Vec3 joint_direction(int code, double inclination) {
+  const SinCos lean = sincos_deg(inclination);
+  switch (code) {
+    case 1: return {1, 0, 0};
+    case 2: return {0, 1, 0};
+    case 4: return {lean.cos, lean.sin, 0};
+    case 5: return {0, lean.cos, lean.sin};
+    case 6: return {lean.sin, 0, lean.cos};
+    default: return {0, 0, 1};
+  }
+}
+
+/// 25.1. INFERRED: N3200 1 is head-head, 0 no such machine; N3201 as N3205, 0 meaning Z.
+void read_five_axis(Settings& s, const ParameterSource& p, const std::array<std::uint8_t, max_axes>& numbers, std::size_t count) {
+  const auto joint = [&](int number, const char* reversed) {
+    RotaryJoint j;
+    const int axis = whole(p.value(std::to_string(number).c_str(), 0));
+    for (std::size_t a = 0; a < count && axis > 0; ++a)
+      if (numbers[a] == axis) j.axis = static_cast<int>(a);
+    j.direction = joint_direction(whole(p.value(std::to_string(number + 1).c_str(), 0)), p.value(std::to_string(number + 2).c_str(), 0));
+    j.sense = p.bit("3212", reversed, 0) ? -1 : 1;
+    return j;
+  };
+  const auto vector = [&](int number) {
+    const auto at = [&](int i) { return p.value(std::to_string(number + i).c_str(), 0); };
+    return Vec3{at(0), at(1), at(2)};
+  };
+  FiveAxis& f = s.five_axis;
+  const int group = whole(p.value("3200", 0));
+  f.first = joint(3204, "RD1");
+  f.second = joint(3208, "RD2");
+  const bool has_axes = f.first.axis >= 0 && f.second.axis >= 0 && f.first.axis != f.second.axis;
+  f.group = group >= 1 && group <= 3 && has_axes ? static_cast<MachineGroup>(group) : MachineGroup::none;
+  const int tool = whole(p.value("3201", 0));
+  f.tool = joint_direction(tool == 1 || tool == 2 ? tool : 3, 0);
+  f.table = vector(3213);
+  if (f.group == MachineGroup::table_table) f.second_table = vector(3216);
+  f.holder = vector(3219);
+  if (f.group == MachineGroup::head_head) f.head = vector(3222);
+  s.keeps_linear = p.bit("3212", "7", 0);
+  s.leans_tool = p.bit("3212", "4", 0);
+}
+
 }  // namespace
 
 Settings read_settings(const ParameterSource& source, const std::vector<std::string>& axis_names,
@@ -183,6 +229,7 @@ Settings read_settings(const ParameterSource& source, const std::vector<std::str
   read_interpretation(s, source);
   read_machine(s, source);
   read_cycles(s, source);
+  read_five_axis(s, source, axis_numbers, std::min(axis_names.size(), max_axes));
   return s;
 }
 

@@ -10,22 +10,24 @@
 
 #include "action/action.h"
 #include "base/vec.h"
+#include "kinematics/five_axis.h"
 
 namespace kadr::nct {
 
 inline constexpr std::size_t most_spindles = 16;
 
 struct AxisSettings {
-  bool diameter = false;          // N0106 #0 DIA
-  bool switches_by_code = false;  // N0106 #5 MGD: G10.9 may switch
-  int role = 0;                   // N0103: 1, 2, 3 = X, Y, Z; 5, 6, 7 = parallel to them; 0 = neither
-  bool rolls = false;             // N0107 #0 REN
-  bool shortest = false;          // N0107 #1 ASH
-  bool by_sign = false;           // N0107 #2 ABS
-  bool cuts_turns = false;        // N0107, the unnamed bit of 5.6
-  double period = 360;            // N0108 RollAmount
-  double polar_offset = 0;        // N0217
-  double feed_most = 0;           // N0305 Max Feed; 0: no limit
+  bool diameter = false;              // N0106 #0 DIA
+  bool switches_by_code = false;      // N0106 #5 MGD: G10.9 may switch
+  int role = 0;                       // N0103: 1, 2, 3 = X, Y, Z; 5, 6, 7 = parallel to them; 0 = neither
+  bool rolls = false;                 // N0107 #0 REN
+  bool shortest = false;              // N0107 #1 ASH
+  bool by_sign = false;               // N0107 #2 ABS
+  bool cuts_turns = false;            // N0107, the unnamed bit of 5.6
+  double period = 360;                // N0108 RollAmount
+  double polar_offset = 0;            // N0217
+  double feed_most = 0;               // N0305 Max Feed; 0: no limit
+  std::array<double, 4> reference{};  // N0200 … N0203, machine coordinates; 0: what the set-up says
 };
 
 struct SpindleSettings {
@@ -75,6 +77,7 @@ struct Settings {
   bool modal_each_block = false;                                                                              // N1755 #0 MEQ
   bool calls_inside_calls = false;                                                                            // N1755 #1 ENC
   bool without_length = false;                                                                                // N1755 #6 TLC
+  bool in_frame = false;                                                                                      // N1755 #5 PCS
   bool lists_8000 = false, lists_9000 = false;                                                                // N1756
   bool print_bare = false;                                                                                    // N1757 #0 PNT
   bool interrupts = false, interrupt_keeps_locals = false, interrupt_at_end = false, interrupt_edge = false;  // N1758 #0–#3
@@ -109,6 +112,9 @@ struct Settings {
   double measure_feed = 0, length_feed = 0;                                    // N0311, N0312, mm/min
   double length_rapid = 0, length_alarm = 0;                                   // N3004, N3005
   bool torque_known = true;                                                    // INFERRED: the virtual machine always knows the torque
+  FiveAxis five_axis;                                                          // N3200 … N3224; limits of its axes come with the machine
+  bool keeps_linear = false;                                                   // N3212 #7 FOS
+  bool leans_tool = false;                                                     // N3212 #4 BSE
   double accuracy = 0;                                                         // N3103
 };
 

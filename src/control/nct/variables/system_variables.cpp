@@ -7,10 +7,12 @@
 
 #include "base/tolerance.h"
 #include "control/interpreter.h"
+#include "control/nct/five_axis/five_axis.h"
 #include "control/nct/nct.h"
 #include "control/nct/variables/clock.h"
 #include "control/nct/variables/modal_values.h"
 #include "control/nct/words/coordinates.h"
+#include "kinematics/part_space.h"
 
 namespace kadr::nct {
 namespace {
@@ -53,17 +55,43 @@ double kept(const Interpreter& m, int axis, double value) {
   return (m.modal.diameter >> axis & 1u) != 0 ? mm / 2 : mm;
 }
 
+Vec3 main_axes_of(const PartSpace& space, const Axes& axes) {
+  const auto& main = space.data().main;
+  const auto of = [&](std::size_t i) { return main[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(main[i])]; };
+  return {of(0), of(1), of(2)};
+}
+
+/// Component of a vector of X, Y, Z on an axis; nothing: it is none of them.
+std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v) {
+  const double values[] = {v.x, v.y, v.z};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (space.data().main[i] == static_cast<std::int8_t>(axis)) return values[i];
+  return std::nullopt;
+}
+
+/// A position of the tool as it is told (25.19): in the work system, or in the programming frame; with the length, or without.
+double told(const Interpreter& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
+  const bool with_length = !nct_of(m).settings.without_length;
+  const PartSpace* const space = space_of(m);
+  if (space == nullptr || space->is_plain()) return work[axis] + (with_length ? length[axis] : 0);
+  Vec3 at = space->in_system(main_axes_of(*space, work));
+  if (with_length) at = at + main_axes_of(*space, length);
+  if (in_frame && space->has_frame()) at = space->in_frame(at);
+  return component(*space, axis, at).value_or(work[axis]);
+}
+
 /// Positions and lengths by axis; another channel's axis reads 0.
 double axis_value(const Interpreter& m, VariableKind kind, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
-  const double length = m.frames.length[a];
-  const bool with_length = !nct_of(m).settings.without_length;
+  const Nct& nct = nct_of(m);
+  const double length = length_in_force(m)[a];
+  const bool in_frame = nct.settings.in_frame;
   switch (kind) {
     case VariableKind::end_position: return shown(m, axis, before_transform(m)[a]);
     case VariableKind::machine_position: return shown(m, axis, m.position.machine[a]);
-    case VariableKind::work_position: return shown(m, axis, m.position.work[a] + (with_length ? length : 0));
-    case VariableKind::probe_position: return shown(m, axis, nct_of(m).probe_position[a] + (with_length ? nct_of(m).probe_length[a] : 0));
+    case VariableKind::work_position: return shown(m, axis, told(m, a, m.position.work, length_in_force(m), in_frame));
+    case VariableKind::probe_position: return shown(m, axis, told(m, a, nct.probe_position, nct.probe_length, in_frame));
     case VariableKind::length_in_force: return shown(m, axis, length);
     default: return 0;  // lag, distance to go, handwheel shift: the virtual machine has none
   }
@@ -92,6 +120,7 @@ double* offset_field(Interpreter& m, VariableKind kind, std::uint32_t number) {
 /// Work offsets and basic rotations: which system a row means.
 std::size_t system_of(const Found& f) {
   const bool extended = f.row->kind == VariableKind::zero_extended || f.row->kind == VariableKind::rotation_extended;
+  if (f.row->kind == VariableKind::zero_dynamic) return all_systems - 1 + f.family;
   return extended ? basic_systems + f.family : static_cast<std::size_t>(f.row->arg);
 }
 
@@ -101,7 +130,25 @@ double* rotation_field(Interpreter& m, const Found& f) {
 }
 
 bool is_zero(VariableKind kind) {
-  return kind == VariableKind::zero || kind == VariableKind::zero_common || kind == VariableKind::zero_extended;
+  return kind == VariableKind::zero || kind == VariableKind::zero_common || kind == VariableKind::zero_extended ||
+         kind == VariableKind::zero_dynamic;
+}
+
+/// #5501 … (25.4): the dynamic offset in force as the table stands, of the rotary axes as it is in the table.
+double dynamic_value(const Interpreter& m, int axis) {
+  const PartSpace* const space = space_of(m);
+  if (axis < 0 || space == nullptr || m.modal.work_zero < all_systems) return 0;
+  const auto a = static_cast<std::size_t>(axis);
+  return component(*space, a, space->zero_now(m.position.machine)).value_or(m.tables.zeros[m.modal.work_zero][a]);
+}
+
+/// #151001 … the other way round than #5061; #151101 … of the machine (25.19).
+double probe_of_five_axes(const Interpreter& m, bool of_machine, int axis) {
+  if (axis < 0) return 0;
+  const auto a = static_cast<std::size_t>(axis);
+  const Nct& nct = nct_of(m);
+  if (!of_machine) return told(m, a, nct.probe_position, nct.probe_length, !nct.settings.in_frame);
+  return nct.probe_machine[a] - (nct.settings.without_length ? nct.probe_length[a] : 0);
 }
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
@@ -159,6 +206,7 @@ double read_plain(const Interpreter& m, const Found& f) {
     case VariableKind::modal_group: return modal_group(m, row.arg, f.index);
     case VariableKind::modal_word: return modal_word(m, row.arg);
     case VariableKind::tool_magazine: return n.tool_magazine;
+    case VariableKind::zero_dynamic_number: return m.modal.work_zero < all_systems ? 0 : m.modal.work_zero - double(all_systems - 1);
     default: return 0;
   }
 }
@@ -218,7 +266,7 @@ Status write_plain(Interpreter& m, const Found& f, double value, Span where) {
   }
 }
 
-Result<std::uint32_t> whole_number(double number, Span where) {
+[[gnu::always_inline]] inline Result<std::uint32_t> whole_number(double number, Span where) {
   const double nearest = std::round(number);
   if (!(nearest >= 0 && nearest <= 1e8) || std::fabs(number - nearest) > tol::whole_number)
     return fail(alarm(AlarmId::variable_unknown, where, number));
@@ -226,6 +274,16 @@ Result<std::uint32_t> whole_number(double number, Span where) {
 }
 
 }  // namespace
+
+Axes length_in_force(const Interpreter& m) {
+  const PartSpace* const space = space_of(m);
+  if (space == nullptr || space->is_plain()) return m.frames.length;
+  Axes length = m.frames.length;
+  const Vec3 vector = space->length_now(m.position.machine);
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (const auto value = component(*space, a, vector); value) length[a] = *value;
+  return length;
+}
 
 Result<double> read_variable(Interpreter& m, double number, Span where) {
   const auto n = whole_number(number, where);
@@ -246,6 +304,14 @@ Result<double> read_variable(Interpreter& m, double number, Span where) {
   if (kind >= VariableKind::end_position && kind <= VariableKind::distance_to_go) return axis_value(m, kind, axis);
   if (kind == VariableKind::tool_data)
     return nct_of(m).tools.spindle_data(static_cast<int>(nct_of(m).tool_magazine), static_cast<int>(*n)).value_or(vacant);
+  if (kind == VariableKind::zero_dynamic_value) {
+    const int of = axis_of(m, f->index);
+    return of < 0 ? 0.0 : shown(m, of, dynamic_value(m, of));
+  }
+  if (kind == VariableKind::probe_position_5d) {
+    const int of = axis_of(m, f->index);
+    return of < 0 ? 0.0 : shown(m, of, probe_of_five_axes(m, f->row->arg == 1, of));
+  }
   if (!f->row->works) return fail(alarm(AlarmId::not_available, where, "#" + std::to_string(*n)));
   return read_plain(m, *f);
 }

@@ -5,12 +5,16 @@
 
 #include "base/result.h"
 #include "base/span.h"
+#include "base/vec.h"
 
 namespace kadr {
 class Interpreter;
 }
 
 namespace kadr::nct {
+
+/// Of the tool as it is taken into account now, on each axis, mm.
+Axes length_in_force(const Interpreter& m);
 
 /// Value of #number, vacant where it is empty.
 ///   alarms  illegal_address… variable_unknown, variable_write_only

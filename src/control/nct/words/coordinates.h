@@ -35,6 +35,8 @@ void note_motion(Interpreter& m, Motion& motion);
 double inch_feed(const Interpreter& m, const Motion& motion, const Axes& from);
 /// A straight motion in the virtual plane (G12.1) or on the cylinder (G7.1).
 Status surface_line(Interpreter& m, MotionKind kind, const Axes& programmed, AxisMask named);
+/// The number in an H or D word; N2923 means that of the tool in the spindle.
+Result<std::uint32_t> offset_number(const Interpreter& m, char letter);
 /// A point in the plane of the surface, mm; the real axes of a programmed one; what a motion on a surface has beside its end.
 Vec2 flat_point(const Interpreter& m, const Axes& point);
 Axes surface_work(const Interpreter& m, const Axes& programmed);

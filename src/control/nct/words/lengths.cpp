@@ -3,28 +3,27 @@
 #include <algorithm>
 
 #include "control/functions/functions.h"
+#include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/sides.h"
 #include "control/nct/nct.h"
 #include "control/nct/words/coordinates.h"
 
 namespace kadr {
-namespace {}  // namespace
 
 std::uint32_t nct::most_offsets(const Interpreter& m) {
   const int most = nct_of(m).tools.limits().offsets;
   return most > 0 ? std::min(static_cast<std::uint32_t>(most), m.def.behaviour.offsets) : m.def.behaviour.offsets;
 }
 
-namespace {
-
-/// The number in the word; N2923 means that of the tool in the spindle.
-Result<std::uint32_t> offset_number(const Interpreter& m, char letter) {
+Result<std::uint32_t> nct::offset_number(const Interpreter& m, char letter) {
   const auto number = m.whole(letter, 0, nct::most_offsets(m));
   if (!number) return number;
   const int by_tool = nct_of(m).settings.offset_by_tool;
   if (by_tool == 0 || *number != static_cast<std::uint32_t>(by_tool)) return number;
   return nct_of(m).offset_of_tool(letter);
 }
+
+namespace {
 
 /// Axes that take the length (15.3): those of the block, Z, or the normal of the plane.
 AxisMask length_axes(const Interpreter& m) {
@@ -63,6 +62,7 @@ void register_length(Interpreter& m, std::uint32_t number) {
   if (m.modal.turning_lengths) return register_turning(m, number);
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
+  if (nct_of(m).state.five_axis.lead != nct::ToolLead::none) return nct::register_lead_length(m, number == 0 ? 0 : length);
   const AxisMask axes = length_axes(m);
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
@@ -85,6 +85,7 @@ Status length_comp(Interpreter& m, const Call& call) {
   const bool turning = call.row->arg == 437;
   if (turning && !nct_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
   m.modal.turning_lengths = turning;
+  nct::end_lead(m);
   if (call.row->arg == 0) {
     m.modal.length_sign = 0;
     m.modal.lengths = {};
@@ -93,7 +94,7 @@ Status length_comp(Interpreter& m, const Call& call) {
   }
   m.modal.length_sign = call.row->arg == 2 ? std::int8_t{-1} : std::int8_t{1};
   if (m.has('H')) {
-    const auto number = offset_number(m, 'H');
+    const auto number = nct::offset_number(m, 'H');
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
     nct_of(m).state.words.h = *number;
@@ -109,14 +110,14 @@ Status length_comp(Interpreter& m, const Call& call) {
 
 /// H: in the state of G43, G44 the new value acts at once; else only the number is kept.
 Status length_number(Interpreter& m, const Call& call) {
-  if (m.has_code({Function::length_comp})) return {};
-  const auto number = offset_number(m, 'H');
+  if (m.has_code({Function::length_comp, Function::tool_lead, Function::tool_orientation})) return {};
+  const auto number = nct::offset_number(m, 'H');
   if (!number) return fail(number.error());
   const bool changes = m.modal.length_number != *number;
   m.modal.length_number = *number;
   nct_of(m).state.words.h = *number;
   if (m.modal.length_sign == 0) return {};
-  if (changes && !m.modal.turning_lengths && length_axes(m) == 0)
+  if (changes && !m.modal.turning_lengths && nct_of(m).state.five_axis.lead == nct::ToolLead::none && length_axes(m) == 0)
     m.warn(warning(AlarmId::length_no_axis, call.where, m.block->text_of(call.where)));
   register_length(m, *number);
   m.change_frames();
@@ -124,11 +125,12 @@ Status length_number(Interpreter& m, const Call& call) {
 }
 
 Status radius_number(Interpreter& m, const Call&) {
-  const auto number = offset_number(m, 'D');
+  const auto number = nct::offset_number(m, 'D');
   if (!number) return fail(number.error());
   m.modal.offset_number = *number;
   nct_of(m).state.words.d = *number;
   nct_of(m).state.tool_radius = m.radius_in_force();
+  nct::note_lead_radius(m);
   return {};
 }
 

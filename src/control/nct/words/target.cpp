@@ -85,6 +85,25 @@ double roll_travel(const AxisSettings& axis, double c, double programmed, bool i
   return way - period * std::trunc(way / period);
 }
 
+namespace {
+
+/// Rotary axes that follow from the tool's direction (25.14), the shortest way.
+void take_directed(const Interpreter& m, Axes& to, AxisMask& named) {
+  Nct& nct = nct_of(m);
+  for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
+    if ((nct.by_direction >> axis & 1u) == 0) continue;
+    named |= AxisMask{1} << axis;
+    const AxisSettings& settings = nct.settings.axes[axis];
+    to[axis] = nct.directed[axis] - m.frames.origin[axis];
+    if (!settings.rolls) continue;
+    nct.travel[axis] = to[axis] - m.position.programmed[axis];
+    nct.rolled |= AxisMask{1} << axis;
+    to[axis] = rolled_position(to[axis], settings.period);
+  }
+}
+
+}  // namespace
+
 Status target(const Interpreter& m, Axes& to, AxisMask& named) {
   to = m.position.programmed;
   named = 0;
@@ -104,6 +123,7 @@ Status target(const Interpreter& m, Axes& to, AxisMask& named) {
       (axis == plane.first ? radius : angle) = &w;
       continue;
     }
+    if ((nct.by_direction >> axis & 1u) != 0) continue;  // its number is that of I, J or K
     const double v = coordinate(m, w, axis);
     const AxisSettings& settings = nct.settings.axes[axis];
     const bool increment = is_increment(m, w);
@@ -120,6 +140,8 @@ Status target(const Interpreter& m, Axes& to, AxisMask& named) {
   }
   if (radius != nullptr || angle != nullptr) polar(m, radius, angle, to, named);
   if (m.has(comma_angle)) KADR_TRY(end_by_angle(m, to, named));
+  if (nct.by_direction != 0) take_directed(m, to, named);
+  if (named != 0) named |= nct.taken_up;
   return not_following(m, named);
 }
 

@@ -1,0 +1,121 @@
+// Work coordinates, the part and the machine's axes, with all that chapter 25 puts between them. For control/nct/five_axis, out/trace;
+// tested by tests/kinematics/part_space_test.cpp.
+
+#include "kinematics/part_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+
+bool PartSpace::is_plain() const {
+  return !d_.has_frame && !d_.fixed && !d_.follows_table && !d_.moves_zero && !d_.follows_head && !d_.corrects;
+}
+
+Vec3 PartSpace::main_of(const Axes& axes) const {
+  const auto of = [&](std::size_t i) { return d_.main[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(d_.main[i])]; };
+  return {of(0), of(1), of(2)};
+}
+
+void PartSpace::set_main(Axes& axes, Vec3 to) const {
+  const double values[] = {to.x, to.y, to.z};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (d_.main[i] >= 0) axes[static_cast<std::size_t>(d_.main[i])] = values[i];
+}
+
+RotaryPair PartSpace::rotary(const Axes& machine) const {
+  const auto of = [&](int axis) { return axis < 0 ? 0.0 : machine[static_cast<std::size_t>(axis)]; };
+  return {of(d_.machine.first.axis), of(d_.machine.second.axis)};
+}
+
+/// The basic rotation leans the tool with the part: programmed → machine positions, those nearest to the programmed ones (25l, INFERRED).
+RotaryPair PartSpace::leaned(RotaryPair machine) const {
+  if (!d_.corrects) return machine;
+  return d_.machine.continued(d_.basic * d_.machine.direction(machine, d_.measured), machine, d_.measured).value_or(machine);
+}
+
+RotaryPair PartSpace::leaned_back(RotaryPair machine) const {
+  if (!d_.corrects) return machine;
+  return d_.machine.continued(turned_back(d_.basic, d_.machine.direction(machine, d_.measured)), machine, d_.measured).value_or(machine);
+}
+
+/// The zero point of a table that takes it along, in machine directions (25.4; spec/nct/25d): the zero was measured at `measured`.
+Vec3 PartSpace::zero_at(RotaryPair at) const { return d_.machine.place_on_machine(at, d_.zero, d_.measured); }
+
+Vec3 PartSpace::tool_at(RotaryPair at) const { return d_.follows_head ? d_.machine.length_vector(at, d_.length) : d_.length; }
+
+/// Of a place reckoned from the zero, after the basic rotation.
+Vec3 PartSpace::on_machine(RotaryPair at, Vec3 from_zero) const {
+  if (d_.follows_table) return d_.machine.place_on_machine(at, d_.zero + from_zero, d_.measured);
+  return (d_.moves_zero ? zero_at(at) : d_.zero) + from_zero;
+}
+
+Axes PartSpace::machine_of(const Axes& work, const Axes& plainly) const {
+  Axes machine = plainly;
+  const RotaryPair now = leaned(rotary(plainly));
+  if (d_.corrects) {
+    machine[static_cast<std::size_t>(d_.machine.first.axis)] = now.first;
+    machine[static_cast<std::size_t>(d_.machine.second.axis)] = now.second;
+  }
+  const RotaryPair at = d_.fixed.value_or(now);
+  set_main(machine, on_machine(at, d_.basic * in_system(main_of(work))) + tool_at(at));
+  return machine;
+}
+
+Axes PartSpace::work_of(const Axes& machine, const Axes& plainly) const {
+  Axes work = plainly;
+  const RotaryPair stand = rotary(machine), at = d_.fixed.value_or(stand);
+  if (d_.corrects) {
+    const RotaryPair back = leaned_back(stand);
+    work[static_cast<std::size_t>(d_.machine.first.axis)] += back.first - stand.first;
+    work[static_cast<std::size_t>(d_.machine.second.axis)] += back.second - stand.second;
+  }
+  const Vec3 tip = main_of(machine) - tool_at(at);
+  const Vec3 from_zero =
+      d_.follows_table ? d_.machine.place_in_part(at, tip, d_.measured) - d_.zero : tip - (d_.moves_zero ? zero_at(at) : d_.zero);
+  set_main(work, in_frame(turned_back(d_.basic, from_zero)));
+  return work;
+}
+
+AxisMask PartSpace::moved_with(AxisMask named) const {
+  if (!d_.leads_tip && !d_.has_frame && (named & rotary_axes()) == 0) return named;
+  if (d_.leads_tip && (named & (main_axes() | rotary_axes())) != 0)
+    return named | main_axes() | (d_.corrects ? rotary_axes() : AxisMask{0});
+  if ((named & rotary_axes()) != 0) {
+    if (d_.corrects) named |= rotary_axes();
+    if (moves_by_rotary() && !(d_.keeps_linear && only_rotary(named))) named |= main_axes();
+  }
+  return d_.has_frame && (named & main_axes()) != 0 ? named | main_axes() : named;
+}
+
+Axes PartSpace::in_system(const Axes& work) const {
+  Axes system = work;
+  if (d_.has_frame) set_main(system, in_system(main_of(work)));
+  return system;
+}
+
+/// The real one: the length as the head leans it, the part as the table has turned it, whatever the codes in force make of it.
+Pose PartSpace::pose(const Axes& machine) const {
+  const RotaryPair at = rotary(machine);
+  const Vec3 tip = main_of(machine) - d_.machine.length_vector(at, d_.length);
+  return {turned_back(d_.basic, d_.machine.place_in_part(at, tip, d_.measured) - d_.zero),
+          turned_back(d_.basic, d_.machine.direction(at, d_.measured))};
+}
+
+std::optional<Mat3> PartSpace::turn() const {
+  const Mat3 lies = d_.basic * d_.frame;
+  if (!d_.follows_table) return lies;
+  if (!d_.fixed) return std::nullopt;
+  return d_.machine.table_turn(*d_.fixed, d_.measured) * lies;
+}
+
+double PartSpace::arm(const Axes& machine) const {
+  const RotaryPair at = rotary(machine);
+  const Vec3 tip = main_of(machine) - d_.machine.length_vector(at, d_.length);
+  double arm = 0;
+  if (d_.machine.has_head()) arm = length(d_.length + d_.machine.holder) + length(d_.machine.head);
+  if (d_.machine.has_table()) arm = std::max(arm, length(tip - d_.machine.table) + length(d_.machine.second_table));
+  return arm;
+}
+
+}  // namespace kadr

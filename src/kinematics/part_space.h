@@ -1,0 +1,85 @@
+#pragma once
+// PartSpace: how the work coordinates of a channel lie in the part and on the machine, when the programming frame is turned in space
+// (G68.1, G68.2), when rotary axes take the tool or the part along (NCT 25), and who follows whom then (spec/nct/25a 6.3).
+//   m = place of (W + B·(v0 + R·(S + p))) + V, with the parts that the codes in force apply.
+
+#include <optional>
+
+#include "action/placement.h"
+#include "kinematics/five_axis.h"
+
+namespace kadr {
+
+/// All that it is made of; equal data, equal space.
+struct PartSpaceData {
+  FiveAxis machine;
+  std::array<std::int8_t, 3> main{0, 1, 2};  // axes X, Y, Z by index; -1: none
+  Vec3 zero;                                 // W: of the work system, machine coordinates, with the shift that was there before the frame
+  RotaryPair measured;                       // where the tables stood then; 0 of a head (25a 7)
+  Mat3 basic;                                // B: basic rotation of the work system (10.2.3, 25l)
+  Mat3 frame;                                // R: of G68.1, G68.2
+  Vec3 frame_origin;                         // v0
+  Vec3 shift;                                // S: of G52, G92 since the frame is there
+  Vec3 length;                               // of the tool, from its tip, as the axes stand at 0
+  bool has_frame = false;
+  bool follows_table = false;       // the zero, and the directions, go with the table
+  bool moves_zero = false;          // the zero alone does (G54.2)
+  bool follows_head = false;        // the length leans with the head
+  bool leads_tip = false;           // at each point of a motion (G43.4)
+  bool keeps_linear = false;        // a motion of rotary axes alone leaves X, Y, Z where they are (N3212 FOS)
+  bool corrects = false;            // the basic rotation leans the tool too (N3212 BSE), as both rotary axes have been positioned
+  std::optional<RotaryPair> fixed;  // for these positions of the rotary axes (G53.1), not for those where they stand
+  friend bool operator==(const PartSpaceData&, const PartSpaceData&) = default;
+};
+
+class PartSpace final : public WorkSpace {
+ public:
+  explicit PartSpace(const PartSpaceData& data) : d_(data) {}
+  const PartSpaceData& data() const { return d_; }
+
+  bool is_plain() const override;
+  bool leads_tip() const override { return d_.leads_tip; }
+  Axes machine_of(const Axes& work, const Axes& plainly) const override;
+  Axes work_of(const Axes& machine, const Axes& plainly) const override;
+  AxisMask moved_with(AxisMask named) const override;
+  bool changes_work(AxisMask named) const override { return d_.keeps_linear && moves_by_rotary() && only_rotary(named); }
+  Axes in_system(const Axes& work) const override;
+  Vec3 zero() const override { return d_.zero; }
+  bool has_frame() const override { return d_.has_frame; }
+  Pose pose(const Axes& machine) const override;
+  bool has_rotary() const override { return d_.machine.group != MachineGroup::none; }
+  double arm(const Axes& machine) const override;
+  AxisMask rotary_axes() const override { return bit(d_.machine.first.axis) | bit(d_.machine.second.axis); }
+
+  /// Of the work system, from the programming frame, and back.
+  Vec3 in_system(Vec3 programmed) const { return d_.frame_origin + d_.frame * (d_.shift + programmed); }
+  Vec3 in_frame(Vec3 system) const { return turned_back(d_.frame, system - d_.frame_origin) - d_.shift; }
+  /// Directions on the machine of the programming frame's; nothing: they change with the rotary axes.
+  std::optional<Mat3> turn() const;
+  /// From the tip to the control point, and the zero of the work system, machine directions, where the axes stand there.
+  Vec3 length_now(const Axes& machine) const { return tool_at(d_.fixed.value_or(rotary(machine))); }
+  Vec3 zero_now(const Axes& machine) const {
+    return d_.moves_zero || d_.follows_table ? zero_at(d_.fixed.value_or(rotary(machine))) : d_.zero;
+  }
+  /// Where the rotary axes of the machine stand.
+  RotaryPair rotary(const Axes& machine) const;
+  /// Direction of the tool in the work system for programmed positions (25l), and programmed positions for a direction.
+  Vec3 direction_of(RotaryPair programmed) const { return d_.machine.direction(programmed, d_.measured); }
+
+ private:
+  static AxisMask bit(int axis) { return axis < 0 ? 0 : AxisMask{1} << static_cast<unsigned>(axis); }
+  AxisMask main_axes() const { return bit(d_.main[0]) | bit(d_.main[1]) | bit(d_.main[2]); }
+  bool moves_by_rotary() const { return !d_.fixed && (d_.follows_table || d_.moves_zero || d_.follows_head); }
+  bool only_rotary(AxisMask named) const { return (named & rotary_axes()) != 0 && (named & main_axes()) == 0; }
+  Vec3 main_of(const Axes& axes) const;
+  void set_main(Axes& axes, Vec3 to) const;
+  RotaryPair leaned(RotaryPair machine) const;
+  RotaryPair leaned_back(RotaryPair machine) const;
+  Vec3 zero_at(RotaryPair at) const;
+  Vec3 tool_at(RotaryPair at) const;
+  Vec3 on_machine(RotaryPair at, Vec3 from_zero) const;
+
+  PartSpaceData d_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,9 @@
+(a chamfer larger than the line)
+G18 G90 G95 S500 M3
+G0 X50 Z10
+G71.7 U30 R1
+G71.7 P10 Q30 F0.3
+M30
+N10 G0 X20
+N20 G1 Z-20 ,C40
+N30 X50

@@ -1,0 +1,15 @@
+(turned in another plane, and an arc with different factors)
+G18 G90 G95 S500 M3
+G0 X50 Z10
+G71.7 U30 R1
+G17 G68 X0 Y0 R10
+G18
+G71.7 P10 Q30 F0.3
+G69
+G51 X0 Y0 Z0 I1 J1 K0.5
+G71.7 P10 Q30 F0.3
+G50
+M30
+N10 G0 X20
+N20 G1 Z-20 ,R4
+N30 X50

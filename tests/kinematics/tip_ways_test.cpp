@@ -1,0 +1,74 @@
+// kinematics/tip_ways: the shank in a plane or on a cone, the cutting point (NCT 25.16, 25.17).
+
+#include "kinematics/tip_ways.h"
+
+#include <gtest/gtest.h>
+
+namespace kadr {
+namespace {
+
+std::shared_ptr<const PartSpace> c_b_head() {
+  PartSpaceData d;
+  d.machine.group = MachineGroup::head_head;
+  d.machine.first = {3, {0, 0, 1}, 1};
+  d.machine.second = {4, {0, 1, 0}, 1};
+  d.leads_tip = d.follows_head = true;
+  return std::make_shared<const PartSpace>(d);
+}
+
+Vec3 direction(const std::shared_ptr<const PartSpace>& space, RotaryPair at) { return space->direction_of(at); }
+
+TEST(direction_way, stays_in_the_plane_of_its_ends) {
+  const auto space = c_b_head();
+  const RotaryPair start{-135, 26};
+  const Vec3 from = direction(space, start), to = direction(space, {-45, 35});
+  const DirectionWay way(*space, start, from, to, std::nullopt);
+  RotaryPair near = start;
+  for (int i = 0; i <= 100; ++i) {
+    const double part = i / 100.;
+    const auto at = way.rotary(part, near);
+    ASSERT_TRUE(at);
+    EXPECT_NEAR(dot(cross(from, to), direction(space, *at)), 0, 1e-9);
+    EXPECT_LT(std::hypot(at->first - near.first, at->second - near.second), 5);  // one branch: no leap
+    near = *at;
+  }
+  EXPECT_NEAR(length(direction(space, near) - to), 0, 1e-9);
+}
+
+/// Through the pole the tilting axis goes on to the other side, the free one stands.
+TEST(direction_way, goes_through_a_pole_without_whirling) {
+  const auto space = c_b_head();
+  const RotaryPair start{30, 20};
+  const Vec3 from = direction(space, start), to = direction(space, {30, -20});
+  const DirectionWay way(*space, start, from, to, std::nullopt);
+  for (const double part : {0.1, 0.4, 0.49, 0.51, 0.6, 1.0}) {
+    const auto at = way.rotary(part, start);
+    ASSERT_TRUE(at);
+    EXPECT_NEAR(at->first, 30, 1e-6);
+    EXPECT_NEAR(at->second, 20 - 40 * part, 1e-6);
+  }
+}
+
+TEST(direction_way, on_a_cone_turns_with_the_arc) {
+  const auto space = c_b_head();
+  const RotaryPair start{180, 20};
+  const DirectionWay::Cone cone{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 90};
+  const DirectionWay way(*space, start, direction(space, start), direction(space, {270, 20}), cone);
+  for (const double part : {0.25, 0.5, 1.0}) {
+    const auto at = way.rotary(part, start);
+    ASSERT_TRUE(at);
+    EXPECT_NEAR(at->first, 180 + 90 * part, 1e-6);
+    EXPECT_NEAR(at->second, 20, 1e-6);
+  }
+}
+
+/// A ball end: its centre is its radius off the surface; a square end touches with its edge (25.17).
+TEST(contact, the_tip_of_each_tool) {
+  const Vec3 t{0, 0, 1}, n = unit({1, 0, 1});
+  EXPECT_NEAR(length(contact_to_tip(n, t, 5, 5) + 5.0 * t - 5.0 * n), 0, 1e-12);
+  EXPECT_NEAR(length(contact_to_tip(n, t, 5, 0) - Vec3{5, 0, 0}), 0, 1e-12);
+  EXPECT_NEAR(length(contact_to_tip(t, t, 5, 1)), 0, 1e-12);  // flat on the floor
+}
+
+}  // namespace
+}  // namespace kadr
