@@ -7,7 +7,18 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/vec.h"
+
 namespace kadr {
+
+/// How an axis moves what it carries; by its letter where the file does not say: X, U along X …, A about X, B about Y, C about Z.
+struct AxisJoint {
+  bool turns = false;
+  Vec3 direction;         // of length 1, as all axes stand at 0: of the motion, or of the line that it turns about
+  Vec3 through;           // a point of that line, machine coordinates, as all axes stand at 0; the gauge point of the spindle is {} then
+  bool reversed = false;  // a positive motion turns left-handed; moves the tool against `direction`, seen from the part
+  bool rolls_over = false;
+};
 
 struct AxisProfile {
   double rapid = 10000;   // mm/min or degrees/min
@@ -15,6 +26,14 @@ struct AxisProfile {
   double most = 1e300;
   double acceleration = 500;  // mm/s² or degrees/s²; for sampling and time where nobody states one
   double jerk = 10000;        // mm/s³ or degrees/s³
+  AxisJoint joint;
+};
+
+/// What carries what, from the bed ([kinematics]): names of axes, each carries the next, the last the tool, the part.
+struct AxisChains {
+  std::vector<std::string> tool, part;
+  Vec3 tool_direction{0, 0, 1};  // from the tip into the spindle, as all axes stand at 0
+  bool given() const { return !tool.empty() || !part.empty(); }
 };
 
 /// Whose speed counts for the machine: the programmed feeds and rapid rates, as far as the setup states no accelerations; that which the
@@ -26,6 +45,7 @@ struct MachineProfile {
   std::string name_en = "generic three-axis mill";
   std::string name_ru = "обобщённый фрезерный станок";
   std::map<std::string, AxisProfile> axes;  // by name; others: AxisProfile{}
+  AxisChains chains;
   double tool_change_s = 10;
   double spindle_start_s = 0;
   double tolerance = 0.01;  // mm: how far a corner may be rounded where the program does not say

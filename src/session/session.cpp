@@ -7,6 +7,7 @@
 
 #include "motion/look_ahead/control_speed.h"
 #include "motion/time/estimate.h"
+#include "session/give_machine.h"
 #include "session/plc_commands.h"
 
 namespace kadr {
@@ -19,22 +20,12 @@ struct SessionSnapshot::Content {
   Session::State state = Session::State::running;
 };
 
-namespace {
-
-/// The control chooses between positions of rotary axes by their limits (nct 25.11): those of the machine file where the set-up says
-/// nothing.
-void give_limits(Setup& setup, const MachineProfile& profile, const std::vector<std::string>& axes) {
-  for (const std::string& axis : setup.axes.empty() ? axes : setup.axes) setup.axis_limits[axis] = limits_of(profile, setup, axis);
-}
-
-}  // namespace
-
 Session::Session(SessionSpec spec) : spec_(std::move(spec)) {}
 Session::~Session() = default;
 
 tl::expected<std::unique_ptr<Session>, ChannelsFault> Session::open(SessionSpec spec) {
   auto session = std::unique_ptr<Session>(new Session(std::move(spec)));  // the constructor is private
-  give_limits(session->spec_.setup, session->spec_.machine, session->spec_.control->axes);
+  give_machine(session->spec_.setup, session->spec_.machine, *session->spec_.control);
   auto channels = open_channels(*session->spec_.control, session->spec_.setup, std::move(session->spec_.program), session->spec_.limits);
   if (!channels) return tl::unexpected(std::move(channels.error()));
   session->channels_ = std::move(*channels);

@@ -51,8 +51,9 @@ class Written {
 /// The program's own channel alone is traced.
 class ASession {
  public:
-  ASession(const std::string& id, const std::string& program, const Setup& setup = {}, const std::string& file = "main.nc") {
-    auto opened = Session::open({shared_control(id), generic_machine(), setup, {file, text_source(program), {}}, {20'000, 5}});
+  ASession(const std::string& id, const std::string& program, const Setup& setup = {}, const std::string& file = "main.nc",
+           const MachineProfile& machine = generic_machine()) {
+    auto opened = Session::open({shared_control(id), machine, setup, {file, text_source(program), {}}, {20'000, 5}});
     if (!opened) return;
     session_ = std::move(*opened);
     Control& control = session_->control();

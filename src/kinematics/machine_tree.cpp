@@ -1,0 +1,213 @@
+// From a machine's file to places of its tool, and back. For session, cli/machines; tests/kinematics/machine_tree_test.cpp.
+
+#include "kinematics/machine_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/told.h"
+
+namespace kadr {
+namespace {
+
+constexpr double same_way = 1e-11;  // of directions of length 1
+
+/// By which the joint turns or moves, with its sense.
+double signed_way(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
+
+/// v of m·v = b by Cramer's rule; nothing: m is singular.
+std::optional<Vec3> solved(const Mat3& m, Vec3 b) {
+  const Vec3 x = m.column(0), y = m.column(1), z = m.column(2);
+  const double whole = dot(x, cross(y, z));
+  if (std::fabs(whole) < 1e-12) return std::nullopt;
+  return 1 / whole * Vec3{dot(b, cross(y, z)), dot(x, cross(b, z)), dot(x, cross(y, b))};
+}
+
+/// Sum of v·vᵀ.
+Mat3 sum_of_squares(const std::vector<Vec3>& all) {
+  Mat3 sum{{Vec3{}, Vec3{}, Vec3{}}};
+  for (const Vec3& v : all) {
+    sum.rows[0] = sum.rows[0] + v.x * v;
+    sum.rows[1] = sum.rows[1] + v.y * v;
+    sum.rows[2] = sum.rows[2] + v.z * v;
+  }
+  return sum;
+}
+
+bool is_main(Vec3 direction) {
+  const Vec3 d = direction;
+  return (d.x == 1 && d.y == 0 && d.z == 0) || (d.x == 0 && d.y == 1 && d.z == 0) || (d.x == 0 && d.y == 0 && d.z == 1);
+}
+
+}  // namespace
+
+MachineTree::MachineTree(const MachineProfile& profile, const std::vector<std::string>& axes)
+    : tool_direction_(profile.chains.tool_direction) {
+  const auto chain = [&](const std::vector<std::string>& names) {
+    std::vector<MachineJoint> joints;
+    for (const std::string& name : names) {
+      const AxisProfile& axis = profile.axes.at(name);
+      const auto found = std::find(axes.begin(), axes.end(), name);
+      joints.push_back({name, found == axes.end() ? -1 : static_cast<int>(found - axes.begin()), axis.joint, axis.least, axis.most});
+    }
+    return joints;
+  };
+  tool_ = chain(profile.chains.tool);
+  part_ = chain(profile.chains.part);
+}
+
+double MachineTree::position(const MachineJoint& joint, const Axes& axes) {
+  return joint.axis < 0 ? 0 : signed_way(joint, axes[static_cast<std::size_t>(joint.axis)]);
+}
+
+Pose MachineTree::forward(const Axes& axes, double tool_length) const {
+  Pose at{-tool_length * tool_direction_, tool_direction_};
+  const auto turn = [&at](const AxisJoint& by, double angle) {
+    const Mat3 turned = Mat3::about(by.direction, angle);
+    at = {by.through + turned * (at.tip - by.through), turned * at.direction};
+  };
+  for (auto joint = tool_.rbegin(); joint != tool_.rend(); ++joint) {
+    if (joint->moves.turns) turn(joint->moves, position(*joint, axes));
+    else at.tip = at.tip + position(*joint, axes) * joint->moves.direction;
+  }
+  for (const MachineJoint& joint : part_) {  // seen from what it carries
+    if (joint.moves.turns) turn(joint.moves, -position(joint, axes));
+    else at.tip = at.tip + position(joint, axes) * joint.moves.direction;
+  }
+  return at;
+}
+
+std::vector<const MachineJoint*> MachineTree::joints(bool rotary) const {
+  std::vector<const MachineJoint*> all;
+  for (const auto* chain : {&tool_, &part_})
+    for (const MachineJoint& joint : *chain)
+      if (joint.moves.turns == rotary) all.push_back(&joint);
+  return all;
+}
+
+/// The directions of a machine with two rotary axes are those of a FiveAxis, wherever the linear ones stand.
+FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary) const {
+  const auto on_tool = std::count_if(tool_.begin(), tool_.end(), [](const MachineJoint& j) { return j.moves.turns; });
+  FiveAxis five;
+  five.group = on_tool == 2 ? MachineGroup::head_head : on_tool == 1 ? MachineGroup::head_table : MachineGroup::table_table;
+  five.tool = tool_direction_;
+  const auto of = [](const MachineJoint& joint) {
+    return RotaryJoint{joint.axis, joint.moves.direction, joint.moves.reversed ? -1. : 1., joint.least, joint.most};
+  };
+  five.first = of(*rotary[0]);
+  five.second = of(*rotary[1]);
+  return five;
+}
+
+/// Any number of rotary axes: the least change of their positions, step by step (Gauss and Newton, damped).
+bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
+  const std::vector<const MachineJoint*> rotary = joints(true);
+  constexpr int most_steps = 100;
+  constexpr double probe = 1e-4;  // degrees
+  for (int step = 0; step < most_steps; ++step) {
+    const Vec3 now = direction(axes), missing = wanted - now;
+    if (length(missing) < same_way) return true;
+    std::vector<Vec3> change;
+    for (const MachineJoint* joint : rotary) {
+      if (joint->axis < 0) continue;
+      Axes moved = axes;
+      moved[static_cast<std::size_t>(joint->axis)] += probe;
+      Axes back = axes;
+      back[static_cast<std::size_t>(joint->axis)] -= probe;
+      change.push_back(0.5 / probe * (direction(moved) - direction(back)));
+    }
+    Mat3 normal = sum_of_squares(change);
+    const double damp = 1e-9 + 1e-4 * std::min(1., length(missing)) * length(missing);
+    for (int i = 0; i < 3; ++i) (i == 0 ? normal.rows[0].x : i == 1 ? normal.rows[1].y : normal.rows[2].z) += damp;
+    const auto weight = solved(normal, missing);
+    if (!weight) return false;
+    std::size_t i = 0;
+    for (const MachineJoint* joint : rotary) {
+      if (joint->axis < 0) continue;
+      double& at = axes[static_cast<std::size_t>(joint->axis)];
+      constexpr double widest = 30;  // degrees in a step
+      at = std::clamp(at + std::clamp(dot(change[i++], *weight), -widest, widest), joint->least, joint->most);
+    }
+  }
+  return length(wanted - direction(axes)) < 1e-9;
+}
+
+bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
+  if (length(wanted - direction(axes)) < same_way) return true;
+  const std::vector<const MachineJoint*> rotary = joints(true);
+  if (rotary.size() == 2 && rotary[0]->axis >= 0 && rotary[1]->axis >= 0) {
+    const auto at = [&](const MachineJoint* joint) -> double& { return axes[static_cast<std::size_t>(joint->axis)]; };
+    const auto pair = directions(rotary).chosen(wanted, {at(rotary[0]), at(rotary[1])});
+    if (!pair) return false;
+    at(rotary[0]) = pair->first;
+    at(rotary[1]) = pair->second;
+    return true;
+  }
+  const Axes start = axes;
+  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};  // degrees from there, where the first way ends in a corner
+  for (const double first : starts)
+    for (std::size_t which = 0; which < rotary.size(); ++which) {
+      axes = start;
+      if (rotary[which]->axis >= 0) {
+        double& at = axes[static_cast<std::size_t>(rotary[which]->axis)];
+        at = std::clamp(at + first, rotary[which]->least, rotary[which]->most);
+      }
+      if (turn_by_steps(wanted, axes)) return true;
+    }
+  return false;
+}
+
+/// The linear axes, by the least change: the tip depends on them evenly.
+bool MachineTree::move_to(Vec3 tip, Axes& axes, double tool_length) const {
+  const Vec3 here = forward(axes, tool_length).tip;
+  std::vector<const MachineJoint*> linear = joints(false);
+  std::vector<Vec3> change;
+  for (const MachineJoint* joint : linear) {
+    Axes moved = axes;
+    if (joint->axis >= 0) moved[static_cast<std::size_t>(joint->axis)] += 1;
+    change.push_back(forward(moved, tool_length).tip - here);
+  }
+  const auto weight = solved(sum_of_squares(change), tip - here);
+  if (!weight) return length(tip - here) < 1e-9;
+  for (std::size_t i = 0; i < linear.size(); ++i) {
+    if (linear[i]->axis < 0) continue;
+    double& at = axes[static_cast<std::size_t>(linear[i]->axis)];
+    at += dot(change[i], *weight);
+    constexpr double rounding = 1e-9;
+    if (at < linear[i]->least - rounding || at > linear[i]->most + rounding) return false;
+  }
+  return length(tip - forward(axes, tool_length).tip) < 1e-6;
+}
+
+std::optional<Axes> MachineTree::inverse(const Pose& pose, const Axes& near, double tool_length) const {
+  Axes axes = near;
+  if (!turn_to(unit(pose.direction), axes) || !move_to(pose.tip, axes, tool_length)) return std::nullopt;
+  return axes;
+}
+
+tl::expected<FiveAxis, std::string> MachineTree::five_axis() const {
+  const auto no = [](const std::string& en, const std::string& ru) { return tl::unexpected(told(en, ru)); };
+  const std::vector<const MachineJoint*> rotary = joints(true);
+  if (rotary.size() != 2) return no("it has not two rotary axes", "поворотных осей не две");
+  if (!is_main(tool_direction_)) return no("the tool does not stand along X, Y or Z", "инструмент стоит не вдоль X, Y или Z");
+  for (const auto* chain : {&tool_, &part_}) {
+    bool turned = false;
+    for (const MachineJoint& joint : *chain) {
+      turned |= joint.moves.turns;
+      if (joint.moves.turns) continue;
+      if (turned) return no("axis " + joint.name + " turns with a rotary axis", "ось " + joint.name + " поворачивается вместе с другой");
+      if (!is_main(joint.moves.direction) || joint.moves.reversed)
+        return no("axis " + joint.name + " does not stand along X, Y or Z", "ось " + joint.name + " стоит не вдоль X, Y или Z");
+    }
+  }
+  FiveAxis five = directions(rotary);
+  const Vec3 first = rotary[0]->moves.through, second = rotary[1]->moves.through;
+  switch (five.group) {
+    case MachineGroup::head_head: five.holder = second, five.head = first - second; break;
+    case MachineGroup::table_table: five.table = first, five.second_table = second - first; break;
+    default: five.holder = first, five.table = second; break;
+  }
+  return five;
+}
+
+}  // namespace kadr

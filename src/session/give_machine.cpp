@@ -1,0 +1,93 @@
+// From a machine's file to the set-up. For session; tests/session/give_machine_test.cpp.
+
+#include "session/give_machine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/machine_tree.h"
+#include "motion/time/estimate.h"
+
+namespace kadr {
+namespace {
+
+constexpr const char* first_parameter = "3200";
+constexpr const char* last_parameter = "3224";
+
+bool has_kinematics_parameters(const ControlDef& control) {
+  return std::any_of(control.parameters.begin(), control.parameters.end(),
+                     [](const ParameterRow& row) { return row.name == first_parameter; });
+}
+
+bool says_kinematics(const Setup& setup) {
+  return std::any_of(setup.parameters.begin(), setup.parameters.end(),
+                     [](const auto& given) { return given.first.name >= first_parameter && given.first.name <= last_parameter; });
+}
+
+/// X, Y, Z first, then the others of the chains as they carry each other.
+std::vector<std::string> axes_of(const MachineProfile& profile) {
+  std::vector<std::string> axes = {"X", "Y", "Z"};
+  for (const auto* chain : {&profile.chains.tool, &profile.chains.part})
+    for (const std::string& name : *chain)
+      if (std::find(axes.begin(), axes.end(), name) == axes.end()) axes.push_back(name);
+  return axes;
+}
+
+/// N3205: code of a line's direction, with its inclination; nothing: it lies in none of the planes (25.1, spec/nct/25a 3).
+struct DirectionCode {
+  int code = 0;
+  double inclination = 0;
+  bool turned = false;  // the code says the opposite direction
+};
+std::optional<DirectionCode> code_of(Vec3 d) {
+  const double parts[] = {d.x, d.y, d.z};
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(parts[i]) == 1) return DirectionCode{i + 1, 0, parts[i] < 0};
+  if (d.z == 0) return DirectionCode{4, std::atan2(d.y, d.x) / rad_per_deg};
+  if (d.x == 0) return DirectionCode{5, std::atan2(d.z, d.y) / rad_per_deg};
+  if (d.y == 0) return DirectionCode{6, std::atan2(d.x, d.z) / rad_per_deg};
+  return std::nullopt;
+}
+
+void give_kinematics(Setup& setup, const FiveAxis& five) {
+  const auto first = code_of(five.first.direction), second = code_of(five.second.direction);
+  if (!first || !second) return;
+  const auto give = [&](int number, double value) { setup.parameters.emplace(ParameterKey{std::to_string(number), "", ""}, value); };
+  give(3200, static_cast<double>(five.group));
+  give(3201, five.tool.x == 1 ? 1 : five.tool.y == 1 ? 2 : 3);
+  const auto joint = [&](int number, const char* reversed, const RotaryJoint& of, const DirectionCode& code) {
+    give(number, of.axis + 1);
+    give(number + 1, code.code);
+    give(number + 2, code.inclination);
+    setup.parameters.emplace(ParameterKey{"3212", "", reversed}, (of.sense < 0) != code.turned ? 1. : 0.);
+  };
+  joint(3204, "RD1", five.first, *first);
+  joint(3208, "RD2", five.second, *second);
+  const auto vector = [&](int number, Vec3 v) {
+    give(number, v.x);
+    give(number + 1, v.y);
+    give(number + 2, v.z);
+  };
+  vector(3213, five.table);
+  vector(3216, five.second_table);
+  vector(3219, five.holder);
+  vector(3222, five.head);
+}
+
+}  // namespace
+
+void give_machine(Setup& setup, const MachineProfile& profile, const ControlDef& control) {
+  const bool tells = profile.chains.given() && control.machine_axes() && has_kinematics_parameters(control) && !says_kinematics(setup);
+  if (tells && setup.axes.empty() && setup.channels.empty()) setup.axes = axes_of(profile);
+  const std::vector<std::string>& axes = setup.axes.empty() ? control.axes : setup.axes;
+  for (const std::string& axis : axes) setup.axis_limits[axis] = limits_of(profile, setup, axis);
+  if (!tells) return;
+  const auto five = MachineTree(profile, axes).five_axis();
+  if (five && five->first.axis >= 0 && five->second.axis >= 0) give_kinematics(setup, *five);
+  for (const std::string& axis : axes) {
+    const auto found = profile.axes.find(axis);
+    if (found != profile.axes.end() && found->second.joint.rolls_over) setup.parameters.emplace(ParameterKey{"0107", axis, "0"}, 1.);
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,103 @@
+// session/give_machine: what the machine's file tells a control that the set-up does not.
+
+#include "session/give_machine.h"
+
+#include "kinematics/machine_tree.h"
+#include "session/a_session.h"
+
+namespace kadr {
+namespace {
+
+double given(const Setup& setup, const char* number, const char* bit = "") {
+  const auto found = setup.parameters.find(ParameterKey{number, "", bit});
+  return found == setup.parameters.end() ? -1 : std::get<double>(found->second);
+}
+
+TEST(give_machine, a_trunnion_in_the_parameters_of_the_nct) {
+  kadr::Setup setup;
+  give_machine(setup, load_machine("table-table").value(), *test::shared_control("nct"));
+  EXPECT_EQ(setup.axes, (std::vector<std::string>{"X", "Y", "Z", "A", "C"}));
+  EXPECT_EQ(given(setup, "3200"), 2);
+  EXPECT_EQ(given(setup, "3201"), 3);
+  EXPECT_EQ(given(setup, "3204"), 4);
+  EXPECT_EQ(given(setup, "3205"), 1);
+  EXPECT_EQ(given(setup, "3208"), 5);
+  EXPECT_EQ(given(setup, "3209"), 3);
+  EXPECT_EQ(given(setup, "3212", "RD1"), 1);
+  EXPECT_EQ(given(setup, "3213"), -400);
+  EXPECT_EQ(given(setup, "3218"), -30);
+  EXPECT_EQ(setup.axis_limits.at("A"), (std::pair{-120., 30.}));
+}
+
+TEST(give_machine, the_setup_goes_before) {
+  const MachineProfile machine = load_machine("head-head").value();
+  kadr::Setup setup;
+  setup.parameters[ParameterKey{"3200", "", ""}] = 0.;
+  give_machine(setup, machine, *test::shared_control("nct"));
+  EXPECT_EQ(setup.parameters.size(), 1U);
+  EXPECT_TRUE(setup.axes.empty());
+
+  kadr::Setup with_axes;
+  with_axes.axes = {"X", "Y", "Z", "C", "A"};
+  give_machine(with_axes, machine, *test::shared_control("nct"));
+  EXPECT_EQ(given(with_axes, "3204"), 4) << "the first is C, the fourth axis of this channel";
+
+  kadr::Setup without_rotary;
+  without_rotary.axes = {"X", "Y", "Z"};
+  give_machine(without_rotary, machine, *test::shared_control("nct"));
+  EXPECT_TRUE(without_rotary.parameters.empty());
+
+  kadr::Setup of_another;
+  give_machine(of_another, machine, *test::shared_control("mach3"));
+  EXPECT_TRUE(of_another.parameters.empty());
+  EXPECT_TRUE(of_another.axes.empty());
+}
+
+TEST(give_machine, inclined_axes_and_those_that_roll_over) {
+  MachineProfile machine = load_machine("table-table").value();
+  machine.axes["A"].joint.direction = unit({0, -1, 1});
+  machine.axes["C"].joint.rolls_over = true;
+  kadr::Setup setup;
+  give_machine(setup, machine, *test::shared_control("nct"));
+  EXPECT_EQ(given(setup, "3205"), 5);
+  EXPECT_NEAR(given(setup, "3206"), 135, 1e-9);
+  EXPECT_EQ(std::get<double>(setup.parameters.at(ParameterKey{"0107", "C", "0"})), 1);
+  machine.axes["A"].joint.direction = unit({1, 1, 1});  // no code says that
+  kadr::Setup none;
+  give_machine(none, machine, *test::shared_control("nct"));
+  EXPECT_EQ(given(none, "3200"), -1);
+}
+
+// The tip that the control leads by those parameters is where the chains of the file put it.
+TEST(give_machine, the_control_and_the_file_mean_the_same_place) {
+  const std::pair<const char*, const char*> programs[] = {
+      {"table-table", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 A-40 C75 F1000\nX-5 A-80 C200\nM30\n"},
+      {"head-head", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 A-40 C75 F1000\nX-5 A-80 C200\nM30\n"},
+      {"head-table", "G54 G43.4 H1\nG0 X10 Y-20 Z30\nG1 X30 Y15 Z12 B40 C75 F1000\nX-5 B80 C200\nM30\n"}};
+  for (const auto& [id, program] : programs) {
+    const MachineProfile machine = load_machine(id).value();
+    kadr::Setup setup;
+    setup.offsets[1].length = 90;
+    setup.work_offsets["G54"] = {{"X", -250}, {"Y", -250}, {"Z", -300}};
+    test::ASession session("nct", program, setup, "main.nc", machine);
+    ASSERT_TRUE(session.opened());
+    const MachineTree tree(machine, session->control().axes());
+    int looked_at = 0;
+    session->outlets().step = [&](const Step& step) {
+      const auto* const motion = std::get_if<Motion>(&step.action.what);
+      if (motion == nullptr || step.from.space == nullptr) return;
+      const Pose told = step.from.space->pose(motion->machine);
+      const Pose by_file = tree.forward(motion->machine, 90);
+      const Vec3 in_system = by_file.tip - Vec3{-250, -250, -300};
+      EXPECT_LT(length(told.tip - in_system), 1e-9) << id << ' ' << told.tip.x << ' ' << told.tip.y << ' ' << told.tip.z;
+      EXPECT_LT(length(told.direction - by_file.direction), 1e-12) << id;
+      ++looked_at;
+    };
+    (void)session->run();
+    EXPECT_TRUE(session.told().empty()) << id << ": " << session.told().front();
+    EXPECT_EQ(looked_at, 3) << id;
+  }
+}
+
+}  // namespace
+}  // namespace kadr
