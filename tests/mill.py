@@ -142,6 +142,20 @@ def all_of(terminal):
     return b''.join(parts).decode()
 
 
+def until_bar(terminal):
+    """What is written to a terminal until there stands how far the work is; to its end if that never comes."""
+    shown = ''
+    while ' %  ' not in shown:
+        try:
+            part = os.read(terminal, 1 << 16)
+        except OSError:
+            break
+        if not part:
+            break
+        shown += part.decode(errors='replace')
+    return shown
+
+
 def stopped(run):
     """Work of minutes shows how far it is on a terminal, ends soon after Ctrl-C or SIGTERM, and leaves no program behind."""
     contour, program = run.folder / 'contour', run.folder / 'stopped.nc'
@@ -149,14 +163,14 @@ def stopped(run):
     for sign, scheme in ((signal.SIGINT, 'spiral-out'), (signal.SIGTERM, 'comb')):
         terminal, end = pty.openpty()
         process = subprocess.Popen([run.kadr, 'mill', 'pocket', contour, '--tool-diameter', '10', '--depth', '4', '--control', 'mach3', '--scheme',
-                                    scheme, '--stepover', '0.05', '--output', program, '--lang', 'en'], stdout=subprocess.DEVNULL, stderr=end)
-        time.sleep(2.5)
+                                    scheme, '--stepover', '0.02', '--output', program, '--lang', 'en'], stdout=subprocess.DEVNULL, stderr=end)
+        os.close(end)
+        shown = until_bar(terminal)
         asked = time.monotonic()
         process.send_signal(sign)
         status = process.wait(60)
         took = time.monotonic() - asked
-        os.close(end)
-        shown = all_of(terminal)
+        shown += all_of(terminal)
         run.expect(status in (128 + sign, -sign) and took < 2 and not program.exists(), f'{scheme}: status {status} {took:.1f} s after {sign.name}')
         run.expect(' %  ' in shown, f'{scheme}: on the terminal: {shown[-300:]!r}')
 

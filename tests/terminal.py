@@ -81,7 +81,8 @@ class Terminal:
 FAULTY = 'G21 G90 G0 X1\nX2 G999\nM30\n'
 WARNED = '#1=ATAN[1]/[2]\nG0 X#1\nM30\n'   # here a division, on a Fanuc control not: a warning
 NOTED = 'G54 G0 X1\nM30\n'            # a work zero that is stated nowhere: a note
-LONG = '%\n' + 'G21 G90 G1 F1000 X0\n#1=0\nN10 #1=#1+1\nG1 X#1 F600\nIF[#1LT{count}]GOTO10\n{end}\n'
+WORK = '+'.join(['SQRT[ABS[SIN[#1]*COS[#1]]]'] * 40)   # so that a second is long before the limit of repeated blocks
+LONG = '%\n' + 'G21 G90 G1 F1000 X0\n#1=0\nN10 #1=#1+1\nG1 X#1 F600\nIF[#1LT{count}*' + f'[1+0*[{WORK}]]]' + 'GOTO10\n{end}\n'
 
 
 def colour_checks(terminal):
