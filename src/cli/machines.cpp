@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "config/machine_profile.h"
 #include "config/told.h"
+#include "kinematics/machine_tree.h"
 #include "out/text/source_line.h"
 
 namespace kadr::cli {
@@ -58,6 +59,30 @@ std::string travel_of(const AxisProfile& axis) {
   return least + " … " + (axis.most >= AxisProfile{}.most ? "" : number_of(axis.most));
 }
 
+/// "A (about [1, 0, 0], through [-400, -250, -420], reversed)"
+std::string joint_text(const std::string& name, const AxisJoint& joint) {
+  if (!joint.turns) return name;
+  const auto vector = [](Vec3 v) { return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", v.x, v.y, v.z); };
+  return fmt::format("{} ({} {}, {} {}{})", name, told("about", "вокруг"), vector(joint.direction), told("through", "через"),
+                     vector(joint.through), joint.reversed ? told(", reversed", ", обратно") : "");
+}
+
+/// What carries what, and why the parameters of an NCT cannot say it, if so.
+void print_chains(const MachineProfile& machine) {
+  const auto chain = [&](const std::string& what, const std::vector<std::string>& names) {
+    std::string text = told("bed", "станина");
+    for (const std::string& name : names) text += " → " + joint_text(name, machine.axes.at(name).joint);
+    fmt::print("{}{} → {}\n", padded(what, 20), text, what);
+  };
+  chain(told("tool", "инструмент"), machine.chains.tool);
+  chain(told("part", "деталь"), machine.chains.part);
+  std::vector<std::string> names;
+  for (const auto& [name, axis] : machine.axes) names.push_back(name);
+  const auto five = MachineTree(machine, names).five_axis();
+  if (!five)
+    fmt::print("{}{}\n", padded(told("N3200 to N3224", "N3200–N3224"), 20), told("do not say it: ", "этого не выражают: ") + five.error());
+}
+
 void print_one(const MachineProfile& machine) {
   constexpr std::size_t first = 20, column = 18;
   fmt::print("{}: {}\n", machine.id, name_of(machine));
@@ -72,6 +97,7 @@ void print_one(const MachineProfile& machine) {
   for (const auto& [name, axis] : machine.axes)
     fmt::print("{}{}{}{}{}\n", padded(name, 5), padded(number_of(axis.rapid), column), padded(travel_of(axis), column),
                padded(number_of(axis.acceleration), column), number_of(axis.jerk));
+  if (machine.chains.given()) print_chains(machine);
   fmt::print("{}\n", told("mm, of rotary axes degrees; travel in machine coordinates",
                           "мм, у поворотных осей градусы; перемещение в координатах станка"));
 }

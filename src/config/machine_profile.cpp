@@ -75,8 +75,7 @@ Done direction_of(const std::string& file, const toml::table& row, std::string_v
 Done flag_of(const std::string& file, const toml::table& row, std::string_view key, bool& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
-  if (!node->is_boolean())
-    return Failed(place(file, *node) + std::string(key) + told(" must be true or false", ": true или false"));
+  if (!node->is_boolean()) return Failed(place(file, *node) + std::string(key) + told(" must be true or false", ": true или false"));
   to = *node->value<bool>();
   return {};
 }
@@ -103,8 +102,7 @@ Done joint_of(const std::string& file, const std::string& name, const toml::tabl
   if (auto done = flag_of(file, row, "reversed", joint.reversed); !done) return done;
   if (auto done = flag_of(file, row, "roll_over", joint.rolls_over); !done) return done;
   if (joint.rolls_over && row.contains("limits"))
-    return Failed(place(file, row, "limits") +
-                  told("an axis that rolls over has no limits", "у оси с roll_over пределов нет"));
+    return Failed(place(file, row, "limits") + told("an axis that rolls over has no limits", "у оси с roll_over пределов нет"));
   return {};
 }
 
@@ -135,8 +133,8 @@ Done kinematics_of(const std::string& file, const toml::table& table, MachinePro
   if (node == nullptr) return {};
   const toml::table* const row = node->as_table();
   if (row == nullptr)
-    return Failed(place(file, *node) + told("[kinematics] must be a table: tool = […], part = […]",
-                                            "[kinematics] — таблица: tool = […], part = […]"));
+    return Failed(place(file, *node) +
+                  told("[kinematics] must be a table: tool = […], part = […]", "[kinematics] — таблица: tool = […], part = […]"));
   if (auto done = known_keys(file, *row, {"tool", "part", "tool_direction"}); !done) return done;
   std::vector<std::string> seen;
   if (auto done = chain_of(file, *row, "tool", profile, profile.chains.tool, seen); !done) return done;
@@ -150,7 +148,9 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
     return Failed(place(file, node) + told("axis " + name + " must be a table: { rapid = …, limits = [least, most] }",
                                            "ось " + name + " задаётся таблицей: { rapid = …, limits = [меньшее, большее] }"));
   AxisProfile axis;
-  if (auto done = known_keys(file, *row, {"rapid", "limits", "acceleration", "jerk", "along", "turns", "through", "reversed", "roll_over"}); !done) return Failed(done.error());
+  if (auto done = known_keys(file, *row, {"rapid", "limits", "acceleration", "jerk", "along", "turns", "through", "reversed", "roll_over"});
+      !done)
+    return Failed(done.error());
   const std::tuple<const char*, const NumberRange&, double&> numbers[] = {
       {"rapid", ranges::rate, axis.rapid}, {"acceleration", ranges::acceleration, axis.acceleration}, {"jerk", ranges::jerk, axis.jerk}};
   for (const auto& [key, range, to] : numbers)
@@ -162,7 +162,8 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
 
 tl::expected<MachineProfile, std::string> profile_of(const std::string& file, const toml::table& table) {
   MachineProfile profile;
-  if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes", "kinematics"}); !done)
+  if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes", "kinematics"});
+      !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
   if (profile.id.empty()) return Failed(file + ": " + told("id is missing", "нет ключа id"));

@@ -15,11 +15,11 @@ constexpr double same_way = 1e-11;  // of directions of length 1
 /// By which the joint turns or moves, with its sense.
 double signed_way(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
 
-/// v of m·v = b by Cramer's rule; nothing: m is singular.
-std::optional<Vec3> solved(const Mat3& m, Vec3 b) {
+/// v of m·v = b by Cramer's rule; nothing: m is singular, its determinant no greater than `least`.
+std::optional<Vec3> solved(const Mat3& m, Vec3 b, double least) {
   const Vec3 x = m.column(0), y = m.column(1), z = m.column(2);
   const double whole = dot(x, cross(y, z));
-  if (std::fabs(whole) < 1e-12) return std::nullopt;
+  if (!(std::fabs(whole) > least)) return std::nullopt;
   return 1 / whole * Vec3{dot(b, cross(y, z)), dot(x, cross(b, z)), dot(x, cross(y, b))};
 }
 
@@ -114,19 +114,19 @@ bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
       moved[static_cast<std::size_t>(joint->axis)] += probe;
       Axes back = axes;
       back[static_cast<std::size_t>(joint->axis)] -= probe;
-      change.push_back(0.5 / probe * (direction(moved) - direction(back)));
+      change.push_back(0.5 / (probe * rad_per_deg) * (direction(moved) - direction(back)));
     }
     Mat3 normal = sum_of_squares(change);
     const double damp = 1e-9 + 1e-4 * std::min(1., length(missing)) * length(missing);
     for (int i = 0; i < 3; ++i) (i == 0 ? normal.rows[0].x : i == 1 ? normal.rows[1].y : normal.rows[2].z) += damp;
-    const auto weight = solved(normal, missing);
+    const auto weight = solved(normal, missing, 1e-30);
     if (!weight) return false;
     std::size_t i = 0;
     for (const MachineJoint* joint : rotary) {
       if (joint->axis < 0) continue;
       double& at = axes[static_cast<std::size_t>(joint->axis)];
       constexpr double widest = 30;  // degrees in a step
-      at = std::clamp(at + std::clamp(dot(change[i++], *weight), -widest, widest), joint->least, joint->most);
+      at = std::clamp(at + std::clamp(dot(change[i++], *weight) / rad_per_deg, -widest, widest), joint->least, joint->most);
     }
   }
   return length(wanted - direction(axes)) < 1e-9;
@@ -167,7 +167,7 @@ bool MachineTree::move_to(Vec3 tip, Axes& axes, double tool_length) const {
     if (joint->axis >= 0) moved[static_cast<std::size_t>(joint->axis)] += 1;
     change.push_back(forward(moved, tool_length).tip - here);
   }
-  const auto weight = solved(sum_of_squares(change), tip - here);
+  const auto weight = solved(sum_of_squares(change), tip - here, 1e-12);
   if (!weight) return length(tip - here) < 1e-9;
   for (std::size_t i = 0; i < linear.size(); ++i) {
     if (linear[i]->axis < 0) continue;

@@ -1,7 +1,7 @@
 #pragma once
 // MachineTree: a machine as its file describes it: from the bed a chain of axes to the tool and one to the part, linear and rotary in any
-// order and number ([kinematics] of machines/*.toml). Where the tool is in the part, and the axes for a place and a direction. What NCT 25.1
-// can say of such a machine is a FiveAxis. mm, degrees; positions are those of the machine.
+// order and number ([kinematics] of machines/*.toml). Where the tool is in the part, and the axes for a place and a direction. What
+// NCT 25.1 can say of such a machine is a FiveAxis. mm, degrees; positions are those of the machine.
 
 #include <string>
 #include <tl/expected.hpp>

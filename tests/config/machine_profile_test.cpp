@@ -31,7 +31,8 @@ TEST(machine_profile, built_in_ones_load) {
 
 TEST(machine_profile, unknown_names_the_known) {
   EXPECT_EQ(load_machine("lathe").error(),
-            "no machine 'lathe'; there are: generic, linuxcnc-sim, mach3-router, nct-vmc, s2c42-mill, or a file of your own (NAME.toml)");
+            "no machine 'lathe'; there are: generic, head-head, head-table, linuxcnc-sim, mach3-router, nct-vmc, s2c42-mill, table-table, "
+            "or a file of your own (NAME.toml)");
   EXPECT_EQ(load_machine("/nowhere.toml").error(), "/nowhere.toml: cannot be read: there is no such file");
 }
 
@@ -66,6 +67,33 @@ TEST(machine_profile, the_programmed_speed_counts_if_nobody_says_whose) {
   const auto file = std::filesystem::temp_directory_path() / "kadr_machine_profile_planner_test.toml";
   std::ofstream(file) << "id = 'a'\nplanner = 'optimal'\n[axes]";
   EXPECT_EQ(load_machine(file.string())->planner, PlannerMode::optimal);
+}
+
+TEST(machine_profile, chains_of_axes) {
+  const MachineProfile machine = load_machine("table-table").value();
+  EXPECT_EQ(machine.chains.tool, (std::vector<std::string>{"X", "Z"}));
+  EXPECT_EQ(machine.chains.part, (std::vector<std::string>{"Y", "A", "C"}));
+  const AxisJoint& a = machine.axes.at("A").joint;
+  EXPECT_TRUE(a.turns);
+  EXPECT_TRUE(a.reversed);
+  EXPECT_EQ(a.direction, (Vec3{1, 0, 0}));
+  EXPECT_EQ(a.through, (Vec3{-400, -250, -420}));
+  EXPECT_EQ(machine.axes.at("X").joint.direction, (Vec3{1, 0, 0})) << "by its letter";
+  EXPECT_FALSE(load_machine("generic")->chains.given());
+
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = {}\n[kinematics]\ntool = ['X', 'Q']"), ":5: [axes] has no axis 'Q'");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = {}\n[kinematics]\ntool = ['X']\npart = ['X']"), ":6: axis X stands twice in [kinematics]");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nQ = {}\n[kinematics]\ntool = ['Q']"), ":5: axis Q: say 'along' or 'turns'");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = {}\n[kinematics]\ntool = 'X'"), ":5: tool must be a list of axes");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = {}\n[kinematics]\nhead = ['X']"), ":5: unknown key 'head'");
+  EXPECT_EQ(refusal("id = 'a'\nkinematics = 1\n[axes]"), ":2: [kinematics] must be a table: tool = […], part = […]");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nA = { turns = [0, 0, 0] }"), ":3: turns must not be [0, 0, 0]");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nA = { turns = [0, 1] }"),
+            ":3: turns must be three numbers, along X, Y and Z, each a number, -10000000 to 10000000 mm or degrees");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nA = { turns = [0, 1, 0], along = [1, 0, 0] }"), ":3: axis A has 'along' and 'turns': one of them");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nX = { through = [0, 1, 0] }"), ":3: 'through' belongs to a rotary axis");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nC = { reversed = 1 }"), ":3: reversed must be true or false");
+  EXPECT_EQ(refusal("id = 'a'\n[axes]\nC = { roll_over = true, limits = [0, 1] }"), ":3: an axis that rolls over has no limits");
 }
 
 }  // namespace
