@@ -47,6 +47,14 @@ inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes
   return from.space->machine_of(tool, plainly);
 }
 
+/// Where the tip is then in the part, in the work system.
+inline Vec3 led_tip(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
+  const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
+  const Axes at = from.space->in_system(way != nullptr ? way->at(part, work) : work);
+  const auto of = [&](std::size_t i) { return roles.xyz[i] < 0 ? 0.0 : at[static_cast<std::size_t>(roles.xyz[i])]; };
+  return {of(0), of(1), of(2)};
+}
+
 /// Machine coordinates at the `part` of a motion where the work coordinates are `work`. What lies between the two (the work
 /// coordinates turned, if the frame is) is the same along the motion, or taken up evenly by it (a tool length that the next
 /// motion takes out, 2С42). An axis that rolls over counts on beyond its turn until the end.

@@ -26,7 +26,7 @@ struct AxisProfile {
   double most = 1e300;
   double acceleration = 500;  // mm/s² or degrees/s²; for sampling and time where nobody states one
   double jerk = 10000;        // mm/s³ or degrees/s³
-  AxisJoint joint;
+  AxisJoint joint{};
 };
 
 /// What carries what, from the bed ([kinematics]): names of axes, each carries the next, the last the tool, the part.

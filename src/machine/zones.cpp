@@ -91,15 +91,24 @@ Status Zones::before_start(const MachinePath& path, const Axes& end) const {
 
 /// What an axis that moves outwards passes of the box.
 void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids, Reached& first) const {
+  const auto bounds = [&](std::size_t i) {
+    const double start = path.start()[i];
+    return std::pair{std::min(box.least[i], start) - tol::same_point, std::max(box.most[i], start) + tol::same_point};
+  };
+  const auto passes = [&](const Extents& whole) {
+    for (std::size_t i = 0; i < roles_.count; ++i)
+      if (box.has(i) && !path.rolls_over(i) && (whole.most[i] > bounds(i).second || whole.least[i] < bounds(i).first)) return true;
+    return false;
+  };
+  if (!passes(path.rough_extents())) return;
   const Extents whole = path.extents(0, 1);
   for (std::size_t i = 0; i < roles_.count; ++i) {
     if (!box.has(i) || path.rolls_over(i)) continue;
-    const double start = path.start()[i];
     const auto look = [&](double limit, double passed, Side side, AlarmId id) {
       const auto part = first_passing(path, i, passed, side);
       if (part && *part < first.part) first = {*part, alarm(id, {}, std::string_view(names_[i]), limit)};
     };
-    const double high = std::max(box.most[i], start) + tol::same_point, low = std::min(box.least[i], start) - tol::same_point;
+    const auto [low, high] = bounds(i);
     if (whole.most[i] > high) look(box.most[i], high, Side::above, ids.positive);
     if (whole.least[i] < low) look(box.least[i], low, Side::below, ids.negative);
   }

@@ -47,13 +47,6 @@ double degrees_for_mm(const Curve& curve, const Motion& motion) {
   return 1 / std::max(1.0, radius * rad_per_deg);
 }
 
-/// By how much more the tip goes off its way than the axes do off theirs, each by as many mm and degrees: where it is led, the rotary axes
-/// swing it.
-double lever(const Step& step, const Motion& motion) {
-  if (!leads_tip(step.from, motion)) return 1;
-  return 1 + rad_per_deg * std::max(step.from.space->arm(step.from.machine), step.from.space->arm(motion.machine));
-}
-
 }  // namespace
 
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
@@ -166,6 +159,7 @@ AxisMotion::Refused AxisMotion::refused() const {
 }
 
 void AxisMotion::rest() {
+  now_.led.known = false;
   cut_threads();
   end_smoothing();
   planner_.stop();
@@ -236,6 +230,7 @@ void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t nu
   const Axes& from = step.from.machine;
   const double way = distance(from, motion.machine);
   if (on_motion) on_motion(number, way);
+  now_.led.known = false;
   now_.smoothing.take({from, motion.machine, way / step.time.seconds, now_.exact ? 0 : tolerance_, number, motion.smoothing}, line_);
   now_.exact = false;
 }
@@ -304,20 +299,46 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   return {length, ways};
 }
 
+/// How far the axes may leave the corner at the beginning of a piece that leads the tip; of one after another motion as if the whole arm
+/// swung it.
+double AxisMotion::corner_of(const Step& step, const LedPiece& piece, double tolerance) const {
+  if (!(tolerance > 0)) return 0;
+  constexpr double used = 0.8;  // the rest is for what is not of first order
+  if (now_.led.known) return led_tolerance(now_.led, piece, used * tolerance, step.from.space->rotary_axes());
+  return tolerance / (1 + rad_per_deg * step.from.space->arm(step.from.machine));
+}
+
 void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t number) {
   const MachinePath path(step);
   const Curve& curve = step.curve();
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
-  const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion) / lever(step, motion);
+  const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
   const double junction = now_.exact ? 0 : tolerance;
   const Pace pace(roles_, curve, motion, step.time.feed, rapid_, now_.spindle.turning());
   const int pieces = std::max(path.pieces(chord_of_tolerance * rounding), pace.pieces());
   const auto [length, speeds] = feeds(pace, path, step.time, pieces);
   if (on_motion) on_motion(number, length);
+  Axes from = path.start();
+  const bool led = path.leads_tip();
+  if (!led) now_.led.known = false;
+  Vec3 tip = led ? path.tip(0) : Vec3{};
   for (int i = 1; i <= pieces && ended() == PlanEnd::none; ++i) {
-    const double feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];
-    planner_.line_to(path.at(static_cast<double>(i) / pieces).data(), feed, i == 1 ? junction : rounding, i > 1, number);
+    const double part = static_cast<double>(i) / pieces, feed = speeds[std::min(static_cast<std::size_t>(i), speeds.size()) - 1];
+    const Axes to = path.at(part);
+    double corner = i == 1 ? junction : rounding;
+    bool paced = false;
+    if (led) {
+      const Vec3 tip_to = path.tip(part);
+      if (const LedPiece piece = led_piece(roles_.count, from, to, tip, tip_to, feed); piece.known) {
+        corner = corner_of(step, piece, corner);
+        paced = feed < unlimited_feed && piece.keeps_pace(now_.led);
+        now_.led = piece;
+      }
+      from = to;
+      tip = tip_to;
+    }
+    planner_.line_to(to.data(), feed, corner, i > 1, number, paced);
   }
   now_.exact = stops;
   if (stops) planner_.stop();

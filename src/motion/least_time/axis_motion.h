@@ -7,6 +7,7 @@
 
 #include "config/machine_profile.h"
 #include "config/setup.h"
+#include "motion/least_time/led_corner.h"
 #include "motion/least_time/planner.h"
 #include "motion/least_time/smoothing.h"
 #include "motion/least_time/thread_chain.h"
@@ -95,6 +96,7 @@ class AxisMotion {
     std::deque<Record> records;
     std::uint64_t motions = 0;
     bool exact = true;  // the last motion ended exactly: no rounding after it
+    LedPiece led;       // the piece planned last, where it led the tip
     SpindleClock spindle;
     Smoothing smoothing;
     ThreadChain threads;  // not yet cut
@@ -119,6 +121,7 @@ class AxisMotion {
   static double spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell);
   void move(const Step& step, const Motion& motion);
   void cut(const Step& step, const Motion& motion, std::uint64_t number);
+  double corner_of(const Step& step, const LedPiece& piece, double tolerance) const;
   Feeds feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) const;
   void couple(const Step& step, const Motion& motion);
   void release();

@@ -83,11 +83,43 @@ bool LeastTime::goes_on_crawling(double gently) {
   const double slow = ends_.guess.back(), size = path_->h[ends_.guess.size() - 1];
   for (const double floor : {slow, slow / 10, ends_.crawl / 1e4}) {
     double m = slow, cells = 0;
+    std::fill(y_.begin(), y_.end(), std::numeric_limits<double>::infinity());
     for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
       double less = slowing;
       if (gently > 1) less *= std::min(1.0, (cells += k < ends_.guess.size() ? 0 : 1) / gently) * std::min(1.0, path_->h[k] / size);
       m = k < ends_.guess.size() ? ends_.guess[k] : std::max(floor, m * (1 - less));
-      y_[variable_[k]] = m / scale_[k];
+      double& y = y_[variable_[k]];  // of several cells beside a stop or a turn: the slowest
+      y = std::min(y, m / scale_[k]);
+    }
+    if (is_within(y_)) return true;
+  }
+  return false;
+}
+
+/// The same, as slow as the earlier one was in the end, and slower towards the stop at the end and where the path turns, as constant jerk
+/// lets the axes leave it the other way round.
+///   returns  false: that exceeds limits
+bool LeastTime::goes_on_to_stop() {
+  constexpr int most_tries = 16;
+  const double slow = ends_.guess.back();
+  const std::size_t known = ends_.guess.size();
+  std::vector<double> away(n_, std::numeric_limits<double>::infinity());  // of a cell's middle, from the nearest stop
+  double way = std::numeric_limits<double>::infinity();
+  const auto pass = [&](std::size_t k, bool stops) {
+    if (stops) way = 0;
+    away[k] = std::min(away[k], way + path_->h[k] / 2);
+    way += path_->h[k];
+  };
+  for (std::size_t k = 0; k < n_; ++k) pass(k, k > 0 && turns_behind(k - 1));
+  way = std::numeric_limits<double>::infinity();
+  for (std::size_t k = n_; k-- > 0;) pass(k, k + 1 == n_ || turns_behind(k));
+  double part = soonest();
+  for (int tries = 0; tries < most_tries; ++tries, part *= 0.7) {
+    std::fill(y_.begin(), y_.end(), std::numeric_limits<double>::infinity());
+    for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
+      const double m = k < known ? ends_.guess[k] : 1 / std::hypot(1 / slow, std::pow(part * away[k], -4.0 / 3));
+      double& y = y_[variable_[k]];
+      y = std::min(y, m / scale_[k]);
     }
     if (is_within(y_)) return true;
   }
@@ -98,6 +130,7 @@ bool LeastTime::goes_on_crawling(double gently) {
 bool LeastTime::first_guess() {
   for (const double gently : {1., 30., 100., 300.})  // the first: at once, from the first cell on
     if (!ends_.guess.empty() && goes_on_crawling(gently)) return true;
+  if (!ends_.guess.empty() && ends_.to_stop && goes_on_to_stop()) return true;
   if (!ends_.from_stop) return false;
   find_envelope();
   constexpr int most_tries = 60;

@@ -112,6 +112,8 @@ class LeastTime {
   void keep_stop(std::size_t cell);
   bool first_guess();
   bool goes_on_crawling(double gently);
+  bool goes_on_to_stop();
+  double soonest() const;
   void find_envelope();
   static double alone(const TimedPath& path, std::size_t cell);
   void spread(const std::vector<double>& y);

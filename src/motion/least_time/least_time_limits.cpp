@@ -133,10 +133,16 @@ double LeastTime::slowest(const TimedPath& path) {
   return least;
 }
 
+/// d b^(3/4) / ds with constant jerk from rest: b = (6^(4/3)/4) j^(2/3) s^(4/3).
+double LeastTime::soonest() const {
+  double least = infinite;
+  for (std::size_t a = 0; a < path_->axes; ++a) least = std::min(least, 2.12 * std::sqrt(path_->jerk[a]));
+  return least;
+}
+
 /// About how fast the path may be passed, into m_: by what each cell allows by itself, and by how soon jerk lets it get there.
 void LeastTime::find_envelope() {
-  double soonest = infinite;  // d b^(3/4) / ds with constant jerk from rest: b = (6^(4/3)/4) j^(2/3) s^(4/3)
-  for (std::size_t a = 0; a < path_->axes; ++a) soonest = std::min(soonest, 2.12 * std::sqrt(path_->jerk[a]));
+  const double soonest = this->soonest();
   double reached = 0;  // b^(3/4)
   for (std::size_t k = 0; k < n_; ++k) {
     const double most = alone(*path_, k);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "action/action.h"
@@ -20,6 +21,7 @@ constexpr std::size_t most_window = 6000;  // cells: then some are handed out th
 constexpr double crawl_of_slowest = 0.03;  // of ṡ² that the slowest cell allows: after the window's end
 constexpr double growth = 0.2;             // of the cells, by their distance from what made them small
 constexpr double corner_part = 1.0 / SoftCorner::cells;
+constexpr double gentle = 0.1;      // |Δu| of corners that are like those of a curve
 constexpr double longest_s = 0.01;  // of a cell, at the commanded speed
 constexpr double fastest = 1e12;    // mm²/s²: no limit of ṡ², in numbers that can be calculated with
 
@@ -69,11 +71,11 @@ bool Planner::turns(const double* to) const {
   return bend > square(straight);
 }
 
-void Planner::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag) {
+void Planner::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced) {
   if (halted()) return;
   if (tolerance <= 0 && turns(to)) stop();
   const std::size_t before = now_.path.pieces();
-  now_.path.line_to(to, feed, tolerance, on_curve, tag);
+  now_.path.line_to(to, feed, tolerance, on_curve, tag, paced);
   if (now_.path.pieces() == before) return;
   double squares = 0;
   for (std::size_t a = 0; a < now_.cells.axes; ++a) squares += square(to[a] - now_.at[a]);
@@ -107,6 +109,7 @@ void Planner::plan(bool last) {
 bool Planner::feed_changes(std::size_t vertex) const {
   constexpr double of_way = 1e-6,
                    on_surface = 0.05;  // relative: the feed is the way divided by its time; on a surface it changes all along
+  if (now_.path.is_paced(vertex)) return false;
   const double same = now_.path.on_curve(vertex) ? on_surface : of_way;
   const double before = now_.path.feed(vertex - 1), behind = now_.path.feed(vertex);
   return std::fabs(before - behind) > same * (before + behind);
@@ -143,7 +146,9 @@ double Planner::size_at(double s, std::size_t piece, bool last, double curve_par
     const double w = now_.path.width(i), away = std::fabs(s - now_.path.at(i));
     if (now_.path.turns_back(i)) size = std::min(size, rest(i) + growth * away);
     else if (feed_changes(i)) size = std::min(size, ramp_part(room_at_feed_change(i)) + growth * away);
-    if (w > 0) size = std::min(size, w * (now_.path.on_curve(i) ? curve_part : corner_part) + growth * std::max(0.0, away - w));
+    if (w > 0)
+      size = std::min(
+          size, w * (now_.path.on_curve(i) || now_.path.turn(i) < gentle ? curve_part : corner_part) + growth * std::max(0.0, away - w));
   };
   for (std::size_t i = piece + 1; i-- > 1 && s - now_.path.at(i) < reach;) take(i);
   for (std::size_t i = piece + 1; i < now_.path.pieces() && now_.path.at(i) - s < reach; ++i) take(i);
@@ -152,8 +157,8 @@ double Planner::size_at(double s, std::size_t piece, bool last, double curve_par
 
 /// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
 bool Planner::is_even(double h) const {
-  constexpr double uneven = 0.003;       // of the curvature
-  constexpr double unimportant = 0.001;  // of the acceleration that the axis may have
+  constexpr double uneven = 0.02;        // of the curvature
+  constexpr double unimportant = 0.004;  // of the acceleration that the axis may have
   Memory::Knot middle, end;
   const std::size_t half = now_.path.piece_at(now_.cut + h / 2, now_.piece), far = now_.path.piece_at(now_.cut + h, half);
   now_.path.evaluate(now_.cut + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
@@ -205,13 +210,36 @@ double Planner::beyond(double from, double h, std::size_t piece) const {
                   now_.path.beyond(from + h, now_.piece, now_.knot.x.data()));
 }
 
+/// The lowest feed of the pieces from where the last cell ends; where it changes with the path, the lowest in places of the cell.
+double Planner::feed_between(double from, double to) const {
+  const SmoothPath& path = now_.path;
+  double feed = path.feed(now_.piece);
+  bool paced = now_.piece > 0 && path.is_paced(now_.piece);
+  for (std::size_t i = now_.piece; i + 1 < path.pieces(); ++i) {
+    if (path.at(i + 1) >= to) {
+      paced |= path.is_paced(i + 1);
+      break;
+    }
+    if (path.is_paced(i + 1)) paced = true;
+    else feed = std::min(feed, path.feed(i + 1));
+  }
+  if (!paced) return feed;
+  feed = std::numeric_limits<double>::infinity();
+  constexpr int places = 3;
+  std::size_t piece = now_.piece;
+  for (int i = 0; i < places; ++i) {
+    const double s = from + (to - from) * i / (places - 1);
+    piece = path.piece_at(s, piece);
+    feed = std::min(feed, path.feed_at(s, piece));
+  }
+  return feed;
+}
+
 void Planner::add_cell(double from, double to, bool turns) {
   const std::size_t axes = now_.cells.axes, shape = now_.shapes.size();
   const double h = to - from;
   const Memory::Knot start = now_.knot;
-  double feed = now_.path.feed(now_.piece);
-  for (std::size_t i = now_.piece; i + 1 < now_.path.pieces() && now_.path.at(i + 1) < to; ++i)
-    feed = std::min(feed, now_.path.feed(i + 1));
+  const double feed = feed_between(from, to);
   now_.sources.push_back({now_.path.tag(now_.piece), feed, bend_at(from, to)});
   const std::size_t begun = now_.piece, next = now_.path.piece_at(to, now_.piece);
   set_knot(to, turns ? next - 1 : next);

@@ -42,7 +42,7 @@ class Planner {
   void begin(const double* at);
   /// A straight piece. `feed`: mm/s along it, `tolerance`: of the corner at its beginning, mm; 0: exactly through it, so it stops there.
   /// `on_curve`: that corner is one of a chain of chords of a curve. `tag`: comes out with its cells.
-  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
+  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced = false);
   /// The axes come to rest; all is handed out.
   void stop();
 
@@ -102,6 +102,7 @@ class Planner {
   double room_at_feed_change(std::size_t vertex) const;
   double next_size(bool last) const;
   Bend bend_at(double from, double to) const;
+  double feed_between(double from, double to) const;
   void add_cell(double from, double to, bool turns);
   void set_knot(double s, std::size_t piece);
   void solve(bool last);

@@ -58,22 +58,27 @@ Extents MachinePath::led_extents(double from, double to) const {
   return box;
 }
 
-/// The second derivative of a point that goes a way L while it is turned by ω about axes no farther than R is at most ω²R + 2ωL, and the
-/// chord is off by an eighth of it.
-Extents MachinePath::rough_extents() const {
-  const bool plain = bends_ && curve_.straight() && !(motion_.detail && motion_.detail->tip_way);
-  if (!plain) return extents(0, 1);
-  Extents box;
+/// The axes' way along a straight motion is no farther from its chord, mm: the second derivative of a point that goes a way L while it is
+/// turned by ω about axes no farther than R is at most ω²R + 2ωL, and the chord is off by an eighth of it.
+double MachinePath::most_off_chord() const {
   double turn = 0;
-  const AxisMask rotary = from_.space->rotary_axes();
-  for (std::size_t i = 0; i < roles_.count; ++i) {
-    std::tie(box.least[i], box.most[i]) = std::minmax({from_.machine[i], end_[i]});
-    if ((rotary >> i & 1U) != 0) turn += std::fabs(end_[i] - from_.machine[i]) * rad_per_deg;
+  for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
+    turn += std::fabs(end_[axis] - from_.machine[axis]) * rad_per_deg;
   }
   const double way = curve_.length(), arm = way + std::max(from_.space->arm(from_.machine), from_.space->arm(motion_.machine));
-  const double off = (turn * turn * arm + 2 * turn * way) / 8;
-  for (std::size_t i = 0; i < roles_.count; ++i)
+  return (turn * turn * arm + 2 * turn * way) / 8;
+}
+
+Extents MachinePath::rough_extents() const {
+  if (!plainly_led()) return extents(0, 1);
+  Extents box;
+  const AxisMask rotary = from_.space->rotary_axes();
+  const double off = most_off_chord();
+  for (std::size_t i = 0; i < roles_.count; ++i) {
+    std::tie(box.least[i], box.most[i]) = std::minmax({from_.machine[i], end_[i]});
     if ((rotary >> i & 1U) == 0) box.least[i] -= off, box.most[i] += off;
+  }
   return box;
 }
 
@@ -94,7 +99,8 @@ int MachinePath::samples_led() const {
 /// of what is wanted is aimed at.
 int MachinePath::pieces(double chord) const {
   const int of_curve = curve_.pieces(chord);
-  if (!bends_) return of_curve;
+  constexpr double few = 6;  // chords: a motion so flat is one, as it meets its neighbours in corners anyway
+  if (!bends_ || (plainly_led() && most_off_chord() <= few * chord)) return of_curve;
   constexpr int looked_at = 8;
   double worst = 0;
   for (int i = 0; i < looked_at; ++i) {
@@ -106,7 +112,6 @@ int MachinePath::pieces(double chord) const {
     }
     worst = std::max(worst, std::sqrt(off));
   }
-  constexpr double few = 6;  // chords: a motion so flat is one, as it meets its neighbours in corners anyway
   if (worst * looked_at * looked_at <= few * chord) return of_curve;
   const double aimed = chord / 2;
   const double needed = looked_at * std::sqrt(worst / aimed);
@@ -120,7 +125,7 @@ Extents MachinePath::extents(double from, double to) const {
       if (box.least[i] > box.most[i]) std::swap(box.least[i], box.most[i]);
     return box;
   }
-  if (bends_ || (!straight_ && leads_tip(from_, motion_))) return led_extents(from, to);
+  if (bends_ || (!straight_ && leads_tip())) return led_extents(from, to);
   if (from <= 0 && to >= 1) return machine_extents(roles_, from_, motion_, curve_);
   const ToolPosition piece_from{curve_.at(from), at(from), from_.turn, from_.space};
   Motion piece = motion_;

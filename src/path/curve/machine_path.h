@@ -29,6 +29,9 @@ class MachinePath {
   bool rolls_over(std::size_t axis) const { return motion_.detail && (motion_.detail->rolled >> axis & 1U) != 0; }
 
   Axes at(double part) const;
+  bool leads_tip() const { return kadr::leads_tip(from_, motion_); }
+  /// Where the tip is then in the part, where it is led.
+  Vec3 tip(double part) const { return led_tip(roles_, from_, motion_, curve_.at(part), part); }
 
   /// Number of equal pieces whose chords stay within `chord` mm of the path, of the tool's tip too where that is led.
   int pieces(double chord) const;
@@ -52,6 +55,9 @@ class MachinePath {
  private:
   Extents led_extents(double from, double to) const;
   int samples_led() const;
+  /// The tip goes straight, the rotary axes evenly.
+  bool plainly_led() const { return bends_ && curve_.straight() && !(motion_.detail && motion_.detail->tip_way); }
+  double most_off_chord() const;
 
   static constexpr int most_halvings = 60;
 

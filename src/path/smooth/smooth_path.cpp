@@ -29,11 +29,12 @@ void SmoothPath::begin(const double* at) {
   feed_.clear();
   tag_.clear();
   on_curve_.assign(1, 0);
+  paced_.assign(1, 0);
   done_ = 1;
   settled_ = 0;
 }
 
-void SmoothPath::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag) {
+void SmoothPath::line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced) {
   const std::size_t last = pieces() * axes_;
   double squares = 0;
   for (std::size_t a = 0; a < axes_; ++a) squares += (to[a] - point_[last + a]) * (to[a] - point_[last + a]);
@@ -49,6 +50,7 @@ void SmoothPath::line_to(const double* to, double feed, double tolerance, bool o
     turn_.back() = std::sqrt(squares);
     tolerance_.back() = tolerance;
     on_curve_.back() = on_curve ? 1 : 0;
+    paced_.back() = paced ? 1 : 0;
   }
   point_.insert(point_.end(), to, to + axes_);
   bend_.insert(bend_.end(), axes_, 0);
@@ -58,6 +60,7 @@ void SmoothPath::line_to(const double* to, double feed, double tolerance, bool o
   feed_.push_back(feed);
   tag_.push_back(tag);
   on_curve_.push_back(0);
+  paced_.push_back(0);
 }
 
 std::size_t SmoothPath::piece_at(double s, std::size_t from) const {
@@ -200,6 +203,7 @@ void SmoothPath::forget(double before) {
   for (std::vector<double>* const one : {&turn_, &at_, &width_, &tolerance_, &room_, &length_, &feed_}) cut(*one, drop);
   cut(tag_, drop);
   cut(on_curve_, drop);
+  cut(paced_, drop);
   done_ -= std::min(done_, drop);
 }
 
@@ -248,6 +252,17 @@ void SmoothPath::evaluate(double s, std::size_t piece, double* x, double* x1, do
       x2[a] += bend[a] * g2;
     }
   });
+}
+
+double SmoothPath::feed_at(double s, std::size_t piece) const {
+  double pace = 1 / feed_[piece];
+  corners_near(s, piece, reach_, [&](std::size_t i) {
+    const double w = width_[i], offset = s - at_[i], away = std::fabs(offset);
+    if (paced_[i] == 0 || away >= w) return;
+    const double slope = SoftCorner::of(turn_[i]).at(away / w).slope;
+    pace += (1 / feed_[i] - 1 / feed_[i - 1]) * (offset > 0 ? -slope : slope);
+  });
+  return pace > 0 ? 1 / pace : feed_[piece];
 }
 
 }  // namespace kadr

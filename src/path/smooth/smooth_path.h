@@ -23,8 +23,8 @@ class SmoothPath {
 
   /// A straight piece, if it has a length. `feed`: the greatest speed, mm/s. `tolerance`: how far the corner at its beginning may be
   /// rounded, mm; more than 0, as a corner that may not be rounded is an end of the path. `on_curve`: that corner is one of a chain of
-  /// chords. `tag`: the caller's own.
-  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag);
+  /// chords. `tag`: the caller's own. `paced`: from the piece before to this one the feed changes as the path does where that is rounded.
+  void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced = false);
 
   /// Finds how wide the corners are rounded. Those near the end wait, but if this is all (`last`).
   ///   law  at no length is the path further from the straight pieces than the tolerance of the corners around; but where `stop` asked it
@@ -63,6 +63,11 @@ class SmoothPath {
   /// Position and its first two derivatives by the length, of each axis. `piece`: that holds s.
   void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2) const;
 
+  /// The feed goes over into that of the next piece as the corner between them is rounded.
+  bool is_paced(std::size_t vertex) const { return paced_[vertex] != 0 && width_[vertex] > 0; }
+  /// The feed at s, mm/s, with such corners: its inverse, the time, is rounded as the axes' ways are.
+  double feed_at(double s, std::size_t piece) const;
+
   /// How far x, the position at s, is beyond the tolerance of the corners felt there, as a share of it: from the straight pieces around.
   /// 0: not at all.
   double beyond(double s, std::size_t piece, const double* x) const;
@@ -92,9 +97,9 @@ class SmoothPath {
   std::vector<double> direction_;  // of each piece
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;
-  std::vector<char> on_curve_;  // of each vertex
-  struct Rounding {             // of a vertex
-    double inverse = 0;         // of its width
+  std::vector<char> on_curve_, paced_;  // of each vertex
+  struct Rounding {                     // of a vertex
+    double inverse = 0;                 // of its width
     const SoftCorner* shape = nullptr;
   };
   std::vector<Rounding> roundings_;  // while it settles, of all vertices

@@ -1,0 +1,66 @@
+// Corners of the axes' path where the tip is led. For motion/least_time/axis_motion; tests/motion/led_corner_test.cpp.
+
+#include "motion/least_time/led_corner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/matrix.h"
+
+namespace kadr {
+namespace {
+
+constexpr double straight_on = 1e-12;  // |Δu| of pieces that go on straight but for rounding
+constexpr double most_off = 0.1;       // mm: what rounding may move the axes, whatever the tip feels; a tolerance of more counts
+constexpr double most_swing = 0.05;    // degrees: of a rotary axis likewise
+constexpr double of_direction = 0.01;  // degrees: half of what its referees allow
+
+/// Degrees a mm of the tip's way; 0: the tip stands.
+double rate(double degrees, Vec3 tip) {
+  constexpr double stands = 1e-9;
+  const double way = length(tip);
+  return way > stands ? degrees / way : 0;
+}
+
+}  // namespace
+
+LedPiece led_piece(std::size_t axes, const Axes& from, const Axes& to, Vec3 tip_from, Vec3 tip_to, double feed) {
+  LedPiece piece;
+  piece.feed = feed;
+  double squares = 0;
+  for (std::size_t a = 0; a < axes; ++a) squares += (to[a] - from[a]) * (to[a] - from[a]);
+  piece.length = std::sqrt(squares);
+  if (!(piece.length > 0)) return piece;
+  piece.known = true;
+  for (std::size_t a = 0; a < axes; ++a) piece.along[a] = (to[a] - from[a]) / piece.length;
+  piece.tip = 1 / piece.length * (tip_to - tip_from);
+  return piece;
+}
+
+bool LedPiece::keeps_pace(const LedPiece& before) const {
+  constexpr double same = 1e-3;  // relative: of a curve's chords
+  const double now = feed * kadr::length(tip), then = before.feed * kadr::length(before.tip);
+  return known && before.known && now > 0 && std::fabs(now - then) <= same * now;
+}
+
+double led_tolerance(const LedPiece& before, const LedPiece& behind, double tolerance, AxisMask rotary) {
+  double turn = 0, swing = 0, off_direction = 0;
+  const Vec3 bend = behind.tip - before.tip, on = unit(unit(before.tip) + unit(behind.tip));
+  const double along = dot(bend, on), off = length(bend - along * on);
+  for (std::size_t a = 0; a < max_axes; ++a) {
+    const double change = behind.along[a] - before.along[a];
+    turn += change * change;
+    if ((rotary >> a & 1U) == 0) continue;
+    swing += change * change;
+    const double one = rate(before.along[a], before.tip), other = rate(behind.along[a], behind.tip);
+    const double beside = change - (one + other) / 2 * along;  // what the axis turns more than the tip's place asks for
+    off_direction += beside * beside;
+  }
+  turn = std::sqrt(turn);
+  if (turn < straight_on) return tolerance;
+  const double felt = std::max(off / tolerance, std::sqrt(off_direction) / of_direction);  // of what is allowed, a unit of rounding
+  return std::min(
+      {turn / std::max(felt, straight_on), std::max(most_off, tolerance), most_swing * turn / std::max(std::sqrt(swing), straight_on)});
+}
+
+}  // namespace kadr
