@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 using kadr::fuzz::require;
 
-enum : unsigned { mirrored = 1, calls_inside = 2, stops = 4, narrow = 8, letters_bound = 128 };
+// five_axes: with calls_inside a head-head, with stops a head-table, else a table-table (fuzz/nct_seeds).
+enum : unsigned { five_axes = 1, calls_inside = 2, stops = 4, narrow = 8, letters_bound = 128 };
 
 /// The program memory: a folder of its own for this process, taken away at its end.
 class Memory {
@@ -87,6 +88,25 @@ void add_parameters(kadr::Setup& s, unsigned switches) {
   for (const char* const bit : {"N1746#3", "N1746#4", "N1757#0"}) s.parameters[key(bit)] = (switches & letters_bound) != 0 ? 1.0 : 0.0;
 }
 
+/// As parameters, for nothing reads a set-up's text here (spec/nct/25a); A is axis 4, C axis 5.
+void add_kinematics(kadr::Setup& s, unsigned switches) {
+  if ((switches & five_axes) == 0) return;
+  const auto set = [&](const char* const name, double value) { s.parameters[key(name)] = value; };
+  const bool heads = (switches & calls_inside) != 0, mixed = !heads && (switches & stops) != 0;
+  const double a[] = {4, 1}, c[] = {5, 3};  // index, letter
+  set("N3200", heads ? 1 : mixed ? 3 : 2);
+  set("N3201", 3);
+  set("N3204", heads ? c[0] : a[0]);
+  set("N3205", heads ? c[1] : a[1]);
+  set("N3208", heads ? a[0] : c[0]);
+  set("N3209", heads ? a[1] : c[1]);
+  set("N3212#RD2", mixed ? 1 : 0);
+  set("N3212#4", (switches & letters_bound) != 0 ? 1 : 0);                       // BSE
+  set("N3212#7", (switches & narrow) != 0 ? 1 : 0);                              // FOS
+  const double offsets[] = {300, -200, -450, 0, 4, -60, 5, -3, 200, 20, 8, 50};  // T1, T2, E, D
+  for (std::size_t i = 0; i < std::size(offsets); ++i) set(("N" + std::to_string(3213 + i)).c_str(), offsets[i]);
+}
+
 kadr::Setup nct_setup(unsigned switches) {
   kadr::Setup s;
   s.axes = {"X", "Y", "Z", "A", "C", "XDE"};
@@ -106,6 +126,7 @@ kadr::Setup nct_setup(unsigned switches) {
   s.points = {0.25, 0.5};
   add_tools(s);
   add_parameters(s, switches);
+  add_kinematics(s, switches);
   s.single_block = s.optional_stop = (switches & stops) != 0;
   if ((switches & stops) != 0) s.skip = {1, 3};
   if ((switches & narrow) != 0) s.machine["*"].limits = {-300, 300};

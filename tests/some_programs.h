@@ -227,9 +227,71 @@ inline const std::map<std::string, std::vector<std::string>> blocks_of = {
       "N@ S M3",   "N@ T1 M6",    "N@ Z",          "N@ G41 D1 X", "N@ G40 X", "N@ H3",  "N@ X M20", "N@ R1 5", "N@ L81 R2-5 R3-20 R10 R7 1",
       "N@ G43 D1", "N@ M5",       "N@ G4 F1"}}};
 
-inline std::string random_program(const std::string& id, std::mt19937& choose) {
+/// Chapter 25 of the NCT, on a machine with axes A and C.
+inline const std::vector<std::string> five_axis_blocks = {"G0 X Y Z",
+                                                          "G1 X Y Z F",
+                                                          "G1 X Y A C F",
+                                                          "A C",
+                                                          "G91 A5",
+                                                          "G90",
+                                                          "G0 A C",
+                                                          "G2 X Y R",
+                                                          "G3 X Y I J",
+                                                          "G2 X1 Y2 R60 A C",
+                                                          "G0 G43.1 H1",
+                                                          "G0 G43.1 H1 Z A",
+                                                          "G1 G43.4 H1 X F",
+                                                          "G0 G43.4 H1 A C",
+                                                          "G1 G43.4 P1 H1 F",
+                                                          "G0 G43.5 H1 I J K",
+                                                          "G1 G43.5 P1 H1 I J K50 F",
+                                                          "G1 X Y I J K40",
+                                                          "G1 X I0 J1 K2",
+                                                          "G0 G43.8 H1 D1 ,L2 I J K",
+                                                          "G0 G43.9 H1 D1 I0 J0 K1 ,L2 I0 J0 K1",
+                                                          "G1 X Y F ,L2 I J K40",
+                                                          "G49",
+                                                          "G49 Z",
+                                                          "G43 H1 Z",
+                                                          "G68.2 X Y Z I J K",
+                                                          "G68.2 P1 Q123 X I J K",
+                                                          "G68.2 P2 Q1 X Y Z",
+                                                          "G68.2 P2 Q2 X Y Z",
+                                                          "G68.2 P2 Q3 X Y Z",
+                                                          "G68.2 P2 Q0 R",
+                                                          "G68.2 P3 Q1 X I J K",
+                                                          "G68.2 P3 Q2 I J K",
+                                                          "G68.2 P4 X I J K",
+                                                          "G68.1 X I0 J1 K0 R",
+                                                          "G69.1",
+                                                          "G69.1",
+                                                          "G53.1",
+                                                          "G53.6 H1",
+                                                          "G53.6 H1 R50",
+                                                          "G53.6 H1 X Y",
+                                                          "G54.2 P1",
+                                                          "G54",
+                                                          "G54",
+                                                          "G55",
+                                                          "G52 X",
+                                                          "G92 Z",
+                                                          "G68 X Y R",
+                                                          "G69",
+                                                          "G81 X Y Z R F",
+                                                          "G80",
+                                                          "G41 D1 X",
+                                                          "G40 X Y",
+                                                          "G18",
+                                                          "G17",
+                                                          "G28 Z",
+                                                          "G53 Z",
+                                                          "G20",
+                                                          "G21",
+                                                          "#100=#5041",
+                                                          "G1 X#100 F100"};
+
+inline std::string random_program(const std::string& id, std::mt19937& choose, const std::vector<std::string>& all) {
   const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(choose); };
-  const std::vector<std::string>& all = blocks_of.at(id);
   std::string text = id == "correctors" || id == "s2c42" || id == "gost" ? "%\n" : "";
   const std::size_t lines = 5 + below(60);
   for (std::size_t i = 1; i <= lines; ++i) {
@@ -247,5 +309,7 @@ inline std::string random_program(const std::string& id, std::mt19937& choose) {
   else if (below(2) == 0) text += id == "nct" ? "M30\n" : "M2\n";
   return text;
 }
+
+inline std::string random_program(const std::string& id, std::mt19937& choose) { return random_program(id, choose, blocks_of.at(id)); }
 
 }  // namespace kadr::test

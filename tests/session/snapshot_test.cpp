@@ -198,5 +198,27 @@ TEST_P(SessionSnapshotOfRandomPrograms, goes_on_the_same) {
 INSTANTIATE_TEST_SUITE_P(session_snapshot, SessionSnapshotOfRandomPrograms, testing::Values("nct", "mach3", "gost", "correctors", "s2c42"),
                          [](const auto& control) { return std::string(control.param); });
 
+/// Chapter 25 on each kind of machine, with the axes' travel narrow or not, FOS and BSE one way and the other.
+TEST(session_snapshot, random_five_axis_programs_go_on_the_same) {
+  const std::vector<std::string> machines = {
+      R"("kinematics": {"type": "table-table", "axes": "AC", "reversed": "AC", "T1": [300, -200, -450], "T2": [0, 4, -60]})",
+      R"("kinematics": {"type": "head-head", "axes": "CA", "E": [5, -3, 200], "D": [20, 8, 50]})",
+      R"("kinematics": {"type": "head-table", "axes": "AC", "reversed": "C", "T1": [400, -250, -500], "E": [2, -1, 180]})"};
+  const std::string rest = R"("axes": ["X", "Y", "Z", "A", "C"], "start": {"Z": 100}, "offsets": {"1": {"length": 60, "radius": 4}},
+      "work_offsets": {"G54": {"X": 30, "C": 20}, "G55": {"Z": -25, "G17": 30}})";
+  Folder folder;
+  std::mt19937 choose(10);
+  Tally tally;
+  for (std::size_t i = 0; i < 400; ++i) {
+    const std::string bits =
+        std::string(R"("parameters": {"N3212#4": )") + (i % 4 < 2 ? "0" : "1") + R"(, "N3212#7": )" + (i % 2 == 0 ? "0}" : "1}");
+    const auto setup = parse_setup("{" + machines[i % 3] + ", " + bits + ", " + rest + "}");
+    ASSERT_TRUE(setup) << i;
+    check({"nct", "random five-axis " + std::to_string(i), test::random_program("nct", choose, test::five_axis_blocks), "main.nct", *setup},
+          {i % 5 != 0, i % 20 == 3, i % 7 == 2}, choose, tally);
+  }
+  EXPECT_GT(tally.restored, 300U);
+}
+
 }  // namespace
 }  // namespace kadr

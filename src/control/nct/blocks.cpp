@@ -202,7 +202,7 @@ Result<bool> before_plan(Interpreter& m) {
   }
   if (const auto called = call_with_block(m); !called || *called) return called;
   if (const auto called = call_by_code(m); !called || *called) return called;
-  const bool looks_closer = watches_words(m);
+  const bool looks_closer = watches_words(m) || watches_codes(m);
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
       !looks_closer) {                                                           // known to be right from the pass before …
     if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but for values that may have changed

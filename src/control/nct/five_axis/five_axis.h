@@ -35,6 +35,8 @@ void note_positioned(Interpreter& m, AxisMask named);
 Status five_axis_block(Interpreter& m);
 /// That every block must go through the above.
 bool watches_words(const Interpreter& m);
+/// That the block must: its codes may not go together with the tip that is led.
+bool watches_codes(const Interpreter& m);
 /// A straight motion while the tip is led along a way of its own, or the basic rotation leans the tool.
 bool leads_lines(const Interpreter& m);
 Status led_line(Interpreter& m, const Call& call, MotionKind kind);

@@ -200,6 +200,8 @@ bool watches_words(const Interpreter& m) {
   return five.plane.kind != 0 || by_vector(five.lead) || leads_contact(five.lead) || five.posture;
 }
 
+bool watches_codes(const Interpreter& m) { return leads_tip(nct_of(m).state.five_axis.lead) && m.has('G'); }
+
 Status five_axis_block(Interpreter& m) {
   const FiveAxisState& five = nct_of(m).state.five_axis;
   if (five.plane.kind != 0) KADR_TRY(finish_plane(m));
