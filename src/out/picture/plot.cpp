@@ -83,6 +83,7 @@ void Plot::take_motion(const Step& step, const Motion& motion) {
   if (cuts(stroke)) {
     if (zeros_.empty()) take_reference();
     mark_zero();
+    directions_.take(step, shift_);
   }
   if (shaded_) {
     shaded_->wait(motion, step.from, shift_, stroke, last_line_);
@@ -145,7 +146,7 @@ std::vector<PlotMark> Plot::marks() const {
 tl::expected<void, std::string> Plot::write(const ResultFile& file, const PlotTitle& title) const {
   PlotPath contour = contour_;
   contour.move_all(-1.0 * first_origin_);
-  return draw_page(file, {path_, contour, zeros_, marks(), title, ShadeScale(colour_, path_)});
+  return draw_page(file, {path_, contour, zeros_, marks(), title, ShadeScale(colour_, path_), directions_.leaning()});
 }
 
 }  // namespace kadr

@@ -8,6 +8,7 @@
 
 #include "kinematics/chain.h"
 #include "out/picture/plot_shades.h"
+#include "out/picture/tool_directions.h"
 #include "out/trace/result_file.h"
 
 namespace kadr {
@@ -76,6 +77,7 @@ class Plot {
   Chain chain_;
   Vec3 here_;  // where the path ends
   PlotPath path_;
+  ToolDirections directions_;
   std::optional<ShadedMotions> shaded_;
   PlotColour colour_ = PlotColour::stroke;
   Vec3 first_origin_;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "out/picture/plot_marks.h"
+#include "out/picture/plot_view.h"
 #include "out/picture/text_width.h"
 #include "out/text/limit_text.h"
 
@@ -16,7 +17,7 @@ const TextStyle style{13, ink, Align::left, false};
 constexpr double swatch = 32, behind_swatch = 8, between = 26;
 
 struct Words {
-  const char *rapid, *feed, *arc, *plunge, *contour, *beside, *zero, *start, *end, *stop, *stop_line, *stop_file, *thinned, *cropped;
+  const char *rapid, *feed, *arc, *plunge, *contour, *beside, *zero, *start, *end, *stop, *stop_line, *stop_file, *thinned, *cropped, *tool;
   const char *speed, *limits;
 };
 constexpr Words english = {"rapid",
@@ -33,6 +34,7 @@ constexpr Words english = {"rapid",
                            "stopped by an alarm: line {} of {}",
                            "thinned: of {} points, those closer than {} {} are left out",
                            "rapid motion goes on beyond the picture",
+                           "tool",
                            "speed (least time), {}:",
                            "limited (least time) by"};
 constexpr Words russian = {"быстрый ход",
@@ -49,6 +51,7 @@ constexpr Words russian = {"быстрый ход",
                            "останов по ошибке: строка {} файла {}",
                            "прорежено: из {} точек не показаны те, что ближе {} {}",
                            "быстрый ход продолжается за пределами рисунка",
+                           "инструмент",
                            "скорость (мин. время), {}:",
                            "ограничение (мин. время):"};
 
@@ -116,6 +119,7 @@ void draw_strokes_row(Row& row, const PlotScene& scene, const Words& w) {
     row.words(fmt::format(fmt::runtime(w.speed), speed_unit_name(scene.title.unit, scene.title.lang)), 22);
     row.speeds(shades, mm_of(scene.title.unit));
   }
+  if (!scene.tools.empty()) row.sample(tool_ink, w.tool);
   if (scene.contour.points().empty()) return;
   row.stroke(Stroke::contour, w.contour, behind_swatch);
   if (shades.by() == PlotColour::stroke) row.words(w.beside);

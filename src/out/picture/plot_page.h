@@ -15,6 +15,7 @@ struct PlotScene {
   const std::vector<PlotMark> marks;
   const PlotTitle& title;
   ShadeScale shades;
+  std::vector<ToolDirection> tools{};  // which way the tool leans
 };
 
 /// Without its folder.

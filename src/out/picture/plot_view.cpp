@@ -121,6 +121,18 @@ void draw_scale_bar(Canvas& canvas, Vec2 at, const ViewScale& scale, LengthUnit 
   canvas.text({at.x - width / 2, at.y - 7}, number_text(size, 4) + " " + unit_name(unit, lang), {12, ink, Align::centre, false});
 }
 
+/// Lines from the tip into the tool, as long as shows on a part of this size.
+void draw_tools(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene, const Box& room) {
+  if (scene.tools.empty()) return;
+  constexpr double part = 0.12, width = 0.7;
+  const Vec3 size = room.most - room.least;
+  const double length = part * std::max({size.x, size.y, size.z});
+  canvas.begin("tool directions");
+  for (const ToolDirection& tool : scene.tools)
+    canvas.line(scale.page(projected(view, tool.at)), scale.page(projected(view, tool.at + length * tool.direction)), tool_ink, width);
+  canvas.end();
+}
+
 /// What the isometric view shows, in its plane: the cutting's box, and of the path what is in the whole box, whose corners are mostly
 /// empty.
 FlatBox seen_of(const PlotScene& scene, const Box& room, const Box& box) {
@@ -181,6 +193,7 @@ void draw_plane(Canvas& canvas, const Area& area, View view, const PlotScene& sc
   canvas.fill(field, paper);
   draw_grid(canvas, field, view, scale, scene.title.unit);
   canvas.clip(field);
+  draw_tools(canvas, view, scale, scene, box);
   draw_strokes(canvas, view, scale, scene);
   draw_zeros(canvas, view, scale, scene.zeros);
   draw_marks(canvas, view, scale, scene, field);
@@ -198,6 +211,7 @@ void draw_isometric(Canvas& canvas, const Area& area, const PlotScene& scene, co
   canvas.fill(area, paper);
   canvas.clip(area);
   draw_floor(canvas, scale, room, scene.title.unit);
+  draw_tools(canvas, View::isometric, scale, scene, room);
   draw_strokes(canvas, View::isometric, scale, scene);
   draw_zeros(canvas, View::isometric, scale, scene.zeros);
   draw_sizes(canvas, scale, room, scene.title.unit);

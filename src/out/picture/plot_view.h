@@ -41,6 +41,7 @@ struct StrokeStyle {
   double width;
   bool dashed;
 };
+inline constexpr Colour tool_ink = colour(0xCC79A7);  // of the tool's directions
 StrokeStyle style_of(Stroke stroke, std::size_t points);
 
 }  // namespace kadr
