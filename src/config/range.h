@@ -23,6 +23,7 @@ inline constexpr NumberRange acceleration = {1e-3, 1e9, "mm/s² or degrees/s²",
 inline constexpr NumberRange jerk = {1e-3, 1e12, "mm/s³ or degrees/s³", "мм/с³ или град/с³"};
 inline constexpr NumberRange seconds = {0, 86400, "s", "с"};  // a day
 inline constexpr NumberRange speed = {0, 1e6, "rev/min", "об/мин"};
+inline constexpr NumberRange singular = {0, 5, "degrees", "градусов"};  // by which a direction may be missed
 inline constexpr NumberRange percent = {0, 1000, "%", "%"};
 inline constexpr NumberRange scale = {1e-9, 1e9};
 inline constexpr NumberRange any = {-1e300, 1e300};

@@ -49,6 +49,7 @@ struct KinematicsSetup {
   std::string type;                                    // head-head, table-table, head-table; empty: none is given
   std::string axes, reversed;                          // letters
   std::map<std::string, std::vector<double>> vectors;  // T1, T2, E, D: mm
+  double singular = 0.01;  // degrees: a direction so near to one that it can have with an axis where that stands is taken for it
 };
 
 struct SpindleSetup {

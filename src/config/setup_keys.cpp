@@ -20,7 +20,8 @@ constexpr SetupRange position{ranges::position.least, ranges::position.most};
 constexpr SetupRange told_by_reader(const NumberRange& range) { return {range.least, range.most, true}; }
 constexpr SetupRange place = told_by_reader(ranges::position), rate = told_by_reader(ranges::rate), feed = told_by_reader(ranges::feed);
 constexpr SetupRange acceleration = told_by_reader(ranges::acceleration), seconds = told_by_reader(ranges::seconds);
-constexpr SetupRange speed = told_by_reader(ranges::speed), percent = told_by_reader(ranges::percent);
+constexpr SetupRange speed = told_by_reader(ranges::speed), percent = told_by_reader(ranges::percent),
+                     singular = told_by_reader(ranges::singular);
 constexpr SetupRange distance = told_by_reader(ranges::distance), diameter = told_by_reader(ranges::diameter);
 constexpr SetupRange count{0, 99'999'999};
 constexpr SetupRange bits{0, 4'294'967'295};
@@ -184,6 +185,7 @@ constexpr SetupKey keys[] = {
   {"kinematics.T2", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[0, 4, -60]", "", "from there to the second table's axis", "оттуда до оси второго стола"},
   {"kinematics.E", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[5, -3, 200]", "", "from the gauge point to the axis nearest to the tool", "от базы инструмента до ближайшей к нему оси"},
   {"kinematics.D", F::numbers, N::fixed, place, U::mm, stated, H::machine_axes, "", "[20, 8, 50]", "", "from the second axis of the head to the first", "от второй оси головки до первой"},
+  {"kinematics.singular", F::number, N::fixed, singular, U::degrees, stated, H::machine_axes, "", "0.05", "", "by how much a vector of G43.5, G43.9 may be missed so that an axis need not whirl near a singular direction; default 0.01, 0: not at all", "на сколько можно отойти от вектора G43.5, G43.9, чтобы ось не раскручивалась у особого направления; по умолчанию 0.01, 0 — нельзя"},
   {"frame", F::table, N::any, any, U::none, null, H::machine_axes, "", "{}", "", "of a printed state; must be empty", "из напечатанного состояния; должно быть пусто"},
 };
 

@@ -93,6 +93,7 @@ void kinematics(const Json& value, const std::string& key, KinematicsSetup& to) 
              {{"type", [&](const Json& v, const std::string& k) { to.type = word(v, k); }},
               {"axes", [&](const Json& v, const std::string& k) { to.axes = word(v, k); }},
               {"reversed", [&](const Json& v, const std::string& k) { to.reversed = word(v, k); }},
+              {"singular", to_range(to.singular, ranges::singular)},
               {"T1", vector},
               {"T2", vector},
               {"E", vector},

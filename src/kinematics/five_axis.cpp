@@ -176,6 +176,19 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   return best->at;
 }
 
+/// The direction goes round on a circle as the other axis turns: p + cos(t) c + sin(t) s, nearest to w at tan(t) = s·w / c·w.
+std::optional<FiveAxis::Kept> FiveAxis::kept(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
+  const bool first_stays = group == MachineGroup::head_head;
+  const auto pair = [&](double other) { return first_stays ? RotaryPair{present.first, other} : RotaryPair{other, present.second}; };
+  const Vec3 at_0 = direction(pair(0), zero), at_90 = direction(pair(90), zero), at_180 = direction(pair(180), zero);
+  const Vec3 middle = 0.5 * (at_0 + at_180), c = at_0 - middle, s = at_90 - middle;
+  const double angle = degrees(std::atan2(dot(s, wanted), dot(c, wanted)));
+  const auto other = nearest(first_stays ? second : first, angle, first_stays ? present.second : present.first);
+  if (!other) return std::nullopt;
+  const Vec3 found = direction(pair(*other), zero);
+  return Kept{pair(*other), degrees(std::atan2(length(cross(found, wanted)), dot(found, wanted))), first_stays};
+}
+
 std::optional<RotaryPair> FiveAxis::continued(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
   const RotarySolutions all = solutions(wanted, zero);
   std::optional<RotaryPair> best;

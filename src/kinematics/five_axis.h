@@ -73,6 +73,15 @@ struct FiveAxis {
   /// within its limits (25g 3). INFERRED: of two that are equal by all rules the one whose primary axis is not negative.
   ///   returns  nothing: not to be reached
   std::optional<RotaryPair> chosen(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
+  /// Near a singular direction: the axis whose position is free there stays at `present`, the other one comes as near to the direction as
+  /// it can. In a table-table machine and one with head and table the second is free, else the first.
+  ///   returns  the pair and by how many degrees its direction is off; nothing: the other one's limits
+  struct Kept {
+    RotaryPair at;
+    double off = 0;
+    bool first_stays = false;
+  };
+  std::optional<Kept> kept(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
   /// The pair nearest to `present`, whatever the limits: that which goes on from there.
   std::optional<RotaryPair> continued(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
 };

@@ -257,9 +257,14 @@ void ChannelRun::wait_until(double at) {
 /// out: trace, summary, plot; here alone it is told where the tool stands before each action, and when that happens.
 ///   from  before the batch
 void ChannelRun::hand_out(ToolPosition from) {
-  const auto watched = [this](const Action& action) { return is_suspect(action); };
+  const auto leads = [](const auto& space) { return space && space->leads_tip(); };
+  const bool led = leads(from.space) || std::any_of(batch_.begin(), batch_.end(), [&](const Action& action) {
+                     const auto* const frame = std::get_if<FrameChange>(&action.what);
+                     return frame != nullptr && leads(frame->placement.space);
+                   });
+  const auto watched = [this](const Action& action) { return !now_.too_fast_told && is_suspect(action); };
   const bool looks_on = ((outlets_.step || outlets_.timed) && !outlets_.silent) || clock_ != nullptr;
-  if (!looks_on && (now_.too_fast_told || std::none_of(batch_.begin(), batch_.end(), watched))) return;
+  if (!looks_on && !led && std::none_of(batch_.begin(), batch_.end(), watched)) return;
   Steps steps(machine_.roles(), std::move(from), clock_);
   for (const Action& action : batch_) give(steps, action);
 }
@@ -279,6 +284,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
     else if (outlets_.timed) outlets_.timed(step, 0);
     if (!moves && outlets_.step) outlets_.step(step);
     if (!now_.too_fast_told && is_suspect(step.action)) watch_feed(step);
+    if (step.from.space && step.from.space->leads_tip()) watch_whirl(step);
   });
 }
 
@@ -286,6 +292,13 @@ void ChannelRun::give(Steps& steps, const Action& action) {
 bool ChannelRun::is_suspect(const Action& action) const {
   const auto* const motion = std::get_if<Motion>(&action.what);
   return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
+}
+
+void ChannelRun::watch_whirl(const Step& step) {
+  const auto whirl = now_.whirls.look(step);
+  if (whirl)
+    warn(settled().report_for(warning(AlarmId::axis_whirls, {}, control_.axes()[whirl->axis], whirl->degrees, whirl->way),
+                              step.action.origin));
 }
 
 /// motion: a feed that an axis cannot do is told once; the motion takes what it takes at rapid.

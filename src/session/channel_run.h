@@ -13,6 +13,7 @@
 #include "control/control.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
+#include "machine/whirl.h"
 #include "motion/look_ahead/look_ahead.h"
 #include "motion/time/steps.h"
 #include "path/contour/contour_corners.h"
@@ -115,6 +116,7 @@ class ChannelRun {
     double goes_on_at = 0;  // time at which it waited last …
     double spent_then = 0;  // … and what it had spent until then: no sum that rounding could put out of order
     bool too_fast_told = false;
+    WhirlWatch whirls{};
   };
   /// All that decides how it goes on, its rooms included: a value.
   struct Memory {
@@ -143,6 +145,7 @@ class ChannelRun {
   void give(Steps& steps, const Action& action);
   bool is_suspect(const Action& action) const;
   void watch_feed(const Step& step);
+  void watch_whirl(const Step& step);
   TimeEstimate& clock();
   VirtualTime spent() { return virtual_time(clock().split()); }
   void note_place();

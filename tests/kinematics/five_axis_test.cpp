@@ -169,5 +169,25 @@ RC_GTEST_PROP(five_axis, continued_goes_no_farther_than_the_other_pair, ()) {
   RC_ASSERT(std::fabs(found->second - from.second) <= 180 + 1e-9);
 }
 
+/// Of all positions of the axis that may move, by steps of a hundredth of a degree, none comes nearer.
+TEST(five_axis, near_a_pole_the_free_axis_may_stand) {
+  for (const FiveAxis& m : machines()) {
+    const RotaryPair present{25, -40};
+    const Vec3 wanted = unit(m.direction({30, -37}));
+    const auto kept = m.kept(wanted, present);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->first_stays, m.group == MachineGroup::head_head);
+    EXPECT_EQ(kept->first_stays ? kept->at.first : kept->at.second, kept->first_stays ? present.first : present.second);
+    const double off = distance(m.direction(kept->at), wanted);
+    EXPECT_NEAR(2 * std::asin(off / 2) / rad_per_deg, kept->off, 1e-6);
+    double nearest = 2;
+    for (int i = -18000; i < 18000; ++i) {
+      const RotaryPair tried = kept->first_stays ? RotaryPair{present.first, i / 100.} : RotaryPair{i / 100., present.second};
+      nearest = std::min(nearest, distance(m.direction(tried), wanted));
+    }
+    EXPECT_LE(off, nearest + 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace kadr

@@ -166,6 +166,7 @@ struct Memory {
   Vec3 normal_before;        // of the surface, where the block's motion begins (25.17)
   // of the machine and its operator
   std::array<std::pair<double, double>, max_axes> axis_limits{};  // end positions, machine coordinates
+  double singular = 0;                                            // degrees: of the set-up's kinematics
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};
   std::uint32_t control_1 = 0, control_2 = 0;  // #3003, #3004

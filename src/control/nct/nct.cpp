@@ -176,6 +176,7 @@ void Nct::refresh_settings(Interpreter& m) {
 bool Nct::start(Interpreter& m, const Setup& setup) {
   setup_reference_ = m.tables.reference;
   refresh_settings(m);
+  singular = setup.kinematics.singular;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
     axis_limits[a] = {-unlimited, unlimited};

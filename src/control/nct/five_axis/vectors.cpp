@@ -91,6 +91,23 @@ Status take_normal(Interpreter& m, ToolLead lead) {
   return {};
 }
 
+/// Where the control's choice turns the axis far that is free in a singular direction, and that may stand: it does. Not of the manual.
+std::optional<RotaryPair> without_whirl(Interpreter& m, const Word& where, Vec3 wanted, RotaryPair present,
+                                        const std::optional<RotaryPair>& chosen) {
+  constexpr double far = 20;  // degrees
+  const Nct& nct = nct_of(m);
+  const PartSpaceData& d = space_of(m)->data();
+  if (!(nct.singular > 0)) return chosen;
+  const bool head = d.machine.group == MachineGroup::head_head;
+  if (chosen && std::fabs(head ? chosen->first - present.first : chosen->second - present.second) < far) return chosen;
+  const auto kept = d.machine.kept(wanted, present, d.measured);
+  if (!kept || kept->off > nct.singular) return chosen;
+  constexpr double rounding = 1e-9;  // degrees
+  const int axis = kept->first_stays ? d.machine.first.axis : d.machine.second.axis;
+  if (kept->off > rounding) m.warn(warning(AlarmId::axis_kept, where.where, m.axis_names[static_cast<std::size_t>(axis)], kept->off));
+  return kept->at;
+}
+
 /// Words of the rotary axes take the place of the first two of I J K: the block positions them.
 Status direct(Interpreter& m, ToolLead lead, const Components& vector, std::uint32_t until) {
   Nct& nct = nct_of(m);
@@ -111,7 +128,7 @@ Status direct(Interpreter& m, ToolLead lead, const Components& vector, std::uint
       return fail(alarm(AlarmId::lead_angle, vector.first->where, 180.0));
     at = DirectionWay(space, present, from, on_machine, std::nullopt).rotary(1, present);
   } else {
-    at = d.machine.chosen(on_machine, present, d.measured);
+    at = without_whirl(m, *vector.first, on_machine, present, d.machine.chosen(on_machine, present, d.measured));
   }
   if (!at) return fail(alarm(AlarmId::direction_unreachable, vector.first->where, wanted.x, wanted.y, wanted.z));
   RotaryPair programmed = *at;
