@@ -133,6 +133,7 @@ struct MotionDetail {
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the way in or out
   std::vector<Follower> followers;    // each after its master; their way is no part of the path
   std::shared_ptr<const TipWay> tip_way;
+  AxisMask parked = 0;  // axes that stand, as the machine's logic has parked them: only calculated (nct 20.2)
   bool evenly = false;  // the axes go evenly, although the tip is led by other motions (G53, nct 25.2)
   std::optional<ContourData> contour;
 };

@@ -9,10 +9,25 @@
 
 namespace kadr {
 
-/// A rotation of the main axes (nct 10.2.3).
+/// Which axis of the machine each programmed one drives, and which of them backwards, about the machine's zero (nct 20.3, 20.4).
+struct AxisDrives {
+  std::array<std::int8_t, max_axes> axis;  // a permutation
+  AxisMask reversed = 0;                   // programmed axes
+  bool is_own = true;                      // each its own, forwards
+  AxisDrives();
+  friend bool operator==(const AxisDrives&, const AxisDrives&) = default;
+
+  std::size_t of(std::size_t programmed) const { return static_cast<std::size_t>(axis[programmed]); }
+  double sense(std::size_t programmed) const { return (reversed >> programmed & 1U) != 0 ? -1 : 1; }
+  Axes driven(const Axes& programmed) const;
+  Axes programmed(const Axes& driven) const;
+};
+
+/// A rotation of the main axes (nct 10.2.3), and the axes that then carry it out.
 struct FrameTurn {
   std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};  // of the matrix
   std::array<std::int8_t, 3> main{0, 1, 2};                               // axes X, Y, Z by index, -1: none
+  AxisDrives drives;
   friend bool operator==(const FrameTurn&, const FrameTurn&) = default;
 };
 
@@ -60,7 +75,7 @@ class WorkSpace {
   virtual AxisMask rotary_axes() const = 0;
 };
 
-/// machine = origin + length + work; with a turn, on the main axes: origin + length + turn · (shift + work).
+/// machine = origin + length + work; with a turn, on the main axes: origin + length + turn · (shift + work); then as the axes are driven.
 ///   law  work_of(machine_of(w)) == w up to rounding
 struct Placement {
   Axes origin{};                             // of the work system, machine coordinates, all shifts included that are not turned
@@ -71,9 +86,11 @@ struct Placement {
   friend bool operator==(const Placement&, const Placement&) = default;
 
   Axes machine_of(const Axes& work) const;
-  Axes work_of(const Axes& machine) const;
-  /// With a turn the main axes move together.
+  Axes work_of(const Axes& driven) const;
+  /// Axes of the machine that move with these programmed ones: with a turn the main axes together.
   AxisMask moved_with(AxisMask named) const;
+  /// The axis of the machine that a programmed one drives.
+  std::size_t driven(std::size_t axis) const { return turn == nullptr ? axis : turn->drives.of(axis); }
   /// A sum, axis by axis.
   bool is_plain() const { return turn == nullptr && (space == nullptr || space->is_plain()); }
 };

@@ -55,6 +55,21 @@ inline Vec3 led_tip(const AxisRoles& roles, const ToolPosition& from, const Moti
   return {of(0), of(1), of(2)};
 }
 
+/// Axes that follow others (of a parked one what is calculated), and those that are parked. `ways`: the work coordinates turned.
+inline void follow_along(const ToolPosition& from, const Motion& motion, const Axes& ways, double part, Axes& machine) {
+  const AxisMask parked = motion.detail->parked;
+  const auto stands = [&](std::size_t axis) { return (parked >> axis & 1U) != 0; };
+  const Axes start = parked != 0 ? turned(from.turn.get(), from.work) : Axes{};
+  for (const Follower& f : motion.detail->followers) {
+    const double way = stands(f.master) ? ways[f.master] - start[f.master] : machine[f.master] - from.machine[f.master];
+    machine[f.axis] = part < 1 ? from.machine[f.axis] + f.sign * way : motion.machine[f.axis];
+  }
+  for (AxisMask left = parked; left != 0; left &= left - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
+    machine[axis] = from.machine[axis];
+  }
+}
+
 /// Machine coordinates at the `part` of a motion where the work coordinates are `work`. What lies between the two (the work
 /// coordinates turned, if the frame is) is the same along the motion, or taken up evenly by it (a tool length that the next
 /// motion takes out, 2С42). An axis that rolls over counts on beyond its turn until the end.
@@ -70,8 +85,7 @@ inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, cons
     for (std::size_t i = 0; i < roles.count; ++i)
       if ((motion.detail->rolled >> i & 1U) != 0)
         machine[i] = part < 1 ? from.machine[i] + part * motion.detail->travel[i] : motion.machine[i];
-  for (const Follower& f : motion.detail->followers)
-    machine[f.axis] = part < 1 ? from.machine[f.axis] + f.sign * (machine[f.master] - from.machine[f.master]) : motion.machine[f.axis];
+  if (!motion.detail->followers.empty() || motion.detail->parked != 0) follow_along(from, motion, turned(turn, work), part, machine);
   return machine;
 }
 

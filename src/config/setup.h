@@ -106,10 +106,26 @@ std::string text_of(const ParameterKey& key);
 using ParameterValue = std::variant<double, std::string>;
 using Parameters = std::map<ParameterKey, ParameterValue>;
 
+/// What the machine's logic makes of an axis (nct 20.2 to 20.4).
+enum class AxisLink : std::uint8_t { follows, exchanged, reversed, parked };
+
 /// What the machine's logic does, and when (nct: PLC).
 struct SetupEvent {
   enum class When : std::uint8_t { block_start, block_end, code, stop, message, program_end };
-  enum class Do : std::uint8_t { set, skip, start, answer, power_cycle, synchronise, release, spindle_to_axis, axis_to_spindle };
+  enum class Do : std::uint8_t {
+    set,
+    skip,
+    start,
+    answer,
+    power_cycle,
+    synchronise,
+    release,
+    spindle_to_axis,
+    axis_to_spindle,
+    exchange,
+    reverse,
+    park
+  };
   When when = When::program_end;
   std::string block;  // "N30"
   std::string code;   // "M90"

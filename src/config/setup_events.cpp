@@ -13,15 +13,18 @@ namespace {
 using When = SetupEvent::When;
 using Do = SetupEvent::Do;
 
-constexpr std::array<std::pair<std::string_view, Do>, 9> deeds = {{{"set", Do::set},
-                                                                   {"skip", Do::skip},
-                                                                   {"start", Do::start},
-                                                                   {"answer", Do::answer},
-                                                                   {"power_cycle", Do::power_cycle},
-                                                                   {"synchronise", Do::synchronise},
-                                                                   {"release", Do::release},
-                                                                   {"spindle_to_axis", Do::spindle_to_axis},
-                                                                   {"axis_to_spindle", Do::axis_to_spindle}}};
+constexpr std::array<std::pair<std::string_view, Do>, 12> deeds = {{{"set", Do::set},
+                                                                    {"skip", Do::skip},
+                                                                    {"start", Do::start},
+                                                                    {"answer", Do::answer},
+                                                                    {"power_cycle", Do::power_cycle},
+                                                                    {"synchronise", Do::synchronise},
+                                                                    {"release", Do::release},
+                                                                    {"spindle_to_axis", Do::spindle_to_axis},
+                                                                    {"axis_to_spindle", Do::axis_to_spindle},
+                                                                    {"exchange", Do::exchange},
+                                                                    {"reverse", Do::reverse},
+                                                                    {"park", Do::park}}};
 
 /// "N30", ":5", "M90", "G53.1".
 bool is_word(std::string_view text, bool (*letter)(char)) {
@@ -79,6 +82,7 @@ void check_event(const Json& value, const std::string& key, const SetupEvent& ev
   if (event.what == Do::skip) needs("switch"), needs("on");
   if (event.what == Do::answer) needs("answer");
   if (event.what == Do::synchronise && event.axes.empty()) needs("spindle"), needs("master");
+  if (event.what >= Do::exchange && event.axes.empty()) needs("axes");
 }
 
 SetupEvent event(const Json& value, const std::string& key) {
@@ -96,6 +100,7 @@ SetupEvent event(const Json& value, const std::string& key) {
               {"axis", [&](const Json& item, const std::string& name) { event.axes = {word(item, name)}; }},
               {"axes", [&](const Json& item, const std::string& name) { event.axes = list(item, name, word); }}});
   check_event(value, key, event);
+  if (event.what >= Do::exchange && !value.contains("on")) event.on = true;
   return event;
 }
 

@@ -122,9 +122,9 @@ void Control::set_answer(double answer) {
 void Control::synchronise(int slave, int master) {
   if (MachineSide* const side = machine_side()) side->synchronise(slave, master);
 }
-void Control::couple_axes(const std::vector<std::string>& axes, bool on) {
+void Control::couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on) {
   for (const std::string& name : axes)
-    if (MachineSide* const side = machine_side()) side->couple_axis(*interpreter_, name, on);
+    if (MachineSide* const side = machine_side()) side->couple_axis(*interpreter_, name, link, on);
 }
 void Control::convert_spindle(int number, bool to_axis) {
   if (MachineSide* const side = machine_side()) side->convert_spindle(number, to_axis);

@@ -121,7 +121,7 @@ class Control {
   /// Spindle `slave` follows `master` (nct 11.7.4); 0: no more. `slave` 0: all spindles.
   void synchronise(int slave, int master);
   /// Axes follow the masters that N2101 names, or not any more (nct 20.2).
-  void couple_axes(const std::vector<std::string>& axes, bool on);
+  void couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on);
   /// The machine has made an axis of the spindle (nct 11.8): it stands, its loop is closed; or a spindle of it again.
   void convert_spindle(int number, bool to_axis);
   /// Power off and on: the program is over, and what only the power kept is lost (nct 23.1.4, 23.5).

@@ -46,7 +46,7 @@ class MachineSide {
   virtual void set_answer(double answer) = 0;
   /// Spindle `slave` follows `master`; 0: no more. `slave` 0: all spindles.
   virtual void synchronise(int slave, int master) = 0;
-  virtual void couple_axis(Interpreter& m, const std::string& name, bool on) = 0;
+  virtual void couple_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) = 0;
   virtual void convert_spindle(int number, bool to_axis) = 0;
   /// ms since the start of the run, and ms at feed since the last call.
   virtual void set_time(double now_ms, double cut_ms) = 0;

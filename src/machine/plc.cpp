@@ -65,8 +65,11 @@ bool is_seen(const std::string& code) {
 
 PlcCommand command_of(const SetupEvent& event) {
   const bool on = event.what == Do::synchronise;
-  if (!event.axes.empty() && (on || event.what == Do::release)) return CoupleAxes{event.axes, on};
+  if (!event.axes.empty() && (on || event.what == Do::release)) return CoupleAxes{event.axes, AxisLink::follows, on};
   switch (event.what) {
+    case Do::exchange: return CoupleAxes{event.axes, AxisLink::exchanged, event.on};
+    case Do::reverse: return CoupleAxes{event.axes, AxisLink::reversed, event.on};
+    case Do::park: return CoupleAxes{event.axes, AxisLink::parked, event.on};
     case Do::set: return SetSignal{event.signal, event.value};
     case Do::skip: return SetSkip{event.switch_number, event.on};
     case Do::start: return Start{};

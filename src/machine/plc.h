@@ -32,6 +32,7 @@ struct Synchronise {
 };
 struct CoupleAxes {
   std::vector<std::string> axes;
+  AxisLink link;
   bool on;
 };
 struct ConvertSpindle {

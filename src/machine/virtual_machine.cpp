@@ -164,7 +164,9 @@ ProbeAnswer VirtualMachine::probe(const Motion& motion) const {
 
 void end_at(Motion& motion, const ProbeAnswer& answer, const FrameTurn* turn) {
   const Axes before = turned(turn, motion.to), now = turned(turn, answer.at);
-  for (std::size_t i = 0; i < max_axes; ++i) motion.machine[i] += now[i] - before[i];
+  const AxisMask parked = motion.detail ? motion.detail->parked : 0;
+  for (std::size_t i = 0; i < max_axes; ++i)
+    if ((parked >> i & 1U) == 0) motion.machine[i] += now[i] - before[i];
   motion.to = answer.at;
   if (!motion.detail || answer.part == 1) return;
   auto detail = std::make_shared<MotionDetail>(*motion.detail);

@@ -11,7 +11,7 @@ void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Con
       if (const auto* const signal = std::get_if<SetSignal>(&command)) control->set_signal(signal->name, signal->value);
       else if (const auto* const skip = std::get_if<SetSkip>(&command)) control->set_skip(skip->number, skip->on);
       else if (const auto* const coupled = std::get_if<Synchronise>(&command)) control->synchronise(coupled->slave, coupled->master);
-      else if (const auto* const axes = std::get_if<CoupleAxes>(&command)) control->couple_axes(axes->axes, axes->on);
+      else if (const auto* const axes = std::get_if<CoupleAxes>(&command)) control->couple_axes(axes->axes, axes->link, axes->on);
       else if (const auto* const converted = std::get_if<ConvertSpindle>(&command))
         control->convert_spindle(converted->number, converted->to_axis);
       else if (std::holds_alternative<PowerCycle>(command)) control->power_cycle();

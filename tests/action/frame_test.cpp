@@ -42,6 +42,32 @@ TEST(frame, main_axes_may_stand_anywhere_or_be_missing) {
   EXPECT_EQ(turned(&quarter, {5, 9, 3}), (Axes{3, 9, -5}));
 }
 
+/// NCT 20.3, 20.4: any permutation, any senses, over a rotation, there and back; each axis of the machine has the programmed way of its
+/// own.
+RC_GTEST_PROP(frame, exchanged_and_reversed_axes_there_and_back, ()) {
+  test::Choices choose = test::choices(40);
+  auto turn = std::make_shared<FrameTurn>(rotation_of_the_manual());
+  AxisDrives& drives = turn->drives;
+  for (std::size_t i = 3; i > 0; --i)
+    std::swap(drives.axis[i], drives.axis[static_cast<std::size_t>(choose.between(0, static_cast<int>(i)))]);
+  drives.reversed = static_cast<AxisMask>(choose.between(0, 15));
+  drives.is_own = drives == AxisDrives();
+  Placement frame;
+  frame.origin = {100, -50, 20, 5};
+  frame.length = {0, 0, 80, 0};
+  frame.turn = turn;
+  const Axes work{choose.between(-100, 100) / 1.0, choose.between(-100, 100) / 1.0, 3, 7};
+  const Axes machine = frame.machine_of(work), back = frame.work_of(machine);
+  auto own = std::make_shared<FrameTurn>(rotation_of_the_manual());
+  frame.turn = own;
+  const Axes undriven = frame.machine_of(work), way = turned_back_axes(*turn, turned_axes(*turn, work));
+  for (std::size_t a = 0; a < 4; ++a) {
+    RC_ASSERT(std::fabs(back[a] - work[a]) < 1e-9);
+    RC_ASSERT(std::fabs(way[a] - work[a]) < 1e-9);
+    RC_ASSERT(machine[drives.of(a)] == drives.sense(a) * undriven[a]);
+  }
+}
+
 /// The slow twin: origin + length + turn · (shift + work), for each point.
 RC_GTEST_PROP(frame, points_of_an_arc_in_a_turned_frame, ()) {
   test::Choices choose = test::choices(40);

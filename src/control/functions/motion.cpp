@@ -140,7 +140,8 @@ Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask na
   if (dialect) KADR_TRY(dialect->may_move(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
-    position.machine[a] = machine[a];
+    const std::size_t driven = frames.driven(a);
+    position.machine[driven] = machine[driven];
     if (frames.is_plain()) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
   }
   if (!frames.is_plain()) position.work = frames.work_of(position.machine);

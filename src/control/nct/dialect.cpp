@@ -43,6 +43,7 @@ bool Nct::lose_power(Interpreter& m) {
   disengage(m);
   reset_program(m);
   couplings = {};
+  end_drives(m);
   couple_gantries(m);
   settings.keeps_codes = keeps_codes;
   m.batch = kept;
@@ -57,7 +58,10 @@ void Nct::add_variables(Interpreter& m, Ending& ending, const std::vector<std::s
 
 StateChanges Nct::take_changes(Interpreter& m) { return changes.take(m); }
 
-Result<bool> Nct::finish(Interpreter& m) { return end_contour(m); }
+Result<bool> Nct::finish(Interpreter& m) {
+  if (!drives.asked.empty()) carry_out_asked(m);
+  return finishing.empty() ? Result<bool>(false) : end_contour(m);
+}
 
 /// A clock variable stands in the block, or one by a computed number, or a text with variables (23.1.9). Its value must be that of the
 /// moment: all actions before it are handed over first, and from then on each block's.
@@ -121,7 +125,7 @@ Status Nct::arc(Interpreter& m, const Call& call, Turn turn) { return nct::arc(m
 bool Nct::lines_follow(const Interpreter& m) const {
   const bool plain_words = !m.modal.polar_data && !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none;
   const bool plain_motion = state.side_step == SideStep::none && !state.compensates && m.modal.smoothing < 2 && !drilling_on(m) &&
-                            couplings.axes == 0 && spindle_axes.empty() && finishing.empty() && !watches_words(m);
+                            couplings.axes == 0 && drives.parked == 0 && spindle_axes.empty() && finishing.empty() && !watches_words(m);
   return plain_words && plain_motion && state.active_modal_calls == 0 && !single_block && !watches_blocks() && !interrupted.active;
 }
 

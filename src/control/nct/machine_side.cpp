@@ -3,6 +3,7 @@
 #include "control/nct/calls/waiting.h"
 #include "control/nct/nct.h"
 #include "control/nct/spindles/coupling.h"
+#include "control/nct/spindles/drives.h"
 #include "control/state/search_rules.h"
 
 namespace kadr::nct {
@@ -26,7 +27,10 @@ void Nct::synchronise(int slave, int master) {
   }
 }
 
-void Nct::couple_axis(Interpreter& m, const std::string& name, bool on) { nct::couple_axis(m, name, on); }
+void Nct::couple_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) {
+  if (link == AxisLink::follows) nct::couple_axis(m, name, on);
+  else ask_of_axis(m, name, link, on);
+}
 
 void Nct::convert_spindle(int number, bool to_axis) {
   if (number < 1 || number > static_cast<int>(most_spindles)) return;

@@ -16,6 +16,7 @@
 #include "control/nct/measuring.h"
 #include "control/nct/programs.h"
 #include "control/nct/spindles/coupling.h"
+#include "control/nct/spindles/drives.h"
 #include "control/nct/tools/tools.h"
 #include "control/nct/turning/turning.h"
 #include "control/nct/variables/changes.h"
@@ -142,6 +143,7 @@ struct Memory {
   bool signal_rose = false;                           // CP_MINT, since it was looked at last
   std::map<std::string, double> signals;              // of the machine's logic
   Couplings couplings;                                // axes that follow others
+  Drives drives;                                      // exchanged, reversed, parked axes
   bool single_block = false;                          // the operator's switch
   std::uint8_t drilling_group = 0, motion_group = 0;  // of G80 and G0
   std::uint8_t stop_group = 0;                        // of G61 … G64
@@ -163,7 +165,7 @@ struct Memory {
   AxisMask taken_up = 0;      // axes that its motion positions too, where they were programmed last (25h)
   AxisMask by_direction = 0;  // rotary axes that its I J K position, at `directed` (25.14)
   Axes directed{};
-  Vec3 normal_before;        // of the surface, where the block's motion begins (25.17)
+  Vec3 normal_before;  // of the surface, where the block's motion begins (25.17)
   // of the machine and its operator
   std::array<std::pair<double, double>, max_axes> axis_limits{};  // end positions, machine coordinates
   double singular = 0;                                            // degrees: of the set-up's kinematics

@@ -75,7 +75,7 @@ class Nct : public Dialect, public MachineSide, public Memory {
   void set_signal(const std::string& name, double value) override;
   void set_answer(double to) override { answer = to; }
   void synchronise(int slave, int master) override;
-  void couple_axis(Interpreter& m, const std::string& name, bool on) override;
+  void couple_axis(Interpreter& m, const std::string& name, AxisLink link, bool on) override;
   void convert_spindle(int number, bool to_axis) override;
   void set_time(double at_ms, double cut_ms) override;
   const WrittenFiles& files_written() const override { return output.files(); }
@@ -89,7 +89,7 @@ class Nct : public Dialect, public MachineSide, public Memory {
   bool lose_power(Interpreter& m) override;
   void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) override;
   StateChanges take_changes(Interpreter& m) override;
-  bool has_unfinished() const override { return !finishing.empty(); }
+  bool has_unfinished() const override { return !finishing.empty() || !drives.asked.empty(); }
   Result<bool> finish(Interpreter& m) override;
   bool reads_clock(const Block& block) const override;
   void note_skip_mark(Interpreter& m) override;

@@ -47,7 +47,7 @@ bool is_circular(const ContourElement& e) {
 /// A motion in the plane may have the way in or out, axes that roll and followers besides.
 void without_contour(Motion& m) {
   if (contour_of(m) == nullptr) return;
-  if (m.detail->rolled == 0 && !m.detail->way && m.detail->followers.empty()) return m.detail.reset();
+  if (m.detail->rolled == 0 && !m.detail->way && m.detail->followers.empty() && m.detail->parked == 0) return m.detail.reset();
   auto detail = std::make_shared<MotionDetail>(*m.detail);
   detail->contour.reset();
   m.detail = std::move(detail);

@@ -10,9 +10,25 @@
 #include "path/curve/machine_path.h"
 
 namespace kadr {
+namespace {
+
+/// Axis by axis, whatever drives it.
+Extents sampled(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve) {
+  Extents box{from.machine, from.machine};
+  for (std::size_t i = 0; i < roles.count; ++i) {
+    const Range range = range_of([&](double part) { return machine_along(roles, from, motion, curve.at(part), part)[i]; }, curve.samples());
+    box.least[i] = range.least;
+    box.most[i] = range.most;
+  }
+  return box;
+}
+
+}  // namespace
 
 Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve) {
   if (leads_tip(from, motion)) return MachinePath(roles, from, motion, curve).extents(0, 1);
+  const bool parked = motion.detail && motion.detail->parked != 0;
+  if (parked || (from.turn && !from.turn->drives.is_own)) return sampled(roles, from, motion, curve);
   Extents box = curve.extents();
   const AxisMask rolled = motion.detail ? motion.detail->rolled : 0;
   for (std::size_t i = 0; i < roles.count; ++i) {

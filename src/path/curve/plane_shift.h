@@ -20,12 +20,14 @@ inline void shift_in_plane(Motion& motion, std::size_t first, std::size_t second
   motion.to[first] += by.x;
   motion.to[second] += by.y;
   const Axes now = turned(turn, motion.to);
-  for (std::size_t i = 0; i < max_axes; ++i) motion.machine[i] += now[i] - before[i];
+  const AxisMask parked = motion.detail ? motion.detail->parked : 0;
+  for (std::size_t i = 0; i < max_axes; ++i)
+    if ((parked >> i & 1U) == 0) motion.machine[i] += now[i] - before[i];
   if (!motion.detail) return;
   for (const Follower& f : motion.detail->followers) {
     const double way = f.sign * (now[f.master] - before[f.master]);
     motion.to[f.axis] += way;
-    motion.machine[f.axis] += way;
+    if ((parked >> f.axis & 1U) == 0) motion.machine[f.axis] += way;
   }
 }
 

@@ -75,7 +75,7 @@ TEST(coupling, no_axis_follows_itself_through_others) {
   Control machine(control("nct"), parse_setup(json).value(), Program{"test", text_source("G1 X1\n"), {}}, RunLimits{});
   int warnings = 0;
   machine.on_warning = [&](const AlarmReport& w) { warnings += w.alarm.id == AlarmId::coupling_parameter ? 1 : 0; };
-  machine.couple_axes({"V", "Y"}, true);
+  machine.couple_axes({"V", "Y"}, AxisLink::follows, true);
   EXPECT_EQ(warnings, 1);
 }
 

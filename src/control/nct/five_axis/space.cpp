@@ -114,10 +114,11 @@ void refresh_space(Interpreter& m) {
   head(d.machine.first, d.machine.first_on_table());
   head(d.machine.second, d.machine.second_on_table());
   const auto turn = space_of(m)->turn();
-  if (!turn || *turn == Mat3()) {
+  const AxisDrives& drives = nct_of(m).drives.now;
+  if (!turn || (*turn == Mat3() && drives.is_own)) {
     f.turn = nullptr;
-  } else if (!f.turn || f.turn->rows != turn->rows || f.turn->main != d.main) {
-    f.turn = std::make_shared<const FrameTurn>(FrameTurn{turn->rows, d.main});
+  } else if (!f.turn || f.turn->rows != turn->rows || f.turn->main != d.main || f.turn->drives != drives) {
+    f.turn = std::make_shared<const FrameTurn>(FrameTurn{turn->rows, d.main, drives});
   }
   for (const std::int8_t axis : d.main)  // the sums stay what people are told: the zero, and the length as the axes stand at 0
     if (axis >= 0) f.shift[static_cast<std::size_t>(axis)] = 0;

@@ -7,6 +7,7 @@
 #include "control/nct/five_axis/five_axis.h"
 #include "control/nct/geometry/sides.h"
 #include "control/nct/nct.h"
+#include "control/nct/spindles/drives.h"
 #include "control/nct/words/coordinates.h"
 
 namespace kadr::nct {
@@ -22,9 +23,11 @@ std::array<Vec3, 3> rotation_rows(Vec3 angles) {
 
 std::shared_ptr<const FrameTurn> rotation_of(const Interpreter& m, const std::shared_ptr<const FrameTurn>& before) {
   const Vec3 angles = m.tables.rotations[m.modal.work_zero];
-  if (angles == Vec3{}) return nullptr;
+  const AxisDrives& drives = nct_of(m).drives.now;
+  if (angles == Vec3{} && drives.is_own) return nullptr;
   FrameTurn rotation;
-  rotation.rows = rotation_rows(angles);
+  rotation.drives = drives;
+  if (angles != Vec3{}) rotation.rows = rotation_rows(angles);
   for (int role = 1; role <= 3; ++role) rotation.main[static_cast<std::size_t>(role - 1)] = static_cast<std::int8_t>(main_axis(m, role));
   if (before && *before == rotation) return before;
   return std::make_shared<const FrameTurn>(rotation);
@@ -152,6 +155,7 @@ void note_motion(Interpreter& m, Motion& motion) {
   }
   if (m.modal.radius_side != 0 || nct.state.side_step != SideStep::none) note_side(m, motion);
   if (nct.couplings.axes != 0) follow(m, motion);
+  if (nct.drives.parked != 0) keep_parked(m, motion);
   if (!nct.spindle_axes.empty()) watch_spindle_axes(m, motion.named);
 }
 

@@ -144,7 +144,7 @@ Status machine_move(Interpreter& m, const Call& call) {
   nct_of(m).rolled = 0;
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
-    to[a] = v;
+    to[m.frames.driven(a)] = v;
     named |= 1u << a;
     if (const nct::AxisSettings& axis = nct_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {  // as with G90 (5.6)
       const double from = nct::rolled_position(m.position.machine[a], axis.period);

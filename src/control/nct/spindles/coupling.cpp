@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "control/interpreter.h"
 #include "control/nct/nct.h"
@@ -22,10 +21,7 @@ int axis_named(const Interpreter& m, const std::string& name) {
 /// The axis with the number in N2101 of this one, if it is another axis of the channel.
 std::optional<std::size_t> master_of(const Interpreter& m, std::size_t axis) {
   const ParameterStore& store = nct_of(m).parameters;
-  const double number = store.value(store.named("2101"), m.def.axis_numbers[axis]);
-  for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (a != axis && number > 0 && m.def.axis_numbers[a] == number) return a;
-  return std::nullopt;
+  return axis_numbered(m, store.value(store.named("2101"), m.def.axis_numbers[axis]), axis);
 }
 
 bool bit_of(const Interpreter& m, std::size_t axis, int bit) {
@@ -78,6 +74,12 @@ void roll(Interpreter& m, const Follower& follower, MotionDetail& detail) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> axis_numbered(const Interpreter& m, double number, std::size_t axis) {
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if (a != axis && number > 0 && m.def.axis_numbers[a] == number) return a;
+  return std::nullopt;
+}
 
 SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events) {
   for (const SetupEvent& event : events)

@@ -1,6 +1,7 @@
 #pragma once
 // Axes that follow others: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6).
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Couplings {
   Axes lead{};                      // by axis
   AxisMask axes = 0;                // that follow
 };
+
+/// The axis of the channel with that number, other than `axis`.
+std::optional<std::size_t> axis_numbered(const Interpreter& m, double number, std::size_t axis);
 
 /// What the set-up's events ask for and cannot be: a sentence; empty: all can.
 SetupFault coupling_fault(const Interpreter& m, const std::vector<SetupEvent>& events);

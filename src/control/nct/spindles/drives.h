@@ -1,0 +1,46 @@
+#pragma once
+// Axes that drive others than their own: exchanged, reversed; parked ones (spec/nct/20 20.2 to 20.5).
+
+#include <string>
+#include <vector>
+
+#include "action/action.h"
+#include "action/placement.h"
+#include "config/setup.h"
+
+namespace kadr {
+class Interpreter;
+}
+
+namespace kadr::nct {
+
+/// What the machine's logic has asked of an axis since the last block.
+struct AskedOfAxis {
+  std::size_t axis;
+  AxisLink link;
+  bool on;
+};
+
+struct Drives {
+  AxisDrives now;          // that follow from the two masks, N2104 and N2105
+  AxisMask exchanged = 0;  // axes that have initiated it
+  AxisMask mirrored = 0;
+  AxisMask parked = 0;
+  Axes standing{};  // machine positions of the parked axes
+  std::vector<AskedOfAxis> asked;
+};
+
+/// Until the next block begins.
+void ask_of_axis(Interpreter& m, const std::string& name, AxisLink link, bool on);
+
+/// Nothing moves; work coordinates are those of the axes that are driven now.
+///   warns  axis_not_changed
+void carry_out_asked(Interpreter& m);
+
+/// Power has been off: each axis is its own again.
+void end_drives(Interpreter& m);
+
+/// The parked axes of a motion stand.
+void keep_parked(Interpreter& m, Motion& motion);
+
+}  // namespace kadr::nct
