@@ -17,6 +17,8 @@ class Drive {
   virtual std::optional<Exit> begin(Session& session, const Job& job);
   virtual void carry_out(Session& session) { (void)session.run(); }
   virtual bool wants_summary() const { return true; }
+  /// The session ends: nothing holds on to it any longer.
+  virtual void leave() {}
 };
 
 /// Opens what the options name, carries it out, writes what they ask for.
@@ -30,6 +32,7 @@ class PartOfProgram : public Drive {
   /// Through what stands before, silently; the state that it begins with is said.
   std::optional<Exit> begin(Session& session, const Job& job) override;
   void carry_out(Session& session) override;
+  void leave() override { stepping_.reset(); }
 
  protected:
   Stepping& stepping() { return *stepping_; }

@@ -313,6 +313,7 @@ int run_by(const Options& options, Drive& drive) {
   limits.untouched = outputs.all();
   const auto session = make_session(*job, std::move(*program), limits);
   if (!session || !outputs.open()) return wrong_usage;
+  const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });  // before the session does
   std::string state_fault;
   if (state_file) save_changes(*state_file, session->control(), state_fault);
   if (const auto nothing = drive.begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;

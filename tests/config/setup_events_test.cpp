@@ -73,7 +73,7 @@ TEST(setup_events, wrong_forms) {
   EXPECT_EQ(refusal(when + "}"), "setup key 'events[1]' must be a table with 'do'");
   EXPECT_EQ(refusal(when + R"(, "do": "jump"})"),
             "setup key 'events[1].do' must be \"set\", \"skip\", \"start\", \"answer\", \"power_cycle\", \"synchronise\", \"release\", "
-            "\"spindle_to_axis\" or \"axis_to_spindle\"");
+            "\"spindle_to_axis\", \"axis_to_spindle\", \"exchange\", \"reverse\" or \"park\"");
   EXPECT_EQ(refusal(when + R"(, "do": "set", "value": 1})"), "setup key 'events[1]' must be a table with 'signal'");
   EXPECT_EQ(refusal(when + R"(, "do": "skip", "switch": 1})"), "setup key 'events[1]' must be a table with 'on'");
   EXPECT_EQ(refusal(when + R"(, "do": "answer"})"), "setup key 'events[1]' must be a table with 'answer'");

@@ -6,8 +6,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "actions.h"
+#include "kinematics/part_space.h"
 #include "motion/time/steps.h"
 
 namespace kadr {
@@ -92,6 +94,39 @@ SpeedRules any_rules() {
   rules.line_step = axes_filled(within(10, 1000));
   if (*rc::gen::arbitrary<bool>()) rules.build_up = axes_filled(0.05);
   return rules;
+}
+
+/// NCT 25.14: the tip goes 10 mm while the head leans by 90°, 100 mm above it: X goes by up to 1 + 100·(π/2)/10 mm a mm of the tip. From
+/// rest to rest in 2·√(L·u/A).
+TEST(look_ahead, the_axes_limit_a_tip_that_is_led) {
+  PartSpaceData d;
+  d.machine.group = MachineGroup::head_head;
+  d.machine.first = {3, {0, 1, 0}, 1};
+  d.machine.second = {4, {1, 0, 0}, 1};
+  d.length = {0, 0, 100};
+  d.leads_tip = d.follows_head = true;
+  const AxisRoles five = AxisRoles::of({"X", "Y", "Z", "B", "A"}, 0b11000);
+  ToolPosition from;
+  from.space = std::make_shared<const PartSpace>(d);
+  from.machine = from.space->machine_of(from.work, from.work);
+  Motion motion = straight(feed, {10, 0, 0}, 1e6);
+  motion.to[3] = 90;
+  motion.machine = from.space->machine_of(motion.to, motion.to);
+  const auto seconds_of = [&](const ToolPosition& at, const SpeedRules& rules) {
+    double sum = 0;
+    LookAhead look_ahead(five, rules, {}, [&](const Step& step, double) { sum += step.time.seconds; });
+    const Action action = act(motion);
+    MotionTime time;
+    time.seconds = 10 / (1e6 / 60);
+    look_ahead.consume(Step(five, action, at, 0, time));
+    look_ahead.finish();
+    return sum;
+  };
+  const double u = 1 + 100 * std::numbers::pi / 2 / 10;
+  EXPECT_NEAR(seconds_of(from, linear(1000)), 2 * std::sqrt(10 * u / 1000), 0.01);
+  SpeedRules slow = linear(1e9);
+  slow.most_feed = axes_filled(50);  // mm/s of the axes
+  EXPECT_NEAR(seconds_of(from, slow), 10 / (50 / u), 0.05);
 }
 
 RC_GTEST_PROP(look_ahead, hands_on_each_action_once_in_order, ()) {

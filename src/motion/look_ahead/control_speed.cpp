@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/tolerance.h"
+#include "path/curve/machine_path.h"
 
 namespace kadr {
 namespace {
@@ -96,13 +98,27 @@ bool cuts_in_plane(const Motion& m, const PathShape& shape) {
   return m.side != 0 && (m.kind == MotionKind::feed || is_arc(m.kind)) && (shape.moves & ~shape.plane) == 0;
 }
 
-}  // namespace
+/// u where the tip is led: over quarters of the motion, and close to its ends.
+void set_led(PathShape& shape, const MachinePath& path, std::size_t axes) {
+  constexpr double near = 1.0 / 64;
+  constexpr double parts[] = {0, near, 0.25, 0.5, 0.75, 1 - near, 1};
+  Axes before = path.start();
+  for (std::size_t k = 1; k < std::size(parts); ++k) {
+    const Axes now = path.at(parts[k]);
+    Axes u{};
+    for (std::size_t i = 0; i < axes; ++i) u[i] = (now[i] - before[i]) / ((parts[k] - parts[k - 1]) * shape.length);
+    widen(shape.most, u);
+    if (k == 1) shape.start = u;
+    shape.end = u;
+    before = now;
+  }
+  shape.line = path.straight();
+}
 
-PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from, const Motion& motion, const FrameTurn* turn) {
-  PathShape shape;
-  shape.length = curve.length(motion.along);
+void set_along_curve(PathShape& shape, const Step& step, const Curve& curve) {
+  const Motion& motion = *step.motion();
+  const FrameTurn* const turn = step.from.turn.get();
   shape.line = curve.straight();
-  shape.plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
   const auto direction = [&](double part) { return along_machine(curve.rates(part), 1 / curve.rate(motion.along, part), turn); };
   shape.start = direction(0);
   widen(shape.most, shape.start);
@@ -115,9 +131,21 @@ PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from,
   if (curve.arc() && curve.surface() == PathSurface::plane) {
     const Axes rates = curve.rates(0.5);
     const double in_plane = std::hypot(rates[motion.first], rates[motion.second]) / curve.rate(motion.along, 0.5);
-    set_arc(shape, motion, from, in_plane, turn);
+    set_arc(shape, motion, step.from.work, in_plane, turn);
   }
-  for (std::size_t i = 0; i < roles.count; ++i)
+}
+
+}  // namespace
+
+PathShape shape_of(const Step& step) {
+  const Motion& motion = *step.motion();
+  const Curve& curve = step.curve();
+  PathShape shape;
+  shape.length = curve.length(motion.along);
+  shape.plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
+  if (leads_tip(step.from, motion)) set_led(shape, MachinePath(step), step.roles.count);
+  else set_along_curve(shape, step, curve);
+  for (std::size_t i = 0; i < step.roles.count; ++i)
     if (shape.most[i] != 0) shape.moves |= AxisMask{1} << i;
   return shape;
 }

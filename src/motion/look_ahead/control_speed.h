@@ -2,8 +2,7 @@
 // The limits that geometry sets to the speed on a path: of a block, and of the junction between two. NCT 6.2–6.4, 7.1–7.3.
 // Speeds mm/s along what the feed is measured along; degrees for mm where only rotary axes move.
 
-#include "action/curve.h"
-#include "action/tool_position.h"
+#include "action/step.h"
 #include "motion/look_ahead/ramp.h"
 #include "motion/look_ahead/speed_rules.h"
 
@@ -22,8 +21,8 @@ struct PathShape {
   AxisMask plane = 0;  // axes of the arc, or of the plane in force
 };
 
-///   turn  of the frame it lies in; nullptr: none
-PathShape shape_of(const AxisRoles& roles, const Curve& curve, const Axes& from, const Motion& motion, const FrameTurn* turn);
+/// Of a step that is a motion. INFERRED: where the tip is led (25.14) u is looked at over its quarters.
+PathShape shape_of(const Step& step);
 
 /// The path may change its speed only as each axis can: a = min A_i/|u_i|, T = max T_i (7, INFERRED where u changes: the smallest).
 Acceleration acceleration_of(const SpeedRules& rules, const PathShape& shape);

@@ -88,7 +88,7 @@ void LookAhead::motion(const Step& step, const Motion& motion) {
     rest();
     return hold(step);
   }
-  const PathShape shape = shape_of(roles_, curve, step.from.work, motion, step.from.turn.get());
+  const PathShape shape = shape_of(step);
   const bool exact = (shape.moves & ~rules_.stated) == 0;
   if (at_rapid(motion)) return rapid(step, motion, shape, exact);
   if (motion.kind == MotionKind::probe || motion.kind == MotionKind::home) rest();
@@ -101,7 +101,8 @@ void LookAhead::rapid(const Step& step, const Motion& motion, const PathShape& s
   RapidTime planned;
   if (rules_.overlaps_rapids) {
     Axes ways{};
-    for (std::size_t i = 0; i < roles_.count; ++i) ways[i] = shape.start[i] * shape.length;
+    const bool led = leads_tip(step.from, motion);
+    for (std::size_t i = 0; i < roles_.count; ++i) ways[i] = led ? motion.machine[i] - step.from.machine[i] : shape.start[i] * shape.length;
     planned = rapid_apart(rules_, ways, rapid_rates_);
   } else {
     planned = rapid_together(rules_, shape, shape.length / programmed);
