@@ -43,6 +43,7 @@ struct CodeRow {
   std::uint16_t cycle = 0;      // index in ControlDef::cycles + 1
   bool takes_all_axes = false;  // `*` in takes: every axis of the channel
   bool works = true;            // Kadr does it
+  bool in_part = false;         // not all of it: the notes say what
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };

@@ -92,8 +92,8 @@ Done ControlLoader::codes(std::string_view key, char letter) {
 }
 
 Done ControlLoader::code(char letter, double number, const toml::table& row) {
-  KADR_LOAD(known_keys(row, {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "en",
-                             "ru", "manual", "from", "to"}));
+  KADR_LOAD(known_keys(row, {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works",
+                             "in_part", "en", "ru", "manual", "from", "to"}));
   CodeRow c;
   c.letter = letter;
   c.tenth = static_cast<std::int32_t>(std::lround(number * 10));
@@ -118,6 +118,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   c.needs = letters(row, "needs");
   c.needs_axis = typed(row, "needs_axis", false);
   c.works = typed(row, "works", true);
+  c.in_part = typed(row, "in_part", false);
   if (const toml::array* const with = list(row, "with"))
     for (const auto& other : *with) {
       const std::string code = other.value_exact<std::string>().value_or(std::string());

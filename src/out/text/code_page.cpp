@@ -147,11 +147,11 @@ std::string explain_control(const ControlDef& def, Lang lang) {
   std::string text = fmt::format("{}: {}\n", def.id, pick(def.name, lang));
   if (!def.lineage.empty()) text += fmt::format("  extends {}\n", def.lineage.front());
   if (!def.descriptor.empty()) text += fmt::format("  {}\n", def.descriptor);
+  const char* const not_yet = lang == Lang::ru ? " (ещё нет)" : " (not yet)";
+  const char* const in_part = lang == Lang::ru ? " (отчасти)" : " (in part)";
   for (const CodeRow& row : def.codes)
     text += fmt::format("  {:<8}{:<2}{}{}\n", row.code, initial_mark(def, row), pick(row.text, lang),
-                        row.works          ? ""
-                        : lang == Lang::ru ? " (ещё нет)"
-                                           : " (not yet)");
+                        row.works ? (row.in_part ? in_part : "") : not_yet);
   for (const CycleRow& row : def.cycles)
     if (!row.body.empty() || row.name[0] == 'L') text += fmt::format("  {:<10}{}\n", row.name, pick(row.text, lang));
   return text;

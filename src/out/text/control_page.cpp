@@ -37,12 +37,12 @@ void address_rows(const ControlDef& def, std::string& page) {
 
 void code_rows(const ControlDef& def, char letter, std::string& page) {
   // Where everything works, a column that says so would only be in the way.
-  const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works; });
+  const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works && !row.in_part; });
   page += fmt::format("\n## {} codes\n\n", letter);
   page += head(fmt::format("| code | group | lasts | words |{} meaning | значение | source |", all_work ? "" : " works |"));
   for (const CodeRow& row : def.codes) {
     if (row.letter != letter) continue;
-    const char* const works = all_work ? "" : row.works ? " yes |" : " not yet |";
+    const char* const works = all_work ? "" : !row.works ? " not yet |" : row.in_part ? " in part |" : " yes |";
     page += fmt::format("| {}{} | {} | {} | {} |{} {} | {} |\n", row.code, initial_mark(def, row), def.groups[row.group].name,
                         row.modal ? "modal" : "block", words_of(row, Lang::en), works, cells(row.text), escaped(row.manual));
   }
