@@ -256,6 +256,7 @@ struct Couple {
   std::optional<double> phase{};  // of the slave at the zero pulse, degrees
   double helix = 0;               // degrees for a mm of `along`
   std::string along{};            // axis; empty: none
+  int master_number = 0;          // of the spindle
 };
 struct Uncouple {
   std::string slave;

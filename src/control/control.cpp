@@ -122,6 +122,8 @@ void Control::set_answer(double answer) {
 void Control::synchronise(int slave, int master) {
   if (MachineSide* const side = machine_side()) side->synchronise(slave, master);
 }
+std::uint64_t Control::common_version() const { return interpreter_->dialect ? interpreter_->dialect->common_version() : 0; }
+void Control::take_common(const Control& from) { interpreter_->take_common(*from.interpreter_); }
 void Control::couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on) {
   for (const std::string& name : axes)
     if (MachineSide* const side = machine_side()) side->couple_axis(*interpreter_, name, link, on);

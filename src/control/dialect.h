@@ -94,6 +94,10 @@ class Dialect {
   virtual void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch);
   /// What the block changed of the things that survive power-off.
   virtual StateChanges take_changes(Interpreter& m);
+  /// What the channels of a machine have in common besides Commons: goes up as it changes.
+  virtual std::uint64_t common_version() const { return 0; }
+  /// Of another channel, a dialect of the same kind; between two blocks.
+  virtual void take_common(Interpreter&, const Dialect&) {}
 
   // ---- a block
 

@@ -164,6 +164,12 @@ void Interpreter::report_changes() {
   if (!changes.rows.empty()) (*on_changes)(changes);
 }
 
+void Interpreter::take_common(const Interpreter& from) {
+  if (!dialect || !from.dialect) return;
+  dialect->take_common(*this, *from.dialect);
+  report_changes();
+}
+
 void Interpreter::take_block() {
   if (is_watched()) [[unlikely]]
     return watch_block();

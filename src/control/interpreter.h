@@ -117,6 +117,8 @@ class Interpreter : public ControlState, public RunMemory {
   ///   alarms  value_out_of_range, word_not_integer
   Status check_ranges() const;
   bool has_axis_words() const { return (block->letters & letters.axes) != 0; }
+  /// What the channels have in common, of another one.
+  void take_common(const Interpreter& from);
 
   // ---- motion
 

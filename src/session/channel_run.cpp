@@ -262,7 +262,7 @@ void ChannelRun::hand_out(ToolPosition from) {
                      const auto* const frame = std::get_if<FrameChange>(&action.what);
                      return frame != nullptr && leads(frame->placement.space);
                    });
-  const auto watched = [this](const Action& action) { return !now_.too_fast_told && is_suspect(action); };
+  const auto watched = [this](const Action& action) { return (!now_.too_fast_told && is_suspect(action)) || now_.gear.concerns(action); };
   const bool looks_on = ((outlets_.step || outlets_.timed) && !outlets_.silent) || clock_ != nullptr;
   if (!looks_on && !led && std::none_of(batch_.begin(), batch_.end(), watched)) return;
   Steps steps(machine_.roles(), std::move(from), clock_);
@@ -285,6 +285,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
     if (!moves && outlets_.step) outlets_.step(step);
     if (!now_.too_fast_told && is_suspect(step.action)) watch_feed(step);
     if (step.from.space && step.from.space->leads_tip()) watch_whirl(step);
+    if (now_.gear.concerns(step.action)) watch_gear(step.action);
   });
 }
 
@@ -299,6 +300,12 @@ void ChannelRun::watch_whirl(const Step& step) {
   if (whirl)
     warn(settled().report_for(warning(AlarmId::axis_whirls, {}, control_.axes()[whirl->axis], whirl->degrees, whirl->way),
                               step.action.origin));
+}
+
+void ChannelRun::watch_gear(const Action& action) {
+  if (const auto fast = now_.gear.look(action, control_.axes(), rates_.most))
+    warn(settled().report_for(warning(AlarmId::gear_too_fast, {}, control_.axes()[fast->axis], fast->speed, rates_.most[fast->axis]),
+                              action.origin));
 }
 
 /// motion: a feed that an axis cannot do is told once; the motion takes what it takes at rapid.

@@ -13,6 +13,7 @@
 #include "control/control.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
+#include "machine/gear_watch.h"
 #include "machine/whirl.h"
 #include "motion/look_ahead/look_ahead.h"
 #include "motion/time/steps.h"
@@ -117,6 +118,7 @@ class ChannelRun {
     double spent_then = 0;  // … and what it had spent until then: no sum that rounding could put out of order
     bool too_fast_told = false;
     WhirlWatch whirls{};
+    GearWatch gear{};
   };
   /// All that decides how it goes on, its rooms included: a value.
   struct Memory {
@@ -146,6 +148,7 @@ class ChannelRun {
   bool is_suspect(const Action& action) const;
   void watch_feed(const Step& step);
   void watch_whirl(const Step& step);
+  void watch_gear(const Action& action);
   TimeEstimate& clock();
   VirtualTime spent() { return virtual_time(clock().split()); }
   void note_place();

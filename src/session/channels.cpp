@@ -111,6 +111,9 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
     runs_.push_back(std::make_unique<ChannelRun>(control, profile, channels[i].setup, outlets.own[i], logic_));
     (void)runs_.back()->now();  // the clock runs from the start
   }
+  constexpr std::uint64_t never = ~std::uint64_t{0};
+  common_.assign(channels.size(), never);
+  share(0);
 }
 
 std::size_t Channels::index_of(int number) const {
@@ -145,8 +148,18 @@ void Channels::end() {
   show_past();
 }
 
+/// Tables and parameters that a block of one channel has changed are those of all from the next block on, whoever carries it out.
+void Channels::share(std::size_t by) {
+  if (channels_[by].control->common_version() == common_[by]) return;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (i != by) channels_[i].control->take_common(*channels_[by].control);
+    common_[i] = channels_[i].control->common_version();
+  }
+}
+
 ChannelRun::State Channels::step(std::size_t i) {
   const ChannelRun::State state = runs_[i]->step();
+  share(i);
   switch (state) {
     case ChannelRun::State::running:
     case ChannelRun::State::held: break;
@@ -166,7 +179,7 @@ ChannelRun::State Channels::step(std::size_t i) {
 }
 
 std::optional<Channels::Memory> Channels::memory() {
-  Memory now{{}, logic_.plc, states_, stopped_, rendezvous_, order_, over_};
+  Memory now{{}, logic_.plc, states_, stopped_, rendezvous_, order_, common_, over_};
   for (const auto& run : runs_) {
     auto own = run->memory();
     if (!own) return std::nullopt;
@@ -182,6 +195,7 @@ Status Channels::remember(const Memory& memory) {
   stopped_ = memory.stopped;
   rendezvous_ = memory.rendezvous;
   order_ = memory.order;
+  common_ = memory.common;
   over_ = memory.over;
   return {};
 }

@@ -95,6 +95,7 @@ class Channels {
     std::vector<Stopped> stopped;
     Rendezvous rendezvous;
     InOrder order;
+    std::vector<std::uint64_t> common;
     bool over = false;
   };
   std::optional<Memory> memory();
@@ -103,6 +104,7 @@ class Channels {
  private:
   std::optional<std::size_t> next();
   ChannelRun::State step(std::size_t i);
+  void share(std::size_t by);
   void end();
   void begin_waiting(std::size_t i);
   void release(const Rendezvous::Met& met, std::size_t last);
@@ -120,6 +122,7 @@ class Channels {
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;
   InOrder order_;
+  std::vector<std::uint64_t> common_;  // versions of what they have in common, as it was when all had the same
   bool over_ = false;
 };
 

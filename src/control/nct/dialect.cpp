@@ -56,6 +56,14 @@ bool Nct::lose_power(Interpreter& m) {
 
 void Nct::add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) { nct::add_variables(m, ending, watch); }
 
+/// Tables of tools, pockets, forms (12.3); parameters (24.1).
+void Nct::take_common(Interpreter& m, const Dialect& from) {
+  const Nct& other = static_cast<const Nct&>(from);
+  tools.take_tables(other.tools);
+  parameters.take(other.parameters);
+  refresh_settings(m);
+}
+
 StateChanges Nct::take_changes(Interpreter& m) { return changes.take(m); }
 
 Result<bool> Nct::finish(Interpreter& m) {

@@ -53,7 +53,7 @@ void Nct::set_time(double at_ms, double cut_ms) {
   now_ms = at_ms;
   cutting_ms += cut_ms;  // the program may have set it
   constexpr double ms_per_s = 1000;
-  if (counts_time) tools.add_time(cut_ms / ms_per_s);
+  if (counts_time) tools.add_time(cut_ms / ms_per_s, spindle_magazine());
   counts_time = tools.counts_time();
 }
 

@@ -288,9 +288,11 @@ void Nct::reset_program(Interpreter& m) {
   interrupted.active = false;
   finishing.clear();
   state.turning.code = 0;
+  const bool ends_gear = parameters.bit(parameters.named("1800"), 0);  // RCE
+  if (ends_gear) (void)withdraw(m);
   stop_machine(m);
   reset_shifts(m);
-  if (parameters.bit(parameters.named("1800"), 0)) disengage(m);  // RCE
+  if (ends_gear) disengage(m);
   reset_codes(m, true);
   state.side_step = SideStep::none;
   state.compensates = false;

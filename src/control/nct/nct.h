@@ -89,6 +89,10 @@ class Nct : public Dialect, public MachineSide, public Memory {
   bool lose_power(Interpreter& m) override;
   void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) override;
   StateChanges take_changes(Interpreter& m) override;
+  /// Of the channel's default spindle (N0604; 12.3.2): 10, 20, …
+  int spindle_magazine() const { return ToolManagement::main_spindle * std::max(settings.default_spindle, 1); }
+  std::uint64_t common_version() const override { return tools.tables_version() + parameters.version(); }
+  void take_common(Interpreter& m, const Dialect& from) override;
   bool has_unfinished() const override { return !finishing.empty() || !drives.asked.empty(); }
   Result<bool> finish(Interpreter& m) override;
   bool reads_clock(const Block& block) const override;
@@ -165,6 +169,8 @@ Result<double> dwell_seconds(Interpreter& m, double p, Span where);
 Status machine_code(Interpreter& m, const Call& call);
 /// The gearbox, if it is on, stops (20.1).
 void disengage(Interpreter& m);
+/// The tool leaves the teeth (20.1.4), while the gearbox is on.
+Status withdraw(Interpreter& m);
 /// A tool's life may be counted in time (12.3.1).
 void watch_tool_time(Interpreter& m);
 /// The block has a word for a spindle.

@@ -158,18 +158,19 @@ double Planner::size_at(double s, std::size_t piece, bool last, double curve_par
 /// The path bends so evenly along a cell that one polynomial shows it: in its middle as in the mean of its ends.
 bool Planner::is_even(double h) const {
   constexpr double uneven = 0.02;        // of the curvature
-  constexpr double unimportant = 0.004;  // of the acceleration that the axis may have
+  constexpr double unimportant = 0.008;  // of the acceleration that the axis may have
   Memory::Knot middle, end;
   const std::size_t half = now_.path.piece_at(now_.cut + h / 2, now_.piece), far = now_.path.piece_at(now_.cut + h, half);
   now_.path.evaluate(now_.cut + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
   now_.path.evaluate(now_.cut + h, far, end.x.data(), end.x1.data(), end.x2.data());
-  double off = 0, most = 0, allowed = fastest;
+  double off = 0, most = 0;
+  const double by_speed = unimportant / square(now_.path.feed(now_.piece));
   for (std::size_t a = 0; a < now_.cells.axes; ++a) {
-    off = std::max(off, std::fabs(middle.x2[a] - (now_.knot.x2[a] + end.x2[a]) / 2));
+    const double of_axis = std::fabs(middle.x2[a] - (now_.knot.x2[a] + end.x2[a]) / 2);
+    if (of_axis > by_speed * limits_.acceleration[a]) off = std::max(off, of_axis);
     most = std::max({most, std::fabs(now_.knot.x2[a]), std::fabs(middle.x2[a]), std::fabs(end.x2[a])});
-    allowed = std::min(allowed, unimportant * limits_.acceleration[a]);
   }
-  return off <= std::max(uneven * most, allowed / square(now_.path.feed(now_.piece)));
+  return off <= uneven * most;
 }
 
 double Planner::next_size(bool last) const {

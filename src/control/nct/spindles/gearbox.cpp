@@ -1,5 +1,6 @@
 // G81.8, G80.8: the electronic gearbox between spindle and table (spec/nct/20 20.1).
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -102,6 +103,7 @@ Status gear_on(Interpreter& m, const Call& call) {
   const nct::SpindleState& spindle = nct.spindle(*master);
   const bool turns = spindle.dir == SpindleDir::cw || spindle.dir == SpindleDir::ccw;
   couple.ratio = gear.ratio;
+  couple.master_number = *master;
   couple.rpm = turns ? spindle.rpm * gear.ratio : 0;
   couple.feeds_by_slave = store.bit(store.named("1800"), 1);  // FRS; INFERRED: 1 is the workpiece
   nct.state.gear = gear;
@@ -119,6 +121,27 @@ Status gear_off(Interpreter& m, const Call&) {
 }  // namespace functions
 
 namespace nct {
+
+/// At N1805 each (0: at rapid), straight. INFERRED: of several feeds the one that no axis exceeds; at rapid where none has one.
+Status withdraw(Interpreter& m) {
+  const auto& store = nct_of(m).parameters;
+  if (!nct_of(m).state.gear.on) return {};
+  Axes to = m.position.machine;
+  AxisMask named = 0;
+  double minutes = 0, squares = 0;
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const double way = store.value(store.named("1804"), m.def.axis_numbers[a]),
+                 feed = store.value(store.named("1805"), m.def.axis_numbers[a]);
+    if (way == 0) continue;
+    to[a] += way;
+    named |= AxisMask{1} << a;
+    squares += way * way;
+    if (feed > 0) minutes = std::max(minutes, std::fabs(way) / feed);
+  }
+  if (named == 0) return {};
+  if (minutes == 0) return m.to_machine(MotionKind::rapid, to, named, 0);
+  return m.to_machine(MotionKind::feed, to, named, std::sqrt(squares) / minutes);
+}
 
 void disengage(Interpreter& m) {
   if (!nct_of(m).state.gear.on) return;

@@ -14,7 +14,7 @@ ToolPlace place_of(const nct::ToolCall& call) {
 void change(Interpreter& m, nct::CountUse count) {
   nct_of(m).endless.note_change();
   m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // its life may end
-  const nct::ToolCall now = nct_of(m).tools.change(nct::ToolManagement::main_spindle, count);
+  const nct::ToolCall now = nct_of(m).tools.change(nct_of(m).spindle_magazine(), count);
   m.modal.tool = now.tool;
   m.use.change_to(now.tool);
   m.emit(ToolChange{now.tool, place_of(now)});
@@ -34,7 +34,7 @@ Status tool_call(Interpreter& m, const Call& call) {
     const Word& w = m.block->words[i];
     by_place = by_place || (w.address == 'M' && nct.settings.place_code != 0 && w.code == nct.settings.place_code * 10);
   }
-  auto called = nct.tools.call(*number, by_place ? nct::CallBy::place : nct::CallBy::type);
+  auto called = nct.tools.call(*number, by_place ? nct::CallBy::place : nct::CallBy::type, nct.spindle_magazine());
   if (!called) {
     Alarm placed = called.error();
     placed.where = call.where;
@@ -66,7 +66,7 @@ Status auxiliary_word(Interpreter& m, const Call& call) {
 namespace nct {
 
 Result<std::uint32_t> Nct::offset_of_tool(char letter) const {
-  const OffsetNumbers numbers = tools.offset_numbers();
+  const OffsetNumbers numbers = tools.offset_numbers(spindle_magazine());
   return static_cast<std::uint32_t>(letter == 'H' ? numbers.h : numbers.d);
 }
 

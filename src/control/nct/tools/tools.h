@@ -49,11 +49,30 @@ class JournaledTable {
     return keys;
   }
 
+  /// The rows of another one, between two blocks; those that differ have changed.
+  void take(const JournaledTable& other) {
+    for (const auto& [key, row] : other.rows_)
+      if (const auto [place, is_new] = rows_.try_emplace(key, row); is_new || !(place->second == row))
+        place->second = row, changed_.insert(key);
+    for (auto place = rows_.begin(); place != rows_.end();) {
+      if (other.rows_.contains(place->first)) {
+        ++place;
+      } else {
+        changed_.insert(place->first);
+        place = rows_.erase(place);
+      }
+    }
+    version_ = other.version_;
+  }
+  /// Goes up with each change.
+  std::uint64_t version() const { return version_; }
+
   /// What a block writes is kept there; before, nothing is taken back.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
  private:
   void keep(const Key& key) {
+    ++version_;
     changed_.insert(key);
     if (!journal_) return;
     if (journal_.is_first()) {
@@ -65,6 +84,7 @@ class JournaledTable {
     old_.emplace_back(key, row != nullptr ? std::optional<Row>(*row) : std::nullopt);
   }
   void undo() {
+    ++version_;
     for (const auto& [key, row] : old_) {
       changed_.insert(key);  // a reader may have seen it in between
       if (row) rows_[key] = *row;
@@ -77,6 +97,7 @@ class JournaledTable {
   std::map<Key, Row> rows_;
   std::vector<std::pair<Key, std::optional<Row>>> old_;  // of this block, the first value of each
   std::set<Key> changed_;
+  std::uint64_t version_ = 0;
   JournalLink journal_;
 };
 
@@ -182,6 +203,10 @@ class ToolManagement {
 
   /// The journal brings back tables and prepared tools. This object must not move from here on.
   void keep_in(Journal& journal) { rows_.keep_in(journal), places_.keep_in(journal), forms_.keep_in(journal), spindles_.keep_in(journal); }
+
+  /// The three tables are those of all channels (12.3); what is prepared for a spindle is the channel's own.
+  void take_tables(const ToolManagement& from) { rows_.take(from.rows_), places_.take(from.places_), forms_.take(from.forms_); }
+  std::uint64_t tables_version() const { return rows_.version() + places_.version() + forms_.version(); }
 
   /// Keys that were written to since the last call, for the state file; a row that is gone was deleted.
   ///   law  any row that differs from the one at the last call is named; also others, after Journal::undo()

@@ -87,6 +87,15 @@ ParameterStore::ParameterStore(std::span<const ParameterRow> rows, const Paramet
   for (const Given* const one : in_order) assign(*one);
 }
 
+void ParameterStore::take(const ParameterStore& from) {
+  assert(now_.values.size() == from.now_.values.size());
+  if (now_.values == from.now_.values && now_.texts == from.now_.texts) return;
+  now_.values = from.now_.values;
+  now_.texts = from.now_.texts;
+  now_.written = from.now_.written;
+  ++now_.version;
+}
+
 /// Keeps a value of the set-up if its key and value are right.
 void ParameterStore::give(const ParameterKey& key, const ParameterValue& value) {
   const auto wrong = [&](const std::string& sentence) {

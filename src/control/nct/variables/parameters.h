@@ -78,6 +78,9 @@ class ParameterStore {
   /// Goes up with each change: what was derived from values is to be derived anew.
   std::uint64_t version() const { return now_.version; }
 
+  /// The values of another channel's store (24.1: one set for all channels, indexed), between two blocks.
+  void take(const ParameterStore& from);
+
   /// A value or a bit of it: index 0 means all channels, axes or spindles; bit -1 the whole.
   struct Place {
     int row = 0;

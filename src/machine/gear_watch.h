@@ -1,0 +1,37 @@
+#pragma once
+// The electronic gearbox: whether the table can turn as fast as the spindle asks for (NCT 20.1 item 4: 360·S·|L|/T °/min, not above its
+// rapid rate).
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "action/action.h"
+
+namespace kadr {
+
+struct GearTooFast {
+  std::size_t axis = 0;
+  double speed = 0;  // that it would have, °/min
+};
+
+class GearWatch {
+ public:
+  /// It is one that may change that speed.
+  bool concerns(const Action& action) const {
+    return std::holds_alternative<Couple>(action.what) ||
+           (on_ && (std::holds_alternative<Uncouple>(action.what) || std::holds_alternative<Spindle>(action.what) ||
+                    std::holds_alternative<Speed>(action.what)));
+  }
+  /// Each time the spindle gets a speed that is too high.
+  ///   most  rapid rates of the axes, °/min
+  std::optional<GearTooFast> look(const Action& action, const std::vector<std::string>& axes, const Axes& most);
+
+ private:
+  bool on_ = false, turns_ = false;
+  double ratio_ = 0, rpm_ = 0;  // of the slave for a turn of the master; of the master
+  int master_ = 0;
+  std::size_t slave_ = max_axes;
+};
+
+}  // namespace kadr
