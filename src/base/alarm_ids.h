@@ -103,5 +103,5 @@
   /* five axes */ \
   X(no_five_axes) X(frame_axis) X(frames_too_many) X(plane_q) X(plane_points) X(plane_degenerate) X(frame_missing) \
   X(length_missing) X(words_exclude) X(direction_unreachable) X(lead_mode) X(lead_state) X(lead_words) X(lead_angle) \
-  X(normal_missing) X(direction_zero) X(axis_whirls) X(axis_kept) X(axis_not_changed) X(gear_too_fast)
+  X(normal_missing) X(direction_zero) X(axis_whirls) X(axis_kept) X(axis_not_changed) X(gear_too_fast) X(diameter_by_machine)
 // clang-format on

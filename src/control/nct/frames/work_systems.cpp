@@ -192,7 +192,7 @@ Status diameter_switch(Interpreter& m, const Call& call) {
     if (!linear || written_as_increment(m, w)) return fail(alarm(AlarmId::illegal_address, w.where, w.written));
     if (w.value != 0 && w.value != 1) return fail(alarm(AlarmId::value_out_of_range, w.where, w.address, w.value));
     if (!nct_of(m).settings.axes[a].switches_by_code)
-      return fail(alarm(AlarmId::not_available, call.where, "G10.9"));  // MGD=0: the machine switches
+      return fail(alarm(AlarmId::diameter_by_machine, w.where, std::string_view(m.axis_names[a])));
     if (w.value == 1) m.modal.diameter |= 1u << a;
     else m.modal.diameter &= ~(1u << a);
     return {};
