@@ -20,6 +20,9 @@ Axes along_machine(const Axes& work, double factor, const FrameTurn* turn) {
   return all;
 }
 
+/// The axis of the machine that a programmed one drives (nct 20.3).
+std::size_t driven(std::size_t axis, const FrameTurn* turn) { return turn == nullptr ? axis : turn->drives.of(axis); }
+
 Axes change(const Axes& from, const Axes& to) {
   Axes all{};
   for (std::size_t i = 0; i < max_axes; ++i) all[i] = to[i] - from[i];
@@ -68,7 +71,7 @@ void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plan
   shape.in_plane = in_plane;
   shape.start_bend = bend(m, from, in_plane, turn);
   shape.end_bend = bend(m, m.to, in_plane, turn);
-  for (const std::size_t axis : {m.first, m.second}) shape.most[axis] = std::max(shape.most[axis], in_plane);
+  for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
 /// The part of the feed that is left on the inside of an arc (6.4); 1 on the outside, INFERRED.
@@ -142,7 +145,8 @@ PathShape shape_of(const Step& step) {
   const Curve& curve = step.curve();
   PathShape shape;
   shape.length = curve.length(motion.along);
-  shape.plane = AxisMask{1} << motion.first | AxisMask{1} << motion.second;
+  const FrameTurn* const turn = step.from.turn.get();
+  shape.plane = AxisMask{1} << driven(motion.first, turn) | AxisMask{1} << driven(motion.second, turn);
   if (leads_tip(step.from, motion)) set_led(shape, MachinePath(step), step.roles.count);
   else set_along_curve(shape, step, curve);
   for (std::size_t i = 0; i < step.roles.count; ++i)
