@@ -58,7 +58,7 @@ TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "ex
             "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many"}
-CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "from",
+CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "in_part", "from",
                          "to"}
 GROUP_KEYS = {"modal", "initial", "en", "ru"}
 CYCLE_KEYS = TEXT_KEYS | {"steps", "body", "needs", "needs_spindle", "needs_spindle_cw", "needs_override_off", "printed",
