@@ -24,6 +24,8 @@ class Looks {
 
   /// The state before the next block is kept: a faulty one changes nothing of it.
   void before_block();
+  /// What was kept belongs to another block.
+  void forget_block() { before_is_kept_ = false; }
   /// Asked at each alarm: does the run go on with the next block?
   std::function<bool()> goes_on_after_alarm = [] { return true; };
   /// Where the motions led is not known any more: a session that is restored beside begin_at().

@@ -139,7 +139,8 @@ class Run {
   void watch(Session& session, Looks& looks) {
     looks.goes_on_after_alarm = [this] { return !chance_.one_in(3); };
     session.control().holds_before = [&looks, this](const Origin&) {
-      if (!has_logic_) looks.before_block();
+      if (has_logic_) looks.forget_block();  // the logic tells of it, unless it cannot be read
+      else looks.before_block();
       return false;
     };
     while (goes_on(looks)) {
