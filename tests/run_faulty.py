@@ -33,10 +33,10 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent / 'faulty'
-CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct')
+CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc')
 PROGRAMS = ('.nc', '.tape')
 TIME_LIMIT_S = 20
-FAULT = re.compile(r'(\d+):(\d+) (warning |note )?([a-z_]+)')
+FAULT = re.compile(r'(\d+):(\d+) (warning |note )?([a-z0-9_]+)')
 
 
 class Failure(Exception):

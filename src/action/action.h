@@ -73,6 +73,7 @@ enum class ContourEntry : std::uint8_t {
   by_corner,  // as the corner to the next one says (nct 15.5.1)
   normal,     // on the normal to the next element (2С42 6.4.7)
   tangent,    // the tool touches the line to the programmed point all along its way (Mach3, RS274/NGC)
+  across,     // on its own normal there; the corner to the next element is then gone round (LinuxCNC, spec/linuxcnc 7.5)
 };
 
 /// An axis that copies another's way (nct 20.2).
@@ -216,7 +217,9 @@ struct MachineFunction {
   std::uint32_t code;
   std::optional<double> p{};  // words of a user macro (Mach3 M100 …)
   std::optional<double> q{};
-  std::uint8_t spindle = 0;  // it acts on; 0: none
+  std::uint8_t spindle = 0;        // it acts on; 0: none
+  std::optional<double> number{};  // of an output or input, and what it gets (spec/linuxcnc 8)
+  std::optional<double> value{};
 };
 /// A function on another address (nct 13.2).
 struct AuxiliaryFunction {

@@ -194,6 +194,7 @@ struct Behaviour {
   bool helix_by_lead = false;           // 2С42: K is the lead, Z/K whole turns
   LengthOffset length_offset = LengthOffset::next_motion;
   bool contour_entry_tangent = false;   // Mach3: onto the contour touching the line to its first point; else to the normal there
+  bool contour_entry_across = false;    // LinuxCNC: on the normal of the first motion itself
   bool contour_blocks_checked = false;  // 2С42: order of the blocks around G41, G42 and G40
   double feed_most = 0;                 // mm/min; 0 = no limit
   bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning (F0 is an alarm)
@@ -224,8 +225,8 @@ struct AlarmText {
 };
 
 /// Who does what no row of a control's file can say (`dialect = "…"`; control/dialect.h). iso: nobody.
-enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct };
-inline constexpr std::array<std::string_view, 4> dialect_names = {"iso", "s2c42", "correctors", "nct"};
+enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc };
+inline constexpr std::array<std::string_view, 5> dialect_names = {"iso", "s2c42", "correctors", "nct", "linuxcnc"};
 
 struct ControlDef {
   std::string id;
@@ -270,6 +271,8 @@ struct ControlDef {
   }
   /// It has axis correctors (spec/correctors).
   bool has_correctors() const { return dialect == DialectId::correctors; }
+  /// Its words and frames are those of RS274/NGC with parameters in files (spec/linuxcnc).
+  bool has_parameter_file() const { return dialect == DialectId::linuxcnc; }
   const AddressRow& address(char letter) const { return addresses[static_cast<std::size_t>(letter - 'A')]; }
   /// Row of a code word, or -1.
   std::int32_t row_of(char letter, std::int32_t tenth) const;

@@ -89,12 +89,13 @@ class ControlLoader {
   Done check_end_code(const toml::node& node, const CodeRow& c) const;
   bool does(std::initializer_list<Function> functions) const;
   Done addresses();
+  bool sign_address(std::string_view text);
   Done address(char letter, const toml::table& row);
   Done word_format(char letter, const toml::table& row, const AddressRow& a);
   Done groups();
   int group_named(std::string_view name) const;
   /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
-  static std::uint64_t letters(const std::string& text);
+  std::uint64_t letters(const std::string& text) const;
   /// The same of a key; where it holds another character, load() fails.
   std::uint64_t letters(const toml::table& row, std::string_view key, std::string_view beside = "");
   static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }

@@ -49,10 +49,12 @@ int ControlLoader::group_named(std::string_view name) const {
 
 /// "XYZ" → bits; every letter must be an address of this control (checked when all is read).
 /// c, r, a are the words ,C ,R ,A; no letter: `*` (takes_all_axes).
-std::uint64_t ControlLoader::letters(const std::string& text) {
+std::uint64_t ControlLoader::letters(const std::string& text) const {
   std::uint64_t bits = 0;
   for (const char c : text) {
     if (c >= 'A' && c <= 'Z') bits |= letter_bit_of(c);
+    for (const AddressName& name : def_.grammar.names)
+      if (name.text.size() == 1 && name.text[0] == c) bits |= letter_bit_of(name.address);
     if (c == 'c' || c == 'r' || c == 'a') bits |= letter_bit_of(comma_address(static_cast<char>(c - 'a' + 'A')));
   }
   return bits;
@@ -61,7 +63,7 @@ std::uint64_t ControlLoader::letters(const std::string& text) {
 std::uint64_t ControlLoader::letters(const toml::table& row, std::string_view key, std::string_view beside) {
   const std::string all = text(row, key);
   for (const char c : all)
-    if (!((c >= 'A' && c <= 'Z') || c == 'c' || c == 'r' || c == 'a' || beside.find(c) != std::string_view::npos) && bad_value_.empty())
+    if (letters(std::string(1, c)) == 0 && beside.find(c) == std::string_view::npos && bad_value_.empty())
       bad_value_ = place(name_, row, key) + say("{}: letters A to Z, or c, r, a for ,C ,R ,A", key);
   return letters(all);
 }

@@ -57,6 +57,22 @@ constexpr ArgRow args[] = {
     {Function::spindle_code, 3, 5},
     {Function::spindle_code, 19, 19},
     {Function::gear_range, 1, 8},
+    {Function::probe_move, 2, 5},
+    {Function::thread_by_spindle, 0, 1},
+    {Function::coordinate_shift, 0, 1},
+    {Function::coordinate_shift_off, 1, 3},
+    {Function::table_system, 1, 9},
+    {Function::reference_move, 1, 2},
+    {Function::reference_store, 1, 2},
+    {Function::tool_length, 0, 1},
+    {Function::tool_side, 41, 42},
+    {Function::tool_side, 411, 411},
+    {Function::tool_side, 421, 421},
+    {Function::digital_output, 62, 65},
+    {Function::analog_output, 67, 68},
+    {Function::override_switch, 50, 53},
+    {Function::modes_kept, 70, 73},
+    {Function::diameter_mode, 0, 1},
 };
 
 /// Addresses whose letter the engine looks for; G and M alone are codes.
@@ -70,7 +86,7 @@ constexpr LetterRow letters_of[] = {
     {Function::repeat_word, "H"},          {Function::call_word, "L"},     {Function::label, "O"},
     {Function::corrector_word, "L"},       {Function::spindle_word, "S"},  {Function::tool_call, "T"},
     {Function::length_number, "H"},        {Function::radius_number, "D"}, {Function::formal_parameter, "R"},
-    {Function::machine_axis, "XYZUVWABC"},
+    {Function::machine_axis, "XYZUVWABC"}, {Function::tool_of_table, "T"},
 };
 
 /// The words that these look for in their block, by these letters and no others.
@@ -85,6 +101,7 @@ std::string written(Needs needs) {
     case Needs::nct: return say("the machine of the NCT: extends = \"nct\" (dialect = \"nct\")");
     case Needs::correctors: return "dialect = \"correctors\"";
     case Needs::sections: return "[behaviour] subprograms_by_section = true";
+    case Needs::rs274: return "dialect = \"linuxcnc\"";
     case Needs::labels: return "[grammar] label";
     default: return "";
   }
@@ -98,6 +115,7 @@ bool ControlLoader::has(Needs needs) const {
     case Needs::no_nct: return !def_.machine_axes();
     case Needs::correctors: return def_.has_correctors();
     case Needs::sections: return def_.behaviour.subprograms_by_section;
+    case Needs::rs274: return def_.has_parameter_file();
     case Needs::labels: return def_.grammar.label_address != 0;
     default: return true;
   }

@@ -35,6 +35,9 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"comments_span_lines", &Grammar::comments_span_lines},
     {"comma_words", &Grammar::comma_words},
     {"file_names", &Grammar::file_names},
+    {"o_words", &Grammar::o_words},
+    {"percent_encloses", &Grammar::percent_encloses},
+    {"code_by_rounding", &Grammar::code_by_rounding},
 };
 
 /// What lang/block/format refuses: `format "3G2X" is not understood: the address stands twice`, or the reason alone.
@@ -167,13 +170,14 @@ Done ControlLoader::grammar() {
   if (t == nullptr) return {};
   std::set<std::string_view> known = {"percent_digits", "comment_forbidden", "block_length",    "formal_parameter",
                                       "parameters_in",  "most_codes",        "long_parameters", "variables",
-                                      "label",          "section",           "end_of_block"};
+                                      "label",          "section",           "end_of_block",    "named_variables"};
   for (const auto& [key, to] : grammar_flags) {
     known.insert(key);
     g.*to = typed(*t, key, g.*to);
   }
   for (const auto& [key, node] : *t)
     if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()});
+  if (typed(*t, "named_variables", false)) g.named_variables = std::make_shared<VariableNames>();
   g.percent_digits = static_cast<std::uint8_t>(whole(*t, "percent_digits", g.percent_digits, 9));
   g.comment_forbidden = text(*t, "comment_forbidden");
   g.block_length = whole(*t, "block_length", g.block_length, limits::line_bytes);
@@ -207,63 +211,6 @@ char ControlLoader::first_letter(const toml::table& t, std::string_view key) {
   const bool good = letter.size() == 1 && is_capital(letter[0]);
   if (!good && bad_value_.empty()) bad_value_ = place(name_, t, key) + say("{} must be a letter A to Z", key);
   return good ? letter[0] : '\0';
-}
-
-Done ControlLoader::behaviour() {
-  const toml::table* const t = section("behaviour");
-  if (t == nullptr) return {};
-  Behaviour& b = def_.behaviour;
-  std::set<std::string_view> known = {"arc_centers", "length_offset"};
-  const auto flag = [&](const char* key, bool& to) {
-    known.insert(key);
-    to = typed(*t, key, to);
-  };
-  const auto number = [&](const char* key, double& to, const NumberRange& range) {
-    known.insert(key);
-    ranged(*t, key, range, to);
-  };
-  const auto count = [&](const char* key, std::uint32_t& to, std::uint32_t most) {
-    known.insert(key);
-    to = whole(*t, key, to, most);
-  };
-  flag("arc_radius_word", b.arc_radius_word);
-  number("arc_radius_difference", b.arc_radius_difference, ranges::distance);
-  number("arc_difference_inch", b.arc_difference_inch, ranges::distance);
-  flag("helix_by_lead", b.helix_by_lead);
-  number("feed_most", b.feed_most, ranges::feed);
-  flag("feed_required", b.feed_required);
-  number("reference_feed", b.reference_feed, ranges::feed);
-  number("return_chip_break", b.return_chip_break, ranges::distance);
-  number("return_near", b.return_near, ranges::distance);
-  number("probe_least_distance", b.probe_least_distance, ranges::distance);
-  flag("speed_needs_direction", b.speed_needs_direction);
-  flag("tool_and_corrector", b.tool_and_corrector);
-  flag("contour_entry_tangent", b.contour_entry_tangent);
-  flag("contour_blocks_checked", b.contour_blocks_checked);
-  flag("zero_change_checked", b.zero_change_checked);
-  flag("subprogram_zero_local", b.subprogram_zero_local);
-  flag("subprograms_by_section", b.subprograms_by_section);
-  flag("end_required", b.end_required);
-  flag("ends_reading", b.ends_reading);
-  flag("delayed_assignment", b.delayed_assignment);
-  flag("feed_of_axis", b.feed_of_axis);
-  flag("label_is_number", b.label_is_number);
-  flag("diameter_by_setup", b.diameter_by_setup);
-  count("call_depth", b.call_depth, 255);
-  count("offsets", b.offsets, 9999);
-  count("fixtures", b.fixtures, 1000);
-  const std::string centers = text(*t, "arc_centers");
-  if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
-  else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;
-  else if (!centers.empty() && centers != "incremental")
-    return Failed(place(name_, *t, "arc_centers") + say("arc_centers: incremental, as_distance or by_code"));
-  const std::string length = text(*t, "length_offset");
-  if (length == "at_once") b.length_offset = LengthOffset::at_once;
-  else if (!length.empty() && length != "next_motion")
-    return Failed(place(name_, *t->get("length_offset")) + say("length_offset: at_once or next_motion"));
-  for (const auto& [key, node] : *t)
-    if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()}, "unknown behaviour '{}'");
-  return {};
 }
 
 Done ControlLoader::axes() {
@@ -328,12 +275,25 @@ Done ControlLoader::addresses() {
     const toml::table* const row = node.as_table();
     const std::string_view text = key.str();
     const bool comma = text.size() == 2 && text[0] == ',';
+    if (sign_address(text) && row != nullptr) {
+      KADR_LOAD(address(def_.grammar.names.back().address, *row));
+      continue;
+    }
     const char letter = comma ? comma_address(text[1]) : text.size() == 1 ? text[0] : '\0';
     if (letter == 0 || (!comma && (letter < 'A' || letter > 'Z')) || row == nullptr)
       return Failed(place(name_, node) + say("an address is a letter A to Z, or ,C ,R ,A, with a table"));
     KADR_LOAD(address(letter, *row));
   }
   return {};
+}
+
+/// An address that is no letter (spec/linuxcnc 7.1, 8) is one of the names.
+bool ControlLoader::sign_address(std::string_view text) {
+  constexpr std::string_view signs = "$@^";
+  if (text.size() != 1 || signs.find(text[0]) == std::string_view::npos) return false;
+  std::vector<AddressName>& names = def_.grammar.names;
+  names.push_back({std::string(text), static_cast<char>(first_name + static_cast<char>(names.size()))});
+  return true;
 }
 
 Done ControlLoader::address(char letter, const toml::table& row) {

@@ -206,7 +206,34 @@ namespace kadr {
   X(subprogram_return,    flow,          none, code, no_nct,     usual, ends) \
   X(subprogram_end,       flow,          none, code, no_nct,     usual, ends) \
   X(repetition_end,       flow,          none, code, no_nct,     usual, ends) \
-  X(permanent_subprogram, flow,          own,  code, no_nct,     usual, nothing)
+  X(permanent_subprogram, flow,          own,  code, no_nct,     usual, nothing) \
+  /* RS274/NGC with parameters in files (spec/linuxcnc) */ \
+  X(canned_cycle,         motion,        own,  code, rs274,      usual, nothing) \
+  X(probe_move,           motion,        own,  code, rs274,      usual, nothing) \
+  X(thread_by_spindle,    motion,        own,  code, rs274,      usual, nothing) \
+  X(table_data,           data,          own,  code, rs274,      usual, leaves_mode) \
+  X(coordinate_shift,     data,          own,  code, rs274,      usual, leaves_mode) \
+  X(coordinate_shift_off, data,          none, code, rs274,      usual, nothing) \
+  X(table_system,         zero,          none, code, rs274,      usual, nothing) \
+  X(reference_move,       data,          own,  code, rs274,      usual, leaves_mode) \
+  X(reference_store,      data,          none, code, rs274,      usual, nothing) \
+  X(tool_length,          length,        none, code, rs274,      usual, nothing) \
+  X(tool_length_by_words, length,        none, code, rs274,      usual, nothing) \
+  X(tool_length_off,      length,        none, code, rs274,      usual, nothing) \
+  X(tool_side,            compensation,  none, code, rs274,      usual, nothing) \
+  X(tool_of_table,        tool,          none, word, rs274,      usual, nothing) \
+  X(load_tool,            tool_change,   none, code, rs274,      usual, nothing) \
+  X(tool_in_spindle,      tool_change,   none, code, rs274,      usual, nothing) \
+  X(digital_output,       message,       none, code, rs274,      usual, nothing) \
+  X(analog_output,        message,       none, code, rs274,      usual, nothing) \
+  X(wait_for_input,       message,       none, code, rs274,      usual, nothing) \
+  X(orient_to,            spindle,       none, code, rs274,      usual, nothing) \
+  X(override_switch,      override,      none, code, rs274,      usual, nothing) \
+  X(surface_speed_limited, speed_mode,   none, code, rs274,      usual, nothing) \
+  X(modes_kept,           spindle,       none, code, rs274,      last,  nothing) \
+  X(diameter_mode,        unit,          none, code, rs274,      usual, nothing) \
+  X(call_numbered,        flow,          none, code, rs274,      call,  calls) \
+  X(return_numbered,      flow,          none, code, rs274,      usual, ends)
 // clang-format on
 
 /// What a function needs. The machine of the NCT (dialect = "nct") has axes, spindles, offsets and calls of its own: what works on it does
@@ -218,6 +245,7 @@ enum class Needs : std::uint8_t {
   correctors,  // dialect = "correctors"
   sections,    // [behaviour] subprograms_by_section = true
   labels,      // [grammar] label
+  rs274,       // dialect = "linuxcnc"
 };
 
 enum class Phase : std::uint8_t {

@@ -65,6 +65,27 @@ std::string_view nct_form(std::string_view line) {
   return {};
 }
 
+/// An O line with a word of flow (`O100 WHILE […]`, `O<SLOT> CALL`), a name `#<…>`, a code that of all our controls LinuxCNC has alone
+/// (spec/linuxcnc 3, 4.2, 6). Empty: none.
+std::string_view linuxcnc_form(std::string_view line) {
+  if (line[0] == 'O') {
+    const std::size_t name = line.find('>');
+    const std::size_t label = line.size() > 1 && line[1] == '<' && name != std::string_view::npos
+                                  ? name + 1
+                                  : std::min(line.find_first_not_of("O0123456789# "), line.size());
+    const std::string_view behind = line.substr(std::min(line.find_first_not_of(' ', label), line.size()));
+    for (const std::string_view word : {"SUB", "ENDSUB", "CALL", "RETURN", "IF", "WHILE", "DO", "REPEAT"})
+      if (behind.starts_with(word)) return line.substr(0, std::min<std::size_t>(line.size(), 24));
+  }
+  if (const std::size_t at = line.find("#<"); at != std::string_view::npos)
+    return line.substr(at, std::min<std::size_t>(line.find('>', at) - at + 1, 24));
+  constexpr std::array<std::string_view, 10> codes = {"G33.1", "G38.3", "G38.4", "G38.5", "G43.2",
+                                                      "G41.1", "G42.1", "G59.1", "G59.2", "G59.3"};
+  for (const std::string_view code : codes)
+    if (line.find(code) != std::string_view::npos) return code;
+  return {};
+}
+
 /// "ПС in line 2, L81 in line 12".
 std::string reason_of(const std::vector<Found>& found, bool ru) {
   std::string reason;
@@ -89,6 +110,7 @@ class Clues {
     constexpr std::string_view ps = "\xD0\x9F\xD0\xA1";
     if (line.find(ps) != std::string_view::npos) marks_ps_.see(ps, number);
     if (line.size() >= 2 && line.ends_with("LF")) marks_lf_.see("LF", number);
+    if (const auto form = linuxcnc_form(line); !form.empty()) linuxcnc_.see(form, number);
     if (const auto code = nct_code(line); !code.empty()) macros_.see(code, number);
     else if (const auto form = nct_form(line); !form.empty()) macros_.see(form, number);
     if (const std::size_t at = line.find_first_of("#["); at != std::string_view::npos) {
@@ -99,8 +121,8 @@ class Clues {
   }
 
   Guess best() const {
-    constexpr std::array<const char*, 5> ids = {"s2c42", "mach3", "correctors", "gost", "nct"};
-    const std::array<std::vector<Found>, 5> of = {s2c42(), mach3(), correctors(), gost(), nct()};
+    constexpr std::array<const char*, 6> ids = {"s2c42", "mach3", "correctors", "gost", "nct", "linuxcnc"};
+    const std::array<std::vector<Found>, 6> of = {s2c42(), mach3(), correctors(), gost(), nct(), linuxcnc()};
     const auto weight = [](const std::vector<Found>& found) {
       return std::accumulate(found.begin(), found.end(), 0.0, [](double sum, const Found& f) { return sum + f.weight; });
     };
@@ -171,6 +193,11 @@ class Clues {
     add(found, 12, macros_);
     return found;
   }
+  std::vector<Found> linuxcnc() const {
+    std::vector<Found> found;
+    add(found, 12, linuxcnc_);
+    return found;
+  }
 
   void letter(std::string_view line, std::size_t i) {
     const char c = line[i];
@@ -200,8 +227,8 @@ class Clues {
   std::uint32_t number_ = 0;  // of the line
   bool behind_percent_ = false;
   std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, long_integers_ = 0, two_digit_codes_ = 0, one_digit_codes_ = 0;
-  Sign marks_ps_, marks_lf_, variables_, macros_, parameters_, l_cycles_, pairs_, pocket_, o_words_, program_number_, main_blocks_,
-      tape_number_, plus_signs_;
+  Sign marks_ps_, marks_lf_, variables_, macros_, linuxcnc_, parameters_, l_cycles_, pairs_, pocket_, o_words_, program_number_,
+      main_blocks_, tape_number_, plus_signs_;
 };
 
 Guess unknown(const KindOfText& text) {

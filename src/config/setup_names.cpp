@@ -19,7 +19,7 @@ constexpr int most_row = 999'999'999;                          // as the name of
 constexpr int turning_zeros = 9;                               // G92 /A/ of the 2С42's turning machines
 constexpr int extended_systems = 99;                           // G54.1 P1 … P99 (nct 10.2.2)
 constexpr int dynamic_systems = 8;                             // G54.2 P1 … P8 (nct 25.4)
-constexpr std::int32_t first_system = 540, last_system = 590;  // tenths: G54 … G59
+constexpr std::int32_t first_system = 540, last_system = 593;  // tenths: G54 … G59, G59.3
 
 /// "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {
@@ -78,7 +78,8 @@ bool has(const ControlDef& def, SetupNeeds needs) {
   switch (needs) {
     case SetupNeeds::nothing: return true;
     case SetupNeeds::work_offsets:
-      return has_function(def, {Function::work_zero, Function::fixture, Function::work_system}) && !numbers_zeros_itself(def);
+      return has_function(def, {Function::work_zero, Function::fixture, Function::work_system, Function::table_system}) &&
+             !numbers_zeros_itself(def);
     case SetupNeeds::zeros: return numbers_zeros_itself(def);
     case SetupNeeds::correctors: return def.has_correctors();
     case SetupNeeds::variables: return def.grammar.variables > 0 || def.grammar.macro || def.grammar.parameter_address != 0;
@@ -88,7 +89,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::tool_management: return has_variable(def, VariableKind::tool_data);
     case SetupNeeds::clock: return has_variable(def, VariableKind::date);
     case SetupNeeds::diameters: return def.machine_axes() || def.behaviour.diameter_by_setup;
-    case SetupNeeds::probe: return has_function(def, {Function::probe, Function::measure, Function::measure_length});
+    case SetupNeeds::probe: return has_function(def, {Function::probe, Function::probe_move, Function::measure, Function::measure_length});
     case SetupNeeds::machine_axes: return def.machine_axes();
   }
   return true;
@@ -103,7 +104,8 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   std::uint32_t plain = 0;
   for (const CodeRow& row : def.codes) {
     if (row.letter != 'G' || row.tenth < first_system || row.tenth > last_system || row.arg <= 0) continue;
-    const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture || row.function == Function::work_system;
+    const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture ||
+                          row.function == Function::work_system || row.function == Function::table_system;
     if (!is_plain) continue;
     systems.push_back({row.code, static_cast<std::uint32_t>(row.arg), row.works});
     plain = std::max(plain, static_cast<std::uint32_t>(row.arg));
@@ -196,7 +198,8 @@ std::vector<std::string> SetupNamesOf::all(SetupNames kind) const {
       return names;
     case SetupNames::axis_or_plane:
       names = axes_;
-      if (def_ == nullptr || has_variable(*def_, VariableKind::rotation)) names.insert(names.end(), {"G17", "G18", "G19"});
+      if (def_ == nullptr || def_->has_parameter_file() || has_variable(*def_, VariableKind::rotation))
+        names.insert(names.end(), {"G17", "G18", "G19"});
       return names;
     case SetupNames::work_offset:
       for (const WorkSystem& system : systems_) names.push_back(system.name);

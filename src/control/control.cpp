@@ -87,11 +87,12 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
     placed.where = last.where;
     return interpreter_->report_of(placed, origin, last.text);
   }
-  AlarmReport report = interpreter_->report_of(alarm, origin, {});
+  AlarmReport report = interpreter_->plain_report_of(alarm, origin, {});
   const AlarmReport::Line line = line_at(origin);
   report.file = line.file;
   report.line_text = line.text;
   if (!line.text.empty()) report.alarm.where = line.where;
+  if (interpreter_->dialect) interpreter_->dialect->reword(*interpreter_, report);
   return report;
 }
 AlarmReport::Line Control::line_at(const Origin& origin) const {

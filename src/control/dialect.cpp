@@ -32,6 +32,11 @@ BlockChanges Dialect::changes_of(const Interpreter& m, const Plan& plan) const {
 void Dialect::before_function(Interpreter&, Function) {}
 void Dialect::after_code(Interpreter&, const CodeRow&, std::int32_t) {}
 Status Dialect::after_block(Interpreter&) { return {}; }
+Result<bool> Dialect::sign_of_file(Interpreter&) { return false; }
+Result<bool> Dialect::end_of_file(Interpreter&) { return false; }
+Status Dialect::comments(Interpreter& m) { return m.show_messages(), Status(); }
+void Dialect::reword(const Interpreter&, AlarmReport&) const {}
+Status Dialect::write_variable(Interpreter& m, double number, double value, Span where) { return m.variables.set(number, value, where); }
 void Dialect::note_shadowed(Interpreter&, std::uint32_t, Span) {}
 void Dialect::keep(Interpreter&) {}
 void Dialect::take_back(Interpreter&) {}
@@ -66,6 +71,7 @@ std::unique_ptr<Dialect> make_dialect(Interpreter& m, const Setup& setup, const 
   switch (m.def.dialect) {
     case DialectId::s2c42: return make_s2c42_dialect();
     case DialectId::correctors: return make_correctors_dialect(m, setup);
+    case DialectId::linuxcnc: return make_linuxcnc_dialect(m, setup, limits);
     case DialectId::nct: return make_nct_dialect(m, setup, limits, std::move(commons));
     case DialectId::iso: break;
   }

@@ -109,6 +109,8 @@ class Dialect {
   virtual bool reads_clock(const Block& block) const;
   /// A block with `/`, whether it is skipped or not.
   virtual void note_skip_mark(Interpreter& m);
+  /// A block that is skipped is not read: what is wrong in it does not count.
+  virtual bool skips_unread() const { return false; }
   /// Blocks are looked at one by one: an interrupt macro may come.
   virtual bool watches_blocks() const { return false; }
   virtual bool in_interrupt() const { return false; }
@@ -133,6 +135,15 @@ class Dialect {
   /// The block was faulty: what it had changed here, as it was; then, when all the rest is as it was before.
   virtual void take_back(Interpreter& m);
   virtual void taken_back(Interpreter& m);
+
+  /// A line of nothing but `%` (Grammar::percent_encloses). true: dealt with.
+  virtual Result<bool> sign_of_file(Interpreter& m);
+  /// The program's file is over, without a code that ends it. true: dealt with.
+  virtual Result<bool> end_of_file(Interpreter& m);
+  /// Comments that do something, before the block's words.
+  virtual Status comments(Interpreter& m);
+  /// The control's own words for what is reported, where no row of [alarms] can have them.
+  virtual void reword(const Interpreter& m, AlarmReport& report) const;
 
   /// A subprogram of the program has the number of a cycle, which is called instead. `where`: the call, or its first block.
   virtual void note_shadowed(Interpreter& m, std::uint32_t number, Span where);
@@ -183,6 +194,8 @@ class Dialect {
   virtual void refresh_frames(Interpreter& m);
   /// The zero may move under a contour that is being compensated.
   virtual bool zero_may_move() const { return false; }
+  /// G20 and G21 may come while a contour is being compensated.
+  virtual bool units_may_change() const { return false; }
   /// Positions as they are shown: axes that roll over within their turn.
   virtual void roll(const Interpreter& m, Axes& positions) const;
   virtual Status take_answer(Interpreter& m, const ProbeAnswer& answer);
@@ -192,6 +205,8 @@ class Dialect {
   // ---- variables beyond those that the file lists
 
   virtual Result<double> read_variable(Interpreter& m, double number, Span where) const;
+  /// #n=… of a control without levels of locals.
+  virtual Status write_variable(Interpreter& m, double number, double value, Span where);
   /// Number of an element of a variable with a name.
   virtual Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where) const;
   /// A parameter of the control; NaN bit, index: left out.
@@ -201,6 +216,7 @@ class Dialect {
 // Each stands in the folder of its name.
 std::unique_ptr<Dialect> make_s2c42_dialect();
 std::unique_ptr<Dialect> make_correctors_dialect(const Interpreter& m, const Setup& setup);
+std::unique_ptr<Dialect> make_linuxcnc_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits);
 std::unique_ptr<Dialect> make_nct_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
 /// The dialect that the control's file names, or nullptr. `commons`: variables that all channels of the machine share.

@@ -113,6 +113,7 @@ Control::State Interpreter::run(ActionBatch& to) {
       for (const Alarm& w : block->warnings) warn(w);
       block->warnings.clear();  // of a block that is kept: told once
     }
+    if (!got && dialect && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) continue;
     if (got) {
       take_block();
       motion_run_.note(*this);
@@ -229,6 +230,11 @@ void Interpreter::power_cycle() {
 
 /// The file's end ends the program too; not in the middle of a call or a repetition.
 Status Interpreter::end_of_file() {
+  if (dialect) {
+    const auto done = dialect->end_of_file(*this);
+    if (!done) return fail(done.error());
+    if (*done) return {};
+  }
   if (flow.depth() == 0) {
     const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // not a block in it
     origin.line = std::max<std::uint32_t>(origin.line, 1);

@@ -81,6 +81,8 @@ class Interpreter : public ControlState, public RunMemory {
   std::optional<BlockState> state_of(const Origin& at) const;
   Alarm with_names(Alarm alarm) const;
   void decode_arguments(Alarm& alarm) const;
+  /// Without the control's own words for it.
+  AlarmReport plain_report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
 
   // ---- words of the block being carried out
@@ -200,6 +202,8 @@ class Interpreter : public ControlState, public RunMemory {
 
   // ---- what the file alone says (a dialect may say otherwise)
 
+  /// (MSG, …) of the block's comments.
+  void show_messages();
   /// The words' ranges, and assignments that act with them.
   Status take_words();
   Status axis_words(Axes& to, AxisMask& named) const;

@@ -56,8 +56,8 @@ void Interpreter::decode_arguments(Alarm& alarm) const {
   }
 }
 
-AlarmReport Interpreter::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
-  AlarmReport r{def.grammar.macro ? with_names(alarm) : alarm, flow.file(), {}, at, {}, {}};
+AlarmReport Interpreter::plain_report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
+  AlarmReport r{def.grammar.names.empty() && !def.grammar.macro ? alarm : with_names(alarm), flow.file(), {}, at, {}, {}};
   decode_arguments(r.alarm);
   const bool in_body = flow.in_body() && !line_text.empty();
   if (in_body) r.alarm.where = call_where;  // the body stands in no file: the place is the call
@@ -70,6 +70,12 @@ AlarmReport Interpreter::report_of(const Alarm& alarm, const Origin& at, std::st
     r.own_text = flow.shown(block->text_of(block->comments.front()), all);
   }
   r.calls = calls();
+  return r;
+}
+
+AlarmReport Interpreter::report_of(const Alarm& alarm, const Origin& at, std::string_view line_text) const {
+  AlarmReport r = plain_report_of(alarm, at, line_text);
+  if (dialect) dialect->reword(*this, r);
   return r;
 }
 

@@ -64,7 +64,9 @@ void Interpreter::check_setup(const Setup& setup) {
   for (const auto& [name, zero] : setup.work_offsets) {
     if (!plain) break;
     if (zero_number(work_systems(def), name) < 0) note("work_offsets." + name);
-    axes_known("work_offsets", zero);
+    AxisValues of_axes = zero;
+    if (def.has_parameter_file()) of_axes.erase("G17");  // R of G10 L2 (spec/linuxcnc 7.8)
+    axes_known("work_offsets", of_axes);
   }
 }
 

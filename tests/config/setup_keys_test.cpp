@@ -104,6 +104,7 @@ TEST(setup_keys, what_the_controls_have) {
   const std::map<std::string, std::set<H>> expected = {
       {"s2c42", {H::nothing, H::zeros, H::variables}},
       {"mach3", {H::nothing, H::work_offsets, H::variables, H::probe}},
+      {"linuxcnc", {H::nothing, H::work_offsets, H::variables, H::probe}},
       {"gost", {H::nothing, H::work_offsets, H::diameters}},
       {"correctors", {H::nothing, H::correctors}},
       {"nct",

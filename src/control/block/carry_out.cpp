@@ -16,15 +16,21 @@ bool ends_or_stops(const CodeRow* row) { return is(row, function_fact::ends | fu
 
 }  // namespace
 
-Status Interpreter::carry_out(const Plan& plan) {
-  if (def.grammar.expressions)
-    for (const Span comment : block->comments) {
-      const std::string_view text = block->text_of(comment);
-      if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) {
-        Span all;
-        emit(Message{flow.shown(text.substr(4), all)});
-      }
+void Interpreter::show_messages() {
+  for (const Span comment : block->comments) {
+    const std::string_view text = block->text_of(comment);
+    if (text.size() > 4 && (text.starts_with("MSG,") || text.starts_with("msg,"))) {
+      Span all;
+      emit(Message{flow.shown(text.substr(4), all)});
     }
+  }
+}
+
+Status Interpreter::carry_out(const Plan& plan) {
+  if (def.grammar.expressions && !block->comments.empty()) {
+    if (dialect) KADR_TRY(dialect->comments(*this));
+    else show_messages();
+  }
   block_axes_taken = plan.axes_taken;
   bool motion_began = false;
   std::size_t calls_before = ~std::size_t{0};

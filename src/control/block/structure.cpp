@@ -17,6 +17,11 @@ Span Interpreter::label_place() const {
 Status Interpreter::structure() {
   switch (block->marker) {
     case Marker::program_start:
+      if (dialect && def.grammar.percent_encloses) {
+        const auto done = dialect->sign_of_file(*this);
+        if (!done) return fail(done.error());
+        return flow.set_started(true), Status();
+      }
       if (flow.started() && !skipping_section && flow.depth() == 0 && def.behaviour.ends_reading) {
         warn(warning(AlarmId::end_missing, block->where));
         flow.end();  // the next program of the tape

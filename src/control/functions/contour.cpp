@@ -133,7 +133,9 @@ Status arc_beside_contour(const Interpreter& m, Span where, std::string_view cod
 void note_contour(Interpreter& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   const bool named = (motion.named & plane_mask(m)) != 0;
-  motion.entry = m.def.behaviour.contour_entry_tangent ? ContourEntry::tangent : ContourEntry::normal;
+  motion.entry = m.def.behaviour.contour_entry_tangent  ? ContourEntry::tangent
+                 : m.def.behaviour.contour_entry_across ? ContourEntry::across
+                                                        : ContourEntry::normal;
   motion.join_corner = modal.corner_join;
   if (modal.contour == ContourPhase::leaving) return lead_off(m, motion, from);
   const bool moves = named && (is_arc(motion.kind) || length(in_plane(m, motion.to) - in_plane(m, from)) > tol::same_point);

@@ -39,7 +39,9 @@ Status set_feed_mode(Interpreter& m, FeedMode mode) {
 
 /// Not under radius compensation (RS274/NGC).
 Status set_unit(Interpreter& m, const Call& call, bool inch) {
-  if (compensates(m.modal) && m.modal.inch != inch) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
+  const bool may_change = m.dialect && m.dialect->units_may_change();
+  if (!may_change && compensates(m.modal) && m.modal.inch != inch)
+    return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   m.modal.inch = m.variables.inch = inch;
   return {};
 }

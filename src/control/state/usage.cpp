@@ -34,7 +34,8 @@ void ProgramUse::pass(const Origin& origin) {
 void note_work_zero(Interpreter& m, std::uint32_t row) {
   if (row == 0) return;  // no work zero
   // The control's own reset at the end of the program brings a system back too: that is no use.
-  if (!m.has_code({Function::work_zero, Function::fixture, Function::work_system, Function::work_system_extended, Function::zero_shift}))
+  if (!m.has_code({Function::work_zero, Function::fixture, Function::work_system, Function::work_system_extended, Function::table_system,
+                   Function::zero_shift}))
     return;
   bool zero = true;
   const std::uint32_t first = m.variables.first(VariableKind::fixture);

@@ -60,7 +60,29 @@ enum class StatementKind : std::uint8_t {
   close_file,
   print_binary,
   print_decimal,
+  o_word,  // a line of flow or calls (spec/linuxcnc 6)
 };
+
+/// What an O line says (spec/linuxcnc 6.1).
+enum class OWord : std::uint8_t {
+  label,  // O100 alone
+  sub,
+  endsub,
+  call,
+  return_,
+  do_,
+  while_,
+  endwhile,
+  repeat,
+  endrepeat,
+  if_,
+  elseif,
+  else_,
+  endif,
+  break_,
+  continue_
+};
+std::string_view name_of(OWord word);
 
 struct Statement {
   StatementKind kind = StatementKind::none;
@@ -72,7 +94,9 @@ struct Statement {
   Expression value;    // assign, go_to: N…; ports and files: n
   Expression program;  // FOPENn P…
   Span where;
-  Span text;  // between the brackets of DPRNT, BPRNT
+  Span text;  // between the brackets of DPRNT, BPRNT; the label of an O line where it is a name (else `value`)
+  OWord o_word = OWord::label;
+  Span label_where;  // of an O line
 };
 
 /// #n = expression, or R2+50.
@@ -126,8 +150,9 @@ struct Block {
   BlockShape shape;
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
-  std::vector<Span> comments;   // the text between the brackets
-  std::vector<Alarm> warnings;  // look-alike letters
+  std::vector<Expression> arguments;  // of O100 call
+  std::vector<Span> comments;         // the text between the brackets
+  std::vector<Alarm> warnings;        // look-alike letters
   Statement statement;
   Span file_name;             // between < and >
   bool evaluates = false;     // some word's value is an expression
@@ -160,6 +185,7 @@ struct Block {
     shape = {};
     code.clear();
     assignments.clear();
+    arguments.clear();
     comments.clear();
     warnings.clear();
   }

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "lang/expression/expression_rules.h"
+#include "lang/expression/variable_names.h"
 
 namespace kadr {
 
@@ -97,6 +99,11 @@ struct Grammar {
   bool zero_between_slashes = false;    // G92 /2/: the number is a word of address A (2С42, last section)
   std::uint32_t block_length = 0;       // most characters in a block, 0 = free
   std::uint32_t variables = 0;          // highest #n
+  // RS274/NGC as LinuxCNC has it (spec/linuxcnc)
+  bool o_words = false;                            // O lines: O100 while […] (6)
+  bool percent_encloses = false;                   // `%` alone in its line begins the program and ends it (2.1)
+  bool code_by_rounding = false;                   // G[10*0.1]: a thousandth of the number is forgiven; N may have a point (2.2, 2.3)
+  std::shared_ptr<VariableNames> named_variables;  // #<name>; nullptr: there are none
   // Custom macros and names of several characters (nct).
   bool macro = false;                                       // statements: IF, WHILE, GOTO, … (nct 23)
   bool operator_i = false;                                  // XI-40: an increment in that word (nct 5.1)
@@ -122,6 +129,7 @@ inline constexpr std::uint32_t block_assignments = 32;   // #n=… in one block
 inline constexpr std::uint32_t comment_bytes = 4096;     // kept of a comment over several lines
 inline constexpr std::uint32_t long_comments = 64;       // over several lines, in one block
 inline constexpr std::uint32_t conditions = 4;           // IF[…] IF[…] …
+inline constexpr std::uint32_t call_arguments = 30;      // O100 call [1] [2] … (spec/linuxcnc 6.2)
 }  // namespace limits
 
 }  // namespace kadr

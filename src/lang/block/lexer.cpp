@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "base/ascii.h"
+#include "lang/block/block_parts.h"
+#include "lang/block/o_word_reader.h"
 #include "lang/block/statement_reader.h"
 #include "lang/block/word_reader.h"
 #include "lang/expression/expression.h"
@@ -60,6 +62,7 @@ class Lexer {
   Status program_start() {
     const std::size_t begin = cursor_.at;
     while (cursor_.peek() == '%') ++cursor_.at;
+    if (grammar_.percent_encloses) return sign_of_file(begin);
     if (grammar_.percent_ignored) {
       cursor_.at = cursor_.text.size();
       done_ = true;
@@ -75,6 +78,14 @@ class Lexer {
     if (!read || number.has_point || !grammar_.percent_number || number.whole_digits > grammar_.percent_digits)
       return fail(alarm(AlarmId::program_number_damaged, span(begin, cursor_.at), double(grammar_.percent_digits)));
     block_.label = static_cast<std::uint32_t>(number.value);
+    return {};
+  }
+
+  /// `%` alone in its line; else it is no word (spec/linuxcnc 2.1).
+  Status sign_of_file(std::size_t begin) {
+    cursor_.skip_blanks();
+    if (cursor_.at < cursor_.text.size()) return cursor_.at = begin, unexpected();
+    block_.marker = Marker::program_start;
     return {};
   }
 
@@ -112,12 +123,15 @@ class Lexer {
     }
     if (is_high(c) || c == '\x0e') return wide();
     if (is_lower(c) && grammar_.lower_case) return word(to_upper(c), 1);
+    for (const AddressName& name : grammar_.names)  // `$`, `@`, `^`
+      if (name.text.size() == 1 && name.text[0] == c) return word_of(name.address, 1, cursor_.at);
     return unexpected();
   }
 
   Status word(char letter, std::size_t bytes) {
     const std::size_t begin = cursor_.at;
     if (letter == 'L' && words_.marks_end("LF", begin)) return end_mark(2);
+    if (letter == 'O' && grammar_.o_words) return o_line();
     if (grammar_.macro) {
       const char next = begin + bytes < cursor_.text.size() ? cursor_.text[begin + bytes] : '\0';
       if (is_letter(next)) {
@@ -128,6 +142,11 @@ class Lexer {
         if (const AddressName* const name = words_.name_here(); name != nullptr) return word_of(name->address, name->text.size(), begin);
     }
     return word_of(letter, bytes, begin);
+  }
+
+  Status o_line() {
+    if (!begins() || !block_.assignments.empty()) return unexpected();
+    return OWordReader(cursor_, grammar_, block_).read();
   }
 
   /// Neither words nor IF[…] THEN stand before this.
@@ -212,17 +231,7 @@ class Lexer {
   Status assignment() {
     const std::size_t begin = cursor_.at++;
     if (grammar_.macro) return statements_.assignment(begin);
-    auto target = compile_value(cursor_, grammar_, block_);
-    if (!target) return fail(target.error());
-    cursor_.skip_blanks();
-    if (cursor_.peek() != '=') return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at + 1), "#n="));
-    ++cursor_.at;
-    auto value = compile_value(cursor_, grammar_, block_);
-    if (!value) return fail(value.error());
-    if (block_.assignments.size() == limits::block_assignments)
-      return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{limits::block_assignments}));
-    block_.assignments.push_back({*target, *value, span(begin, cursor_.at)});
-    return {};
+    return read_assignment(cursor_, grammar_, block_, begin);
   }
 
   // ---- comments, ends, other characters
@@ -236,21 +245,12 @@ class Lexer {
       return fail(alarm(AlarmId::comment_not_closed, span(begin, begin + 1)));
     }
     if (!grammar_.comment_forbidden.empty()) {
-      const std::size_t bad = cursor_.text.substr(0, close).find_first_of(grammar_.comment_forbidden, begin);
+      const std::size_t bad = cursor_.text.substr(0, close).find_first_of(grammar_.comment_forbidden, begin + 1);
       if (bad != std::string_view::npos) return fail(alarm(AlarmId::comment_character, span(bad, bad + 1), cursor_.text[bad]));
     }
-    if (is_utf8_ && !grammar_.comment_forbidden.empty()) KADR_TRY(no_mark_inside(begin + 1, close));
+    if (is_utf8_ && !grammar_.comment_forbidden.empty()) KADR_TRY(no_mark_inside(cursor_.text, begin + 1, close));
     block_.comments.push_back(span(begin + 1, close));
     cursor_.at = close + 1;
-    return {};
-  }
-
-  /// ПС as a word of its own inside a comment ends the block on the tape (2С42 6.2).
-  Status no_mark_inside(std::size_t begin, std::size_t end) const {
-    constexpr std::string_view mark = "ПС";
-    const auto apart = [&](std::size_t i) { return i < begin || i >= end || is_blank(cursor_.text[i]); };
-    for (std::size_t i = cursor_.text.find(mark, begin); i < end; i = cursor_.text.find(mark, i + 1))
-      if (apart(i - 1) && apart(i + mark.size())) return fail(alarm(AlarmId::comment_character, span(i, i + mark.size()), mark));
     return {};
   }
 

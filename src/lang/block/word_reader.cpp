@@ -157,7 +157,7 @@ Status WordReader::check_digits(const Word& w, const Number& read, const WordFor
 Status WordReader::code_of(Word& w, std::size_t begin) const {
   const double tenth = w.value * 10;
   const double nearest = std::round(tenth);
-  if (std::fabs(tenth - nearest) > 1e-9 || nearest < 0 || nearest > 1e9)
+  if (std::fabs(tenth - nearest) > (grammar_.code_by_rounding ? 1e-3 : 1e-9) || nearest < 0 || nearest > 1e9)
     return fail(alarm(AlarmId::code_unknown, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
   w.code = static_cast<std::int32_t>(nearest);
   const WordFormat& format = grammar_.word(w.address);
@@ -289,6 +289,7 @@ Status WordReader::block_number(std::size_t begin, const WordFormat& format) {
   if (grammar_.macro && (cursor_.peek() == '#' || cursor_.peek() == '['))
     return fail(alarm(AlarmId::number_by_variable, span(begin, cursor_.at + 1), 'N'));
   if (!is_digit(cursor_.peek()) || !read_number(cursor_, read)) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), 'N'));
+  if (grammar_.code_by_rounding) read.has_point = false, read.value = std::floor(read.value);
   if (block_.has_number) return fail(alarm(AlarmId::address_twice, span(begin, cursor_.at), 'N'));
   if (block_.word_count != 0) return fail(alarm(AlarmId::block_number_position, span(begin, cursor_.at)));
   Word w;

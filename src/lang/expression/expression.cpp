@@ -15,6 +15,7 @@ namespace {
 
 constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr double nearly = 1e-4;             // LinuxCNC's EQ and NE
 constexpr std::size_t exact_digits = 15;    // so many digits are a whole number exactly in a double
 constexpr std::size_t number_digits = 300;  // more than any double needs: the number is refused
 
@@ -36,10 +37,14 @@ Result<double> apply_pair(Op op, double a, double b, Span where) {
       const double rest = remainder_of(a, b);
       return rest < 0 ? rest + std::fabs(b) : rest;  // RS274/NGC: never negative
     }
-    case Op::power: return finite(std::pow(a, b), where);
+    case Op::power:
+      if (a < 0 && b != std::round(b)) return fail(alarm(AlarmId::power_of_negative, where));
+      return finite(std::pow(a, b), where);
     case Op::logic_and: return a != 0 && b != 0 ? 1.0 : 0.0;
     case Op::logic_or: return a != 0 || b != 0 ? 1.0 : 0.0;
     case Op::logic_xor: return (a != 0) != (b != 0) ? 1.0 : 0.0;
+    case Op::nearly_equal: return std::fabs(a - b) < nearly ? 1.0 : 0.0;
+    case Op::nearly_not_equal: return std::fabs(a - b) < nearly ? 0.0 : 1.0;
     case Op::atan: return angle_deg({b, a});  // ATAN[a]/[b]
     default: return apply_macro(op, a, b, where);
   }

@@ -29,6 +29,9 @@ inline bool is_vacant(double value) { return value != value; }
 ///   alarms  expression_syntax, bracket_not_closed, nesting_too_deep, operator_unknown, function_unknown, number_damaged
 Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& block);
 
+/// What stands between `#` and `=` of an assignment: the number of a variable, or the name of one, as compile_value.
+Result<Expression> compile_target(Cursor& cursor, const Grammar& grammar, Block& block);
+
 /// How much of the text at the cursor is the value.
 enum class MacroValue : std::uint8_t {
   operand,   // after an address: a number, #n, #[…], #_NAME, […], a function of the operand that follows

@@ -6,15 +6,16 @@
 
 #include "base/ascii.h"
 #include "lang/expression/expression.h"
+#include "lang/expression/step_writer.h"
 #include "lang/text/encoding.h"
 
 namespace kadr {
 namespace {
 
-class Compiler {
+class Compiler : public StepWriter {
  public:
   Compiler(Cursor& cursor, const Grammar& grammar, Block& block, bool reads_parameters = false)
-      : cursor_(cursor), grammar_(grammar), block_(block), reads_parameters_(reads_parameters) {}
+      : StepWriter(cursor, grammar, block), reads_parameters_(reads_parameters) {}
 
   /// Precedence climbing: a value, then operators that bind at least so tightly, each with its right side.
   Status sum(int least_binding) {
@@ -56,6 +57,7 @@ class Compiler {
     if (is_digit(c) || c == '.') return number();
     if (c == '#') {
       ++cursor_.at;
+      if (grammar_.named_variables != nullptr && named_here()) return named(begin, Op::variable_at);
       return grammar_.macro ? variable(begin) : variable_of_value(begin);
     }
     if (c == '[') return bracket();
@@ -115,32 +117,23 @@ class Compiler {
     return step(found->op, 0, begin, -1);
   }
 
-  Status step(Op op, double number, std::size_t begin, int pushed) {
-    pushed_ += pushed;
-    if (block_.code.size() >= limits::expression_steps || pushed_ > static_cast<int>(limits::expression_depth))
-      return fail(alarm(AlarmId::nesting_too_deep, span(begin, begin + 1), double{limits::expression_depth}));
-    block_.code.push_back({op, number, span(begin, cursor_.at)});
-    return {};
+  bool named_here() {
+    cursor_.skip_blanks();
+    return cursor_.peek() == '<';
   }
 
-  /// Has the bracket at `begin` no partner in the rest of the block (23.2.6)?
-  bool is_open(std::size_t begin) const {
-    int depth = 0;
-    for (std::size_t i = begin; i < cursor_.text.size() && cursor_.text[i] != '('; ++i) {
-      depth += cursor_.text[i] == '[' ? 1 : cursor_.text[i] == ']' ? -1 : 0;
-      if (depth == 0) return false;
+  /// #<name> (spec/linuxcnc 4.2). `use`: variable_at its value, number its number.
+  Status named(std::size_t begin, Op use) {
+    const std::size_t open = cursor_.at;
+    const std::size_t close = cursor_.text.find('>', open);
+    if (close == std::string_view::npos) {
+      cursor_.at = cursor_.text.size();
+      return fail(alarm(AlarmId::variable_name_open, span(begin, cursor_.at)));
     }
-    return true;
-  }
-
-  tl::unexpected<Alarm> wrong(std::size_t at) const {
-    if (!grammar_.macro) return fail(alarm(AlarmId::expression_syntax, span(at, at + 1), character_at(at)));
-    if (at < cursor_.text.size() && (static_cast<unsigned char>(cursor_.text[at]) & 0x80) != 0) {
-      const std::size_t bytes = std::max<std::size_t>(1, first_character(cursor_.text.substr(at)).size);
-      return fail(alarm(AlarmId::unexpected_character, span(at, at + bytes), cursor_.text.substr(at, bytes)));
-    }
-    return fail(
-        alarm(AlarmId::expression_syntax, span(at, at + 1), at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…")));
+    cursor_.at = close + 1;
+    const auto number = grammar_.named_variables->number_of(cursor_.text.substr(open + 1, close - open - 1));
+    if (!number) return fail(alarm(AlarmId::too_many_words, span(begin, cursor_.at), double{VariableNames::most}));
+    return step(use, *number, begin, 1);
   }
 
  private:
@@ -170,6 +163,7 @@ class Compiler {
 
   Status word() {
     const std::size_t begin = cursor_.at;
+    if (grammar_.named_variables != nullptr && starts_with("EXISTS", begin)) return exists(begin);
     if (const ExpressionRow* const found = grammar_.expression.functions.find(rest()); found != nullptr) {
       cursor_.at += found->text.size();
       cursor_.skip_blanks();
@@ -182,6 +176,28 @@ class Compiler {
     while (end < cursor_.text.size() && is_letter(cursor_.text[end])) ++end;
     const AlarmId id = end - begin > 1 || !grammar_.macro ? AlarmId::function_unknown : AlarmId::expression_syntax;
     return fail(alarm(id, span(begin, end), cursor_.text.substr(begin, end - begin)));
+  }
+
+  /// EXISTS[#<name>], EXISTS[#5] (spec/linuxcnc 5).
+  Status exists(std::size_t begin) {
+    cursor_.at = begin + 6;
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '[') return fail(alarm(AlarmId::function_bracket, span(begin, cursor_.at + 1)));
+    ++cursor_.at;
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '#') return fail(alarm(AlarmId::exists_parameter, span(begin, cursor_.at + 1)));
+    ++cursor_.at;
+    if (named_here()) {
+      KADR_TRY(named(begin, Op::number));
+    } else {
+      KADR_TRY(enter(begin));
+      KADR_TRY(factor());
+      --depth_;
+    }
+    cursor_.skip_blanks();
+    if (cursor_.peek() != ']') return fail(alarm(AlarmId::exists_bracket, span(begin, cursor_.at + 1)));
+    ++cursor_.at;
+    return step(Op::element, -1, begin, 0);  // the control says whether there is one
   }
 
   /// Only the operand that follows (nct 23.2.4), with its signs.
@@ -298,21 +314,6 @@ class Compiler {
     return step(Op::element, static_cast<double>(found - grammar_.symbols.begin()), begin - 1, 0);
   }
 
-  std::string_view rest() const { return cursor_.text.substr(std::min(cursor_.at, cursor_.text.size())); }
-
-  bool starts_with(std::string_view word, std::size_t at) const {
-    if (cursor_.text.size() - at < word.size()) return false;
-    for (std::size_t i = 0; i < word.size(); ++i)
-      if (to_upper(cursor_.text[at + i]) != word[i]) return false;
-    return true;
-  }
-
-  /// The character there, whole.
-  std::string_view character_at(std::size_t at) const {
-    if (at >= cursor_.text.size()) return "…";
-    return cursor_.text.substr(at, std::max<std::size_t>(first_character(cursor_.text.substr(at)).size, 1));
-  }
-
   /// RS274/NGC: after an operand only ] and the end are no operators.
   Status end_of_expression(std::size_t at) const {
     const char c = cursor_.peek();
@@ -329,22 +330,7 @@ class Compiler {
     return step(Op::variable, 0, begin, 0);
   }
 
-  Status enter(std::size_t at) {
-    if (++depth_ > static_cast<int>(limits::expression_depth))
-      return fail(alarm(AlarmId::nesting_too_deep, span(at, at + 1), double{limits::expression_depth}));
-    return {};
-  }
-
-  Span span(std::size_t begin, std::size_t end) const {
-    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(std::min(end, cursor_.text.size()))};
-  }
-
-  Cursor& cursor_;
-  const Grammar& grammar_;
-  Block& block_;
   bool reads_parameters_;
-  int depth_ = 0;
-  int pushed_ = 0;
 };
 
 template <class Compile>
@@ -361,6 +347,14 @@ Result<Expression> compiled(Block& block, Compile compile) {
 Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& block) {
   Compiler compiler(cursor, grammar, block);
   return compiled(block, [&] { return compiler.factor(); });
+}
+
+Result<Expression> compile_target(Cursor& cursor, const Grammar& grammar, Block& block) {
+  Compiler compiler(cursor, grammar, block);
+  return compiled(block, [&] {
+    const std::size_t begin = cursor.at;
+    return grammar.named_variables != nullptr && compiler.named_here() ? compiler.named(begin, Op::number) : compiler.factor();
+  });
 }
 
 Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent) {

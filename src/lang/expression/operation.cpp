@@ -52,6 +52,8 @@ constexpr std::pair<std::string_view, Op> names[] = {
     {"bit_and", Op::bit_and},
     {"bit_or", Op::bit_or},
     {"bit_xor", Op::bit_xor},
+    {"nearly_equal", Op::nearly_equal},
+    {"nearly_not_equal", Op::nearly_not_equal},
 };
 
 }  // namespace

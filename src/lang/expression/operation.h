@@ -46,6 +46,8 @@ enum class Op : std::uint8_t {
   bit_and,
   bit_or,
   bit_xor,
+  nearly_equal,  // within 0.0001 (spec/linuxcnc 5)
+  nearly_not_equal,
   bit_not,
   truncate,        // FIX
   away_from_zero,  // FUP
@@ -73,7 +75,8 @@ constexpr bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_e
 
 /// Steps with two operands.
 constexpr bool takes_two(Op op) {
-  return (op >= Op::add && op <= Op::less_equal && op != Op::negate) || op == Op::atan || (op >= Op::remainder && op <= Op::bit_xor);
+  return (op >= Op::add && op <= Op::less_equal && op != Op::negate) || op == Op::atan ||
+         (op >= Op::remainder && op <= Op::nearly_not_equal);
 }
 
 }  // namespace kadr

@@ -52,7 +52,8 @@ struct Fields {
   }
   std::string operator()(const ToolChange& t) const { return "toolchange\"" + field("tool", t.tool) + place(t.place); }
   std::string operator()(const MachineFunction& m) const {
-    return "m\"" + field("code", "M" + std::to_string(m.code)) + field("P", m.p) + field("Q", m.q) + field_if("spindle", m.spindle);
+    return "m\"" + field("code", "M" + std::to_string(m.code)) + field("P", m.p) + field("Q", m.q) + field_if("spindle", m.spindle) +
+           field("number", m.number) + field("value", m.value);
   }
   std::string operator()(const AuxiliaryFunction& a) const {
     return "aux\"" + field("address", std::string_view(&a.address, 1)) + field("value", a.value);

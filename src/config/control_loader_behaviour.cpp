@@ -1,0 +1,71 @@
+// The section [behaviour] of a control file: how the engine's functions act where controls differ. For control_loader_words.
+
+#include <set>
+
+#include "config/control_loader.h"
+#include "config/range.h"
+
+namespace kadr {
+
+using loader_texts::say;
+using toml_tools::place;
+
+Done ControlLoader::behaviour() {
+  const toml::table* const t = section("behaviour");
+  if (t == nullptr) return {};
+  Behaviour& b = def_.behaviour;
+  std::set<std::string_view> known = {"arc_centers", "length_offset"};
+  const auto flag = [&](const char* key, bool& to) {
+    known.insert(key);
+    to = typed(*t, key, to);
+  };
+  const auto number = [&](const char* key, double& to, const NumberRange& range) {
+    known.insert(key);
+    ranged(*t, key, range, to);
+  };
+  const auto count = [&](const char* key, std::uint32_t& to, std::uint32_t most) {
+    known.insert(key);
+    to = whole(*t, key, to, most);
+  };
+  flag("arc_radius_word", b.arc_radius_word);
+  number("arc_radius_difference", b.arc_radius_difference, ranges::distance);
+  number("arc_difference_inch", b.arc_difference_inch, ranges::distance);
+  flag("helix_by_lead", b.helix_by_lead);
+  number("feed_most", b.feed_most, ranges::feed);
+  flag("feed_required", b.feed_required);
+  number("reference_feed", b.reference_feed, ranges::feed);
+  number("return_chip_break", b.return_chip_break, ranges::distance);
+  number("return_near", b.return_near, ranges::distance);
+  number("probe_least_distance", b.probe_least_distance, ranges::distance);
+  flag("speed_needs_direction", b.speed_needs_direction);
+  flag("tool_and_corrector", b.tool_and_corrector);
+  flag("contour_entry_tangent", b.contour_entry_tangent);
+  flag("contour_entry_across", b.contour_entry_across);
+  flag("contour_blocks_checked", b.contour_blocks_checked);
+  flag("zero_change_checked", b.zero_change_checked);
+  flag("subprogram_zero_local", b.subprogram_zero_local);
+  flag("subprograms_by_section", b.subprograms_by_section);
+  flag("end_required", b.end_required);
+  flag("ends_reading", b.ends_reading);
+  flag("delayed_assignment", b.delayed_assignment);
+  flag("feed_of_axis", b.feed_of_axis);
+  flag("label_is_number", b.label_is_number);
+  flag("diameter_by_setup", b.diameter_by_setup);
+  count("call_depth", b.call_depth, 255);
+  count("offsets", b.offsets, 9999);
+  count("fixtures", b.fixtures, 1000);
+  const std::string centers = text(*t, "arc_centers");
+  if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
+  else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;
+  else if (!centers.empty() && centers != "incremental")
+    return Failed(place(name_, *t, "arc_centers") + say("arc_centers: incremental, as_distance or by_code"));
+  const std::string length = text(*t, "length_offset");
+  if (length == "at_once") b.length_offset = LengthOffset::at_once;
+  else if (!length.empty() && length != "next_motion")
+    return Failed(place(name_, *t->get("length_offset")) + say("length_offset: at_once or next_motion"));
+  for (const auto& [key, node] : *t)
+    if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()}, "unknown behaviour '{}'");
+  return {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,348 @@
+// The codes of a block by their groups (spec/linuxcnc 2.3, 2.5, 2.7; read_g, read_m, enhance_block of the source), and their words (2.8:
+// check_g_codes, check_m_codes, check_other_codes).
+
+#include "control/linuxcnc/block_codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr double whole_within = 1e-4;  // integers (2.3)
+
+bool is_one_of(std::int32_t code, std::initializer_list<std::int32_t> all) { return std::find(all.begin(), all.end(), code) != all.end(); }
+
+/// Number of the modal group that a row of [groups] stands for: "12" → 12, "M7" → 7.
+std::size_t group_of(const ControlDef& def, const CodeRow& row) {
+  const std::string& name = def.groups[row.group].name;
+  return static_cast<std::size_t>(std::atoi(name.c_str() + (name[0] == 'M' ? 1 : 0)));
+}
+
+class Checker {
+ public:
+  Checker(Interpreter& m, const LinuxCnc& control) : m_(m), control_(control) {
+    codes_.g.fill(-1);
+    codes_.m.fill(-1);
+    polar_radius_ = sign('@');
+    polar_angle_ = sign('^');
+    spindle_ = sign('$');
+  }
+
+  Result<BlockCodes> run() {
+    KADR_TRY(read());
+    codes_.has_axis = m_.has_axis_words();
+    codes_.has_polar = has(polar_radius_) || has(polar_angle_);
+    KADR_TRY(motion());
+    KADR_TRY(group_0());
+    KADR_TRY(too_many());
+    KADR_TRY(other_planes());
+    KADR_TRY(words());
+    KADR_TRY(splines());
+    return codes_;
+  }
+
+ private:
+  // ---- reading
+
+  Status read() {
+    for (std::uint32_t i = 0; i < m_.block->word_count; ++i) {
+      const Word& w = m_.block->words[i];
+      if (w.address == 'G') KADR_TRY(g_code(w));
+      else if (w.address == 'M') KADR_TRY(m_code(w));
+      else KADR_TRY(value(w));
+    }
+    return {};
+  }
+
+  tl::unexpected<Alarm> wrong(AlarmId id, Span where, std::string text) const { return control_.fault(id, where, std::move(text)); }
+
+  Status g_code(const Word& w) {
+    const double tenths = w.value * 10, nearest = std::round(tenths);
+    if (nearest < 0) return wrong(AlarmId::rs274_codes, w.where, "Negative g code used");
+    if (std::fabs(tenths - nearest) > 0.001 || nearest > 999) return wrong(AlarmId::rs274_codes, w.where, "G-code out of range");
+    const std::int32_t code = static_cast<std::int32_t>(nearest);
+    const std::int32_t row = m_.def.row_of('G', code);
+    if (row < 0) return wrong(AlarmId::rs274_codes, w.where, "Unknown g code used");
+    std::int32_t& of_group = codes_.g[group_of(m_.def, m_.def.codes[static_cast<std::size_t>(row)])];
+    if (code == 800 && of_group >= 0) return {};
+    if (of_group >= 0 && of_group != 800) return wrong(AlarmId::rs274_codes, w.where, "Two g codes used from same modal group");
+    of_group = code;
+    return {};
+  }
+
+  Status m_code(const Word& w) {
+    const double nearest = std::round(w.value);
+    if (std::fabs(w.value - nearest) > whole_within) return wrong(AlarmId::rs274_words, w.where, "Non integer value for integer");
+    if (nearest < 0) return wrong(AlarmId::rs274_codes, w.where, "Negative m code used");
+    const auto code = static_cast<std::int32_t>(nearest);
+    if (code > 199) return wrong(AlarmId::rs274_codes, w.where, fmt::format("M-code greater than 199: M{}", code));
+    const std::int32_t row = m_.def.row_of('M', code * 10);
+    if (row < 0) return wrong(AlarmId::rs274_codes, w.where, fmt::format("Unknown m code used: M{}", code));
+    ++m_count_;
+    const CodeRow& of = m_.def.codes[static_cast<std::size_t>(row)];
+    if (code >= 100) codes_.m[10] = code;
+    if (of.group == 0) return {};
+    std::int32_t& of_group = codes_.m[group_of(m_.def, of)];
+    if (of_group >= 0) return wrong(AlarmId::rs274_codes, w.where, "Two m codes used from same modal group");
+    of_group = code;
+    return {};
+  }
+
+  /// What is checked as soon as it is read (2.3).
+  Status value(const Word& w) const {
+    const auto negative = [&](const char* text) -> Status {
+      return w.value < 0 ? Status(wrong(AlarmId::rs274_words, w.where, text)) : Status();
+    };
+    switch (w.address) {
+      case 'F': return negative("Negative f word used");
+      case 'S': return negative("Negative spindle speed used");
+      case 'T': KADR_TRY(whole(w)); return negative("Negative tool id (tool not found)");
+      case 'L': KADR_TRY(whole(w)); return negative("Negative l word used");
+      case 'H': KADR_TRY(whole(w)); return w.value < -1 ? Status(wrong(AlarmId::rs274_words, w.where, "Negative h word used")) : Status();
+      default: return {};
+    }
+  }
+
+  Status whole(const Word& w) const {
+    if (std::fabs(w.value - std::round(w.value)) <= whole_within) return {};
+    return wrong(AlarmId::rs274_words, w.where, "Non integer value for integer");
+  }
+
+  // ---- which motion (2.7)
+
+  Status motion() {
+    const bool axes = codes_.has_axis || codes_.has_polar;
+    const std::int32_t zero = codes_.g[0];
+    const bool takes = is_one_of(zero, {100, 280, 300, 520, 920});
+    const bool needs = zero == 520 || zero == 920;
+    const Span at = m_.block->where;
+    if (codes_.g1() >= 0) {
+      codes_.motion = codes_.g1();
+      if (codes_.g1() == 800) {
+        if (axes && !takes) return wrong(AlarmId::rs274_motion, at, "Cannot use axis values with g80");
+        if (!axes && needs) return wrong(AlarmId::rs274_motion, at, "All axes missing with g52 or g92");
+      } else if (takes) {
+        return wrong(AlarmId::rs274_motion, at, "Cannot use two g codes that both use axis values");
+      } else if (!axes && !is_one_of(codes_.g1(), {0, 10, 20, 30, 52, 53, 700, 710, 711, 712, 720, 721, 722})) {
+        return wrong(AlarmId::rs274_motion, at, "All axes missing with motion code");
+      }
+      return {};
+    }
+    if (takes) {
+      if (!axes && needs) return wrong(AlarmId::rs274_motion, at, "All axes missing with g52 or g92");
+      if (codes_.has_polar) return wrong(AlarmId::rs274_motion, at, "Polar coordinates can only be used for motion");
+      codes_.axes_for_group0 = true;
+      return {};
+    }
+    const bool lengths = codes_.g[8] == 431 || codes_.g[8] == 432;
+    const std::int32_t in_force = control_.state.motion;
+    if (axes) {
+      if (in_force == 800 || in_force < 0) {
+        if (lengths) return {};
+        return wrong(AlarmId::rs274_motion, at, "Cannot use axis values without a g code that uses them");
+      }
+      codes_.motion = in_force;
+    } else if ((in_force == 20 || in_force == 30) && (m_.has('I') || m_.has('J') || m_.has('K'))) {
+      codes_.motion = in_force;
+    }
+    return {};
+  }
+
+  // ---- group 0 (check_g_codes)
+
+  Status group_0() const {
+    const std::int32_t zero = codes_.g[0];
+    const Span at = m_.block->where;
+    if (zero == 40) {
+      if (codes_.g1() == 20 || codes_.g1() == 30)
+        return wrong(AlarmId::rs274_motion, at, "G4 not allowed with G2 or G3 because they both use P");
+      if (!(m_.has('P') && m_.word('P')->value != -1)) return wrong(AlarmId::rs274_words, at, "Dwell time missing with g4");
+    }
+    if (zero == 100) KADR_TRY(data());
+    if (zero == 530) {
+      if (codes_.motion != 0 && codes_.motion != 10) return wrong(AlarmId::rs274_motion, at, "Must use g0 or g1 with g53");
+      const bool incremental = codes_.g[3] == 910 || (codes_.g[3] != 900 && !m_.modal.absolute);
+      if (incremental) return wrong(AlarmId::rs274_motion, at, "Cannot use g53 incremental");
+    }
+    return {};
+  }
+
+  /// G10 (7.8).
+  Status data() const {
+    const Span at = m_.block->where;
+    const int l = m_.has('L') ? static_cast<int>(std::round(m_.word('L')->value)) : -1;
+    if (!is_one_of(l, {0, 1, 2, 10, 11, 20}))
+      return wrong(AlarmId::rs274_data, at, "Line with G10 does not have L0, L1, L10, L11, L2, or L20");
+    if (l == 0) return {};
+    const double p = m_.has('P') ? m_.word('P')->value : -1;
+    const bool broken = std::fabs(p - std::round(p)) > whole_within;
+    if (l == 2 || l == 20) {
+      if (broken) return wrong(AlarmId::rs274_data, at, "P value not an integer with G10");
+      if (std::round(p) < 0 || std::round(p) > 9)
+        return wrong(AlarmId::rs274_data, at, fmt::format("P value out of range (0-9) with G10 L{}", l));
+      if (m_.has('I') || m_.has('J')) return wrong(AlarmId::rs274_data, at, "I J words not allowed with G10 L2");
+      if (l == 20 && m_.has('R')) return wrong(AlarmId::rs274_data, at, "R not allowed in G10 L20");
+      return {};
+    }
+    if (m_.has('P') && broken) return wrong(AlarmId::rs274_data, at, "P value not an integer with G10");
+    if (std::round(p) < 1) return wrong(AlarmId::rs274_data, at, fmt::format("P value out of range with G10 L{}", l));
+    bool any = codes_.has_axis;
+    for (const char letter : {'R', 'I', 'J', 'Q'}) any = any || m_.has(letter);
+    if (!any) return wrong(AlarmId::rs274_data, at, fmt::format("G10 L{} without offsets has no effect", l));
+    if (m_.has('Q') && std::fabs(m_.word('Q')->value - std::round(m_.word('Q')->value)) > whole_within)
+      return wrong(AlarmId::rs274_data, at, "Q number in G10 is not an integer");
+    if (m_.has('Q') && (m_.word('Q')->value < 0 || m_.word('Q')->value > 9))
+      return wrong(AlarmId::rs274_data, at, "Invalid tool orientation");
+    return {};
+  }
+
+  Status other_planes() const {
+    const bool arc = codes_.motion == 20 || codes_.motion == 30;
+    std::int32_t plane = codes_.g[2];
+    for (std::size_t g = 1; g < m_.def.groups.size() && plane < 0; ++g)
+      if (m_.def.groups[g].name == "2" && m_.modal.rows[g] >= 0) plane = m_.def.codes[static_cast<std::size_t>(m_.modal.rows[g])].tenth;
+    if (!arc || !is_one_of(plane, {171, 181, 191})) return {};
+    return wrong(AlarmId::rs274_arc, m_.block->where, "Cannot do an arc in planes G17.1, G18.1, or G19.1");
+  }
+
+  /// G5, G5.1 (7.7).
+  Status splines() const {
+    if (codes_.motion != 50 && codes_.motion != 51) return {};
+    const Span at = m_.block->where;
+    const bool other = codes_.g[2] >= 0 ? codes_.g[2] != 170 : m_.modal.plane != Plane::xy;
+    if (other) return wrong(AlarmId::rs274_motion, at, "Splines must be in the XY plane");
+    for (const char letter : {'Z', 'A', 'B', 'C'})
+      if (has(letter)) return wrong(AlarmId::rs274_motion, at, "Splines may not have motion in Z, A, B, or C");
+    if (codes_.motion == 51 && !(has('I') && has('J'))) return wrong(AlarmId::rs274_motion, at, "Must specify both I and J with G5.1");
+    if (codes_.motion == 50 && has('I') != has('J')) return wrong(AlarmId::rs274_motion, at, "Must specify both I and J, or neither");
+    if (codes_.motion == 50 && !(has('P') && has('Q'))) return wrong(AlarmId::rs274_motion, at, "Must specify both P and Q with G5");
+    return {};
+  }
+
+  Status too_many() const {
+    if (m_count_ > 4) return wrong(AlarmId::rs274_codes, m_.block->where, "Too many m codes on line");
+    return {};
+  }
+
+  // ---- words that nobody uses (check_other_codes)
+
+  Status words() const;
+  Status letters_of_cycles() const;
+  Status word_p() const;
+  Status words_of_orient() const;
+  Status required() const;
+
+  bool has(char address) const { return address != 0 && m_.has(address); }
+  bool moves(std::initializer_list<std::int32_t> all) const { return is_one_of(codes_.motion, all); }
+  bool m_is(std::size_t group, std::initializer_list<std::int32_t> all) const { return is_one_of(codes_.m[group], all); }
+  bool user_code() const { return codes_.m[10] >= 100; }
+  bool tool_side() const { return codes_.g[7] > 400; }
+  Status unless(bool used, char letter, const char* text) const {
+    if (used || !has(letter)) return {};
+    return wrong(AlarmId::rs274_words, m_.where(letter), text);
+  }
+  char sign(char c) const {
+    for (const AddressName& name : m_.def.grammar.names)
+      if (name.text[0] == c) return name.address;
+    return 0;
+  }
+
+  Interpreter& m_;
+  const LinuxCnc& control_;
+  BlockCodes codes_;
+  int m_count_ = 0;
+  char polar_radius_ = 0, polar_angle_ = 0, spindle_ = 0;
+};
+
+Status Checker::letters_of_cycles() const {
+  if (!codes_.is_cycle()) return {};
+  for (const char letter : {'A', 'B', 'C'})
+    if (has(letter))
+      return wrong(AlarmId::rs274_cycle, m_.where(letter),
+                   fmt::format("Cannot put an {} in canned cycle", static_cast<char>(letter | 0x20)));
+  return {};
+}
+
+/// The texts are the control's, and so is the order.
+Status Checker::words() const {
+  KADR_TRY(letters_of_cycles());
+  const bool thread = moves({330, 331});
+  const bool cycle_l = codes_.is_cycle() && codes_.motion != 740;
+  KADR_TRY(unless(tool_side() || codes_.g[14] == 960 || moves({700, 710, 711, 712, 720, 721, 722}), 'D',
+                  "D word with no G41, G41.1, G42, G42.1, G71, G71.1, G71.2 or G96 to use it"));
+  if (has(spindle_) && !has('S') && !m_is(7, {3, 4, 5, 19}) && codes_.m[9] != 51 && !moves({330, 331, 760}))
+    return wrong(AlarmId::rs274_words, m_.where(spindle_),
+                 "$ (spindle selection) word with no M3, M4, M5, M19, M51, G33, G33.1, G76, G95, G96 or G97 to use it");
+  KADR_TRY(unless(m_is(5, {66, 67, 68}) || thread || codes_.motion == 760, 'E', "E word with no G70, G76, M66, M67 or M68 to use it"));
+  KADR_TRY(unless(is_one_of(codes_.g[8], {430, 432}) || codes_.motion == 760, 'H', "H word with no G43 or G76 to use it"));
+  const bool data_code = codes_.g[0] == 100;
+  KADR_TRY(unless(moves({20, 30, 50, 51, 331, 760, 870}) || data_code, 'I',
+                  "I word with no G2, G3, G5, G5.1, G10, G33.1, G76, or G87 to use it"));
+  KADR_TRY(unless(moves({20, 30, 50, 51, 760, 870}) || data_code, 'J', "J word with no G2, G3, G5, G5.1, G10, G76 or G87 to use it"));
+  KADR_TRY(unless(moves({20, 30, 330, 331, 760, 870}), 'K', "K word with no G2, G3, G33, G33.1, G76, or G87 to use it"));
+  KADR_TRY(
+      unless(cycle_l || codes_.motion == 760 || codes_.motion == 52 || data_code || tool_side() || codes_.m[5] == 66 || codes_.m[4] == 98,
+             'L', "L word with no G10, cutter compensation, canned cycle, digital/analog input, M98 or NURBS code"));
+  KADR_TRY(word_p());
+  KADR_TRY(unless(moves({50, 730, 760, 830}) || data_code || codes_.g[13] == 640 || m_is(7, {19}) || codes_.m[6] == 61 ||
+                      m_is(5, {66, 67, 68}) || user_code(),
+                  'Q', "Q word with no G5, G10, G64, G73, G76, G83, M19, M66, M67, M68 or user M code that uses it"));
+  KADR_TRY(unless(moves({20, 30, 760}) || codes_.is_cycle() || data_code || is_one_of(codes_.g[7], {411, 421}) || m_is(7, {19}) ||
+                      moves({700, 710, 711, 712, 720, 721, 722}),
+                  'R', "R word with no g code that uses it"));
+  KADR_TRY(words_of_orient());
+  return required();
+}
+
+Status Checker::word_p() const {
+  const bool used = moves({20, 30, 50, 52, 740, 760, 820, 840, 860, 880, 890}) || codes_.g[0] == 40 || codes_.g[0] == 100 ||
+                    codes_.g[13] == 640 || m_is(7, {19}) || m_is(9, {50, 51, 52, 53}) || m_is(5, {62, 63, 64, 65, 66}) ||
+                    codes_.m[4] == 98 || user_code();
+  KADR_TRY(unless(used, 'P',
+                  "P word with no G2 G3 G4 G10 G64 G5 G5.2 G76 G82 G86 G88 G89 or M50 M51 M52 M53 M62 M63 M64 M65 M66 M98 or user M "
+                  "code to use it"));
+  const bool arc = moves({20, 30});
+  if (!has('P') || (!arc && codes_.m[7] != 19)) return {};
+  const double p = m_.word('P')->value;
+  const Span at = m_.where('P');
+  if (std::fabs(p - std::round(p)) > whole_within) return wrong(AlarmId::rs274_words, at, "P value not an integer with M19 G2 or G3");
+  if (codes_.m[7] == 19 && !is_one_of(static_cast<std::int32_t>(std::round(p)), {0, 1, 2}))
+    return wrong(AlarmId::rs274_words, at, "P value must be 0,1,or 2 with M19");
+  if (arc && std::round(p) < 1) return wrong(AlarmId::rs274_words, at, "P value should be 1 or greater with G2 or G3");
+  return {};
+}
+
+Status Checker::words_of_orient() const {
+  if (codes_.m[7] != 19 || !has('R')) return {};
+  const double r = m_.word('R')->value;
+  if (r >= 0 && r <= 360) return {};
+  return wrong(AlarmId::rs274_words, m_.where('R'), "R value must be within 0..360 with M19");
+}
+
+Status Checker::required() const {
+  const Span at = m_.block->where;
+  if (codes_.g[14] == 960 && !has('S')) return wrong(AlarmId::rs274_words, at, "S word missing with G96");
+  if (moves({330, 331})) {
+    if (!has('K')) return wrong(AlarmId::rs274_words, at, "K word missing with g33/g33.1");
+    if (has('F')) return wrong(AlarmId::rs274_words, at, "F word used with a g33/g33.1");
+  }
+  if (codes_.motion == 760) {
+    if (!has('P')) return wrong(AlarmId::rs274_words, at, "P word missing with G76");
+    if (!has('I') || !has('J') || !has('K')) return wrong(AlarmId::rs274_words, at, "I J or K words missing with G76");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<BlockCodes> codes_of_block(Interpreter& m, const LinuxCnc& control) { return Checker(m, control).run(); }
+
+}  // namespace kadr::linuxcnc

@@ -1,0 +1,35 @@
+#pragma once
+// The codes of a block by their groups, and which of them moves: checked as a whole before anything is done (spec/linuxcnc 2.5, 2.7, 2.8).
+
+#include <array>
+#include <cstdint>
+
+#include "base/result.h"
+
+namespace kadr {
+class Interpreter;
+}
+
+namespace kadr::linuxcnc {
+
+class LinuxCnc;
+
+/// Tenths of codes: G0 is 0, G38.2 is 382; -1: none.
+struct BlockCodes {
+  std::array<std::int32_t, 17> g{};  // by the number of the modal group
+  std::array<std::int32_t, 11> m{};
+  std::int32_t motion = -1;  // that of the block: coded or in force; -1: none
+  bool has_axis = false;     // X … W
+  bool has_polar = false;    // @ ^
+  bool axes_for_group0 = false;
+
+  std::int32_t g1() const { return g[1]; }
+  bool has_g(int group, std::int32_t tenths) const { return g[static_cast<std::size_t>(group)] == tenths; }
+  bool is_cycle() const { return motion == 730 || motion == 740 || (motion >= 810 && motion <= 890); }
+};
+
+/// Reads and checks the codes and words of the interpreter's block.
+///   alarms  rs274_codes, rs274_words, rs274_motion
+Result<BlockCodes> codes_of_block(Interpreter& m, const LinuxCnc& control);
+
+}  // namespace kadr::linuxcnc

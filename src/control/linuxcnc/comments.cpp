@@ -1,0 +1,122 @@
+// Active comments: messages, the log, the file of probed points (spec/linuxcnc 2.4; convert_comment of the source).
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/ascii.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr double shown_as_zero = 1e-4;
+
+/// The last ( ) comment of the block; nothing: there is none. A `;` comment is never active.
+std::optional<std::string_view> last_comment(const Block& block) {
+  std::optional<std::string_view> last;
+  for (const Span comment : block.comments)
+    if (comment.begin > 0 && block.text[comment.begin - 1] == '(') last = block.text_of(comment);
+  return last;
+}
+
+/// Does the comment begin with that word? Case and blanks in front do not count; then `rest` is what follows.
+bool takes(std::string_view text, std::string_view word, std::string_view& rest) {
+  const std::size_t from = std::min(text.find_first_not_of(" \t"), text.size());
+  text.remove_prefix(from);
+  if (text.size() < word.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i)
+    if (to_upper(text[i]) != word[i]) return false;
+  rest = text.substr(word.size());
+  return true;
+}
+
+/// The text with its parameters filled in (convert_param_comment).
+class Filled {
+ public:
+  Filled(Interpreter& m, std::string_view text) : m_(m), text_(text) {}
+
+  Result<std::string> run() {
+    while (at_ < text_.size()) {
+      if (text_[at_] == '%' && format()) continue;
+      if (text_[at_] == '#') {
+        const auto status = parameter();
+        if (!status) return fail(status.error());
+        continue;
+      }
+      out_ += text_[at_++];
+    }
+    return out_;
+  }
+
+ private:
+  /// %d, %f, %.2f: for all parameters to its right.
+  bool format() {
+    const std::string_view rest = text_.substr(at_ + 1);
+    if (rest.starts_with('d')) return decimals_ = 0, at_ += 2, true;
+    if (rest.starts_with('f')) return decimals_ = 4, at_ += 2, true;
+    if (rest.size() >= 3 && rest[0] == '.' && is_digit(rest[1]) && rest[2] == 'f') return decimals_ = rest[1] - '0', at_ += 4, true;
+    return false;
+  }
+
+  Status parameter() {
+    const std::size_t hash = at_++;
+    const auto open = [&] { return linuxcnc_of(m_).fault(AlarmId::rs274_parameter, m_.block->where, "Named parameter not terminated"); };
+    if (at_ >= text_.size()) return open();
+    std::optional<double> value;
+    if (text_[at_] == '<') {
+      const std::size_t close = text_.find('>', at_);
+      if (close == std::string_view::npos) return open();
+      if (const auto number = m_.def.grammar.named_variables->number_of(text_.substr(at_ + 1, close - at_ - 1)))
+        if (const auto read = linuxcnc_of(m_).read_variable(m_, *number, {})) value = *read;
+      at_ = close + 1;
+    } else if (is_digit(text_[at_])) {
+      double number = 0;
+      for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) number = number * 10 + (text_[at_] - '0');
+      if (const auto read = linuxcnc_of(m_).read_variable(m_, number, {})) value = *read;
+    } else {
+      out_ += text_.substr(hash, 1);
+      return {};
+    }
+    if (!value) out_ += "######";
+    else out_ += fmt::format("{:.{}f}", std::fabs(*value) < shown_as_zero ? 0.0 : *value, decimals_);
+    return {};
+  }
+
+  Interpreter& m_;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::string out_;
+  int decimals_ = 6;
+};
+
+}  // namespace
+
+Status LinuxCnc::comments(Interpreter& m) {
+  const auto text = last_comment(*m.block);
+  if (!text) return {};
+  std::string_view rest;
+  Span all;
+  if (takes(*text, "MSG,", rest)) {
+    m.emit(Message{m.flow.shown(rest, all)});
+    return {};
+  }
+  const bool is_debug = takes(*text, "DEBUG,", rest);
+  if (is_debug && m.variables.raw(5599) <= 0) return {};
+  const bool aborts = !is_debug && takes(*text, "ABORT,", rest);
+  if (!is_debug && !aborts && !takes(*text, "PRINT,", rest)) {
+    for (const std::string_view word :
+         {"LOGOPEN,", "LOGAPPEND,", "LOGCLOSE", "LOG,", "PROBEOPEN", "PROBECLOSE", "PYRUN,", "PYRELOAD", "PY,"})
+      if (takes(*text, word, rest)) m.warn(warning(AlarmId::comment_not_carried_out, m.block->where, word));
+    return {};
+  }
+  const auto filled = Filled(m, rest).run();
+  if (!filled) return fail(filled.error());
+  if (aborts) return fault(AlarmId::rs274_abort, m.block->where, m.flow.shown(*filled, all));
+  m.emit(Message{m.flow.shown(*filled, all)});
+  return {};
+}
+
+}  // namespace kadr::linuxcnc

@@ -1,0 +1,45 @@
+// G41, G42, G41.1, G42.1 (spec/linuxcnc 7.5; convert_cutter_compensation_on of the source). The corners are path's.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "control/functions/contour.h"
+#include "control/functions/functions.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::functions {
+
+/// arg: 41, 42 by the table; 411, 421 by D as a diameter.
+Status tool_side(Interpreter& m, const Call& call) {
+  const linuxcnc::LinuxCnc& control = linuxcnc::linuxcnc_of(m);
+  const int code = call.row->arg;
+  const bool by_word = code > 100;
+  const auto wrong = [&](std::string text) { return control.fault(AlarmId::rs274_compensation, call.where, std::move(text)); };
+  if (m.modal.plane == Plane::yz) return wrong("Cutter radius compensation allowed only in XY, XZ planes");
+  if (m.modal.radius_side != 0) return wrong("Cannot turn cutter radius comp on when on");
+  double diameter = 0;
+  if (by_word) {
+    if (!m.has('D')) return wrong(fmt::format("G{}.1 with no D word", code / 10));
+    diameter = m.length_value('D');
+  } else {
+    const double d = m.has('D') ? m.value('D') : 0;
+    if (std::fabs(d - std::round(d)) > 1e-4) return wrong(fmt::format("G{} requires D word to be a whole number", code));
+    if (d < 0) return wrong("Negative d word tool radius index used");
+    const double number = std::round(d) == 0 ? m.modal.tool : std::round(d);
+    const linuxcnc::Tool* const tool = control.tool(number);
+    if (tool == nullptr && number != 0)
+      return control.fault(AlarmId::rs274_tool, call.where, fmt::format("Requested tool {:.0f} not found in the tool table", number));
+    if (tool != nullptr && tool->orientation != 0 && tool->orientation != 9 && m.modal.plane == Plane::xy)
+      return wrong(fmt::format("G{} with lathe tool, but plane is not G18", code));
+    diameter = tool == nullptr ? 0 : tool->diameter;
+    m.modal.offset_number = static_cast<std::uint32_t>(number);
+  }
+  const bool left = code == 41 || code == 411;
+  const double radius = diameter / 2;
+  m.modal.radius_by_word = std::fabs(radius);
+  return begin_contour(m, call, static_cast<std::int8_t>((radius < 0) != left ? -1 : +1));
+}
+
+}  // namespace kadr::functions

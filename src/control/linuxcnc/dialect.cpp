@@ -1,0 +1,311 @@
+// What the interpreter asks a dialect (control/dialect.h), answered for LinuxCNC.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/units.h"
+#include "base/vec.h"
+#include "config/read_file.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/flow.h"
+#include "control/linuxcnc/linuxcnc.h"
+#include "control/linuxcnc/tools.h"
+
+namespace kadr {
+
+std::unique_ptr<Dialect> make_linuxcnc_dialect(Interpreter& m, const Setup& setup, const RunLimits& limits) {
+  return std::make_unique<linuxcnc::LinuxCnc>(m, setup, limits);
+}
+
+namespace linuxcnc {
+namespace {
+
+constexpr std::uint32_t debug_on = 5599, shift_on_number = 5210, first_shift = 5211, system_number = 5220;
+
+}  // namespace
+
+LinuxCnc& linuxcnc_of(const Interpreter& m) { return static_cast<LinuxCnc&>(*m.dialect); }
+
+struct LinuxCnc::Remembered : DialectState {
+  State state;
+  std::map<int, Tool> tools;
+  std::vector<Level> levels;
+  std::map<double, double> globals;
+  std::vector<std::vector<KeptModes>> kept_modes;
+  FlowTable::Memory flow;
+  Axes probed{};
+  bool probe_tripped = false;
+  int probe_kind = 2;
+};
+
+/// tool.tbl of the program memory, else the tools of the set-up (1.1).
+LinuxCnc::LinuxCnc(Interpreter&, const Setup& setup, const RunLimits& limits) {
+  for (const auto& [number, offset] : setup.offsets) {
+    Tool tool;
+    tool.pocket = number;
+    tool.offset[0] = offset.length_x + offset.length_x_wear;
+    tool.offset[1] = offset.length_y + offset.length_y_wear;
+    tool.offset[2] = offset.whole_length();
+    tool.diameter = 2 * offset.whole_radius();
+    tools.insert_or_assign(number, tool);
+  }
+  table_is_known = !tools.empty();
+  if (limits.files.empty()) return;
+  constexpr std::size_t most_bytes = 1'000'000;
+  if (const auto text = read_file(limits.files + "/tool.tbl", most_bytes); text) {
+    tools = read_tools(*text);
+    table_is_known = true;
+  }
+}
+
+void LinuxCnc::take_setup(Interpreter& m, const Setup& setup) {
+  for (const auto& [name, offset] : setup.work_offsets)  // the rotation of a system stands beside its offsets
+    if (const auto angle = offset.find("G17"); angle != offset.end())
+      for (std::size_t i = 0; i < 9; ++i) {
+        constexpr const char* names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+        if (name == names[i]) m.variables.set_raw(5230 + static_cast<std::uint32_t>(i) * 20, angle->second);
+      }
+  const auto stated = static_cast<std::uint32_t>(m.variables.raw(system_number));
+  const std::uint32_t number = m.modal.fixture > 1 || stated < 1 || stated > 9 ? m.modal.fixture : stated;
+  m.modal.fixture = number;
+  m.variables.set_raw(system_number, number);
+  state.shift_on = m.variables.raw(shift_on_number) != 0;
+  for (std::uint32_t a = 0; a < axes_of_tables && a < m.axis_count && state.shift_on; ++a)
+    state.shift[a] = m.variables.raw(first_shift + a);
+  state.system_number = number;
+  state.system = system_offset(m, number);
+  state.rotation = m.variables.raw(5230 + (number - 1) * 20);
+  m.variables.set_raw(debug_on, 1);
+  (void)m.variables.take_frames_changed();
+}
+
+void LinuxCnc::started(Interpreter&) {
+  state.began = state.percent = false;
+  before_ = state;
+}
+
+/// M2, M30 (7.9); the rest are codes of the file.
+bool LinuxCnc::end_program(Interpreter& m) {
+  m.modal.feed = 0;
+  m.modal.feed_known = false;
+  state.motion = 10;
+  m.modal.override_permission = 3;
+  while (levels_.size() > 1) levels_.pop_back();
+  flow.memory.calls.clear();
+  flow.memory.by_m98.clear();
+  return false;
+}
+
+std::shared_ptr<const DialectState> LinuxCnc::snapshot() const {
+  auto all = std::make_shared<Remembered>();
+  all->state = state;
+  all->tools = tools;
+  all->levels = levels_;
+  all->globals = globals_;
+  all->kept_modes = kept_modes;
+  all->flow = flow.memory;
+  all->probed = probed;
+  all->probe_tripped = probe_tripped;
+  all->probe_kind = probe_kind;
+  return all;
+}
+
+Status LinuxCnc::restore(Interpreter&, const DialectState& from) {
+  const auto& all = static_cast<const Remembered&>(from);
+  state = before_ = all.state;
+  tools = all.tools;
+  levels_ = all.levels;
+  globals_ = all.globals;
+  kept_modes = all.kept_modes;
+  flow.memory = all.flow;
+  probed = all.probed;
+  probe_tripped = all.probe_tripped;
+  probe_kind = all.probe_kind;
+  return {};
+}
+
+Result<bool> LinuxCnc::statement(Interpreter& m) {
+  state.began = true;
+  KADR_TRY(run_o_line(m));
+  return true;
+}
+
+/// `%` alone: the first line that is not blank begins the file, the next one ends it (2.1).
+Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
+  if (!state.began && !state.percent) {
+    state.percent = state.began = true;
+    return true;
+  }
+  if (!state.percent) return fault(AlarmId::rs274_form, m.block->where, "Bad character '%' used");
+  m.flow.end();
+  return true;
+}
+
+Result<bool> LinuxCnc::end_of_file(Interpreter& m) {
+  if (!flow.memory.defining.empty() || !flow.memory.calls.empty())
+    return fault(AlarmId::rs274_flow, {},
+                 "EOF in file:" + m.flow.file() + " seeking o-word: o<" +
+                     (flow.memory.calls.empty() ? flow.memory.defining : flow.memory.calls.back()) + "> from line: 0");
+  return fault(AlarmId::rs274_program, {},
+               state.percent ? "File ended with no percent sign" : "File ended with no percent sign or program end");
+}
+
+void LinuxCnc::begin_block(Interpreter&) {
+  state.began = true;
+  before_ = state;
+}
+
+namespace {
+
+/// @r ^t as X and Y (7.1): the words themselves are changed, so that all that moves reads them.
+Status polar_words(Interpreter& m, LinuxCnc& control) {
+  char radius_sign = 0, angle_sign = 0;
+  for (const AddressName& name : m.def.grammar.names) {
+    if (name.text == "@") radius_sign = name.address;
+    if (name.text == "^") angle_sign = name.address;
+  }
+  Word* const radius = m.has(radius_sign) ? const_cast<Word*>(m.word(radius_sign)) : nullptr;
+  Word* const angle = m.has(angle_sign) ? const_cast<Word*>(m.word(angle_sign)) : nullptr;
+  if (radius == nullptr && angle == nullptr) return {};
+  const Span at = m.block->where;
+  const auto wrong = [&](const char* text) { return control.fault(AlarmId::rs274_motion, at, text); };
+  if (m.has_code({Function::machine_coordinates})) return wrong("Cannot use polar coordinates with G53");
+  const bool other_plane = control.codes.g[2] >= 0 ? control.codes.g[2] != 170 : m.modal.plane != Plane::xy;
+  if (other_plane) return wrong("Cannot use polar coordinate except in G17 plane");
+  if (m.has('X')) return wrong("Cannot specify both polar coordinate and X word");
+  if (m.has('Y')) return wrong("Cannot specify both polar coordinate and Y word");
+  const double unit = (control.codes.g[6] >= 0 ? control.codes.g[6] == 200 : m.modal.inch) ? mm_per_inch : 1;
+  const Vec2 here{m.position.programmed[0] / unit, m.position.programmed[1] / unit};
+  const bool at_zero = length(here) < 1e-9;
+  const bool absolute = control.codes.g[3] >= 0 ? control.codes.g[3] == 900 : m.modal.absolute;
+  double r = length(here), t = at_zero ? 0 : angle_deg(here);
+  if (absolute) {
+    if (radius != nullptr && angle == nullptr && at_zero) return wrong("Must specify angle in polar coordinate if at the origin");
+    if (radius != nullptr) r = radius->value;
+    if (angle != nullptr) t = angle->value;
+  } else {
+    if (at_zero && radius != nullptr) return wrong("Incremental motion with polar coordinates is indeterminate when at the origin");
+    if (at_zero) return wrong("G91 motion with polar coordinates is indeterminate when at the origin");
+    if (radius != nullptr) r += radius->value;
+    if (angle != nullptr) t += angle->value;
+  }
+  const SinCos by = sincos_deg(t);
+  Vec2 to{r * by.cos, r * by.sin};
+  if (!absolute) to = to - here;
+  control.state.polar_step = !absolute;
+  control.state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
+  control.state.polar_angle = angle == nullptr ? 0 : angle->value;
+  // One of the two may be missing: its place is taken by the other's neighbour.
+  Word* const first = radius != nullptr ? radius : angle;
+  first->address = first->written = 'X';
+  first->value = to.x;
+  Word* second = radius != nullptr && angle != nullptr ? angle : nullptr;
+  if (second == nullptr) {
+    if (m.block->word_count == limits::block_words) return fail(alarm(AlarmId::too_many_words, at, double{limits::block_words}));
+    m.block->words[m.block->word_count] = *first;
+    second = &m.block->words[m.block->word_count++];
+  }
+  second->address = second->written = 'Y';
+  second->value = to.y;
+  first->expression = second->expression = {};
+  m.block->altered = true;
+  m.note_addresses();
+  return {};
+}
+
+/// Feed 0 is found when the block is carried out, after its F and its kind of feed (7.2).
+Status feed_known(const Interpreter& m, const LinuxCnc& control) {
+  const std::int32_t motion = control.codes.motion;
+  if (motion != 10) return {};
+  const std::int32_t kind = control.codes.g[5];
+  const bool inverse = kind >= 0 ? kind == 930 : m.modal.feed_mode == FeedMode::inverse_time;
+  const Span at = m.block->where;
+  if (inverse) {
+    if (m.has('F') && m.value('F') > 0) return {};
+    return control.fault(AlarmId::rs274_motion, at, "F word missing with inverse time g1 move");
+  }
+  const double feed = m.has('F') ? m.value('F') : kind >= 0 || !m.modal.feed_known ? 0 : m.modal.feed;
+  if (!(feed > 0)) return control.fault(AlarmId::rs274_motion, at, "Cannot do g1 with zero feed rate");
+  const bool by_turn = kind >= 0 ? kind == 950 : m.modal.feed_mode == FeedMode::per_revolution;
+  const double speed = m.has('S') ? m.value('S') : m.modal.rpm;
+  if (by_turn && speed == 0) return control.fault(AlarmId::rs274_spindle, at, "Cannot feed with zero spindle speed in feed per rev mode");
+  return {};
+}
+
+/// What must not come while the path is compensated (7.5).
+Status compensation_allows(const Interpreter& m, const LinuxCnc& control) {
+  if (m.modal.radius_side == 0) return {};
+  const BlockCodes& codes = control.codes;
+  const Span at = m.block->where;
+  const auto no = [&](const char* text) { return control.fault(AlarmId::rs274_compensation, at, text); };
+  if (codes.g[2] >= 0) return no("Cannot change planes with cutter radius compensation on");
+  if (codes.g[7] > 400) return no("Cannot turn cutter radius comp on when on");
+  if (codes.g[13] >= 0) return no("Cannot change control mode with cutter radius compensation on");
+  if (codes.g[10] >= 0) return no("Cannot change retract mode with cutter radius compensation on");
+  if (codes.g[0] == 530) return no("Cannot use g53 with cutter radius comp");
+  if (codes.motion == 50 || codes.motion == 51 || codes.motion == 52) return no("Cannot convert spline with cutter radius compensation");
+  if (codes.m[9] == 48) return no("Cannot enable overrides with cutter radius compensation on");
+  if (codes.m[9] == 49) return no("Cannot disable overrides with cutter radius compensation on");
+  return {};
+}
+
+}  // namespace
+
+Result<bool> LinuxCnc::takes_block(Interpreter& m) {
+  auto read = codes_of_block(m, *this);
+  if (!read) return fail(read.error());
+  codes = *read;
+  KADR_TRY(compensation_allows(m, *this));
+  KADR_TRY(feed_known(m, *this));
+  KADR_TRY(m.take_words());
+  state.polar_step = false;
+  KADR_TRY(polar_words(m, *this));
+  return false;
+}
+
+std::int16_t LinuxCnc::motion_row(const Interpreter& m) const {
+  if (codes.g1() >= 0 || codes.axes_for_group0) return -1;
+  if (codes.motion >= 0) return static_cast<std::int16_t>(m.def.row_of('G', codes.motion));
+  return codes.has_axis ? any_motion : std::int16_t{-1};
+}
+
+BlockChanges LinuxCnc::changes_of(const Interpreter&, const Plan&) const { return BlockChanges::anything; }
+
+void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
+  if (row.letter != 'G' || row.group == 0) return;
+  const std::string& group = m.def.groups[row.group].name;
+  if (group == "5") {  // G93, G94, G95 set F to 0, even if in force already (7.2)
+    m.modal.feed = 0;
+    m.modal.feed_known = false;
+    return;
+  }
+  if (group == "6") m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
+  if (group != "1" || !row.modal) return;
+  state.motion = row.tenth;
+  if (!codes.is_cycle()) state.cycle_began = false;
+}
+
+Status LinuxCnc::after_block(Interpreter& m) {
+  if (codes.g1() == 800) state.motion = m.modal.motion_row >= 0 ? state.motion : 800;
+  return {};
+}
+
+void LinuxCnc::take_back(Interpreter&) { state = before_; }
+
+bool LinuxCnc::lines_follow(const Interpreter& m) const { return m.modal.feed_mode == FeedMode::per_minute; }
+
+void LinuxCnc::note_line(Interpreter& m) {
+  state.motion = m.def.codes[static_cast<std::size_t>(m.modal.motion_row)].tenth;
+  state.cycle_began = false;
+}
+
+/// Its arcs are looked at one by one.
+ArcRule LinuxCnc::arc_rule(const Interpreter& m) const {
+  ArcRule rule = m.plain_arc_rule();
+  rule.by_words = false;
+  return rule;
+}
+
+}  // namespace linuxcnc
+}  // namespace kadr

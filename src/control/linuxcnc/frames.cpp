@@ -1,0 +1,302 @@
+// Work systems, their rotation, G92 and G52, lengths, reference positions, G10 (spec/linuxcnc 7.4, 7.8).
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/units.h"
+#include "base/vec.h"
+#include "control/functions/functions.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr std::uint32_t first_system = 5221, numbers_of_system = 20, place_of_rotation = 9;
+constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, first_home = 5161, first_second_home = 5181, system_number = 5220;
+
+std::uint32_t system_at(std::uint32_t number) { return first_system + (number - 1) * numbers_of_system; }
+
+/// Axis words in mm or degrees; X as a radius.
+template <class Use>
+void each_word(const Interpreter& m, Use use) {
+  for (std::size_t a = 0; a < m.axis_count; ++a) {
+    const char letter = m.letters.axis_letter[a];
+    if (letter == 0 || !m.has(letter)) continue;
+    const bool is_length = m.def.address(letter).unit == WordUnit::length;
+    const double half = (m.modal.diameter >> a & 1U) != 0 ? 0.5 : 1;
+    use(a, m.value(letter) * (is_length ? m.unit_scale() : 1) * half);
+  }
+}
+
+void set(Interpreter& m, std::uint32_t number, double value) { m.variables.set_raw(number, value); }
+
+/// `at` turned by `degrees` about Z.
+Axes turned_by(const Axes& at, double degrees) {
+  if (degrees == 0) return at;
+  const SinCos by = sincos_deg(degrees);
+  Axes to = at;
+  to[0] = at[0] * by.cos - at[1] * by.sin;
+  to[1] = at[0] * by.sin + at[1] * by.cos;
+  return to;
+}
+
+Axes sum(const Axes& a, const Axes& b, double sign = 1) {
+  Axes c{};
+  for (std::size_t i = 0; i < max_axes; ++i) c[i] = a[i] + sign * b[i];
+  return c;
+}
+
+/// In compensation these may not be (7.5).
+Status not_compensating(const Interpreter& m, Span where, const char* text) {
+  if (m.modal.radius_side == 0) return {};
+  return linuxcnc_of(m).fault(AlarmId::rs274_compensation, where, text);
+}
+
+/// G10 L2, L20: offsets of a work system.
+Status write_system(Interpreter& m, const kadr::Call& call, bool by_position) {
+  LinuxCnc& control = linuxcnc_of(m);
+  const double p = m.has('P') ? std::round(m.value('P')) : 0;
+  const std::uint32_t number = p == 0 ? control.state.system_number : static_cast<std::uint32_t>(p);
+  const bool in_force = number == control.state.system_number;
+  if (in_force) KADR_TRY(not_compensating(m, call.where, "Cannot change the active coordinate system with cutter radius compensation on"));
+  const std::uint32_t first = system_at(number);
+  if (m.has('R')) set(m, first + place_of_rotation, m.value('R'));
+  const double rotation = m.variables.raw(first + place_of_rotation);
+  if (by_position) {  // machine = R·(value + shift) + offset + length
+    Axes reads = turned_by(sum(m.position.machine, sum(control.system_offset(m, number), control.state.length), -1), -rotation);
+    reads = sum(reads, control.state.shift, -1);
+    each_word(m, [&](std::size_t a, double v) { reads[a] = v; });
+    const Axes offset = sum(sum(m.position.machine, control.state.length, -1), turned_by(sum(reads, control.state.shift), rotation), -1);
+    const bool turns = rotation != 0 && (m.has('X') || m.has('Y'));
+    each_word(m, [&](std::size_t a, double) { set(m, first + static_cast<std::uint32_t>(a), offset[a]); });
+    if (turns)
+      for (const std::uint32_t a : {0U, 1U}) set(m, first + a, offset[a]);
+  } else {
+    each_word(m, [&](std::size_t a, double v) { set(m, first + static_cast<std::uint32_t>(a), v); });
+  }
+  (void)m.variables.take_frames_changed();
+  if (in_force) control.take_system(m, number);
+  return {};
+}
+
+/// G10 L1, L10, L11: a tool of the table.
+Status write_tool(Interpreter& m, int kind) {
+  LinuxCnc& control = linuxcnc_of(m);
+  const int number = static_cast<int>(std::round(m.value('P')));
+  if (control.tool(number) == nullptr)
+    return control.fault(AlarmId::rs274_tool, m.where('P'), fmt::format("Requested tool {} not found in the tool table", number));
+  Tool& tool = control.tool_to_write(m, number);
+  if (m.has('R')) tool.diameter = 2 * m.length_value('R');
+  if (m.has('I')) tool.front = m.value('I');
+  if (m.has('J')) tool.back = m.value('J');
+  if (m.has('Q')) tool.orientation = std::round(m.value('Q'));
+  if (kind == 1) {
+    each_word(m, [&](std::size_t a, double v) { tool.offset[a] = v; });
+    return {};
+  }
+  constexpr std::uint32_t fixture = 9;  // G59.3 (L11)
+  const Axes origin = kind == 10 ? control.state.system : control.system_offset(m, fixture);
+  const double rotation = kind == 10 ? control.state.rotation : m.variables.raw(system_at(fixture) + place_of_rotation);
+  const Axes shift = kind == 10 ? control.state.shift : Axes{};
+  Axes reads = sum(turned_by(sum(m.position.machine, origin, -1), -rotation), shift, -1);
+  each_word(m, [&](std::size_t a, double v) { reads[a] = v; });
+  const Axes offset = sum(sum(m.position.machine, origin, -1), turned_by(sum(reads, shift), rotation), -1);
+  each_word(m, [&](std::size_t a, double) { tool.offset[a] = offset[a]; });
+  return {};
+}
+
+void take_length(Interpreter& m, const Axes& length) {
+  linuxcnc_of(m).state.length = length;
+  m.change_frames();
+}
+
+/// Tool of G43, G43.2: H, else that in the spindle.
+Result<Axes> length_of_tool(Interpreter& m, Span where) {
+  LinuxCnc& control = linuxcnc_of(m);
+  const double number = m.has('H') && std::round(m.value('H')) != 0 ? std::round(m.value('H')) : m.modal.tool;
+  if (number == 0) return Axes{};
+  const Tool* const tool = control.tool(number);
+  if (tool == nullptr)
+    return control.fault(AlarmId::rs274_tool, where, fmt::format("Requested tool {:.0f} not found in the tool table", number));
+  m.modal.length_number = static_cast<std::uint32_t>(std::max(number, 0.0));
+  return tool->offset;
+}
+
+constexpr const char* no_length_change = "Cannot change tool offset with cutter radius compensation on";
+
+}  // namespace
+
+const Tool* LinuxCnc::tool(double number) const {
+  static const Tool unknown;
+  const auto found = tools.find(static_cast<int>(number));
+  return found != tools.end() ? &found->second : table_is_known || number < 0 ? nullptr : &unknown;
+}
+
+Tool& LinuxCnc::tool_to_write(Interpreter& m, int number) {
+  Tool& tool = tools[number];
+  m.journal.on_undo([&tool, before = tool] { tool = before; });
+  return tool;
+}
+
+Axes LinuxCnc::system_offset(const Interpreter& m, std::uint32_t number) const {
+  Axes offset{};
+  for (std::uint32_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) offset[a] = m.variables.raw(system_at(number) + a);
+  return offset;
+}
+
+void LinuxCnc::take_system(Interpreter& m, std::uint32_t number) {
+  state.system_number = number;
+  state.system = system_offset(m, number);
+  state.rotation = m.variables.raw(system_at(number) + place_of_rotation);
+  m.change_frames();
+}
+
+void LinuxCnc::store_shift(Interpreter& m) {
+  set(m, shift_on_number, state.shift_on ? 1 : 0);
+  for (std::uint32_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) set(m, first_shift + a, state.shift[a]);
+  (void)m.variables.take_frames_changed();
+}
+
+/// machine = R·(work + shift) + system + length (7.8).
+void LinuxCnc::refresh_frames(Interpreter& m) {
+  m.frames.length = state.length;
+  if (state.rotation == 0) {
+    m.frames.origin = sum(state.system, state.shift);
+    m.frames.shift = {};
+    m.frames.turn = nullptr;
+    return;
+  }
+  m.frames.origin = state.system;
+  m.frames.shift = state.shift;
+  const SinCos by = sincos_deg(state.rotation);
+  FrameTurn turn;
+  turn.rows = {Vec3{by.cos, -by.sin, 0}, Vec3{by.sin, by.cos, 0}, Vec3{0, 0, 1}};
+  if (!m.frames.turn || !(*m.frames.turn == turn)) m.frames.turn = std::make_shared<const FrameTurn>(turn);
+}
+
+}  // namespace kadr::linuxcnc
+
+namespace kadr::functions {
+
+using linuxcnc::linuxcnc_of;
+
+/// G10 (7.8).
+Status table_data(Interpreter& m, const Call& call) {
+  const int kind = static_cast<int>(std::round(m.value('L')));
+  if (kind == 2 || kind == 20) return linuxcnc::write_system(m, call, kind == 20);
+  if (kind == 0) return {};  // the table is what the set-up says
+  return linuxcnc::write_tool(m, kind);
+}
+
+/// G92 (arg 0), G52 (1).
+Status coordinate_shift(Interpreter& m, const Call& call) {
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
+  const bool is_amount = call.row->arg == 1;
+  linuxcnc::each_word(
+      m, [&](std::size_t a, double v) { control.state.shift[a] = is_amount ? v : m.position.programmed[a] + control.state.shift[a] - v; });
+  control.state.shift_on = true;
+  control.store_shift(m);
+  m.change_frames();
+  return {};
+}
+
+/// G92.1 to G92.3; arg: the number behind the point.
+Status coordinate_shift_off(Interpreter& m, const Call& call) {
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
+  if (call.row->arg == 3) {
+    for (std::uint32_t a = 0; a < m.axis_count; ++a) control.state.shift[a] = m.variables.raw(linuxcnc::first_shift + a);
+    control.state.shift_on = true;
+    linuxcnc::set(m, linuxcnc::shift_on_number, 1);
+  } else {
+    control.state.shift = {};
+    control.state.shift_on = false;
+    if (call.row->arg == 1) control.store_shift(m);
+    else linuxcnc::set(m, linuxcnc::shift_on_number, 0);
+  }
+  (void)m.variables.take_frames_changed();
+  m.change_frames();
+  return {};
+}
+
+/// G54 to G59.3; arg: 1 to 9.
+Status table_system(Interpreter& m, const Call& call) {
+  KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change coordinate systems with cutter radius compensation on"));
+  const auto number = static_cast<std::uint32_t>(call.row->arg);
+  if (number == linuxcnc_of(m).state.system_number && !m.flow.ended()) return {};
+  m.modal.fixture = number;
+  linuxcnc::set(m, linuxcnc::system_number, number);
+  (void)m.variables.take_frames_changed();
+  linuxcnc_of(m).take_system(m, number);
+  return {};
+}
+
+/// G28, G30 (arg 1, 2): through the point of the words to the stored position.
+Status reference_move(Interpreter& m, const Call& call) {
+  KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot use g28 or g30 with cutter radius comp"));
+  const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
+  AxisMask named = 0;
+  if (m.has_axis_words()) {
+    Axes through;
+    KADR_TRY(m.target(through, named));
+    KADR_TRY(m.straight(MotionKind::rapid, through, named));
+  }
+  if (named == 0) {  // a motion of no length comes first, the control makes one
+    named = (AxisMask{1} << m.axis_count) - 1;
+    KADR_TRY(m.straight(MotionKind::rapid, m.position.programmed, named));
+  }
+  Axes stored = m.position.machine;
+  for (std::uint32_t a = 0; a < linuxcnc::axes_of_tables && a < m.axis_count; ++a) stored[a] = m.variables.raw(first + a);
+  const Axes there = m.frames.work_of(stored);
+  Axes to = m.position.programmed;
+  for (std::size_t a = 0; a < m.axis_count; ++a)
+    if ((named >> a & 1U) != 0) to[a] = there[a];
+  return m.straight(MotionKind::rapid, to, named);
+}
+
+/// G28.1, G30.1 (arg 1, 2).
+Status reference_store(Interpreter& m, const Call& call) {
+  KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot set reference point with cutter compensation in effect"));
+  const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
+  for (std::uint32_t a = 0; a < linuxcnc::axes_of_tables && a < m.axis_count; ++a) linuxcnc::set(m, first + a, m.position.machine[a]);
+  (void)m.variables.take_frames_changed();
+  return {};
+}
+
+/// G43 (arg 0), G43.2 (1): by the table.
+Status tool_length(Interpreter& m, const Call& call) {
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
+  if (call.row->arg == 1) {
+    const bool words = m.has_axis_words() && control.codes.motion < 0;
+    if (m.has('H') && words) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: Can not have both H and axis words");
+    if (!m.has('H') && !words) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: No axes specified and H word missing");
+    if (words) return control.fault(AlarmId::rs274_tool, call.where, "Requested tool -1 not found in the tool table");
+  }
+  const auto length = linuxcnc::length_of_tool(m, call.where);
+  if (!length) return fail(length.error());
+  linuxcnc::take_length(m, call.row->arg == 1 ? linuxcnc::sum(control.state.length, *length) : *length);
+  return {};
+}
+
+/// G43.1: the words are the lengths, absolute.
+Status tool_length_by_words(Interpreter& m, const Call& call) {
+  KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
+  Axes length = linuxcnc_of(m).state.length;
+  if (linuxcnc_of(m).codes.motion < 0) linuxcnc::each_word(m, [&](std::size_t a, double v) { length[a] = v; });
+  linuxcnc::take_length(m, length);
+  return {};
+}
+
+/// G49.
+Status tool_length_off(Interpreter& m, const Call& call) {
+  KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
+  m.modal.length_number = 0;
+  linuxcnc::take_length(m, {});
+  return {};
+}
+
+}  // namespace kadr::functions

@@ -1,0 +1,149 @@
+#pragma once
+// The dialect of LinuxCNC (spec/linuxcnc; its source: src/emc/rs274ngc): what it does that no row can say. Where its manual and its code
+// differ, the code counts.
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "control/dialect.h"
+#include "control/linuxcnc/block_codes.h"
+#include "control/linuxcnc/flow_table.h"
+#include "control/state/state.h"
+
+namespace kadr {
+class Interpreter;
+struct Call;
+}  // namespace kadr
+
+namespace kadr::linuxcnc {
+
+inline constexpr std::size_t most_arguments = 30;  // #1 … #30
+inline constexpr std::size_t axes_of_tables = 9;   // X Y Z A B C U V W
+
+/// A tool of the table (9); mm, degrees.
+struct Tool {
+  Axes offset{};
+  double diameter = 0;
+  double front = 0, back = 0;  // I J
+  double orientation = 0;      // Q
+  int pocket = 0;
+};
+
+/// Parameters that belong to one call: #1 … #30, and those with names.
+struct Level {
+  std::array<double, most_arguments + 1> arguments{};
+  std::map<double, double> named;
+};
+
+/// Modes kept by M70, M73 (8).
+struct KeptModes {
+  Modal modal;
+  bool restore_at_end = false;  // M73
+};
+
+/// What a block changes and an alarm in it brings back.
+struct State {
+  Axes system{};          // offset of the work system in force, machine coordinates
+  double rotation = 0;    // degrees, of that system about Z
+  Axes shift{};           // of G92, G52; turned with it
+  bool shift_on = false;  // #5210
+  Axes length{};          // of G43
+  std::uint32_t system_number = 1;
+  double css_most = 0;        // rev/min, D of G96; 0: no limit
+  bool cycle_began = false;   // a canned cycle follows another
+  double old_z = 0;           // of cycles (7.6)
+  std::int32_t motion = 800;  // code in force, tenths; -1: none (G5.3)
+  bool polar_step = false;    // the block's words are @ ^ in G91: each repetition of a cycle turns on
+  double polar_radius = 0, polar_angle = 0;
+  bool compensating = false;
+  bool just_ended_compensation = false;
+  std::array<bool, 2> spindle_known{};
+  double value = 0;  // of the last O return (6.3)
+  bool value_returned = false;
+  bool percent = false;  // the file begins with one
+  bool began = false;    // a line that is not blank has been read
+};
+
+class LinuxCnc final : public Dialect {
+ public:
+  LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits);
+
+  // ---- dialect.cpp
+  void take_setup(Interpreter& m, const Setup& setup) override;
+  void started(Interpreter& m) override;
+  bool end_program(Interpreter& m) override;
+  void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) override;
+  std::shared_ptr<const DialectState> snapshot() const override;
+  Status restore(Interpreter& m, const DialectState& from) override;
+  bool skips_unread() const override { return true; }
+  bool units_may_change() const override { return true; }
+  Result<bool> statement(Interpreter& m) override;
+  Result<bool> takes_block(Interpreter& m) override;
+  std::int16_t motion_row(const Interpreter& m) const override;
+  BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
+  void begin_block(Interpreter& m) override;
+  void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
+  Status after_block(Interpreter& m) override;
+  void take_back(Interpreter& m) override;
+  bool lines_follow(const Interpreter& m) const override;
+  void note_line(Interpreter& m) override;
+  ArcRule arc_rule(const Interpreter& m) const override;
+  Status arc(Interpreter& m, const Call& call, Turn turn) override;
+  void refresh_frames(Interpreter& m) override;
+  Status machine_code(Interpreter& m, const Call& call) override;
+  Status take_answer(Interpreter& m, const ProbeAnswer& answer) override;
+  Result<bool> end_of_file(Interpreter& m) override;
+  Result<bool> sign_of_file(Interpreter& m) override;
+  Status comments(Interpreter& m) override;
+  void reword(const Interpreter& m, AlarmReport& report) const override;
+  Result<double> read_variable(Interpreter& m, double number, Span where) const override;
+  Status write_variable(Interpreter& m, double number, double value, Span where) override;
+  Result<double> number_of_element(const Interpreter& m, double symbol, double index, Span where) const override;
+
+  // ---- faults
+  /// An alarm with the control's own words; they are kept for the report.
+  tl::unexpected<Alarm> fault(AlarmId id, Span where, std::string text) const;
+
+  // ---- tables
+  const Tool* tool(double number) const;
+  /// To be written; an alarm brings the old one back.
+  Tool& tool_to_write(Interpreter& m, int number);
+  Axes system_offset(const Interpreter& m, std::uint32_t number) const;
+  void take_system(Interpreter& m, std::uint32_t number);
+  void store_shift(Interpreter& m);
+
+  // ---- parameters
+  Level& level() { return levels_.back(); }
+  const Level& level() const { return levels_.back(); }
+  std::vector<Level>& levels() { return levels_; }
+
+  State state;
+  BlockCodes codes;  // of the block being carried out
+  FlowTable flow;
+  std::map<int, Tool> tools;
+  bool table_is_known = false;                        // else each tool is there, and nothing of it is known
+  std::vector<std::vector<KeptModes>> kept_modes{1};  // by call
+  Axes probed{};                                      // #5061 …, mm
+  bool probe_tripped = false;
+  int probe_kind = 2;  // of G38.n
+
+ private:
+  struct Remembered;
+  std::vector<Level> levels_{1};
+  std::map<double, double> globals_;  // #<_name>
+  State before_;
+  mutable std::string fault_text_;
+  friend class Parameters;
+
+ public:
+  std::map<double, double>& globals() { return globals_; }
+  const std::map<double, double>& globals() const { return globals_; }
+};
+
+LinuxCnc& linuxcnc_of(const Interpreter& m);
+
+}  // namespace kadr::linuxcnc

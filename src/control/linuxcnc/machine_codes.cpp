@@ -1,0 +1,235 @@
+// M codes: tools, outputs and inputs, orientation, modes kept and brought back; G96 (spec/linuxcnc 8; convert_m of the source).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "control/functions/functions.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/flow.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+Status compensation_forbids(const Interpreter& m, Span where, const char* text) {
+  if (m.modal.radius_side == 0) return {};
+  return linuxcnc_of(m).fault(AlarmId::rs274_compensation, where, text);
+}
+
+tl::unexpected<Alarm> wrong_word(const Interpreter& m, Span where, std::string text) {
+  return linuxcnc_of(m).fault(AlarmId::rs274_io, where, std::move(text));
+}
+
+}  // namespace
+
+namespace {
+
+/// The modes are values: what stands in the groups is brought back, with the actions that tell the machine (8; the control itself carries
+/// out a line of codes, with F of one decimal and S of none).
+Status restore_modes(Interpreter& m, const Modal& to) {
+  Modal& modal = m.modal;
+  const Modal before = modal;
+  const bool spindle_changes = modal.spindle != to.spindle, speed_changes = modal.rpm != to.rpm;
+  const bool mist = modal.mist, flood = modal.flood;
+  const MotionModal motion = modal;
+  const std::uint32_t fixture = to.fixture;
+  Modal next = to;
+  static_cast<MotionModal&>(next) = motion;
+  for (std::size_t g = 1; g < m.def.groups.size(); ++g)
+    if (m.def.groups[g].name != "1") next.rows[g] = to.rows[g];
+  next.feed_known = to.feed_known;
+  next.feed = std::round(to.feed * 10) / 10;  // written with one decimal
+  if (to.inch) next.feed = std::round(to.feed / mm_per_inch * 10) / 10 * mm_per_inch;
+  next.tool = before.tool;
+  next.tool_selected = before.tool_selected;
+  next.motion = before.motion;
+  next.motion_row = before.motion_row;
+  next.contour = before.contour;
+  next.rpm = std::round(to.rpm);
+  modal = next;
+  m.variables.inch = modal.inch;
+  if (speed_changes && !spindle_changes) m.emit(Speed{modal.rpm, modal.surface_speed});
+  if (spindle_changes) m.emit(Spindle{modal.spindle, modal.spindle == SpindleDir::stop ? 0 : modal.rpm});
+  if (mist != modal.mist || flood != modal.flood) {
+    if (!modal.mist && !modal.flood) m.emit(CoolantSwitch{Coolant::off});
+    if (modal.mist && !mist) m.emit(CoolantSwitch{Coolant::mist});
+    if (modal.flood && !flood) m.emit(CoolantSwitch{Coolant::flood});
+  }
+  if (before.fixture != fixture) linuxcnc_of(m).take_system(m, fixture);
+  return {};
+}
+
+}  // namespace
+
+Status restore_at_end(Interpreter& m) {
+  LinuxCnc& control = linuxcnc_of(m);
+  std::optional<Modal> to;
+  if (control.kept_modes.size() > 1) {
+    for (const KeptModes& kept : control.kept_modes.back())
+      if (kept.restore_at_end) to = kept.modal;
+    control.kept_modes.pop_back();
+  }
+  return to ? restore_modes(m, *to) : Status();
+}
+
+}  // namespace kadr::linuxcnc
+
+namespace kadr::linuxcnc {
+
+/// M100 to M199: a program of the machine; Kadr starts none.
+Status LinuxCnc::machine_code(Interpreter&, const Call& call) {
+  return fault(AlarmId::rs274_codes, call.where, fmt::format("Unknown m code used: M{}", call.word->code / 10));
+}
+
+}  // namespace kadr::linuxcnc
+
+namespace kadr::functions {
+
+using linuxcnc::linuxcnc_of;
+
+namespace {
+
+void emit_output(Interpreter& m, int code, double number, std::optional<double> value) {
+  MachineFunction function{static_cast<std::uint32_t>(code)};
+  function.number = std::round(number);
+  function.value = value;
+  m.emit(function);
+}
+
+}  // namespace
+
+/// T: is in the table, and will be changed to.
+Status tool_of_table(Interpreter& m, const Call& call) {
+  const double number = std::round(m.value('T'));
+  if (number != 0 && linuxcnc_of(m).tool(number) == nullptr)
+    return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, fmt::format("Requested tool {:.0f} not found in the tool table", number));
+  m.modal.tool_selected = static_cast<std::uint32_t>(number);
+  if (number != 0) m.use.note(UseKind::tool, m.modal.tool_selected, m.origin);
+  m.emit(ToolSelect{m.modal.tool_selected, 0});
+  return {};
+}
+
+/// M6: the spindle stops, the last T comes; none: it is emptied.
+Status load_tool(Interpreter& m, const Call& call) {
+  KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot change tools with cutter radius compensation on"));
+  if (m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw) m.emit(Spindle{SpindleDir::stop, 0});
+  m.modal.spindle = SpindleDir::stop;
+  m.modal.tool = m.modal.tool_selected;
+  m.use.change_to(m.modal.tool);
+  m.emit(ToolChange{m.modal.tool});
+  return {};
+}
+
+/// M61 Q: that tool is in the spindle.
+Status tool_in_spindle(Interpreter& m, const Call& call) {
+  const double number = m.has('Q') ? std::round(m.value('Q')) : -1;
+  if (number < 0) return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, "Need non-negative Q-word to specify tool number with M61");
+  if (number != 0 && linuxcnc_of(m).tool(number) == nullptr)
+    return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, fmt::format("Requested tool {:.0f} not found in the tool table", number));
+  m.modal.tool = static_cast<std::uint32_t>(number);
+  m.emit(ToolChange{m.modal.tool});
+  return {};
+}
+
+/// M62 to M65 P (arg: the number of the code).
+Status digital_output(Interpreter& m, const Call& call) {
+  const int code = call.row->arg;
+  const char* const forbidden = code == 62   ? "Cannot set motion output with cutter radius compensation on"
+                                : code == 63 ? "Cannot set motion digital output with cutter radius compensation on"
+                                             : "Cannot set auxiliary digital output with cutter radius compensation on";
+  KADR_TRY(linuxcnc::compensation_forbids(m, call.where, forbidden));
+  if (!m.has('P') || std::round(m.value('P')) < 0)
+    return linuxcnc::wrong_word(m, call.where, fmt::format("No valid P word with M{}", code));
+  emit_output(m, code, m.value('P'), std::nullopt);
+  return {};
+}
+
+/// M67, M68 E Q.
+Status analog_output(Interpreter& m, const Call& call) {
+  const int code = call.row->arg;
+  KADR_TRY(linuxcnc::compensation_forbids(m, call.where,
+                                          code == 67 ? "Cannot set motion analog output with cutter radius compensation on"
+                                                     : "Cannot set auxiliary analog output with cutter radius compensation on"));
+  if (!m.has('E') || std::round(m.value('E')) < 0)
+    return linuxcnc::wrong_word(m, call.where, fmt::format("Invalid analog index with M{}", code));
+  emit_output(m, code, m.value('E'), m.value('Q'));
+  return {};
+}
+
+/// M66: an input is waited for. Nothing is known of inputs here: #5399 is 0, -1 where a wait runs out (INFERRED).
+Status wait_for_input(Interpreter& m, const Call& call) {
+  const double kind = m.has('L') ? std::round(m.value('L')) : 0;
+  const bool digital = m.has('P'), analog = m.has('E');
+  KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot wait for digital input with cutter radius compensation on"));
+  if (digital && analog) return linuxcnc::wrong_word(m, call.where, "Invalid to select both a digital and an analog input with M66");
+  if (!digital && !analog) return linuxcnc::wrong_word(m, call.where, "Need to have either a valid P or a valid E word with M66");
+  if (analog && kind != 0) return linuxcnc::wrong_word(m, call.where, "Can't select analog input with wait type != immediate return");
+  if (kind != 0 && !(m.has('Q') && m.value('Q') > 0))
+    return linuxcnc::wrong_word(m, call.where, "Zero timeout with wait type != immediate return");
+  emit_output(m, 66, m.value(digital ? 'P' : 'E'), std::nullopt);
+  constexpr std::uint32_t result = 5399;
+  m.variables.set_raw(result, kind != 0 ? -1 : 0);
+  (void)m.variables.take_frames_changed();
+  return {};
+}
+
+/// M19 R P Q.
+Status orient_to(Interpreter& m, const Call& call) {
+  if (m.has('Q') && !(m.value('Q') > 0)) return linuxcnc::wrong_word(m, call.where, "Q word with M19 requires a value > 0");
+  m.modal.spindle = SpindleDir::stop;
+  Spindle spindle{SpindleDir::orient, 0};
+  if (m.has('R')) spindle.angle = m.value('R');
+  m.emit(spindle);
+  return {};
+}
+
+/// M50 to M53 P.
+Status override_switch(Interpreter& m, const Call& call) {
+  const bool on = !m.has('P') || m.value('P') != 0;
+  KADR_TRY(linuxcnc::compensation_forbids(
+      m, call.where,
+      on ? "Cannot enable overrides with cutter radius compensation on" : "Cannot disable overrides with cutter radius compensation on"));
+  const std::uint8_t bit = call.row->arg == 50 ? feed_permission : call.row->arg == 51 ? 2 : 0;
+  m.modal.override_permission = static_cast<std::uint8_t>(on ? m.modal.override_permission | bit : m.modal.override_permission & ~bit);
+  return {};
+}
+
+/// G96 D S.
+Status surface_speed_limited(Interpreter& m, const Call&) {
+  m.modal.surface_speed = true;
+  linuxcnc_of(m).state.css_most = m.has('D') ? std::fabs(m.value('D')) : 0;
+  m.emit(m.surface_speed());
+  return {};
+}
+
+/// M70 to M73 (arg: the number of the code).
+Status modes_kept(Interpreter& m, const Call& call) {
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  auto& kept = control.kept_modes.back();
+  switch (call.row->arg) {
+    case 70:
+    case 73:
+      m.journal.on_undo([&kept, before = kept] { kept = before; });
+      kept.assign(1, {m.modal, call.row->arg == 73});
+      return {};
+    case 71:
+      m.journal.on_undo([&kept, before = kept] { kept = before; });
+      kept.clear();
+      return {};
+    default:
+      if (kept.empty())
+        return control.fault(AlarmId::rs274_codes, call.where, "Cannot restore context from invalid stack frame - missing M70/M73?");
+      return linuxcnc::restore_modes(m, kept.back().modal);
+  }
+}
+
+/// G7 (arg 1), G8 (0).
+Status diameter_mode(Interpreter& m, const Call& call) {
+  m.modal.diameter = call.row->arg == 1 ? AxisMask{1} : AxisMask{0};
+  return {};
+}
+
+}  // namespace kadr::functions

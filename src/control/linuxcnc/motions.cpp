@@ -1,0 +1,198 @@
+// Arcs, threads, probing (spec/linuxcnc 7.2, 7.3, 7.7; convert_arc, convert_probe, convert_straight of the source).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "control/functions/contour.h"
+#include "control/functions/functions.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr double least_radius = 0.00127;       // mm
+constexpr double spiral_absolute = 0.0282843;  // mm: 2 · 0.01 · √2
+constexpr double spiral_relative = 0.001;
+
+class Arc {
+ public:
+  Arc(Interpreter& m, const kadr::Call& call, Turn turn) : m_(m), call_(call), turn_(turn), control_(linuxcnc_of(m)), axes_(m.modal.axes) {}
+
+  Status run() {
+    const char centers[] = {m_.letters.center_letter[axes_.first], m_.letters.center_letter[axes_.second]};
+    const char normal = m_.letters.center_letter[axes_.normal];
+    const bool any_center = m_.has('I') || m_.has('J') || m_.has('K');
+    if (control_.codes.g1() >= 0 && !any_center && !m_.has('R') && !m_.has_axis_words()) return {};  // the code alone: only the mode
+    if (m_.modal.contour == ContourPhase::leaving)
+      return control_.fault(AlarmId::rs274_compensation, call_.where,
+                            "The move just after exiting cutter compensation mode must be straight, not an arc");
+    if (!any_center && !m_.has('R')) return wrong("R i j k words all missing for arc");
+    if (any_center && m_.has('R')) return wrong("Mixed radius ijk format for arc");
+    KADR_TRY(feed());
+    AxisMask named = 0;
+    Axes end;
+    KADR_TRY(m_.target(end, named));
+    const Vec2 from{m_.position.programmed[axes_.first], m_.position.programmed[axes_.second]};
+    const Vec2 to{end[axes_.first], end[axes_.second]};
+    if (m_.has('R')) {
+      const bool in_plane = m_.has(letter(axes_.first)) || m_.has(letter(axes_.second));
+      if (!in_plane) return wrong(missing_words());
+      return by_radius(from, to, end, named);
+    }
+    if (m_.has(normal)) return wrong(fmt::format("{} word given for arc in {} plane", normal, plane_name()));
+    Vec2 center = from;
+    for (const int i : {0, 1}) {
+      double& at = i == 0 ? center.x : center.y;
+      if (m_.has(centers[i])) at = (m_.modal.centers_absolute ? 0.0 : at) + m_.length_value(centers[i]);
+      else if (m_.modal.centers_absolute) return wrong(fmt::format("{} word missing in absolute center arc", centers[i]));
+    }
+    return about(from, to, center, end, named);
+  }
+
+ private:
+  tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_arc, call_.where, std::move(text)); }
+  char letter(std::size_t axis) const { return m_.letters.axis_letter[axis]; }
+  const char* plane_name() const { return m_.modal.plane == Plane::xy ? "xy" : m_.modal.plane == Plane::yz ? "yz" : "xz"; }
+  std::string missing_words() const {
+    switch (m_.modal.plane) {
+      case Plane::xy: return "X and y words missing for arc in xy plane";
+      case Plane::yz: return "Y and z words missing for arc in yz plane";
+      default: return "X and z words missing for arc in xz plane";
+    }
+  }
+
+  Status feed() const {
+    if (m_.modal.feed_mode == FeedMode::inverse_time)
+      return m_.has('F') ? Status() : Status(wrong("F word missing with inverse time arc move"));
+    if (!(m_.modal.feed_known && m_.modal.feed > 0)) return wrong("Cannot make arc with zero feed rate");
+    return {};
+  }
+
+  Status by_radius(Vec2 from, Vec2 to, const Axes& end, AxisMask named) {
+    const double radius = m_.length_value('R'), half = length(to - from) / 2;
+    if (from == to) return wrong("Current point same as end point of arc");
+    if (half - std::fabs(radius) > least_radius) return wrong("Arc radius too small to reach end point");
+    const double sign = radius < 0 ? -1 : 1;
+    const auto arc = arc_by_radius(from, to, sign * std::max(std::fabs(radius), half), turn_, 1e9);
+    if (!arc) return fail(arc.error());
+    return hand_on(*arc, end, named);
+  }
+
+  Status about(Vec2 from, Vec2 to, Vec2 center, const Axes& end, AxisMask named) {
+    const double unit = m_.modal.inch ? mm_per_inch : 1;
+    const double r1 = length(from - center), r2 = length(to - center);
+    const auto point = [&](Vec2 at) {
+      return fmt::format("({}{:.4f},{}{:.4f})", letter(axes_.first), at.x / unit, letter(axes_.second), at.y / unit);
+    };
+    if (r1 < least_radius || r2 < least_radius)
+      return wrong(fmt::format("Zero-radius arc: start={} center={} end={} r1={:.4f} r2={:.4f}", point(from), point(center), point(to),
+                               r1 / unit, r2 / unit));
+    const double error = std::fabs(r1 - r2), relative = error / std::max(r1, r2);
+    const double allowed = m_.modal.inch ? spiral_absolute / 10 * mm_per_inch : spiral_absolute;
+    if (error > 100 * allowed || (error > allowed && relative > spiral_relative))
+      return wrong(
+          fmt::format("Radius to end of arc differs from radius to start: start={} center={} end={} r1={:.4f} r2={:.4f} "
+                      "abs_err={:.4g} rel_err={:.4f}%",
+                      point(from), point(center), point(to), r1 / unit, r2 / unit, error / unit, relative * 100));
+    const auto arc = arc_around(from, to, center, turn_, 1e9);
+    if (!arc) return fail(arc.error());
+    return hand_on(*arc, end, named);
+  }
+
+  Status hand_on(const PlaneArc& arc, const Axes& end, AxisMask named) {
+    named |= AxisMask{1} << axes_.first | AxisMask{1} << axes_.second;
+    m_.move_to(end, end, named);
+    Motion& motion = m_.add_motion(turn_ == Turn::cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);
+    m_.set_feed(motion);
+    motion.center = arc.center;
+    motion.turns = arc.turns + (m_.has('P') ? std::round(m_.value('P')) - 1 : 0);
+    note_arc_end(m_, motion);
+    return {};
+  }
+
+  Interpreter& m_;
+  const kadr::Call& call_;
+  Turn turn_;
+  LinuxCnc& control_;
+  PlaneAxes axes_;
+};
+
+bool spindle_turns(const Interpreter& m) { return m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw; }
+
+Status thread_to(Interpreter& m, const Axes& to, AxisMask named, double lead) {
+  KADR_TRY(m.straight(MotionKind::thread, to, named));
+  Motion& motion = std::get<Motion>(m.batch->back().what);
+  motion.own_override = motion.no_hold = true;
+  motion.unit = FeedUnit::mm_per_rev;
+  motion.feed = lead;
+  auto detail = std::make_shared<MotionDetail>();
+  detail->lead = lead;
+  motion.detail = std::move(detail);
+  return {};
+}
+
+}  // namespace
+
+Status LinuxCnc::arc(Interpreter& m, const kadr::Call& call, Turn turn) { return Arc(m, call, turn).run(); }
+
+Status LinuxCnc::take_answer(Interpreter& m, const ProbeAnswer& answer) {
+  m.needs_probe = false;
+  for (std::size_t a = 0; a < m.axis_count; ++a) m.position.work[a] = answer.at[a];
+  m.position.machine = m.frames.machine_of(m.position.work);
+  m.position.programmed = m.position.work;
+  probed = m.position.work;
+  probe_tripped = answer.touched;
+  m.variables.set_raw(5070, answer.touched ? 1 : 0);
+  (void)m.variables.take_frames_changed();
+  const bool must = probe_kind == 2 || probe_kind == 4;
+  if (answer.touched || !must) return {};
+  return fault(AlarmId::rs274_probe, m.probe_where,
+               fmt::format("G38.{} move finished without {} contact.", probe_kind, probe_kind == 2 ? "making" : "breaking"));
+}
+
+}  // namespace kadr::linuxcnc
+
+namespace kadr::functions {
+
+using linuxcnc::linuxcnc_of;
+
+/// G38.2 to G38.5; arg: the number behind the point.
+Status probe_move(Interpreter& m, const Call& call) {
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  if (m.modal.radius_side != 0) return control.fault(AlarmId::rs274_compensation, call.where, "Cannot probe with cutter radius comp on");
+  if (!(m.modal.feed_known && m.modal.feed > 0)) return control.fault(AlarmId::rs274_probe, call.where, "Cannot probe with zero feed rate");
+  if (m.modal.feed_mode == FeedMode::per_revolution)
+    return control.fault(AlarmId::rs274_probe, call.where, "Cannot probe with feed per rev mode");
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(m.target(to, named));
+  const bool stays = to == m.position.programmed;
+  if (stays && (call.row->arg == 2 || call.row->arg == 4))
+    return control.fault(AlarmId::rs274_probe, call.where, "Start point too close to probe point");
+  control.probe_kind = call.row->arg;
+  m.needs_probe = true;
+  m.probe_where = call.where;
+  return m.straight(MotionKind::probe, to, named);
+}
+
+/// G33 K: to the point; G33.1: and back (arg 1).
+Status thread_by_spindle(Interpreter& m, const Call& call) {
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  const bool back = call.row->arg == 1;
+  if (!linuxcnc::spindle_turns(m))
+    return control.fault(AlarmId::rs274_spindle, call.where, back ? "Spindle not turning in G33.1" : "Spindle not turning in G33");
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(m.target(to, named));
+  const Axes from = m.position.programmed;
+  KADR_TRY(linuxcnc::thread_to(m, to, named, std::fabs(m.length_value('K'))));
+  m.modal.motion = MotionMode::none;
+  m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
+  return back ? linuxcnc::thread_to(m, from, named, std::fabs(m.length_value('K'))) : Status();
+}
+
+}  // namespace kadr::functions

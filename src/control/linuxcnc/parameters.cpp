@@ -1,0 +1,193 @@
+// #1 … #5601 and #<names> (spec/linuxcnc 4).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/units.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr int last_parameter = 5601;
+constexpr double whole_within = 1e-4;
+
+double per_unit(const Interpreter& m) { return m.modal.inch ? mm_per_inch : 1; }
+
+/// Work position, #5420 …, in the unit of the program.
+double position(const Interpreter& m, const Axes& of, std::size_t axis) {
+  if (axis >= m.axis_count) return 0;
+  return axis < 3 || axis >= 6 ? of[axis] / per_unit(m) : of[axis];
+}
+
+/// #5400 … #5413: the tool in the spindle.
+double of_tool(const Interpreter& m, const LinuxCnc& control, int n) {
+  if (n == 0) return m.modal.tool;
+  const Tool* const tool = control.tool(m.modal.tool);
+  if (tool == nullptr || m.modal.tool == 0) return 0;
+  if (n <= 9) return tool->offset[static_cast<std::size_t>(n - 1)];
+  const double others[] = {tool->diameter, tool->front, tool->back, tool->orientation};
+  return others[n - 10];
+}
+
+std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, std::string_view name);
+
+}  // namespace
+
+Result<double> LinuxCnc::read_variable(Interpreter& m, double number, Span where) const {
+  if (VariableNames::is_named(number)) {
+    if (const auto found = level().named.find(number); found != level().named.end()) return found->second;
+    if (const auto found = globals_.find(number); found != globals_.end()) return found->second;
+    const std::string name = m.def.grammar.named_variables->name_of(number);
+    if (const auto value = predefined(m, *this, name)) return *value;
+    for (const Assignment& a : m.block->assignments)  // a setting earlier in the block makes it exist (4.2)
+      if (a.where.begin < where.begin && m.block->code[a.target.begin].number == number) return 0.0;
+    return fault(AlarmId::rs274_parameter, where, fmt::format("Named parameter #<{}> not defined", name));
+  }
+  const double nearest = std::round(number);
+  if (std::fabs(number - nearest) > whole_within) return fault(AlarmId::rs274_parameter, where, "Non integer value for integer");
+  if (!(nearest >= 1 && nearest <= last_parameter)) return fault(AlarmId::rs274_parameter, where, "Parameter number out of range");
+  const auto n = static_cast<int>(nearest);
+  if (n <= static_cast<int>(most_arguments)) return level().arguments[static_cast<std::size_t>(n)];
+  if (n >= 5400 && n <= 5413) return of_tool(m, *this, n - 5400);
+  if (n >= 5420 && n <= 5428) {
+    if (m.modal.radius_side != 0)
+      return fault(AlarmId::rs274_compensation, where, "Cannot read current position with cutter radius compensation on");
+    return position(m, m.position.programmed, static_cast<std::size_t>(n - 5420));
+  }
+  if (n >= 5061 && n <= 5069) return position(m, probed, static_cast<std::size_t>(n - 5061));
+  return m.variables.raw(static_cast<std::uint32_t>(n));
+}
+
+Status LinuxCnc::write_variable(Interpreter& m, double number, double value, Span where) {
+  if (VariableNames::is_named(number)) {
+    const std::string name = m.def.grammar.named_variables->name_of(number);
+    if (predefined(m, *this, name))
+      return fault(AlarmId::rs274_parameter, where, fmt::format("Cannot assign to read-only parameter #<{}>", name));
+    std::map<double, double>& of = name.starts_with('_') ? globals_ : level().named;
+    const auto known = of.find(number);
+    if (known == of.end()) m.journal.on_undo([&of, number] { of.erase(number); });
+    else m.journal.on_undo([&of, number, before = known->second] { of[number] = before; });
+    of[number] = value;
+    return {};
+  }
+  const double nearest = std::round(number);
+  if (std::fabs(number - nearest) > whole_within) return fault(AlarmId::rs274_parameter, where, "Non integer value for integer");
+  if (!(nearest >= 1 && nearest <= last_parameter)) return fault(AlarmId::rs274_parameter, where, "Parameter number out of range");
+  const auto n = static_cast<std::size_t>(nearest);
+  if ((n >= 5400 && n <= 5413) || (n >= 5420 && n <= 5428)) return fault(AlarmId::rs274_parameter, where, "Parameter is readonly");
+  if (n <= most_arguments) {
+    m.journal.keep(level().arguments[n]);
+    level().arguments[n] = value;
+    return {};
+  }
+  m.variables.set_raw(static_cast<std::uint32_t>(n), value);
+  (void)m.variables.take_frames_changed();  // the table changes, not what is in force
+  return {};
+}
+
+/// EXISTS: a name that is defined, a number in range.
+Result<double> LinuxCnc::number_of_element(const Interpreter& m, double, double index, Span) const {
+  if (!VariableNames::is_named(index)) return index >= 1 && index <= last_parameter ? 1.0 : 0.0;
+  if (level().named.contains(index) || globals_.contains(index)) return 1.0;
+  return predefined(m, *this, m.def.grammar.named_variables->name_of(index)) ? 1.0 : 0.0;
+}
+
+namespace {
+
+double tenths_of_group(const Interpreter& m, std::string_view name) {
+  for (std::size_t g = 1; g < m.def.groups.size(); ++g)
+    if (m.def.groups[g].name == name && m.modal.rows[g] >= 0) return m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].tenth;
+  return -1;
+}
+
+double is_in_force(const Interpreter& m, std::string_view group, double tenths) { return tenths_of_group(m, group) == tenths ? 1 : 0; }
+
+/// 4.3.
+// NOLINTNEXTLINE(readability-function-size): a table
+std::optional<double> mode_named(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
+  const Modal& modal = m.modal;
+  if (name == "_motion_mode") return control.state.motion;
+  if (name == "_plane") return tenths_of_group(m, "2");
+  if (name == "_ccomp") return modal.radius_side == 0 ? 400 : modal.radius_side < 0 ? 410 : 420;
+  if (name == "_metric") return modal.inch ? 0 : 1;
+  if (name == "_imperial") return modal.inch ? 1 : 0;
+  if (name == "_absolute") return modal.absolute ? 1 : 0;
+  if (name == "_incremental") return modal.absolute ? 0 : 1;
+  if (name == "_inverse_time") return modal.feed_mode == FeedMode::inverse_time ? 1 : 0;
+  if (name == "_units_per_minute") return modal.feed_mode == FeedMode::per_minute ? 1 : 0;
+  if (name == "_units_per_rev") return modal.feed_mode == FeedMode::per_revolution ? 1 : 0;
+  if (name == "_coord_system") return tenths_of_group(m, "12");
+  if (name == "_retract_r_plane") return modal.retract_initial ? 0 : 1;
+  if (name == "_retract_old_z") return modal.retract_initial ? 1 : 0;
+  if (name == "_spindle_rpm_mode") return modal.surface_speed ? 0 : 1;
+  if (name == "_spindle_css_mode") return modal.surface_speed ? 1 : 0;
+  if (name == "_ijk_absolute_mode") return modal.centers_absolute ? 1 : 0;
+  if (name == "_lathe_diameter_mode") return is_in_force(m, "15", 70);
+  if (name == "_lathe_radius_mode") return is_in_force(m, "15", 80);
+  if (name == "_spindle_on") return modal.spindle == SpindleDir::cw || modal.spindle == SpindleDir::ccw ? 1 : 0;
+  if (name == "_spindle_cw") return modal.spindle == SpindleDir::cw ? 1 : 0;
+  if (name == "_mist") return modal.mist ? 1 : 0;
+  if (name == "_flood") return modal.flood ? 1 : 0;
+  if (name == "_speed_override") return modal.override_enabled && (modal.override_permission & 2) != 0 ? 1 : 0;
+  if (name == "_feed_override") return modal.override_enabled && (modal.override_permission & feed_permission) != 0 ? 1 : 0;
+  if (name == "_adaptive_feed") return 0;
+  if (name == "_feed_hold") return 1;
+  if (name == "_feed") return modal.feed_known ? modal.feed / (modal.feed_mode == FeedMode::inverse_time ? 1 : per_unit(m)) : 0;
+  if (name == "_rpm") return std::fabs(modal.rpm);
+  return std::nullopt;
+}
+
+std::optional<double> place_named(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
+  constexpr std::string_view letters = "xyzabcuvw";
+  if (name.size() == 2 && letters.find(name[1]) != std::string_view::npos) return position(m, m.position.programmed, letters.find(name[1]));
+  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) != std::string_view::npos)
+    return position(m, m.position.machine, letters.find(name[5]));
+  if (name == "_tool_offset")
+    return std::any_of(control.state.length.begin(), control.state.length.end(), [](double v) { return v != 0; }) ? 1 : 0;
+  if (name == "_current_tool") return m.modal.tool;
+  if (name == "_selected_tool") return m.modal.tool_selected;
+  const auto pocket = [&](std::uint32_t number) {
+    const Tool* const tool = control.tool(number);
+    return tool == nullptr ? -1.0 : tool->pocket;
+  };
+  if (name == "_current_pocket") return pocket(m.modal.tool);
+  if (name == "_selected_pocket") return pocket(m.modal.tool_selected);
+  return std::nullopt;
+}
+
+std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
+  if (!name.starts_with('_')) return std::nullopt;
+  if (name == "_vmajor") return 2.9;
+  if (name == "_vminor" || name == "_remap_level") return 0;
+  if (name == "_metric_machine" || name == "_task") return 1;
+  if (name == "_line") return m.block->position.line;
+  if (name == "_call_level") return static_cast<double>(control.flow.memory.calls.size());
+  if (name == "_value") return control.state.value;
+  if (name == "_value_returned") return control.state.value_returned ? 1 : 0;
+  if (const auto mode = mode_named(m, control, name)) return mode;
+  return place_named(m, control, name);
+}
+
+}  // namespace
+
+void LinuxCnc::add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) {
+  for (int n = 1; n <= static_cast<int>(most_arguments); ++n)
+    if (const double v = level().arguments[static_cast<std::size_t>(n)]; v != 0) ending.variables.emplace_back("#" + std::to_string(n), v);
+  for (const auto* const all : {&globals_, &level().named})
+    for (const auto& [number, value] : *all)
+      ending.variables.emplace_back("#<" + m.def.grammar.named_variables->name_of(number) + ">", value);
+  for (const std::string& name : watch) {
+    if (!name.starts_with("#")) continue;
+    double number = std::strtod(name.c_str() + 1, nullptr);
+    if (name.starts_with("#<") && name.ends_with(">"))
+      number = m.def.grammar.named_variables->number_of(std::string_view(name).substr(2, name.size() - 3)).value_or(0);
+    if (const auto value = read_variable(m, number, {})) ending.variables.emplace_back(name, *value);
+  }
+}
+
+}  // namespace kadr::linuxcnc

@@ -1,0 +1,192 @@
+// LinuxCNC's own words for faults that the reader and shared functions find (spec/linuxcnc 2 to 5, 11): the English text is the alarm's
+// identity there.
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "base/ascii.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+struct Words {
+  AlarmId id;
+  std::string text;
+};
+
+bool begins(std::string_view text, std::string_view word) {
+  if (text.size() < word.size()) return false;
+  for (std::size_t i = 0; i < word.size(); ++i)
+    if (to_upper(text[i]) != word[i]) return false;
+  return true;
+}
+
+char small(char c) { return is_capital(c) ? static_cast<char>(c | 0x20) : c; }
+
+/// The text at the alarm's place.
+std::string_view there(const AlarmReport& report) {
+  const Span at = report.alarm.where;
+  const std::string_view line = report.line_text;
+  return at.begin < line.size() ? line.substr(at.begin) : std::string_view();
+}
+
+std::string argument(const AlarmReport& report, std::size_t nth) {
+  return nth < report.alarm.arg_count && !report.alarm.args[nth].is_number() ? std::string(report.alarm.args[nth].text()) : std::string();
+}
+
+Words bad_character(const AlarmReport& report) {
+  const std::string_view at = there(report);
+  const char c = at.empty() ? ' ' : at[0];
+  const auto code = static_cast<unsigned char>(c);
+  if (code < 0x20 || code > 0x7E) return {AlarmId::rs274_form, fmt::format("Bad character '\\{:03o}' used", code)};
+  return {AlarmId::rs274_form, fmt::format("Bad character '{}' used", small(c))};
+}
+
+/// A value should stand here (2.3).
+Words no_value(const AlarmReport& report) {
+  const std::string letter = argument(report, 0);
+  if (letter == "N") return {AlarmId::rs274_form, "Bad format unsigned integer"};
+  const std::string_view at = there(report);
+  const std::size_t behind = at.find_first_not_of(" \t", 1);
+  if (behind == std::string_view::npos || at[behind] == '(' || at[behind] == ';')
+    return {AlarmId::rs274_form, "No characters found in reading real value"};
+  return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(behind))};
+}
+
+Words function_wrong(const AlarmReport& report) {
+  constexpr std::string_view begin_functions = "acefflrst";
+  const std::string_view at = there(report);
+  const char c = at.empty() ? ' ' : small(at[0]);
+  if (begin_functions.find(c) != std::string_view::npos)
+    return {AlarmId::rs274_expression, fmt::format("Unknown word starting with {}", c)};
+  return {AlarmId::rs274_expression, "Unknown word where unary operation could be"};
+}
+
+Words operator_wrong(const AlarmReport& report) {
+  constexpr std::string_view begin_operators = "amoxengl";
+  const std::string_view at = there(report);
+  const char c = at.empty() ? ' ' : small(at[0]);
+  if (begin_operators.find(c) != std::string_view::npos)
+    return {AlarmId::rs274_expression, fmt::format("Unknown operation name starting with {}", c)};
+  return {AlarmId::rs274_expression, "Unknown operation"};
+}
+
+Words no_number(const AlarmReport& report) {
+  const std::string_view at = there(report);
+  if (begins(at, "SQRT")) return {AlarmId::rs274_expression, "Negative argument to sqrt"};
+  if (begins(at, "LN")) return {AlarmId::rs274_expression, "Zero or negative argument to ln"};
+  if (begins(at, "ACOS")) return {AlarmId::rs274_expression, "Argument to acos out of range"};
+  if (begins(at, "ASIN")) return {AlarmId::rs274_expression, "Argument to asin out of range"};
+  return {AlarmId::rs274_expression, "Calculation resulted in 'infinity'"};
+}
+
+Words expression_wrong(const AlarmReport& report) {
+  const std::string of = argument(report, 0);
+  if (of.find("]/[") != std::string::npos) return {AlarmId::rs274_expression, "Slash missing after first atan argument"};
+  if (begins(there(report), "[") || of == "…") return {AlarmId::rs274_expression, "Unclosed expression"};
+  return {AlarmId::rs274_expression, "Unknown operation"};
+}
+
+std::string function_name(std::string_view at) {
+  std::string name;
+  for (const char c : at) {
+    if (!is_letter(c)) break;
+    name += to_upper(c);
+  }
+  return name;
+}
+
+/// Its code is G2 or G3.
+bool is_arc_line(const std::string& line) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    if (small(line[i]) == 'g' && (line[i + 1] == '2' || line[i + 1] == '3') && (i + 2 == line.size() || !is_digit(line[i + 2])))
+      return true;
+  return false;
+}
+
+// NOLINTNEXTLINE(readability-function-size): a table
+Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
+  const std::string letter = argument(report, 0);
+  switch (report.alarm.id) {
+    case AlarmId::address_twice:
+      if (letter == "$") return {AlarmId::rs274_form, "Multiple spindle choice ($) words on one line"};
+      return {AlarmId::rs274_form, fmt::format("Multiple {} words on one line", letter.empty() ? '?' : small(letter[0]))};
+    case AlarmId::address_unknown:
+    case AlarmId::unexpected_character:
+    case AlarmId::control_character:
+    case AlarmId::skip_position:
+    case AlarmId::block_number_position: return bad_character(report);
+    case AlarmId::number_missing: return no_value(report);
+    case AlarmId::number_damaged:
+      return {AlarmId::rs274_form, fmt::format("bad number format (trailing characters) parsing '{}'", there(report))};
+    case AlarmId::sign_not_allowed: return {AlarmId::rs274_codes, letter == "M" ? "Negative m code used" : "Negative g code used"};
+    case AlarmId::code_unknown: return {AlarmId::rs274_codes, "G-code out of range"};
+    case AlarmId::comment_not_closed: return {AlarmId::rs274_form, "Unclosed comment found"};
+    case AlarmId::comment_character: return {AlarmId::rs274_form, "Nested comment found"};
+    case AlarmId::block_too_long:
+    case AlarmId::line_too_long: return {AlarmId::rs274_form, "Command too long"};
+    case AlarmId::variable_name_open: return {AlarmId::rs274_parameter, "Named parameter not terminated"};
+    case AlarmId::equal_sign_missing: return {AlarmId::rs274_parameter, "Equal sign missing in parameter setting"};
+    case AlarmId::variable_unknown: return {AlarmId::rs274_parameter, "Parameter number out of range"};
+    case AlarmId::exists_parameter: return {AlarmId::rs274_expression, "Expected # reading parameter"};
+    case AlarmId::exists_bracket: return {AlarmId::rs274_expression, "Expected ] reading bracketed parameter"};
+    case AlarmId::function_bracket: return {AlarmId::rs274_expression, "Left bracket missing after unary operation name"};
+    case AlarmId::function_unknown:
+      if (rules.functions.find(there(report)) != nullptr)
+        return {AlarmId::rs274_expression, "Left bracket missing after unary operation name"};
+      return function_wrong(report);
+    case AlarmId::compensation_entry_short:
+      if (is_arc_line(report.line_text))
+        return {AlarmId::rs274_compensation, "Radius of cutter compensation entry arc is not greater than the tool radius"};
+      return {AlarmId::rs274_compensation, "Length of cutter compensation entry move is not greater than the tool radius"};
+    case AlarmId::compensation_gouge:
+      if (is_arc_line(report.line_text)) return {AlarmId::rs274_compensation, "Tool radius not less than arc radius with comp"};
+      return {AlarmId::rs274_compensation, "Straight feed in concave corner cannot be reached by the tool without gouging"};
+    case AlarmId::compensation_no_intersection:
+      return {AlarmId::rs274_compensation, "Arc move in concave corner cannot be reached by the tool without gouging"};
+    case AlarmId::operator_unknown: return operator_wrong(report);
+    case AlarmId::bracket_not_closed: return {AlarmId::rs274_expression, "Unclosed expression"};
+    case AlarmId::expression_syntax: return expression_wrong(report);
+    case AlarmId::division_by_zero:
+      if (function_name(there(report)) == "MOD") return {AlarmId::rs274_expression, "Calculation resulted in 'not a number'"};
+      return {AlarmId::rs274_expression, "Attempt to divide by zero"};
+    case AlarmId::power_of_negative: return {AlarmId::rs274_expression, "Attempt to raise negative to non integer power"};
+    case AlarmId::not_a_number: return no_number(report);
+    case AlarmId::o_word_unknown: return {AlarmId::rs274_flow, "Unknown control command in o word"};
+    case AlarmId::o_word_rest: return {AlarmId::rs274_flow, "Unexpected character after O-word"};
+    case AlarmId::o_word_arguments: return {AlarmId::rs274_flow, "Too many subroutine parameters"};
+    case AlarmId::o_word_bracket:
+      if (letter.empty()) return {AlarmId::rs274_flow, "Left bracket missing"};
+      return {AlarmId::rs274_flow, fmt::format("Left bracket missing after '{}'", letter)};
+    case AlarmId::call_too_deep: return {AlarmId::rs274_flow, "Too many subroutine levels"};
+    default: return {AlarmId::count, {}};
+  }
+}
+
+bool has_own_text(AlarmId id) { return id >= AlarmId::rs274_form && id <= AlarmId::rs274_abort; }
+
+}  // namespace
+
+tl::unexpected<Alarm> LinuxCnc::fault(AlarmId id, Span where, std::string text) const {
+  fault_text_ = std::move(text);
+  return fail(alarm(id, where, std::string_view(fault_text_)));
+}
+
+void LinuxCnc::reword(const Interpreter& m, AlarmReport& report) const {
+  if (has_own_text(report.alarm.id)) {
+    if (report.alarm.arg_count == 1 && fault_text_.starts_with(report.alarm.args[0].text())) report.own_text = fault_text_;
+    return;
+  }
+  if (report.alarm.severity != Severity::alarm) return;
+  Words words = own_words(report, m.def.grammar.expression);
+  if (words.id == AlarmId::count) return;
+  report.alarm.id = words.id;
+  report.alarm.arg_count = 1;
+  report.alarm.args[0] = AlarmArg(std::string_view(words.text));
+  report.own_text = std::move(words.text);
+}
+
+}  // namespace kadr::linuxcnc

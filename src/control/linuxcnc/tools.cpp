@@ -1,0 +1,72 @@
+// LinuxCNC's tool table file (spec/linuxcnc 9; tooldata_read_entry). For control/linuxcnc/dialect.
+
+#include "control/linuxcnc/tools.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "base/ascii.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr std::size_t most_tools = 1000;
+
+/// One word's number; nothing: it is none.
+std::optional<double> number_in(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+struct Entry {
+  int number = -1;
+  bool has_pocket = false;
+  Tool tool;
+};
+
+bool take_word(Entry& entry, char letter, double value) {
+  constexpr std::string_view axes = "XYZABCUVW";
+  if (const std::size_t axis = axes.find(letter); axis != std::string_view::npos) return entry.tool.offset[axis] = value, true;
+  switch (letter) {
+    case 'T': entry.number = static_cast<int>(value); return true;
+    case 'P': entry.tool.pocket = static_cast<int>(value); return entry.has_pocket = true;
+    case 'D': entry.tool.diameter = value; return true;
+    case 'I': entry.tool.front = value; return true;
+    case 'J': entry.tool.back = value; return true;
+    case 'Q': entry.tool.orientation = value; return true;
+    default: return false;
+  }
+}
+
+std::optional<Entry> entry_of(std::string_view line) {
+  Entry entry;
+  line = line.substr(0, line.find(';'));
+  for (std::size_t at = 0; at < line.size();) {
+    at = line.find_first_not_of(" \t\r", at);
+    if (at == std::string_view::npos) break;
+    const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
+    const auto value = number_in(std::string(line.substr(at + 1, end - at - 1)));
+    if (!value || std::fabs(*value) > 1e9 || !take_word(entry, to_upper(line[at]), *value)) return std::nullopt;
+    at = end;
+  }
+  if (entry.number < 0 || !entry.has_pocket) return std::nullopt;
+  return entry;
+}
+
+}  // namespace
+
+std::map<int, Tool> read_tools(std::string_view text) {
+  std::map<int, Tool> tools;
+  for (std::size_t at = 0; at < text.size() && tools.size() < most_tools;) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (auto entry = entry_of(text.substr(at, end - at))) tools.insert_or_assign(entry->number, entry->tool);
+    at = end + 1;
+  }
+  return tools;
+}
+
+}  // namespace kadr::linuxcnc

@@ -1,0 +1,78 @@
+#pragma once
+// Where an expression is read and its steps are written. For expression_compiler only.
+
+#include <algorithm>
+
+#include "base/ascii.h"
+#include "lang/expression/expression.h"
+#include "lang/text/encoding.h"
+
+namespace kadr {
+
+class StepWriter {
+ public:
+  StepWriter(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
+
+  /// `pushed`: by how many values the stack grows.
+  Status step(Op op, double number, std::size_t begin, int pushed) {
+    pushed_ += pushed;
+    if (block_.code.size() >= limits::expression_steps || pushed_ > static_cast<int>(limits::expression_depth))
+      return fail(alarm(AlarmId::nesting_too_deep, span(begin, begin + 1), double{limits::expression_depth}));
+    block_.code.push_back({op, number, span(begin, cursor_.at)});
+    return {};
+  }
+
+  /// Has the bracket at `begin` no partner in the rest of the block (23.2.6)?
+  bool is_open(std::size_t begin) const {
+    int depth = 0;
+    for (std::size_t i = begin; i < cursor_.text.size() && cursor_.text[i] != '('; ++i) {
+      depth += cursor_.text[i] == '[' ? 1 : cursor_.text[i] == ']' ? -1 : 0;
+      if (depth == 0) return false;
+    }
+    return true;
+  }
+
+  tl::unexpected<Alarm> wrong(std::size_t at) const {
+    if (!grammar_.macro) return fail(alarm(AlarmId::expression_syntax, span(at, at + 1), character_at(at)));
+    if (at < cursor_.text.size() && (static_cast<unsigned char>(cursor_.text[at]) & 0x80) != 0) {
+      const std::size_t bytes = std::max<std::size_t>(1, first_character(cursor_.text.substr(at)).size);
+      return fail(alarm(AlarmId::unexpected_character, span(at, at + bytes), cursor_.text.substr(at, bytes)));
+    }
+    return fail(
+        alarm(AlarmId::expression_syntax, span(at, at + 1), at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…")));
+  }
+
+ protected:
+  std::string_view rest() const { return cursor_.text.substr(std::min(cursor_.at, cursor_.text.size())); }
+
+  bool starts_with(std::string_view word, std::size_t at) const {
+    if (cursor_.text.size() - at < word.size()) return false;
+    for (std::size_t i = 0; i < word.size(); ++i)
+      if (to_upper(cursor_.text[at + i]) != word[i]) return false;
+    return true;
+  }
+
+  /// The character there, whole.
+  std::string_view character_at(std::size_t at) const {
+    if (at >= cursor_.text.size()) return "…";
+    return cursor_.text.substr(at, std::max<std::size_t>(first_character(cursor_.text.substr(at)).size, 1));
+  }
+
+  Status enter(std::size_t at) {
+    if (++depth_ > static_cast<int>(limits::expression_depth))
+      return fail(alarm(AlarmId::nesting_too_deep, span(at, at + 1), double{limits::expression_depth}));
+    return {};
+  }
+
+  Span span(std::size_t begin, std::size_t end) const {
+    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(std::min(end, cursor_.text.size()))};
+  }
+
+  Cursor& cursor_;
+  const Grammar& grammar_;
+  Block& block_;
+  int depth_ = 0;
+  int pushed_ = 0;
+};
+
+}  // namespace kadr

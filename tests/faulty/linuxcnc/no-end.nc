@@ -1,0 +1,3 @@
+G21 G90
+(LOGOPEN,out.txt)
+G0 X1
