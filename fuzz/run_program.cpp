@@ -117,6 +117,7 @@ class Run {
     session.control().hand_over_each_block();
     session.control().on_block = [&shop = shop_, &control = session.control(), &looks](const Origin& origin, bool at_end) {
       if (!at_end) looks.before_block();
+      else looks.forget_block();
       shop.logic(control, origin, at_end);
     };
   }
