@@ -47,7 +47,7 @@ PARAMETER_ENUMS = {"scope": enum_names(DEF_H, "ParameterScope"), "type": enum_na
 ENUMS = {"ArcCenters": enum_names(DEF_H, "ArcCenters"), "LengthOffset": enum_names(DEF_H, "LengthOffset")}
 END_OF_BLOCK = enum_names(GRAMMAR_H, "EndOfBlock")
 OPERATIONS = set(enum_names(header("lang/expression/operation.h"), "Op"))
-EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "operand"}, "relations": {"does"}}
+EXPRESSION_KEYS = {"operators": {"does", "binding"}, "functions": {"does", "operand", "of_two"}, "relations": {"does"}}
 MOST_AXES = 16
 
 # Keys that are not named as the field they fill.
@@ -66,7 +66,7 @@ CYCLE_KEYS = TEXT_KEYS | {"steps", "body", "needs", "needs_spindle", "needs_spin
 VARIABLE_KEYS = TEXT_KEYS | {"from", "count", "stride", "repeat", "is", "ranges", "symbol", "first", "arg", "bit", "of", "access", "works"}
 FIRST_UNWRITTEN = 1_000_000  # first_unwritten_variable of control_def.h
 OWN_ALARM_KEYS = {"number", "en", "ru", "hint_en", "hint_ru"}
-PARAMETER_KEYS = TEXT_KEYS | {"scope", "type", "when", "least", "most", "initial", "bits", "used"}
+PARAMETER_KEYS = TEXT_KEYS | {"scope", "type", "when", "least", "most", "initial", "bits", "used", "as"}
 ALARM_KEYS = {"severity", "args", "en", "ru", "hint_en", "hint_ru"}
 
 ADDRESS_FUNCTIONS = {"block_number", "axis", "center", "word_of_code", "feed_word", "speed_word", "tool_word", "offset_word",
@@ -422,7 +422,15 @@ def merged(path, depth=0):
 def lay(under, over):
     for key, value in over.items():
         both = isinstance(value, dict) and isinstance(under.get(key), dict)
-        under[key] = lay(under[key], value) if both else value
+        if key == "alarms" and isinstance(value, dict) and value.pop("alone", False):
+            under[key] = value
+        elif key == "variables" and isinstance(under.get(key), list):  # a row of the same symbol takes the place of the one below
+            symbols = {row.get("symbol") for row in value} - {None}
+            under[key] = value + [row for row in under[key] if row.get("symbol") not in symbols]
+        elif value is False and isinstance(under.get(key), dict):  # a row that this control does not have
+            del under[key]
+        else:
+            under[key] = lay(under[key], value) if both else value
     return under
 
 

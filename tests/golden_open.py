@@ -11,7 +11,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 
 
-CONTROLS = ("nct", "linuxcnc")
+CONTROLS = ("nct", "linuxcnc", "fanuc", "haas")
 
 
 def open_cases(control):

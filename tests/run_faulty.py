@@ -33,7 +33,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent / 'faulty'
-CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc')
+CONTROLS = ('s2c42', 'mach3', 'gost', 'correctors', 'nct', 'linuxcnc', 'grbl', 'fanuc', 'haas')
 PROGRAMS = ('.nc', '.tape')
 TIME_LIMIT_S = 20
 FAULT = re.compile(r'(\d+):(\d+) (warning |note )?([a-z0-9_]+)')

@@ -176,9 +176,10 @@ struct ParameterRow {
   ParameterClass when = ParameterClass::run_time;
   double least = -1e300, most = 1e300;
   double initial = 0;
-  std::vector<std::string> bits;  // names by number; "" unknown; a name without a known number stands after the eighth
-  bool used = false;              // Kadr obeys it
-  Text text;                      // en: the manual's own name first
+  std::vector<std::string> bits;   // names by number; "" unknown; a name without a known number stands after the eighth
+  bool used = false;               // Kadr obeys it
+  std::vector<std::string> means;  // what the engine calls it ("1500", "1300#7", "calculator"): of bits one a bit
+  Text text;                       // en: the manual's own name first
   std::string manual;
 };
 
@@ -209,10 +210,39 @@ struct Behaviour {
   bool subprograms_by_section = false;  // 2С42: `L`, N02001, M17
   bool end_required = false;            // a program without M2 or M30 is warned of
   bool ends_reading = true;             // nothing after the end is read (GOST)
+  bool goes_on_behind_end = false;      // Grbl: M2, M30 set modes, the next lines are carried out
   bool delayed_assignment = false;      // Mach3: #1=5 X#1 uses the old #1
   bool feed_of_axis = false;            // F right after an axis' word, others follow: the feed of that axis (GOST 20999-83)
   bool diameter_by_setup = false;       // the set-up may say which axes are programmed as diameters (spec/gost 5)
   bool label_is_number = false;         // O0001 right after % numbers the program (spec/gost 1)
+  // Where controls with custom macros differ (spec/fanuc).
+  bool last_word_counts = false;             // of two words of an address, two codes of a group the one written last (1.2, 2.1)
+  bool arc_radius_first = false;             // R beside I J K: they are ignored (3.2)
+  bool arc_without_centre_straight = false;  // neither R nor I J K: a line (3.2)
+  bool dwell_in_milliseconds = false;        // G4 P ms, X U s; alone an exact stop (4.1)
+  bool repeats_in_program_number = false;    // M98 P51002: O1002 five times (9.1)
+  bool later_argument_counts = false;        // of two arguments for one variable (9.3)
+  bool drills_by_level = false;              // R alone drills; K repeats (10.1)
+  bool machine_move_absolute = false;        // G53 in G91 is ignored (6.5)
+  bool second_reference_usual = false;       // G30 without P is P2 (6.6)
+  bool repeats_by_k = false;                 // K repeats a drilling cycle, else L (spec/fanuc 10.1)
+  bool dwell_by_point = false;               // P with a point is seconds, without one milliseconds (spec/haas 4.1)
+  bool shifts_by_q = false;                  // G76, G87: Q is the shift, its direction a parameter (spec/fanuc 10.5)
+  bool taps_rigid = false;                   // G74, G84 turn the spindle with the axis, always (spec/haas 8.4)
+  bool pecks_by_ijk = false;                 // G83 I J K: the first cut, each next so much less, never below K (spec/haas 8.3)
+  bool reference_outside_cycles = false;     // G27 to G30 in a drilling cycle are an alarm (spec/fanuc 10.1)
+  bool reference_all_axes = false;           // G28 alone: all axes, straight to the point (spec/haas 5.1)
+  bool length_axis_third = false;            // G43 acts on Z whatever the block names, unless a parameter says otherwise (spec/fanuc 7.1)
+  bool arc_difference_free = false;          // a radius difference of 0 in the parameters is not checked (spec/fanuc 3.2)
+  bool scale_in_increments = false;          // G51 P without a point counts 0.00001 (spec/fanuc 6.9)
+  bool common_cleared = false;               // M2, M30 empty #100 to #199 (spec/fanuc 2.5)
+  bool returns_to_own_block = false;         // M99 P goes to a block of the program in which it stands (spec/haas 3.3)
+  bool rounds_words = false;                 // values of variables are rounded to 0.001 mm, 0.0001 in (spec/fanuc 1.3)
+  bool machine_codes_listed = false;         // an M code that no row has is an alarm of its own (spec/haas 10)
+  bool offset_numbers_checked = false;       // H, D beyond the memory are an alarm of their own (spec/fanuc 7.1)
+  bool minus_named = false;                  // a minus where none may stand is an alarm of its own (spec/fanuc 1.3: PS0006)
+  bool repeats_keep_locals = false;          // G65 L: the arguments are set for the first pass only (spec/haas 3.4)
+  std::uint32_t alarm_base = 4000;           // #3000=n is alarm base + n (5.5)
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;
@@ -225,8 +255,8 @@ struct AlarmText {
 };
 
 /// Who does what no row of a control's file can say (`dialect = "…"`; control/dialect.h). iso: nobody.
-enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc };
-inline constexpr std::array<std::string_view, 5> dialect_names = {"iso", "s2c42", "correctors", "nct", "linuxcnc"};
+enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl };
+inline constexpr std::array<std::string_view, 6> dialect_names = {"iso", "s2c42", "correctors", "nct", "linuxcnc", "grbl"};
 
 struct ControlDef {
   std::string id;
@@ -273,6 +303,8 @@ struct ControlDef {
   bool has_correctors() const { return dialect == DialectId::correctors; }
   /// Its words and frames are those of RS274/NGC with parameters in files (spec/linuxcnc).
   bool has_parameter_file() const { return dialect == DialectId::linuxcnc; }
+  /// Each line is checked as a whole and by itself (spec/grbl).
+  bool has_lines_alone() const { return dialect == DialectId::grbl; }
   const AddressRow& address(char letter) const { return addresses[static_cast<std::size_t>(letter - 'A')]; }
   /// Row of a code word, or -1.
   std::int32_t row_of(char letter, std::int32_t tenth) const;

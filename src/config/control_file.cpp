@@ -2,6 +2,8 @@
 
 #include "config/control_file.h"
 
+#include <set>
+
 #include "config/control_loader.h"
 #include "config/embedded.h"
 #include "config/loader_texts.h"
@@ -37,6 +39,34 @@ void lay_operations(toml::table& under, const toml::table& over) {
   if (base) under.insert("expressions", std::move(*(*base)["expressions"].as_table()));
 }
 
+/// Rows of the control below that this one does not have: it says `false` in their place.
+void take_away(toml::table& merged_table) {
+  for (const std::string_view section : {"g", "m", "address", "cycle", "groups"}) {
+    toml::table* const rows = merged_table[section].as_table();
+    if (rows == nullptr) continue;
+    std::vector<std::string> gone;
+    for (const auto& [key, row] : *rows)
+      if (row.value<bool>() == false) gone.emplace_back(key.str());
+    for (const std::string& key : gone) rows->erase(key);
+  }
+}
+
+/// The variables of the control below stay, but for those whose symbol a row of the file has, too: that row takes their place.
+void lay_variables(const toml::table& under, toml::table& over) {
+  const toml::array* const below = under["variables"].as_array();
+  toml::array* const own = over["variables"].as_array();
+  if (below == nullptr || own == nullptr) return;
+  const auto symbol_of = [](const toml::node& row) {
+    const toml::table* const table = row.as_table();
+    return table == nullptr ? std::string() : (*table)["symbol"].value_or(std::string());
+  };
+  std::set<std::string> replaced;
+  for (const toml::node& row : *own) replaced.insert(symbol_of(row));
+  replaced.erase("");
+  for (const toml::node& row : *below)
+    if (!replaced.contains(symbol_of(row))) row.visit([&](const auto& value) { own->push_back(value); });
+}
+
 /// The table of a file with what it extends laid under it; `lineage` collects the ids below.
 Table merged(Table table, const std::string& file, From from, std::vector<std::string>& lineage) {
   constexpr std::size_t deepest = 8;  // a file that extends itself would never end
@@ -60,7 +90,13 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
   auto under = merged(std::move(*base_table), name, from, lineage);
   if (!under) return under;
   lay_operations(*under, *table);
+  lay_variables(*under, *table);
+  if (toml::table* const alarms = (*table)["alarms"].as_table(); alarms != nullptr && (*alarms)["alone"].value_or(false)) {
+    under->erase("alarms");  // its numbers and texts are its own
+    alarms->erase("alone");
+  }
   toml_tools::merge(*under, std::move(*table));
+  take_away(*under);
   return under;
 }
 

@@ -69,7 +69,7 @@ tl::expected<ExpressionRow, std::string> ControlLoader::expression_row(std::stri
   for (const char c : written) read.text += to_upper(c);
   if (!can_be_written(read.text, function)) return Failed(place(name_, node) + say("'{}': letters A to Z, or of {}", written, signs));
   KADR_LOAD(known_keys(row, op         ? std::vector<std::string_view>{"does", "binding"}
-                            : function ? std::vector<std::string_view>{"does", "operand"}
+                            : function ? std::vector<std::string_view>{"does", "operand", "of_two"}
                                        : std::vector<std::string_view>{"does"}));
   const std::string operand = function && row.contains("operand") ? text(row, "operand") : "bracket";
   if (operand != "bracket" && operand != "value" && operand != "pair")
@@ -83,6 +83,11 @@ tl::expected<ExpressionRow, std::string> ControlLoader::expression_row(std::stri
     return Failed(place(name_, row, "does") + say("unknown operation '{}'", does) + (near.empty() ? "" : say(", nearest: '{}'", near)));
   }
   read.op = *found;
+  if (const std::string of_two = text(row, "of_two"); !of_two.empty()) {
+    const auto pair = operation_named(of_two, 2);
+    if (!pair || read.operand != Operand::value) return Failed(place(name_, row, "of_two") + say("unknown operation '{}'", of_two));
+    read.of_two = *pair;
+  }
   read.binding = static_cast<std::uint8_t>(whole(row, "binding", 1, most_binding));
   return read;
 }

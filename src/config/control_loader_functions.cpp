@@ -37,7 +37,7 @@ constexpr ArgRow args[] = {
     {Function::tool_lead, 431, 431},
     {Function::tool_lead, 434, 435},
     {Function::tool_lead, 438, 439},
-    {Function::work_system, 1, 6},
+    {Function::work_system, 1, 26},
     {Function::feed_control, 62, 64},
     {Function::macro_modal, 660, 661},
     {Function::turning_cycle, 707, 707},
@@ -73,6 +73,8 @@ constexpr ArgRow args[] = {
     {Function::override_switch, 50, 53},
     {Function::modes_kept, 70, 73},
     {Function::diameter_mode, 0, 1},
+    {Function::stored_move, 1, 2},
+    {Function::stored_position, 1, 2},
 };
 
 /// Addresses whose letter the engine looks for; G and M alone are codes.
@@ -102,6 +104,7 @@ std::string written(Needs needs) {
     case Needs::correctors: return "dialect = \"correctors\"";
     case Needs::sections: return "[behaviour] subprograms_by_section = true";
     case Needs::rs274: return "dialect = \"linuxcnc\"";
+    case Needs::lines: return "dialect = \"grbl\"";
     case Needs::labels: return "[grammar] label";
     default: return "";
   }
@@ -116,6 +119,7 @@ bool ControlLoader::has(Needs needs) const {
     case Needs::correctors: return def_.has_correctors();
     case Needs::sections: return def_.behaviour.subprograms_by_section;
     case Needs::rs274: return def_.has_parameter_file();
+    case Needs::lines: return def_.has_lines_alone();
     case Needs::labels: return def_.grammar.label_address != 0;
     default: return true;
   }

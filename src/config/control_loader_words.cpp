@@ -38,6 +38,12 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"o_words", &Grammar::o_words},
     {"percent_encloses", &Grammar::percent_encloses},
     {"code_by_rounding", &Grammar::code_by_rounding},
+    {"filtered_lines", &Grammar::filtered_lines},
+    {"short_words", &Grammar::short_words},
+    {"semicolon_ends", &Grammar::semicolon_ends},
+    {"colon_is_label", &Grammar::colon_is_label},
+    {"condition_alone", &Grammar::condition_alone},
+    {"rounds_in_address", &Grammar::rounds_in_address},
 };
 
 /// What lang/block/format refuses: `format "3G2X" is not understood: the address stands twice`, or the reason alone.
@@ -168,9 +174,10 @@ Done ControlLoader::grammar() {
       return Failed(say("{}: format: {}", name_, told_format(applied.error())));
   const toml::table* const t = section("grammar");
   if (t == nullptr) return {};
-  std::set<std::string_view> known = {"percent_digits", "comment_forbidden", "block_length",    "formal_parameter",
-                                      "parameters_in",  "most_codes",        "long_parameters", "variables",
-                                      "label",          "section",           "end_of_block",    "named_variables"};
+  std::set<std::string_view> known = {"percent_digits",  "comment_forbidden", "block_length",    "formal_parameter",
+                                      "parameters_in",   "most_codes",        "long_parameters", "variables",
+                                      "label",           "section",           "end_of_block",    "named_variables",
+                                      "least_increments"};
   for (const auto& [key, to] : grammar_flags) {
     known.insert(key);
     g.*to = typed(*t, key, g.*to);
@@ -180,6 +187,7 @@ Done ControlLoader::grammar() {
   if (typed(*t, "named_variables", false)) g.named_variables = std::make_shared<VariableNames>();
   g.percent_digits = static_cast<std::uint8_t>(whole(*t, "percent_digits", g.percent_digits, 9));
   g.comment_forbidden = text(*t, "comment_forbidden");
+  g.least_increments = text(*t, "least_increments");
   g.block_length = whole(*t, "block_length", g.block_length, limits::line_bytes);
   g.variables = whole(*t, "variables", g.variables, most_variables);
   g.parameter_address = first_letter(*t, "formal_parameter");

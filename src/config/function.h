@@ -233,7 +233,25 @@ namespace kadr {
   X(modes_kept,           spindle,       none, code, rs274,      last,  nothing) \
   X(diameter_mode,        unit,          none, code, rs274,      usual, nothing) \
   X(call_numbered,        flow,          none, code, rs274,      call,  calls) \
-  X(return_numbered,      flow,          none, code, rs274,      usual, ends)
+  X(return_numbered,      flow,          none, code, rs274,      usual, ends) \
+  /* what controls with custom macros have besides (spec/fanuc, spec/haas) */ \
+  X(no_action,            none,          none, code, nothing,    usual, nothing) \
+  X(look_ahead,           none,          none, code, nct,        usual, nothing) \
+  X(reference_check,      data,          own,  code, nct,        usual, leaves_mode | breaks_contour) \
+  X(reference_leave,      motion,        own,  code, nct,        usual, leaves_mode | breaks_contour) \
+  X(rigid_tapping,        machine,       none, code, nct,        usual, nothing) \
+  X(call_local,           flow,          none, code, nct,        usual, passes_control) \
+  X(mirror_axes_on,       transform,     own,  code, nct,        usual, leaves_mode) \
+  X(mirror_axes_off,      transform,     own,  code, nct,        usual, leaves_mode) \
+  X(circular_bore,        motion,        own,  code, nct,        usual, nothing) \
+  X(hole_pattern,         motion,        own,  code, nct,        usual, nothing) \
+  /* each line by itself (spec/grbl) */ \
+  X(machine_block,        none,          none, code, lines,      usual, nothing) \
+  X(stored_offsets,       data,          own,  code, lines,      usual, nothing) \
+  X(stored_move,          data,          own,  code, lines,      usual, nothing) \
+  X(stored_position,      data,          none, code, lines,      usual, nothing) \
+  X(length_by_word,       length,        own,  code, lines,      usual, nothing) \
+  X(length_by_word_off,   length,        own,  code, lines,      usual, nothing)
 // clang-format on
 
 /// What a function needs. The machine of the NCT (dialect = "nct") has axes, spindles, offsets and calls of its own: what works on it does
@@ -246,6 +264,7 @@ enum class Needs : std::uint8_t {
   sections,    // [behaviour] subprograms_by_section = true
   labels,      // [grammar] label
   rs274,       // dialect = "linuxcnc"
+  lines,       // dialect = "grbl"
 };
 
 enum class Phase : std::uint8_t {

@@ -86,6 +86,35 @@ std::string_view linuxcnc_form(std::string_view line) {
   return {};
 }
 
+/// `$X`, `$110=500`, `$J=G91X10F100` at the start of a line: no other control has such lines (spec/grbl 9).
+std::string_view grbl_form(std::string_view line) {
+  if (line[0] != '$' || line.size() < 2) return {};
+  return std::string_view("$#GINHXCJSR").find(line[1]) != std::string_view::npos || is_digit(line[1]) ? line.substr(0, 12)
+                                                                                                      : std::string_view();
+}
+
+/// The first of these that stands in the line, followed by no further digit or letter.
+template <std::size_t N>
+std::string_view one_of(std::string_view line, const std::array<std::string_view, N>& forms) {
+  for (const std::string_view form : forms)
+    for (std::size_t at = line.find(form); at != std::string_view::npos; at = line.find(form, at + 1))
+      if (at + form.size() >= line.size() || !is_digit(form.back()) || !is_digit(line[at + form.size()])) return form;
+  return {};
+}
+
+/// What the Haas has beside Fanuc's language (spec/haas 2.4, 3.1, 5.3, 6.1, 9).
+std::string_view haas_form(std::string_view line) {
+  constexpr std::array<std::string_view, 12> forms = {"M97P",  "M97 P", "G154P", "G154 P", "G187", "G103",
+                                                      "#3026", "#3027", "G47E",  "G47 E",  "G150", "G101 X"};
+  return one_of(line, forms);
+}
+
+/// What Fanuc has and the NCT has not: WH[, a `;` behind words, M29 S, G05.1, G10.6 (spec/fanuc 13).
+std::string_view fanuc_form(std::string_view line) {
+  constexpr std::array<std::string_view, 9> forms = {"WH[", "M29S", "M29 S", "G05.1", "G5.1Q", "G5.1 Q", "M198", "SETVN", "G05P10000"};
+  return one_of(line, forms);
+}
+
 /// "ПС in line 2, L81 in line 12".
 std::string reason_of(const std::vector<Found>& found, bool ru) {
   std::string reason;
@@ -110,6 +139,9 @@ class Clues {
     constexpr std::string_view ps = "\xD0\x9F\xD0\xA1";
     if (line.find(ps) != std::string_view::npos) marks_ps_.see(ps, number);
     if (line.size() >= 2 && line.ends_with("LF")) marks_lf_.see("LF", number);
+    if (const auto form = grbl_form(line); !form.empty()) grbl_.see(form, number);
+    if (const auto form = haas_form(line); !form.empty()) haas_.see(form, number);
+    if (const auto form = fanuc_form(line); !form.empty()) fanuc_.see(form, number);
     if (const auto form = linuxcnc_form(line); !form.empty()) linuxcnc_.see(form, number);
     if (const auto code = nct_code(line); !code.empty()) macros_.see(code, number);
     else if (const auto form = nct_form(line); !form.empty()) macros_.see(form, number);
@@ -121,8 +153,9 @@ class Clues {
   }
 
   Guess best() const {
-    constexpr std::array<const char*, 6> ids = {"s2c42", "mach3", "correctors", "gost", "nct", "linuxcnc"};
-    const std::array<std::vector<Found>, 6> of = {s2c42(), mach3(), correctors(), gost(), nct(), linuxcnc()};
+    constexpr std::array<const char*, 9> ids = {"s2c42", "mach3", "correctors", "gost", "nct", "linuxcnc", "grbl", "haas", "fanuc"};
+    const std::array<std::vector<Found>, 9> of = {s2c42(),    mach3(),      correctors(), gost(),       nct(),
+                                                  linuxcnc(), alone(grbl_), alone(haas_), alone(fanuc_)};
     const auto weight = [](const std::vector<Found>& found) {
       return std::accumulate(found.begin(), found.end(), 0.0, [](double sum, const Found& f) { return sum + f.weight; });
     };
@@ -193,6 +226,12 @@ class Clues {
     add(found, 12, macros_);
     return found;
   }
+  /// A sign that no other control has; it counts for more than the macros that several share.
+  static std::vector<Found> alone(const Sign& sign) {
+    std::vector<Found> found;
+    add(found, 14, sign);
+    return found;
+  }
   std::vector<Found> linuxcnc() const {
     std::vector<Found> found;
     add(found, 12, linuxcnc_);
@@ -227,8 +266,8 @@ class Clues {
   std::uint32_t number_ = 0;  // of the line
   bool behind_percent_ = false;
   std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, long_integers_ = 0, two_digit_codes_ = 0, one_digit_codes_ = 0;
-  Sign marks_ps_, marks_lf_, variables_, macros_, linuxcnc_, parameters_, l_cycles_, pairs_, pocket_, o_words_, program_number_,
-      main_blocks_, tape_number_, plus_signs_;
+  Sign marks_ps_, marks_lf_, variables_, macros_, linuxcnc_, grbl_, haas_, fanuc_, parameters_, l_cycles_, pairs_, pocket_, o_words_,
+      program_number_, main_blocks_, tape_number_, plus_signs_;
 };
 
 Guess unknown(const KindOfText& text) {

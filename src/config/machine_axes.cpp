@@ -27,10 +27,41 @@ class Fitter {
     spindles();
     rows_that_take_axes();
     symbols();
+    least_increments();
+    if (is_set("angles_from_minus")) {  // spec/fanuc 5.3: 6004#0
+      def_.grammar.expression.functions.replace(Op::atan_turn, Op::atan);
+      def_.grammar.expression.functions.replace(Op::arc_sine_turn, Op::arc_sine);
+    }
     return error_;
   }
 
  private:
+  /// [grammar] least_increments, unless a parameter switches to pocket calculator data (spec/fanuc 1.3).
+  void least_increments() {
+    constexpr std::uint8_t decimals = 3;
+    if (is_set("calculator")) return;
+    for (const char letter : def_.grammar.least_increments) {
+      if (def_.grammar.word(letter).known) def_.grammar.word(letter).counted = decimals;
+      if (const char behind_comma = comma_address(letter); behind_comma != 0) def_.grammar.word(behind_comma).counted = decimals;
+    }
+  }
+
+  /// The set-up gives a parameter of that meaning another value than 0.
+  bool is_set(std::string_view meaning) const {
+    for (const ParameterRow& row : def_.parameters)
+      for (std::size_t k = 0; k < row.means.size(); ++k) {
+        if (row.means[k] != meaning) continue;
+        for (const auto& [key, value] : setup_.parameters) {
+          const double* const number = std::get_if<double>(&value);
+          if (key.name != row.name || number == nullptr || *number == 0) continue;
+          const bool whole = row.type != ParameterType::bits;
+          const bool in_bits = !whole && key.bit.empty() && (static_cast<std::uint64_t>(*number) >> k & 1U) != 0;
+          if (whole || in_bits || key.bit == std::to_string(k) || key.bit == row.bits[k]) return true;
+        }
+      }
+    return false;
+  }
+
   void free_letter(char letter) {
     AddressRow& row = address(letter);
     row.letter = letter;

@@ -22,8 +22,8 @@ using toml_tools::place;
 constexpr std::array<std::string_view, 4> scopes = {"global", "channel", "axis", "spindle"};
 constexpr std::array<std::string_view, 4> types = {"bits", "whole", "real", "text"};
 constexpr std::array<std::string_view, 3> classes = {"run_time", "restart", "emergency"};
-constexpr std::array<std::string_view, 11> keys_of_row = {"scope", "type", "when", "least", "most",  "initial",
-                                                          "bits",  "used", "en",   "ru",    "manual"};
+constexpr std::array<std::string_view, 12> keys_of_row = {"scope", "type", "when", "least", "most",   "initial",
+                                                          "bits",  "used", "en",   "ru",    "manual", "as"};
 constexpr std::size_t bits_with_number = 8;   // of one parameter (24.0)
 constexpr std::size_t most_bits = 48;         // a value is a double: whole to 2^53
 constexpr double whole_least = -2147483648.;  // 24.0: signed or unsigned, 32 bits
@@ -55,6 +55,9 @@ class RowReader {
     row.text = toml_tools::text_of(table_);
     if (row.text.en.empty()) fault_at("en", "en is missing");
     row.manual = value("manual", std::string(), "a text");
+    std::istringstream meanings(value("as", std::string(), "a text"));
+    for (std::string meaning; meanings >> meaning;) row.means.push_back(meaning);
+    if (row.type == ParameterType::bits && row.means.size() > row.bits.size()) fault_at("as", "as: more words than bits");
     return row;
   }
   const std::string& fault() const { return fault_; }

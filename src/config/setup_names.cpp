@@ -103,15 +103,17 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   };
   std::uint32_t plain = 0;
   for (const CodeRow& row : def.codes) {
-    if (row.letter != 'G' || row.tenth < first_system || row.tenth > last_system || row.arg <= 0) continue;
+    const bool usual = row.tenth >= first_system && row.tenth <= last_system;
+    if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;  // G110 of the Haas
     const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture ||
                           row.function == Function::work_system || row.function == Function::table_system;
     if (!is_plain) continue;
     systems.push_back({row.code, static_cast<std::uint32_t>(row.arg), row.works});
-    plain = std::max(plain, static_cast<std::uint32_t>(row.arg));
+    if (usual) plain = std::max(plain, static_cast<std::uint32_t>(row.arg));
   }
   for (const CodeRow& row : def.codes) {
-    if (row.letter != 'G' || row.tenth < first_system || row.tenth > last_system || (row.takes & letter_bit('P')) == 0) continue;
+    const bool usual = row.tenth >= first_system && row.tenth <= last_system;
+    if (row.letter != 'G' || (row.takes & letter_bit('P')) == 0 || !(usual || row.function == Function::work_system_extended)) continue;
     if (row.function == Function::fixture) add(row, 1, static_cast<int>(def.behaviour.fixtures), 0);
     if (row.function == Function::work_system_extended) add(row, 1, extended_systems, plain);
     if (row.function == Function::dynamic_zero) add(row, 1, dynamic_systems, plain + extended_systems);

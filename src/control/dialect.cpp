@@ -71,6 +71,7 @@ std::unique_ptr<Dialect> make_dialect(Interpreter& m, const Setup& setup, const 
   switch (m.def.dialect) {
     case DialectId::s2c42: return make_s2c42_dialect();
     case DialectId::correctors: return make_correctors_dialect(m, setup);
+    case DialectId::grbl: return make_grbl_dialect(setup);
     case DialectId::linuxcnc: return make_linuxcnc_dialect(m, setup, limits);
     case DialectId::nct: return make_nct_dialect(m, setup, limits, std::move(commons));
     case DialectId::iso: break;

@@ -137,7 +137,7 @@ Status Interpreter::restore(const Snapshot& from) {
   if (std::exchange(block_states_, nullptr)) watch_states();  // block numbers have gone back
   tables = *then.tables;
   variables.put(*then.variables);
-  variables.inch = modal.inch;
+  variables.inch = modal.inch && !def.has_parameter_file();  // there in the machine's unit (spec/linuxcnc 1.1)
   go_on_in_block(*then.block);
   return dialect ? dialect->restore(*this, *then.dialect) : Status();
 }

@@ -42,7 +42,7 @@ void Interpreter::check_setup(const Setup& setup) {
   };
   const bool plain = !dialect || dialect->machine_side() == nullptr;
   if (plain) {
-    if (!setup.parameters.empty()) note("parameters");
+    if (!setup.parameters.empty() && def.parameters.empty()) note("parameters");
     if (!setup.tool_table.empty() || !setup.place_table.empty()) note("tool_table");
     if (!setup.channels.empty() || setup.channel != 1) note("channels");
     if (!setup.events.empty() || !setup.signals.empty()) note("events");

@@ -19,10 +19,10 @@ class BuiltIn : public testing::TestWithParam<std::string> {
 };
 INSTANTIATE_TEST_SUITE_P(controls, BuiltIn, testing::ValuesIn(built_in_controls()), [](const auto& test) { return test.param; });
 
-TEST(built_in_controls, are_the_six) {
+TEST(built_in_controls, are_the_nine) {
   const auto ids = built_in_controls();
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()),
-            (std::set<std::string>{"correctors", "gost", "linuxcnc", "mach3", "nct", "s2c42"}));
+            (std::set<std::string>{"correctors", "fanuc", "gost", "grbl", "haas", "linuxcnc", "mach3", "nct", "s2c42"}));
 }
 
 TEST_P(BuiltIn, is_named_by_its_id_in_both_languages) {

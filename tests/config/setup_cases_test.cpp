@@ -1,8 +1,7 @@
 // config/setup reads the set-up and the state of every golden case (JSON) and every case of our own (the text of tests/cases/reader.py).
 
-#include "config/setup.h"
-
 #include "case_files.h"
+#include "config/setup.h"
 
 namespace kadr {
 namespace {

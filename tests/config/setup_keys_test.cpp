@@ -76,6 +76,8 @@ Json setup_with(const SetupKey& row, const ControlDef* def) {
     setup["events"][0]["when"] = when;
   }
   // of all controls: names of other controls in the example of a table
+  if (def != nullptr && top == "parameters" && !def->parameters.empty())
+    setup = {{top, {{"N" + def->parameters.front().name, def->parameters.front().initial}}}};
   if (def != nullptr && top == "variables") setup = {{top, {{sample_name(SetupNames::variable, def), 2}}}};
   return setup;
 }
@@ -105,6 +107,13 @@ TEST(setup_keys, what_the_controls_have) {
       {"s2c42", {H::nothing, H::zeros, H::variables}},
       {"mach3", {H::nothing, H::work_offsets, H::variables, H::probe}},
       {"linuxcnc", {H::nothing, H::work_offsets, H::variables, H::probe}},
+      {"grbl", {H::nothing, H::work_offsets, H::parameters, H::probe}},
+      {"fanuc",
+       {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
+        H::probe, H::diameters, H::machine_axes}},
+      {"haas",
+       {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,
+        H::probe, H::diameters, H::machine_axes}},
       {"gost", {H::nothing, H::work_offsets, H::diameters}},
       {"correctors", {H::nothing, H::correctors}},
       {"nct",

@@ -48,7 +48,7 @@ def test_files():
 
 
 def test_wrong_arguments():
-    raises(kadr.Error, lambda: kadr.Session(PART, control='fanuc'), "'fanuc'", 'nct')
+    raises(kadr.Error, lambda: kadr.Session(PART, control='nctt'), "'nctt'", 'nct')
     raises(kadr.Error, lambda: kadr.Session(PART, machine='none', control='nct'), "'none'", 'generic')
     raises(kadr.Error, lambda: kadr.Session(PART, setup={'zeros': 1}, control='nct'), 'zeros')
     raises(kadr.Error, lambda: kadr.Session('Liebe Grüße\nan alle\n', control=None), 'unknown control')

@@ -162,7 +162,7 @@ void Interpreter::take_back(std::size_t actions) {
   journal.undo();  // after the values: what was kept first is right
   if (state_kept_) {
     (void)variables.take_frames_changed();
-    variables.inch = modal.inch;
+    variables.inch = modal.inch && !def.has_parameter_file();  // there in the machine's unit (spec/linuxcnc 1.1)
   }
   if (dialect) dialect->taken_back(*this);
 }

@@ -37,6 +37,7 @@ Status Interpreter::structure() {
     case Marker::label:
       if (def.behaviour.label_is_number && flow.blocks() != start_block + 1)  // spec/gost 1: `%`, then `O0001`
         return fail(alarm(AlarmId::program_number_place, label_place(), double(block->label)));
+      if (dialect) dialect->note_line(*this);
       flow.set_started(true);
       if (flow.depth() == 0) flow.pass_label(block->label);
       return {};

@@ -14,7 +14,7 @@ Status end_program(Interpreter& m, Span where) {
     if (top.kind == CallFrame::Kind::repetition) return fail(alarm(AlarmId::repeat_end_missing, where, double(top.caller.line)));
     if (m.def.behaviour.subprograms_by_section) return fail(alarm(AlarmId::subprogram_end_missing, where, double(top.name)));
   }
-  m.flow.end();
+  if (!m.def.behaviour.goes_on_behind_end) m.flow.end();
   if (m.dialect && m.dialect->end_program(m)) return {};
   for (const std::int32_t row_index : m.def.end_codes) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];

@@ -21,7 +21,7 @@ std::unique_ptr<Dialect> make_linuxcnc_dialect(Interpreter& m, const Setup& setu
 namespace linuxcnc {
 namespace {
 
-constexpr std::uint32_t debug_on = 5599, shift_on_number = 5210, first_shift = 5211, system_number = 5220;
+constexpr std::uint32_t debug_on = 5599;
 
 }  // namespace
 

@@ -14,7 +14,7 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr std::uint32_t first_system = 5221, numbers_of_system = 20, place_of_rotation = 9;
-constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, first_home = 5161, first_second_home = 5181, system_number = 5220;
+constexpr std::uint32_t first_home = 5161, first_second_home = 5181;
 
 std::uint32_t system_at(std::uint32_t number) { return first_system + (number - 1) * numbers_of_system; }
 

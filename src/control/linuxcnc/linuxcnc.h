@@ -21,6 +21,9 @@ struct Call;
 
 namespace kadr::linuxcnc {
 
+/// Parameters by number (spec/linuxcnc 4.1): G92 is in force, its shift, the work system.
+inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, system_number = 5220;
+
 inline constexpr std::size_t most_arguments = 30;  // #1 … #30
 inline constexpr std::size_t axes_of_tables = 9;   // X Y Z A B C U V W
 

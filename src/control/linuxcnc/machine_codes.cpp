@@ -50,7 +50,7 @@ Status restore_modes(Interpreter& m, const Modal& to) {
   next.contour = before.contour;
   next.rpm = std::round(to.rpm);
   modal = next;
-  m.variables.inch = modal.inch;
+  m.variables.inch = false;  // parameters are in the machine's unit (1.1)
   if (speed_changes && !spindle_changes) m.emit(Speed{modal.rpm, modal.surface_speed});
   if (spindle_changes) m.emit(Spindle{modal.spindle, modal.spindle == SpindleDir::stop ? 0 : modal.rpm});
   if (mist != modal.mist || flood != modal.flood) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "control/functions/contour.h"
+#include "control/functions/arc_motion.h"
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
@@ -104,13 +104,7 @@ class Arc {
   }
 
   Status hand_on(const PlaneArc& arc, const Axes& end, AxisMask named) {
-    named |= AxisMask{1} << axes_.first | AxisMask{1} << axes_.second;
-    m_.move_to(end, end, named);
-    Motion& motion = m_.add_motion(turn_ == Turn::cw ? MotionKind::arc_cw : MotionKind::arc_ccw, named);
-    m_.set_feed(motion);
-    motion.center = arc.center;
-    motion.turns = arc.turns + (m_.has('P') ? std::round(m_.value('P')) - 1 : 0);
-    note_arc_end(m_, motion);
+    arc_motion(m_, arc, turn_, end, named, m_.has('P') ? std::round(m_.value('P')) - 1 : 0);
     return {};
   }
 

@@ -57,6 +57,52 @@ Status one_g(const Interpreter& m) {
   return {};
 }
 
+/// Numbers without a point count in least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is whole
+/// (spec/fanuc 1.3).
+void count_increments(Interpreter& m) {
+  const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
+  const bool turns = m.has_code({Function::feed_per_revolution}) ||
+                     (m.modal.feed_mode == FeedMode::per_revolution && !m.has_code({Function::feed_per_minute}));
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    Word& w = m.block->words[i];
+    const WordFormat& format = m.def.grammar.word(w.written);
+    if (w.expression && format.counted != 0 && m.def.behaviour.rounds_words && !m.has_code({Function::macro_call, Function::macro_modal})) {
+      const double parts = inch && (w.written < 'A' || w.written > 'C') ? 10'000 : 1000;
+      w.value = std::round(w.value * parts) / parts;
+    }
+    if (w.has_point || w.bare || w.code >= 0 || w.expression) continue;
+    if (format.counted == 0 && w.written != 'F') continue;
+    const bool length = w.written == 'F' || (w.written < 'A' || w.written > 'C');
+    const int decimals = (w.written == 'F' ? (turns ? 2 : 0) : int{format.counted}) + (inch && length ? (w.written == 'F' ? 2 : 1) : 0);
+    if (decimals == w.counted) continue;
+    w.value *= std::pow(10.0, int{w.counted} - decimals);
+    w.counted = static_cast<std::uint8_t>(decimals);
+    m.block->altered = true;
+  }
+}
+
+/// Of two words of an address, of two codes of a group, the one written last counts (spec/fanuc 1.2, 2.1).
+void drop_repeated(Interpreter& m) {
+  const auto group_of = [&](const Word& w) {
+    const std::int32_t row = w.code < 0 ? -1 : m.def.row_of(w.address, w.code);
+    return row < 0 ? 0 : int{m.def.codes[static_cast<std::size_t>(row)].group};
+  };
+  for (std::uint32_t i = 1; i < m.block->word_count; ++i) {
+    const Word& last = m.block->words[i];
+    if (last.address == 0) continue;
+    const bool is_code = (m.letters.codes & letter_bit(last.address)) != 0;
+    const int group = is_code ? group_of(last) : 0;
+    if (is_code && group == 0) continue;
+    for (std::uint32_t k = 0; k < i; ++k) {
+      Word& before = m.block->words[k];
+      if (before.address != last.address || (is_code && group_of(before) != group)) continue;
+      before.address = 0;
+      m.block->altered = true;
+    }
+  }
+  if (m.block->altered) m.note_addresses();
+}
+
 /// One word an address, however it is spelled; at most eight M codes, one of each exclusive group (13.1).
 Status check_words(const Interpreter& m) {
   std::uint64_t seen = 0;
@@ -224,6 +270,8 @@ Result<bool> before_plan(Interpreter& m) {
     m.block->checked = m.block->letters;
     return false;
   }
+  if (m.def.behaviour.last_word_counts) drop_repeated(m);
+  if (!m.def.grammar.least_increments.empty()) count_increments(m);
   KADR_TRY(check_values(m));
   KADR_TRY(take_bare_words(m));
   KADR_TRY(five_axis_block(m));

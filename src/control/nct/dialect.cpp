@@ -131,7 +131,9 @@ bool Nct::only_shifts(const Interpreter& m) const { return only_shifts_length(m)
 Status Nct::arc(Interpreter& m, const Call& call, Turn turn) { return nct::arc(m, call, turn); }
 
 bool Nct::lines_follow(const Interpreter& m) const {
-  const bool plain_words = !m.modal.polar_data && !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none;
+  const bool counts_inches = m.modal.inch && !m.def.grammar.least_increments.empty();
+  const bool plain_words =
+      !counts_inches && !m.modal.polar_data && !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none;
   const bool plain_motion = state.side_step == SideStep::none && !state.compensates && m.modal.smoothing < 2 && !drilling_on(m) &&
                             couplings.axes == 0 && drives.parked == 0 && spindle_axes.empty() && finishing.empty() && !watches_words(m);
   return plain_words && plain_motion && state.active_modal_calls == 0 && !single_block && !watches_blocks() && !interrupted.active;
@@ -151,6 +153,8 @@ ArcRule Nct::arc_rule(const Interpreter& m) const {
 }
 
 void Nct::note_line(Interpreter& m) {
+  if (m.block->marker == Marker::label && m.def.grammar.colon_is_label && m.flow.depth() == 0)
+    state.words.o = m.block->label;                          // spec/fanuc 5.8
   if (m.block->has_number) state.words.n = m.block->number;  // 23.1.14
   if (m.block->calls_macro) return;                          // its words are arguments
   if (const Word* const code = m.block->find('M'); code != nullptr) state.words.m = code->value;

@@ -69,6 +69,9 @@ enum class DataMode : std::uint8_t { none, parameters, tools };
 /// What a plain motion may change already: kept at the start of each block.
 struct MotionMemory {
   ModalWords words;
+  bool rigid_tap = false;  // M29 (spec/fanuc 10.4)
+  Axes through{};          // the intermediate point of the last G28, G30: programmed (spec/fanuc 6.6)
+  bool has_through = false;
   bool in_thread = false;               // the motion before was a thread too
   double thread_lead = 0;               // mm
   double surface_angle = 0;             // of the rotary axis in G12.1, unwound

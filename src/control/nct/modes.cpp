@@ -15,6 +15,21 @@ Status polar_data_on(Interpreter& m, const Call&) {
   return {};
 }
 
+/// A code whose words mean something to the machine, or to the planner, only.
+Status no_action(Interpreter&, const Call&) { return {}; }
+
+/// G08 P1, P0 (spec/fanuc 11): kept by the machine, no motion.
+Status look_ahead(Interpreter& m, const Call& call) {
+  if (m.has('P') && (m.value('P') == 0 || m.value('P') == 1)) return {};
+  return fail(alarm(AlarmId::look_ahead_wrong, m.has('P') ? m.where('P') : call.where, call.row->code));
+}
+
+/// M29 S (spec/fanuc 10.4): G84, G74 turn the spindle with the axis until G80.
+Status rigid_tapping(Interpreter& m, const Call&) {
+  nct_of(m).state.rigid_tap = true;
+  return {};
+}
+
 Status polar_data_off(Interpreter& m, const Call&) { return m.modal.polar_data = false, Status(); }
 
 /// G5.1 Q (4.7): the mode is kept; smoothing itself belongs to motion. Axis words name the axes, nothing moves. INFERRED: a motion of
@@ -35,6 +50,17 @@ Status smoothing(Interpreter& m, const Call& call) {
 
 /// G4 P (8): seconds, or in G95 revolutions of the main spindle.
 Status dwell_or_turns(Interpreter& m, const Call& call) {
+  if (m.def.behaviour.dwell_in_milliseconds) {  // spec/fanuc 4.1
+    const bool by_point = m.def.behaviour.dwell_by_point;
+    const char letter = m.has('P') || by_point ? 'P' : m.has('X') ? 'X' : 'U';
+    if (!m.has(letter) && by_point) return fail(alarm(AlarmId::dwell_missing, call.where, call.row->code));
+    if (!m.has(letter)) return m.block_exact = true, Status();
+    const auto seconds = letter == 'P' ? nct::dwell_by_digits(m) : Result<double>(m.value(letter));
+    if (!seconds) return fail(seconds.error());
+    if (!(*seconds >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, *seconds));
+    m.emit(Dwell{*seconds});
+    return {};
+  }
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto seconds = nct::dwell_seconds(m, m.value('P'), m.where('P'));
   if (!seconds) return fail(seconds.error());
@@ -95,6 +121,15 @@ double take_lead(Interpreter& m) {
   else if (m.has('F')) nct_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
   if (nct_of(m).state.thread_lead > 0) return nct_of(m).state.thread_lead;
   return m.modal.feed_known ? m.modal.feed : 0;
+}
+
+Result<double> dwell_by_digits(Interpreter& m) {
+  const Word& p = *m.word('P');
+  const bool by_point = m.def.behaviour.dwell_by_point;
+  if (by_point && (p.has_point || p.expression)) return p.value;
+  if (p.has_point) return fail(alarm(AlarmId::point_not_allowed, p.where, 'P'));
+  constexpr double ms_per_s = 1000;
+  return p.value / ms_per_s;
 }
 
 Result<double> dwell_seconds(Interpreter& m, double p, Span where) {

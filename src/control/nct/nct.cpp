@@ -36,8 +36,15 @@ std::vector<std::string> all_axes(const ControlDef& def, const Setup& setup) {
 }
 
 ParameterSource source_of(const ParameterStore& store) {
-  return {[&store](const char* name, int index) { return store.value(store.named(name), index); },
+  return {[&store](const char* name, int index) {
+            const ParameterStore::Meaning meant = store.meaning(name);
+            if (meant.bit >= 0) return store.bit(meant.row, meant.bit, index) ? 1.0 : 0.0;
+            return store.value(meant.row != ParameterId::none ? meant.row : store.named(name), index);
+          },
           [&store](const char* name, const char* bit, int index) {
+            const ParameterStore::Meaning meant = store.meaning(std::string(name) + '#' + bit);
+            if (meant.row != ParameterId::none)
+              return meant.bit < 0 ? store.value(meant.row, index) != 0 : store.bit(meant.row, meant.bit, index);
             const ParameterId id = store.named(name);
             const bool digit = bit[0] >= '0' && bit[0] <= '9' && bit[1] == '\0';
             const int number = digit ? bit[0] - '0' : store.bit_named(id, bit);
@@ -120,9 +127,13 @@ double number_of_symbol(const Interpreter& m, const std::string& name) {
 
 /// N1400, N2902, N2903.
 ToolLimits tool_limits(const ParameterStore& p) {
-  const auto whole = [&](const char* name) { return static_cast<int>(p.value(p.named(name))); };
-  const int columns = whole("2903");
-  return {whole("2902"), columns > 0 ? columns : ToolLimits().user_data, whole("1400")};
+  const ToolLimits usual;
+  const auto whole = [&](const char* name, int otherwise) {
+    const ParameterId id = p.named(name);
+    return id == ParameterId::none ? otherwise : static_cast<int>(p.value(id));
+  };
+  const int columns = whole("2903", usual.user_data);
+  return {whole("2902", usual.rows), columns > 0 ? columns : usual.user_data, whole("1400", usual.offsets)};
 }
 
 Nct::Nct(Interpreter& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons)
@@ -170,6 +181,9 @@ void Nct::refresh_settings(Interpreter& m) {
   parameters_seen = parameters.version() + 1;
   tools.set_limits(tool_limits(parameters));
   settings = read_settings(source_of(parameters), m.axis_names, m.def.axis_numbers);
+  if (m.def.behaviour.length_axis_third) settings.length_axes = settings.length_of_block ? 0 : std::max(settings.length_axes, 1);
+  if (m.def.behaviour.arc_difference_free && settings.radius_unlimited)
+    settings.radius_difference = std::numeric_limits<double>::infinity();
   take_reference_points(m);
 }
 
@@ -282,6 +296,7 @@ void Nct::reset_program(Interpreter& m) {
   state.modal_calls.clear();
   state.active_modal_calls = 0;
   repeated_arguments.clear();
+  if (m.def.behaviour.common_cleared && !settings.common_kept) variables.power_off();
   variables.close_levels();
   control_1 = control_2 = 0;
   state.interrupt_program.reset();

@@ -165,6 +165,8 @@ void watch_spindle_axes(Interpreter& m, AxisMask named);
 double take_lead(Interpreter& m);
 /// Dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
 Result<double> dwell_seconds(Interpreter& m, double p, Span where);
+/// P of a dwell by its digits: milliseconds; with a point seconds, or an alarm (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
+Result<double> dwell_by_digits(Interpreter& m);
 /// M codes for the machine: indexing, closing the loop, optional spindle codes, all others (11, 13.1).
 Status machine_code(Interpreter& m, const Call& call);
 /// The gearbox, if it is on, stops (20.1).

@@ -78,7 +78,7 @@ fs::path path_of(std::string_view name) {
   return fs::path(text).lexically_normal();
 }
 
-/// "O00010", "0010", "10": a number in any of its forms.
+/// "O00020", "0020", "20": a number in any of its forms.
 std::optional<std::uint32_t> number_in(std::string_view text) {
   if (!text.empty() && (text[0] == 'O' || text[0] == 'o')) text.remove_prefix(1);
   if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;

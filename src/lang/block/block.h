@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct Word {
   Expression axis;         // of AX[n]=…: number of the axis
   std::int32_t code = -1;  // of G and M: ten times the number (G54.1 = 541); -1: not a code
   char address = 0;
-  std::uint8_t digits = 0;  // digits written
+  std::uint8_t digits = 0;   // digits written
+  std::uint8_t counted = 0;  // decimals that a number without a point was made smaller by
   bool has_point = false;
   bool incremental = false;  // operator I
   bool bare = false;         // without a number
@@ -60,7 +62,9 @@ enum class StatementKind : std::uint8_t {
   close_file,
   print_binary,
   print_decimal,
+  names,   // SETVN n[NAME,…]: nothing is carried out (spec/fanuc 5.1)
   o_word,  // a line of flow or calls (spec/linuxcnc 6)
+  system,  // `$H`, `$110=500`, `$J=X10 F100`: the words of a jog are the block's (spec/grbl 9, 11)
 };
 
 /// What an O line says (spec/linuxcnc 6.1).
@@ -94,7 +98,7 @@ struct Statement {
   Expression value;    // assign, go_to: N…; ports and files: n
   Expression program;  // FOPENn P…
   Span where;
-  Span text;  // between the brackets of DPRNT, BPRNT; the label of an O line where it is a name (else `value`)
+  Span text;  // between the brackets of DPRNT, BPRNT; the label of an O line where it is a name (else `value`); a system line
   OWord o_word = OWord::label;
   Span label_where;  // of an O line
 };
@@ -154,20 +158,22 @@ struct Block {
   std::vector<Span> comments;         // the text between the brackets
   std::vector<Alarm> warnings;        // look-alike letters
   Statement statement;
-  Span file_name;             // between < and >
-  bool evaluates = false;     // some word's value is an expression
-  bool codes_vary = false;    // a code's number is an expression
-  bool kept = false;          // stays in memory at its place: a loop carries it out again
-  bool no_clock = false;      // it was looked at and reads none
-  std::uint64_t checked = 0;  // addresses it had when its words were looked at and found right
-  bool calls_macro = false;   // of a block that was looked at
-  bool altered = false;       // words were taken away when it was carried out: their address is 0
+  Span file_name;               // between < and >
+  std::optional<Alarm> broken;  // what is wrong behind the words; they count first (spec/grbl 1.3)
+  bool evaluates = false;       // some word's value is an expression
+  bool codes_vary = false;      // a code's number is an expression
+  bool kept = false;            // stays in memory at its place: a loop carries it out again
+  bool no_clock = false;        // it was looked at and reads none
+  std::uint64_t checked = 0;    // addresses it had when its words were looked at and found right
+  bool calls_macro = false;     // of a block that was looked at
+  bool altered = false;         // words were taken away when it was carried out: their address is 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
   /// The first word of that address, or nullptr.
   const Word* find(char letter) const { return has(letter) ? &words[at[static_cast<std::size_t>(letter - 'A')]] : nullptr; }
   bool empty() const {
-    return word_count == 0 && assignments.empty() && marker == Marker::none && statement.kind == StatementKind::none && file_name.end == 0;
+    return word_count == 0 && assignments.empty() && marker == Marker::none && statement.kind == StatementKind::none &&
+           file_name.end == 0 && !broken;
   }
   std::string_view text_of(Span s) const { return text.substr(s.begin, s.end - s.begin); }
 
@@ -177,6 +183,7 @@ struct Block {
     has_number = main_block = evaluates = altered = codes_vary = kept = no_clock = false;
     checked = 0;
     file_name = {};
+    broken.reset();
     if (statement.kind != StatementKind::none || statement.condition_count != 0 || statement.with_if)
       statement = {};  // a faulty IF has no kind
     number_digits = skip = 0;

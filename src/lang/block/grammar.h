@@ -58,6 +58,7 @@ struct WordFormat {
   bool sign = false;                 // a sign may stand before the digits
   bool drop_zeros = true;            // leading zeros may be dropped; if not, every digit must be written
   bool point = false;                // an explicit decimal point is understood
+  std::uint8_t counted = 0;          // a number written without a point is so many decimals smaller; not a variable's (spec/fanuc 1.3)
   bool implied = false;              // without a point the last `fraction_digits` digits are the fraction
   std::uint8_t whole_digits = 0;     // at most, before the point; 0 = free
   std::uint8_t fraction_digits = 0;  // at most, after the point; with whole_digits 0: free
@@ -104,12 +105,19 @@ struct Grammar {
   bool percent_encloses = false;                   // `%` alone in its line begins the program and ends it (2.1)
   bool code_by_rounding = false;                   // G[10*0.1]: a thousandth of the number is forgiven; N may have a point (2.2, 2.3)
   std::shared_ptr<VariableNames> named_variables;  // #<name>; nullptr: there are none
+  bool filtered_lines = false;                     // each line by itself, filtered first: blanks, `/`, control characters (spec/grbl 1.2)
   // Custom macros and names of several characters (nct).
   bool macro = false;                                       // statements: IF, WHILE, GOTO, … (nct 23)
   bool operator_i = false;                                  // XI-40: an increment in that word (nct 5.1)
   bool comments_span_lines = false;                         // (…) may hold ends of line (nct 14.3)
   bool comma_words = false;                                 // ,C ,R ,A (nct 17)
   bool file_names = false;                                  // M98 <name> (nct 14.4.2)
+  bool short_words = false;                                 // WH[…], SI[30]: the first two letters are enough (spec/fanuc 5.4)
+  bool colon_is_label = false;                              // `:0100` is O0100 (spec/fanuc 1.1)
+  bool condition_alone = false;                             // `[#1 LT 10] M99 P10`: IF without the word (spec/haas 2.3)
+  bool rounds_in_address = false;                           // ROUND in a word's value: to 0.001 mm, 0.0001 in (spec/haas 2.2)
+  bool semicolon_ends = false;                              // `;` ends the block; the next one may follow it (spec/fanuc 1.2)
+  std::string least_increments;                             // addresses whose numbers count 0.001 without a point (spec/fanuc 1.3)
   std::vector<AddressName> names;                           // in the order of their addresses
   std::uint32_t named = 0;                                  // bit per first letter of a name
   std::vector<VariableName> symbols;                        // sorted by text

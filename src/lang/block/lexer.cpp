@@ -7,7 +7,9 @@
 
 #include "base/ascii.h"
 #include "lang/block/block_parts.h"
+#include "lang/block/line_word_reader.h"
 #include "lang/block/o_word_reader.h"
+#include "lang/block/odd_characters.h"
 #include "lang/block/statement_reader.h"
 #include "lang/block/word_reader.h"
 #include "lang/expression/expression.h"
@@ -45,9 +47,18 @@ class Lexer {
 
  private:
   Status items() {
+    if (grammar_.filtered_lines) return filtered_line();
     KADR_TRY(beginning());
     while (!done_ && cursor_.at < cursor_.text.size()) KADR_TRY(item());
     return {};
+  }
+
+  Status filtered_line() {
+    if (!is_utf8_ && has_high(cursor_.text.size())) {
+      result_.needs_utf8 = true;
+      return {};
+    }
+    return LineWordReader(cursor_, grammar_, block_).read();
   }
 
   // ---- what stands before the words
@@ -110,12 +121,13 @@ class Lexer {
     }
     switch (c) {
       case '(': return comment();
-      case ';': return grammar_.semicolon_comments ? line_comment(1) : unexpected();
+      case ';': return grammar_.semicolon_comments ? line_comment(1) : grammar_.semicolon_ends ? end_by_semicolon() : unexpected();
       case '/': return slash();
       case '#': return grammar_.expressions ? assignment() : unexpected();
       case ',': return grammar_.comma_words ? comma_word() : unexpected();
       case '<': return grammar_.file_names ? file_name() : unexpected();
-      case ':': return main_block();
+      case ':': return grammar_.colon_is_label ? word_of(grammar_.label_address, 1, cursor_.at) : main_block();
+      case '[': return grammar_.condition_alone ? statements_.read(Keyword::if_) : unexpected();
       case '\x1a': return end_of_dos_file();
       case ']':
       case '=': return grammar_.macro ? out_of_place(c) : unexpected();
@@ -135,7 +147,7 @@ class Lexer {
     if (grammar_.macro) {
       const char next = begin + bytes < cursor_.text.size() ? cursor_.text[begin + bytes] : '\0';
       if (is_letter(next)) {
-        if (const Keyword keyword = statements_.keyword_here(); keyword != Keyword::none) return statements_.read(keyword);
+        if (const Keyword keyword = statements_.keyword_here(); statements_.knows(keyword)) return statements_.read(keyword);
         if ((letter == 'A') && (next == 'X' || next == 'x')) return words_.axis_by_number(begin);
       }
       if ((grammar_.named >> (letter - 'A') & 1u) != 0)
@@ -315,6 +327,12 @@ class Lexer {
     return end_mark(bytes);
   }
 
+  Status end_by_semicolon() {
+    ++cursor_.at;
+    done_ = true;
+    return {};
+  }
+
   Status end_mark(std::size_t bytes) {
     cursor_.at += bytes;
     result_.marked = true;
@@ -324,22 +342,8 @@ class Lexer {
   }
 
   /// Ctrl-Z ends a file of old systems.
-  Status end_of_dos_file() {
-    Cursor behind = cursor_;
-    ++behind.at;
-    behind.skip_blanks();
-    if (behind.at < behind.text.size()) return unexpected();
-    cursor_ = behind;
-    return {};
-  }
-
-  Status unexpected() {
-    const auto c = static_cast<unsigned char>(cursor_.text[cursor_.at]);
-    const Span where = span(cursor_.at, cursor_.at + 1);
-    if (c < 0x20) return fail(alarm(AlarmId::control_character, where, double(c)));
-    if (c == '.') return fail(alarm(AlarmId::number_damaged, where));  // a second point
-    return fail(alarm(AlarmId::unexpected_character, where, cursor_.text[cursor_.at]));
-  }
+  Status end_of_dos_file() { return passes_dos_end(cursor_) ? Status() : unexpected(); }
+  Status unexpected() const { return fail(unexpected_at(cursor_.text, cursor_.at)); }
 
   /// One `]` too many (nct 23.2.6); `=` after a name that the channel does not have (2.2): Z2=5.
   Status out_of_place(char c) {
@@ -352,13 +356,12 @@ class Lexer {
 
   /// What can be said only of the block as a whole.
   Status whole_block() {
-    if (grammar_.block_length != 0 && !block_.empty()) {
-      if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high()) {
+    if (grammar_.block_length != 0 && !grammar_.filtered_lines && !block_.empty()) {
+      if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high(cursor_.at)) {
         result_.needs_utf8 = true;  // bytes are not characters
         return {};
       }
-      std::uint32_t length = 0;
-      for (std::size_t i = begin_; i < cursor_.at; ++i) length += (static_cast<unsigned char>(cursor_.text[i]) & 0xC0) != 0x80;
+      const std::uint32_t length = characters_of(cursor_.text.substr(begin_, cursor_.at - begin_));
       if (length > grammar_.block_length)
         return fail(alarm(AlarmId::block_too_long, span(begin_, cursor_.at), double(length), double(grammar_.block_length)));
     }
@@ -368,12 +371,8 @@ class Lexer {
     return {};
   }
 
-  /// Bytes above 127 in the block so far.
-  bool has_high() const {
-    for (std::size_t i = begin_; i < cursor_.at; ++i)
-      if (is_high(cursor_.text[i])) return true;
-    return false;
-  }
+  /// Bytes above 127 in the block up to there.
+  bool has_high(std::size_t end) const { return has_high_bytes(cursor_.text.substr(begin_, end - begin_)); }
 
   char at(std::size_t ahead) const { return cursor_.at + ahead < cursor_.text.size() ? cursor_.text[cursor_.at + ahead] : '\0'; }
   Span span(std::size_t begin, std::size_t end) const {

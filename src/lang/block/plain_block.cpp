@@ -42,7 +42,8 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
     kinds_[static_cast<unsigned char>(letter)] = kind;
     if (grammar.lower_case) kinds_[static_cast<unsigned char>(letter | 0x20)] = kind;
     // check_digits of lang/block/word_reader has nothing to do where digits are free and all of them count
-    easy_[static_cast<std::size_t>(letter - 'A')] = !format.code && format.whole_digits == 0 && !format.implied && !format.second_number;
+    easy_[static_cast<std::size_t>(letter - 'A')] =
+        !format.code && format.whole_digits == 0 && !format.implied && !format.second_number && format.counted == 0;
   }
 }
 
@@ -129,10 +130,12 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
   Word& w = block.words[block.word_count];
   w.code = -1;
   std::size_t decimals = digits.fraction;
+  w.counted = 0;
   if (!easy_[address]) {
     if (!follows(format, digits)) return nullptr;
     if (format.code) w.code = static_cast<std::int32_t>(digits.fraction == 1 ? digits.mantissa : digits.mantissa * 10);
     if (format.implied && !digits.has_point) decimals = format.fraction_digits;
+    if (!digits.has_point) decimals += w.counted = format.counted;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
   }
   const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];  // both exact: correctly rounded

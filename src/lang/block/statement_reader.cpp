@@ -21,7 +21,7 @@ constexpr KeywordRow keywords[] = {
     {"END", Keyword::end_},         {"GOTO", Keyword::goto_},         {"THEN", Keyword::then_},
     {"POPEN", Keyword::open_port},  {"PCLOS", Keyword::close_port},   {"FOPEN", Keyword::open_file},
     {"FCLOS", Keyword::close_file}, {"BPRNT", Keyword::print_binary}, {"DPRNT", Keyword::print_decimal},
-    {"PRM", Keyword::prm},
+    {"PRM", Keyword::prm},          {"SETVN", Keyword::names},
 };
 
 /// Is #number one whose value is a message (23.1.8)?
@@ -30,12 +30,17 @@ bool is_message(double number) { return number == 3000 || number == 3006 || numb
 }  // namespace
 
 Keyword StatementReader::keyword_here() const {
+  std::size_t length = 0;
+  return keyword_here(length);
+}
+
+Keyword StatementReader::keyword_here(std::size_t& length) const {
+  const std::string_view rest = cursor_.text.substr(std::min(cursor_.at, cursor_.text.size()));
+  constexpr std::size_t least_of_short = 2;
   for (const KeywordRow& row : keywords) {
-    if (cursor_.text.size() - cursor_.at < row.text.size()) continue;
-    const auto same = [&](std::size_t i) { return to_upper(cursor_.text[cursor_.at + i]) == row.text[i]; };
-    std::size_t i = 0;
-    while (i < row.text.size() && same(i)) ++i;
-    if (i == row.text.size()) return row.keyword;
+    length = 0;
+    while (length < row.text.size() && length < rest.size() && to_upper(rest[length]) == row.text[length]) ++length;
+    if (length == row.text.size() || (grammar_.short_words && length >= least_of_short)) return row.keyword;
   }
   return Keyword::none;
 }
@@ -44,8 +49,9 @@ Status StatementReader::read(Keyword keyword) {
   const std::size_t begin = cursor_.at;
   if (block_.word_count != 0 || (block_.statement.kind != StatementKind::none && block_.statement.condition_count == 0))
     return fail(alarm(AlarmId::statement_not_alone, span(begin, begin + 2)));
-  for (const KeywordRow& row : keywords)
-    if (row.keyword == keyword) cursor_.at += row.text.size();
+  std::size_t length = 0;
+  (void)keyword_here(length);
+  cursor_.at += length;
   block_.statement.where.begin = static_cast<std::uint32_t>(begin);
   switch (keyword) {
     case Keyword::if_: return branch();
@@ -56,6 +62,7 @@ Status StatementReader::read(Keyword keyword) {
     case Keyword::print_binary:
     case Keyword::print_decimal: return print(keyword, begin);
     case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: right-hand side only
+    case Keyword::names: return variable_names(begin);
     case Keyword::then_: return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), "THEN"));
     default: return device(keyword, begin);
   }
@@ -66,7 +73,8 @@ Status StatementReader::branch() {
   block_.statement.with_if = true;
   KADR_TRY(condition());
   cursor_.skip_blanks();
-  if (keyword_here() == Keyword::then_) cursor_.at += 4;
+  std::size_t length = 0;
+  if (keyword_here(length) == Keyword::then_) cursor_.at += length;
   cursor_.skip_blanks();
   if (cursor_.peek() == '#') {
     const std::size_t at = cursor_.at++;
@@ -154,6 +162,17 @@ Status StatementReader::assignment(std::size_t begin) {
   const auto value = compile_macro_value(cursor_, grammar_, block_, MacroValue::assigned);
   if (!value) return fail(value.error());
   s.value = *value;
+  return ended(begin);
+}
+
+/// SETVN n[NAME,NAME]: the names are for people; `[#NAME]` is not read.
+Status StatementReader::variable_names(std::size_t begin) {
+  cursor_.skip_blanks();
+  while (is_digit(cursor_.peek())) ++cursor_.at;
+  const std::size_t close = cursor_.text.find(']', cursor_.at);
+  if (cursor_.peek() != '[' || close == std::string_view::npos) return syntax(cursor_.at);
+  cursor_.at = close + 1;
+  block_.statement.kind = StatementKind::names;
   return ended(begin);
 }
 

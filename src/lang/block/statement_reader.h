@@ -23,7 +23,8 @@ enum class Keyword : std::uint8_t {
   close_file,
   print_binary,
   print_decimal,
-  prm
+  prm,
+  names
 };
 
 class StatementReader {
@@ -32,6 +33,9 @@ class StatementReader {
 
   /// The keyword that stands at the cursor; the cursor stays.
   Keyword keyword_here() const;
+  Keyword keyword_here(std::size_t& length) const;
+  /// A keyword that this control does not have is a word.
+  bool knows(Keyword keyword) const { return keyword != Keyword::none && (keyword != Keyword::names || grammar_.semicolon_ends); }
   /// Reads a statement at the cursor, up to the end of the block or a comment.
   ///   alarms  expression_syntax, terminator_wrong, while_without_do, do_number, illegal_address, statement_not_alone
   Status read(Keyword keyword);
@@ -47,6 +51,7 @@ class StatementReader {
   Status loop_number(std::size_t begin);
   Status jump(std::size_t begin);
   Status device(Keyword keyword, std::size_t begin);
+  Status variable_names(std::size_t begin);
   Status print(Keyword keyword, std::size_t begin);
   Status file_of_program();
   Status ended(std::size_t begin);

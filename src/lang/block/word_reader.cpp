@@ -96,6 +96,7 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
   w.has_point = read.has_point;
   if (format.whole_digits != 0) KADR_TRY(check_digits(w, read, format, begin));
   w.value = format.implied && !read.has_point ? read.mantissa / powers_of_ten[format.fraction_digits] : read.value;
+  if (format.counted != 0 && !read.has_point) w.value = read.mantissa / powers_of_ten[w.counted = format.counted];
   if (sign == '-') w.value = -w.value;
   if (format.code) KADR_TRY(code_of(w, begin));
   if (format.parameter) {

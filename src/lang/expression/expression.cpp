@@ -46,6 +46,10 @@ Result<double> apply_pair(Op op, double a, double b, Span where) {
     case Op::nearly_equal: return std::fabs(a - b) < nearly ? 1.0 : 0.0;
     case Op::nearly_not_equal: return std::fabs(a - b) < nearly ? 0.0 : 1.0;
     case Op::atan: return angle_deg({b, a});  // ATAN[a]/[b]
+    case Op::atan_turn: {
+      const double angle = angle_deg({b, a});
+      return angle < 0 ? angle + 360 : angle;
+    }
     default: return apply_macro(op, a, b, where);
   }
 }

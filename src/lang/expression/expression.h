@@ -64,6 +64,16 @@ Result<double> apply(Op op, double a, double b, Span where);
 
 /// What a comparison gives; vacant values as nct 23.1.6 orders them.
 inline bool compare(Op op, double a, double b) {
+  if (op >= Op::greater_by_value) {
+    if (is_vacant(a)) a = 0;
+    if (is_vacant(b)) b = 0;
+    switch (op) {
+      case Op::greater_by_value: return a > b;
+      case Op::greater_equal_by_value: return a >= b;
+      case Op::less_by_value: return a < b;
+      default: return a <= b;
+    }
+  }
   if (is_vacant(a) || is_vacant(b)) [[unlikely]] {
     const int order = int{is_vacant(a)} - int{is_vacant(b)};  // vacant is greater than every number
     switch (op) {
@@ -140,6 +150,10 @@ Result<double> evaluate(const Block& block, Expression expression, Variables&& v
       case Op::greater_equal:
       case Op::less:
       case Op::less_equal:
+      case Op::greater_by_value:
+      case Op::greater_equal_by_value:
+      case Op::less_by_value:
+      case Op::less_equal_by_value:
         --top;
         stack[top - 1] = compare(step.op, stack[top - 1], stack[top]) ? 1 : 0;
         break;

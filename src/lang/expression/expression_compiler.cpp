@@ -23,12 +23,12 @@ class Compiler : public StepWriter {
     for (;;) {
       cursor_.skip_blanks();
       const std::size_t begin = cursor_.at;
-      const ExpressionRow* const found = grammar_.expression.operators.find(rest());
+      std::size_t length = 0;
+      const ExpressionRow* const found = row_here(grammar_.expression.operators, length);
       if (found == nullptr) return grammar_.macro ? Status() : end_of_expression(begin);
-      if (found->binding == 0)
-        return fail(alarm(AlarmId::operator_unknown, span(begin, begin + found->text.size()), std::string_view(found->text)));
+      if (found->binding == 0) return fail(alarm(AlarmId::operator_unknown, span(begin, begin + length), std::string_view(found->text)));
       if (found->binding < least_binding) return {};
-      cursor_.at += found->text.size();
+      cursor_.at += length;
       KADR_TRY(enter(begin));
       KADR_TRY(sum(found->binding + 1));
       --depth_;
@@ -106,20 +106,16 @@ class Compiler : public StepWriter {
     KADR_TRY(sum(1));
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at;
-    const ExpressionRow* const found = grammar_.expression.relations.find(rest());
+    std::size_t length = 0;
+    const ExpressionRow* const found = row_here(grammar_.expression.relations, length);
     if (found == nullptr) {
       if (cursor_.peek() == ']' && grammar_.expression.operators.compare()) return {};  // the comparison was an operator
       if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(begin, begin + 1), '='));
       return wrong(begin);
     }
-    cursor_.at += found->text.size();
+    cursor_.at += length;
     KADR_TRY(sum(1));
     return step(found->op, 0, begin, -1);
-  }
-
-  bool named_here() {
-    cursor_.skip_blanks();
-    return cursor_.peek() == '<';
   }
 
   /// #<name> (spec/linuxcnc 4.2). `use`: variable_at its value, number its number.
@@ -164,8 +160,9 @@ class Compiler : public StepWriter {
   Status word() {
     const std::size_t begin = cursor_.at;
     if (grammar_.named_variables != nullptr && starts_with("EXISTS", begin)) return exists(begin);
-    if (const ExpressionRow* const found = grammar_.expression.functions.find(rest()); found != nullptr) {
-      cursor_.at += found->text.size();
+    std::size_t length = 0;
+    if (const ExpressionRow* const found = row_here(grammar_.expression.functions, length); found != nullptr) {
+      cursor_.at += length;
       cursor_.skip_blanks();
       if (found->operand == Operand::value) return function_of_value(*found, begin);
       if (cursor_.peek() == '[') return function_of_bracket(*found, begin);
@@ -206,6 +203,10 @@ class Compiler : public StepWriter {
     KADR_TRY(enter(begin));
     KADR_TRY(factor());
     --depth_;
+    if (row.of_two != Op::number && divides_bracket(operand)) {
+      KADR_TRY(bracket());
+      return step(row.of_two, 0, begin, -1);
+    }
     if (row.op == Op::arc_tangent) warn_of_quotient(begin, operand);
     return step(row.op, 0, begin, 0);
   }

@@ -14,7 +14,25 @@ bool begins_with(std::string_view text, std::string_view word) {
          std::equal(word.begin(), word.end(), text.begin(), [](char wanted, char written) { return wanted == to_upper(written); });
 }
 
+/// How many letters of the word the text begins with.
+std::size_t alike(std::string_view text, std::string_view word) {
+  std::size_t i = 0;
+  while (i < text.size() && i < word.size() && to_upper(text[i]) == word[i]) ++i;
+  return i;
+}
+
 }  // namespace
+
+const ExpressionRow* ExpressionRows::find_short(std::string_view text, std::size_t& length) const {
+  const ExpressionRow* best = find(text);
+  length = best == nullptr ? 0 : best->text.size();
+  if (best != nullptr) return best;
+  constexpr std::size_t least = 2;
+  for (const ExpressionRow& row : rows_)
+    if (const std::size_t same = alike(text, row.text); is_letter(row.text[0]) && same >= least && same > length)
+      best = &row, length = same;
+  return best;
+}
 
 void ExpressionRows::add(ExpressionRow row) {
   rows_.push_back(std::move(row));

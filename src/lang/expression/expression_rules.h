@@ -23,6 +23,7 @@ struct ExpressionRow {
   Op op = Op::number;
   std::uint8_t binding = 0;            // of an operator: how tightly; 0: known, but not on this control: an alarm names it
   Operand operand = Operand::bracket;  // of a function
+  Op of_two = Op::number;              // of ATAN[a]/[b], where ATAN[a] is a function too; number: none
 };
 
 /// Rows by their texts. Where one text begins another, the longer one is meant.
@@ -31,11 +32,20 @@ class ExpressionRows {
   static constexpr std::size_t most = 64;
   void add(ExpressionRow row);
   bool has(std::string_view text) const;
+  /// Every row of the one operation does the other.
+  void replace(Op operation, Op by) {
+    for (ExpressionRow& row : rows_) {
+      if (row.op == operation) row.op = by;
+      if (row.of_two == operation) row.of_two = by;
+    }
+  }
   /// Is one of these operators a comparison?
   bool compare() const;
   const std::vector<ExpressionRow>& all() const { return rows_; }
   /// The row that the text begins with, small letters like capitals; nullptr: none.
   const ExpressionRow* find(std::string_view text) const;
+  /// The same; of a row of letters two may stand for all (`SI[30]`, spec/fanuc 5.4). `length`: of what is written.
+  const ExpressionRow* find_short(std::string_view text, std::size_t& length) const;
 
  private:
   std::vector<ExpressionRow> rows_;        // by first character, the longest first

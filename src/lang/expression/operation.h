@@ -27,6 +27,10 @@ enum class Op : std::uint8_t {
   greater_equal,
   less,
   less_equal,
+  greater_by_value,  // the same, but a vacant value counts as 0 (spec/fanuc 5.2)
+  greater_equal_by_value,
+  less_by_value,
+  less_equal_by_value,
   abs,
   acos,
   asin,
@@ -59,6 +63,10 @@ enum class Op : std::uint8_t {
   arc_cosine,
   arc_tangent,
   logarithm,
+  arc_sine_turn,  // ASIN, 270 … 90 (spec/fanuc 5.3)
+  atan_turn,      // ATAN[a]/[b], 0 … 360 (spec/fanuc 5.3)
+  to_bcd,         // 25 → 37, the digits as groups of four bits, and back
+  from_bcd,
   keep_negate,   // of a word: a vacant value stays vacant
   variable_at,   // push the variable `number`
   element,       // replaces the index on top by the number of that element of symbol `number`
@@ -71,11 +79,11 @@ std::optional<Op> operation_named(std::string_view name, int operands);
 /// Names of all with so many operands, for messages.
 std::string_view operation_name(std::size_t place, int operands);
 
-constexpr bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_equal; }
+constexpr bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_equal_by_value; }
 
 /// Steps with two operands.
 constexpr bool takes_two(Op op) {
-  return (op >= Op::add && op <= Op::less_equal && op != Op::negate) || op == Op::atan ||
+  return (op >= Op::add && op <= Op::less_equal_by_value && op != Op::negate) || op == Op::atan || op == Op::atan_turn ||
          (op >= Op::remainder && op <= Op::nearly_not_equal);
 }
 

@@ -42,7 +42,32 @@ class StepWriter {
         alarm(AlarmId::expression_syntax, span(at, at + 1), at < cursor_.text.size() ? cursor_.text.substr(at, 1) : std::string_view("…")));
   }
 
+  bool named_here() {
+    cursor_.skip_blanks();
+    return cursor_.peek() == '<';
+  }
+
  protected:
+  const ExpressionRow* row_here(const ExpressionRows& rows, std::size_t& length) const {
+    if (grammar_.short_words) return rows.find_short(rest(), length);
+    const ExpressionRow* const found = rows.find(rest());
+    if (found != nullptr) length = found->text.size();
+    return found;
+  }
+
+  /// Behind […] stands /[ : the cursor goes to the second bracket.
+  bool divides_bracket(std::size_t operand) {
+    if (cursor_.text[operand] != '[') return false;
+    Cursor ahead = cursor_;
+    ahead.skip_blanks();
+    if (ahead.peek() != '/') return false;
+    ++ahead.at;
+    ahead.skip_blanks();
+    if (ahead.peek() != '[') return false;
+    cursor_ = ahead;
+    return true;
+  }
+
   std::string_view rest() const { return cursor_.text.substr(std::min(cursor_.at, cursor_.text.size())); }
 
   bool starts_with(std::string_view word, std::size_t at) const {

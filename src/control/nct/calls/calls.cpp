@@ -38,9 +38,15 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
     return request;
   }
   const Word* const p = m.word('P');
-  if (p == nullptr) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));
-  const auto number = m.whole('P', 0, 99'999'999);
+  if (p == nullptr) return fail(alarm(AlarmId::call_without_program, code.where, code.row->code));
+  auto number = m.whole('P', 0, 99'999'999);
   if (!number) return fail(number.error());
+  constexpr std::uint32_t four_digits = 10'000;
+  const bool counts = m.def.behaviour.repeats_in_program_number && code.row->function == Function::call_program && !m.has('L');
+  if (counts && *number >= four_digits) {  // spec/fanuc 9.1: P51002
+    request.times = *number / four_digits;
+    *number %= four_digits;
+  }
   request.name = *number;
   const auto place = nct_of(m).programs.by_number(m, *number, p->where);
   if (!place) return fail(place.error());
@@ -108,6 +114,7 @@ Status return_from(Interpreter& m, const Call& code) {
   if (p != nullptr && !(p->value >= 0 && p->value <= most_repeats))
     return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
   CallFrame* const top = m.flow.innermost();
+  if (p != nullptr && m.def.behaviour.returns_to_own_block) return go_to_block_again(m, p->value, p->where);
   if (top == nullptr) {  // in the main program: a jump (14.4.4)
     if (p != nullptr) return go_to_block_again(m, p->value, p->where);
     return m.begin_again(code.where);
@@ -131,7 +138,7 @@ Status return_from(Interpreter& m, const Call& code) {
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
   if (!*left) {  // once more
-    if (opened_level) nct.variables.locals() = nct.repeated_arguments.back().second;
+    if (opened_level && !m.def.behaviour.repeats_keep_locals) nct.variables.locals() = nct.repeated_arguments.back().second;
     return {};
   }
   const CallFrame& frame = **left;
@@ -194,8 +201,23 @@ Status call_program(Interpreter& m, const Call& call) {
   if (!request) return fail(request.error());
   const auto times = nct::repeats_of(m);
   if (!times) return fail(times.error());
-  request->times = *times;
+  if (m.has('L')) request->times = *times;
   return nct::call(m, *request, {}, call.where);
+}
+
+/// M97 P L (spec/haas 3.1): block P of the same program, back at M99; the locals stay.
+Status call_local(Interpreter& m, const Call& call) {
+  const Word* const p = m.word('P');
+  if (p == nullptr) return fail(alarm(AlarmId::call_without_program, call.where, call.row->code));
+  const auto times = nct::repeats_of(m);
+  if (!times) return fail(times.error());
+  const auto start = nct::block_numbered(m, p->value, p->where);
+  if (!start) return fail(start.error());
+  CallRequest request;
+  request.place = {m.flow.reader(), *start};
+  request.name = static_cast<std::uint32_t>(nct_of(m).state.words.o);
+  request.times = *times;
+  return nct::call(m, request, {}, call.where);
 }
 
 Status return_program(Interpreter& m, const Call& call) { return nct::return_from(m, call); }

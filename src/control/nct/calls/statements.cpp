@@ -74,17 +74,6 @@ Result<bool> holds(Interpreter& m, const Statement& s) {
   return true;
 }
 
-/// Where the file being read has the block of that number.
-Result<Position> block_numbered(Interpreter& m, double number, Span where) {
-  if (is_vacant(number)) return fail(alarm(AlarmId::block_number_vacant, where));
-  const double nearest = std::round(number);
-  const auto missing = [&] { return fail(alarm(AlarmId::block_not_found, where, number)); };
-  if (!(nearest >= 0 && nearest <= 99'999'999)) return missing();
-  const auto found = m.flow.program_file().find_number(static_cast<std::uint32_t>(nearest), m.flow.position());
-  if (!found) return missing();
-  return *found;
-}
-
 Status jump(Interpreter& m, const Statement& s) {
   const auto number = value_of(m, s.value);
   if (!number) return fail(number.error());
@@ -99,11 +88,22 @@ Status carry_out(Interpreter& m, const Statement& s, bool holds) {
     case StatementKind::message: return message(m, s);
     case StatementKind::go_to: return jump(m, s);
     case StatementKind::loop_end: return loop_end(m, s);
+    case StatementKind::names: return {};
     default: return output(m, s);
   }
 }
 
 }  // namespace
+
+Result<Position> block_numbered(Interpreter& m, double number, Span where) {
+  if (is_vacant(number)) return fail(alarm(AlarmId::block_number_vacant, where));
+  const double nearest = std::round(number);
+  const auto missing = [&] { return fail(alarm(AlarmId::block_not_found, where, number)); };
+  if (!(nearest >= 0 && nearest <= 99'999'999)) return missing();
+  const auto found = m.flow.program_file().find_number(static_cast<std::uint32_t>(nearest), m.flow.position());
+  if (!found) return missing();
+  return *found;
+}
 
 Status go_to_block(Interpreter& m, double number, Span where) {
   const auto found = block_numbered(m, number, where);

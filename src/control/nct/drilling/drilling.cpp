@@ -8,6 +8,7 @@
 #include "base/tolerance.h"
 #include "control/functions/functions.h"
 #include "control/nct/drilling/drilling_run.h"
+#include "control/nct/drilling/pattern.h"
 #include "control/nct/frames/transformations.h"
 #include "control/nct/geometry/automatic_geometry.h"
 #include "control/nct/nct.h"
@@ -70,7 +71,10 @@ int drilling_axis(const Interpreter& m, const Word* bottom) {
 class Drilling {
  public:
   Drilling(Interpreter& m, const Call& call)
-      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(nct_of(m).state.drilling) {}
+      : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(nct_of(m).state.drilling) {
+    const bool rigid = nct_of(m).state.rigid_tap || nct_of(m).settings.taps_rigid || m.def.behaviour.taps_rigid;
+    if (rigid && (code_ == 840 || code_ == 740)) code_ = code_ == 840 ? 842 : 843;
+  }
 
   Status run() {
     KADR_TRY(possible());
@@ -81,30 +85,44 @@ class Drilling {
     const AxisMask drills = AxisMask{1} << axis;
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
-    if (!m_.has_axis_words()) return {};  // 18.2: not carried out
+    const bool by_level = m_.def.behaviour.drills_by_level;             // spec/fanuc 10.1
+    if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: not carried out
     KADR_TRY(remember(*bottom));
     double passes = 1;
-    if (m_.has('L')) {
-      const auto given = m_.whole('L', 0, most_holes);
-      if (!given) return fail(given.error());
-      passes = *given;
+    const char repeats = m_.def.behaviour.repeats_by_k && m_.has('K') ? 'K' : 'L';
+    if (m_.has(repeats)) {
+      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K3 is no length
+      if (passes != std::floor(passes)) return fail(alarm(AlarmId::word_not_integer, m_.where(repeats), repeats, passes));
+      if (!(passes >= 0 && passes <= most_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
     }
-    if (passes == 0) return {};
+    if (passes == 0 || m_.has_code({Function::hole_pattern})) return {};
+    KADR_TRY(over_hole(m_, kept_.axis));
+    return start({}, static_cast<std::uint32_t>(passes));
+  }
+
+  /// The cycle in force at each of these points of the plane, programmed, mm (spec/haas 8.5).
+  Status at_points(std::vector<Vec2> points) {
+    const auto count = static_cast<std::uint32_t>(points.size());
+    return start(std::move(points), count);
+  }
+
+ private:
+  Status start(std::vector<Vec2> points, std::uint32_t passes) {
     DrillingRun::Job job;
-    job.passes = static_cast<std::uint32_t>(passes);
+    job.passes = passes;
+    job.points = std::move(points);
     KADR_TRY(levels(job));
     KADR_TRY(data(job));
     KADR_TRY(m_.feed_known(call_.where));
-    KADR_TRY(over_hole(m_, kept_.axis));
     KADR_TRY(within_reach(job));
     nct_of(m_).moved = true;
     m_.running = std::make_unique<DrillingRun>(job);
     return {};
   }
 
- private:
   bool is_tap() const { return code_ == 842 || code_ == 843; }
-  bool shifts() const { return code_ == 760 || (code_ == 870 && spindle().orients); }
+  bool shifts() const { return code_ == 760 || (code_ == 870 && (spindle().orients || by_q())); }
+  bool by_q() const { return m_.def.behaviour.shifts_by_q; }
   bool has_percent() const { return code_ == 850 || code_ == 890 || is_tap(); }
   const SpindleSettings& spindle() const {
     return nct_of(m_).settings.spindles[static_cast<std::size_t>(nct_of(m_).state.current_spindle)];
@@ -113,8 +131,8 @@ class Drilling {
 
   Status possible() const {
     if (m_.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call_.where, code_text()));
-    if (code_ == 760 && !spindle().orients) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
-    if (is_tap() && !spindle().indexes)
+    if (code_ == 760 && !spindle().orients && !by_q()) return fail(alarm(AlarmId::spindle_not_orientable, call_.where, code_text()));
+    if (is_tap() && !spindle().indexes && !m_.def.behaviour.drills_by_level)
       return fail(alarm(AlarmId::spindle_not_indexable, call_.where, double(nct_of(m_).state.current_spindle)));
     if (m_.has(comma_angle) && m_.has_axis_words()) KADR_TRY(one_coordinate(m_));
     for (const char letter : {'I', 'J', 'K'})
@@ -125,6 +143,7 @@ class Drilling {
   /// G17: I J, G18: K I, G19: J K; I also where it is a percentage.
   bool belongs(char letter) const {
     if (letter == 'I' && has_percent()) return true;
+    if (m_.def.behaviour.drills_by_level) return true;
     switch (m_.modal.plane) {
       case Plane::zx: return letter != 'J';
       case Plane::yz: return letter != 'I';
@@ -159,13 +178,20 @@ class Drilling {
       kept_.level = m_.length_value('R');
       kept_.level_added = !m_.modal.absolute || r->incremental;
     }
-    if (m_.has('I') && has_percent()) KADR_TRY(positive('I', m_.value('I'), kept_.percent));
-    if (m_.has('I') && !has_percent()) kept_.shift.x = m_.length_value('I');
+    const bool percent = has_percent() && !m_.def.behaviour.drills_by_level;
+    if (m_.has('I') && percent) KADR_TRY(positive('I', m_.value('I'), kept_.percent));
+    if (m_.has('I') && !percent) kept_.shift.x = m_.length_value('I');
     if (m_.has('J')) kept_.shift.y = m_.length_value('J');
-    if (m_.has('K')) kept_.shift.z = m_.length_value('K');
-    if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), kept_.peck));
+    if (m_.has('K') && !m_.def.behaviour.repeats_by_k) kept_.shift.z = m_.length_value('K');
+    if (m_.has('Q') && by_q()) kept_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: its sign is ignored
+    else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), kept_.peck));
     if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), kept_.clearance));
-    if (m_.has('P') && !m_.has_code({Function::dwell_or_turns})) KADR_TRY(not_negative('P', m_.value('P'), kept_.dwell));  // 18.2: P of G4
+    if (m_.has('P') && m_.def.behaviour.dwell_in_milliseconds) {
+      const auto seconds = dwell_by_digits(m_);
+      if (!seconds) return fail(seconds.error());
+      KADR_TRY(not_negative('P', *seconds, kept_.dwell));
+    } else if (m_.has('P') && !m_.has_code({Function::dwell_or_turns}))
+      KADR_TRY(not_negative('P', m_.value('P'), kept_.dwell));  // 18.2: P of G4
     return {};
   }
 
@@ -212,7 +238,19 @@ class Drilling {
       const double values[] = {kept_.shift.x, kept_.shift.y, kept_.shift.z};
       const std::size_t first = m_.modal.plane == Plane::zx ? 2 : m_.modal.plane == Plane::yz ? 1 : 0;
       job.shift = {values[first], values[(first + 1) % 3]};
+      if (by_q() && job.shift == Vec2{}) {  // spec/fanuc 10.5: 00 +X, 01 -X, 10 +Y, 11 -Y
+        const double way = s.shift_negative ? -job.peck : job.peck;
+        job.shift = s.shift_second ? Vec2{0, way} : Vec2{way, 0};
+      }
     }
+    if (m_.def.behaviour.pecks_by_ijk && kept_.shift.x > 0 && (code_ == 730 || code_ == 830)) {  // spec/haas 8.3
+      job.peck = kept_.shift.x;
+      job.less = std::max(kept_.shift.y, 0.0);
+      job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
+      if (job.least > 0 && std::fabs(job.level - job.bottom) / job.least > most_pecks)
+        return fail(alarm(AlarmId::value_out_of_range, call_.where, 'K', kept_.shift.z));
+    }
+    job.rise = code_ == 830 ? s.return_rise : 0;
     if ((code_ == 730 || code_ == 830) && !(job.peck > 0))
       return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));
     const double depth = std::fabs(job.level - job.bottom) * std::fabs(m_.transform.scale[job.axis]);
@@ -315,8 +353,19 @@ Status drilling(Interpreter& m, const Call& call) {
 Status drilling_off(Interpreter& m, const Call&) {
   if (!nct::drilling_on(m)) return {};
   nct_of(m).state.drilling = {};
+  nct_of(m).state.rigid_tap = false;
   if (!m.has_code({Function::retract_level})) m.run_modes({Function::retract_initial});
   return {};
+}
+
+/// G70, G71, G72 in a cycle mode (spec/haas 8.5): holes on a circle or on a line, from where the tool stands.
+Status hole_pattern(Interpreter& m, const Call& call) {
+  const std::int16_t row = nct::motion_row(m);
+  if (!nct::drilling_on(m) || row < 0) return fail(alarm(AlarmId::cycle_data_missing, call.where));
+  auto points = nct::pattern_points(m, call);
+  if (!points) return fail(points.error());
+  const Call cycle{&m.def.codes[static_cast<std::size_t>(row)], nullptr, call.where};
+  return nct::Drilling(m, cycle).at_points(std::move(*points));
 }
 
 }  // namespace kadr::functions

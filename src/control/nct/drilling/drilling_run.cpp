@@ -59,7 +59,7 @@ Status over_hole(Interpreter& m, std::size_t drill) {
 
 double tapping_rpm(const Interpreter& m) { return nct_of(m).spindle(nct_of(m).state.current_spindle).rpm; }
 
-DrillingRun::DrillingRun(const Job& job) : job_(job), cycle_(cycle_of(job)) {}
+DrillingRun::DrillingRun(Job job) : job_(std::move(job)), cycle_(cycle_of(job_)), peck_(job_.peck) {}
 
 Status DrillingRun::check(const Interpreter& m) const {
   const bool turns = is_tap() ? tapping_rpm(m) > 0 : nct_of(m).spindle_rpm(m) > 0;
@@ -90,11 +90,23 @@ Result<bool> DrillingRun::next(Interpreter& m) {
   return true;
 }
 
+/// A hole of a pattern.
+Status DrillingRun::over_point(Interpreter& m, Vec2 point) {
+  const PlaneAxes& plane = m.modal.axes;
+  Axes to = m.position.programmed;
+  to[plane.first] = point.x;
+  to[plane.second] = point.y;
+  const AxisMask named = 1U << plane.first | 1U << plane.second;
+  return is_there(m, to, named) ? Status() : m.straight(MotionKind::rapid, to, named);
+}
+
 /// Operation 1; of the first pass it stands before the functions of the block.
 Status DrillingRun::begin_pass(Interpreter& m) {
-  if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
+  if (!job_.points.empty()) KADR_TRY(over_point(m, job_.points[pass_]));
+  else if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
   hole_ = m.position.programmed;
   depth_ = job_.level;
+  peck_ = job_.peck;
   part_ = 0;
   single_block(m);
   return {};
@@ -137,10 +149,11 @@ Status DrillingRun::spindle_step(Interpreter& m, DrillStep step) {
 /// 18.1.1, 18.1.7: down by Q, at rapid back by E or to R and near the bottom again. The last peck takes the rest.
 Status DrillingRun::pecks(Interpreter& m, bool to_level) {
   switch (part_) {
-    case 1: part_ = 2; return rapid(m, job_.level);
+    case 1: part_ = 2; return rapid(m, job_.level - down() * job_.rise / scale(m));
     case 2: part_ = 3; return rapid(m, back_to(m));
     default:
       depth_ = next_depth(m);
+      if (job_.less > 0) peck_ = std::max(peck_ - job_.less, job_.least);
       part_ = depth_ == job_.bottom ? 0 : to_level ? 1 : 2;
       return feed(m, depth_, 100);
   }
@@ -180,6 +193,10 @@ Status DrillingRun::close_loop(Interpreter& m) {
 /// P: seconds, or in G95 revolutions; of a tap INFERRED revolutions at S, for its spindle stands in the position loop.
 Status DrillingRun::dwell(Interpreter& m) {
   if (!(job_.dwell > 0)) return {};
+  if (m.def.behaviour.dwell_in_milliseconds) {
+    m.emit(Dwell{job_.dwell});
+    return {};
+  }
   const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !nct_of(m).settings.dwell_seconds;
   if (is_tap() && revolutions) {
     m.emit(Dwell{job_.dwell * 60 / tapping_rpm(m)});
@@ -247,7 +264,7 @@ void DrillingRun::single_block(Interpreter& m) const {
 double DrillingRun::scale(const Interpreter& m) const { return std::fabs(m.transform.scale[job_.axis]); }
 
 double DrillingRun::next_depth(const Interpreter& m) const {
-  const double next = depth_ + down() * job_.peck / scale(m);
+  const double next = depth_ + down() * peck_ / scale(m);
   return down() * (job_.bottom - next) <= tol::level ? job_.bottom : next;
 }
 

@@ -35,9 +35,12 @@ class DrillingRun final : public RunningValue<DrillingRun> {
     double between_percent = 100;    // … of a tap back to R between its cuts
     bool back_boring = false;        // G87 with a spindle that can be oriented
     bool pecks_to_level = false;     // a tap breaks chips like G83 (PTC=1), else like G73
+    std::vector<Vec2> points;        // of a pattern, programmed, one a pass; empty: where the block's words lead
+    double less = 0, least = 0;      // each next peck so much less, never below (spec/haas 8.3)
+    double rise = 0;                 // above R between pecks
     bool orients_tap = false;        // TSC=1
   };
-  explicit DrillingRun(const Job& job);
+  explicit DrillingRun(Job job);
 
   /// Speeds that it needs, after the block's S and M codes. alarms spindle_not_turning
   Status check(const Interpreter& m) const;
@@ -46,6 +49,7 @@ class DrillingRun final : public RunningValue<DrillingRun> {
 
  private:
   Status begin_pass(Interpreter& m);
+  Status over_point(Interpreter& m, Vec2 point);
   Status step(Interpreter& m, DrillStep step);
   Status spindle_step(Interpreter& m, DrillStep step);
   Status pecks(Interpreter& m, bool to_level);
@@ -65,6 +69,7 @@ class DrillingRun final : public RunningValue<DrillingRun> {
 
   Job job_;
   const DrillCycle& cycle_;
+  double peck_ = 0;  // the next one
   Axes hole_{};
   std::uint32_t pass_ = 0;
   std::size_t at_ = 0;      // step to come; 0: operation 1

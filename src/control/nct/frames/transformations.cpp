@@ -72,7 +72,9 @@ Status read_factors(const Interpreter& m, const Call& call, Axes& factors) {
   for (const char letter : {'P', 'I', 'J', 'K'})
     if (m.has(letter) && m.value(letter) == 0) return fail(alarm(AlarmId::scale_zero, m.where(letter), letter));
   if (!each) {
-    const double factor = m.value('P');
+    const bool counted = m.def.behaviour.scale_in_increments && !m.word('P')->has_point && !m.word('P')->expression;
+    constexpr double least_factor = 1e-5;  // spec/fanuc 6.9, 5400#7 = 0
+    const double factor = m.value('P') * (counted ? least_factor : 1);
     if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));  // only I, J, K mirror
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (is_linear(m, a)) factors[a] = factor;
@@ -125,6 +127,24 @@ Status mirror_on(Interpreter& m, const Call& call) {
   });
   return {};
 }
+
+/// G101 X0 Y0 (spec/haas 6.1): about the work zero of the named axes; the numbers mean nothing.
+Status mirror_axes_on(Interpreter& m, const Call& call) {
+  KADR_TRY(mirror_may_change(m, call));
+  auto mirror = m.transform.mirror;
+  Axes added = m.transform.added;
+  KADR_TRY(each_center(m, [&](std::size_t axis, double) {
+    mirror[axis] = -1;
+    added[axis] = 0;
+  }));
+  change_transform(m, [&](Transform& t) {
+    t.mirror = mirror;
+    t.added = added;
+  });
+  return {};
+}
+
+Status mirror_axes_off(Interpreter& m, const Call& call) { return mirror_off(m, call); }
 
 /// G50.1: off on the named axes; without axis words on all (INFERRED). alarms mirror_state
 Status mirror_off(Interpreter& m, const Call& call) {

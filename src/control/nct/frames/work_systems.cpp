@@ -138,6 +138,7 @@ Status new_system(Interpreter& m, const Call& call) {
 Status machine_move(Interpreter& m, const Call& call) {
   nct_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
+  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) return {};  // spec/fanuc 6.5
   KADR_TRY(plane_surface(m, call));
   Axes to = m.position.machine;
   AxisMask named = 0;
@@ -157,30 +158,6 @@ Status machine_move(Interpreter& m, const Call& call) {
   }));
   KADR_TRY(m.to_machine(MotionKind::rapid, to, named, 0));
   nct_of(m).moved = false;
-  return {};
-}
-
-/// G28, G30 P (9.1, 9.2): at rapid through the intermediate point to a reference point. arg 1: the first.
-Status reference_return(Interpreter& m, const Call& call) {
-  KADR_TRY(plane_surface(m, call));
-  std::uint32_t point = 1;
-  if (call.row->arg == 2) {
-    if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
-    const auto number = m.whole('P', 1, 4);
-    if (!number) return fail(number.error());
-    point = *number;
-  }
-  if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
-  nct_of(m).cartesian_block = true;
-  AxisMask named = 0;
-  Axes through;
-  const Status read = m.target(through, named);
-  nct_of(m).cartesian_block = false;
-  if (!read) return read;
-  KADR_TRY(m.straight(MotionKind::rapid, through, named));
-  KADR_TRY(m.to_machine(MotionKind::rapid, m.tables.reference[point], named, 0));
-  nct_of(m).moved = false;
-  nct_of(m).stops_reading = true;
   return {};
 }
 

@@ -39,7 +39,8 @@ class Arc {
   }
 
   Status run() {
-    if (has_geometry_words(m_) || (m_.has('R') && has_center())) KADR_TRY(geometry());
+    const bool radius_first = m_.def.behaviour.arc_radius_first;
+    if (has_geometry_words(m_) || (m_.has('R') && has_center() && !radius_first)) KADR_TRY(geometry());
     const double angle_before = m_.modal.polar_data ? start_angle() : 0;
     nct_of(m_).absolute_block = over_determined();
     const Status read = m_.target(end_, named_);
@@ -50,8 +51,10 @@ class Arc {
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
     if (named_ == 0 && !has_data) return {};  // the code alone: only the mode
-    if (m_.has(letters_.other)) return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
+    if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
+      return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
     if (!has_data && !in_plane && nct_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool turns about its tip
+    if (!has_data && m_.def.behaviour.arc_without_centre_straight && !nct_of(m_).settings.arc_without_data_stops) return straight_line();
     if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
     if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_wrong, call_.where, call_.row->code));
     from_ = placed_flat(m_.position.programmed);
@@ -114,6 +117,11 @@ class Arc {
     const Axes from = m_.position.work;
     KADR_TRY(m_.straight(MotionKind::feed, end_, named_));
     return lead_motion(m_, std::get<Motion>(m_.batch->back().what), from);
+  }
+
+  Status straight_line() {
+    KADR_TRY(m_.feed_known(call_.where));
+    return m_.straight(MotionKind::feed, end_, named_);
   }
 
   /// I, J, K from the start, or with CCA=1 from the zero of the work system; always radii, never polar.

@@ -68,7 +68,7 @@ Status set_offset(Interpreter& m, const Call& call, std::uint32_t l) {
   double* const to = offset_register(m.tables.offsets[*number], l);
   const Word& r = *m.word('R');
   const bool adds = !m.modal.absolute || r.incremental;
-  *to = (adds ? *to : 0.0) + r.value * m.unit_scale();
+  *to = (adds ? *to : 0.0) + r.value * m.unit_scale() * (((l == 12 || l == 13) && nct_of(m).settings.offsets_are_diameters) ? 0.5 : 1.0);
   nct_of(m).changed_offsets.push_back(*number);
   return {};
 }
@@ -120,9 +120,7 @@ Status set_tables(Interpreter& m, const Call& call) {
   if (*l == 200 || *l == 201) return set_turning_offset(m, call, *l == 200);
   ToolOffset unused;
   if (offset_register(unused, *l) != nullptr) return set_offset(m, call, *l);
-  if (*l != 2 && *l != 20 && *l != 21) {
-    return fail(alarm(AlarmId::value_out_of_range, m.where('L'), 'L', double(*l)));
-  }
+  if (*l != 2 && *l != 20 && *l != 21) return fail(alarm(AlarmId::table_kind_unknown, m.where('L'), double(*l)));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto p = *l == 2 ? m.whole('P', 0, basic_systems) : *l == 20 ? m.whole('P', 1, extended_systems) : m.whole('P', 1, dynamic_systems);
   if (!p) return fail(p.error());

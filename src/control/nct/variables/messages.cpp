@@ -14,7 +14,7 @@
 namespace kadr::nct {
 namespace {
 
-constexpr int alarm_base = 4000, stop_base = 5000;
+constexpr int stop_base = 5000;
 
 std::string text_of(Interpreter& m) {
   if (m.block->comments.empty()) return {};
@@ -34,6 +34,7 @@ Result<int> number_of(Interpreter& m, const Statement& s) {
 
 /// #3000: the program stops with alarm ii4nnn00, ii the channel.
 Status program_alarm(Interpreter& m, const Statement& s, int number) {
+  const int alarm_base = static_cast<int>(m.def.behaviour.alarm_base);
   const std::string code = fmt::format("{:02}{}00", m.def.channel, alarm_base + number);
   const std::string text = text_of(m);
   return fail(alarm(AlarmId::program_alarm, s.where, std::string_view(code), double(alarm_base + number), std::string_view(text)));

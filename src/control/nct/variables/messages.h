@@ -14,6 +14,7 @@ namespace kadr::nct {
 ///   alarms  program_alarm (code, number, text), message_number
 Status message(Interpreter& m, const Statement& s);
 /// On with the block of that number in the file being read (23.2.8). alarms block_not_found (2125)
+Result<Position> block_numbered(Interpreter& m, double number, Span where);
 Status go_to_block(Interpreter& m, double number, Span where);
 /// The same for M99 P of a main program, which makes another pass where it goes back (14.4.4).
 Status go_to_block_again(Interpreter& m, double number, Span where);

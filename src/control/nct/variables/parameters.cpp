@@ -173,6 +173,13 @@ ParameterId ParameterStore::named(std::string_view name) const {
   return found == rows_.end() ? ParameterId::none : static_cast<ParameterId>(found - rows_.begin());
 }
 
+ParameterStore::Meaning ParameterStore::meaning(std::string_view name) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (std::size_t k = 0; k < rows_[i].means.size(); ++k)
+      if (rows_[i].means[k] == name) return {static_cast<ParameterId>(i), rows_[i].type == ParameterType::bits ? static_cast<int>(k) : -1};
+  return {};
+}
+
 int ParameterStore::bit_named(ParameterId id, std::string_view name) const {
   if (id == ParameterId::none || name.empty()) return -1;
   const auto& names = row(id).bits;

@@ -40,6 +40,12 @@ class ParameterStore {
   ParameterId find(int number) const;
   /// Row by its name: "0107", "107", "CLRG".
   ParameterId named(std::string_view name) const;
+  /// What a table of another control than the NCT calls otherwise (`as` of its row): the row, and the bit of it or -1.
+  struct Meaning {
+    ParameterId row = ParameterId::none;
+    int bit = -1;
+  };
+  Meaning meaning(std::string_view name) const;
   /// Number of a bit by its name, or -1: 0 to 7, from 8 on where the manual gives only the name.
   int bit_named(ParameterId id, std::string_view name) const;
 

@@ -110,6 +110,16 @@ void read_macros(Settings& s, const ParameterSource& p) {
 void read_interpretation(Settings& s, const ParameterSource& p) {
   const double difference = p.value("1339", 0);
   s.radius_difference = difference > 0 ? difference : 0.01;
+  s.radius_unlimited = !(difference > 0);
+  s.length_of_block = p.value("length_of_block", 0) != 0;
+  s.arc_without_data_stops = p.value("arc_needs_data", 0) != 0;
+  s.angles_from_minus = p.value("angles_from_minus", 0) != 0;
+  s.common_kept = p.value("common_kept", 0) != 0;
+  s.offsets_are_diameters = p.value("offsets_are_diameters", 0) != 0;
+  s.taps_rigid = p.value("taps_rigid", 0) != 0;
+  s.shift_negative = p.value("shift_negative", 0) != 0;
+  s.shift_second = p.value("shift_second", 0) != 0;
+  s.return_rise = p.value("return_rise", 0);
   s.dwell_seconds = p.bit("1337", "1", 0);
   s.centers_absolute = p.bit("1337", "2", 0);
   s.feed_along_helix = p.bit("1337", "3", 0);

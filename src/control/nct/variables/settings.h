@@ -53,19 +53,29 @@ struct Settings {
   std::array<AxisSettings, max_axes> axes;                  // by index in the channel
   std::array<SpindleSettings, most_spindles + 1> spindles;  // by number
   // interpretation
-  double radius_difference = 0.01;     // N1339, mm
-  bool dwell_seconds = false;          // N1337 #1 SEC
-  bool centers_absolute = false;       // N1337 #2 CCA
-  bool feed_along_helix = false;       // N1337 #3 HEF
-  std::array<bool, 8> default_1{};     // N1300 G01 G18 G19 G20 G22/23 G43 G44 G91
-  bool default_per_rev = false;        // N1301 #0
-  bool keeps_codes = false;            // N1301 CLR
-  std::array<bool, 40> kept_groups{};  // CLR G Table: Cnn
-  bool in_position_check = false;      // N1337 PCH
-  int length_axes = 0;                 // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
-  bool turning_offsets = false;        // N1416 #2 TOL
-  ContourCheck contour_check;          // N1403 … N1405
-  bool skip_breaks_contour = true;     // N1337 #4 CBB is 0: a block with / interrupts compensation (15.5.2)
+  double radius_difference = 0.01;      // N1339, mm
+  bool dwell_seconds = false;           // N1337 #1 SEC
+  bool centers_absolute = false;        // N1337 #2 CCA
+  bool feed_along_helix = false;        // N1337 #3 HEF
+  std::array<bool, 8> default_1{};      // N1300 G01 G18 G19 G20 G22/23 G43 G44 G91
+  bool default_per_rev = false;         // N1301 #0
+  bool keeps_codes = false;             // N1301 CLR
+  std::array<bool, 40> kept_groups{};   // CLR G Table: Cnn
+  bool in_position_check = false;       // N1337 PCH
+  bool length_of_block = false;         // spec/fanuc 7.1: 5001#0
+  bool radius_unlimited = false;        // N1339 is 0
+  bool arc_without_data_stops = false;  // spec/fanuc 3.2: 3403#5
+  bool angles_from_minus = false;       // spec/fanuc 5.3: 6004#0
+  bool common_kept = false;             // spec/fanuc 2.5: 6001#6
+  bool offsets_are_diameters = false;   // spec/haas 2.4: setting 40
+  double return_rise = 0;               // spec/haas 8.3: setting 52
+  bool taps_rigid = false;              // spec/fanuc 10.4: 5200#0
+  bool shift_negative = false;          // spec/fanuc 10.5: 5101#4
+  bool shift_second = false;            // … #5
+  int length_axes = 0;                  // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane
+  bool turning_offsets = false;         // N1416 #2 TOL
+  ContourCheck contour_check;           // N1403 … N1405
+  bool skip_breaks_contour = true;      // N1337 #4 CBB is 0: a block with / interrupts compensation (15.5.2)
   // macros
   int protect_low = 0, protect_high = 0;  // N1702, N1703
   int shared_100 = 0, shared_500 = 0;     // N1700, N1701

@@ -117,6 +117,13 @@ double* offset_field(Interpreter& m, VariableKind kind, std::uint32_t number) {
   }
 }
 
+/// What one unit of a register's variable is: mm, of a diameter (spec/haas 2.4) half of it.
+double register_unit(const Interpreter& m, VariableKind kind) {
+  if (kind == VariableKind::offset_tip) return 1;
+  const bool radius = kind == VariableKind::offset_radius || kind == VariableKind::offset_radius_wear;
+  return (m.modal.inch ? mm_per_inch : 1) * (radius && nct_of(m).settings.offsets_are_diameters ? 0.5 : 1);
+}
+
 /// Work offsets and basic rotations: which system a row means.
 std::size_t system_of(const Found& f) {
   const bool extended = f.row->kind == VariableKind::zero_extended || f.row->kind == VariableKind::rotation_extended;
@@ -295,8 +302,7 @@ Result<double> read_variable(Interpreter& m, double number, Span where) {
   if (!f->row->read) return fail(alarm(AlarmId::variable_write_only, where, number));
   const VariableKind kind = f->row->kind;
   if (double* const field = offset_field(m, kind, f->index); field != nullptr) {
-    const bool length = kind != VariableKind::offset_tip;
-    return length && m.modal.inch ? *field / mm_per_inch : *field;
+    return *field / register_unit(m, kind);
   }
   if (is_rotation(kind)) return *rotation_field(m, *f);
   const int axis = axis_of(m, f->index);
@@ -332,7 +338,7 @@ Status write_variable(Interpreter& m, double number, double value, Span where) {
   if (is_vacant(value)) value = 0;  // only #1 … #999 can be empty
   const VariableKind kind = f->row->kind;
   if (double* const field = offset_field(m, kind, f->index); field != nullptr) {
-    *field = kind != VariableKind::offset_tip && m.modal.inch ? value * mm_per_inch : value;
+    *field = value * register_unit(m, kind);
     nct.changed_offsets.push_back(f->index);
     return {};
   }

@@ -1,5 +1,7 @@
 // Words of a block → #1 … #33 (spec/nct/23 23.3, types 1 and 2 mixed, in the order of writing).
 
+#include <string_view>
+
 #include "control/interpreter.h"
 #include "control/nct/calls/calls.h"
 
@@ -13,7 +15,7 @@ constexpr int type_2_step = 3;
 
 class Assigner {
  public:
-  explicit Assigner(Locals& to) : locals_(to) { locals_.fill(vacant); }
+  Assigner(Locals& to, bool later_counts) : locals_(to), later_counts_(later_counts) { locals_.fill(vacant); }
 
   Status take(const Word& w) {
     const char letter = w.written;
@@ -22,7 +24,7 @@ class Assigner {
     if (letter >= 'I' && letter <= 'K') {  // the next free one of its own row
       while (number <= most_locals && occupied_[number]) number += type_2_step;
       if (number > most_locals) return illegal(w);
-    } else if (occupied_[number]) {
+    } else if (occupied_[number] && !later_counts_) {
       return illegal(w);
     }
     occupied_[number] = true;
@@ -34,16 +36,19 @@ class Assigner {
   static Status illegal(const Word& w) { return fail(alarm(AlarmId::illegal_address, w.where, w.written)); }
 
   Locals& locals_;
+  bool later_counts_;
   std::array<bool, most_locals + 1> occupied_{};
 };
 
 }  // namespace
 
 Status arguments_of(const Interpreter& m, std::uint32_t caller, Locals& to) {
-  Assigner assigner(to);
+  const bool later_counts = m.def.behaviour.later_argument_counts;  // spec/fanuc 9.3: G, L, N, O, P are none there
+  Assigner assigner(to, later_counts);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     if (i == caller && w.written != 'G') continue;  // a code G is an argument too: #10 = 65; a calling M is not
+    if (later_counts && std::string_view("GLNOP").find(w.written) != std::string_view::npos) continue;
     KADR_TRY(assigner.take(w));
   }
   return {};

@@ -16,6 +16,8 @@ std::uint32_t nct::most_offsets(const Interpreter& m) {
 }
 
 Result<std::uint32_t> nct::offset_number(const Interpreter& m, char letter) {
+  if (m.def.behaviour.offset_numbers_checked && m.has(letter) && m.value(letter) > nct::most_offsets(m))  // spec/fanuc 7.1: PS0030
+    return fail(alarm(AlarmId::offset_number_large, m.where(letter), m.block->text_of(m.where(letter))));
   const auto number = m.whole(letter, 0, nct::most_offsets(m));
   if (!number) return number;
   const int by_tool = nct_of(m).settings.offset_by_tool;

@@ -1,0 +1,365 @@
+// gcode.c of Grbl 1.1: steps 2 and 3 of gc_execute_line.
+
+#include "control/grbl/block_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "base/units.h"
+#include "control/grbl/grbl.h"
+#include "control/interpreter.h"
+
+namespace kadr::grbl {
+namespace {
+
+constexpr double most_block_number = 10'000'000, most_tool = 255, most_systems = 6;
+constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, part of the radius (5.2)
+constexpr std::int32_t no_motion = 800;                                                 // G80
+
+constexpr std::uint64_t bits(std::string_view letters) {
+  std::uint64_t all = 0;
+  for (const char letter : letters) all |= letter_bit(letter);
+  return all;
+}
+
+class BlockCheck {
+ public:
+  BlockCheck(const Interpreter& m, const Grbl& control, bool is_jog) : m_(m), control_(control), block_(*m.block), is_jog_(is_jog) {
+    const Modal& modal = m.modal;
+    if (is_jog) all_.motion = 10;
+    else if (modal.motion_row >= 0) all_.motion = m.def.codes[static_cast<std::size_t>(modal.motion_row)].tenth;
+    else all_.motion = no_motion;
+    all_.inch = modal.inch;
+    all_.absolute = modal.absolute;
+    all_.inverse_time = !is_jog && modal.feed_mode == FeedMode::inverse_time;
+    all_.plane = modal.plane == Plane::xy ? 170 : modal.plane == Plane::zx ? 180 : 190;
+  }
+
+  Result<CheckedBlock> run() {
+    for (std::uint32_t i = 0; i < block_.word_count; ++i) KADR_TRY(word(block_.words[i]));
+    if (block_.broken) return fail(*block_.broken);
+    all_.has_axis = (block_.letters & bits("XYZ")) != 0;
+    if (all_.has_axis && all_.axis_command == AxisCommand::none) all_.axis_command = AxisCommand::motion;
+    if (block_.has_number && block_.number > most_block_number)
+      return fail(alarm(AlarmId::block_number_large, block_.number_where, double(block_.number)));
+    KADR_TRY(feed());
+    KADR_TRY(dwell());
+    KADR_TRY(length());
+    KADR_TRY(non_modal());
+    KADR_TRY(motion());
+    KADR_TRY(words_used());
+    if (is_jog_) KADR_TRY(jog_codes());
+    KADR_TRY(soft_limits());
+    return all_;
+  }
+
+ private:
+  // ---- the words, in their order (1.3, 3)
+
+  Status word(const Word& w) {
+    if (w.address == 'G') return g_code(w);
+    if (w.address == 'M') return m_code(w);
+    if (w.address == 'T' && w.value > most_tool) return fail(alarm(AlarmId::tool_number_large, w.where, w.value));
+    const bool twice = (values_ & letter_bit(w.address)) != 0 || (w.address == 'N' && block_.has_number);
+    if (twice) return fail(alarm(AlarmId::address_twice, w.where, w.address));
+    values_ |= letter_bit(w.address);
+    const bool unsigned_word = (letter_bit(w.address) & bits("FNPST")) != 0;
+    if (unsigned_word && w.value < 0) return fail(alarm(AlarmId::value_below_zero, w.where, w.address, w.value));
+    if (w.address == 'N') return fail(alarm(AlarmId::block_number_large, w.where, w.value));
+    return {};
+  }
+
+  tl::unexpected<Alarm> unknown(const Word& w) const { return fail(alarm(AlarmId::code_unknown, w.where, block_.text_of(w.where))); }
+  tl::unexpected<Alarm> two_commands(const Word& w) const {
+    return fail(alarm(AlarmId::not_together, w.where, axis_code_, block_.text_of(w.where)));
+  }
+
+  /// G10, G28 … and motion codes both want the axis words: G28.1 does not.
+  Status takes_axes(const Word& w, AxisCommand command) {
+    if (all_.axis_command != AxisCommand::none) return two_commands(w);
+    all_.axis_command = command;
+    axis_code_ = std::string(block_.text_of(w.where));
+    return {};
+  }
+
+  Status g_code(const Word& w) {
+    const auto whole = static_cast<std::int32_t>(std::clamp(w.value, -1e6, 1e6));
+    const auto hundredths = static_cast<std::int32_t>(std::lround(100 * (std::clamp(w.value, -1e6, 1e6) - whole)));
+    bool may_have_fraction = false;
+    switch (whole) {
+      case 10:
+      case 28:
+      case 30:
+      case 92:
+        if (hundredths == 0) KADR_TRY(takes_axes(w, AxisCommand::offsets));
+        may_have_fraction = whole != 10;
+        if (may_have_fraction && hundredths != 0 && hundredths != 10) return unknown(w);
+        all_.non_modal = whole * 10 + (may_have_fraction ? hundredths / 10 : 0);
+        break;
+      case 4:
+      case 53: all_.non_modal = whole * 10; break;
+      case 0:
+      case 1:
+      case 2:
+      case 3:
+      case 38:
+        KADR_TRY(takes_axes(w, AxisCommand::motion));
+        may_have_fraction = whole == 38;
+        if (may_have_fraction && (hundredths % 10 != 0 || hundredths < 20 || hundredths > 50)) return unknown(w);
+        all_.motion = whole * 10 + (may_have_fraction ? hundredths / 10 : 0);
+        break;
+      case 80: all_.motion = no_motion; break;
+      case 17:
+      case 18:
+      case 19: all_.plane = whole * 10; break;
+      case 90:
+      case 91:
+        may_have_fraction = hundredths != 0;
+        if (may_have_fraction && (hundredths != 10 || whole == 90)) return unknown(w);
+        if (!may_have_fraction) all_.absolute = whole == 90;
+        break;
+      case 93:
+      case 94:
+        leaves_inverse_ = all_.inverse_time && whole == 94;
+        all_.inverse_time = whole == 93;
+        break;
+      case 20:
+      case 21: all_.inch = whole == 20; break;
+      case 40: break;
+      case 43:
+      case 49:
+        KADR_TRY(takes_axes(w, AxisCommand::length));
+        may_have_fraction = whole == 43;
+        if (may_have_fraction && hundredths != 10) return unknown(w);
+        length_by_word_ = whole == 43;
+        break;
+      case 54:
+      case 55:
+      case 56:
+      case 57:
+      case 58:
+      case 59: all_.system = whole * 10; break;
+      case 61:
+        if (hundredths != 0) return unknown(w);
+        break;
+      default: return unknown(w);
+    }
+    if (hundredths != 0 && !may_have_fraction) return fail(alarm(AlarmId::word_not_integer, w.where, 'G', w.value));
+    return one_of_group(w);
+  }
+
+  /// M7 needs a build of its own, M6 does not exist (3).
+  Status m_code(const Word& w) {
+    const double whole = std::trunc(w.value);
+    if (w.value != whole) return fail(alarm(AlarmId::word_not_integer, w.where, 'M', w.value));
+    return one_of_group(w);
+  }
+
+  Status one_of_group(const Word& w) {
+    const std::int32_t row = w.code < 0 ? -1 : m_.def.row_of(w.address, w.code);
+    if (row < 0) return unknown(w);
+    const std::uint64_t bit = std::uint64_t{1} << m_.def.codes[static_cast<std::size_t>(row)].group;
+    if ((groups_ & bit) != 0) {
+      const std::string other = code_of_group(w);
+      return fail(alarm(AlarmId::group_conflict, w.where, other, block_.text_of(w.where)));
+    }
+    groups_ |= bit;
+    if (!is_jog_) return {};
+    const std::string& group = m_.def.groups[m_.def.codes[static_cast<std::size_t>(row)].group].name;
+    const bool allowed = group == "3" || group == "6" || (group == "0" && all_.non_modal == 530);
+    if (!allowed && jog_fault_ == nullptr) jog_fault_ = &w;
+    return {};
+  }
+
+  /// The code of the same group that stands before it.
+  std::string code_of_group(const Word& w) const {
+    const auto group = [&](const Word& of) {
+      const std::int32_t row = of.code < 0 ? -1 : m_.def.row_of(of.address, of.code);
+      return row < 0 ? 0 : int{m_.def.codes[static_cast<std::size_t>(row)].group};
+    };
+    for (const Word& before : block_.words)
+      if (&before == &w || group(before) == group(w)) return std::string(block_.text_of(before.where));
+    return {};
+  }
+
+  // ---- the block (4)
+
+  bool has(std::string_view letters) const { return (values_ & bits(letters)) != 0; }
+  void use(std::string_view letters) { values_ &= ~bits(letters); }
+  double value(char letter) const { return m_.has(letter) ? m_.word(letter)->value : 0; }
+  double unit() const { return all_.inch ? mm_per_inch : 1; }
+  bool is_arc() const { return all_.motion == 20 || all_.motion == 30; }
+  bool is_probe() const { return all_.motion > 380 && all_.motion < 390; }
+  tl::unexpected<Alarm> no_feed() const { return fail(alarm(AlarmId::feed_missing, block_.where)); }
+
+  /// In G93 each motion needs its own F; the first block back in G94 as well (4.2).
+  Status feed() {
+    if (is_jog_) {
+      if (!has("F")) return no_feed();
+      feed_ = value('F');
+      return {};
+    }
+    const bool own_time = all_.inverse_time && all_.axis_command == AxisCommand::motion && all_.motion != 0 && all_.motion != no_motion;
+    if (own_time && !has("F")) return no_feed();
+    const bool kept = !all_.inverse_time && !leaves_inverse_ && m_.modal.feed_mode == FeedMode::per_minute && m_.modal.feed_known;
+    feed_ = has("F") ? value('F') : kept ? m_.modal.feed : 0;
+    return {};
+  }
+
+  Status dwell() {
+    if (all_.non_modal != 40) return {};
+    if (!has("P")) return fail(alarm(AlarmId::word_missing, block_.where, 'P', "G4"));
+    use("P");
+    return {};
+  }
+
+  Status length() const {
+    if (!length_by_word_ || (block_.letters & bits("XYZ")) == bits("Z")) return {};
+    return fail(alarm(AlarmId::length_axis_wrong, block_.where));
+  }
+
+  Status non_modal() {
+    if (all_.non_modal == 100) return offsets();
+    if (all_.non_modal == 920 && !all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G92"));
+    if (all_.non_modal == 530 && all_.motion != 0 && all_.motion != 10) return fail(alarm(AlarmId::machine_motion_mode, block_.where));
+    if (all_.axis_command != AxisCommand::length) targets();
+    return {};
+  }
+
+  /// G10 (4.13).
+  Status offsets() {
+    if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G10"));
+    if (!has("LP")) return fail(alarm(AlarmId::word_missing, block_.where, 'L', "G10"));
+    if (std::trunc(value('P')) > most_systems) return fail(alarm(AlarmId::system_number_large, m_.where('P'), value('P')));
+    const double kind = std::trunc(value('L'));
+    if (kind != 20 && kind != 2) return fail(alarm(AlarmId::illegal_address, m_.where('L'), 'L'));
+    if (kind == 2 && has("R")) return fail(alarm(AlarmId::illegal_address, m_.where('R'), 'R'));
+    use("LP");
+    return {};
+  }
+
+  void targets() {
+    all_.target = all_.non_modal == 530 ? m_.position.machine : m_.position.programmed;
+    for (std::size_t a = 0; a < axes; ++a) {
+      const char letter = m_.letters.axis_letter[a];
+      if (!m_.has(letter)) continue;
+      const double v = value(letter) * unit();
+      all_.target[a] = all_.absolute || all_.non_modal == 530 ? v : all_.target[a] + v;
+    }
+  }
+
+  Status motion() {
+    if (all_.motion == no_motion) {
+      if (all_.has_axis) return fail(alarm(AlarmId::no_motion_mode, first_axis(), block_.text_of(first_axis()).substr(0, 1)));
+      return {};
+    }
+    if (all_.axis_command != AxisCommand::motion) return {};
+    all_.moves = all_.has_axis;
+    if (all_.motion == 0) return {};
+    if (feed_ == 0) return no_feed();
+    if (is_arc()) return arc();
+    if (!is_probe()) return {};
+    if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G38"));
+    if (all_.target == m_.position.programmed) return fail(alarm(AlarmId::probe_too_close, block_.where, 0.0, 0.0));
+    return {};
+  }
+
+  Span first_axis() const {
+    for (std::uint32_t i = 0; i < block_.word_count; ++i)
+      if ((letter_bit(block_.words[i].address) & bits("XYZ")) != 0) return block_.words[i].where;
+    return block_.where;
+  }
+
+  // ---- arcs (5)
+
+  Status arc() {
+    const PlaneAxes plane = axes_of(all_.plane == 170 ? Plane::xy : all_.plane == 180 ? Plane::zx : Plane::yz);
+    const auto letter = [&](std::size_t axis) { return letter_bit(m_.letters.axis_letter[axis]); };
+    const auto center_letter = [&](std::size_t axis) { return m_.letters.center_letter[axis]; };
+    if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G2, G3"));
+    if ((block_.letters & (letter(plane.first) | letter(plane.second))) == 0)
+      return fail(alarm(AlarmId::arc_without_plane_word, block_.where));
+    const Vec2 from{m_.position.programmed[plane.first], m_.position.programmed[plane.second]};
+    const Vec2 to{all_.target[plane.first], all_.target[plane.second]};
+    const Turn turn = all_.motion == 20 ? Turn::cw : Turn::ccw;
+    if (has("R")) {
+      use("R");
+      return by_radius(from, to, turn);
+    }
+    const Vec2 offset{value(center_letter(plane.first)) * unit(), value(center_letter(plane.second)) * unit()};
+    const bool given = m_.has(center_letter(plane.first)) || m_.has(center_letter(plane.second));
+    if (!given) return fail(alarm(AlarmId::center_missing, block_.where));
+    use("IJK");
+    const double radius = kadr::length(offset), end_radius = kadr::length(to - from - offset), error = std::fabs(end_radius - radius);
+    if (error > arc_error && (error > arc_error_most || error > arc_error_of_radius * radius))
+      return fail(alarm(AlarmId::radius_mismatch, block_.where, radius, end_radius));
+    return found(arc_around(from, to, from + offset, turn, farthest));
+  }
+
+  Status by_radius(Vec2 from, Vec2 to, Turn turn) {
+    const double radius = value('R') * unit(), half = kadr::length(to - from) / 2;
+    if (all_.target == m_.position.programmed) return fail(alarm(AlarmId::full_circle_by_radius, block_.where));
+    if (std::fabs(radius) < half) return fail(alarm(AlarmId::radius_too_small, m_.where('R'), std::fabs(radius), half));
+    return found(arc_by_radius(from, to, radius, turn, farthest));
+  }
+
+  Status found(const Result<PlaneArc>& arc) {
+    if (!arc) return fail(arc.error());
+    all_.arc = *arc;
+    return {};
+  }
+
+  // ---- the end
+
+  /// 4.10: axis words are used by any axis command.
+  Status words_used() {
+    use(is_jog_ ? "FN" : "FNST");
+    if (all_.axis_command != AxisCommand::none) use("XYZ");
+    for (std::uint32_t i = 0; i < block_.word_count; ++i)
+      if (const Word& w = block_.words[i]; (values_ & letter_bit(w.address)) != 0)
+        return fail(alarm(AlarmId::word_unused, w.where, w.address));
+    return {};
+  }
+
+  /// Only G20 G21 G90 G91 G53 (9).
+  Status jog_codes() const {
+    if (jog_fault_ != nullptr) return fail(alarm(AlarmId::jog_code, jog_fault_->where, block_.text_of(jog_fault_->where)));
+    if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "$J="));
+    return {};
+  }
+
+  /// $20: the end of each motion lies within the travel (8).
+  Status soft_limits() const {
+    const Settings& s = control_.state.settings;
+    if (!s.soft_limits || !all_.moves) return {};
+    const auto system = all_.system < 0 ? std::size_t{m_.modal.work_zero} : static_cast<std::size_t>((all_.system - 530) / 10);
+    for (std::size_t a = 0; a < axes; ++a) {
+      const double zero = m_.tables.zeros[system][a] + m_.set_position[a] + (a == 2 ? control_.state.length : 0);
+      const double machine = all_.target[a] + (all_.non_modal == 530 ? 0 : zero);
+      if (machine >= -s.travel[a] && machine <= 0) continue;
+      const AlarmId id = is_jog_ ? AlarmId::jog_target : AlarmId::limit_exceeded;
+      return fail(alarm(id, block_.where, std::string_view(m_.axis_names[a]), machine, machine > 0 ? 0.0 : -s.travel[a]));
+    }
+    return {};
+  }
+
+  const Interpreter& m_;
+  const Grbl& control_;
+  const Block& block_;
+  const bool is_jog_;
+  CheckedBlock all_;
+  std::string axis_code_;  // that has the axis words
+  std::uint64_t groups_ = 0;
+  std::uint64_t values_ = 0;  // words that nothing has used yet
+  double feed_ = 0;
+  bool leaves_inverse_ = false, length_by_word_ = false;
+  const Word* jog_fault_ = nullptr;
+};
+
+}  // namespace
+
+Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog) { return BlockCheck(m, control, is_jog).run(); }
+
+}  // namespace kadr::grbl

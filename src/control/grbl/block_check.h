@@ -1,0 +1,43 @@
+#pragma once
+// A line's words, checked as a whole in the order of gcode.c (spec/grbl 1.3, 3, 4): the first fault in that order is the answer.
+
+#include <cstdint>
+#include <optional>
+
+#include "base/result.h"
+#include "base/vec.h"
+#include "control/block/arc.h"
+
+namespace kadr {
+class Interpreter;
+}
+
+namespace kadr::grbl {
+
+class Grbl;
+
+/// Who takes the axis words (3).
+enum class AxisCommand : std::uint8_t { none, offsets, motion, length };
+
+/// What a line means, before anything of it is done. Codes in tenths; -1: none.
+struct CheckedBlock {
+  std::int32_t non_modal = -1;  // of G4 G10 G28 G28.1 G30 G30.1 G53 G92 G92.1
+  std::int32_t motion = -1;     // coded, else in force; 800: G80
+  AxisCommand axis_command = AxisCommand::none;
+  bool has_axis = false;
+  bool moves = false;  // by the motion code
+  bool inch = false, absolute = true, inverse_time = false;
+  std::int32_t plane = 170;
+  std::int32_t system = -1;  // G54 … of the block
+  Axes target{};             // programmed coordinates; machine ones with G53
+  std::optional<PlaneArc> arc;
+};
+
+/// Checks the interpreter's block; `is_jog`: the words of `$J=` (9).
+///   alarms  those of the reader; code_unknown, word_not_integer, group_conflict, not_together, address_twice, value_below_zero,
+///           tool_number_large, block_number_large, feed_missing, word_missing, length_axis_wrong, no_axis_word, system_number_large,
+///           illegal_address, machine_motion_mode, no_motion_mode, arc_without_plane_word, full_circle_by_radius, radius_too_small,
+///           center_missing, radius_mismatch, probe_too_close, word_unused, jog_code, limit_exceeded
+Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog);
+
+}  // namespace kadr::grbl

@@ -1,0 +1,71 @@
+// G10, G28, G28.1, G43.1, G49, G53 of Grbl (spec/grbl 4.8, 4.13 to 4.15; execution steps of gcode.c).
+
+#include "control/functions/functions.h"
+
+#include <cmath>
+
+#include "control/grbl/grbl.h"
+
+namespace kadr {
+namespace {
+
+/// A row of a table that the block changes: an alarm brings the old one back.
+Axes& to_write(Interpreter& m, Axes& row) {
+  m.journal.on_undo([&row, before = row] { row = before; });
+  return row;
+}
+
+template <class Use>
+void each_length(const Interpreter& m, Use use) {
+  for (std::size_t a = 0; a < grbl::axes; ++a)
+    if (const char letter = m.letters.axis_letter[a]; m.has(letter)) use(a, m.length_value(letter));
+}
+
+void take_length(Interpreter& m, double length) {
+  grbl::grbl_of(m).state.length = length;
+  m.change_frames();
+}
+
+}  // namespace
+
+namespace functions {
+
+/// G53: the words of G0, G1 are machine coordinates; without words nothing.
+Status machine_block(Interpreter& m, const Call&) { return m.block_machine_coordinates = true, Status(); }
+
+/// G10 L2, L20: a work system, by its zero in machine coordinates or by what the present point is to read.
+Status stored_offsets(Interpreter& m, const Call&) {
+  const auto number = static_cast<std::size_t>(m.value('P'));
+  Axes& zero = to_write(m, m.tables.zeros[number == 0 ? m.modal.work_zero : number]);
+  const bool by_position = std::trunc(m.value('L')) == 20;
+  each_length(
+      m, [&](std::size_t a, double v) { zero[a] = by_position ? m.position.machine[a] - m.set_position[a] - m.frames.length[a] - v : v; });
+  m.change_frames();
+  return {};
+}
+
+/// G28, G30 (arg 1, 2): through the point of the words, those axes; or all of them straight there.
+Status stored_move(Interpreter& m, const Call& call) {
+  const Axes stored = m.tables.reference[static_cast<std::size_t>(call.row->arg)];
+  AxisMask named = 0;
+  Axes through;
+  KADR_TRY(m.target(through, named));
+  if (named != 0) KADR_TRY(m.straight(MotionKind::rapid, through, named));
+  else named = (AxisMask{1} << grbl::axes) - 1;
+  return m.to_machine(MotionKind::rapid, stored, named, 0);
+}
+
+/// G28.1, G30.1 (arg 1, 2).
+Status stored_position(Interpreter& m, const Call& call) {
+  to_write(m, m.tables.reference[static_cast<std::size_t>(call.row->arg)]) = m.position.machine;
+  return {};
+}
+
+/// G43.1 Z.
+Status length_by_word(Interpreter& m, const Call&) { return take_length(m, m.length_value('Z')), Status(); }
+
+/// G49; axis words beside it have no effect.
+Status length_by_word_off(Interpreter& m, const Call&) { return take_length(m, 0), Status(); }
+
+}  // namespace functions
+}  // namespace kadr

@@ -1,0 +1,70 @@
+#pragma once
+// The dialect of Grbl 1.1 (spec/grbl; gcode.c, protocol.c, jog.c): a line is checked as a whole in the order of its source, then carried
+// out, or nothing of it.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "control/dialect.h"
+#include "control/grbl/block_check.h"
+
+namespace kadr::grbl {
+
+inline constexpr std::size_t axes = 3;  // X Y Z of the default build
+
+/// $x: what the program's meaning depends on (10).
+struct Settings {
+  bool soft_limits = false;  // $20
+  bool homing = false;       // $22
+  double speed_most = 1000;  // $30, rev/min
+  double speed_least = 0;    // $31
+  Axes travel{};             // $130 to $132, mm
+};
+
+/// What a block changes and an alarm in it brings back.
+struct State {
+  double length = 0;  // G43.1, mm
+  Settings settings;
+};
+
+class Grbl final : public Dialect {
+ public:
+  explicit Grbl(const Setup& setup);
+
+  std::shared_ptr<const DialectState> snapshot() const override;
+  Status restore(Interpreter& m, const DialectState& from) override;
+  bool start(Interpreter& m, const Setup& setup) override;
+  bool starts_code_by_code() const override { return true; }
+  void started(Interpreter& m) override;
+  Result<bool> statement(Interpreter& m) override;
+  Result<bool> takes_block(Interpreter& m) override;
+  void begin_block(Interpreter& m) override;
+  void take_back(Interpreter& m) override;
+  BlockChanges changes_of(const Interpreter& m, const Plan& plan) const override;
+  std::int16_t motion_row(const Interpreter& m) const override;
+  bool end_program(Interpreter& m) override;
+  Status after_block(Interpreter& m) override;
+  bool lines_follow(const Interpreter& m) const override;
+  ArcRule arc_rule(const Interpreter& m) const override;
+  Status arc(Interpreter& m, const Call& call, Turn turn) override;
+  void refresh_frames(Interpreter& m) override;
+  Status take_answer(Interpreter& m, const ProbeAnswer& answer) override;
+  Status machine_code(Interpreter& m, const Call& call) override;
+
+  State state;
+  CheckedBlock checked;  // of the block being carried out
+
+ private:
+  Status jog(Interpreter& m);
+  State before_;
+};
+
+Grbl& grbl_of(const Interpreter& m);
+
+/// `$x=v`: a setting of the program (10).
+///   returns  false: Kadr knows no meaning of it
+///   alarms  system_line, value_below_zero, soft_limits_need_homing
+Result<bool> set(Settings& settings, int number, double value, Span where);
+
+}  // namespace kadr::grbl

@@ -1,0 +1,39 @@
+#pragma once
+// A line that is read by itself: filtered character by character, then words to its end (spec/grbl 1; protocol.c, gcode.c). Used by the
+// lexer only.
+
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "lang/block/block.h"
+#include "lang/expression/expression.h"
+
+namespace kadr {
+
+class LineWordReader {
+ public:
+  LineWordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
+
+  /// The whole line. What is wrong behind some words becomes Block::broken, for they count first:
+  /// unexpected_character, number_missing, address_unknown, too_many_words.
+  ///   alarms  block_too_long
+  Status read();
+
+ private:
+  void filter();
+  void words(std::size_t from);
+  bool word(std::size_t& at);
+  void add(char letter, std::string_view number, Span where);
+  bool takes_number(std::string_view number);
+  void code_of(Word& w, std::string_view number) const;
+  Span span(std::size_t begin, std::size_t end) const;
+
+  Cursor& cursor_;
+  const Grammar& grammar_;
+  Block& block_;
+  std::string kept_;                  // what passes the filter, in capitals
+  std::vector<std::uint32_t> place_;  // of each character of it in the line
+};
+
+}  // namespace kadr

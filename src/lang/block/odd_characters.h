@@ -1,0 +1,42 @@
+#pragma once
+// Characters that are no words: which alarm they are, how many of them a text has. For the lexer.
+
+#include <algorithm>
+#include <string_view>
+
+#include "lang/block/block.h"
+#include "lang/expression/expression.h"
+
+namespace kadr {
+
+/// The alarm of the character at `at`, which begins nothing.
+inline Alarm unexpected_at(std::string_view text, std::size_t at) {
+  const auto c = static_cast<unsigned char>(text[at]);
+  const Span where{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(std::min(at + 1, text.size()))};
+  if (c < 0x20) return alarm(AlarmId::control_character, where, double(c));
+  if (c == '.') return alarm(AlarmId::number_damaged, where);  // a second point
+  return alarm(AlarmId::unexpected_character, where, text[at]);
+}
+
+/// Ctrl-Z at the end of the text: the cursor goes behind it; false: something follows.
+inline bool passes_dos_end(Cursor& cursor) {
+  Cursor behind = cursor;
+  ++behind.at;
+  behind.skip_blanks();
+  if (behind.at < behind.text.size()) return false;
+  cursor = behind;
+  return true;
+}
+
+/// Characters of a UTF-8 text.
+inline std::uint32_t characters_of(std::string_view text) {
+  return static_cast<std::uint32_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Bytes above 127.
+inline bool has_high_bytes(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80) != 0; });
+}
+
+}  // namespace kadr

@@ -1,0 +1,2 @@
+WHILE[1EQ1]DO1
+G0 X1.
