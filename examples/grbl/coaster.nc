@@ -1,0 +1,25 @@
+(A round coaster, 90 mm, cut out of 6 mm plywood in three passes, with four tabs left.)
+$110=3000
+G21 G90 G94 G17
+G54
+M3 S12000
+G0 Z5
+G0 X46.5 Y0
+G1 Z-2 F300
+G2 X46.5 Y0 I-46.5 F900
+G1 Z-4 F300
+G2 X46.5 Y0 I-46.5 F900
+G1 Z-6 F300
+G2 X0 Y-46.5 I-46.5 F900
+G0 Z-4
+G2 X-4 Y-46.3277 R46.5
+G1 Z-6 F300
+G2 X-46.5 Y0 R46.5 F900
+G0 Z-4
+G2 X-46.3277 Y4 R46.5
+G1 Z-6 F300
+G2 X0 Y46.5 R46.5 F900
+G0 Z5
+M5
+G0 X0 Y0
+M30

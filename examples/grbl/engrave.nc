@@ -1,0 +1,23 @@
+; A frame and a cross engraved with a V bit, 0.4 mm deep, jogged to the start first.
+$J=G91 X0 Y0 F500
+G21 G90 G17 G94 G40 G49 G80 G54
+M3 S18000
+G4 P2
+G0 Z3
+G0 X0 Y0
+G1 Z-0.4 F120
+G1 X60 F600
+Y40
+X0
+Y0
+G0 Z3
+G0 X10 Y20
+G1 Z-0.4 F120
+X50 F600
+G0 Z3
+G0 X30 Y10
+G1 Z-0.4 F120
+Y30 F600
+G0 Z3
+M5
+M2

@@ -1,0 +1,16 @@
+(Zero in Z on a plate of 12.7 mm, then a slot.)
+G21 G90 G94
+G38.2 Z-30 F100
+G10 L20 P1 Z12.7
+G91 G0 Z5
+G90
+G0 X0 Y0 Z5
+M3 S10000
+G1 Z-1.5 F200
+G1 X40 F500
+G1 Y10
+G1 X0
+G1 Y0
+G0 Z10
+M5
+M30
