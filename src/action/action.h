@@ -32,7 +32,7 @@ struct Origin {
 };
 
 enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };
-enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home, thread };
+enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
 inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
 
 /// What the commanded feed is measured along.
@@ -113,6 +113,14 @@ class TipWay {
   virtual Vec3 normal(double /*part*/) const { return {}; }
 };
 
+class PlaneSpline;
+
+/// What of a curve in the motion's plane (work coordinates) the motion goes along: between two parts of its length.
+struct SplinePart {
+  std::shared_ptr<const PlaneSpline> curve;
+  double from = 0, to = 1;
+};
+
 /// What only few motions have.
 struct MotionDetail {
   AxisMask rolled = 0;  // rotary axes that roll over: `travel` is their signed way, degrees (nct 5.6)
@@ -137,6 +145,7 @@ struct MotionDetail {
   AxisMask parked = 0;  // axes that stand, as the machine's logic has parked them: only calculated (nct 20.2)
   bool evenly = false;  // the axes go evenly, although the tip is led by other motions (G53, nct 25.2)
   std::optional<ContourData> contour;
+  SplinePart spline;  // of MotionKind::spline
 };
 
 /// What of a motion its block's modes and words say, but for where it goes.

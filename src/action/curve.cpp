@@ -1,5 +1,5 @@
-// Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix or a cone. For action, motion, out, path;
-// tested by tests/action/curve_test.cpp.
+// Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix, a cone or a spline. For action, motion, out,
+// path; tested by tests/action/curve_test.cpp.
 
 #include "action/curve.h"
 
@@ -28,6 +28,7 @@ void Curve::find_path() {
 }
 
 FlatPath Curve::plane_path() const {
+  if (spline_) return FlatPath::spline(*motion_.detail->spline.curve, motion_.detail->spline.from, motion_.detail->spline.to);
   const bool flat = surface_ == PathSurface::plane;
   const Vec2 start = flat ? Vec2{from_[first_], from_[second_]} : motion_.detail->flat_from;
   const Vec2 end = flat ? Vec2{motion_.to[first_], motion_.to[second_]} : motion_.detail->flat_to;

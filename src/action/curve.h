@@ -1,7 +1,7 @@
 #pragma once
-// Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix or a cone; or one of these in the
+// Curve: the path of one Motion from where the tool stands: a line, an arc, a spiral, a helix, a cone or a spline; or one of these in the
 // plane of a surface: polar or cylinder interpolation. Axes outside the plane, and rotary ones, go evenly along; an axis that
-// follows another goes as that does. NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6, 20.2.
+// follows another goes as that does. NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6, 20.2, LinuxCNC G5 to G5.3.
 
 #include "action/action.h"
 #include "action/axis_roles.h"
@@ -22,15 +22,22 @@ struct Extents {
 class Curve {
  public:
   Curve(const AxisRoles& roles, const Axes& from, const Motion& motion)
-      : roles_(roles), from_(from), motion_(motion), arc_(is_arc(motion.kind)), first_(motion.first), second_(motion.second) {
+      : roles_(roles),
+        from_(from),
+        motion_(motion),
+        arc_(is_arc(motion.kind)),
+        spline_(motion.kind == MotionKind::spline),
+        first_(motion.first),
+        second_(motion.second) {
     if (arc_ || motion.detail) find_path();  // else a straight line, of which its ends are all
   }
   Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 
   bool arc() const { return arc_; }
+  bool spline() const { return spline_; }
   PathSurface surface() const { return surface_; }
   /// A line in the axes: its speed and direction are the same all along.
-  bool straight() const { return !arc_ && surface_ == PathSurface::plane; }
+  bool straight() const { return !arc_ && !spline_ && surface_ == PathSurface::plane; }
 
   /// Length of the path in mm: of the linear axes; on a surface in its plane. Axes outside the plane count, rotary ones and those
   /// that follow others do not.
@@ -65,6 +72,9 @@ class Curve {
 
   /// Point of a path that is not straight, in its plane; of a surface mm in the programmed or unrolled plane.
   Vec2 flat(double part) const { return flat_.at(part); }
+
+  /// Of a path that is not straight, in its plane: 1/mm, positive where it turns to the left.
+  double curvature(double part) const { return flat_.curvature(part); }
 
   /// The part at which polar interpolation is nearest to the rotation centre; 0 off it.
   double nearest() const;
@@ -102,7 +112,7 @@ class Curve {
   const AxisRoles& roles_;
   const Axes& from_;
   const Motion& motion_;
-  bool arc_ = false;
+  bool arc_ = false, spline_ = false;
   PathSurface surface_ = PathSurface::plane;
   AxisMask rolled_ = 0;
   AxisMask following_ = 0;              // axes that copy another's way

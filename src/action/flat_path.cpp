@@ -1,9 +1,13 @@
-// FlatPath: a line, a circle's arc or a planar spiral in a plane. For action, path; tested by tests/action/flat_path_test.cpp.
+// FlatPath: a line, a circle's arc, a planar spiral or a part of a spline in a plane. For action, path; tested by
+// tests/action/flat_path_test.cpp.
 
 #include "action/flat_path.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "action/plane_spline.h"
 
 namespace kadr {
 namespace {
@@ -82,21 +86,32 @@ FlatPath FlatPath::arc(Vec2 from, Vec2 to, Vec2 center, double turns) {
   return path;
 }
 
+FlatPath FlatPath::spline(const PlaneSpline& curve, double from, double to) {
+  FlatPath path = line(curve.at(from), curve.at(to));
+  path.spline_ = &curve;
+  path.spline_from_ = from;
+  path.spline_to_ = to;
+  return path;
+}
+
 Vec2 FlatPath::at(double part) const {
   if (part <= 0) return from_;
   if (part >= 1) return to_;
+  if (spline_ != nullptr) return spline_->at(on_spline(part));
   if (!arc_) return from_ + part * (to_ - from_);
   const double growth = radius_ > 0 ? 1 + radius_change_ * part / radius_ : radius_change_ * part;
   return center_ + growth * rotated(arm_, sweep_deg_ * part);
 }
 
 Vec2 FlatPath::rate(double part) const {
+  if (spline_ != nullptr) return length() * spline_->direction(on_spline(part));
   if (!arc_) return to_ - from_;
   const Vec2 out = (radius_ > 0 ? 1 / radius_ : 1) * rotated(arm_, sweep_deg_ * part);
   return radius_change_ * out + radius(part) * sweep_deg_ * rad_per_deg * Vec2{-out.y, out.x};
 }
 
 double FlatPath::length(double rise) const {
+  if (spline_ != nullptr) return std::hypot((spline_to_ - spline_from_) * spline_->length(), rise);
   if (!arc_) return std::hypot(to_.x - from_.x, to_.y - from_.y, rise);
   const double sweep_rad = std::abs(sweep_deg_) * rad_per_deg;
   if (radius_change_ == 0) return rise == 0 ? radius_ * sweep_rad : std::hypot(radius_ * sweep_rad, rise);
@@ -104,6 +119,7 @@ double FlatPath::length(double rise) const {
 }
 
 Box2 FlatPath::box() const {
+  if (spline_ != nullptr) return spline_->box(spline_from_, spline_to_);
   Box2 box{from_, from_};
   box.take(to_);
   if (!arc_ || sweep_deg_ == 0) return box;
@@ -150,10 +166,19 @@ double FlatPath::absolute_deg(double part, double radius_at) const {
 }
 
 double FlatPath::swept(double part) const {
-  if (!arc_) {
-    const Vec2 point = at(part);
-    return angle_deg({dot(from_, point), cross(from_, point)});
+  const auto turn = [](Vec2 from, Vec2 to) { return angle_deg({dot(from, to), cross(from, to)}); };
+  if (spline_ != nullptr) {  // piece by piece: no one turns by half a turn
+    const int count = samples();
+    double sum = 0;
+    Vec2 before = from_;
+    for (int i = 1; i <= count; ++i) {
+      const Vec2 here = at(part * i / count);
+      sum += turn(before, here);
+      before = here;
+    }
+    return sum;
   }
+  if (!arc_) return turn(from_, at(part));
   const double distance = kadr::length(center_), here = radius(part);
   if ((radius_ > distance) == (here > distance)) return absolute_deg(part, here) - absolute_deg(0, radius_);
   // The radius passes the distance of the centre once: there one view hands over to the other.
@@ -164,6 +189,7 @@ double FlatPath::swept(double part) const {
 }
 
 int FlatPath::pieces(double chord) const {
+  if (spline_ != nullptr) return spline_->pieces(spline_from_, spline_to_, chord);
   if (!arc_) return 1;
   const double widest = std::max(radius_, radius_ + radius_change_);
   const double widest_deg = chord >= widest ? 90 : std::min(90.0, 2 * std::acos(1 - chord / widest) / rad_per_deg);
@@ -171,7 +197,13 @@ int FlatPath::pieces(double chord) const {
   return static_cast<int>(std::clamp(count, 1.0, double{most_pieces}));
 }
 
+double FlatPath::curvature(double part) const {
+  if (spline_ != nullptr) return spline_->curvature(on_spline(part));
+  return arc_ && radius(part) > 0 ? std::copysign(1 / radius(part), sweep_deg_) : 0;
+}
+
 int FlatPath::samples() const {
+  if (spline_ != nullptr) return spline_->samples();
   if (!arc_) return samples_of_line;
   return static_cast<int>(std::clamp(std::ceil(std::abs(sweep_deg_) / 360) * samples_per_turn, 1.0 * samples_per_turn, 1.0 * most_pieces));
 }

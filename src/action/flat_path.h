@@ -1,21 +1,13 @@
 #pragma once
-// FlatPath: a line, a circle's arc or a planar spiral in a plane. NCT 4.3: the radius changes linearly with the angle,
-// R(φ) = R0 + (R1 − R0)·φ/Φ, over any number of turns. A `part` 0..1 is that of a line's length, of an arc's angle.
+// FlatPath: a line, a circle's arc, a planar spiral or a part of a spline in a plane. NCT 4.3: the radius changes linearly with the angle,
+// R(φ) = R0 + (R1 − R0)·φ/Φ, over any number of turns. A `part` 0..1 is that of a line's or spline's length, of an arc's angle.
 
-#include <algorithm>
-
+#include "action/box2.h"
 #include "base/vec.h"
 
 namespace kadr {
 
-struct Box2 {
-  Vec2 least;
-  Vec2 most;
-  void take(Vec2 p) {
-    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
-  }
-};
+class PlaneSpline;
 
 /// A circle's arc, counter-clockwise from the end of one arm to that of the other.
 struct CircleArc {
@@ -38,6 +30,9 @@ class FlatPath {
   /// `turns`: swept angle / 360, counter-clockwise positive. Where one radius is 0, the other end gives the direction.
   static FlatPath arc(Vec2 from, Vec2 to, Vec2 center, double turns);
 
+  /// `from`, `to`: parts of the curve, which must outlive the path.
+  static FlatPath spline(const PlaneSpline& curve, double from, double to);
+
   bool is_arc() const { return arc_; }
 
   Vec2 at(double part) const;
@@ -58,12 +53,16 @@ class FlatPath {
   /// Number of equal pieces whose chords stay within `chord` mm; 1 for a line.
   int pieces(double chord) const;
 
+  /// 1/mm, positive where it turns to the left; of a spiral that of the circle there.
+  double curvature(double part) const;
+
   /// Number of equal pieces with at most one extreme of any coordinate each: for searches.
   int samples() const;
 
  private:
   double radius(double part) const { return radius_ + radius_change_ * part; }
   double absolute_deg(double part, double radius_at) const;
+  double on_spline(double part) const { return spline_from_ + part * (spline_to_ - spline_from_); }
 
   Vec2 from_, to_;
   Vec2 center_;
@@ -72,6 +71,8 @@ class FlatPath {
   double radius_ = 0;
   double radius_change_ = 0;  // at the end, against the start
   bool arc_ = false;
+  const PlaneSpline* spline_ = nullptr;
+  double spline_from_ = 0, spline_to_ = 1;  // parts of the curve
 };
 
 }  // namespace kadr

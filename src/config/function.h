@@ -211,6 +211,10 @@ namespace kadr {
   X(canned_cycle,         motion,        own,  code, rs274,      usual, nothing) \
   X(probe_move,           motion,        own,  code, rs274,      usual, nothing) \
   X(thread_by_spindle,    motion,        own,  code, rs274,      usual, nothing) \
+  X(cubic_spline,         motion,        own,  code, rs274,      usual, nothing) \
+  X(quadratic_spline,     motion,        own,  code, rs274,      usual, nothing) \
+  X(nurbs_point,          motion,        own,  code, rs274,      usual, nothing) \
+  X(nurbs_end,            data,          none, code, rs274,      usual, nothing) \
   X(table_data,           data,          own,  code, rs274,      usual, leaves_mode) \
   X(coordinate_shift,     data,          own,  code, rs274,      usual, leaves_mode) \
   X(coordinate_shift_off, data,          none, code, rs274,      usual, nothing) \

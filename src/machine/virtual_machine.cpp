@@ -53,8 +53,8 @@ Status VirtualMachine::check(const Motion& motion) const {
     if ((to > most_[i] + tol::same_point && to > from) || (to < least_[i] - tol::same_point && to < from)) [[unlikely]]
       return beyond(i, to);
   }
-  const bool curved =
-      is_arc(motion.kind) || (motion.detail && motion.detail->surface == PathSurface::polar) || leads_tip(position_, motion);
+  const bool curved = is_arc(motion.kind) || motion.kind == MotionKind::spline ||
+                      (motion.detail && motion.detail->surface == PathSurface::polar) || leads_tip(position_, motion);
   return curved ? check_curve(motion) : Status{};
 }
 

@@ -45,7 +45,6 @@ class Checker {
     KADR_TRY(too_many());
     KADR_TRY(other_planes());
     KADR_TRY(words());
-    KADR_TRY(splines());
     return codes_;
   }
 
@@ -211,20 +210,6 @@ class Checker {
       if (m_.def.groups[g].name == "2" && m_.modal.rows[g] >= 0) plane = m_.def.codes[static_cast<std::size_t>(m_.modal.rows[g])].tenth;
     if (!arc || !is_one_of(plane, {171, 181, 191})) return {};
     return wrong(AlarmId::rs274_arc, m_.block->where, "Cannot do an arc in planes G17.1, G18.1, or G19.1");
-  }
-
-  /// G5, G5.1 (7.7).
-  Status splines() const {
-    if (codes_.motion != 50 && codes_.motion != 51) return {};
-    const Span at = m_.block->where;
-    const bool other = codes_.g[2] >= 0 ? codes_.g[2] != 170 : m_.modal.plane != Plane::xy;
-    if (other) return wrong(AlarmId::rs274_motion, at, "Splines must be in the XY plane");
-    for (const char letter : {'Z', 'A', 'B', 'C'})
-      if (has(letter)) return wrong(AlarmId::rs274_motion, at, "Splines may not have motion in Z, A, B, or C");
-    if (codes_.motion == 51 && !(has('I') && has('J'))) return wrong(AlarmId::rs274_motion, at, "Must specify both I and J with G5.1");
-    if (codes_.motion == 50 && has('I') != has('J')) return wrong(AlarmId::rs274_motion, at, "Must specify both I and J, or neither");
-    if (codes_.motion == 50 && !(has('P') && has('Q'))) return wrong(AlarmId::rs274_motion, at, "Must specify both P and Q with G5");
-    return {};
   }
 
   Status too_many() const {

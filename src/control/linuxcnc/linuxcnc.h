@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "action/plane_spline.h"
 #include "control/dialect.h"
 #include "control/linuxcnc/block_codes.h"
 #include "control/linuxcnc/flow_table.h"
@@ -65,7 +66,9 @@ struct State {
   bool compensating = false;
   bool just_ended_compensation = false;
   std::array<bool, 2> spindle_known{};
-  double value = 0;  // of the last O return (6.3)
+  std::vector<ControlPoint> nurbs;  // of G5.2, until G5.3
+  std::size_t nurbs_order = 3;      // its degree + 1
+  double value = 0;                 // of the last O return (6.3)
   bool value_returned = false;
   bool percent = false;  // the file begins with one
   bool began = false;    // a line that is not blank has been read

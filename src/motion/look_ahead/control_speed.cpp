@@ -74,6 +74,31 @@ void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plan
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
+/// du/ds of a spline there: its curvature to its left.
+Axes bend_of_spline(const Motion& m, const Curve& curve, double part, double in_plane, const FrameTurn* turn) {
+  const Axes rates = curve.rates(part);
+  const double along = std::hypot(rates[m.first], rates[m.second]);
+  Axes towards{};
+  if (!(along > 0)) return towards;
+  const double factor = curve.curvature(part) / along;
+  towards[m.first] = -factor * rates[m.second];
+  towards[m.second] = factor * rates[m.first];
+  return along_machine(towards, in_plane * in_plane, turn);
+}
+
+/// As an arc of its smallest radius.
+void set_spline(PathShape& shape, const Motion& m, const Curve& curve, double in_plane, const FrameTurn* turn) {
+  const int places = curve.samples();
+  double most = 0;
+  for (int i = 0; i <= places; ++i) most = std::max(most, std::fabs(curve.curvature(static_cast<double>(i) / places)));
+  if (!(most > 0)) return;
+  shape.radius = std::max(1 / most, tol::least_radius);
+  shape.in_plane = in_plane;
+  shape.start_bend = bend_of_spline(m, curve, 0, in_plane, turn);
+  shape.end_bend = bend_of_spline(m, curve, 1, in_plane, turn);
+  for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
+}
+
 /// The part of the feed that is left on the inside of an arc (6.4); 1 on the outside, INFERRED.
 double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape& shape) {
   const bool turns_left = m.kind == MotionKind::arc_ccw;
@@ -131,11 +156,11 @@ void set_along_curve(PathShape& shape, const Step& step, const Curve& curve) {
     widen(shape.most, shape.end);
     widen(shape.most, direction(0.5));
   }
-  if (curve.arc() && curve.surface() == PathSurface::plane) {
-    const Axes rates = curve.rates(0.5);
-    const double in_plane = std::hypot(rates[motion.first], rates[motion.second]) / curve.rate(motion.along, 0.5);
-    set_arc(shape, motion, step.from.work, in_plane, turn);
-  }
+  if (curve.straight() || curve.surface() != PathSurface::plane) return;
+  const Axes rates = curve.rates(0.5);
+  const double in_plane = std::hypot(rates[motion.first], rates[motion.second]) / curve.rate(motion.along, 0.5);
+  if (curve.spline()) set_spline(shape, motion, curve, in_plane, turn);
+  else set_arc(shape, motion, step.from.work, in_plane, turn);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motio
   SlowestAxis slowest;
   if (curve.surface() != PathSurface::plane) return slowest;  // its feed follows the rotary axis (polar_feed.h)
   for (std::size_t i = 0; i < roles.count; ++i) {
-    const bool turns = curve.arc() && (i == motion.first || i == motion.second);
+    const bool turns = !curve.straight() && (i == motion.first || i == motion.second);
     const double way = turns ? curve.length(motion.along) : std::abs(curve.way(i));
     if (most[i] > 0 && way / most[i] > slowest.minutes) slowest = {i, way / most[i]};
   }

@@ -30,7 +30,7 @@ Vec3 zero_of(const Chain& chain, const Placement& placement) {
 }
 
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
-  if (is_arc(motion.kind)) return Stroke::arc;
+  if (is_arc(motion.kind) || motion.kind == MotionKind::spline) return Stroke::arc;
   if (motion.kind == MotionKind::probe) return Stroke::probe;
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return Stroke::rapid;
   if (motion.detail && motion.detail->surface != PathSurface::plane) return Stroke::feed;

@@ -32,7 +32,7 @@ struct Box {
 
 /// Cutting: at feed, along arcs, threads. A probe looks for the part, it does not cut it.
 inline bool cuts(const Motion& motion) {
-  return motion.kind == MotionKind::feed || motion.kind == MotionKind::thread || is_arc(motion.kind);
+  return motion.kind == MotionKind::feed || motion.kind == MotionKind::thread || motion.kind == MotionKind::spline || is_arc(motion.kind);
 }
 
 /// The unit that lengths are told in: that of the blocks that cut; of a program without any, of its motions.

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t head_room = 192;
 constexpr std::size_t most_digits = 20;  // of a block number
 
-constexpr std::array<std::string_view, 7> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home", "thread"};
+constexpr std::array<std::string_view, 8> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home", "thread", "spline"};
 constexpr std::array<std::string_view, 3> unit_names = {"mm/min", "mm/rev", "1/min"};
 
 char* put_block(char* at, const Origin& origin) {
@@ -194,7 +194,7 @@ void TraceWriter::write_detail(const Step& step, const Motion& motion) {
 
 void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   char* at = out_.room(head_room);
-  const bool curved = is_arc(motion.kind) || (motion.detail && motion.detail->surface != PathSurface::plane);
+  const bool curved = is_arc(motion.kind) || motion.kind == MotionKind::spline || (motion.detail && motion.detail->surface != PathSurface::plane);
   if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
   if (time.exact) {  // else the set-up does not say how the axes accelerate: they would be wrong
     at = put_field(at, R"(,"seconds":)", time.seconds);

@@ -137,6 +137,9 @@ Extents MachinePath::extents(double from, double to) const {
     for (double& way : detail->travel) way *= to - from;
     detail->flat_from = curve_.flat(from);
     detail->flat_to = curve_.flat(to);
+    const SplinePart whole = detail->spline;
+    detail->spline.from = whole.from + from * (whole.to - whole.from);
+    detail->spline.to = whole.from + to * (whole.to - whole.from);
     piece.detail = std::move(detail);
   }
   return machine_extents(roles_, piece_from, piece);

@@ -1,0 +1,232 @@
+// PlaneSpline: a rational B-spline in a plane, run through evenly. For action/flat_path; tested by tests/action/plane_spline_test.cpp.
+
+#include "action/plane_spline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace kadr {
+namespace {
+
+constexpr int most_spline_pieces = 100'000;
+constexpr double standing = 1e-9;  // of the length for a whole t: so slow the direction is that of the curve beside
+
+/// Gauss, eight places of [-1, 1].
+constexpr std::array<double, 4> gauss_place = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+constexpr std::array<double, 4> gauss_weight = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+
+}  // namespace
+
+PlaneSpline::Weighted PlaneSpline::blend(const Weighted& a, const Weighted& b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.w + t * (b.w - a.w)};
+}
+
+PlaneSpline::PlaneSpline(const std::vector<ControlPoint>& points, std::size_t order)
+    : order_(order), first_(points.front().at), last_(points.back().at) {
+  std::vector<Weighted> weighted;
+  weighted.reserve(points.size());
+  for (const ControlPoint& p : points) weighted.push_back({p.weight * p.at.x, p.weight * p.at.y, p.weight});
+  for (std::size_t span = 0; span + order <= points.size(); ++span) pieces_.push_back(piece_of(weighted, span));
+  nodes_.push_back({0, 0, 0});
+  for (std::uint32_t piece = 0; piece < pieces_.size(); ++piece) {
+    constexpr int most_halvings = 12;
+    for (const auto& [from, to] : {std::pair{0.0, 0.5}, std::pair{0.5, 1.0}})
+      measure(piece, from, to, length_between(piece, from, to), most_halvings);
+  }
+}
+
+/// The control points of the Bézier piece between knots `span` and `span` + 1: its polar form there, of which each argument is one of the
+/// two. Knots: 0 (`order` times), 1, 2, …, the last (`order` times).
+PlaneSpline::Piece PlaneSpline::piece_of(const std::vector<Weighted>& points, std::size_t span) const {
+  const std::size_t degree = order_ - 1;
+  const double last = static_cast<double>(points.size() - degree);
+  const auto knot = [&](std::size_t i) { return std::clamp(static_cast<double>(i) - static_cast<double>(degree), 0.0, last); };
+  Piece piece;
+  for (std::size_t at_end = 0; at_end <= degree; ++at_end) {
+    std::vector<Weighted> d(points.begin() + static_cast<std::ptrdiff_t>(span),
+                            points.begin() + static_cast<std::ptrdiff_t>(span + order_));
+    for (std::size_t level = 1; level <= degree; ++level) {
+      const double argument = static_cast<double>(span) + (level <= at_end ? 1.0 : 0.0);
+      for (std::size_t j = degree; j >= level; --j) {
+        const double low = knot(span + j), high = knot(span + j + degree - level + 1);
+        d[j] = blend(d[j - 1], d[j], (argument - low) / (high - low));
+      }
+    }
+    piece.push_back(d[degree]);
+  }
+  return piece;
+}
+
+PlaneSpline::Motion2 PlaneSpline::motion(Place place) const {
+  std::array<Weighted, most_order> d;
+  std::copy(pieces_[place.piece].begin(), pieces_[place.piece].end(), d.begin());
+  const std::size_t degree = order_ - 1;
+  Weighted first{}, second{};  // derivatives
+  for (std::size_t level = degree; level > 0; --level) {
+    const double n = static_cast<double>(degree);
+    if (level == 2) {
+      const double k = n * (n - 1);
+      second = {k * (d[2].x - 2 * d[1].x + d[0].x), k * (d[2].y - 2 * d[1].y + d[0].y), k * (d[2].w - 2 * d[1].w + d[0].w)};
+    } else if (level == 1) {
+      first = {n * (d[1].x - d[0].x), n * (d[1].y - d[0].y), n * (d[1].w - d[0].w)};
+    }
+    for (std::size_t i = 0; i < level; ++i) d[i] = blend(d[i], d[i + 1], place.t);
+  }
+  const double w = d[0].w;
+  Motion2 m;
+  m.at = flat(d[0]);
+  m.rate = {(first.x - first.w * m.at.x) / w, (first.y - first.w * m.at.y) / w};
+  m.bend = {(second.x - 2 * first.w * m.rate.x - second.w * m.at.x) / w, (second.y - 2 * first.w * m.rate.y - second.w * m.at.y) / w};
+  return m;
+}
+
+double PlaneSpline::length_between(std::uint32_t piece, double from, double to) const {
+  const double half = (to - from) / 2, middle = from + half;
+  double sum = 0;
+  for (std::size_t i = 0; i < gauss_place.size(); ++i)
+    sum += gauss_weight[i] * (speed({piece, middle - half * gauss_place[i]}) + speed({piece, middle + half * gauss_place[i]}));
+  return half * sum;
+}
+
+/// Nodes so close that the length between two is known to rounding.
+void PlaneSpline::measure(std::uint32_t piece, double from, double to, double whole, int halvings) {
+  constexpr double close = 1e-12;
+  const double middle = from + (to - from) / 2;
+  const double one = length_between(piece, from, middle), other = length_between(piece, middle, to);
+  if (halvings == 0 || std::fabs(one + other - whole) <= close * std::max(1.0, whole)) {
+    nodes_.push_back({piece, to, nodes_.back().length + one + other});
+    return;
+  }
+  measure(piece, from, middle, one, halvings - 1);
+  measure(piece, middle, to, other, halvings - 1);
+}
+
+/// Newton's method between two nodes, halving where it would leave them.
+PlaneSpline::Place PlaneSpline::place_of(double part) const {
+  const double wanted = part * length();
+  const auto next = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, wanted, [](double l, const Node& n) { return l < n.length; });
+  const Node& before = *(next - 1);
+  const std::uint32_t piece = next->piece;
+  const double start = before.piece == piece ? before.t : 0;
+  double low = start, high = next->t;
+  const double span = next->length - before.length;
+  if (!(span > 0)) return {piece, low};
+  double t = low + (high - low) * (wanted - before.length) / span;
+  constexpr int most_steps = 60;
+  constexpr double near_enough = 1e-13;
+  for (int step = 0; step < most_steps; ++step) {
+    const double off = before.length + length_between(piece, start, t) - wanted;
+    (off > 0 ? high : low) = t;
+    const double rate = speed({piece, t});
+    double better = rate > 0 ? t - off / rate : low;
+    if (!(better > low && better < high)) better = low + (high - low) / 2;
+    const double moved = std::fabs(better - t);
+    t = better;
+    if (moved <= near_enough) break;
+  }
+  return {piece, t};
+}
+
+Vec2 PlaneSpline::at(double part) const {
+  if (part <= 0) return first_;
+  if (part >= 1) return last_;
+  return motion(place_of(part)).at;
+}
+
+Vec2 PlaneSpline::direction(double part) const {
+  if (!(length() > 0)) return {};
+  constexpr double beside = 1e-5;  // of the length
+  for (const double shift : {0.0, beside, 10 * beside, 100 * beside}) {
+    const double there = std::clamp(part < 0.5 ? part + shift : part - shift, 0.0, 1.0);
+    const Vec2 rate = motion(place_of(there)).rate;
+    const double speed_there = kadr::length(rate);
+    if (speed_there > standing * length()) return (1 / speed_there) * rate;
+  }
+  const Vec2 chord = last_ - first_;
+  const double chord_length = kadr::length(chord);
+  return chord_length > 0 ? (1 / chord_length) * chord : Vec2{1, 0};
+}
+
+double PlaneSpline::curvature(double part) const {
+  const Motion2 m = motion(place_of(part));
+  const double rate = kadr::length(m.rate);
+  return rate > standing * length() ? cross(m.rate, m.bend) / (rate * rate * rate) : 0;
+}
+
+double PlaneSpline::greatest_curvature() const {
+  const int count = samples();
+  double most = 0;
+  for (int i = 0; i <= count; ++i) most = std::max(most, std::fabs(curvature(static_cast<double>(i) / count)));
+  return most;
+}
+
+std::pair<PlaneSpline::Piece, PlaneSpline::Piece> PlaneSpline::split(const Piece& piece, double t) {
+  Piece left, right(piece.size()), d = piece;
+  for (std::size_t level = piece.size(); level > 0; --level) {
+    left.push_back(d[0]);
+    right[level - 1] = d[level - 1];
+    for (std::size_t i = 0; i + 1 < level; ++i) d[i] = blend(d[i], d[i + 1], t);
+  }
+  return {left, right};
+}
+
+/// By the hulls of smaller and smaller pieces; the ends of `piece` are in the box.
+void PlaneSpline::widen(Box2& box, const Piece& piece, int halvings) {
+  constexpr double close = 1e-9;  // mm
+  Box2 hull{flat(piece[0]), flat(piece[0])};
+  for (const Weighted& point : piece) hull.take(flat(point));
+  const bool inside = hull.least.x >= box.least.x - close && hull.least.y >= box.least.y - close && hull.most.x <= box.most.x + close &&
+                      hull.most.y <= box.most.y + close;
+  if (inside || halvings == 0) return;
+  const auto [left, right] = split(piece, 0.5);
+  box.take(flat(right[0]));
+  widen(box, left, halvings - 1);
+  widen(box, right, halvings - 1);
+}
+
+Box2 PlaneSpline::box(double from, double to) const {
+  Box2 box{at(from), at(from)};
+  box.take(at(to));
+  const Place start = place_of(std::max(from, 0.0)), end = place_of(std::min(to, 1.0));
+  constexpr int most_halvings = 40;
+  for (std::uint32_t i = start.piece; i <= end.piece; ++i) {
+    Piece piece = pieces_[i];
+    const double t0 = i == start.piece ? start.t : 0, t1 = i == end.piece ? end.t : 1;
+    if (t1 < 1) piece = split(piece, t1).first;
+    if (t0 > 0 && t1 > 0) piece = split(piece, std::min(1.0, t0 / t1)).second;
+    box.take(flat(piece.front()));
+    box.take(flat(piece.back()));
+    widen(box, piece, most_halvings);
+  }
+  return box;
+}
+
+int PlaneSpline::samples() const { return static_cast<int>(std::min<std::size_t>(pieces_.size() * 4 * order_, most_spline_pieces)); }
+
+/// A chord's distance goes down as the square of its length where the curve is smooth, as the length itself at a cusp: tried until it
+/// holds.
+int PlaneSpline::pieces(double from, double to, double chord) const {
+  constexpr double used = 0.8;  // the distance is looked at in three places
+  double count = std::max(1.0, std::ceil((to - from) * samples() / 4));
+  while (true) {
+    double worst = 0;
+    Vec2 before = at(from);
+    for (double i = 0; i < count; ++i) {
+      const double low = from + (to - from) * i / count, high = from + (to - from) * (i + 1) / count;
+      const Vec2 after = at(high), way = after - before;
+      const double way_length = kadr::length(way);
+      for (const double place : {0.25, 0.5, 0.75}) {
+        const Vec2 off = at(low + place * (high - low)) - before;
+        worst = std::max(worst, way_length > 0 ? std::fabs(cross(way, off)) / way_length : kadr::length(off));
+      }
+      before = after;
+    }
+    const double wanted = std::ceil(count * std::sqrt(worst / (used * chord)));
+    if (worst <= used * chord || count >= most_spline_pieces) return static_cast<int>(count);
+    count = std::min<double>(most_spline_pieces, std::clamp(wanted, count + 1, 4 * count));
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,87 @@
+#pragma once
+// PlaneSpline: a rational B-spline (NURBS) in a plane, clamped, with uniform knots, run through evenly: a `part` 0..1 is that of its
+// length. LinuxCNC G5, G5.1, G5.2 (spec/linuxcnc 7.7). It is kept as Bézier pieces: by blossoms (Ramshaw), points and derivatives by de
+// Casteljau, as in Piegl, Tiller: The NURBS Book.
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "action/box2.h"
+#include "base/vec.h"
+
+namespace kadr {
+
+struct ControlPoint {
+  Vec2 at;
+  double weight = 1;
+};
+
+///   law  at(0) and at(1) are the first and the last control point, bit by bit
+///   law  turned, mirrored, reversed control points: the same curve, turned, mirrored, reversed
+///   law  the curve lies in the hull of its control points
+class PlaneSpline {
+ public:
+  static constexpr std::size_t most_order = 32;     // of a piece of degree 31; usual ones are 3 and 4
+  static constexpr std::size_t most_points = 5000;  // more are no shape that a person or a CAM system writes as one curve
+
+  ///   points  at least `order` and at most most_points of them, weights above 0
+  ///   order   degree + 1, from 2 to most_order
+  PlaneSpline(const std::vector<ControlPoint>& points, std::size_t order);
+
+  double length() const { return nodes_.back().length; }
+  Vec2 at(double part) const;
+  /// Unit tangent; where the curve stands (control points that coincide) that of the curve beside it; {}: a curve of no length.
+  Vec2 direction(double part) const;
+  /// 1/mm, positive where it turns to the left.
+  double curvature(double part) const;
+  /// The greatest amount of it, looked at in samples() places.
+  double greatest_curvature() const;
+  /// The bounding box between two parts, within 1e-9 mm.
+  Box2 box(double from, double to) const;
+  /// Number of equal pieces between two parts whose chords stay within `chord` mm.
+  int pieces(double from, double to, double chord) const;
+  /// Number of equal pieces with at most one extreme of any coordinate each: for searches.
+  int samples() const;
+
+ private:
+  /// Of a control point: weight · coordinates, weight.
+  struct Weighted {
+    double x = 0, y = 0, w = 0;
+  };
+  using Piece = std::vector<Weighted>;  // Bézier, `order` of them
+
+  /// The length from the beginning to a place.
+  struct Node {
+    std::uint32_t piece;
+    double t;  // of the piece, 0..1
+    double length;
+  };
+  struct Place {
+    std::uint32_t piece;
+    double t;
+  };
+  /// Position and its derivatives by t.
+  struct Motion2 {
+    Vec2 at, rate, bend;
+  };
+
+  static Vec2 flat(const Weighted& point) { return {point.x / point.w, point.y / point.w}; }
+  static Weighted blend(const Weighted& a, const Weighted& b, double t);
+  Piece piece_of(const std::vector<Weighted>& points, std::size_t span) const;
+  Motion2 motion(Place place) const;
+  double speed(Place place) const { return kadr::length(motion(place).rate); }
+  double length_between(std::uint32_t piece, double from, double to) const;
+  void measure(std::uint32_t piece, double from, double to, double whole, int halvings);
+  Place place_of(double part) const;
+  static std::pair<Piece, Piece> split(const Piece& piece, double t);
+  static void widen(Box2& box, const Piece& piece, int halvings);
+
+  std::size_t order_;
+  Vec2 first_, last_;
+  std::vector<Piece> pieces_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace kadr
