@@ -316,6 +316,7 @@ Status Interpreter::attempt() {
   flow_before_.reset();
   shape_ = shapes_.of(def, *block);
   if (dialect) dialect->begin_block(*this);
+  if (sets_variables_only(*block)) return assign_alone();
   if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else assignments are statements: blocks of their own
   Status status = words();
   if (!status) take_back(actions);

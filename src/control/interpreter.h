@@ -188,6 +188,10 @@ class Interpreter : public ControlState, public RunMemory {
   void keep_state();
   /// The block is a statement, and nobody watches: carried out, or an alarm.
   void carry_out_statement();
+  /// A block that only sets variables (sets_variables_only()); false: it is faulty, and nothing of it is done.
+  bool assign_again();
+  /// What is in force has been changed by other means than a block's words.
+  void modes_changed() { motion_run_.end(); }
   /// The block is a call of a macro or a return alone (its `word`), and nobody watches.
   ///   returns  false: it must go the general way; nothing has changed
   bool carry_out_call(std::uint8_t word);
@@ -285,6 +289,7 @@ class Interpreter : public ControlState, public RunMemory {
   bool may_have_steered() const;
   Status find_axis(Word& w);
   Status assign();
+  Status assign_alone();
   Status plan();
   Status check_place() const;
   Status structure();
@@ -332,6 +337,9 @@ class Interpreter : public ControlState, public RunMemory {
  public:
   SetupFault start_fault;  // what the set-up names and the control has not
 };
+
+/// `#1=…` alone, of variables that neither modes nor tables are made of.
+bool sets_variables_only(const Block& block);
 
 /// What a row's function does (control/functions/functions.cpp).
 struct Call {

@@ -39,7 +39,8 @@ bool keeps_modes(const Block& block) {
   switch (block.statement.kind) {
     case StatementKind::loop:
     case StatementKind::loop_end:
-    case StatementKind::go_to: return true;
+    case StatementKind::go_to:
+    case StatementKind::o_word: return true;  // modes that come back at its end: Interpreter::modes_changed()
     case StatementKind::assign: {
       const Expression target = block.statement.target;
       const Instruction& number = block.code[target.begin];
@@ -85,8 +86,8 @@ std::uint8_t quick_call(const Interpreter& m, const Block& block) {
 
 /// A loop carries it out again, and nothing is to be done beside what its words say.
 bool is_read_again(const Block& block) {
-  return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
-         block.warnings.empty();
+  return block.kept && (block.no_clock || block.code.empty()) && block.skip == 0 && block.marker == Marker::none &&
+         block.comments.empty() && block.warnings.empty();
 }
 
 /// The same, and some of its words are expressions.
@@ -110,7 +111,7 @@ void MotionRun::note(const Interpreter& m) {
     if (!keeps_modes(block)) end();
     return;
   }
-  if (is_label(block)) return;
+  if (is_label(block) || sets_variables_only(block)) return;
   if (!block.shape && !is_kept(block)) return end();
   const Form& form = form_of(m, block);
   if (form.fits) return begin(m, form);
@@ -252,6 +253,7 @@ bool MotionRun::take(Interpreter& m) {
     m.carry_out_statement();
     return true;
   }
+  if (sets_variables_only(block)) return is_read_again(block) && number_fits(block) && m.assign_again();
   if (is_label(block)) return block.kept && m.flow.depth() != 0 && !m.def.behaviour.label_is_number;  // looked at when it came first
   if (!block.shape && !is_kept(block)) return false;
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return end(), false;

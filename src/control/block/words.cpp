@@ -113,6 +113,31 @@ Status Interpreter::assign() {
   return {};
 }
 
+/// What they write is kept by the journal: nothing else has changed.
+Status Interpreter::assign_alone() {
+  pass_varies = true;
+  Status done = assign();
+  if (done) return done;
+  journal.undo();
+  (void)variables.take_frames_changed();
+  return done;
+}
+
+bool Interpreter::assign_again() {
+  journal.begin();
+  return assign_alone().has_value();
+}
+
+bool sets_variables_only(const Block& block) {
+  if (block.assignments.empty() || block.word_count != 0 || block.statement.kind != StatementKind::none) return false;
+  if (block.marker != Marker::none || block.skip != 0 || !block.comments.empty()) return false;
+  return std::all_of(block.assignments.begin(), block.assignments.end(), [&](const Assignment& a) {
+    const Instruction& number = block.code[a.target.begin];
+    const bool plain = a.target.end == a.target.begin + 1 && number.op == Op::number;
+    return plain && (number.number <= last_common || VariableNames::is_named(number.number));
+  });
+}
+
 Status Interpreter::check_ranges() const {
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];

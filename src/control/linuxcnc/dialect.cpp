@@ -92,8 +92,8 @@ bool LinuxCnc::end_program(Interpreter& m) {
   state.motion = 10;
   m.modal.override_permission = 3;
   while (levels_.size() > 1) levels_.pop_back();
-  flow.memory.calls.clear();
-  flow.memory.by_m98.clear();
+  flow.calls.clear();
+  flow.by_m98.clear();
   return false;
 }
 
@@ -104,7 +104,7 @@ std::shared_ptr<const DialectState> LinuxCnc::snapshot() const {
   all->levels = levels_;
   all->globals = globals_;
   all->kept_modes = kept_modes;
-  all->flow = flow.memory;
+  all->flow = flow.memory();
   all->probed = probed;
   all->probe_tripped = probe_tripped;
   all->probe_kind = probe_kind;
@@ -118,7 +118,7 @@ Status LinuxCnc::restore(Interpreter&, const DialectState& from) {
   levels_ = all.levels;
   globals_ = all.globals;
   kept_modes = all.kept_modes;
-  flow.memory = all.flow;
+  flow.remember(all.flow);
   probed = all.probed;
   probe_tripped = all.probe_tripped;
   probe_kind = all.probe_kind;
@@ -143,10 +143,10 @@ Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
 }
 
 Result<bool> LinuxCnc::end_of_file(Interpreter& m) {
-  if (!flow.memory.defining.empty() || !flow.memory.calls.empty())
+  if (flow.defining != no_label || !flow.calls.empty())
     return fault(AlarmId::rs274_flow, {},
                  "EOF in file:" + m.flow.file() + " seeking o-word: o<" +
-                     (flow.memory.calls.empty() ? flow.memory.defining : flow.memory.calls.back()) + "> from line: 0");
+                     flow.text_of(flow.calls.empty() ? flow.defining : flow.calls.back()) + "> from line: 0");
   return fault(AlarmId::rs274_program, {},
                state.percent ? "File ended with no percent sign" : "File ended with no percent sign or program end");
 }

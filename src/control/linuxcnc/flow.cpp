@@ -23,14 +23,16 @@ namespace fs = std::filesystem;
 
 class OLines {
  public:
-  explicit OLines(Interpreter& m) : m_(m), control_(linuxcnc_of(m)), memory_(control_.flow.memory), s_(m.block->statement) {}
+  explicit OLines(Interpreter& m) : m_(m), control_(linuxcnc_of(m)), flow_(control_.flow), s_(m.block->statement) {}
 
   Status run() {
+    file_ = &flow_.of(m_);
+    here_ = index_of(m_.block->position);
     const auto named = label();
     if (!named) return fail(named.error());
     label_ = *named;
-    if (!memory_.refused.empty()) return wrong(std::exchange(memory_.refused, {}));
-    if (!memory_.defining.empty()) return define();
+    if (!flow_.refused.empty()) return wrong(std::exchange(flow_.refused, {}));
+    if (flow_.defining != no_label) return define();
     switch (s_.o_word) {
       case OWord::label: return {};
       case OWord::sub: return begin_sub();
@@ -55,53 +57,57 @@ class OLines {
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_flow, s_.where, std::move(text)); }
   std::uint32_t line() const { return m_.block->position.line; }
-  std::string where() const { return memory_.calls.empty() ? std::string() : memory_.calls.back(); }
+  /// The subprogram that runs.
+  Label where() const { return flow_.calls.empty() ? no_label : flow_.calls.back(); }
+  const std::string& text() const { return flow_.text_of(label_); }
 
-  Result<std::string> label() {
-    std::string text = written_label(*m_.block);
-    if (!text.empty() || !s_.value) return text;
+  Result<Label> label() {
+    if (here_ >= 0 && row(here_).label != no_label) return row(here_).label;
+    if (s_.text.end > s_.text.begin) return flow_.label_of(VariableNames::plain(m_.block->text_of(s_.text)));
+    if (!s_.value) return flow_.label_of({});
     const auto value = evaluate(*m_.block, s_.value, Reading{m_});
     if (!value) return fail(value.error());
-    return label_of_number(std::round(*value));
+    return flow_.label_of(label_of_number(std::round(*value)));
   }
 
   Result<double> value_of(Expression e) { return evaluate(*m_.block, e, Reading{m_}); }
 
   // ---- where lines are
 
-  const OFile& file() { return control_.flow.of(m_); }
-  std::int32_t index_here() {
-    const auto found = file().by_offset.find(m_.block->position.offset);
-    return found == file().by_offset.end() ? -1 : found->second;
+  std::int32_t index_of(const Position& at) const {
+    const auto found = file_->by_offset.find(at.offset);
+    return found == file_->by_offset.end() ? -1 : found->second;
   }
 
-  std::string label_of(const OLine& row) const {
-    if (!row.label.empty()) return row.label;
+  OLine& row(std::int32_t index) { return file_->lines[static_cast<std::size_t>(index)]; }
+
+  Label label_of(const OLine& row) const {
+    if (row.label != no_label) return row.label;
     const auto value = m_.value_of(row.expression);
-    return value ? label_of_number(std::round(*value)) : std::string();
+    return value ? flow_.label_of(label_of_number(std::round(*value))) : no_label;
   }
 
-  /// The next line behind this one with the same label, of the same subprogram, that is one of `words`; -1: none.
+  /// The next line after this one with the same label, of the same subprogram, that is one of `words`; -1: none.
   std::int32_t next_of(std::initializer_list<OWord> words) {
-    const OFile& all = file();
-    const std::int32_t here = index_here();
-    if (here < 0) return -1;
-    const bool chained = !all.lines[static_cast<std::size_t>(here)].label.empty();
-    for (std::int32_t i = chained ? all.lines[static_cast<std::size_t>(here)].next : here + 1;
-         i >= 0 && i < static_cast<std::int32_t>(all.lines.size()); i = chained ? all.lines[static_cast<std::size_t>(i)].next : i + 1) {
-      const OLine& row = all.lines[static_cast<std::size_t>(i)];
-      if (!chained && label_of(row) != label_) continue;
-      if (std::find(words.begin(), words.end(), row.word) != words.end()) return i;
+    if (here_ < 0) return -1;
+    const auto count = static_cast<std::int32_t>(file_->lines.size());
+    const bool chained = row(here_).label != no_label;
+    for (std::int32_t i = chained ? row(here_).next : here_ + 1; i >= 0 && i < count; i = chained ? row(i).next : i + 1) {
+      if (!chained && label_of(row(i)) != label_) continue;
+      if (std::find(words.begin(), words.end(), row(i).word) != words.end()) return i;
     }
     return -1;
   }
 
-  const OLine& row(std::int32_t index) { return file().lines[static_cast<std::size_t>(index)]; }
-
-  /// The end was looked for and not found: the whole file has been read (2.1).
-  tl::unexpected<Alarm> end_of_file_seeking() const {
-    return control_.fault(AlarmId::rs274_flow, s_.where,
-                          fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m_.flow.file(), label_, line()));
+  /// What was looked for does not come, and the file is over (2.1; read_text and read of the source). `sought`: a subprogram, by a call;
+  /// else lines were passed over on the way to an O line.
+  tl::unexpected<Alarm> end_of_file_seeking(bool sought = false, bool of_all = false) const {
+    const std::string sub = where() == no_label ? std::string() : flow_.text_of(where());
+    std::string what = "File ended with no percent sign or program end";
+    if (file_->closed) what = fmt::format("Failed to find sub 'O{}' before EOF", sought || of_all ? text() : sub + "#" + text());
+    else if (sought) what = fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m_.flow.file(), text(), line());
+    else if (control_.state.percent) what = "File ended with no percent sign";
+    return control_.fault(AlarmId::rs274_flow, s_.where, std::move(what));
   }
 
   Status jump_to(const Position& at) {
@@ -111,62 +117,65 @@ class OLines {
 
   // ---- labels
 
-  Mark* mark() {
-    const auto found = memory_.marks.find({where(), label_});
-    return found == memory_.marks.end() ? nullptr : &found->second;
+  /// What the label stands for in the subprogram that runs.
+  Mark& place() {
+    if (here_ < 0 || row(here_).label == no_label) return flow_.mark(flow_.mark_of(where(), label_));
+    OLine& own = row(here_);
+    if (own.mark_of != where()) {
+      own.mark_of = where();
+      own.mark = flow_.mark_of(where(), label_);
+    }
+    return flow_.mark(own.mark);
   }
+  Mark* mark() { return place().used ? &place() : nullptr; }
+  void forget_mark() { place() = {}; }
 
   /// The label begins something here: it may do so again, but nowhere else.
   Result<Mark*> take_mark(OWord word, bool of_branch = false) {
-    if (Mark* const known = mark(); known != nullptr) {
-      if (known->at == m_.block->position && known->reader == m_.flow.reader()) return known;
+    Mark& known = place();
+    if (known.used) {
+      if (known.at == m_.block->position && known.reader == m_.flow.reader()) return &known;
       if (of_branch)
-        return wrong(fmt::format("{}: duplicate O-word label - already defined in line {}: '{}'", line(), known->at.line, label_));
-      return wrong(fmt::format("{}: duplicate O-word label: '{}' - defined in line {}", line(), label_, known->at.line));
+        return wrong(fmt::format("{}: duplicate O-word label - already defined in line {}: '{}'", line(), known.at.line, text()));
+      return wrong(fmt::format("{}: duplicate O-word label: '{}' - defined in line {}", line(), text(), known.at.line));
     }
-    Mark made;
-    made.word = word;
-    made.at = m_.block->position;
-    made.reader = m_.flow.reader();
-    return &memory_.marks.insert_or_assign({where(), label_}, made).first->second;
+    known = {true, word, m_.block->position, m_.flow.reader()};
+    return &known;
   }
 
-  tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), label_)); }
+  tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), text())); }
   std::string found(const Mark& other) const { return fmt::format("(found '{}' in line {})", name_of(other.word), other.at.line); }
 
   // ---- subprograms
 
   /// On the way over a definition only its end counts, and no other may begin.
   Status define() {
-    if (s_.o_word == OWord::sub) {
-      memory_.defining.clear();
-      return wrong("Nested subroutine definition");
-    }
-    memory_.defining.clear();
-    return {};
+    flow_.defining = no_label;
+    return s_.o_word == OWord::sub ? Status(wrong("Nested subroutine definition")) : Status();
   }
 
   /// Passed over; its label is known from now on.
   Status begin_sub() {
-    const auto known = memory_.passed.find(label_);
-    const std::pair here{m_.flow.reader(), m_.block->position};
-    if (known != memory_.passed.end() && known->second != here)
-      return wrong(fmt::format("File:{} line:{} redefining sub: o|{}| already defined in file:{}", m_.flow.file(), line(), label_,
-                               m_.flow.file(known->second.first).path()));
-    memory_.passed.insert_or_assign(label_, here);
+    PassedSub& known = flow_.passed(label_);
+    const bool here = known.known && known.reader == m_.flow.reader() && known.at == m_.block->position;
+    if (here && m_.flow.passes() == 1)
+      return wrong(fmt::format("File:{} line:{} sub: o|{}| found in illegal location", m_.flow.file(), line(), text()));
+    if (known.known && !here)
+      return wrong(fmt::format("File:{} line:{} redefining sub: o|{}| already defined in file:{}", m_.flow.file(), line(), text(),
+                               m_.flow.file(known.reader).path()));
+    known = {true, m_.flow.reader(), m_.block->position};
     std::int32_t end = next_of({OWord::endsub});
-    const std::int32_t begin = index_here();
-    if (end < 0) return end_of_file_seeking();
-    for (std::int32_t i = begin + 1; i < end; ++i)
+    if (end < 0) return end_of_file_seeking(false, true);
+    for (std::int32_t i = here_ + 1; i < end; ++i)
       if (row(i).word == OWord::sub) end = i;
-    memory_.defining = label_;
+    flow_.defining = label_;
     return jump_to(row(end).at);
   }
 
   Status end_sub() {
-    if (memory_.calls.empty() || m_.flow.depth() == 0)
+    if (flow_.calls.empty() || m_.flow.depth() == 0)
       return wrong(fmt::format("{}: not in a subroutine definition: '{}'", line(), m_.block->text_of(m_.block->where)));
-    if (memory_.by_m98.back()) return wrong("Fanuc 'O....' subroutine definition must end with 'M99'");
+    if (flow_.by_m98.back()) return wrong("Fanuc 'O....' subroutine definition must end with 'M99'");
     double value = 0;
     if (s_.condition_count != 0) {
       const auto returned = value_of(s_.conditions[0]);
@@ -186,42 +195,44 @@ class OLines {
 
   /// 6.2: passed already, then a file of that name, then further on in this file.
   Result<Place> find_sub() {
-    if (const auto known = memory_.passed.find(label_); known != memory_.passed.end())
-      return place_of(known->second.first, known->second.second);
+    if (const PassedSub& known = flow_.passed(label_); known.known) return place_of(known.reader, known.at);
     if (const auto reader = file_of_label()) {
-      const OFile& all = control_.flow.of(m_, *reader);
-      for (const OLine& each : all.lines)
-        if (each.word == OWord::sub && label_of(each) == label_) return Place{*reader, each.behind, false};
-      return end_of_file_seeking();
+      for (const OLine& each : flow_.of(m_, *reader).lines)
+        if (each.word == OWord::sub && label_of(each) == label_) return found_at(*reader, each);
+      return end_of_file_seeking(true);
     }
-    const std::int32_t here = index_here();
-    const OFile& all = file();
-    for (std::size_t i = static_cast<std::size_t>(here + 1); i < all.lines.size(); ++i) {
-      const OLine& each = all.lines[i];
+    for (std::size_t i = static_cast<std::size_t>(here_ + 1); i < file_->lines.size(); ++i) {
+      const OLine& each = file_->lines[i];
       if (label_of(each) != label_) continue;
-      if (each.word == OWord::sub) return Place{m_.flow.reader(), each.behind, false};
+      if (each.word == OWord::sub) return found_at(m_.flow.reader(), each);
       if (each.word == OWord::label) {
-        memory_.refused = "Fanuc 'O....' subroutine must be called with 'M98'";
+        flow_.refused = "Fanuc 'O....' subroutine must be called with 'M98'";
         return Place{m_.flow.reader(), each.at, true};
       }
     }
-    return end_of_file_seeking();
+    return end_of_file_seeking(true);
+  }
+
+  /// It is known from now on.
+  Place found_at(std::uint16_t reader, const OLine& line) {
+    flow_.passed(label_) = {true, reader, line.at};
+    return {reader, line.behind, false};
   }
 
   Result<Place> place_of(std::uint16_t reader, Position at) {
-    const OFile& all = control_.flow.of(m_, reader);
+    const OFile& all = flow_.of(m_, reader);
     const auto found = all.by_offset.find(at.offset);
-    if (found == all.by_offset.end()) return end_of_file_seeking();
+    if (found == all.by_offset.end()) return end_of_file_seeking(true);
     return Place{reader, all.lines[static_cast<std::size_t>(found->second)].behind, false};
   }
 
   /// 1.1: in the program's folder, then in the program memory; nothing outside of them.
   std::optional<std::uint16_t> file_of_label() {
-    if (label_.find_first_of("/\\") != std::string::npos || label_.starts_with('.')) return std::nullopt;
+    if (text().find_first_of("/\\") != std::string::npos || text().starts_with('.')) return std::nullopt;
     const fs::path own = fs::path(m_.flow.main_file()).parent_path();
     for (const fs::path& folder : {own, fs::path(m_.flow.limits().files)}) {
       std::error_code error;
-      const fs::path path = folder / (label_ + ".ngc");
+      const fs::path path = folder / (text() + ".ngc");
       if (!fs::is_regular_file(path, error)) continue;
       const fs::path real = fs::canonical(path, error);
       const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
@@ -242,10 +253,10 @@ class OLines {
     const auto place = find_sub();
     if (!place) return fail(place.error());
     if (place->fanuc) return jump_to(place->start);
-    if (memory_.calls.size() >= most_calls_of_program) return wrong("Too many subroutine levels");
+    if (flow_.calls.size() >= most_calls_of_program) return wrong("Too many subroutine levels");
     CallFrame frame;
     frame.kind = CallFrame::Kind::subprogram;
-    frame.name = static_cast<std::uint32_t>(std::strtoul(label_.c_str(), nullptr, 10));
+    frame.name = static_cast<std::uint32_t>(std::strtoul(text().c_str(), nullptr, 10));
     frame.left = 1;
     frame.caller = m_.origin;
     KADR_TRY(m_.flow.call_at(place->reader, place->start, frame, s_.where));
@@ -265,14 +276,14 @@ class OLines {
     if (!test) return fail(test.error());
     if (const Mark* const known = mark(); known != nullptr && known->word == OWord::do_ && known->at != m_.block->position) {
       if (*test != 0) return jump_to(behind(*known));
-      memory_.marks.erase({where(), label_});
+      forget_mark();
       return {};
     }
     if (*test != 0) {
       const auto made = take_mark(OWord::while_);
       return made ? Status() : Status(fail(made.error()));
     }
-    memory_.marks.erase({where(), label_});
+    forget_mark();
     return behind_end({OWord::endwhile});
   }
 
@@ -294,7 +305,7 @@ class OLines {
   }
 
   Position behind(const Mark& of) {
-    const OFile& all = control_.flow.of(m_, of.reader);
+    const OFile& all = of.reader == m_.flow.reader() ? *file_ : flow_.of(m_, of.reader);
     const auto found = all.by_offset.find(of.at.offset);
     return found == all.by_offset.end() ? of.at : all.lines[static_cast<std::size_t>(found->second)].behind;
   }
@@ -302,10 +313,10 @@ class OLines {
   Status end_loop(OWord of) {
     Mark* const known = mark();
     if (known == nullptr) return undefined();
-    if (known->word != of) return wrong(fmt::format("{}: no matching label: '{}' {}", line(), label_, found(*known)));
+    if (known->word != of) return wrong(fmt::format("{}: no matching label: '{}' {}", line(), text(), found(*known)));
     if (of == OWord::while_) return jump_to(known->at);
     if (--known->left < 1) {
-      memory_.marks.erase({where(), label_});
+      forget_mark();
       return {};
     }
     return jump_to(behind(*known));
@@ -315,12 +326,12 @@ class OLines {
     const Mark* const known = mark();
     if (known == nullptr) return undefined();
     if (known->word != OWord::while_ && known->word != OWord::do_)
-      return wrong(fmt::format("{}: no matching while/do label: '{}' {}", line(), label_, found(*known)));
+      return wrong(fmt::format("{}: no matching while/do label: '{}' {}", line(), text(), found(*known)));
     if (again && known->word == OWord::while_) return jump_to(known->at);
     const std::int32_t end = next_of({OWord::endwhile, OWord::while_});
     if (end < 0) return end_of_file_seeking();
     if (again) return jump_to(row(end).at);
-    memory_.marks.erase({where(), label_});
+    forget_mark();
     return jump_to(row(end).behind);
   }
 
@@ -344,7 +355,7 @@ class OLines {
   Status other_branch() {
     Mark* const known = mark();
     if (known == nullptr) return undefined();
-    if (known->word != OWord::if_) return wrong(fmt::format("{}: no matching 'if' label: '{}' {}", line(), label_, found(*known)));
+    if (known->word != OWord::if_) return wrong(fmt::format("{}: no matching 'if' label: '{}' {}", line(), text(), found(*known)));
     if (known->taken) return behind_end({OWord::endif});
     if (s_.o_word == OWord::else_) {
       known->taken = true;
@@ -360,37 +371,20 @@ class OLines {
     const Mark* const known = mark();
     if (known == nullptr) return undefined();
     if (known->word != OWord::if_)
-      return wrong(fmt::format("{}: no matching label: '{}' {}: '{}'", line(), label_, found(*known), m_.block->text_of(m_.block->where)));
+      return wrong(fmt::format("{}: no matching label: '{}' {}: '{}'", line(), text(), found(*known), m_.block->text_of(m_.block->where)));
     return {};
   }
 
   Interpreter& m_;
   LinuxCnc& control_;
-  FlowTable::Memory& memory_;
+  FlowTable& flow_;
   const Statement& s_;
-  std::string label_;
+  OFile* file_ = nullptr;   // being read
+  std::int32_t here_ = -1;  // the line among its O lines
+  Label label_ = no_label;  //
 };
 
 }  // namespace
-
-void enter_sub(Interpreter& m, const std::string& label, std::optional<Level> level, bool by_m98) {
-  LinuxCnc& control = linuxcnc_of(m);
-  control.flow.memory.calls.push_back(label);
-  control.flow.memory.by_m98.push_back(by_m98);
-  control.kept_modes.emplace_back();
-  if (level) control.levels().push_back(std::move(*level));
-}
-
-Status leave_sub(Interpreter& m, Span where) {
-  LinuxCnc& control = linuxcnc_of(m);
-  const auto left = m.flow.end_subprogram(where);
-  if (!left) return fail(left.error());
-  if (*left == nullptr) return {};  // once more
-  if (!control.flow.memory.by_m98.back() && control.levels().size() > 1) control.levels().pop_back();
-  control.flow.memory.calls.pop_back();
-  control.flow.memory.by_m98.pop_back();
-  return restore_at_end(m);
-}
 
 Status run_o_line(Interpreter& m) { return OLines(m).run(); }
 

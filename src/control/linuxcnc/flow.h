@@ -20,7 +20,7 @@ Status run_o_line(Interpreter& m);
 inline constexpr std::size_t most_calls_of_program = 9;  // 6.2
 
 /// A subprogram has been called. `level`: its arguments; nothing: those of the caller (M98).
-void enter_sub(Interpreter& m, const std::string& label, std::optional<Level> level, bool by_m98);
+void enter_sub(Interpreter& m, Label label, std::optional<Level> level, bool by_m98);
 /// Its end: once more, or back.
 Status leave_sub(Interpreter& m, Span where);
 /// The modes that M73 has kept come back (8).

@@ -11,6 +11,8 @@ namespace kadr::linuxcnc {
 
 std::string label_of_number(double number) { return fmt::format("{:.0f}", number); }
 
+namespace {
+
 /// The label of a block that is an O line, where its text says it; else "".
 std::string written_label(const Block& block) {
   const Statement& s = block.statement;
@@ -19,20 +21,27 @@ std::string written_label(const Block& block) {
   return constant ? label_of_number(block.code[s.value.begin].number) : std::string();
 }
 
-namespace {
+}  // namespace
 
 /// The O lines of one file, and which of them belong together.
-OFile read_o_lines(const ProgramFile& file) {
+OFile FlowTable::read_o_lines(const ProgramFile& file) {
   OFile all;
   BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
   auto block = std::make_unique<Block>();
   std::int32_t sub = -1;
-  std::map<std::pair<std::int32_t, std::string>, std::int32_t> last;
+  std::map<std::pair<std::int32_t, Label>, std::int32_t> last;
+  bool opened = false, began = false;
   for (;;) {
     const auto got = reader.next(*block);
     if (got && *got == BlockReader::Got::end) break;
+    if (block->marker == Marker::program_start && block->word_count == 0) {
+      if (opened) all.closed = true;
+      if (opened) break;
+      opened = !began;
+    }
+    began = began || !block->empty() || !block->comments.empty();
     if (block->statement.kind != StatementKind::o_word) continue;
-    if (all.lines.size() == FlowTable::most_lines) {
+    if (all.lines.size() == most_lines) {
       all.all = false;
       break;
     }
@@ -40,12 +49,12 @@ OFile read_o_lines(const ProgramFile& file) {
     row.at = block->position;
     row.behind = reader.position();
     row.word = block->statement.o_word;
-    row.label = written_label(*block);
-    if (row.label.empty()) row.expression = block->text_of(block->statement.label_where).substr(1);
+    row.label = label_or_none(written_label(*block));
+    if (row.label == no_label) row.expression = block->text_of(block->statement.label_where).substr(1);
     const auto index = static_cast<std::int32_t>(all.lines.size());
     if (row.word == OWord::sub && sub < 0) sub = index;
     row.sub = sub;
-    if (!row.label.empty()) {
+    if (row.label != no_label) {
       const auto [place, is_new] = last.try_emplace({sub, row.label}, index);
       if (!is_new) all.lines[static_cast<std::size_t>(place->second)].next = index;
       place->second = index;
@@ -58,14 +67,53 @@ OFile read_o_lines(const ProgramFile& file) {
   return all;
 }
 
-}  // namespace
+OFile& FlowTable::of(Interpreter& m) { return of(m, m.flow.reader()); }
 
-const OFile& FlowTable::of(Interpreter& m) { return of(m, m.flow.reader()); }
+OFile& FlowTable::of(Interpreter& m, std::uint16_t reader) {
+  if (files_.size() <= reader) files_.resize(reader + 1U);
+  if (!files_[reader] || (m.flow.in_entered() && reader == m.flow.reader()))  // the operator's line: another each time
+    files_[reader] = std::make_unique<OFile>(read_o_lines(m.flow.file(reader)));
+  return *files_[reader];
+}
 
-const OFile& FlowTable::of(Interpreter& m, std::uint16_t reader) {
-  const auto known = files.find(reader);
-  if (known != files.end()) return known->second;
-  return files.emplace(reader, read_o_lines(m.flow.file(reader))).first->second;
+Label FlowTable::label_of(std::string_view text) {
+  if (const auto known = labels_.find(text); known != labels_.end()) return known->second;
+  const auto label = static_cast<Label>(texts_.size());
+  texts_.emplace_back(text);
+  labels_.emplace(text, label);
+  passed_.emplace_back();
+  return label;
+}
+
+std::uint32_t FlowTable::mark_of(Label sub, Label label) {
+  const auto [place, is_new] = places_.try_emplace({sub, label}, static_cast<std::uint32_t>(marks_.size()));
+  if (is_new) marks_.emplace_back();
+  return place->second;
+}
+
+FlowTable::Memory FlowTable::memory() const {
+  Memory all;
+  for (const auto& [of, place] : places_)
+    if (marks_[place].used) all.marks.emplace(std::pair{text_or_none(of.first), text_of(of.second)}, marks_[place]);
+  for (std::size_t i = 0; i < passed_.size(); ++i)
+    if (passed_[i].known) all.passed.emplace(texts_[i], passed_[i]);
+  all.defining = text_or_none(defining);
+  all.refused = refused;
+  for (const Label label : calls) all.calls.push_back(text_of(label));
+  all.by_m98 = by_m98;
+  return all;
+}
+
+void FlowTable::remember(const Memory& memory) {
+  for (Mark& mark : marks_) mark = {};
+  for (PassedSub& sub : passed_) sub = {};
+  for (const auto& [of, kept] : memory.marks) mark(mark_of(label_or_none(of.first), label_of(of.second))) = kept;
+  for (const auto& [text, sub] : memory.passed) passed(label_of(text)) = sub;
+  defining = label_or_none(memory.defining);
+  refused = memory.refused;
+  calls.clear();
+  for (const std::string& text : memory.calls) calls.push_back(label_of(text));
+  by_m98 = memory.by_m98;
 }
 
 }  // namespace kadr::linuxcnc

@@ -139,9 +139,13 @@ class LinuxCnc final : public Dialect {
 
  private:
   struct Remembered;
+  /// own: the control's (4.3); common: #<_name>; local: of a call.
+  enum class NameKind : std::uint8_t { unknown, own, common, local };
+  NameKind kind_of(const Interpreter& m, double number) const;
   std::vector<Level> levels_{1};
   std::map<double, double> globals_;  // #<_name>
   State before_;
+  mutable std::vector<NameKind> name_kinds_;  // by number
   mutable std::string fault_text_;
   friend class Parameters;
 

@@ -32,6 +32,7 @@ namespace {
 Status restore_modes(Interpreter& m, const Modal& to) {
   Modal& modal = m.modal;
   const Modal before = modal;
+  m.modes_changed();
   const bool spindle_changes = modal.spindle != to.spindle, speed_changes = modal.rpm != to.rpm;
   const bool mist = modal.mist, flood = modal.flood;
   const MotionModal motion = modal;

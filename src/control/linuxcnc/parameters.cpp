@@ -40,10 +40,11 @@ std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, 
 
 Result<double> LinuxCnc::read_variable(Interpreter& m, double number, Span where) const {
   if (VariableNames::is_named(number)) {
-    if (const auto found = level().named.find(number); found != level().named.end()) return found->second;
-    if (const auto found = globals_.find(number); found != globals_.end()) return found->second;
+    const NameKind kind = kind_of(m, number);
+    const std::map<double, double>& of = kind == NameKind::common ? globals_ : level().named;
+    if (const auto found = of.find(number); found != of.end()) return found->second;
     const std::string name = m.def.grammar.named_variables->name_of(number);
-    if (const auto value = predefined(m, *this, name)) return *value;
+    if (kind == NameKind::own) return predefined(m, *this, name).value_or(0);
     for (const Assignment& a : m.block->assignments)  // a setting earlier in the block makes it exist (4.2)
       if (a.where.begin < where.begin && m.block->code[a.target.begin].number == number) return 0.0;
     return fault(AlarmId::rs274_parameter, where, fmt::format("Named parameter #<{}> not defined", name));
@@ -65,10 +66,11 @@ Result<double> LinuxCnc::read_variable(Interpreter& m, double number, Span where
 
 Status LinuxCnc::write_variable(Interpreter& m, double number, double value, Span where) {
   if (VariableNames::is_named(number)) {
-    const std::string name = m.def.grammar.named_variables->name_of(number);
-    if (predefined(m, *this, name))
-      return fault(AlarmId::rs274_parameter, where, fmt::format("Cannot assign to read-only parameter #<{}>", name));
-    std::map<double, double>& of = name.starts_with('_') ? globals_ : level().named;
+    const NameKind kind = kind_of(m, number);
+    if (kind == NameKind::own)
+      return fault(AlarmId::rs274_parameter, where,
+                   fmt::format("Cannot assign to read-only parameter #<{}>", m.def.grammar.named_variables->name_of(number)));
+    std::map<double, double>& of = kind == NameKind::common ? globals_ : level().named;
     const auto known = of.find(number);
     if (known == of.end()) m.journal.on_undo([&of, number] { of.erase(number); });
     else m.journal.on_undo([&of, number, before = known->second] { of[number] = before; });
@@ -88,6 +90,16 @@ Status LinuxCnc::write_variable(Interpreter& m, double number, double value, Spa
   m.variables.set_raw(static_cast<std::uint32_t>(n), value);
   (void)m.variables.take_frames_changed();  // the table changes, not what is in force
   return {};
+}
+
+/// Found out once a name: its text is looked at.
+LinuxCnc::NameKind LinuxCnc::kind_of(const Interpreter& m, double number) const {
+  const auto index = static_cast<std::size_t>(number - first_named_variable);
+  if (index >= name_kinds_.size()) name_kinds_.resize(index + 1, NameKind::unknown);
+  NameKind& kind = name_kinds_[index];
+  if (kind != NameKind::unknown) return kind;
+  const std::string name = m.def.grammar.named_variables->name_of(number);
+  return kind = predefined(m, *this, name) ? NameKind::own : name.starts_with('_') ? NameKind::common : NameKind::local;
 }
 
 /// EXISTS: a name that is defined, a number in range.
@@ -166,7 +178,7 @@ std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, 
   if (name == "_vminor" || name == "_remap_level") return 0;
   if (name == "_metric_machine" || name == "_task") return 1;
   if (name == "_line") return m.block->position.line;
-  if (name == "_call_level") return static_cast<double>(control.flow.memory.calls.size());
+  if (name == "_call_level") return static_cast<double>(control.flow.calls.size());
   if (name == "_value") return control.state.value;
   if (name == "_value_returned") return control.state.value_returned ? 1 : 0;
   if (const auto mode = mode_named(m, control, name)) return mode;

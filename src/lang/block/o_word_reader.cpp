@@ -114,8 +114,14 @@ Status OWordReader::bracket(std::string_view after) {
 }
 
 Status OWordReader::arguments() {
-  for (cursor_.skip_blanks(); cursor_.peek() == '['; cursor_.skip_blanks()) {
+  for (cursor_.skip_blanks(); cursor_.peek() == '[' || cursor_.peek() == '('; cursor_.skip_blanks()) {
     const std::size_t begin = cursor_.at;
+    if (cursor_.peek() == '(') {  // a remark between two of them
+      const std::size_t close = cursor_.text.find(')', begin);
+      if (close == std::string_view::npos) return {};  // is said of the whole line
+      cursor_.at = close + 1;
+      continue;
+    }
     const auto value = compile_value(cursor_, grammar_, block_);
     if (!value) return fail(value.error());
     if (block_.arguments.size() == limits::call_arguments) return fail(alarm(AlarmId::o_word_arguments, span(begin)));

@@ -1,14 +1,38 @@
-// M98 P L, M99: subprograms by number (spec/linuxcnc 6.5).
+// Subprograms entered and left (spec/linuxcnc 6.2); M98 P L, M99 (6.5).
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/flow.h"
 #include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+
+void enter_sub(Interpreter& m, Label label, std::optional<Level> level, bool by_m98) {
+  LinuxCnc& control = linuxcnc_of(m);
+  control.flow.calls.push_back(label);
+  control.flow.by_m98.push_back(by_m98);
+  control.kept_modes.emplace_back();
+  if (level) control.levels().push_back(std::move(*level));
+}
+
+Status leave_sub(Interpreter& m, Span where) {
+  LinuxCnc& control = linuxcnc_of(m);
+  const auto left = m.flow.end_subprogram(where);
+  if (!left) return fail(left.error());
+  if (*left == nullptr) return {};  // once more
+  if (!control.flow.by_m98.back() && control.levels().size() > 1) control.levels().pop_back();
+  control.flow.calls.pop_back();
+  control.flow.by_m98.pop_back();
+  return restore_at_end(m);
+}
+
+}  // namespace kadr::linuxcnc
 
 namespace kadr::functions {
 
@@ -21,18 +45,18 @@ Status call_numbered(Interpreter& m, const Call& call) {
   const double p = m.value('P');
   if (std::fabs(p - std::round(p)) > 1e-4) return control.fault(AlarmId::rs274_flow, m.where('P'), "Non integer value for integer");
   const double times = m.has('L') ? std::round(m.value('L')) : 1;
-  const std::string label = fmt::format("{:.0f}", p);
+  const linuxcnc::Label label = linuxcnc_of(m).flow.label_of(linuxcnc::label_of_number(p));
   if (times < 1) return {};
   const linuxcnc::OFile& file = linuxcnc_of(m).flow.of(m);
   for (const linuxcnc::OLine& line : file.lines) {
     if (line.at.offset < m.block->position.offset || line.label != label) continue;
     if (line.word == OWord::sub) {  // found out at that line
-      linuxcnc_of(m).flow.memory.refused = "'O.... sub' subroutine must be called with 'O.... call'";
+      linuxcnc_of(m).flow.refused = "'O.... sub' subroutine must be called with 'O.... call'";
       m.flow.jump(line.at);
       return {};
     }
     if (line.word != OWord::label) continue;
-    if (control.flow.memory.calls.size() >= linuxcnc::most_calls_of_program)
+    if (control.flow.calls.size() >= linuxcnc::most_calls_of_program)
       return control.fault(AlarmId::rs274_flow, call.where, "Too many subroutine levels");
     CallFrame frame;
     frame.kind = CallFrame::Kind::subprogram;
@@ -43,16 +67,18 @@ Status call_numbered(Interpreter& m, const Call& call) {
     linuxcnc::enter_sub(m, label, std::nullopt, true);
     return {};
   }
+  const std::string& text = linuxcnc_of(m).flow.text_of(label);
+  if (file.closed) return control.fault(AlarmId::rs274_flow, call.where, fmt::format("Failed to find sub 'O{}' before EOF", text));
   return control.fault(AlarmId::rs274_flow, call.where,
-                       fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m.flow.file(), label, m.block->position.line));
+                       fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m.flow.file(), text, m.block->position.line));
 }
 
 /// M99: back; in the main program: from its first line again (6.5).
 Status return_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   if (m.flow.depth() == 0) return m.begin_again(call.where);
-  if (!control.flow.memory.by_m98.back())
-    return control.fault(AlarmId::rs274_flow, call.where, "Found 'M99' instead of 'O endsub' after 'O sub'");
+  if (!control.flow.by_m98.back())
+    return control.fault(AlarmId::rs274_flow, call.where, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
   return linuxcnc::leave_sub(m, call.where);
 }
 

@@ -1,0 +1,308 @@
+"""LinuxCNC's stand-alone interpreter as an oracle: what `rs274` (Debian's linuxcnc-uspace) makes of a program, as actions of a golden case.
+
+Two things are done to it, neither to the interpreter itself: its stub of the machine says by one constant of the executable that a user
+unit is an inch (a copy with the constant 1 is a machine in mm: tool table and parameter file are in mm then), and a preloaded fprintf
+prints nine decimals for its four. What the stub does not know, so what no test may rest on: tool length and rotation where the interpreter
+asks for the position (after M6, M61, M66, G38.n), where a probe touches, inputs.
+"""
+import math
+import os
+import re
+import shutil
+import struct
+import subprocess
+import tempfile
+from pathlib import Path
+
+PROGRAM = '/usr/bin/rs274'
+USER_UNIT = struct.pack('<d', 0.03937007874016)     # user units per mm in the stub
+CANONICAL = re.compile(r' *\d+ N[0-9.]* *([A-Z_.0-9]+)\((.*)\)$')
+AXES = 'XYZABC'
+PLANES = {'XY': ('XY', 'Z'), 'XZ': ('ZX', 'Y'), 'YZ': ('YZ', 'X')}
+KINDS = {'spindle', 'dwell', 'message', 'coolant', 'tool', 'speed', 'stop', 'm'}
+SHIM = r'''
+#define _GNU_SOURCE
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+static int out(FILE* f, const char* fmt, va_list ap) {
+  char b[4096];
+  size_t n = 0;
+  for (const char* p = fmt; *p && n < sizeof b - 5;) {
+    if (!strncmp(p, "%.4f", 4)) { memcpy(b + n, "%.9f", 4); n += 4; p += 4; }
+    else if (!strncmp(p, "%f", 2)) { memcpy(b + n, "%.9f", 4); n += 4; p += 2; }
+    else b[n++] = *p++;
+  }
+  b[n] = 0;
+  return vfprintf(f, b, ap);
+}
+int fprintf(FILE* f, const char* fmt, ...) { va_list ap; va_start(ap, fmt); int r = out(f, fmt, ap); va_end(ap); return r; }
+int __fprintf_chk(FILE* f, int flag, const char* fmt, ...) {
+  (void)flag;
+  va_list ap;
+  va_start(ap, fmt);
+  int r = out(f, fmt, ap);
+  va_end(ap);
+  return r;
+}
+'''
+
+
+class Absent(Exception):
+    """There is no oracle on this machine; the text says what is missing."""
+
+
+class Oracle:
+    """`folder`: where its copy is made; it must stay as long as the oracle is used."""
+
+    def __init__(self, folder):
+        if not os.path.exists(PROGRAM):
+            raise Absent('rs274 is not here (Debian package linuxcnc-uspace)')
+        compiler = shutil.which('gcc') or shutil.which('cc')
+        if compiler is None:
+            raise Absent('no C compiler')
+        self.program, self.shim = Path(folder, 'rs274mm'), Path(folder, 'decimals.so')
+        data = Path(PROGRAM).read_bytes()
+        if data.count(USER_UNIT) != 1:
+            raise Absent(f'{PROGRAM} is not the version that is known here')
+        self.program.write_bytes(data.replace(USER_UNIT, struct.pack('<d', 1.0)))
+        self.program.chmod(0o755)
+        source = Path(folder, 'decimals.c')
+        source.write_text(SHIM)
+        subprocess.run([compiler, '-shared', '-fPIC', '-O1', '-o', self.shim, source], check=True)
+
+    def run(self, folder, name, seconds=10):
+        """Runs the file `name` of the folder, in which tool.tbl and p.var stand: (canonical lines, text of the alarm or None)."""
+        for attempt in range(4):                      # once in some hundred runs it ends with status 1 and says nothing
+            done = subprocess.run([str(self.program), '-t', 'tool.tbl', '-v', 'p.var', '-g', name], cwd=folder, capture_output=True,
+                                  timeout=seconds, stdin=subprocess.DEVNULL, env={**os.environ, 'LD_PRELOAD': str(self.shim), 'LC_ALL': 'C'})
+            said = [line for line in done.stderr.decode('latin-1').splitlines() if line and not line.startswith(('executing', 'link ('))]
+            if done.returncode == 0 or said:
+                break
+        lines = done.stdout.decode('latin-1').splitlines()
+        return lines, None if done.returncode == 0 else said[0] if said else 'ended without a word'
+
+
+def number(value):
+    value = round(value, 6)
+    return int(value) if value == int(value) else value
+
+
+class Converter:
+    """Canonical calls → actions (tests/golden/README.md), of the kinds named besides motions."""
+
+    def __init__(self, kinds=frozenset(KINDS)):
+        self.kinds, self.actions = kinds, []
+        self.here = dict.fromkeys(AXES, 0.0)             # work position in mm
+        self.factor, self.plane, self.feed, self.per_rev, self.lead = 1.0, 'XY', 0.0, False, None
+        self.g92, self.g5x, self.length = (dict.fromkeys(AXES, 0.0) for _ in range(3))
+        self.rotation, self.speed, self.tool = 0.0, 0.0, 0
+        self.inverse = self.turning = self.changing = self.spline_open = False
+        self.used = set()
+
+    def all(self, lines):
+        last = max((i for i, line in enumerate(lines) if 'SET_FEED_MODE' in line), default=-1)
+        ends = any('PROGRAM_END()' in line for line in lines)
+        for i, line in enumerate(lines):
+            self.ending = i == last and ends
+            self.line(line)
+        return self.actions
+
+    def line(self, text):
+        found = CANONICAL.match(text)
+        if found:
+            self.call(found[1], found[2])
+        elif text:
+            self.add('message', text=text.strip())       # (PRINT, …)
+
+    def add(self, kind, **fields):
+        group = {'toolchange': 'tool', 'optional_stop': 'stop'}.get(kind, kind)
+        if group in self.kinds:
+            self.actions.append({'do': kind, **fields})
+
+    def motion(self, do, target, length=None, **fields):
+        to = {a: number(v) for a, v in target.items() if a in 'XYZ' or a in self.used or abs(v) > 1e-9}
+        self.used |= {a for a in to if a not in 'XYZ'}
+        action = {'do': do, 'to': to, **fields}
+        moves = any(abs(target[a] - self.here[a]) > 1e-9 for a in 'XYZ')
+        if do.startswith('arc') or (do == 'feed' and moves):
+            if self.inverse:
+                length = length or math.dist([target[a] for a in 'XYZ'], [self.here[a] for a in 'XYZ'])
+                action.update(feed=number(self.feed / length), unit='1/min')
+            else:
+                action.update(feed=number(self.feed), unit='mm/rev' if self.per_rev else 'mm/min')
+        self.actions.append(action)
+        self.here = dict(target)
+
+    def frame(self):
+        return dict(self.g5x), dict(self.g92), self.rotation, dict(self.length)
+
+    def change_frame(self, change):
+        """The work position changes with the frame, the machine does not move."""
+        g5x, g92, rotation, length = self.frame()
+        p = {a: self.here[a] + g92[a] for a in AXES}
+        turn(p, rotation)
+        machine = {a: p[a] + g5x[a] + length[a] for a in AXES}
+        change()
+        p = {a: machine[a] - self.g5x[a] - self.length[a] for a in AXES}
+        turn(p, -self.rotation)
+        self.here = {a: p[a] - self.g92[a] for a in AXES}
+
+    def lengths(self, values):
+        return dict(zip(AXES, [v * self.factor for v in values[:3]] + values[3:6]))
+
+    def call(self, name, inside):
+        args = [float(v) for v in re.findall(r'-?\d+(?:\.\d+)?(?:e[-+]\d+)?|-?nan|-?inf', inside)] if '"' not in inside else []
+        handler = getattr(self, 'on_' + name.lower(), None)
+        if handler is not None:
+            handler(args, inside)
+
+    # ---- motions
+    def on_straight_traverse(self, args, _):
+        self.motion('rapid', self.lengths(args))
+
+    def on_straight_feed(self, args, _):
+        if self.lead is None:
+            self.motion('feed', self.lengths(args))
+        else:
+            self.motion('thread', self.lengths(args), lead=number(self.lead * self.factor))
+
+    def on_straight_probe(self, args, _):
+        self.motion('probe', self.lengths(args))
+
+    def on_rigid_tap(self, args, _):
+        there, back = {**self.here, **dict(zip('XYZ', [v * self.factor for v in args[:3]]))}, dict(self.here)
+        for target in (there, back):
+            self.motion('thread', target, lead=number(self.lead * self.factor))
+
+    def on_arc_feed(self, args, _):
+        (first, second), third = PLANES[self.plane]
+        end1, end2, c1, c2 = (v * self.factor for v in args[:4])
+        sense, end3 = int(args[4]), args[5] * self.factor
+        x1, y1 = self.here[first] - c1, self.here[second] - c2
+        swept = math.atan2(end2 - c2, end1 - c1) - math.atan2(y1, x1)
+        swept = swept if sense > 0 else -swept
+        while swept <= 1e-9:
+            swept += 2 * math.pi
+        swept += (abs(sense) - 1) * 2 * math.pi
+        length = math.hypot(math.hypot(x1, y1) * swept, end3 - self.here[third])
+        target = {**self.here, **dict(zip('ABC', args[6:9])), first: end1, second: end2, third: end3}
+        self.motion('arc_ccw' if sense > 0 else 'arc_cw', target, length, center={first: number(c1), second: number(c2)},
+                    plane=first + second, turns=number(swept / 2 / math.pi))
+
+    def on_nurbs_feed(self, args, _):
+        self.actions.append({'do': 'spline'})             # where it ends the next motion tells
+
+    # ---- frames
+    def on_use_length_units(self, _, inside):
+        self.factor = 25.4 if 'INCHES' in inside else 1.0
+
+    def on_select_plane(self, _, inside):
+        self.plane = inside[-2:]
+
+    def on_set_g5x_offset(self, args, _):
+        self.change_frame(lambda: self.g5x.update(self.lengths(args[1:])))
+
+    def on_set_g92_offset(self, args, _):
+        self.change_frame(lambda: self.g92.update(self.lengths(args)))
+
+    def on_use_tool_length_offset(self, args, _):
+        self.change_frame(lambda: self.length.update(self.lengths(args)))
+
+    def on_set_xy_rotation(self, args, _):
+        self.change_frame(lambda: setattr(self, 'rotation', args[0]))
+
+    # ---- feed, spindle
+    def on_set_feed_rate(self, args, _):
+        self.feed = args[0] * self.factor
+
+    def on_set_feed_mode(self, args, _):
+        self.per_rev = args[1] == 1
+        self.changing = self.ending
+
+    def on_start_speed_feed_sync(self, args, _):
+        self.lead = args[0]
+
+    def on_stop_speed_feed_synch(self, _args, _):
+        self.lead = None
+
+    def on_comment(self, _, inside):
+        if 'feed mode set to' in inside:
+            self.inverse = 'inverse time' in inside
+
+    def on_set_spindle_speed(self, args, _):
+        self.speed = args[1]
+
+    def on_start_spindle_clockwise(self, *_):
+        self.start('cw')
+
+    def on_start_spindle_counterclockwise(self, *_):
+        self.start('ccw')
+
+    def start(self, sense):
+        self.turning = True
+        self.add('spindle', dir=sense, rpm=number(self.speed))
+
+    def on_stop_spindle_turning(self, *_):
+        if self.turning:                                  # M6 and M2 stop it on their own: the trace may say so
+            self.add('spindle', dir='stop', **({'optional': True} if self.changing else {}))
+        self.turning = False
+
+    def on_orient_spindle(self, args, _):
+        self.add('spindle', dir='orient', angle=number(args[1]))
+
+    # ---- the rest
+    def on_dwell(self, args, _):
+        self.add('dwell', seconds=number(args[0]))
+
+    def on_message(self, _, inside):
+        self.add('message', text=inside.strip('"').strip())
+
+    def on_select_tool(self, args, _):
+        self.tool = int(args[0])
+        self.add('tool', tool=self.tool)
+
+    def on_start_change(self, *_):
+        self.changing = True
+
+    def on_change_tool(self, *_):
+        self.changing = False
+        self.add('toolchange', tool=self.tool)
+
+    def on_mist_on(self, *_):
+        self.add('coolant', code='M7')
+
+    def on_flood_on(self, *_):
+        self.add('coolant', code='M8')
+
+    def on_mist_off(self, *_):
+        self.add('coolant', code='M9')
+
+    def on_program_stop(self, *_):
+        self.add('stop')
+
+    def on_optional_program_stop(self, *_):
+        self.add('optional_stop')
+
+    def on_set_motion_output_bit(self, args, _):
+        self.add('m', code='M62', number=int(args[0]))
+
+    def on_clear_motion_output_bit(self, args, _):
+        self.add('m', code='M63', number=int(args[0]))
+
+    def on_set_aux_output_bit(self, args, _):
+        self.add('m', code='M64', number=int(args[0]))
+
+    def on_clear_aux_output_bit(self, args, _):
+        self.add('m', code='M65', number=int(args[0]))
+
+    def on_set_motion_output_value(self, args, _):
+        self.add('m', code='M67', number=int(args[0]), value=number(args[1]))
+
+    def on_set_aux_output_value(self, args, _):
+        self.add('m', code='M68', number=int(args[0]), value=number(args[1]))
+
+
+def turn(p, degrees):
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    p['X'], p['Y'] = p['X'] * c - p['Y'] * s, p['X'] * s + p['Y'] * c
