@@ -125,6 +125,8 @@ class Converter:
         self.used |= {a for a in to if a not in 'XYZ'}
         action = {'do': do, 'to': to, **fields}
         moves = any(abs(target[a] - self.here[a]) > 1e-9 for a in 'XYZ')
+        if do in ('rapid', 'feed') and not moves and all(abs(target[a] - self.here[a]) <= 1e-9 for a in 'ABC'):
+            return                                       # of no length: a trace may leave it out
         if do.startswith('arc') or (do == 'feed' and moves):
             if self.inverse:
                 length = length or math.dist([target[a] for a in 'XYZ'], [self.here[a] for a in 'XYZ'])

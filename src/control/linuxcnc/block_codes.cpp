@@ -40,6 +40,7 @@ class Checker {
     KADR_TRY(read());
     codes_.has_axis = m_.has_axis_words();
     codes_.has_polar = has(polar_radius_) || has(polar_angle_);
+    KADR_TRY(polar());
     KADR_TRY(motion());
     KADR_TRY(group_0());
     KADR_TRY(too_many());
@@ -115,6 +116,16 @@ class Checker {
     return wrong(AlarmId::rs274_words, w.where, "Non integer value for integer");
   }
 
+  /// The plane is the one in force before the block.
+  Status polar() const {
+    if (!codes_.has_polar) return {};
+    const auto no = [&](const char* text) { return wrong(AlarmId::rs274_motion, m_.block->where, text); };
+    if (m_.modal.plane != Plane::xy) return no("Cannot use polar coordinate except in G17 plane");
+    if (m_.has('X')) return no("Cannot specify both polar coordinate and X word");
+    if (m_.has('Y')) return no("Cannot specify both polar coordinate and Y word");
+    return {};
+  }
+
   // ---- which motion (2.7)
 
   Status motion() {
@@ -148,7 +159,7 @@ class Checker {
         if (lengths) return {};
         return wrong(AlarmId::rs274_motion, at, "Cannot use axis values without a g code that uses them");
       }
-      codes_.motion = in_force;
+      if (codes_.g[8] != 431) codes_.motion = in_force;  // its words are lengths: nothing moves
     } else if ((in_force == 20 || in_force == 30) && (m_.has('I') || m_.has('J') || m_.has('K'))) {
       codes_.motion = in_force;
     }
@@ -182,7 +193,7 @@ class Checker {
       return wrong(AlarmId::rs274_data, at, "Line with G10 does not have L0, L1, L10, L11, L2, or L20");
     if (l == 0) return {};
     const double p = m_.has('P') ? m_.word('P')->value : -1;
-    const bool broken = std::fabs(p - std::round(p)) > whole_within;
+    const bool broken = p + 0.0001 - std::round(p) > 0.0002;  // as the source has it: 1.5 to 1.99 count as 2
     if (l == 2 || l == 20) {
       if (broken) return wrong(AlarmId::rs274_data, at, "P value not an integer with G10");
       if (std::round(p) < 0 || std::round(p) > 9)

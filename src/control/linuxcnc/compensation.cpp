@@ -25,8 +25,7 @@ Status tool_side(Interpreter& m, const Call& call) {
     diameter = m.length_value('D');
   } else {
     const double d = m.has('D') ? m.value('D') : 0;
-    if (std::fabs(d - std::round(d)) > 1e-4) return wrong(fmt::format("G{} requires D word to be a whole number", code));
-    if (d < 0) return wrong("Negative d word tool radius index used");
+    if (d < 0 || std::fabs(d - std::round(d)) > 1e-4) return wrong(fmt::format("G{} requires D word to be a whole number", code));
     const double number = std::round(d) == 0 ? m.modal.tool : std::round(d);
     const linuxcnc::Tool* const tool = control.tool(number);
     if (tool == nullptr && number != 0)

@@ -31,6 +31,7 @@ struct Hole {
   bool polar = false;     // G91 with @ ^: each repetition turns on
   double polar_radius = 0, polar_angle = 0;
   AlarmId fault = AlarmId::count;  // what the control finds at the hole only, when the approach has been made
+  bool fault_above = false;        // … when it has risen to R, if it has to
   const char* fault_text = "";
   Span where;
   SpindleDir spindle = SpindleDir::stop;
@@ -65,6 +66,7 @@ class Drilling final : public RunningValue<Drilling> {
     in_hole_ = true;
     depth_ = h_.level;
     if (done_ == 0 && h_.up_first) KADR_TRY(drill(m, MotionKind::rapid, h_.level));
+    if (h_.fault_above) return linuxcnc_of(m).fault(h_.fault, h_.where, h_.fault_text);
     if (h_.polar) {
       const Vec2 here{m.position.programmed[0], m.position.programmed[1]};
       const double radius = length(here) + h_.polar_radius;
@@ -184,7 +186,7 @@ class Drilling final : public RunningValue<Drilling> {
   }
 
   void dwell(Interpreter& m) const {
-    if (h_.dwell > 0) m.emit(Dwell{h_.dwell});
+    m.emit(Dwell{h_.dwell});  // of no time too, as the control does
   }
   static void spindle(Interpreter& m, SpindleDir dir) {
     const bool turns = dir == SpindleDir::cw || dir == SpindleDir::ccw;
@@ -308,25 +310,27 @@ class Reader {
     hole_.spindle = m_.modal.spindle;
   }
 
-  /// Words that a code needs, given or sticky.
+  /// Words that a code needs, given or sticky; found out when the tool has risen to R. P and Q of -1 are as missing (2.2).
   Status of_code(bool same) {
-    const auto wants = [&](char letter, const char* text) -> Status {
-      if (same || m_.has(letter)) return {};
-      return wrong(text);
+    const auto wants = [&](char letter, const char* text) {
+      const bool there = m_.has(letter) && !((letter == 'P' || letter == 'Q') && m_.value(letter) == -1);
+      if (same || there || hole_.fault_above) return;
+      at_hole(AlarmId::rs274_cycle, text);
+      hole_.fault_above = true;
     };
     if (hole_.code == 830 || hole_.code == 730) {
-      KADR_TRY(wants('Q', hole_.code == 830 ? "Q word missing with g83" : "Q word missing with g73"));
+      wants('Q', hole_.code == 830 ? "Q word missing with g83" : "Q word missing with g73");
       if (!(hole_.peck > 0)) at_hole(AlarmId::rs274_cycle, "Negative or zero q value used");
       else if ((hole_.level - hole_.bottom) / hole_.peck > most_pecks) return fail(alarm(AlarmId::cycle_peck, m_.where('Q'), hole_.peck));
     }
-    if (hole_.code == 820) KADR_TRY(wants('P', "Dwell time p word missing with g82"));
-    if (hole_.code == 860) KADR_TRY(wants('P', "Dwell time p word missing with g86"));
-    if (hole_.code == 880) KADR_TRY(wants('P', "Dwell time p word missing with g88"));
-    if (hole_.code == 890) KADR_TRY(wants('P', "Dwell time p word missing with g89"));
+    if (hole_.code == 820) wants('P', "Dwell time p word missing with g82");
+    if (hole_.code == 860) wants('P', "Dwell time p word missing with g86");
+    if (hole_.code == 880) wants('P', "Dwell time p word missing with g88");
+    if (hole_.code == 890) wants('P', "Dwell time p word missing with g89");
     if (hole_.code != 870) return {};
-    KADR_TRY(wants('I', "I word missing with g87"));
-    KADR_TRY(wants('J', "J word missing with g87"));
-    KADR_TRY(wants('K', "K word missing with g87"));
+    wants('I', "I word missing with g87");
+    wants('J', "J word missing with g87");
+    wants('K', "K word missing with g87");
     return {};
   }
 

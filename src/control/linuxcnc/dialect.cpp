@@ -171,10 +171,6 @@ Status polar_words(Interpreter& m, LinuxCnc& control) {
   const Span at = m.block->where;
   const auto wrong = [&](const char* text) { return control.fault(AlarmId::rs274_motion, at, text); };
   if (m.has_code({Function::machine_coordinates})) return wrong("Cannot use polar coordinates with G53");
-  const bool other_plane = control.codes.g[2] >= 0 ? control.codes.g[2] != 170 : m.modal.plane != Plane::xy;
-  if (other_plane) return wrong("Cannot use polar coordinate except in G17 plane");
-  if (m.has('X')) return wrong("Cannot specify both polar coordinate and X word");
-  if (m.has('Y')) return wrong("Cannot specify both polar coordinate and Y word");
   const double unit = (control.codes.g[6] >= 0 ? control.codes.g[6] == 200 : m.modal.inch) ? mm_per_inch : 1;
   const Vec2 here{m.position.programmed[0] / unit, m.position.programmed[1] / unit};
   const bool at_zero = length(here) < 1e-9;

@@ -60,6 +60,13 @@ class OLines {
   /// The subprogram that runs.
   Label where() const { return flow_.calls.empty() ? no_label : flow_.calls.back(); }
   const std::string& text() const { return flow_.text_of(label_); }
+  /// Of a label that belongs to a subprogram, as the source keeps it.
+  std::string local_name() const { return (where() == no_label ? std::string() : flow_.text_of(where())) + "#" + text(); }
+  std::string_view line_text() const {
+    const std::string_view all = m_.block->text;
+    const std::size_t begin = all.find_first_not_of(" \t"), end = all.find_last_not_of(" \t\r");
+    return begin == std::string_view::npos ? std::string_view() : all.substr(begin, end + 1 - begin);
+  }
 
   Result<Label> label() {
     if (here_ >= 0 && row(here_).label != no_label) return row(here_).label;
@@ -102,9 +109,8 @@ class OLines {
   /// What was looked for does not come, and the file is over (2.1; read_text and read of the source). `sought`: a subprogram, by a call;
   /// else lines were passed over on the way to an O line.
   tl::unexpected<Alarm> end_of_file_seeking(bool sought = false, bool of_all = false) const {
-    const std::string sub = where() == no_label ? std::string() : flow_.text_of(where());
     std::string what = "File ended with no percent sign or program end";
-    if (file_->closed) what = fmt::format("Failed to find sub 'O{}' before EOF", sought || of_all ? text() : sub + "#" + text());
+    if (file_->closed) what = fmt::format("Failed to find sub 'O{}' before EOF", sought || of_all ? text() : local_name());
     else if (sought) what = fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m_.flow.file(), text(), line());
     else if (control_.state.percent) what = "File ended with no percent sign";
     return control_.fault(AlarmId::rs274_flow, s_.where, std::move(what));
@@ -136,14 +142,14 @@ class OLines {
     if (known.used) {
       if (known.at == m_.block->position && known.reader == m_.flow.reader()) return &known;
       if (of_branch)
-        return wrong(fmt::format("{}: duplicate O-word label - already defined in line {}: '{}'", line(), known.at.line, text()));
-      return wrong(fmt::format("{}: duplicate O-word label: '{}' - defined in line {}", line(), text(), known.at.line));
+        return wrong(fmt::format("{}: duplicate O-word label - already defined in line {}: '{}'", line(), known.at.line, line_text()));
+      return wrong(fmt::format("{}: duplicate O-word label: '{}' - defined in line {}", line(), line_text(), known.at.line));
     }
     known = {true, word, m_.block->position, m_.flow.reader()};
     return &known;
   }
 
-  tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), text())); }
+  tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), line_text())); }
   std::string found(const Mark& other) const { return fmt::format("(found '{}' in line {})", name_of(other.word), other.at.line); }
 
   // ---- subprograms
@@ -313,7 +319,7 @@ class OLines {
   Status end_loop(OWord of) {
     Mark* const known = mark();
     if (known == nullptr) return undefined();
-    if (known->word != of) return wrong(fmt::format("{}: no matching label: '{}' {}", line(), text(), found(*known)));
+    if (known->word != of) return wrong(fmt::format("{}: no matching label: '{}' {}", line(), line_text(), found(*known)));
     if (of == OWord::while_) return jump_to(known->at);
     if (--known->left < 1) {
       forget_mark();
@@ -326,7 +332,7 @@ class OLines {
     const Mark* const known = mark();
     if (known == nullptr) return undefined();
     if (known->word != OWord::while_ && known->word != OWord::do_)
-      return wrong(fmt::format("{}: no matching while/do label: '{}' {}", line(), text(), found(*known)));
+      return wrong(fmt::format("{}: no matching while/do label: '{}' {}", line(), line_text(), found(*known)));
     if (again && known->word == OWord::while_) return jump_to(known->at);
     const std::int32_t end = next_of({OWord::endwhile, OWord::while_});
     if (end < 0) return end_of_file_seeking();
@@ -355,7 +361,7 @@ class OLines {
   Status other_branch() {
     Mark* const known = mark();
     if (known == nullptr) return undefined();
-    if (known->word != OWord::if_) return wrong(fmt::format("{}: no matching 'if' label: '{}' {}", line(), text(), found(*known)));
+    if (known->word != OWord::if_) return wrong(fmt::format("{}: no matching 'if' label: '{}' {}", line(), line_text(), found(*known)));
     if (known->taken) return behind_end({OWord::endif});
     if (s_.o_word == OWord::else_) {
       known->taken = true;
@@ -371,7 +377,7 @@ class OLines {
     const Mark* const known = mark();
     if (known == nullptr) return undefined();
     if (known->word != OWord::if_)
-      return wrong(fmt::format("{}: no matching label: '{}' {}: '{}'", line(), text(), found(*known), m_.block->text_of(m_.block->where)));
+      return wrong(fmt::format("{}: no matching label: '{}' {}: '{}'", line(), local_name(), found(*known), line_text()));
     return {};
   }
 

@@ -142,8 +142,7 @@ Status digital_output(Interpreter& m, const Call& call) {
                                 : code == 63 ? "Cannot set motion digital output with cutter radius compensation on"
                                              : "Cannot set auxiliary digital output with cutter radius compensation on";
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where, forbidden));
-  if (!m.has('P') || std::round(m.value('P')) < 0)
-    return linuxcnc::wrong_word(m, call.where, fmt::format("No valid P word with M{}", code));
+  if (!m.has('P')) return linuxcnc::wrong_word(m, call.where, fmt::format("No valid P word with M{}", code));
   emit_output(m, code, m.value('P'), std::nullopt);
   return {};
 }
@@ -156,7 +155,7 @@ Status analog_output(Interpreter& m, const Call& call) {
                                                      : "Cannot set auxiliary analog output with cutter radius compensation on"));
   if (!m.has('E') || std::round(m.value('E')) < 0)
     return linuxcnc::wrong_word(m, call.where, fmt::format("Invalid analog index with M{}", code));
-  emit_output(m, code, m.value('E'), m.value('Q'));
+  emit_output(m, code, m.value('E'), m.has('Q') ? m.value('Q') : -1);  // as the source counts one that is missing
   return {};
 }
 
@@ -167,9 +166,9 @@ Status wait_for_input(Interpreter& m, const Call& call) {
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot wait for digital input with cutter radius compensation on"));
   if (digital && analog) return linuxcnc::wrong_word(m, call.where, "Invalid to select both a digital and an analog input with M66");
   if (!digital && !analog) return linuxcnc::wrong_word(m, call.where, "Need to have either a valid P or a valid E word with M66");
-  if (analog && kind != 0) return linuxcnc::wrong_word(m, call.where, "Can't select analog input with wait type != immediate return");
   if (kind != 0 && !(m.has('Q') && m.value('Q') > 0))
     return linuxcnc::wrong_word(m, call.where, "Zero timeout with wait type != immediate return");
+  if (analog && kind != 0) return linuxcnc::wrong_word(m, call.where, "Can't select analog input with wait type != immediate return");
   emit_output(m, 66, m.value(digital ? 'P' : 'E'), std::nullopt);
   constexpr std::uint32_t result = 5399;
   m.variables.set_raw(result, kind != 0 ? -1 : 0);

@@ -56,6 +56,37 @@ Words no_value(const AlarmReport& report) {
   return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(behind))};
 }
 
+/// The run of digits, points and signs that stands there, or ends there.
+std::string_view number_there(const AlarmReport& report) {
+  constexpr std::string_view of_numbers = "0123456789.+-";
+  const std::string_view line = report.line_text;
+  std::size_t begin = std::min<std::size_t>(report.alarm.where.begin, line.size()), end = begin;
+  while (begin > 0 && of_numbers.find(line[begin - 1]) != std::string_view::npos) --begin;
+  if (begin == end)
+    while (begin < line.size() && of_numbers.find(line[begin]) == std::string_view::npos) ++begin;
+  end = std::max(begin, end);
+  while (end < line.size() && of_numbers.find(line[end]) != std::string_view::npos) ++end;
+  return line.substr(begin, end - begin);
+}
+
+Words number_wrong(const AlarmReport& report) {
+  const std::string_view number = number_there(report);
+  const std::string_view line = report.line_text;
+  const std::size_t begin = static_cast<std::size_t>(number.data() - line.data());
+  if (begin > 0 && small(line[begin - 1]) == 'n') return {AlarmId::rs274_form, "Bad character '.' used"};
+  const bool digits = number.find_first_of("0123456789") != std::string_view::npos;
+  return {AlarmId::rs274_form,
+          fmt::format("bad number format ({}) parsing '{}'", digits ? "trailing characters" : "conversion failed", number)};
+}
+
+/// The line is over where a value should stand.
+bool lacks_value(std::string_view line) {
+  if (const std::size_t semicolon = line.find(';'); semicolon != std::string_view::npos) line = line.substr(0, semicolon);
+  const std::size_t last = line.find_last_not_of(" \t\r");
+  constexpr std::string_view before_values = "[+-*/=#";
+  return last == std::string_view::npos || before_values.find(line[last]) != std::string_view::npos || is_letter(line[last]);
+}
+
 Words function_wrong(const AlarmReport& report) {
   constexpr std::string_view begin_functions = "acefflrst";
   const std::string_view at = there(report);
@@ -85,8 +116,16 @@ Words no_number(const AlarmReport& report) {
 
 Words expression_wrong(const AlarmReport& report) {
   const std::string of = argument(report, 0);
-  if (of.find("]/[") != std::string::npos) return {AlarmId::rs274_expression, "Slash missing after first atan argument"};
-  if (begins(there(report), "[") || of == "…") return {AlarmId::rs274_expression, "Unclosed expression"};
+  const std::string_view line = report.line_text;
+  if (of.find("]/[") != std::string::npos)
+    return {AlarmId::rs274_expression, line.find("]/") != std::string_view::npos ? "Left bracket missing after slash with atan"
+                                                                                 : "Slash missing after first atan argument"};
+  const bool over = begins(there(report), "[") || of == "…";
+  if (over && lacks_value(line)) return {AlarmId::rs274_form, "No characters found in reading real value"};
+  if (over) return {AlarmId::rs274_expression, "Unclosed expression"};
+  const std::size_t at = report.alarm.where.begin;
+  if (at > 0 && at <= line.size() && (line[at - 1] == '#' || begins(there(report), "#")))
+    return {AlarmId::rs274_form, "bad number format (conversion failed) parsing ''"};
   return {AlarmId::rs274_expression, "Unknown operation"};
 }
 
@@ -112,6 +151,7 @@ Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
   const std::string letter = argument(report, 0);
   switch (report.alarm.id) {
     case AlarmId::address_twice:
+      if (letter == "N") return {AlarmId::rs274_form, "Bad character 'n' used"};
       if (letter == "$") return {AlarmId::rs274_form, "Multiple spindle choice ($) words on one line"};
       return {AlarmId::rs274_form, fmt::format("Multiple {} words on one line", letter.empty() ? '?' : small(letter[0]))};
     case AlarmId::address_unknown:
@@ -120,8 +160,7 @@ Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
     case AlarmId::skip_position:
     case AlarmId::block_number_position: return bad_character(report);
     case AlarmId::number_missing: return no_value(report);
-    case AlarmId::number_damaged:
-      return {AlarmId::rs274_form, fmt::format("bad number format (trailing characters) parsing '{}'", there(report))};
+    case AlarmId::number_damaged: return number_wrong(report);
     case AlarmId::sign_not_allowed: return {AlarmId::rs274_codes, letter == "M" ? "Negative m code used" : "Negative g code used"};
     case AlarmId::code_unknown: return {AlarmId::rs274_codes, "G-code out of range"};
     case AlarmId::comment_not_closed: return {AlarmId::rs274_form, "Unclosed comment found"};
@@ -148,7 +187,9 @@ Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
     case AlarmId::compensation_no_intersection:
       return {AlarmId::rs274_compensation, "Arc move in concave corner cannot be reached by the tool without gouging"};
     case AlarmId::operator_unknown: return operator_wrong(report);
-    case AlarmId::bracket_not_closed: return {AlarmId::rs274_expression, "Unclosed expression"};
+    case AlarmId::bracket_not_closed:
+      if (lacks_value(report.line_text)) return {AlarmId::rs274_form, "No characters found in reading real value"};
+      return {AlarmId::rs274_expression, "Unclosed expression"};
     case AlarmId::expression_syntax: return expression_wrong(report);
     case AlarmId::division_by_zero:
       if (function_name(there(report)) == "MOD") return {AlarmId::rs274_expression, "Calculation resulted in 'not a number'"};

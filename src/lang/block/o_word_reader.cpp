@@ -88,7 +88,7 @@ Status OWordReader::command() {
     if (word == row.text) s.o_word = row.word;
   if (s.o_word == OWord::label) {
     for (const OWordRow& row : o_words)
-      if (word.starts_with(row.text) && row.word != OWord::do_) return fail(alarm(AlarmId::o_word_rest, span(begin)));
+      if (word.starts_with(row.text)) return fail(alarm(AlarmId::o_word_rest, span(begin)));
     return fail(alarm(AlarmId::o_word_unknown, span(begin)));
   }
   switch (s.o_word) {

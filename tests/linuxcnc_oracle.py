@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Kadr beside LinuxCNC's own interpreter: random programs, or those of a folder, in rs274 and in `kadr run --control linuxcnc`.
+
+    tests/linuxcnc_oracle.py --kadr build/release/kadr [--count 400] [--seed 1] [--show]
+    tests/linuxcnc_oracle.py --kadr build/release/kadr --folder DIR [--named FILE]     LinuxCNC's own programs
+
+Compared: positions within 1e-4 mm, arcs with centre and turns, feeds, dwells, messages, spindle, coolant, outputs, and the text of an alarm.
+`--named`: lines `NAME reason` of programs that differ for a reason; one that is equal all the same is a fault.
+Skipped, counted and said, where there is no rs274 (Debian's linuxcnc-uspace: dev/setup oracle).
+"""
+import argparse
+import concurrent.futures
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE / 'golden'), str(HERE / 'rs274')]
+import check  # noqa: E402
+import oracle  # noqa: E402
+import programs  # noqa: E402
+
+TOOLS = '\n'.join(f'T{n} P{n} Z0 D0' for n in range(1, 100)) + '\n'
+SETUP = {'axes': list('XYZABC'), 'probe': {'1': None}}
+SECONDS = 20
+
+
+class KadrRun(check.Run):
+    """As the referee's run of a case, of a file that stands where it stands."""
+
+    def __init__(self, kadr, folder, name, setup_file):  # noqa: super's makes a folder of its own
+        done = subprocess.run([kadr, 'run', name, '--control', 'linuxcnc', '--setup', setup_file, '--files', '.', '--trace', '-', '--lang', 'en'],
+                              cwd=folder, capture_output=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
+        self.status, self.stderr = done.returncode, done.stderr.decode(errors='replace')
+        lines = [json.loads(x) for x in done.stdout.decode(errors='replace').splitlines() if x.startswith('{')]
+        self.end = next((x for x in lines if x['do'] in ('end', 'alarm')), None)
+        if self.end is None:
+            raise check.Mismatch(f'the trace has no last line (status {self.status}; {self.stderr[:160]})')
+        self.actions = [x for x in lines if x['do'] not in ('end', 'alarm') and x.get('code') != 'M66']  # that is no call of rs274
+        for action in self.actions:
+            if action['do'] == 'home':                    # the second half of G28: rs274 has a traverse
+                action['do'] = 'rapid'
+        self.add_snapshots(SETUP)
+
+
+def expected(lines, error, text):
+    expect = {'trace': oracle.Converter().all(lines), 'complete_for': ['motion', 'message', 'dwell', 'coolant', 'm']}
+    if error is None:
+        return expect
+    expect['alarm'] = {'number': None, 'text': re.split(r': start=|\n', error)[0][:60]}
+    if re.search(r'g\s*4[12]', text, re.I):
+        expect['open'] = True                             # the motion held back for compensation
+    return expect
+
+
+def difference(rs274, kadr, folder, name, text):
+    """What differs, or None; "no answer" where rs274 itself does not end."""
+    (folder / 'tool.tbl').write_text(TOOLS)
+    (folder / 'p.var').write_text('')
+    try:
+        lines, error = rs274.run(folder, name, SECONDS)
+    except subprocess.TimeoutExpired:
+        return 'no answer'
+    for rest in ('p.var', 'p.var.bak'):
+        (folder / rest).unlink(missing_ok=True)
+    setup = folder.parent / 'setup.json'
+    setup.write_text(json.dumps(SETUP))
+    expect = expected(lines, error, text)
+    try:
+        run = KadrRun(kadr, folder, name, str(setup))
+        check.check_alarm(expect.get('alarm'), run)
+        check.TraceCheck(expect, run).check()
+    except check.Mismatch as mismatch:
+        return f'{mismatch}' + (f' (rs274: {error[:100]})' if error else '')
+    except subprocess.TimeoutExpired:
+        return f'kadr does not end within {SECONDS} s'
+    return None
+
+
+def of_text(rs274, kadr, text):
+    with tempfile.TemporaryDirectory(prefix='rs274') as place:
+        folder = Path(place, 'memory')
+        folder.mkdir()
+        (folder / 'main.ngc').write_text(text + '\n')
+        return difference(rs274, kadr, folder, 'main.ngc', text)
+
+
+def of_file(rs274, kadr, path):
+    """In a copy of its folder, for what it calls."""
+    with tempfile.TemporaryDirectory(prefix='rs274') as place:
+        folder = Path(place, 'memory')
+        folder.mkdir()
+        for other in path.parent.iterdir():
+            if other.is_file() and other.suffix not in ('.var', '.tbl', '.bak'):
+                shutil.copy(other, folder / other.name)
+        return difference(rs274, kadr, folder, path.name, path.read_text(encoding='latin-1'))
+
+
+def named_in(path):
+    return dict(line.split(None, 1) for line in Path(path).read_text().splitlines() if line and not line.startswith('#')) if path else {}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--kadr', required=True)
+    parser.add_argument('--count', type=int, default=400)
+    parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--show', action='store_true', help='print the programs that differ')
+    parser.add_argument('--folder')
+    parser.add_argument('--named')
+    options = parser.parse_args()
+    kadr = str(Path(options.kadr).resolve())
+    with tempfile.TemporaryDirectory(prefix='rs274') as place:
+        try:
+            rs274 = oracle.Oracle(place)
+        except oracle.Absent as absent:
+            print(f'skipped: {absent}')
+            print('0 passed, 0 failed, 1 skipped')
+            return 0
+        if options.folder:
+            root = Path(options.folder)
+            work = {str(f.relative_to(root)): f for f in sorted(root.rglob('*.ngc'))}
+            compare = lambda name: of_file(rs274, kadr, work[name])
+        else:
+            work = {f'seed {n}': programs.random_program(n) for n in range(options.seed, options.seed + options.count)}
+            compare = lambda name: of_text(rs274, kadr, work[name][1])
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            found = dict(zip(work, pool.map(compare, work)))
+    named = named_in(options.named)
+    passed = failed = skipped = 0
+    for name, text in found.items():
+        if text == 'no answer':
+            skipped += 1
+        elif (text is None) != (name in named):
+            passed += 1
+            if text is not None and name in named:
+                print(f'{name}: {named[name]} ({text})')
+        else:
+            failed += 1
+            print(f'FAIL {name}: {text or "is named, and equal"}')
+            if options.show and not options.folder:
+                print('\n'.join(f'    {n} {line}' for n, line in enumerate(work[name][1].splitlines(), 1)))
+    print(f'{passed} passed, {failed} failed, {skipped} skipped')
+    return 1 if failed or not passed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
