@@ -107,7 +107,7 @@
   /* RS274/NGC with names, O lines, files */ \
   X(variable_name_open) X(equal_sign_missing) X(exists_parameter) X(exists_bracket) X(function_bracket) X(power_of_negative) \
   X(o_word_unknown) X(o_word_bracket) X(o_word_rest) X(o_word_arguments) X(comment_not_carried_out) X(tapping_axes_turned) \
-  X(spline_weight_missing) X(spline_word_ignored) X(spline_too_large) \
+  X(loop_runs_again) X(loop_ends_early) X(spline_weight_missing) X(spline_word_ignored) X(spline_too_large) \
   X(rs274_form) X(rs274_codes) X(rs274_words) X(rs274_parameter) X(rs274_expression) X(rs274_motion) X(rs274_arc) \
   X(rs274_compensation) X(rs274_cycle) X(rs274_spindle) X(rs274_data) X(rs274_tool) X(rs274_flow) X(rs274_program) X(rs274_probe) \
   X(rs274_io) X(rs274_abort) \

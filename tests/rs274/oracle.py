@@ -125,6 +125,8 @@ class Converter:
         self.used |= {a for a in to if a not in 'XYZ'}
         action = {'do': do, 'to': to, **fields}
         moves = any(abs(target[a] - self.here[a]) > 1e-9 for a in 'XYZ')
+        if self.spline_open:
+            self.spline_open, moves = False, True        # from where is not told
         if do in ('rapid', 'feed') and not moves and all(abs(target[a] - self.here[a]) <= 1e-9 for a in 'ABC'):
             return                                       # of no length: a trace may leave it out
         if do.startswith('arc') or (do == 'feed' and moves):
@@ -194,6 +196,7 @@ class Converter:
 
     def on_nurbs_feed(self, args, _):
         self.actions.append({'do': 'spline'})             # where it ends the next motion tells
+        self.spline_open = True
 
     # ---- frames
     def on_use_length_units(self, _, inside):

@@ -94,7 +94,7 @@ class Program:
 
     def variable(self):
         r = self.random
-        name = r.choice(['#1', '#31', '#100', '#<a>', '#<_b>'])
+        name = r.choice(['#1', '#31', '#100', '#<a>', '#<_common>'])
         self.add(f'{name}={self.number(20)}')
         self.add(f'G1 X{name} Y[{name}*{r.choice(["2", "0.5", "-1"])}+{r.randint(0, 9)}] Z[{r.choice(["SIN", "COS", "ABS", "FIX", "FUP", "ROUND"])}[{name}]]')
 
@@ -148,4 +148,6 @@ def random_program(seed):
     if program.chance(0.3):
         program.lines.insert(program.random.randint(2, len(program.lines)), program.random.choice(FAULTY))
     program.add('M2')
+    if any('G43.1' in line for line in program.lines):    # rs274's stub does not convert a length in force
+        program.lines = ['G21' if line == 'G20' else line for line in program.lines]
     return topic, '\n'.join(program.lines)

@@ -1,4 +1,4 @@
-// O lines: subprograms, loops, branches (spec/linuxcnc 6; interp_o_word.cc of the source).
+// O lines: labels and subprograms (spec/linuxcnc 6; interp_o_word.cc of the source). Loops and branches: loops.cpp.
 
 #include "control/linuxcnc/flow.h"
 
@@ -13,6 +13,7 @@
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
+#include "control/linuxcnc/o_lines.h"
 #include "control/reading.h"
 #include "lang/expression/expression.h"
 
@@ -21,376 +22,213 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class OLines {
- public:
-  explicit OLines(Interpreter& m) : m_(m), control_(linuxcnc_of(m)), flow_(control_.flow), s_(m.block->statement) {}
+}  // namespace
 
-  Status run() {
-    file_ = &flow_.of(m_);
-    here_ = index_of(m_.block->position);
-    const auto named = label();
-    if (!named) return fail(named.error());
-    label_ = *named;
-    if (!flow_.refused.empty()) return wrong(std::exchange(flow_.refused, {}));
-    if (flow_.defining != no_label) return define();
-    switch (s_.o_word) {
-      case OWord::label: return {};
-      case OWord::sub: return begin_sub();
-      case OWord::endsub:
-      case OWord::return_: return end_sub();
-      case OWord::call: return call();
-      case OWord::do_: return begin_do();
-      case OWord::while_: return while_loop();
-      case OWord::endwhile: return end_loop(OWord::while_);
-      case OWord::repeat: return repeat();
-      case OWord::endrepeat: return end_loop(OWord::repeat);
-      case OWord::if_: return branch();
-      case OWord::elseif:
-      case OWord::else_: return other_branch();
-      case OWord::endif: return end_branch();
-      case OWord::break_: return leave_loop(false);
-      case OWord::continue_: return leave_loop(true);
-    }
-    return {};
+Status OLines::run() {
+  file_ = &flow_.of(m_);
+  here_ = index_of(m_.block->position);
+  const auto named = label();
+  if (!named) return fail(named.error());
+  label_ = *named;
+  if (!flow_.refused.empty()) return wrong(std::exchange(flow_.refused, {}));
+  if (flow_.defining != no_label) return define();
+  switch (s_.o_word) {
+    case OWord::label: return {};
+    case OWord::sub: return begin_sub();
+    case OWord::endsub:
+    case OWord::return_: return end_sub();
+    case OWord::call: return call();
+    case OWord::do_: return begin_do();
+    case OWord::while_: return while_loop();
+    case OWord::endwhile: return end_loop(OWord::while_);
+    case OWord::repeat: return repeat();
+    case OWord::endrepeat: return end_loop(OWord::repeat);
+    case OWord::if_: return branch();
+    case OWord::elseif:
+    case OWord::else_: return other_branch();
+    case OWord::endif: return end_branch();
+    case OWord::break_: return leave_loop(false);
+    case OWord::continue_: return leave_loop(true);
   }
+  return {};
+}
 
- private:
-  tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_flow, s_.where, std::move(text)); }
-  std::uint32_t line() const { return m_.block->position.line; }
-  /// The subprogram that runs.
-  Label where() const { return flow_.calls.empty() ? no_label : flow_.calls.back(); }
-  const std::string& text() const { return flow_.text_of(label_); }
-  /// Of a label that belongs to a subprogram, as the source keeps it.
-  std::string local_name() const { return (where() == no_label ? std::string() : flow_.text_of(where())) + "#" + text(); }
-  std::string_view line_text() const {
-    const std::string_view all = m_.block->text;
-    const std::size_t begin = all.find_first_not_of(" \t"), end = all.find_last_not_of(" \t\r");
-    return begin == std::string_view::npos ? std::string_view() : all.substr(begin, end + 1 - begin);
+std::string_view OLines::line_text() const {
+  const std::string_view all = m_.block->text;
+  const std::size_t begin = all.find_first_not_of(" \t"), end = all.find_last_not_of(" \t\r");
+  return begin == std::string_view::npos ? std::string_view() : all.substr(begin, end + 1 - begin);
+}
+
+Result<Label> OLines::label() {
+  if (here_ >= 0 && row(here_).label != no_label) return row(here_).label;
+  if (s_.text.end > s_.text.begin) return flow_.label_of(VariableNames::plain(m_.block->text_of(s_.text)));
+  if (!s_.value) return flow_.label_of({});
+  const auto value = evaluate(*m_.block, s_.value, Reading{m_});
+  if (!value) return fail(value.error());
+  return flow_.label_of(label_of_number(std::round(*value)));
+}
+
+std::int32_t OLines::index_of(const Position& at) const {
+  const auto found = file_->by_offset.find(at.offset);
+  return found == file_->by_offset.end() ? -1 : found->second;
+}
+
+Label OLines::label_of(const OLine& row) const {
+  if (row.label != no_label) return row.label;
+  const auto value = m_.value_of(row.expression);
+  return value ? flow_.label_of(label_of_number(std::round(*value))) : no_label;
+}
+
+std::int32_t OLines::next_of(std::initializer_list<OWord> words) {
+  if (here_ < 0) return -1;
+  const auto count = static_cast<std::int32_t>(file_->lines.size());
+  const bool chained = row(here_).label != no_label;
+  for (std::int32_t i = chained ? row(here_).next : here_ + 1; i >= 0 && i < count; i = chained ? row(i).next : i + 1) {
+    if (!chained && label_of(row(i)) != label_) continue;
+    if (std::find(words.begin(), words.end(), row(i).word) != words.end()) return i;
   }
+  return -1;
+}
 
-  Result<Label> label() {
-    if (here_ >= 0 && row(here_).label != no_label) return row(here_).label;
-    if (s_.text.end > s_.text.begin) return flow_.label_of(VariableNames::plain(m_.block->text_of(s_.text)));
-    if (!s_.value) return flow_.label_of({});
-    const auto value = evaluate(*m_.block, s_.value, Reading{m_});
-    if (!value) return fail(value.error());
-    return flow_.label_of(label_of_number(std::round(*value)));
+tl::unexpected<Alarm> OLines::end_of_file_seeking(bool sought, bool of_all) const {
+  std::string what = "File ended with no percent sign or program end";
+  if (file_->closed) what = fmt::format("Failed to find sub 'O{}' before EOF", sought || of_all ? text() : local_name());
+  else if (sought) what = fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m_.flow.file(), text(), line());
+  else if (control_.state.percent) what = "File ended with no percent sign";
+  return control_.fault(AlarmId::rs274_flow, s_.where, std::move(what));
+}
+
+Status OLines::jump_to(const Position& at) {
+  m_.flow.jump(at);
+  return {};
+}
+
+Mark& OLines::place() {
+  if (here_ < 0 || row(here_).label == no_label) return flow_.mark(flow_.mark_of(where(), label_));
+  OLine& own = row(here_);
+  if (own.mark_of != where()) {
+    own.mark_of = where();
+    own.mark = flow_.mark_of(where(), label_);
   }
+  return flow_.mark(own.mark);
+}
 
-  Result<double> value_of(Expression e) { return evaluate(*m_.block, e, Reading{m_}); }
-
-  // ---- where lines are
-
-  std::int32_t index_of(const Position& at) const {
-    const auto found = file_->by_offset.find(at.offset);
-    return found == file_->by_offset.end() ? -1 : found->second;
+Result<Mark*> OLines::take_mark(OWord word, bool of_branch) {
+  Mark& known = place();
+  if (known.used) {
+    if (known.at == m_.block->position && known.reader == m_.flow.reader()) return &known;
+    if (of_branch)
+      return wrong(fmt::format("{}: duplicate O-word label - already defined in line {}: '{}'", line(), known.at.line, line_text()));
+    return wrong(fmt::format("{}: duplicate O-word label: '{}' - defined in line {}", line(), line_text(), known.at.line));
   }
+  known = {true, word, m_.block->position, m_.flow.reader()};
+  return &known;
+}
 
-  OLine& row(std::int32_t index) { return file_->lines[static_cast<std::size_t>(index)]; }
+Status OLines::define() {
+  flow_.defining = no_label;
+  return s_.o_word == OWord::sub ? Status(wrong("Nested subroutine definition")) : Status();
+}
 
-  Label label_of(const OLine& row) const {
-    if (row.label != no_label) return row.label;
-    const auto value = m_.value_of(row.expression);
-    return value ? flow_.label_of(label_of_number(std::round(*value))) : no_label;
+Status OLines::begin_sub() {
+  PassedSub& known = flow_.passed(label_);
+  const bool here = known.known && known.reader == m_.flow.reader() && known.at == m_.block->position;
+  if (here && m_.flow.passes() == 1)
+    return wrong(fmt::format("File:{} line:{} sub: o|{}| found in illegal location", m_.flow.file(), line(), text()));
+  if (known.known && !here)
+    return wrong(fmt::format("File:{} line:{} redefining sub: o|{}| already defined in file:{}", m_.flow.file(), line(), text(),
+                             m_.flow.file(known.reader).path()));
+  known = {true, m_.flow.reader(), m_.block->position};
+  std::int32_t end = next_of({OWord::endsub});
+  if (end < 0) return end_of_file_seeking(false, true);
+  for (std::int32_t i = here_ + 1; i < end; ++i)
+    if (row(i).word == OWord::sub) end = i;
+  flow_.defining = label_;
+  return jump_to(row(end).at);
+}
+
+Status OLines::end_sub() {
+  if (flow_.calls.empty() || m_.flow.depth() == 0)
+    return wrong(fmt::format("{}: not in a subroutine definition: '{}'", line(), m_.block->text_of(m_.block->where)));
+  if (flow_.by_m98.back()) return wrong("Fanuc 'O....' subroutine definition must end with 'M99'");
+  double value = 0;
+  if (s_.condition_count != 0) {
+    const auto returned = value_of(s_.conditions[0]);
+    if (!returned) return fail(returned.error());
+    value = *returned;
   }
+  control_.state.value = value;
+  control_.state.value_returned = s_.condition_count != 0;
+  return leave_sub(m_, s_.where);
+}
 
-  /// The next line after this one with the same label, of the same subprogram, that is one of `words`; -1: none.
-  std::int32_t next_of(std::initializer_list<OWord> words) {
-    if (here_ < 0) return -1;
-    const auto count = static_cast<std::int32_t>(file_->lines.size());
-    const bool chained = row(here_).label != no_label;
-    for (std::int32_t i = chained ? row(here_).next : here_ + 1; i >= 0 && i < count; i = chained ? row(i).next : i + 1) {
-      if (!chained && label_of(row(i)) != label_) continue;
-      if (std::find(words.begin(), words.end(), row(i).word) != words.end()) return i;
-    }
-    return -1;
-  }
-
-  /// What was looked for does not come, and the file is over (2.1; read_text and read of the source). `sought`: a subprogram, by a call;
-  /// else lines were passed over on the way to an O line.
-  tl::unexpected<Alarm> end_of_file_seeking(bool sought = false, bool of_all = false) const {
-    std::string what = "File ended with no percent sign or program end";
-    if (file_->closed) what = fmt::format("Failed to find sub 'O{}' before EOF", sought || of_all ? text() : local_name());
-    else if (sought) what = fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m_.flow.file(), text(), line());
-    else if (control_.state.percent) what = "File ended with no percent sign";
-    return control_.fault(AlarmId::rs274_flow, s_.where, std::move(what));
-  }
-
-  Status jump_to(const Position& at) {
-    m_.flow.jump(at);
-    return {};
-  }
-
-  // ---- labels
-
-  /// What the label stands for in the subprogram that runs.
-  Mark& place() {
-    if (here_ < 0 || row(here_).label == no_label) return flow_.mark(flow_.mark_of(where(), label_));
-    OLine& own = row(here_);
-    if (own.mark_of != where()) {
-      own.mark_of = where();
-      own.mark = flow_.mark_of(where(), label_);
-    }
-    return flow_.mark(own.mark);
-  }
-  Mark* mark() { return place().used ? &place() : nullptr; }
-  void forget_mark() { place() = {}; }
-
-  /// The label begins something here: it may do so again, but nowhere else.
-  Result<Mark*> take_mark(OWord word, bool of_branch = false) {
-    Mark& known = place();
-    if (known.used) {
-      if (known.at == m_.block->position && known.reader == m_.flow.reader()) return &known;
-      if (of_branch)
-        return wrong(fmt::format("{}: duplicate O-word label - already defined in line {}: '{}'", line(), known.at.line, line_text()));
-      return wrong(fmt::format("{}: duplicate O-word label: '{}' - defined in line {}", line(), line_text(), known.at.line));
-    }
-    known = {true, word, m_.block->position, m_.flow.reader()};
-    return &known;
-  }
-
-  tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), line_text())); }
-  std::string found(const Mark& other) const { return fmt::format("(found '{}' in line {})", name_of(other.word), other.at.line); }
-
-  // ---- subprograms
-
-  /// On the way over a definition only its end counts, and no other may begin.
-  Status define() {
-    flow_.defining = no_label;
-    return s_.o_word == OWord::sub ? Status(wrong("Nested subroutine definition")) : Status();
-  }
-
-  /// Passed over; its label is known from now on.
-  Status begin_sub() {
-    PassedSub& known = flow_.passed(label_);
-    const bool here = known.known && known.reader == m_.flow.reader() && known.at == m_.block->position;
-    if (here && m_.flow.passes() == 1)
-      return wrong(fmt::format("File:{} line:{} sub: o|{}| found in illegal location", m_.flow.file(), line(), text()));
-    if (known.known && !here)
-      return wrong(fmt::format("File:{} line:{} redefining sub: o|{}| already defined in file:{}", m_.flow.file(), line(), text(),
-                               m_.flow.file(known.reader).path()));
-    known = {true, m_.flow.reader(), m_.block->position};
-    std::int32_t end = next_of({OWord::endsub});
-    if (end < 0) return end_of_file_seeking(false, true);
-    for (std::int32_t i = here_ + 1; i < end; ++i)
-      if (row(i).word == OWord::sub) end = i;
-    flow_.defining = label_;
-    return jump_to(row(end).at);
-  }
-
-  Status end_sub() {
-    if (flow_.calls.empty() || m_.flow.depth() == 0)
-      return wrong(fmt::format("{}: not in a subroutine definition: '{}'", line(), m_.block->text_of(m_.block->where)));
-    if (flow_.by_m98.back()) return wrong("Fanuc 'O....' subroutine definition must end with 'M99'");
-    double value = 0;
-    if (s_.condition_count != 0) {
-      const auto returned = value_of(s_.conditions[0]);
-      if (!returned) return fail(returned.error());
-      value = *returned;
-    }
-    control_.state.value = value;
-    control_.state.value_returned = s_.condition_count != 0;
-    return leave_sub(m_, s_.where);
-  }
-
-  struct Place {
-    std::uint16_t reader = 0;
-    Position start;
-    bool fanuc = false;
-  };
-
-  /// 6.2: passed already, then a file of that name, then further on in this file.
-  Result<Place> find_sub() {
-    if (const PassedSub& known = flow_.passed(label_); known.known) return place_of(known.reader, known.at);
-    if (const auto reader = file_of_label()) {
-      for (const OLine& each : flow_.of(m_, *reader).lines)
-        if (each.word == OWord::sub && label_of(each) == label_) return found_at(*reader, each);
-      return end_of_file_seeking(true);
-    }
-    for (std::size_t i = static_cast<std::size_t>(here_ + 1); i < file_->lines.size(); ++i) {
-      const OLine& each = file_->lines[i];
-      if (label_of(each) != label_) continue;
-      if (each.word == OWord::sub) return found_at(m_.flow.reader(), each);
-      if (each.word == OWord::label) {
-        flow_.refused = "Fanuc 'O....' subroutine must be called with 'M98'";
-        return Place{m_.flow.reader(), each.at, true};
-      }
-    }
+Result<OLines::Place> OLines::find_sub() {
+  if (const PassedSub& known = flow_.passed(label_); known.known) return place_of(known.reader, known.at);
+  if (const auto reader = file_of_label()) {
+    for (const OLine& each : flow_.of(m_, *reader).lines)
+      if (each.word == OWord::sub && label_of(each) == label_) return found_at(*reader, each);
     return end_of_file_seeking(true);
   }
-
-  /// It is known from now on.
-  Place found_at(std::uint16_t reader, const OLine& line) {
-    flow_.passed(label_) = {true, reader, line.at};
-    return {reader, line.behind, false};
-  }
-
-  Result<Place> place_of(std::uint16_t reader, Position at) {
-    const OFile& all = flow_.of(m_, reader);
-    const auto found = all.by_offset.find(at.offset);
-    if (found == all.by_offset.end()) return end_of_file_seeking(true);
-    return Place{reader, all.lines[static_cast<std::size_t>(found->second)].behind, false};
-  }
-
-  /// 1.1: in the program's folder, then in the program memory; nothing outside of them.
-  std::optional<std::uint16_t> file_of_label() {
-    if (text().find_first_of("/\\") != std::string::npos || text().starts_with('.')) return std::nullopt;
-    const fs::path own = fs::path(m_.flow.main_file()).parent_path();
-    for (const fs::path& folder : {own, fs::path(m_.flow.limits().files)}) {
-      std::error_code error;
-      const fs::path path = folder / (text() + ".ngc");
-      if (!fs::is_regular_file(path, error)) continue;
-      const fs::path real = fs::canonical(path, error);
-      const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
-      if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()) continue;
-      if (const auto reader = m_.flow.open_program(path.string())) return reader;
+  for (std::size_t i = static_cast<std::size_t>(here_ + 1); i < file_->lines.size(); ++i) {
+    const OLine& each = file_->lines[i];
+    if (label_of(each) != label_) continue;
+    if (each.word == OWord::sub) return found_at(m_.flow.reader(), each);
+    if (each.word == OWord::label) {
+      flow_.refused = "Fanuc 'O....' subroutine must be called with 'M98'";
+      return Place{m_.flow.reader(), each.at, true};
     }
-    return std::nullopt;
   }
+  return end_of_file_seeking(true);
+}
 
-  Status call() {
-    Level made;
-    std::size_t n = 1;
-    for (const Expression argument : m_.block->arguments) {
-      const auto value = value_of(argument);
-      if (!value) return fail(value.error());
-      made.arguments[n++] = *value;
-    }
-    const auto place = find_sub();
-    if (!place) return fail(place.error());
-    if (place->fanuc) return jump_to(place->start);
-    if (flow_.calls.size() >= most_calls_of_program) return wrong("Too many subroutine levels");
-    CallFrame frame;
-    frame.kind = CallFrame::Kind::subprogram;
-    frame.name = static_cast<std::uint32_t>(std::strtoul(text().c_str(), nullptr, 10));
-    frame.left = 1;
-    frame.caller = m_.origin;
-    KADR_TRY(m_.flow.call_at(place->reader, place->start, frame, s_.where));
-    enter_sub(m_, label_, std::move(made), false);
-    return {};
+OLines::Place OLines::found_at(std::uint16_t reader, const OLine& line) {
+  flow_.passed(label_) = {true, reader, line.at};
+  return {reader, line.behind, false};
+}
+
+Result<OLines::Place> OLines::place_of(std::uint16_t reader, Position at) {
+  const OFile& all = flow_.of(m_, reader);
+  const auto found = all.by_offset.find(at.offset);
+  if (found == all.by_offset.end()) return end_of_file_seeking(true);
+  return Place{reader, all.lines[static_cast<std::size_t>(found->second)].behind, false};
+}
+
+std::optional<std::uint16_t> OLines::file_of_label() {
+  if (text().find_first_of("/\\") != std::string::npos || text().starts_with('.')) return std::nullopt;
+  const std::filesystem::path own = std::filesystem::path(m_.flow.main_file()).parent_path();
+  for (const std::filesystem::path& folder : {own, std::filesystem::path(m_.flow.limits().files)}) {
+    std::error_code error;
+    const std::filesystem::path path = folder / (text() + ".ngc");
+    if (!fs::is_regular_file(path, error)) continue;
+    const std::filesystem::path real = std::filesystem::canonical(path, error);
+    const std::filesystem::path root = std::filesystem::canonical(folder.empty() ? std::filesystem::path(".") : folder, error);
+    if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()) continue;
+    if (const auto reader = m_.flow.open_program(path.string())) return reader;
   }
+  return std::nullopt;
+}
 
-  // ---- loops
-
-  Status begin_do() {
-    const auto made = take_mark(OWord::do_);
-    return made ? Status() : Status(fail(made.error()));
+Status OLines::call() {
+  Level made;
+  std::size_t n = 1;
+  for (const Expression argument : m_.block->arguments) {
+    const auto value = value_of(argument);
+    if (!value) return fail(value.error());
+    made.arguments[n++] = *value;
   }
-
-  Status while_loop() {
-    const auto test = value_of(s_.conditions[0]);
-    if (!test) return fail(test.error());
-    if (const Mark* const known = mark(); known != nullptr && known->word == OWord::do_ && known->at != m_.block->position) {
-      if (*test != 0) return jump_to(behind(*known));
-      forget_mark();
-      return {};
-    }
-    if (*test != 0) {
-      const auto made = take_mark(OWord::while_);
-      return made ? Status() : Status(fail(made.error()));
-    }
-    forget_mark();
-    return behind_end({OWord::endwhile});
-  }
-
-  Status repeat() {
-    const auto count = value_of(s_.conditions[0]);
-    if (!count) return fail(count.error());
-    if (std::round(*count) < 1) return behind_end({OWord::endrepeat});
-    const auto made = take_mark(OWord::repeat);
-    if (!made) return fail(made.error());
-    (*made)->left = std::round(*count);
-    return {};
-  }
-
-  /// Behind the line that ends it.
-  Status behind_end(std::initializer_list<OWord> ends) {
-    const std::int32_t end = next_of(ends);
-    if (end < 0) return end_of_file_seeking();
-    return jump_to(row(end).behind);
-  }
-
-  Position behind(const Mark& of) {
-    const OFile& all = of.reader == m_.flow.reader() ? *file_ : flow_.of(m_, of.reader);
-    const auto found = all.by_offset.find(of.at.offset);
-    return found == all.by_offset.end() ? of.at : all.lines[static_cast<std::size_t>(found->second)].behind;
-  }
-
-  Status end_loop(OWord of) {
-    Mark* const known = mark();
-    if (known == nullptr) return undefined();
-    if (known->word != of) return wrong(fmt::format("{}: no matching label: '{}' {}", line(), line_text(), found(*known)));
-    if (of == OWord::while_) return jump_to(known->at);
-    if (--known->left < 1) {
-      forget_mark();
-      return {};
-    }
-    return jump_to(behind(*known));
-  }
-
-  Status leave_loop(bool again) {
-    const Mark* const known = mark();
-    if (known == nullptr) return undefined();
-    if (known->word != OWord::while_ && known->word != OWord::do_)
-      return wrong(fmt::format("{}: no matching while/do label: '{}' {}", line(), line_text(), found(*known)));
-    if (again && known->word == OWord::while_) return jump_to(known->at);
-    const std::int32_t end = next_of({OWord::endwhile, OWord::while_});
-    if (end < 0) return end_of_file_seeking();
-    if (again) return jump_to(row(end).at);
-    forget_mark();
-    return jump_to(row(end).behind);
-  }
-
-  // ---- branches
-
-  Status branch() {
-    const auto test = value_of(s_.conditions[0]);
-    if (!test) return fail(test.error());
-    const auto made = take_mark(OWord::if_, true);
-    if (!made) return fail(made.error());
-    (*made)->taken = *test != 0;
-    return *test != 0 ? Status() : on_to_other();
-  }
-
-  Status on_to_other() {
-    const std::int32_t other = next_of({OWord::elseif, OWord::else_, OWord::endif});
-    if (other < 0) return end_of_file_seeking();
-    return jump_to(row(other).at);
-  }
-
-  Status other_branch() {
-    Mark* const known = mark();
-    if (known == nullptr) return undefined();
-    if (known->word != OWord::if_) return wrong(fmt::format("{}: no matching 'if' label: '{}' {}", line(), line_text(), found(*known)));
-    if (known->taken) return behind_end({OWord::endif});
-    if (s_.o_word == OWord::else_) {
-      known->taken = true;
-      return {};
-    }
-    const auto test = value_of(s_.conditions[0]);
-    if (!test) return fail(test.error());
-    known->taken = *test != 0;
-    return *test != 0 ? Status() : on_to_other();
-  }
-
-  Status end_branch() {
-    const Mark* const known = mark();
-    if (known == nullptr) return undefined();
-    if (known->word != OWord::if_)
-      return wrong(fmt::format("{}: no matching label: '{}' {}: '{}'", line(), local_name(), found(*known), line_text()));
-    return {};
-  }
-
-  Interpreter& m_;
-  LinuxCnc& control_;
-  FlowTable& flow_;
-  const Statement& s_;
-  OFile* file_ = nullptr;   // being read
-  std::int32_t here_ = -1;  // the line among its O lines
-  Label label_ = no_label;  //
-};
-
-}  // namespace
+  const auto place = find_sub();
+  if (!place) return fail(place.error());
+  if (place->fanuc) return jump_to(place->start);
+  if (flow_.calls.size() >= most_calls_of_program) return wrong("Too many subroutine levels");
+  CallFrame frame;
+  frame.kind = CallFrame::Kind::subprogram;
+  frame.name = static_cast<std::uint32_t>(std::strtoul(text().c_str(), nullptr, 10));
+  frame.left = 1;
+  frame.caller = m_.origin;
+  KADR_TRY(m_.flow.call_at(place->reader, place->start, frame, s_.where));
+  enter_sub(m_, label_, std::move(made), false);
+  return {};
+}
 
 Status run_o_line(Interpreter& m) { return OLines(m).run(); }
 

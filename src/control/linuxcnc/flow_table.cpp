@@ -101,6 +101,8 @@ FlowTable::Memory FlowTable::memory() const {
   all.refused = refused;
   for (const Label label : calls) all.calls.push_back(text_of(label));
   all.by_m98 = by_m98;
+  all.continue_left = continue_left;
+  all.break_left = break_left;
   return all;
 }
 
@@ -114,6 +116,8 @@ void FlowTable::remember(const Memory& memory) {
   calls.clear();
   for (const std::string& text : memory.calls) calls.push_back(label_of(text));
   by_m98 = memory.by_m98;
+  continue_left = memory.continue_left;
+  break_left = memory.break_left;
 }
 
 }  // namespace kadr::linuxcnc

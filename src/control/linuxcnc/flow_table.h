@@ -88,6 +88,11 @@ class FlowTable {
   std::vector<Label> calls;   // subprograms that are open
   std::vector<bool> by_m98;   // … and how each was called
 
+  // Left over by `continue` of a do loop and `break` of a while loop: what ends next takes it for its own (a fault of LinuxCNC 2.9,
+  // doing_continue and doing_break of the source).
+  bool continue_left = false, break_left = false;
+  bool told_again = false, told_early = false;  // … have been warned of
+
   // ---- what a snapshot holds: texts, for another control numbers its labels anew
   struct Memory {
     std::map<std::pair<std::string, std::string>, Mark> marks;  // {subprogram, label}
@@ -96,6 +101,7 @@ class FlowTable {
     std::string refused;
     std::vector<std::string> calls;
     std::vector<bool> by_m98;
+    bool continue_left = false, break_left = false;
   };
   Memory memory() const;
   void remember(const Memory& memory);
