@@ -73,7 +73,6 @@ enum class ContourEntry : std::uint8_t {
   by_corner,  // as the corner to the next one says (nct 15.5.1)
   normal,     // on the normal to the next element (2С42 6.4.7)
   tangent,    // the tool touches the line to the programmed point all along its way (Mach3, RS274/NGC)
-  across,     // on its own normal there; the corner to the next element is then gone round (LinuxCNC, spec/linuxcnc 7.5)
 };
 
 /// An axis that copies another's way (nct 20.2).
@@ -287,6 +286,7 @@ struct ContourCheck {
 };
 /// Compensation is interrupted: the tool's centre stands on the programmed point (nct 15.5.2); `off`: it is over (G40, 15.5.3).
 /// `here`: the program takes the place where the tool stands, beside the contour, for its point (G92 after G40, Mach3 10.7.27).
+/// Of a queued contour (LinuxCNC): the motion held back ends beside its point, before M0 too.
 struct ContourBreak {
   bool off = false;
   bool here = false;

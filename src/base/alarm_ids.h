@@ -79,6 +79,10 @@
   /* … of the other controls (2С42 6.4.7, Mach3 10.7.13) */                                   \
   X(compensation_entry_short) X(compensation_corner_sharp) X(compensation_gouge)             \
   X(compensation_two_blocks) X(compensation_closing) X(compensation_zero)                    \
+  /* … of LinuxCNC (spec/linuxcnc 7.5) */                                                    \
+  X(entry_line_within_tool) X(entry_arc_within_tool) X(arc_within_tool) X(gouge_feed)        \
+  X(gouge_rapid) X(gouge_arc) X(gouge_arc_to_line) X(gouge_arc_to_arc) X(arcs_same_center)   \
+  X(offset_arc_radii) X(compensated_thread)                                                  \
   /* pocket cycle (spec/correctors 3) */                                                     \
   X(pocket_tool_missing) X(pocket_tool_large) X(pocket_corner) X(pocket_too_long)            \
   X(pocket_above_solid) X(corrector_not_set)                                                 \

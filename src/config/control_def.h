@@ -195,7 +195,7 @@ struct Behaviour {
   bool helix_by_lead = false;           // 2С42: K is the lead, Z/K whole turns
   LengthOffset length_offset = LengthOffset::next_motion;
   bool contour_entry_tangent = false;   // Mach3: onto the contour touching the line to its first point; else to the normal there
-  bool contour_entry_across = false;    // LinuxCNC: on the normal of the first motion itself
+  bool contour_queued = false;          // LinuxCNC: path/contour/queued_compensation
   bool contour_blocks_checked = false;  // 2С42: order of the blocks around G41, G42 and G40
   double feed_most = 0;                 // mm/min; 0 = no limit
   bool feed_required = true;            // a motion at feed before any F: an alarm; else a warning (F0 is an alarm)

@@ -40,7 +40,7 @@ Done ControlLoader::behaviour() {
   flag("speed_needs_direction", b.speed_needs_direction);
   flag("tool_and_corrector", b.tool_and_corrector);
   flag("contour_entry_tangent", b.contour_entry_tangent);
-  flag("contour_entry_across", b.contour_entry_across);
+  flag("contour_queued", b.contour_queued);
   flag("contour_blocks_checked", b.contour_blocks_checked);
   flag("zero_change_checked", b.zero_change_checked);
   flag("subprogram_zero_local", b.subprogram_zero_local);

@@ -37,7 +37,7 @@ const std::vector<LooksAt>& behaviour_of_functions() {
       {"speed_needs_direction", {Function::speed_word}},
       {"tool_and_corrector", {Function::tool_word}},
       {"contour_entry_tangent", {Function::radius_comp_left, Function::radius_comp_right}},
-      {"contour_entry_across", {Function::radius_comp_left, Function::radius_comp_right, Function::tool_side}},
+      {"contour_queued", {Function::radius_comp_left, Function::radius_comp_right, Function::tool_side}},
       {"contour_blocks_checked", {Function::radius_comp_left, Function::radius_comp_right}},
       {"zero_change_checked", {Function::work_zero}},
       {"fixtures", {Function::fixture, Function::set_data, Function::table_system}},

@@ -169,6 +169,7 @@ std::optional<SearchRules> Control::search_rules() const {
   return side != nullptr ? std::optional(side->search_rules()) : std::nullopt;
 }
 bool Control::has_machine_parameters() const { return machine_side() != nullptr; }
+bool Control::queues_contours() const { return interpreter_->def.behaviour.contour_queued; }
 std::uint32_t Control::rotary() const { return interpreter_->def.rotary; }
 const SetupFault& Control::setup_fault() const { return interpreter_->start_fault; }
 

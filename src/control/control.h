@@ -187,6 +187,8 @@ class Control {
   const SetupFault& setup_fault() const;
   /// Its machine is described by parameters (nct 24).
   bool has_machine_parameters() const;
+  /// Its contours are those of path/contour/queued_compensation.
+  bool queues_contours() const;
   std::uint32_t rotary() const;
 
  private:

@@ -50,6 +50,7 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
     if (!(ahead_ && ahead_->keep(warning))) warn(warning);
   };
   control.find_corners = corners_of;
+  if (control.queues_contours()) queued_.emplace(control.tool_position());
   if (control.has_machine_parameters()) machine_.obey_parameters(setup);
   control.on_signal = [this](const std::string& name, bool on) { machine_.set_signal(name, on); };
   const bool answers = machine_.has_limits() || !logic.plc.idle();
@@ -68,7 +69,7 @@ ChannelRun::~ChannelRun() {
 
 /// Beside a compensated contour the control knows the programmed point only.
 void ChannelRun::note_place() {
-  if (compensation_.beside()) stopped_.machine_stood = machine_.position();
+  if (beside_contour()) stopped_.machine_stood = machine_.position();
 }
 
 ChannelRun::State ChannelRun::stop(const AlarmReport& report) {
@@ -95,7 +96,8 @@ Control::State ChannelRun::next_batch() {
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
   const Control::State state = control_.run(batch_);
   // It pays only where the rooms after the control have about as much to do: else handing over costs more than it saves.
-  const bool pays = (outlets_.works_long || compensation_.at_work()) && !control_.holds_before;
+  const bool contour = queued_ ? queued_->at_work() : compensation_.at_work();
+  const bool pays = (outlets_.works_long || contour) && !control_.holds_before;
   if (ahead_ && pays && state == Control::State::running && !control_.hands_over_each_block()) ahead_->start();
   return state;
 }
@@ -114,9 +116,16 @@ ChannelRun::State ChannelRun::step() { return take(next_batch()); }
 
 ChannelRun::State ChannelRun::let_out() {
   batch_.clear();
+  if (queued_) batch_.add().what = ContourBreak{};
   const State state = take(Control::State::ended);
   finish();
   return state;
+}
+
+std::optional<CompensationFault> ChannelRun::compensate(Control::State state, bool corner_failed) {
+  const bool last = corner_failed || !goes_on(state);
+  if (!queued_) return compensation_.take(batch_, last);
+  return queued_->take(batch_, last ? QueuedCompensation::Follows::nothing : QueuedCompensation::Follows::more);
 }
 
 /// What the control has handed over goes through the rooms after it.
@@ -127,7 +136,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
   const auto corner_fault = corners_.take(batch_, behind(state));             // path: calculated corners, roundings
   if (outlets_.programmed && !outlets_.silent)
     for (const Action& action : batch_) outlets_.programmed(action);
-  const auto fault = compensation_.take(batch_, corner_fault || !goes_on(state));  // path: the tool's radius
+  const auto fault = compensate(state, corner_fault.has_value());  // path: the tool's radius
   ToolPosition before = machine_.position();
   const auto follows = goes_on(state) ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
   const auto taken =
@@ -145,7 +154,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
     }
     if (taken.refused) return State::running;
   }
-  for (const CompensationFault& cut : compensation_.warnings()) {
+  for (const CompensationFault& cut : queued_ ? queued_->warnings() : compensation_.warnings()) {
     AlarmReport report = settled().report_for(cut.alarm, cut.origin);
     report.other = settled().line_at(cut.other);
     warn(report);
@@ -212,7 +221,8 @@ std::optional<ChannelRun::Memory> ChannelRun::memory() {
   Memory now{std::move(*control),
              {to_come_.begin(), to_come_.end()},
              corners_.memory(),
-             std::make_shared<const RadiusCompensation::Memory>(compensation_.memory()),
+             queued_ ? nullptr : std::make_shared<const RadiusCompensation::Memory>(compensation_.memory()),
+             queued_ ? std::make_shared<const QueuedCompensation::Memory>(queued_->memory()) : nullptr,
              machine_.memory(),
              clock_ != nullptr ? std::optional(*clock_) : std::nullopt,
              look_ahead_ ? std::optional(look_ahead_->memory()) : std::nullopt,
@@ -227,7 +237,8 @@ Status ChannelRun::remember(const Memory& memory) {
   KADR_TRY(control_.restore(memory.control));
   to_come_.assign(memory.to_come.begin(), memory.to_come.end());
   corners_.remember(memory.corners);
-  compensation_.remember(*memory.compensation);
+  if (memory.compensation) compensation_.remember(*memory.compensation);
+  if (queued_ && memory.queued) queued_->remember(*memory.queued);
   machine_.remember(memory.machine);
   if (memory.clock) clock() = *memory.clock;
   if (look_ahead_ && memory.look_ahead) look_ahead_->remember(*memory.look_ahead);

@@ -11,13 +11,14 @@
 #include "config/machine_profile.h"
 #include "config/setup.h"
 #include "control/control.h"
+#include "machine/gear_watch.h"
 #include "machine/plc.h"
 #include "machine/virtual_machine.h"
-#include "machine/gear_watch.h"
 #include "machine/whirl.h"
 #include "motion/look_ahead/look_ahead.h"
 #include "motion/time/steps.h"
 #include "path/contour/contour_corners.h"
+#include "path/contour/queued_compensation.h"
 #include "path/contour/radius_compensation.h"
 #include "session/run_ahead.h"
 
@@ -126,6 +127,7 @@ class ChannelRun {
     std::vector<RunAhead::Batch> to_come;  // that the control had carried out already
     ContourCorners::Memory corners;
     std::shared_ptr<const RadiusCompensation::Memory> compensation;
+    std::shared_ptr<const QueuedCompensation::Memory> queued;
     VirtualMachine::Memory machine;
     std::optional<TimeEstimate> clock;
     std::optional<LookAhead::Memory> look_ahead;
@@ -140,6 +142,8 @@ class ChannelRun {
 
  private:
   Control::State next_batch();
+  std::optional<CompensationFault> compensate(Control::State state, bool corner_failed);
+  bool beside_contour() const { return queued_ ? queued_->beside() : compensation_.beside(); }
   State take(Control::State state);
   void warn(const AlarmReport& warning);
   Control& settled();
@@ -161,6 +165,7 @@ class ChannelRun {
   Logic& logic_;
   ContourCorners corners_;
   RadiusCompensation compensation_;
+  std::optional<QueuedCompensation> queued_;  // instead, for a control that queues its contours
   VirtualMachine machine_;
   Rates rates_;
   double least_most_;                      // of the axes' rapid rates

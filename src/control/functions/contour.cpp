@@ -59,17 +59,35 @@ Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   return motion.side * radius * (along * left - motion.side * across * ahead);
 }
 
+/// Any motion of a queued contour begins it or follows, whatever axes it moves; after G40 any leads to its point (spec/linuxcnc 7.5).
+void note_queued(Interpreter& m, Motion& motion, const Axes& from) {
+  Modal& modal = m.modal;
+  if (modal.contour == ContourPhase::leaving) return void(modal.contour = ContourPhase::off);
+  const double radius = m.radius_in_force();
+  if (radius == 0) return;
+  const bool mirrored = (radius < 0) != m.transform.reverses(modal.axes);
+  motion.side = static_cast<std::int8_t>(mirrored ? modal.radius_side : -modal.radius_side);
+  motion.tool_radius = std::fabs(radius);
+  if (modal.contour == ContourPhase::on) motion.side_step = SideStep::begins;
+  modal.contour = ContourPhase::following;
+  modal.contour_axes = modal.axes;
+  const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
+  if (!is_arc(motion.kind) && !(way == Vec2{})) modal.contour_vector = vector_at_end(motion, way);  // of an arc: note_arc_end()
+}
+
 }  // namespace
 
 bool compensates(const Modal& modal) { return modal.contour != ContourPhase::off && modal.contour != ContourPhase::leaving; }
 
 Status begin_contour(Interpreter& m, const Call& call, std::int8_t side) {
   Modal& modal = m.modal;
-  if (modal.contour == ContourPhase::leaving && mask_of(modal.contour_axes) != plane_mask(m))  // beside a contour in another plane
+  const bool queued = m.def.behaviour.contour_queued;
+  if (modal.contour == ContourPhase::leaving && !queued &&
+      mask_of(modal.contour_axes) != plane_mask(m))  // beside a contour in another plane
     return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   modal.radius_side = side;
   modal.beside_told = false;
-  if (modal.contour == ContourPhase::off) modal.contour = ContourPhase::on;
+  if (modal.contour == ContourPhase::off || queued) modal.contour = ContourPhase::on;
   if (modal.contour == ContourPhase::leaving) modal.contour = ContourPhase::following;
   return {};
 }
@@ -102,8 +120,23 @@ Status end_contour(Interpreter& m, const Call& call) {
     return fail(alarm(AlarmId::compensation_two_blocks, call.where));
   modal.radius_side = 0;
   modal.radius_by_word = -1;
+  if (m.def.behaviour.contour_queued) {
+    if (modal.contour == ContourPhase::following) m.emit(ContourBreak{true});
+    if (modal.contour != ContourPhase::leaving)
+      modal.contour = modal.contour == ContourPhase::following ? ContourPhase::leaving : ContourPhase::off;
+    return {};
+  }
   modal.contour = modal.contour_side != 0 ? ContourPhase::leaving : ContourPhase::off;
   return {};
+}
+
+void stop_beside_contour(Interpreter& m) {
+  if (m.def.behaviour.contour_queued && m.modal.contour == ContourPhase::following) m.emit(ContourBreak{});
+}
+
+bool leads_without_words(const Interpreter& m) {
+  if (!m.def.behaviour.contour_queued || m.modal.contour == ContourPhase::off) return false;
+  return m.modal.contour == ContourPhase::leaving || m.radius_in_force() != 0;
 }
 
 Status contour_allows_infeed(const Interpreter& m, Span where) {
@@ -131,11 +164,10 @@ Status arc_beside_contour(const Interpreter& m, Span where, std::string_view cod
 }
 
 void note_contour(Interpreter& m, Motion& motion, const Axes& from) {
+  if (m.def.behaviour.contour_queued) return note_queued(m, motion, from);
   Modal& modal = m.modal;
   const bool named = (motion.named & plane_mask(m)) != 0;
-  motion.entry = m.def.behaviour.contour_entry_tangent  ? ContourEntry::tangent
-                 : m.def.behaviour.contour_entry_across ? ContourEntry::across
-                                                        : ContourEntry::normal;
+  motion.entry = m.def.behaviour.contour_entry_tangent ? ContourEntry::tangent : ContourEntry::normal;
   motion.join_corner = modal.corner_join;
   if (modal.contour == ContourPhase::leaving) return lead_off(m, motion, from);
   const bool moves = named && (is_arc(motion.kind) || length(in_plane(m, motion.to) - in_plane(m, from)) > tol::same_point);

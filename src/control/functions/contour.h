@@ -26,6 +26,12 @@ void note_arc_end(Interpreter& m, const Motion& arc);
 ///   alarms  compensation_two_blocks: one block of the contour only (2С42 6.4.7)
 Status end_contour(Interpreter& m, const Call& call);
 
+/// M0 and its like: what a queued contour holds back is carried out first, up to beside its point (spec/linuxcnc 7.5).
+void stop_beside_contour(Interpreter& m);
+
+/// G0, G1 alone are motions too: of no length, they begin a queued contour or lead off it.
+bool leads_without_words(const Interpreter& m);
+
 /// Before the motion of a block that is written with axis words.
 ///   alarms  compensation_two_blocks: no motion in the plane between G41, G42 and the second block of the contour (2С42 6.4.7);
 ///           compensation_closing: G40 in the block that closes the contour (2С42 6.4.7; INFERRED: it ends where the first one ended)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "control/functions/contour.h"
 #include "control/functions/functions.h"
 
 namespace kadr {
@@ -56,7 +57,7 @@ Status straight(Interpreter& m, const Call& call, MotionKind kind, MotionMode mo
     if (!added) return fail(added.error());
     named |= *added;
   }
-  if (named == 0) return {};  // the code alone: only the mode
+  if (named == 0 && !leads_without_words(m)) return {};  // the code alone: only the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
   if (m.dialect && m.dialect->only_shifts(m)) return m.move_to(to, m.transform.to_work(to), named), Status();

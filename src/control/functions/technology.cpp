@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "control/functions/contour.h"
 #include "control/functions/functions.h"
 
 namespace kadr {
@@ -194,12 +195,14 @@ Status machine_function(Interpreter& m, const Call& call) {
 }
 
 Status program_stop(Interpreter& m, const Call&) {
+  stop_beside_contour(m);
   m.emit(Stop{false});
   return {};
 }
 
 /// M01 stops only while the operator's switch is on.
 Status optional_stop(Interpreter& m, const Call&) {
+  stop_beside_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
   if (m.optional_stop_on) m.emit(Stop{true});
   return {};

@@ -276,6 +276,7 @@ void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
     m.modal.feed_known = false;
     return;
   }
+  if (group == "7" && m.modal.contour == ContourPhase::leaving) state.arc_not_allowed = true;
   if (group == "6") m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
   if (group != "1" || !row.modal) return;
   state.motion = row.tenth;
@@ -283,6 +284,7 @@ void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
 }
 
 Status LinuxCnc::after_block(Interpreter& m) {
+  if (codes.motion == 0 || codes.motion == 10 || codes.motion == 330 || codes.motion == 331) state.arc_not_allowed = false;
   if (codes.g1() == 800) state.motion = m.modal.motion_row >= 0 ? state.motion : 800;
   return {};
 }
@@ -293,7 +295,7 @@ bool LinuxCnc::lines_follow(const Interpreter& m) const { return m.modal.feed_mo
 
 void LinuxCnc::note_line(Interpreter& m) {
   state.motion = m.def.codes[static_cast<std::size_t>(m.modal.motion_row)].tenth;
-  state.cycle_began = false;
+  state.cycle_began = state.arc_not_allowed = false;
 }
 
 /// Its arcs are looked at one by one.

@@ -63,8 +63,7 @@ struct State {
   std::int32_t motion = 800;  // code in force, tenths; -1: none (G5.3)
   bool polar_step = false;    // the block's words are @ ^ in G91: each repetition of a cycle turns on
   double polar_radius = 0, polar_angle = 0;
-  bool compensating = false;
-  bool just_ended_compensation = false;
+  bool arc_not_allowed = false;  // a contour has ended: the next motion of its kind must be straight (7.3)
   std::array<bool, 2> spindle_known{};
   std::vector<ControlPoint> nurbs;  // of G5.2, until G5.3
   std::size_t nurbs_order = 3;      // its degree + 1

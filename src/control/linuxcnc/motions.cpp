@@ -26,8 +26,7 @@ class Arc {
     const char centers[] = {m_.letters.center_letter[axes_.first], m_.letters.center_letter[axes_.second]};
     const char normal = m_.letters.center_letter[axes_.normal];
     const bool any_center = m_.has('I') || m_.has('J') || m_.has('K');
-    if (control_.codes.g1() >= 0 && !any_center && !m_.has('R') && !m_.has_axis_words()) return {};  // the code alone: only the mode
-    if (m_.modal.contour == ContourPhase::leaving)
+    if (control_.state.arc_not_allowed)
       return control_.fault(AlarmId::rs274_compensation, call_.where,
                             "The move just after exiting cutter compensation mode must be straight, not an arc");
     if (!any_center && !m_.has('R')) return wrong("R i j k words all missing for arc");
@@ -72,8 +71,19 @@ class Arc {
     return {};
   }
 
+  bool enters() const { return m_.modal.contour == ContourPhase::on && m_.radius_in_force() != 0; }
+
+  /// Looked at before the arc itself (convert_arc_comp1); `path` looks again.
+  Status may_enter(Vec2 from, Vec2 to) const {
+    if (!enters() || std::hypot(to.x - from.x, to.y - from.y) > m_.radius_in_force()) return {};
+    return fail(alarm(AlarmId::entry_arc_within_tool, call_.where));
+  }
+
   Status by_radius(Vec2 from, Vec2 to, const Axes& end, AxisMask named) {
     const double radius = m_.length_value('R'), half = length(to - from) / 2;
+    KADR_TRY(may_enter(from, to));
+    if (enters() && std::fabs(radius) <= m_.radius_in_force() && (m_.modal.radius_side < 0) == (turn_ == Turn::ccw))
+      return fail(alarm(AlarmId::arc_within_tool, call_.where));
     if (from == to) return wrong("Current point same as end point of arc");
     if (half - std::fabs(radius) > least_radius) return wrong("Arc radius too small to reach end point");
     const double sign = radius < 0 ? -1 : 1;
@@ -83,6 +93,7 @@ class Arc {
   }
 
   Status about(Vec2 from, Vec2 to, Vec2 center, const Axes& end, AxisMask named) {
+    KADR_TRY(may_enter(from, to));
     const double unit = m_.modal.inch ? mm_per_inch : 1;
     const double r1 = length(from - center), r2 = length(to - center);
     const auto point = [&](Vec2 at) {
@@ -177,6 +188,12 @@ Status probe_move(Interpreter& m, const Call& call) {
 Status thread_by_spindle(Interpreter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const bool back = call.row->arg == 1;
+  if (m.modal.radius_side != 0 && m.radius_in_force() != 0) {  // `path` makes a line of it, or an alarm (7.5)
+    AxisMask moved = 0;
+    Axes end;
+    KADR_TRY(m.target(end, moved));
+    return m.straight(MotionKind::thread, end, moved);
+  }
   if (!linuxcnc::spindle_turns(m))
     return control.fault(AlarmId::rs274_spindle, call.where, back ? "Spindle not turning in G33.1" : "Spindle not turning in G33");
   AxisMask named = 0;

@@ -154,11 +154,21 @@ std::optional<double> mode_named(const Interpreter& m, const LinuxCnc& control, 
   return std::nullopt;
 }
 
+/// Where the control means to be: in compensation beside the programmed point (current_x of the source).
+Axes current_point(const Interpreter& m, Axes at) {
+  if (m.modal.contour == ContourPhase::following) {
+    at[m.modal.contour_axes.first] += m.modal.contour_vector.x;
+    at[m.modal.contour_axes.second] += m.modal.contour_vector.y;
+  }
+  return at;
+}
+
 std::optional<double> place_named(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
   constexpr std::string_view letters = "xyzabcuvw";
-  if (name.size() == 2 && letters.find(name[1]) != std::string_view::npos) return position(m, m.position.programmed, letters.find(name[1]));
+  if (name.size() == 2 && letters.find(name[1]) != std::string_view::npos)
+    return position(m, current_point(m, m.position.programmed), letters.find(name[1]));
   if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) != std::string_view::npos)
-    return position(m, m.position.machine, letters.find(name[5]));
+    return position(m, current_point(m, m.position.machine), letters.find(name[5]));
   if (name == "_tool_offset")
     return std::any_of(control.state.length.begin(), control.state.length.end(), [](double v) { return v != 0; }) ? 1 : 0;
   if (name == "_current_tool") return m.modal.tool;

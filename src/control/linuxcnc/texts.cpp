@@ -138,14 +138,6 @@ std::string function_name(std::string_view at) {
   return name;
 }
 
-/// Its code is G2 or G3.
-bool is_arc_line(const std::string& line) {
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    if (small(line[i]) == 'g' && (line[i + 1] == '2' || line[i + 1] == '3') && (i + 2 == line.size() || !is_digit(line[i + 2])))
-      return true;
-  return false;
-}
-
 // NOLINTNEXTLINE(readability-function-size): a table
 Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
   const std::string letter = argument(report, 0);
@@ -177,15 +169,6 @@ Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
       if (rules.functions.find(there(report)) != nullptr)
         return {AlarmId::rs274_expression, "Left bracket missing after unary operation name"};
       return function_wrong(report);
-    case AlarmId::compensation_entry_short:
-      if (is_arc_line(report.line_text))
-        return {AlarmId::rs274_compensation, "Radius of cutter compensation entry arc is not greater than the tool radius"};
-      return {AlarmId::rs274_compensation, "Length of cutter compensation entry move is not greater than the tool radius"};
-    case AlarmId::compensation_gouge:
-      if (is_arc_line(report.line_text)) return {AlarmId::rs274_compensation, "Tool radius not less than arc radius with comp"};
-      return {AlarmId::rs274_compensation, "Straight feed in concave corner cannot be reached by the tool without gouging"};
-    case AlarmId::compensation_no_intersection:
-      return {AlarmId::rs274_compensation, "Arc move in concave corner cannot be reached by the tool without gouging"};
     case AlarmId::operator_unknown: return operator_wrong(report);
     case AlarmId::bracket_not_closed:
       if (lacks_value(report.line_text)) return {AlarmId::rs274_form, "No characters found in reading real value"};

@@ -264,8 +264,6 @@ ContourElement RadiusCompensation::element_of(const Motion& m) const {
     const auto way = entry_direction(to - from, m.tool_radius, m.side);
     return way ? ContourElement::line(to - *way, to) : ContourElement();
   }
-  const bool across = m.side_step == SideStep::begins && m.entry == ContourEntry::across;
-  if (across && length(to - from) <= m.tool_radius) return {};
   if (!is_arc(m.kind)) return ContourElement::line(from, to);
   return ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns);
 }

@@ -1,0 +1,253 @@
+// What comes into the queue of LinuxCNC's cutter radius compensation. For path/contour; tested by tests/path/queued_compensation_test.cpp
+// and tests/cases/linuxcnc/compensation.cases.
+
+#include "path/contour/queued_compensation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kadr {
+namespace {
+
+constexpr double least_speed_by_time = 0.1;  // units/min: inverse_time_rate_straight
+constexpr double least_way_by_time = 1e-7;   // mm; find_straight_length
+
+/// Begun turns, counter-clockwise positive.
+int turn_of(const Motion& m) {
+  const int begun = std::max(1, static_cast<int>(std::ceil(m.turns - tol::same_angle)));
+  return m.kind == MotionKind::arc_ccw ? begun : -begun;
+}
+
+/// From a point of the contour to the tool beside it, where the tangent is that.
+Vec2 beside_line(Vec2 way, const Motion& m) {
+  const double angle = std::atan2(way.y, way.x) + (m.side > 0 ? pi / 2 : -pi / 2);
+  return {m.tool_radius * std::cos(angle), m.tool_radius * std::sin(angle)};
+}
+
+}  // namespace
+
+QueuedCompensation::QueuedCompensation(const ToolPosition& start) {
+  now_.at = start;
+  now_.stands = start.work;
+}
+
+std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Follows follows) {
+  warnings_.clear();
+  if (!at_work()) {  // mostly: nothing to do but to know where the tool stands
+    const bool any = std::any_of(batch.begin(), batch.end(), [](const Action& action) {
+      const auto* const m = std::get_if<Motion>(&action.what);
+      return m != nullptr && m->side != 0;
+    });
+    if (!any) {
+      for (const Action& action : batch) now_.at.take(action);
+      now_.stands = now_.at.work;
+      return std::nullopt;
+    }
+  }
+  out_.clear();
+  fault_.reset();
+  for (Action& action : batch) {
+    if (fault_) follow(action);
+    else next(action);
+  }
+  if (follows == Follows::nothing && !now_.queue.empty()) lose();
+  std::swap(batch, out_);
+  return fault_;
+}
+
+void QueuedCompensation::next(Action& action) {
+  origin_ = action.origin;
+  if (std::holds_alternative<Motion>(action.what)) {
+    motion(action);
+  } else if (const auto* const end = std::get_if<ContourBreak>(&action.what)) {
+    end_here(*end);
+  } else {
+    const bool overtakes = std::holds_alternative<Message>(action.what) || std::holds_alternative<ToolSelect>(action.what);
+    now_.at.take(action);
+    if (overtakes) out_.add() = std::move(action);
+    else wait(action);
+  }
+  if (fault_) {
+    lose();
+    follow(action);
+  }
+}
+
+/// Behind the queued motions, if there are any.
+void QueuedCompensation::wait(Action& action) {
+  Queued queued;
+  queued.action = std::move(action);
+  if (now_.queue.empty()) hand_out(queued);
+  else push(queued);
+}
+
+/// G40, or a stop: what is queued ends beside its point (convert_cutter_compensation_off, convert_stop).
+void QueuedCompensation::end_here(const ContourBreak& end) {
+  if (!now_.on || !move_ends(now_.tool)) return;
+  now_.start.reset();
+  if (!end.off) return;
+  now_.on = false;
+  end_watch();
+}
+
+void QueuedCompensation::motion(Action& action) {
+  const auto& m = std::get<Motion>(action.what);
+  const bool served = m.kind == MotionKind::rapid || m.kind == MotionKind::feed || m.kind == MotionKind::thread || is_arc(m.kind);
+  now_.inch = m.inch;
+  if (m.side == 0 || !served) return outside_contour(action);
+  Queued queued;
+  queued.moves = true;
+  queued.action = action;
+  const bool enters = m.side_step == SideStep::begins || !now_.on;
+  if (enters) {
+    hand_out_queue();
+    now_.first = m.first;
+    now_.second = m.second;
+  }
+  queued.speed = programmed_speed(m);
+  if (enters) enter(queued, m);
+  else if (is_arc(m.kind)) arc(queued, m);
+  else line(queued, m);
+  if (!fault_) now_.at.take(m);
+}
+
+/// To the programmed point, from wherever the tool stands.
+void QueuedCompensation::outside_contour(Action& action) {
+  auto& m = std::get<Motion>(action.what);
+  hand_out_queue();
+  Queued queued;
+  queued.moves = true;
+  queued.end = in_plane(m.to);
+  if (beside()) {
+    if (!is_arc(m.kind)) queued.speed = programmed_speed(m);
+    m.side_step = SideStep::ends;
+  }
+  now_.on = false;
+  now_.at.take(m);
+  queued.action = std::move(action);
+  hand_out(queued);
+}
+
+/// The first motion: a line goes straight to where the tool stands beside its end.
+void QueuedCompensation::enter(Queued& queued, const Motion& m) {
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  if (is_arc(m.kind)) {
+    const auto way = entry_arc(from, {to, m.center, turn_of(m)}, m.tool_radius, m.side);
+    if (!way) return void(fault(way.error()));
+    queued.arc = *way;
+    queued.swept = swept_by(from, way->center, way->turn, way->end);
+    queued.end = way->end;
+  } else {
+    if (std::hypot(to.x - from.x, to.y - from.y) <= m.tool_radius) return void(fault(alarm(AlarmId::entry_line_within_tool, {})));
+    if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
+    const Vec2 normal = beside_line(to - from, m);
+    queued.direction = normal;  // as in the source; it cannot be reversed
+    queued.end = to + normal;
+    now_.start = from;
+  }
+  now_.on = true;
+  now_.tool = queued.end;
+  push(queued);
+}
+
+void QueuedCompensation::line(Queued& queued, const Motion& m) {
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  if (from == to) {  // along the third axis, or rotary ones: it ends where the motion before does
+    if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
+    queued.end = now_.tool;
+    return push(queued);
+  }
+  const auto corner = corner_to_line(place_before(m), to);
+  if (!corner) return void(fault(corner.error()));
+  watch_element(queued, m);
+  if (corner->way == CornerWay::outer) {
+    if (!move_ends(now_.tool)) return;
+    if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
+    go_round(queued, corner->at);
+  } else if (corner->way == CornerWay::inner) {
+    if (!move_ends(corner->at)) return;
+  } else {
+    hand_out_queue();
+    now_.start = now_.tool;
+  }
+  queued.direction = to - from;
+  queued.end = now_.tool = corner->end;
+  push(queued);
+}
+
+void QueuedCompensation::arc(Queued& queued, const Motion& m) {
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  const QueuedArc programmed{to, m.center, turn_of(m)};
+  const auto corner = corner_to_arc(place_before(m), programmed);
+  if (!corner) return void(fault(corner.error()));
+  watch_element(queued, m);
+  if (corner->way == CornerWay::inner) {
+    if (!move_ends(corner->at)) return;
+  } else {
+    hand_out_queue();
+    now_.start = now_.tool;
+    if (corner->way == CornerWay::outer) go_round(queued, corner->at);
+  }
+  queued.arc = {corner->end, m.center, programmed.turn};
+  queued.swept = swept_by(from, m.center, programmed.turn, to);
+  queued.end = now_.tool = corner->end;
+  push(queued);
+}
+
+CornerPlace QueuedCompensation::place_before(const Motion& m) const {
+  return {in_plane(now_.at.work), now_.tool, m.tool_radius, static_cast<double>(m.side), now_.first_arc, !now_.queue.empty()};
+}
+
+/// In inverse time the programmed way counts: the corner, and what compensation makes of the way, are gone at that speed.
+double QueuedCompensation::programmed_speed(const Motion& m) const {
+  if (m.unit != FeedUnit::per_min || m.kind == MotionKind::rapid) return 0;
+  double way = 0;
+  if (is_arc(m.kind)) {
+    const Vec2 from{now_.at.work[m.first], now_.at.work[m.second]}, to{m.to[m.first], m.to[m.second]};
+    const double deep = m.to[third()] - now_.at.work[third()];
+    way = std::hypot(std::hypot(m.center.x - from.x, m.center.y - from.y) * swept_by(from, m.center, turn_of(m), to), deep);
+  } else {
+    for (std::size_t a = 0; a < 3; ++a) way = std::hypot(way, m.to[a] - now_.at.work[a]);
+    if (way <= least_way_by_time && !beside()) return 0;
+  }
+  return std::max(least_speed_by_time * unit(), way * m.feed);
+}
+
+/// What is handed out from now on is compared with it. Motions at feed along the contour: not the way in, not the way out.
+void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
+  if (m.kind == MotionKind::rapid) return;
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  const ContourElement element = is_arc(m.kind)
+                                     ? ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns)
+                                     : ContourElement::line(from, to);
+  const std::uint64_t number = now_.watch.contour(element, m.tool_radius, origin_);
+  queued.watched = true;
+  queued.known = {number == 0 ? 0 : number - 1, number + 1};  // its neighbours are the corner rules' affair
+}
+
+/// After an alarm, at the end of a file: the queue is forgotten.
+void QueuedCompensation::lose() {
+  now_.queue.clear();
+  now_.start.reset();
+  now_.first_arc.reset();
+  now_.dropped = true;
+  (void)now_.watch.end();
+}
+
+/// What comes behind an alarm is not carried out, but may be looked at further (kadr check): the tool is beside each end, uncut.
+void QueuedCompensation::follow(const Action& action) {
+  if (const auto* const m = std::get_if<Motion>(&action.what)) {
+    now_.on = m->side != 0;
+    now_.first = m->first;
+    now_.second = m->second;
+    const Vec2 to = in_plane(m->to), way = is_arc(m->kind) ? to - m->center : to - in_plane(now_.at.work);
+    const double sense = m->kind == MotionKind::arc_ccw ? 1 : -1;
+    const Vec2 along = is_arc(m->kind) ? Vec2{-sense * way.y, sense * way.x} : way;
+    if (now_.on && !(along == Vec2{})) now_.tool = to + beside_line(along, *m);
+  }
+  now_.at.take(action);
+  now_.stands = now_.at.work;
+}
+
+}  // namespace kadr
