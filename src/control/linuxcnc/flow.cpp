@@ -6,20 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "control/flow/program_file.h"
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
+#include "control/linuxcnc/sub_files.h"
 #include "control/reading.h"
 #include "lang/expression/expression.h"
 
 namespace kadr::linuxcnc {
 namespace {
-
-namespace fs = std::filesystem;
 
 class OLines {
  public:
@@ -32,7 +30,9 @@ class OLines {
     if (!memory_.refused.empty()) return wrong(std::exchange(memory_.refused, {}));
     if (!memory_.defining.empty()) return define();
     switch (s_.o_word) {
-      case OWord::label: return {};
+      case OWord::label:
+        if (control_.machine.fanuc_subprograms) return {};
+        return wrong("DISABLE_FANUC_STYLE_SUB disabled in INI file, but found bare O-word");
       case OWord::sub: return begin_sub();
       case OWord::endsub:
       case OWord::return_: return end_sub();
@@ -50,6 +50,12 @@ class OLines {
       case OWord::continue_: return leave_loop(true);
     }
     return {};
+  }
+
+  /// By a label that no O line says.
+  Status call_labelled(const std::string& label) {
+    label_ = label;
+    return enter(Level());
   }
 
  private:
@@ -188,7 +194,7 @@ class OLines {
   Result<Place> find_sub() {
     if (const auto known = memory_.passed.find(label_); known != memory_.passed.end())
       return place_of(known->second.first, known->second.second);
-    if (const auto reader = file_of_label()) {
+    if (const auto reader = file_of_label(m_, label_)) {
       const OFile& all = control_.flow.of(m_, *reader);
       for (const OLine& each : all.lines)
         if (each.word == OWord::sub && label_of(each) == label_) return Place{*reader, each.behind, false};
@@ -215,22 +221,6 @@ class OLines {
     return Place{reader, all.lines[static_cast<std::size_t>(found->second)].behind, false};
   }
 
-  /// 1.1: in the program's folder, then in the program memory; nothing outside of them.
-  std::optional<std::uint16_t> file_of_label() {
-    if (label_.find_first_of("/\\") != std::string::npos || label_.starts_with('.')) return std::nullopt;
-    const fs::path own = fs::path(m_.flow.main_file()).parent_path();
-    for (const fs::path& folder : {own, fs::path(m_.flow.limits().files)}) {
-      std::error_code error;
-      const fs::path path = folder / (label_ + ".ngc");
-      if (!fs::is_regular_file(path, error)) continue;
-      const fs::path real = fs::canonical(path, error);
-      const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
-      if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()) continue;
-      if (const auto reader = m_.flow.open_program(path.string())) return reader;
-    }
-    return std::nullopt;
-  }
-
   Status call() {
     Level made;
     std::size_t n = 1;
@@ -239,6 +229,12 @@ class OLines {
       if (!value) return fail(value.error());
       made.arguments[n++] = *value;
     }
+    if (control_.machine.argument_count)
+      if (const auto name = m_.def.grammar.named_variables->number_of("n_args")) made.named[*name] = static_cast<double>(n - 1);
+    return enter(std::move(made));
+  }
+
+  Status enter(Level made) {
     const auto place = find_sub();
     if (!place) return fail(place.error());
     if (place->fanuc) return jump_to(place->start);
@@ -389,8 +385,12 @@ Status leave_sub(Interpreter& m, Span where) {
   if (!control.flow.memory.by_m98.back() && control.levels().size() > 1) control.levels().pop_back();
   control.flow.memory.calls.pop_back();
   control.flow.memory.by_m98.pop_back();
-  return restore_at_end(m);
+  KADR_TRY(restore_at_end(m));
+  const bool profile_ends = control.turning && control.flow.memory.calls.size() == control.turning->depth;
+  return profile_ends ? run_turning(m) : Status();
 }
+
+Status call_sub(Interpreter& m, const std::string& label, Span) { return OLines(m).call_labelled(label); }
 
 Status run_o_line(Interpreter& m) { return OLines(m).run(); }
 
