@@ -44,15 +44,16 @@ void set_motion(Interpreter& m, std::int32_t tenths) {
 /// The motions, some at a time.
 class Turning final : public RunningValue<Turning> {
  public:
-  /// `fault`: what the control found when these motions had been made; empty: nothing.
-  Turning(std::shared_ptr<const std::vector<TurningMove>> moves, std::string fault, Span where)
-      : moves_(std::move(moves)), fault_(std::move(fault)), where_(where) {}
+  /// `done`: what the control found when these motions had been made.
+  Turning(std::shared_ptr<const std::vector<TurningMove>> moves, Turned done, Span where)
+      : moves_(std::move(moves)), done_(std::move(done)), where_(where) {}
 
   Result<bool> next(Interpreter& m) override {
     for (std::size_t i = 0; i < batch_size / 8 && at_ < moves_->size(); ++i) KADR_TRY(move(m, (*moves_)[at_++]));
     if (at_ < moves_->size()) return true;
-    if (!fault_.empty()) return wrong_turning(m, where_, fault_);
-    return false;
+    if (done_) return false;
+    if (done_.error().empty()) return fail(alarm(AlarmId::cycle_endless, where_));
+    return wrong_turning(m, where_, "G7X error: " + done_.error());
   }
 
  private:
@@ -87,7 +88,7 @@ class Turning final : public RunningValue<Turning> {
 
   std::shared_ptr<const std::vector<TurningMove>> moves_;
   std::size_t at_ = 0;
-  std::string fault_;
+  Turned done_;
   Span where_;
 };
 
@@ -194,10 +195,9 @@ Status run_turning(Interpreter& m) {
   if (cycle.words.depth <= 0) return wrong_turning(m, cycle.where, "G7X error: I must be greater than zero.");
   auto moves = std::make_shared<std::vector<TurningMove>>();
   const auto pockets = static_cast<Pockets>(cycle.code % 10);
-  const Turned done = cycle.code == 700 ? finish_profile(cycle.profile, cycle.words, *moves)
-                                        : rough_profile(cycle.profile, cycle.words, pockets, cycle.code >= 720, *moves);
-  if (!done && done.error().empty()) return fail(alarm(AlarmId::cycle_endless, cycle.where));
-  m.running = std::make_unique<Turning>(std::move(moves), done ? std::string() : "G7X error: " + done.error(), cycle.where);
+  Turned done = cycle.code == 700 ? finish_profile(cycle.profile, cycle.words, *moves)
+                                  : rough_profile(cycle.profile, cycle.words, pockets, cycle.code >= 720, *moves);
+  m.running = std::make_unique<Turning>(std::move(moves), std::move(done), cycle.where);
   return {};
 }
 
