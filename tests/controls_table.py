@@ -72,7 +72,7 @@ ALARM_KEYS = {"severity", "args", "en", "ru", "hint_en", "hint_ru"}
 ADDRESS_FUNCTIONS = {"block_number", "axis", "center", "word_of_code", "feed_word", "speed_word", "tool_word", "offset_word",
                      "formal_parameter", "code", "label", "dwell_word", "repeat_word", "call_word", "corrector_word", "machine_axis",
                      "increment_axis", "argument_only", "auxiliary_word", "spindle_word", "spindle_axis_word", "tool_call",
-                     "length_number", "radius_number", "tool_of_table"}
+                     "length_number", "radius_number", "tool_of_table", "speed_of_spindle"}
 COMMA_WORDS = {"c": ",C", "r": ",R", "a": ",A"}  # in `takes`; `*`: every axis of the channel
 TEXT_OF_THE_PROGRAM = {"program_alarm"}  # their text is written by the program
 

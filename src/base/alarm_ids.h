@@ -32,7 +32,7 @@
   X(subprogram_missing) X(subprogram_end_missing) X(return_without_call) X(call_too_deep)    \
   X(repeat_end_missing) X(repeat_end_alone) X(endless_program) X(label_twice) X(end_missing)\
   /* cycles */                                                                               \
-  X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_undefined)   \
+  X(cycle_level) X(cycle_repeats) X(cycle_peck) X(cycle_endless) X(cycle_undefined)   \
   X(stepover_out_of_range) X(cycle_override)                                                 \
   /* probe and machine */                                                                    \
   X(probe_too_close) X(probe_no_contact) X(probe_feed_mode) X(limit_exceeded)                \

@@ -88,7 +88,7 @@ constexpr LetterRow letters_of[] = {
     {Function::repeat_word, "H"},          {Function::call_word, "L"},     {Function::label, "O"},
     {Function::corrector_word, "L"},       {Function::spindle_word, "S"},  {Function::tool_call, "T"},
     {Function::length_number, "H"},        {Function::radius_number, "D"}, {Function::formal_parameter, "R"},
-    {Function::machine_axis, "XYZUVWABC"}, {Function::tool_of_table, "T"},
+    {Function::machine_axis, "XYZUVWABC"}, {Function::tool_of_table, "T"}, {Function::speed_of_spindle, "S"},
 };
 
 /// The words that these look for in their block, by these letters and no others.

@@ -236,6 +236,9 @@ namespace kadr {
   X(surface_speed_limited, speed_mode,   none, code, rs274,      usual, nothing) \
   X(modes_kept,           spindle,       none, code, rs274,      last,  nothing) \
   X(diameter_mode,        unit,          none, code, rs274,      usual, nothing) \
+  X(speed_of_spindle,     speed,         none, word, rs274,      usual, nothing) \
+  X(profile_cycle,        motion,        own,  code, rs274,      usual, nothing) \
+  X(threading_cycle,      motion,        own,  code, rs274,      usual, nothing) \
   X(call_numbered,        flow,          none, code, rs274,      call,  calls) \
   X(return_numbered,      flow,          none, code, rs274,      usual, ends) \
   /* what controls with custom macros have besides (spec/fanuc, spec/haas) */ \

@@ -178,6 +178,7 @@ struct Setup {
   std::map<std::string, double> signals;  // of the PLC
   std::vector<SetupEvent> events;
   std::string clock;  // "2014-05-18T15:32:41", a date there is; empty: a fixed day, so that the same input gives the same output
+  std::string ini;    // name of the control's ini file, from the folder of the program memory; empty: none
   int channel = 1;
   std::map<int, ChannelSetup> channels;  // the others
   std::vector<int> skip;                 // switches that are on

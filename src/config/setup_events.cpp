@@ -141,6 +141,7 @@ Readers readers_of_events(Setup& s) {
          for (std::size_t i = 0; i < v.size(); ++i) s.events.push_back(event(v[i], k + "[" + std::to_string(i) + "]"));
        })},
       {"clock", or_null([&](const Json& v, const std::string& k) { clock(v, k, s); })},
+      {"ini", or_null(to_word(s.ini))},
       {"channel", or_null(to_whole(s.channel, 1, most_channels))},
       {"channels", or_null([&](const Json& v, const std::string& k) {
          numbered(v, k, s.channels, channel, {1, most_channels});

@@ -142,6 +142,7 @@ constexpr SetupKey keys[] = {
   {"probe_workpiece.hole.depth", F::number, N::fixed, distance, U::mm, stated, H::probe, "", "30", "", "depth", "глубина"},
 
   {"clock", F::text, N::fixed, any, U::none, null, H::clock, "", R"("2014-05-18T15:32:41")", "", "date and time that the program reads", "дата и время, которые читает программа"},
+  {"ini", F::text, N::fixed, any, U::none, null, H::ini, "", R"("machine.ini")", "", "ini file of the control, from the folder of the program memory", "ini-файл УЧПУ, путь от папки памяти программ"},
   {"signals", F::table, N::signal, any, U::none, null, H::machine_axes, "", R"({"CP_NOWT": 1})", "", "signals of the machine's logic (PLC)", "сигналы автоматики станка (ПЛК)"},
   {"signals.*", F::number, N::fixed, any, U::none, stated, H::machine_axes, "", "1", "", "one signal; 0: off", "один сигнал; 0 — снят"},
   {"events", F::tables, N::fixed, any, U::none, null, H::machine_axes, "", R"([{"when": {"code": "M90"}, "do": "skip", "switch": 2, "on": true}])", "", "what the logic and the operator do, and when", "что и когда делают автоматика и оператор"},

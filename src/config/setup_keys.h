@@ -62,6 +62,7 @@ enum class SetupNeeds : std::uint8_t {
   turning_lengths,
   tool_management,
   clock,
+  ini,  // settings of the control stand in an ini file (spec/linuxcnc 10.1)
   probe,
   diameters,     // axes may be programmed in diameters
   machine_axes,  // axes, channels, spindles and logic are the machine's

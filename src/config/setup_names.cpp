@@ -87,6 +87,7 @@ bool has(const ControlDef& def, SetupNeeds needs) {
     case SetupNeeds::corner_radius: return has_variable(def, VariableKind::offset_corner);
     case SetupNeeds::turning_lengths: return has_variable(def, VariableKind::offset_x);
     case SetupNeeds::tool_management: return has_variable(def, VariableKind::tool_data);
+    case SetupNeeds::ini: return def.has_parameter_file();
     case SetupNeeds::clock: return has_variable(def, VariableKind::date);
     case SetupNeeds::diameters: return def.machine_axes() || def.behaviour.diameter_by_setup;
     case SetupNeeds::probe: return has_function(def, {Function::probe, Function::probe_move, Function::measure, Function::measure_length});

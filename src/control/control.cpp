@@ -148,8 +148,7 @@ std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint3
 std::vector<std::string> Control::files_read() const { return interpreter_->flow.paths(); }
 const WrittenFiles& Control::files_written() const {
   static const WrittenFiles none;
-  const MachineSide* const side = machine_side();
-  return side == nullptr ? none : side->files_written();
+  return interpreter_->dialect ? interpreter_->dialect->files_written() : none;
 }
 const std::string& Control::file_name(std::uint16_t file) const { return interpreter_->flow.file(file).path(); }
 ToolPosition Control::tool_position() const { return {interpreter_->position.work, interpreter_->position.machine}; }

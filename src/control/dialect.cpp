@@ -58,6 +58,10 @@ void Dialect::note_motion(Interpreter& m, Motion& motion) {
 double Dialect::inch_feed(const Interpreter&, const Motion& motion, const Axes&) const { return motion.feed; }
 ArcRule Dialect::arc_rule(const Interpreter& m) const { return m.plain_arc_rule(); }
 void Dialect::note_feed(Interpreter&) {}
+const WrittenFiles& Dialect::files_written() const {
+  static const WrittenFiles none;
+  return none;
+}
 SurfaceSpeed Dialect::surface_speed(const Interpreter& m) const { return m.speed_by_x(); }
 void Dialect::refresh_frames(Interpreter& m) { m.frames_by_tables(); }
 void Dialect::roll(const Interpreter&, Axes&) const {}

@@ -52,8 +52,6 @@ class MachineSide {
   virtual void set_time(double now_ms, double cut_ms) = 0;
   virtual RunState run_state(const Interpreter& m) const = 0;
   virtual SearchRules search_rules() const = 0;
-  /// What the program has written: path, bytes.
-  virtual const WrittenFiles& files_written() const = 0;
   /// Waiting codes have no effect.
   virtual bool waiting_suspended() const = 0;
 };
@@ -75,6 +73,8 @@ class Dialect {
 
   /// nullptr: there is no machine whose logic, operator or parameters are known.
   virtual MachineSide* machine_side() { return nullptr; }
+  /// What the program has written: path, bytes.
+  virtual const WrittenFiles& files_written() const;
 
   // ---- start and end
 
@@ -84,6 +84,8 @@ class Dialect {
   virtual bool starts_code_by_code() const { return false; }
   /// What the set-up says, after its modal codes.
   virtual void take_setup(Interpreter& m, const Setup& setup);
+  /// Words carried out behind the power-on codes, before those of the set-up.
+  virtual std::string start_words() const { return {}; }
   /// The tool stands where the set-up says.
   virtual void started(Interpreter& m);
   /// M2, M30, instead of the file's end codes. true: done.
@@ -189,6 +191,8 @@ class Dialect {
   virtual void note_feed(Interpreter& m);
   /// Feeds per minute and per revolution stand side by side; else a change of the unit forgets the feed.
   virtual bool keeps_both_feeds() const { return false; }
+  /// M3, M4, M5 are for other spindles than the first one: it has commanded them.
+  virtual Result<bool> turns_spindle(Interpreter&, SpindleDir, Span) { return false; }
   virtual SurfaceSpeed surface_speed(const Interpreter& m) const;
   /// Origin, length, shifts by the tables and the modal state.
   virtual void refresh_frames(Interpreter& m);

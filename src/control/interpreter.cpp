@@ -230,6 +230,7 @@ void Interpreter::power_cycle() {
 
 /// The file's end ends the program too; not in the middle of a call or a repetition.
 Status Interpreter::end_of_file() {
+  origin.line = std::max<std::uint32_t>(origin.line, 1);  // of an empty file too
   if (dialect) {
     const auto done = dialect->end_of_file(*this);
     if (!done) return fail(done.error());
@@ -237,7 +238,6 @@ Status Interpreter::end_of_file() {
   }
   if (flow.depth() == 0) {
     const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // not a block in it
-    origin.line = std::max<std::uint32_t>(origin.line, 1);
     if (def.behaviour.end_required || cut_off) warn(warning(AlarmId::end_missing, {}));
     return {};
   }

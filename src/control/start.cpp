@@ -166,6 +166,8 @@ void Interpreter::start_modal(const Setup& setup) {
     (void)execute();
   };
   if (!dialect || !dialect->start(*this, setup)) run_words(words);
+  if (dialect)
+    if (const std::string started = dialect->start_words(); !started.empty()) run_words(started);
   for (const std::string& word : setup.modal)
     if (start_fault.empty() && !starts(word))
       start_fault = {"modal", "setup key 'modal': the control " + def.id + " has no '" + word + "'",

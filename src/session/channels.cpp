@@ -47,6 +47,7 @@ Setup setup_of_channel(const Setup& main, int number) {
   s.optional_stop = main.optional_stop;
   s.single_block = main.single_block;
   s.clock = main.clock;
+  s.ini = main.ini;
   s.feed_override = main.feed_override;
   s.rapid_override = main.rapid_override;
   s.spindle_override = main.spindle_override;

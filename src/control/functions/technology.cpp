@@ -14,7 +14,15 @@ bool turns_spindle(const Interpreter& m) {
   return m.has_code({Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
 }
 
+/// The dialect has commanded other spindles than the first.
+Result<bool> is_for_others(Interpreter& m, SpindleDir dir, Span where) {
+  return m.dialect ? m.dialect->turns_spindle(m, dir, where) : Result<bool>(false);
+}
+
 Status turn_spindle(Interpreter& m, SpindleDir dir, Span where) {
+  const auto others = is_for_others(m, dir, where);
+  if (!others) return fail(others.error());
+  if (*others) return {};
   if (dir != SpindleDir::orient && m.modal.rpm_waiting >= 0) m.modal.rpm = std::exchange(m.modal.rpm_waiting, -1);  // 2С42 6.4.3
   if (dir != SpindleDir::orient && m.modal.rpm == 0) m.warn(warning(AlarmId::speed_missing, where));
   m.modal.spindle = dir;
@@ -153,7 +161,10 @@ Status change_tool(Interpreter& m, const Call&) {
 Status spindle_cw(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::cw, call.where); }
 Status spindle_ccw(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::ccw, call.where); }
 Status spindle_orient(Interpreter& m, const Call& call) { return turn_spindle(m, SpindleDir::orient, call.where); }
-Status spindle_stop(Interpreter& m, const Call&) {
+Status spindle_stop(Interpreter& m, const Call& call) {
+  const auto others = is_for_others(m, SpindleDir::stop, call.where);
+  if (!others) return fail(others.error());
+  if (*others) return {};
   m.modal.spindle = SpindleDir::stop;
   m.emit(Spindle{SpindleDir::stop, 0});
   return {};
@@ -201,10 +212,11 @@ Status program_stop(Interpreter& m, const Call&) {
 }
 
 /// M01 stops only while the operator's switch is on.
-Status optional_stop(Interpreter& m, const Call&) {
+Status optional_stop(Interpreter& m, const Call& call) {
   stop_beside_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
-  if (m.optional_stop_on) m.emit(Stop{true});
+  const bool always_told = call.row->arg == 1;  // the machine looks at the switch, not the interpreter
+  if (m.optional_stop_on || always_told) m.emit(Stop{true});
   return {};
 }
 

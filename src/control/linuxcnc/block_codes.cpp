@@ -38,6 +38,7 @@ class Checker {
 
   Result<BlockCodes> run() {
     KADR_TRY(read());
+    KADR_TRY(axes_there());
     codes_.has_axis = m_.has_axis_words();
     codes_.has_polar = has(polar_radius_) || has(polar_angle_);
     KADR_TRY(polar());
@@ -75,6 +76,17 @@ class Checker {
     if (code == 800 && of_group >= 0) return {};
     if (of_group >= 0 && of_group != 800) return wrong(AlarmId::rs274_codes, w.where, "Two g codes used from same modal group");
     of_group = code;
+    return {};
+  }
+
+  /// U, V, W are no axes of the machine that is assumed; only in a turned profile U and W are increments.
+  Status axes_there() const {
+    if (control_.turning) return {};
+    for (std::uint32_t i = 0; i < m_.block->word_count; ++i) {
+      const Word& w = m_.block->words[i];
+      if (w.address < 'U' || w.address > 'W') continue;
+      return wrong(AlarmId::rs274_form, w.where, fmt::format("Bad character '{}' used", static_cast<char>(w.address | 0x20)));
+    }
     return {};
   }
 
@@ -277,10 +289,10 @@ Status Checker::words() const {
   if (has(spindle_) && !has('S') && !m_is(7, {3, 4, 5, 19}) && codes_.m[9] != 51 && !moves({330, 331, 760}))
     return wrong(AlarmId::rs274_words, m_.where(spindle_),
                  "$ (spindle selection) word with no M3, M4, M5, M19, M51, G33, G33.1, G76, G95, G96 or G97 to use it");
-  KADR_TRY(unless(m_is(5, {66, 67, 68}) || thread || codes_.motion == 760, 'E', "E word with no G70, G76, M66, M67 or M68 to use it"));
+  KADR_TRY(unless(m_is(5, {66, 67, 68}) || thread || moves({700, 760}), 'E', "E word with no G70, G76, M66, M67 or M68 to use it"));
   KADR_TRY(unless(is_one_of(codes_.g[8], {430, 432}) || codes_.motion == 760, 'H', "H word with no G43 or G76 to use it"));
   const bool data_code = codes_.g[0] == 100;
-  KADR_TRY(unless(moves({20, 30, 50, 51, 331, 760, 870}) || data_code, 'I',
+  KADR_TRY(unless(moves({20, 30, 50, 51, 331, 710, 711, 712, 720, 721, 722, 760, 870}) || data_code, 'I',
                   "I word with no G2, G3, G5, G5.1, G10, G33.1, G76, or G87 to use it"));
   KADR_TRY(unless(moves({20, 30, 50, 51, 760, 870}) || data_code, 'J', "J word with no G2, G3, G5, G5.1, G10, G76 or G87 to use it"));
   KADR_TRY(unless(moves({20, 30, 330, 331, 760, 870}), 'K', "K word with no G2, G3, G33, G33.1, G76, or G87 to use it"));
@@ -288,18 +300,18 @@ Status Checker::words() const {
       unless(cycle_l || codes_.motion == 760 || codes_.motion == 52 || data_code || tool_side() || codes_.m[5] == 66 || codes_.m[4] == 98,
              'L', "L word with no G10, cutter compensation, canned cycle, digital/analog input, M98 or NURBS code"));
   KADR_TRY(word_p());
-  KADR_TRY(unless(moves({50, 730, 760, 830}) || data_code || codes_.g[13] == 640 || m_is(7, {19}) || codes_.m[6] == 61 ||
-                      m_is(5, {66, 67, 68}) || user_code(),
+  KADR_TRY(unless(moves({50, 700, 710, 711, 712, 720, 721, 722, 730, 760, 830}) || data_code || codes_.g[13] == 640 || m_is(7, {19}) ||
+                      codes_.m[6] == 61 || m_is(5, {66, 67, 68}) || user_code(),
                   'Q', "Q word with no G5, G10, G64, G73, G76, G83, M19, M66, M67, M68 or user M code that uses it"));
   KADR_TRY(unless(moves({20, 30, 760}) || codes_.is_cycle() || data_code || is_one_of(codes_.g[7], {411, 421}) || m_is(7, {19}) ||
-                      moves({700, 710, 711, 712, 720, 721, 722}),
+                      moves({710, 711, 712, 720, 721, 722}),
                   'R', "R word with no g code that uses it"));
   KADR_TRY(words_of_orient());
   return required();
 }
 
 Status Checker::word_p() const {
-  const bool used = moves({20, 30, 50, 52, 740, 760, 820, 840, 860, 880, 890}) || codes_.g[0] == 40 || codes_.g[0] == 100 ||
+  const bool used = moves({20, 30, 50, 52, 700, 740, 760, 820, 840, 860, 880, 890}) || codes_.g[0] == 40 || codes_.g[0] == 100 ||
                     codes_.g[13] == 640 || m_is(7, {19}) || m_is(9, {50, 51, 52, 53}) || m_is(5, {62, 63, 64, 65, 66}) ||
                     codes_.m[4] == 98 || user_code();
   KADR_TRY(unless(used, 'P',

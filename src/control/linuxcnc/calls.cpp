@@ -29,7 +29,9 @@ Status leave_sub(Interpreter& m, Span where) {
   if (!control.flow.by_m98.back() && control.levels().size() > 1) control.levels().pop_back();
   control.flow.calls.pop_back();
   control.flow.by_m98.pop_back();
-  return restore_at_end(m);
+  KADR_TRY(restore_at_end(m));
+  const bool profile_ends = control.turning && control.flow.calls.size() == control.turning->depth;
+  return profile_ends ? run_turning(m) : Status();
 }
 
 }  // namespace kadr::linuxcnc
@@ -41,6 +43,8 @@ using linuxcnc::linuxcnc_of;
 /// M98 P L: a subprogram that begins with `On` further on in the file (6.5).
 Status call_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  if (!control.machine.fanuc_subprograms)
+    return control.fault(AlarmId::rs274_flow, call.where, "DISABLE_FANUC_STYLE_SUB set in INI file, but found m98");
   if (!m.has('P')) return control.fault(AlarmId::rs274_flow, call.where, "Found 'm98' code with no P-word");
   const double p = m.value('P');
   if (std::fabs(p - std::round(p)) > 1e-4) return control.fault(AlarmId::rs274_flow, m.where('P'), "Non integer value for integer");
@@ -76,6 +80,8 @@ Status call_numbered(Interpreter& m, const Call& call) {
 /// M99: back; in the main program: from its first line again (6.5).
 Status return_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  if (!control.machine.fanuc_subprograms)
+    return control.fault(AlarmId::rs274_flow, call.where, "DISABLE_FANUC_STYLE_SUB set in INI file, but found m99");
   if (m.flow.depth() == 0) return m.begin_again(call.where);
   if (!control.flow.by_m98.back())
     return control.fault(AlarmId::rs274_flow, call.where, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include "base/ascii.h"
@@ -92,6 +93,30 @@ class Filled {
   int decimals_ = 6;
 };
 
+/// Gives an alarm of the file its place.
+Status placed_at(const Status& status, Span where) {
+  if (status) return {};
+  Alarm alarm = status.error();
+  alarm.where = where;
+  return fail(alarm);
+}
+
+std::string_view without_front(std::string_view text) { return text.substr(std::min(text.find_first_not_of(" \t"), text.size())); }
+
+/// Path of the running program from the folder of the program memory.
+std::string running_program(const Interpreter& m) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path program = fs::absolute(m.flow.file(), error).lexically_normal();
+  const fs::path root = fs::absolute(m.flow.limits().files + "/", error).lexically_normal().parent_path();
+  return program.lexically_relative(root).generic_string();
+}
+
+Status open_file(Interpreter& m, ProgramFiles::Which which, std::string_view name, bool appends) {
+  Span all;
+  return placed_at(linuxcnc_of(m).outputs.open(which, m.flow.shown(name, all), appends, running_program(m)), m.block->where);
+}
+
 }  // namespace
 
 Status LinuxCnc::comments(Interpreter& m) {
@@ -103,17 +128,23 @@ Status LinuxCnc::comments(Interpreter& m) {
     m.emit(Message{m.flow.shown(rest, all)});
     return {};
   }
-  const bool is_debug = takes(*text, "DEBUG,", rest);
+  if (takes(*text, "LOGOPEN,", rest)) return open_file(m, ProgramFiles::Which::log, rest, false);
+  if (takes(*text, "LOGAPPEND,", rest)) return open_file(m, ProgramFiles::Which::log, rest, true);
+  if (takes(*text, "LOGCLOSE", rest) && rest.empty()) return outputs.close(ProgramFiles::Which::log);
+  if (takes(*text, "PROBEOPEN", rest)) return open_file(m, ProgramFiles::Which::probe, without_front(rest), false);
+  if (takes(*text, "PROBECLOSE", rest)) return outputs.close(ProgramFiles::Which::probe);
+  const bool logs = takes(*text, "LOG,", rest);
+  const bool is_debug = !logs && takes(*text, "DEBUG,", rest);
   if (is_debug && m.variables.raw(5599) <= 0) return {};
-  const bool aborts = !is_debug && takes(*text, "ABORT,", rest);
-  if (!is_debug && !aborts && !takes(*text, "PRINT,", rest)) {
-    for (const std::string_view word :
-         {"LOGOPEN,", "LOGAPPEND,", "LOGCLOSE", "LOG,", "PROBEOPEN", "PROBECLOSE", "PYRUN,", "PYRELOAD", "PY,"})
+  const bool aborts = !logs && !is_debug && takes(*text, "ABORT,", rest);
+  if (!logs && !is_debug && !aborts && !takes(*text, "PRINT,", rest)) {
+    for (const std::string_view word : {"PYRUN,", "PYRELOAD", "PY,"})
       if (takes(*text, word, rest)) m.warn(warning(AlarmId::comment_not_carried_out, m.block->where, word));
     return {};
   }
   const auto filled = Filled(m, rest).run();
   if (!filled) return fail(filled.error());
+  if (logs) return placed_at(outputs.write(ProgramFiles::Which::log, *filled), m.block->where);
   if (aborts) return fault(AlarmId::rs274_abort, m.block->where, m.flow.shown(*filled, all));
   m.emit(Message{m.flow.shown(*filled, all)});
   return {};

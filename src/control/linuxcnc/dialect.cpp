@@ -6,11 +6,11 @@
 
 #include "base/units.h"
 #include "base/vec.h"
-#include "config/read_file.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/flow.h"
 #include "control/linuxcnc/linuxcnc.h"
-#include "control/linuxcnc/tools.h"
+#include "control/linuxcnc/rotary.h"
+#include "control/linuxcnc/spindles.h"
 
 namespace kadr {
 
@@ -37,10 +37,19 @@ struct LinuxCnc::Remembered : DialectState {
   Axes probed{};
   bool probe_tripped = false;
   int probe_kind = 2;
+  std::optional<TurningCycle> turning;
+  ProgramFiles::Memory outputs;
 };
 
 /// tool.tbl of the program memory, else the tools of the set-up (1.1).
-LinuxCnc::LinuxCnc(Interpreter&, const Setup& setup, const RunLimits& limits) {
+LinuxCnc::LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits)
+    : outputs({.root = limits.files,
+               .writing = limits.writes_files ? files::OutputWriting::files : files::OutputWriting::nothing,
+               .untouched = limits.untouched}) {
+  for (const AddressName& name : m.def.grammar.names)
+    if (name.text == "$") spindle_address = name.address;
+  read_machine_file(m, setup, limits);
+  read_parameter_file(m, limits);
   for (const auto& [number, offset] : setup.offsets) {
     Tool tool;
     tool.pocket = number;
@@ -51,21 +60,19 @@ LinuxCnc::LinuxCnc(Interpreter&, const Setup& setup, const RunLimits& limits) {
     tools.insert_or_assign(number, tool);
   }
   table_is_known = !tools.empty();
-  if (limits.files.empty()) return;
-  constexpr std::size_t most_bytes = 1'000'000;
-  if (const auto text = read_file(limits.files + "/tool.tbl", most_bytes); text) {
-    tools = read_tools(*text);
-    table_is_known = true;
-  }
+  read_tool_file(limits);
 }
 
 void LinuxCnc::take_setup(Interpreter& m, const Setup& setup) {
+  take_parameters(m);
   for (const auto& [name, offset] : setup.work_offsets)  // the rotation of a system stands beside its offsets
     if (const auto angle = offset.find("G17"); angle != offset.end())
       for (std::size_t i = 0; i < 9; ++i) {
         constexpr const char* names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
         if (name == names[i]) m.variables.set_raw(5230 + static_cast<std::uint32_t>(i) * 20, angle->second);
       }
+  if (!machine.keeps_shift)
+    for (std::uint32_t n = shift_on_number; n < first_shift + axes_of_tables; ++n) m.variables.set_raw(n, 0);
   const auto stated = static_cast<std::uint32_t>(m.variables.raw(system_number));
   const std::uint32_t number = m.modal.fixture > 1 || stated < 1 || stated > 9 ? m.modal.fixture : stated;
   m.modal.fixture = number;
@@ -85,15 +92,28 @@ void LinuxCnc::started(Interpreter&) {
   before_ = state;
 }
 
+/// The shift of G92 is off, and what was kept of it is 0 (DISABLE_G92_PERSISTENCE).
+void LinuxCnc::forget_shift(Interpreter& m) {
+  for (std::uint32_t n = shift_on_number; n < first_shift + axes_of_tables; ++n) m.variables.set_raw(n, 0);
+  (void)m.variables.take_frames_changed();
+  state.shift = {};
+  state.shift_on = false;
+  m.change_frames();
+}
+
 /// M2, M30 (7.9); the rest are codes of the file.
 bool LinuxCnc::end_program(Interpreter& m) {
   m.modal.feed = 0;
   m.modal.feed_known = false;
   state.motion = 10;
   m.modal.override_permission = 3;
+  if (!machine.keeps_shift) forget_shift(m);
   while (levels_.size() > 1) levels_.pop_back();
   flow.calls.clear();
   flow.by_m98.clear();
+  turning.reset();
+  save_parameters(m, true);
+  stop_other_spindles(m);
   return false;
 }
 
@@ -108,6 +128,8 @@ std::shared_ptr<const DialectState> LinuxCnc::snapshot() const {
   all->probed = probed;
   all->probe_tripped = probe_tripped;
   all->probe_kind = probe_kind;
+  all->turning = turning;
+  all->outputs = outputs.memory();
   return all;
 }
 
@@ -122,6 +144,8 @@ Status LinuxCnc::restore(Interpreter&, const DialectState& from) {
   probed = all.probed;
   probe_tripped = all.probe_tripped;
   probe_kind = all.probe_kind;
+  turning = all.turning;
+  KADR_TRY(outputs.remember(all.outputs));
   return {};
 }
 
@@ -138,6 +162,7 @@ Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
     return true;
   }
   if (!state.percent) return fault(AlarmId::rs274_form, m.block->where, "Bad character '%' used");
+  save_parameters(m, false);
   m.flow.end();
   return true;
 }
@@ -252,6 +277,13 @@ Result<bool> LinuxCnc::takes_block(Interpreter& m) {
   auto read = codes_of_block(m, *this);
   if (!read) return fail(read.error());
   codes = *read;
+  if (turning && codes.m[4] < 98) {
+    KADR_TRY(m.take_words());
+    KADR_TRY(take_profile_block(m));
+    return true;
+  }
+  KADR_TRY(indexers_allow(m));
+  KADR_TRY(spindle_of_modes(m));
   KADR_TRY(compensation_allows(m, *this));
   KADR_TRY(feed_known(m, *this));
   KADR_TRY(m.take_words());
@@ -291,7 +323,9 @@ Status LinuxCnc::after_block(Interpreter& m) {
 
 void LinuxCnc::take_back(Interpreter&) { state = before_; }
 
-bool LinuxCnc::lines_follow(const Interpreter& m) const { return m.modal.feed_mode == FeedMode::per_minute; }
+bool LinuxCnc::lines_follow(const Interpreter& m) const {
+  return !turning && !has_rotary_rules(machine) && m.modal.feed_mode == FeedMode::per_minute;
+}
 
 void LinuxCnc::note_line(Interpreter& m) {
   state.motion = m.def.codes[static_cast<std::size_t>(m.modal.motion_row)].tenth;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "control/flow/program_file.h"
@@ -14,16 +13,11 @@
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
 #include "control/linuxcnc/o_lines.h"
+#include "control/linuxcnc/sub_files.h"
 #include "control/reading.h"
 #include "lang/expression/expression.h"
 
 namespace kadr::linuxcnc {
-namespace {
-
-namespace fs = std::filesystem;
-
-}  // namespace
-
 Status OLines::run() {
   file_ = &flow_.of(m_);
   here_ = index_of(m_.block->position);
@@ -33,7 +27,9 @@ Status OLines::run() {
   if (!flow_.refused.empty()) return wrong(std::exchange(flow_.refused, {}));
   if (flow_.defining != no_label) return define();
   switch (s_.o_word) {
-    case OWord::label: return {};
+    case OWord::label:
+      if (control_.machine.fanuc_subprograms) return {};
+      return wrong("DISABLE_FANUC_STYLE_SUB disabled in INI file, but found bare O-word");
     case OWord::sub: return begin_sub();
     case OWord::endsub:
     case OWord::return_: return end_sub();
@@ -164,7 +160,7 @@ Status OLines::end_sub() {
 
 Result<OLines::Place> OLines::find_sub() {
   if (const PassedSub& known = flow_.passed(label_); known.known) return place_of(known.reader, known.at);
-  if (const auto reader = file_of_label()) {
+  if (const auto reader = file_of_label(m_, text())) {
     for (const OLine& each : flow_.of(m_, *reader).lines)
       if (each.word == OWord::sub && label_of(each) == label_) return found_at(*reader, each);
     return end_of_file_seeking(true);
@@ -193,21 +189,6 @@ Result<OLines::Place> OLines::place_of(std::uint16_t reader, Position at) {
   return Place{reader, all.lines[static_cast<std::size_t>(found->second)].behind, false};
 }
 
-std::optional<std::uint16_t> OLines::file_of_label() {
-  if (text().find_first_of("/\\") != std::string::npos || text().starts_with('.')) return std::nullopt;
-  const std::filesystem::path own = std::filesystem::path(m_.flow.main_file()).parent_path();
-  for (const std::filesystem::path& folder : {own, std::filesystem::path(m_.flow.limits().files)}) {
-    std::error_code error;
-    const std::filesystem::path path = folder / (text() + ".ngc");
-    if (!fs::is_regular_file(path, error)) continue;
-    const std::filesystem::path real = std::filesystem::canonical(path, error);
-    const std::filesystem::path root = std::filesystem::canonical(folder.empty() ? std::filesystem::path(".") : folder, error);
-    if (error || std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first != root.end()) continue;
-    if (const auto reader = m_.flow.open_program(path.string())) return reader;
-  }
-  return std::nullopt;
-}
-
 Status OLines::call() {
   Level made;
   std::size_t n = 1;
@@ -216,6 +197,12 @@ Status OLines::call() {
     if (!value) return fail(value.error());
     made.arguments[n++] = *value;
   }
+  if (control_.machine.argument_count)
+    if (const auto name = m_.def.grammar.named_variables->number_of("n_args")) made.named[*name] = static_cast<double>(n - 1);
+  return enter(std::move(made));
+}
+
+Status OLines::enter(Level made) {
   const auto place = find_sub();
   if (!place) return fail(place.error());
   if (place->fanuc) return jump_to(place->start);
@@ -229,6 +216,15 @@ Status OLines::call() {
   enter_sub(m_, label_, std::move(made), false);
   return {};
 }
+
+Status OLines::call_labelled(const std::string& label) {
+  file_ = &flow_.of(m_);
+  here_ = index_of(m_.block->position);
+  label_ = flow_.label_of(label);
+  return enter(Level());
+}
+
+Status call_sub(Interpreter& m, const std::string& label, Span) { return OLines(m).call_labelled(label); }
 
 Status run_o_line(Interpreter& m) { return OLines(m).run(); }
 

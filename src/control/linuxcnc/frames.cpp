@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/units.h"
@@ -127,6 +128,17 @@ Result<Axes> length_of_tool(Interpreter& m, Span where) {
 constexpr const char* no_length_change = "Cannot change tool offset with cutter radius compensation on";
 
 }  // namespace
+
+/// RETAIN_G43: the tool that has come brings its length while G43 is in force; none takes it away.
+void LinuxCnc::retain_length(Interpreter& m) {
+  const bool by_table = std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
+    return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].letter == 'G' && m.def.codes[static_cast<std::size_t>(row)].tenth == 430;
+  });
+  if (!machine.keeps_length || !by_table) return;
+  const Tool* const loaded = m.modal.tool == 0 ? nullptr : tool(m.modal.tool);
+  m.modal.length_number = loaded == nullptr ? 0 : m.modal.tool;
+  take_length(m, loaded == nullptr ? Axes{} : loaded->offset);
+}
 
 const Tool* LinuxCnc::tool(double number) const {
   static const Tool unknown;

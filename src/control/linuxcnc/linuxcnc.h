@@ -13,6 +13,10 @@
 #include "control/dialect.h"
 #include "control/linuxcnc/block_codes.h"
 #include "control/linuxcnc/flow_table.h"
+#include "control/linuxcnc/machine_file.h"
+#include "control/linuxcnc/parameter_file.h"
+#include "control/linuxcnc/program_files.h"
+#include "control/linuxcnc/turning/cycles.h"
 #include "control/state/state.h"
 
 namespace kadr {
@@ -26,7 +30,8 @@ namespace kadr::linuxcnc {
 inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, system_number = 5220;
 
 inline constexpr std::size_t most_arguments = 30;  // #1 … #30
-inline constexpr std::size_t axes_of_tables = 9;   // X Y Z A B C U V W
+inline constexpr std::size_t most_spindles = 8;
+inline constexpr std::size_t axes_of_tables = 9;  // X Y Z A B C U V W
 
 /// A tool of the table (9); mm, degrees.
 struct Tool {
@@ -49,6 +54,13 @@ struct KeptModes {
   bool restore_at_end = false;  // M73
 };
 
+/// A spindle besides the first one.
+struct OtherSpindle {
+  SpindleDir dir = SpindleDir::stop;
+  double rpm = 0;
+  bool surface = false;  // G96
+};
+
 /// What a block changes and an alarm in it brings back.
 struct State {
   Axes system{};          // offset of the work system in force, machine coordinates
@@ -57,11 +69,13 @@ struct State {
   bool shift_on = false;  // #5210
   Axes length{};          // of G43
   std::uint32_t system_number = 1;
-  double css_most = 0;        // rev/min, D of G96; 0: no limit
-  bool cycle_began = false;   // a canned cycle follows another
-  double old_z = 0;           // of cycles (7.6)
-  std::int32_t motion = 800;  // code in force, tenths; -1: none (G5.3)
-  bool polar_step = false;    // the block's words are @ ^ in G91: each repetition of a cycle turns on
+  int active_spindle = 0;                            // that leads G33, G76
+  std::array<OtherSpindle, most_spindles> others{};  // by number; the first is the modal state's
+  double css_most = 0;                               // rev/min, D of G96; 0: no limit
+  bool cycle_began = false;                          // a canned cycle follows another
+  double old_z = 0;                                  // of cycles (7.6)
+  std::int32_t motion = 800;                         // code in force, tenths; -1: none (G5.3)
+  bool polar_step = false;                           // the block's words are @ ^ in G91: each repetition of a cycle turns on
   double polar_radius = 0, polar_angle = 0;
   bool arc_not_allowed = false;  // a contour has ended: the next motion of its kind must be straight (7.3)
   std::array<bool, 2> spindle_known{};
@@ -77,9 +91,11 @@ class LinuxCnc final : public Dialect {
  public:
   LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits);
 
-  // ---- dialect.cpp
+  // ---- dialect.cpp, files_read.cpp
   void take_setup(Interpreter& m, const Setup& setup) override;
+  std::string start_words() const override { return machine.startup; }
   void started(Interpreter& m) override;
+  Status target(const Interpreter& m, Axes& to, AxisMask& named) const override;
   bool end_program(Interpreter& m) override;
   void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) override;
   std::shared_ptr<const DialectState> snapshot() const override;
@@ -98,6 +114,9 @@ class LinuxCnc final : public Dialect {
   void note_line(Interpreter& m) override;
   ArcRule arc_rule(const Interpreter& m) const override;
   Status arc(Interpreter& m, const Call& call, Turn turn) override;
+  Result<bool> turns_spindle(Interpreter& m, SpindleDir dir, Span where) override;
+  SurfaceSpeed surface_speed(const Interpreter& m) const override;
+  const WrittenFiles& files_written() const override { return outputs.written(); }
   void refresh_frames(Interpreter& m) override;
   Status machine_code(Interpreter& m, const Call& call) override;
   Status take_answer(Interpreter& m, const ProbeAnswer& answer) override;
@@ -117,6 +136,7 @@ class LinuxCnc final : public Dialect {
   const Tool* tool(double number) const;
   /// To be written; an alarm brings the old one back.
   Tool& tool_to_write(Interpreter& m, int number);
+  void retain_length(Interpreter& m);
   Axes system_offset(const Interpreter& m, std::uint32_t number) const;
   void take_system(Interpreter& m, std::uint32_t number);
   void store_shift(Interpreter& m);
@@ -129,6 +149,10 @@ class LinuxCnc final : public Dialect {
   State state;
   BlockCodes codes;  // of the block being carried out
   FlowTable flow;
+  MachineFile machine;                  // what the ini file says
+  std::optional<TurningCycle> turning;  // its profile is being read
+  ProgramFiles outputs;
+  char spindle_address = 0;  // `$` as the reader knows it
   std::map<int, Tool> tools;
   bool table_is_known = false;                        // else each tool is there, and nothing of it is known
   std::vector<std::vector<KeptModes>> kept_modes{1};  // by call
@@ -137,10 +161,20 @@ class LinuxCnc final : public Dialect {
   int probe_kind = 2;  // of G38.n
 
  private:
+  void forget_shift(Interpreter& m);
+  Status write_probed(const Interpreter& m);
+  void read_parameter_file(Interpreter& m, const RunLimits& limits);
+  void take_parameters(Interpreter& m);
+  void save_parameters(Interpreter& m, bool program_ends);
+  void read_tool_file(const RunLimits& limits);
+  void read_machine_file(Interpreter& m, const Setup& setup, const RunLimits& limits);
   struct Remembered;
   /// own: the control's (4.3); common: #<_name>; local: of a call.
   enum class NameKind : std::uint8_t { unknown, own, common, local };
   NameKind kind_of(const Interpreter& m, double number) const;
+  std::string parameters_before_;  // what stands in the file of parameters
+  StoredParameters stored_;
+  bool writes_parameters_ = false;
   std::vector<Level> levels_{1};
   std::map<double, double> globals_;  // #<_name>
   State before_;

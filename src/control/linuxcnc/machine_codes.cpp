@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/units.h"
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/flow.h"
 #include "control/linuxcnc/linuxcnc.h"
+#include "control/linuxcnc/spindles.h"
 
 namespace kadr::linuxcnc {
 namespace {
@@ -105,7 +107,7 @@ void emit_output(Interpreter& m, int code, double number, std::optional<double> 
 /// T: is in the table, and will be changed to.
 Status tool_of_table(Interpreter& m, const Call& call) {
   const double number = std::round(m.value('T'));
-  if (number != 0 && linuxcnc_of(m).tool(number) == nullptr)
+  if ((number != 0 || linuxcnc_of(m).machine.random_changer) && linuxcnc_of(m).tool(number) == nullptr)
     return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, fmt::format("Requested tool {:.0f} not found in the tool table", number));
   m.modal.tool_selected = static_cast<std::uint32_t>(number);
   if (number != 0) m.use.note(UseKind::tool, m.modal.tool_selected, m.origin);
@@ -116,11 +118,15 @@ Status tool_of_table(Interpreter& m, const Call& call) {
 /// M6: the spindle stops, the last T comes; none: it is emptied.
 Status load_tool(Interpreter& m, const Call& call) {
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot change tools with cutter radius compensation on"));
-  if (m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw) m.emit(Spindle{SpindleDir::stop, 0});
-  m.modal.spindle = SpindleDir::stop;
+  const bool turns = m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw;
+  if (!linuxcnc_of(m).machine.spindle_turns_in_change) {
+    if (turns) m.emit(Spindle{SpindleDir::stop, 0});
+    m.modal.spindle = SpindleDir::stop;
+  }
   m.modal.tool = m.modal.tool_selected;
   m.use.change_to(m.modal.tool);
   m.emit(ToolChange{m.modal.tool});
+  linuxcnc_of(m).retain_length(m);
   return {};
 }
 
@@ -128,10 +134,11 @@ Status load_tool(Interpreter& m, const Call& call) {
 Status tool_in_spindle(Interpreter& m, const Call& call) {
   const double number = m.has('Q') ? std::round(m.value('Q')) : -1;
   if (number < 0) return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, "Need non-negative Q-word to specify tool number with M61");
-  if (number != 0 && linuxcnc_of(m).tool(number) == nullptr)
+  if ((number != 0 || linuxcnc_of(m).machine.random_changer) && linuxcnc_of(m).tool(number) == nullptr)
     return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, fmt::format("Requested tool {:.0f} not found in the tool table", number));
   m.modal.tool = static_cast<std::uint32_t>(number);
   m.emit(ToolChange{m.modal.tool});
+  linuxcnc_of(m).retain_length(m);
   return {};
 }
 
@@ -178,11 +185,20 @@ Status wait_for_input(Interpreter& m, const Call& call) {
 
 /// M19 R P Q.
 Status orient_to(Interpreter& m, const Call& call) {
-  if (m.has('Q') && !(m.value('Q') > 0)) return linuxcnc::wrong_word(m, call.where, "Q word with M19 requires a value > 0");
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  const int before = control.state.active_spindle;
+  control.state.active_spindle = 0;
+  const Status chosen = linuxcnc::take_spindle(m, "Spindle ($) number out of range in M19 Command", call.where);
+  const int number = std::exchange(control.state.active_spindle, before);
+  KADR_TRY(chosen);
   m.modal.spindle = SpindleDir::stop;
-  Spindle spindle{SpindleDir::orient, 0};
-  if (m.has('R')) spindle.angle = m.value('R');
-  m.emit(spindle);
+  for (linuxcnc::OtherSpindle& other : control.state.others) other.dir = SpindleDir::stop;
+  if (m.has('R') || m.has('P')) {
+    Spindle spindle{SpindleDir::orient, 0, static_cast<std::uint8_t>(number + 1)};
+    spindle.angle = (m.has('R') ? m.value('R') : 0) + control.machine.orient_offset;
+    m.emit(spindle);
+  }
+  if (m.has('Q') && !(m.value('Q') > 0)) return linuxcnc::wrong_word(m, call.where, "Q word with M19 requires a value > 0");
   return {};
 }
 
@@ -194,14 +210,6 @@ Status override_switch(Interpreter& m, const Call& call) {
       on ? "Cannot enable overrides with cutter radius compensation on" : "Cannot disable overrides with cutter radius compensation on"));
   const std::uint8_t bit = call.row->arg == 50 ? feed_permission : call.row->arg == 51 ? 2 : 0;
   m.modal.override_permission = static_cast<std::uint8_t>(on ? m.modal.override_permission | bit : m.modal.override_permission & ~bit);
-  return {};
-}
-
-/// G96 D S.
-Status surface_speed_limited(Interpreter& m, const Call&) {
-  m.modal.surface_speed = true;
-  linuxcnc_of(m).state.css_most = m.has('D') ? std::fabs(m.value('D')) : 0;
-  m.emit(m.surface_speed());
   return {};
 }
 

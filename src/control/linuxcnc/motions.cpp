@@ -1,5 +1,7 @@
 // Arcs, threads, probing (spec/linuxcnc 7.2, 7.3, 7.7; convert_arc, convert_probe, convert_straight of the source).
 
+#include "control/linuxcnc/motions.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
+#include "control/linuxcnc/spindles.h"
 
 namespace kadr::linuxcnc {
 namespace {
@@ -50,6 +53,13 @@ class Arc {
       else if (m_.modal.centers_absolute) return wrong(fmt::format("{} word missing in absolute center arc", centers[i]));
     }
     return about(from, to, center, end, named);
+  }
+
+  /// By a point and a centre that a cycle has found.
+  Status through(const Axes& end, Vec2 center, AxisMask named) {
+    KADR_TRY(feed());
+    return about({m_.position.programmed[axes_.first], m_.position.programmed[axes_.second]}, {end[axes_.first], end[axes_.second]}, center,
+                 end, named);
   }
 
  private:
@@ -103,7 +113,8 @@ class Arc {
       return wrong(fmt::format("Zero-radius arc: start={} center={} end={} r1={:.4f} r2={:.4f}", point(from), point(center), point(to),
                                r1 / unit, r2 / unit));
     const double error = std::fabs(r1 - r2), relative = error / std::max(r1, r2);
-    const double allowed = m_.modal.inch ? spiral_absolute / 10 * mm_per_inch : spiral_absolute;
+    const double allowed = m_.modal.inch ? control_.machine.arc_tolerance_inch.value_or(spiral_absolute / 10) * mm_per_inch
+                                         : control_.machine.arc_tolerance_mm.value_or(spiral_absolute);
     if (error > 100 * allowed || (error > allowed && relative > spiral_relative))
       return wrong(
           fmt::format("Radius to end of arc differs from radius to start: start={} center={} end={} r1={:.4f} r2={:.4f} "
@@ -126,7 +137,7 @@ class Arc {
   PlaneAxes axes_;
 };
 
-bool spindle_turns(const Interpreter& m) { return m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw; }
+}  // namespace
 
 Status thread_to(Interpreter& m, const Axes& to, AxisMask named, double lead) {
   KADR_TRY(m.straight(MotionKind::thread, to, named));
@@ -140,9 +151,23 @@ Status thread_to(Interpreter& m, const Axes& to, AxisMask named, double lead) {
   return {};
 }
 
-}  // namespace
+Status arc_to(Interpreter& m, Span where, Turn turn, const Axes& to, Vec2 center, AxisMask named) {
+  const kadr::Call call{nullptr, nullptr, where};
+  return Arc(m, call, turn).through(to, center, named);
+}
 
 Status LinuxCnc::arc(Interpreter& m, const kadr::Call& call, Turn turn) { return Arc(m, call, turn).run(); }
+
+/// XYZABCUVW in the unit of the program, those that the machine has not are 0 (2.4).
+Status LinuxCnc::write_probed(const Interpreter& m) {
+  std::string line;
+  for (std::size_t a = 0; a < axes_of_tables; ++a) {
+    const bool is_angle = a >= 3 && a < 6;
+    const double at = a < m.axis_count ? probed[a] / (is_angle || !m.modal.inch ? 1 : mm_per_inch) : 0;
+    line += fmt::format("{}{:.6f}", a == 0 ? "" : " ", at);
+  }
+  return outputs.write(ProgramFiles::Which::probe, line);
+}
 
 Status LinuxCnc::take_answer(Interpreter& m, const ProbeAnswer& answer) {
   m.needs_probe = false;
@@ -153,6 +178,7 @@ Status LinuxCnc::take_answer(Interpreter& m, const ProbeAnswer& answer) {
   probe_tripped = answer.touched;
   m.variables.set_raw(5070, answer.touched ? 1 : 0);
   (void)m.variables.take_frames_changed();
+  if (answer.touched) KADR_TRY(write_probed(m));
   const bool must = probe_kind == 2 || probe_kind == 4;
   if (answer.touched || !must) return {};
   return fault(AlarmId::rs274_probe, m.probe_where,
@@ -194,7 +220,9 @@ Status thread_by_spindle(Interpreter& m, const Call& call) {
     KADR_TRY(m.target(end, moved));
     return m.straight(MotionKind::thread, end, moved);
   }
-  if (!linuxcnc::spindle_turns(m))
+  KADR_TRY(
+      linuxcnc::take_spindle(m, back ? "Invalid spindle ($) number in G33.1 move" : "Invalid spindle ($) number in G33 move", call.where));
+  if (!linuxcnc::active_spindle_turns(m))
     return control.fault(AlarmId::rs274_spindle, call.where, back ? "Spindle not turning in G33.1" : "Spindle not turning in G33");
   AxisMask named = 0;
   Axes to;

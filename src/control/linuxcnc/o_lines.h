@@ -21,6 +21,8 @@ class OLines {
   explicit OLines(Interpreter& m) : m_(m), control_(linuxcnc_of(m)), flow_(control_.flow), s_(m.block->statement) {}
 
   Status run();
+  /// Calls by a label that no O line says.
+  Status call_labelled(const std::string& label);
 
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_flow, s_.where, std::move(text)); }
@@ -90,10 +92,8 @@ class OLines {
 
   Result<Place> place_of(std::uint16_t reader, Position at);
 
-  /// 1.1: in the program's folder, then in the program memory; nothing outside of them.
-  std::optional<std::uint16_t> file_of_label();
-
   Status call();
+  Status enter(Level made);
 
   // ---- loops
   Status begin_do();

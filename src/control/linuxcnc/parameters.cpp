@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/ascii.h"
 #include "base/units.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
@@ -182,8 +183,19 @@ std::optional<double> place_named(const Interpreter& m, const LinuxCnc& control,
   return std::nullopt;
 }
 
+/// `_ini[section]key`: names have lost their case, in the file both are in capitals.
+std::optional<double> of_ini(const Ini& ini, std::string_view name) {
+  const std::size_t close = name.find(']');
+  if (close == std::string_view::npos) return std::nullopt;
+  std::string capitals(name);
+  for (char& c : capitals) c = to_upper(c);
+  constexpr std::size_t begin = 5;  // behind _INI[
+  return ini.number(capitals.substr(begin, close - begin), capitals.substr(close + 1));
+}
+
 std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, std::string_view name) {
   if (!name.starts_with('_')) return std::nullopt;
+  if (control.machine.parameters_of_ini && name.starts_with("_ini[")) return of_ini(control.machine.ini, name);
   if (name == "_vmajor") return 2.9;
   if (name == "_vminor" || name == "_remap_level") return 0;
   if (name == "_metric_machine" || name == "_task") return 1;

@@ -56,6 +56,7 @@ Status OWordReader::label() {
   Statement& s = block_.statement;
   cursor_.skip_blanks();
   if (cursor_.peek() != '<') {
+    if (is_digit(cursor_.peek())) return number();
     const auto value = compile_value(cursor_, grammar_, block_);
     if (!value) return fail(value.error());
     s.value = *value;
@@ -69,6 +70,21 @@ Status OWordReader::label() {
   }
   cursor_.at = close + 1;
   s.text = {static_cast<std::uint32_t>(open + 1), static_cast<std::uint32_t>(close)};
+  return {};
+}
+
+/// Blanks mean nothing within it: `O 1 2 sub` is O12.
+Status OWordReader::number() {
+  std::string digits;
+  for (; cursor_.at < cursor_.text.size(); ++cursor_.at) {
+    const char c = cursor_.peek();
+    if (is_digit(c) || c == '.') digits += c;
+    else if (!is_blank(c)) break;
+  }
+  Cursor alone{digits, 0};
+  const auto value = compile_value(alone, grammar_, block_);
+  if (!value) return fail(value.error());
+  block_.statement.value = *value;
   return {};
 }
 

@@ -17,6 +17,7 @@ class OWordReader {
 
  private:
   Status label();
+  Status number();
   Status command();
   Status arguments();
   Status bracket(std::string_view after);

@@ -1,3 +1,3 @@
 G21 G90
-(LOGOPEN,out.txt)
+(PY,1)
 G0 X1

@@ -1,37 +1,22 @@
 #pragma once
 // Files that a program writes: POPEN31, FOPEN, DPRNT, BPRNT, FCLOS, PCLOS31 (nct 23.2.13); one at a time, in the program memory.
 // OutputFile opens, prints and closes; path_in_root() says which file a name means.
-//
-// The program memory is a folder, the root. Nothing outside it is ever written, whatever the program says: names are resolved without
-// looking at the disk, `..` cannot climb over the root, and the folders are then entered one by one from the root's own descriptor
-// (openat) without following any symbolic link below it. So there is no moment between a check and its use in which a link could be slipped
-// in, and what was resolved on paper is what is opened. Only regular files with one name are written: no links, devices, pipes.
+// The program memory, and that nothing outside of it is written: control/files/file_writer.h.
 
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "base/file_id.h"
 #include "base/result.h"
+#include "control/files/file_writer.h"
 #include "control/nct/output/print.h"
 
 namespace kadr::nct {
 
-enum class OutputWriting : std::uint8_t {
-  files,
-  nothing,  // dry: alarms as far as they can be known without writing; files that would exist by now count as existing
-};
-
-struct OutputOptions {
-  std::string root = ".";                       // folder of the program memory; may itself be a symbolic link
-  std::uint64_t most = std::uint64_t{1} << 30;  // bytes that one run may write, all files together
-  OutputWriting writing = OutputWriting::files;
-  FileSet untouched{};              // files of the run itself: its state, trace, set-up
-  std::size_t most_files = 10'000;  // that one run may write
-};
+using files::OutputOptions;
+using files::OutputWriting;
 
 /// The file that <name> means in `program`, for FOPEN as for calls by name.
 ///   name     text between < >: at most 60 characters, parts separated by `\`, `..` is the folder above; a leading `\` is the program's own
@@ -48,10 +33,7 @@ Result<std::string> path_in_root(std::string_view name, std::string_view program
 /// An alarm leaves what is open, and the files, as they were; but a disk that fails may leave a file emptied.
 class OutputFile {
  public:
-  explicit OutputFile(OutputOptions options) : options_(std::move(options)) {}
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
-  ~OutputFile() { abort(); }
+  explicit OutputFile(OutputOptions options) : writer_(std::move(options)) {}
 
   /// POPENn. The file is made by the first print(), which gives its name.
   ///   device   31
@@ -88,12 +70,8 @@ class OutputFile {
   /// What a snapshot holds.
   struct Memory {
     std::uint8_t state = 0;
-    std::string path;            // of the open file, from the root; empty before the name came
-    std::string program;         // of POPEN
-    std::uint64_t size = 0;      // of the open file
-    std::uint64_t written = 0;   // in the run
-    std::set<std::string> made;  // dry: files that would exist
-    std::map<std::string, std::uint64_t> files;
+    std::string program;  // of POPEN
+    files::FileWriter::Memory writer;
   };
   Memory memory() const;
   /// The file that was open then is gone on with: what was printed after it is cut off. All others stay as they are.
@@ -102,32 +80,20 @@ class OutputFile {
 
   bool is_open() const { return state_ != State::closed; }
   /// All that were written in the run: path from the root, bytes.
-  const std::map<std::string, std::uint64_t>& files() const { return files_; }
-  const std::string& root() const { return options_.root; }
-  const std::string& path() const { return path_; }  // of the open file, from the root; empty before the name came
+  const std::map<std::string, std::uint64_t>& files() const { return writer_.files(); }
+  const std::string& root() const { return writer_.root(); }
+  const std::string& path() const { return writer_.path(); }  // of the open file, from the root; empty before the name came
 
  private:
   enum class State : std::uint8_t { closed, waits_for_name, device, file };
-  struct Wanted {
-    std::string path;   // from the root
-    std::string shown;  // in alarms
-    bool by_number = false;
-  };
   Status ready(double mode) const;
-  Status open(const Wanted& wanted, int mode, std::string_view program);
+  Status open(files::Wanted wanted, int mode, std::string_view program);
   Status name_device_file(std::string_view line, PrintKind kind);
-  bool has_room(std::string_view bytes) const;
-  Status write(std::string_view bytes);
   Status close();
 
-  OutputOptions options_;
+  files::FileWriter writer_;
   State state_ = State::closed;
-  int file_ = -1;               // descriptor; -1: none, or dry
-  std::string path_;            //
-  std::string program_;         // of POPEN
-  std::uint64_t written_ = 0;   // in the run
-  std::set<std::string> made_;  // dry: files that would exist
-  std::map<std::string, std::uint64_t> files_;
+  std::string program_;  // of POPEN
 };
 
 }  // namespace kadr::nct

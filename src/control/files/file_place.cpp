@@ -1,6 +1,6 @@
-// The program memory on the disk: what a path means, and opening it. For output_file.cpp; tests/control/nct/output_file_test.cpp.
+// The program memory on the disk: what a path means, and opening it. For file_writer.cpp; tests/control/nct/output_file_test.cpp.
 
-#include "control/nct/output/file_place.h"
+#include "control/files/file_place.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -11,7 +11,7 @@
 
 #include "base/ascii.h"
 
-namespace kadr::nct {
+namespace kadr::files {
 namespace {
 
 /// The entry of that name in a folder: exactly so, else the first one equal but for small and capital letters, else the name.
@@ -101,4 +101,4 @@ Result<int> open_regular(const Place& place, const FileMode& rule, std::string_v
   return opened.release();
 }
 
-}  // namespace kadr::nct
+}  // namespace kadr::files

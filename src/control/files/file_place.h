@@ -1,5 +1,5 @@
 #pragma once
-// Where a path of the program memory ends on the disk, for output_file.h: folders are entered one by one from the root's own
+// Where a path of the program memory ends on the disk, for file_writer.h: folders are entered one by one from the root's own
 // descriptor, no link is followed.
 
 #include <unistd.h>
@@ -13,7 +13,7 @@
 #include "base/file_id.h"
 #include "base/result.h"
 
-namespace kadr::nct {
+namespace kadr::files {
 
 /// A descriptor that closes itself.
 class Descriptor {
@@ -48,7 +48,7 @@ struct Place {
 
 Place look_up(const std::string& root, const std::string& path);
 
-/// What a mode of FOPEN does with the file.
+/// What opening does with the file.
 struct FileMode {
   bool creates, takes_existing, appends;
 };
@@ -62,4 +62,4 @@ std::vector<std::string> parts_of(std::string_view path, char separator);
 /// With `/` between.
 std::string joined_parts(const std::vector<std::string>& parts);
 
-}  // namespace kadr::nct
+}  // namespace kadr::files

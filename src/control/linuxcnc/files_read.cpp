@@ -1,0 +1,70 @@
+// Files of a machine that are read at power-on, and parameters that are written at the end: ini file, parameter file, tool table
+// (spec/linuxcnc 1.1, 4.4, 9, 10.1).
+
+#include "config/read_file.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+#include "control/linuxcnc/tools.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr std::size_t most_bytes = 1'000'000;  // of a table
+
+/// A name of the ini file or the set-up, from the folder of the program memory.
+std::string path_in(const std::string& folder, const std::string& name) { return name.starts_with('/') ? name : folder + "/" + name; }
+
+}  // namespace
+
+/// The ini file that the set-up names (10.1).
+void LinuxCnc::read_machine_file(Interpreter& m, const Setup& setup, const RunLimits& limits) {
+  if (setup.ini.empty()) return;
+  const auto text = read_file(path_in(limits.files, setup.ini), most_bytes);
+  if (text) machine = machine_of(Ini(*text));
+  else m.start_fault = {"ini", text.error(), text.error()};
+}
+
+/// The file that the ini file names; it need not be there (4.4).
+void LinuxCnc::read_parameter_file(Interpreter& m, const RunLimits& limits) {
+  if (machine.parameter_file.empty()) return;
+  writes_parameters_ = limits.writes_files;
+  const auto text = read_file(path_in(limits.files, machine.parameter_file), most_bytes);
+  if (!text) return;
+  const auto read = read_parameters(*text);
+  if (!read) {
+    m.start_fault = {"ini", machine.parameter_file + ": " + read.error(), machine.parameter_file + ": " + read.error()};
+    return;
+  }
+  stored_ = *read;
+  parameters_before_ = *text;
+}
+
+/// What the set-up says counts before the file.
+void LinuxCnc::take_parameters(Interpreter& m) {
+  for (const auto& [n, value] : stored_) {
+    if (n <= most_arguments) levels_.front().arguments[n] = value;
+    else if (m.variables.raw(n) == 0) m.variables.set_raw(n, value);
+  }
+}
+
+void LinuxCnc::save_parameters(Interpreter& m, bool program_ends) {
+  if (!writes_parameters_) return;
+  const std::string text = parameters_text(stored_, [&](std::uint32_t n) {
+    if (n <= most_arguments) return levels_.front().arguments[n];
+    return program_ends && n == system_number ? 1.0 : m.variables.raw(n);
+  });
+  const Status saved = outputs.replace(ProgramFiles::Which::parameters, machine.parameter_file, parameters_before_, text);
+  if (!saved) m.warn(warning(saved.error().id, {}, std::string_view(machine.parameter_file)));
+}
+
+/// Its own form (9).
+void LinuxCnc::read_tool_file(const RunLimits& limits) {
+  if (limits.files.empty()) return;
+  const std::string table = machine.tool_table.empty() ? "tool.tbl" : machine.tool_table;
+  if (const auto text = read_file(path_in(limits.files, table), most_bytes); text) {
+    tools = read_tools(*text);
+    table_is_known = true;
+  }
+}
+
+}  // namespace kadr::linuxcnc

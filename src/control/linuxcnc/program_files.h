@@ -1,0 +1,48 @@
+#pragma once
+// Files that a program writes: the log, the file of probed points (spec/linuxcnc 2.4), and at its end the file of parameters (4.4). One of
+// each at a time, in the program memory.
+
+#include <string>
+#include <string_view>
+
+#include "action/tool_position.h"
+#include "base/result.h"
+#include "control/control.h"
+#include "control/files/file_writer.h"
+
+namespace kadr::linuxcnc {
+
+class ProgramFiles {
+ public:
+  enum class Which : std::uint8_t { log, probe, parameters };
+
+  explicit ProgramFiles(const files::OutputOptions& options) : log_(options), probe_(options), parameters_(options) {}
+
+  /// Emptied, or gone on with at its end; one that is open is closed before.
+  ///   name     parts separated by `/`, from the folder of the program memory
+  ///   running  path of the running program
+  ///   alarms   file_name, file_outside, file_write, file_already_open
+  Status open(Which which, std::string_view name, bool appends, const std::string& running);
+  Status close(Which which);
+  /// The whole file, and what it was as `name.bak`.
+  Status replace(Which which, const std::string& name, const std::string& before, const std::string& text);
+  /// A line, if one is open.
+  Status write(Which which, std::string_view line);
+
+  const WrittenFiles& written() const { return written_; }
+
+  struct Memory {
+    files::FileWriter::Memory log, probe;
+  };
+  Memory memory() const { return {log_.memory(), probe_.memory()}; }
+  Status remember(const Memory& memory);
+
+ private:
+  files::FileWriter& of(Which which) { return which == Which::log ? log_ : which == Which::probe ? probe_ : parameters_; }
+  void note();
+
+  files::FileWriter log_, probe_, parameters_;
+  WrittenFiles written_;
+};
+
+}  // namespace kadr::linuxcnc

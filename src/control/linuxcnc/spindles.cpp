@@ -1,0 +1,149 @@
+// `$`: M3, M4, M5, S, G96, G97 of one spindle or of all (spec/linuxcnc 8; convert_m, convert_speed, convert_spindle_mode of the source).
+
+#include "control/linuxcnc/spindles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "control/functions/functions.h"
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr int all_spindles = -1;
+
+/// The word, without its decimals; nothing: there is none.
+std::optional<int> spindle_word(const Interpreter& m) {
+  const char address = linuxcnc_of(m).spindle_address;
+  if (address == 0 || !m.has(address)) return std::nullopt;
+  constexpr double beyond = 1000;
+  return static_cast<int>(std::clamp(m.word(address)->value, -beyond, beyond));
+}
+
+bool is_spindle(const LinuxCnc& control, int number) { return number >= 0 && number < control.machine.spindles; }
+
+std::uint8_t told(int number) { return static_cast<std::uint8_t>(number + 1); }
+
+/// The spindles that a number means.
+template <class Use>
+void each_spindle(const LinuxCnc& control, int number, Use use) {
+  for (int i = 0; i < control.machine.spindles; ++i)
+    if (number == all_spindles || i == number) use(i);
+}
+
+double rpm_of(const Interpreter& m, int number) {
+  return number == 0 ? m.modal.rpm : linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].rpm;
+}
+
+void command_spindle(Interpreter& m, int number, SpindleDir dir) {
+  if (number == 0) m.modal.spindle = dir;
+  else linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].dir = dir;
+  m.emit(Spindle{dir, dir == SpindleDir::stop ? 0 : rpm_of(m, number), told(number)});
+}
+
+}  // namespace
+
+Status take_spindle(Interpreter& m, const char* text, Span where) {
+  LinuxCnc& control = linuxcnc_of(m);
+  const auto chosen = spindle_word(m);
+  if (!chosen) return {};
+  if (!is_spindle(control, *chosen)) return control.fault(AlarmId::rs274_spindle, where, text);
+  control.state.active_spindle = *chosen;
+  return {};
+}
+
+bool active_spindle_turns(const Interpreter& m) {
+  const State& state = linuxcnc_of(m).state;
+  const SpindleDir dir = state.active_spindle == 0 ? m.modal.spindle : state.others[static_cast<std::size_t>(state.active_spindle)].dir;
+  return dir == SpindleDir::cw || dir == SpindleDir::ccw;
+}
+
+Status spindle_of_modes(Interpreter& m) {
+  LinuxCnc& control = linuxcnc_of(m);
+  const bool of_speed = control.codes.g[14] >= 0, of_feed = control.codes.g[5] >= 0;
+  if (!of_speed && !of_feed) return {};
+  control.state.active_spindle = 0;
+  return take_spindle(
+      m, of_speed ? "Invalid spindle ($) number in Spindle Mode command" : "Invalid spindle ($) number in Spindle Feed command",
+      m.block->where);
+}
+
+void stop_other_spindles(Interpreter& m) {
+  LinuxCnc& control = linuxcnc_of(m);
+  for (int i = 1; i < control.machine.spindles; ++i)
+    if (control.state.others[static_cast<std::size_t>(i)].dir != SpindleDir::stop) command_spindle(m, i, SpindleDir::stop);
+  control.state.active_spindle = 0;
+}
+
+/// M3, M4, M5 with `$`.
+Result<bool> LinuxCnc::turns_spindle(Interpreter& m, SpindleDir dir, Span where) {
+  const auto chosen = spindle_word(m);
+  if (!chosen) return false;
+  if (*chosen != all_spindles && !is_spindle(*this, *chosen))
+    return fault(AlarmId::rs274_spindle, where,
+                 fmt::format("Spindle ($) number out of range in M{} Command num_spindles ={}. $={}",
+                             dir == SpindleDir::cw    ? 3
+                             : dir == SpindleDir::ccw ? 4
+                                                      : 5,
+                             machine.spindles, *chosen));
+  each_spindle(*this, *chosen, [&](int i) { command_spindle(m, i, dir); });
+  return true;
+}
+
+SurfaceSpeed LinuxCnc::surface_speed(const Interpreter& m) const {
+  SurfaceSpeed speed = m.speed_by_x();
+  constexpr double metres_per_foot = 0.3048;
+  if (m.modal.inch) speed.metres *= metres_per_foot;
+  if (state.css_most > 0) speed.most = state.css_most;
+  return speed;
+}
+
+}  // namespace kadr::linuxcnc
+
+namespace kadr::functions {
+
+using linuxcnc::linuxcnc_of;
+
+/// S, of the spindle that `$` names.
+Status speed_of_spindle(Interpreter& m, const Call& call) {
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  const auto chosen = linuxcnc::spindle_word(m);
+  if (!chosen) return speed_word(m, call);
+  if (*chosen != linuxcnc::all_spindles && !linuxcnc::is_spindle(control, *chosen))
+    return control.fault(AlarmId::rs274_spindle, call.where, "Invalid spindle ($) number in Spindle speed command");
+  const double rpm = m.value('S');
+  const bool starts = control.codes.m[7] == 3 || control.codes.m[7] == 4;  // which tells the speed
+  linuxcnc::each_spindle(control, *chosen, [&](int i) {
+    if (i == 0) m.modal.rpm = rpm;
+    else control.state.others[static_cast<std::size_t>(i)].rpm = rpm;
+    const bool surface = i == 0 ? m.modal.surface_speed : control.state.others[static_cast<std::size_t>(i)].surface;
+    if (!starts) m.emit(Speed{rpm, surface, linuxcnc::told(i)});
+  });
+  return {};
+}
+
+/// G96 D S; G97 (arg 1).
+Status surface_speed_limited(Interpreter& m, const Call& call) {
+  linuxcnc::LinuxCnc& control = linuxcnc_of(m);
+  const bool on = call.row->arg == 0;
+  const int chosen = control.state.active_spindle;
+  if (chosen != 0) {
+    control.state.others[static_cast<std::size_t>(chosen)].surface = on;
+    return {};
+  }
+  if (!on) {
+    control.state.css_most = 0;
+    return spindle_rpm(m, call);
+  }
+  m.modal.surface_speed = true;
+  control.state.css_most = m.has('D') ? std::fabs(m.value('D')) : 0;
+  m.emit(m.surface_speed());
+  return {};
+}
+
+}  // namespace kadr::functions

@@ -1,0 +1,21 @@
+#pragma once
+// Several spindles, chosen by `$` (spec/linuxcnc 2.8, 8). The first one is that of the modal state.
+
+#include "base/result.h"
+
+namespace kadr {
+class Interpreter;
+}
+
+namespace kadr::linuxcnc {
+
+/// G33, G33.1, G76: `$` chooses the spindle that leads; `text`: what is said of a number there is no spindle of.
+Status take_spindle(Interpreter& m, const char* text, Span where);
+/// Does the one turn that was chosen last?
+bool active_spindle_turns(const Interpreter& m);
+/// G94 to G97 choose the spindle too, the first one without `$`.
+Status spindle_of_modes(Interpreter& m);
+/// All but the first one stand (M2, M30).
+void stop_other_spindles(Interpreter& m);
+
+}  // namespace kadr::linuxcnc

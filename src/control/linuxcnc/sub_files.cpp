@@ -1,0 +1,42 @@
+// Files of subprograms.
+
+#include "control/linuxcnc/sub_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "control/interpreter.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Is what both names mean in the end within that folder?
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  std::error_code error, other;
+  const fs::path real = fs::canonical(path, error);
+  const fs::path root = fs::canonical(folder.empty() ? fs::path(".") : folder, other);
+  return !error && !other && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+}
+
+}  // namespace
+
+std::optional<std::uint16_t> file_of_label(Interpreter& m, const std::string& label) {
+  if (label.find_first_of("/\\") != std::string::npos || label.starts_with('.')) return std::nullopt;
+  const fs::path memory = m.flow.limits().files;
+  std::vector<fs::path> folders = {fs::path(m.flow.main_file()).parent_path(), memory};
+  const std::size_t own = folders.size();
+  for (const std::string& folder : linuxcnc_of(m).machine.subprogram_folders) folders.push_back(memory / folder);
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    std::error_code error;
+    const fs::path path = folders[i] / (label + ".ngc");
+    if (!fs::is_regular_file(path, error) || !lies_in(path, i < own ? folders[i] : memory)) continue;
+    if (const auto reader = m.flow.open_program(path.string())) return reader;
+  }
+  return std::nullopt;
+}
+
+}  // namespace kadr::linuxcnc

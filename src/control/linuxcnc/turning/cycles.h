@@ -1,0 +1,34 @@
+#pragma once
+// G70 to G72: the profile stands in a subprogram, of which the words are read and nothing else is done; then the cycle runs (spec/linuxcnc
+// 7.2; convert_g7x of the source).
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/result.h"
+#include "control/linuxcnc/turning/passes.h"
+
+namespace kadr {
+class Interpreter;
+}
+
+namespace kadr::linuxcnc {
+
+/// A cycle whose profile is being read.
+struct TurningCycle {
+  std::int32_t code = 0;  // tenths: 711
+  std::size_t depth = 0;  // open calls where the cycle stands
+  bool absolute = true, centers_absolute = false;
+  TurningWords words;
+  Profile profile;
+  Point at;  // end of the profile so far
+  std::int32_t motion = 0;
+  Span where;
+};
+
+/// A block of the profile: its words are taken.
+Status take_profile_block(Interpreter& m);
+/// The profile is complete: its motions are to come.
+Status run_turning(Interpreter& m);
+
+}  // namespace kadr::linuxcnc
