@@ -34,6 +34,7 @@ const std::vector<LooksAt>& behaviour_of_functions() {
       {"helix_by_lead", {Function::arc_cw, Function::arc_ccw}},
       {"reference_feed", {Function::approach_reference}},
       {"probe_least_distance", {Function::probe}},
+      {"probe_in_inverse_time", {Function::probe}},
       {"speed_needs_direction", {Function::speed_word}},
       {"tool_and_corrector", {Function::tool_word}},
       {"contour_entry_tangent", {Function::radius_comp_left, Function::radius_comp_right}},
