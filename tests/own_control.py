@@ -67,6 +67,12 @@ REFUSED = [
     ("gost", '[address]\nX = { unit = "mm" }\n', ["own.toml:5: ", "unit: length or angle"]),
     ("gost", '[feed_codes]\nF7 = 100\n', ["own.toml:5: ", "feed_codes"]),
     ("gost", '[axes]\nname = ["X"]\n', ["own.toml:5: ", "unknown key 'name'", "names"]),
+    ("gost", 'aliases = ["shop", "shop"]\n', ["own.toml:4: ", "'shop' stands twice"]),
+    ("gost", 'aliases = ["shop"]\n', ["own.toml:4: ", "aliases have no effect"]),
+    ("gost", 'aliases = ["emc2"]\n', ["own.toml:4: ", "'emc2' is the name of another control: linuxcnc"]),
+    ("gost", 'aliases = ["Shop 7"]\n', ["own.toml:4: ", "'Shop 7' is not a name"]),
+    ("gost", "[guess]\nM51 = 99\n", ["own.toml:5: ", "[guess] M51"]),
+    ("gost", "[guess.text]\nall_number = 1\n", ["own.toml:5: ", "unknown key 'all_number'", "nearest: 'all_numbered'"]),
     ("mach3", '[[variables]]\nis = "home"\nfrom = 5161\ncount = 6\naccess = "R"\n', ["own.toml:8: ", "`access` has no effect"]),
 ]
 

@@ -261,6 +261,7 @@ inline constexpr std::array<std::string_view, 6> dialect_names = {"iso", "s2c42"
 
 struct ControlDef {
   std::string id;
+  std::vector<std::string> aliases;  // other names for --control: "haas-vf"
   Text name;
   std::string spec;                  // where its rules stand
   std::vector<std::string> lineage;  // "gost" for a file that extends it

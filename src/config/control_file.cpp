@@ -2,6 +2,7 @@
 
 #include "config/control_file.h"
 
+#include <algorithm>
 #include <set>
 
 #include "config/control_loader.h"
@@ -89,6 +90,7 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
   }
   auto under = merged(std::move(*base_table), name, from, lineage);
   if (!under) return under;
+  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they tell the base from others
   lay_operations(*under, *table);
   lay_variables(*under, *table);
   if (toml::table* const alarms = (*table)["alarms"].as_table(); alarms != nullptr && (*alarms)["alone"].value_or(false)) {
@@ -102,6 +104,14 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
 
 /// The texts of alarms and the tables of parameters are no controls of their own.
 bool is_control(std::string_view name) { return name != "alarms" && !is_parameter_table(name); }
+
+/// The id itself, or the one that the alias stands for.
+std::string id_meant_by(const std::string& name) {
+  if (toml_tools::embedded_text("controls/" + name + ".toml")) return name;
+  const auto& aliases = control_aliases();
+  const auto found = std::find_if(aliases.begin(), aliases.end(), [&](const auto& row) { return row.first == name; });
+  return found == aliases.end() ? name : found->second;
+}
 
 }  // namespace
 
@@ -137,13 +147,13 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
     if (!text) return Failed(text.error());
     return parse_control(*text, name);
   }
-  const std::string id = in_small_letters(name), file = "controls/" + id + ".toml";
+  const std::string id = id_meant_by(in_small_letters(name)), file = "controls/" + id + ".toml";
   auto table = is_control(id) ? built_in(file, From::table) : std::nullopt;
   if (!table) {
     std::string known;
     for (const std::string& one : built_in_controls()) known += (known.empty() ? "" : ", ") + one;
     return Failed(say("no control '{}'; there are: {}, or a file of your own (NAME.toml)", name, known) +
-                  did_you_mean(name, built_in_controls()));
+                  did_you_mean(name, control_names()));
   }
   auto def = load(std::move(*table), file, From::table);
   return def ? def : load(*built_in(file, From::text), file, From::text);
@@ -159,6 +169,27 @@ std::vector<std::string> built_in_controls() {
     if (is_control(name)) ids.emplace_back(name);
   }
   return ids;
+}
+
+const std::vector<std::pair<std::string, std::string>>& control_aliases() {
+  static const std::vector<std::pair<std::string, std::string>> all = [] {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const std::string& id : built_in_controls()) {
+      const auto table = toml_tools::embedded_table("controls/" + id + ".toml");
+      const toml::array* const aliases = table ? (*table)["aliases"].as_array() : nullptr;
+      if (aliases == nullptr) continue;
+      for (const toml::node& alias : *aliases) rows.emplace_back(alias.value_or(std::string()), id);
+    }
+    std::sort(rows.begin(), rows.end());
+    return rows;
+  }();
+  return all;
+}
+
+std::vector<std::string> control_names() {
+  std::vector<std::string> names = built_in_controls();
+  for (const auto& [alias, id] : control_aliases()) names.push_back(alias);
+  return names;
 }
 
 }  // namespace kadr
