@@ -55,7 +55,7 @@ GRAMMAR_KEYS = {name for _, name in struct_fields(GRAMMAR_H, "Grammar")} - {"wor
                                                                              "expression"}
 GRAMMAR_KEYS |= {"formal_parameter", "parameters_in", "label", "section", "most_codes"}
 TOP_KEYS = {"id", "name", "spec", "extends", "dialect", "format", "grammar", "expressions", "behaviour", "axes", "order", "address", "groups", "g", "m", "cycle",
-            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes"}
+            "variables", "parameters", "alarms", "defaults", "feed_codes", "speed_codes", "aliases", "guess"}
 TEXT_KEYS = {"en", "ru", "manual"}
 ADDRESS_KEYS = TEXT_KEYS | {"does", "axis", "unit", "scale", "least", "most", "whole", "format", "phase", "second", "many"}
 CODE_KEYS = TEXT_KEYS | {"group", "does", "arg", "takes", "needs", "needs_axis", "own_block", "modal", "phase", "with", "works", "in_part", "from",
@@ -434,7 +434,25 @@ def lay(under, over):
     return under
 
 
+def check_names():
+    """Ids and aliases: each means one control. Rows of [guess]: a weight each."""
+    meant = {}
+    tables = {path.stem: tomllib.loads(path.read_text(encoding="utf-8")) for path in sorted(CONTROLS.glob("*.toml"))
+              if path.name != "alarms.toml" and not is_parameters(path)}
+    for name, table in tables.items():
+        for alias in [name, *table.get("aliases", [])]:
+            check(alias not in meant, f"{name}.toml: '{alias}' is the name of {meant.get(alias)}, too")
+            check(re.fullmatch(r"[a-z0-9.-]+", alias) is not None, f"{name}.toml: '{alias}' is no name")
+            meant[alias] = name
+        guess = table.get("guess", {})
+        check(guess != {}, f"{name}.toml: no [guess]")
+        for pattern, weight in [*guess.items(), *guess.get("text", {}).items()]:
+            if pattern != "text":
+                check(isinstance(weight, (int, float)) and 0 < weight <= 20, f"{name}.toml: [guess] {pattern}: {weight}")
+
+
 def main():
+    check_names()
     for name, found in (("phases", PHASES), ("functions", FUNCTIONS), ("alarms", ALARMS), ("steps", STEPS), ("behaviour", BEHAVIOUR)):
         check(len(found) > 5, f"headers: no {name} found")
     for path in sorted(CONTROLS.glob("*.toml")):

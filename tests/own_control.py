@@ -67,6 +67,17 @@ REFUSED = [
     ("gost", '[address]\nX = { unit = "mm" }\n', ["own.toml:5: ", "unit: length or angle"]),
     ("gost", '[feed_codes]\nF7 = 100\n', ["own.toml:5: ", "feed_codes"]),
     ("gost", '[axes]\nname = ["X"]\n', ["own.toml:5: ", "unknown key 'name'", "names"]),
+    # What is said already, or by nobody asked.
+    ("gost", '[g]\n"04" = { takes = "P" }\n', ["own.toml:5: ", "[g] 04 has no effect", "says the same"]),
+    ("s2c42", "[grammar]\nblock_number_required = true\n", ["own.toml:5: ", "[grammar] block_number_required has no effect"]),
+    ("mach3", "[behaviour]\ndwell_in_milliseconds = true\n", ["own.toml:5: ", "`dwell_in_milliseconds` has no effect", "machine of the NCT"]),
+    ("correctors", "[behaviour]\nprobe_in_inverse_time = true\n", ["own.toml:5: ", "probe_in_inverse_time has no effect", "'probe'"]),
+    ("gost", 'aliases = ["shop", "shop"]\n', ["own.toml:4: ", "'shop' stands twice"]),
+    ("gost", 'aliases = ["shop"]\n', ["own.toml:4: ", "aliases have no effect"]),
+    ("gost", 'aliases = ["emc2"]\n', ["own.toml:4: ", "'emc2' is the name of another control: linuxcnc"]),
+    ("gost", 'aliases = ["Shop 7"]\n', ["own.toml:4: ", "'Shop 7' is not a name"]),
+    ("gost", "[guess]\nM51 = 99\n", ["own.toml:5: ", "[guess] M51"]),
+    ("gost", "[guess.text]\nall_number = 1\n", ["own.toml:5: ", "unknown key 'all_number'", "nearest: 'all_numbered'"]),
     ("mach3", '[[variables]]\nis = "home"\nfrom = 5161\ncount = 6\naccess = "R"\n', ["own.toml:8: ", "`access` has no effect"]),
 ]
 

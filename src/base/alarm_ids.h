@@ -117,6 +117,6 @@
   X(rs274_io) X(rs274_abort) \
   /* lines that are checked by themselves (spec/grbl) */ \
   X(value_below_zero) X(block_number_large) X(tool_number_large) X(system_number_large) X(length_axis_wrong) X(arc_without_plane_word) \
-  X(jog_code) X(jog_target) X(system_line) X(system_line_passed) X(homing_off) X(soft_limits_need_homing) \
+  X(jog_code) X(jog_target) X(system_line) X(system_line_passed) X(homing_off) X(soft_limits_need_homing) X(step_pulse_short) \
   X(reference_in_cycle) X(reference_missed) X(look_ahead_wrong) X(call_without_program) X(dwell_missing) X(table_kind_unknown) X(pocket_words_wrong) X(machine_code_unknown) X(offset_number_large)
 // clang-format on

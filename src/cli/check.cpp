@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cli/files.h"
+#include "cli/guessed_control.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/program_files.h"
@@ -118,8 +119,8 @@ Checked check_program(const Options& options, const Job& job, Count& count, Repo
 }
 
 /// Every program of the file, if it is a tape with several and none is named.
-Checked check_file(const Options& options, const std::string& file, Count& count, Report& report) {
-  const auto control = control_of(options, file);
+Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, Count& count, Report& report) {
+  const auto control = controls.of(file);
   if (!control) return Checked::unreadable;
   if (control->empty()) return Checked::unknown;
   auto job = make_job(options, file, *control);
@@ -194,8 +195,9 @@ int check(const Options& given) {
   if (programs.files.empty()) return complain(told("no program to check there", "там нет УП для проверки")), wrong_usage;
   Count count;
   std::size_t checked = 0;
+  const GuessedControls controls(options, programs.files);
   for (const std::string& file : programs.files) {
-    const Checked result = check_file(options, file, count, report);
+    const Checked result = check_file(options, controls, file, count, report);
     const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);

@@ -36,7 +36,7 @@ std::vector<const CLI::Option*> named_options(const CLI::App& app) {
 
 /// A set of words is named as one: "text|json|sarif" (one_of in cli/option_values).
 Values values_of(const std::string& name, const CLI::Option& option) {
-  if (name == "--control") return {joined(built_in_controls()), "toml", false};
+  if (name == "--control") return {joined(control_names()), "toml", false};
   if (name == "--machine") return {joined(built_in_machines()), "toml", false};
   if (name == "--encoding") return {joined(encodings()), "", false};
   if (name == "--setup" || name == "--baseline") return {"", "json", false};
@@ -83,7 +83,7 @@ void shell_words(const CLI::App& app, const std::string& command, std::string& c
   const bool files = subcommands(app).empty();
   const bool asks_control = command == "explain", asks_machine = command == "machines", asks_shell = command == "completion";
   std::string more = files ? "_kadr_files; " : "";
-  if (asks_control) more = fmt::format("_kadr_explain \"{}\"; ", joined(built_in_controls()));
+  if (asks_control) more = fmt::format("_kadr_explain \"{}\"; ", joined(control_names()));
   if (asks_machine) more = fmt::format("_kadr_words \"{}\"; _kadr_files '!*.toml'; ", joined(built_in_machines()));
   if (asks_shell) more = "_kadr_words \"bash zsh fish\"; ";
   if (command == "controls" || command == "man") more.clear();
@@ -222,10 +222,10 @@ void fish_lines(const CLI::App& app, const std::string& condition, std::string& 
 std::string fish_script(const CLI::App& app) {
   std::string script = "# fish completion of kadr; made by `kadr completion fish`\n";
   fish_lines(app, "true", script);
-  const std::string in_explain = "__fish_seen_subcommand_from explain", controls = joined(built_in_controls());
+  const std::string in_explain = "__fish_seen_subcommand_from explain", controls = joined(control_names());
   script += fmt::format("complete -c kadr -f -n {} -a {}\n", in_quotes(in_explain + "; and not __fish_seen_subcommand_from " + controls),
                         in_quotes(controls));
-  for (const std::string& id : built_in_controls())
+  for (const std::string& id : control_names())
     script += fmt::format("complete -c kadr -f -n {} -a {}\n", in_quotes(in_explain + "; and __fish_seen_subcommand_from " + id),
                           in_quotes("(kadr completion --codes " + id + ")"));
   script += fmt::format("complete -c kadr -f -n {} -a {}\n", in_quotes("__fish_seen_subcommand_from machines"),

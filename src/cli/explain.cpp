@@ -73,7 +73,9 @@ int list_controls(const std::string& lang_name) {
   for (const std::string& id : built_in_controls()) {
     const auto def = load_control(id);
     if (!def) return complain(def.error()), wrong_usage;
-    fmt::print("{:<12}{}\n", id, lang == Lang::ru ? def->name.ru : def->name.en);
+    fmt::print("{:<12}{}", id, lang == Lang::ru ? def->name.ru : def->name.en);
+    if (!def->aliases.empty()) fmt::print(" ({} {})", lang == Lang::ru ? "также" : "also", fmt::join(def->aliases, ", "));
+    fmt::print("\n");
   }
   return ok;
 }

@@ -9,10 +9,9 @@
 #include <cstring>
 #include <utility>
 
-#include "cli/program_files.h"
+#include "cli/guessed_control.h"
 #include "cli/setup_options.h"
 #include "config/control_file.h"
-#include "config/guess.h"
 #include "config/read_file.h"
 #include "lang/text/utf16.h"
 
@@ -47,48 +46,6 @@ const AlarmTexts& Job::texts() const {
   if (!texts) complain(texts.error());
   texts_ = std::make_unique<AlarmTexts>(texts ? std::move(*texts) : AlarmTexts());
   return *texts_;
-}
-
-namespace {
-
-/// The beginning of a program as text.
-std::optional<std::string> sample_of(const std::string& file, const std::string& encoding_name) {
-  SaidEncoding said;
-  (void)read_encoding(encoding_name, said);  // a name that nobody knows is refused later
-  OpenedText opened = open_text(file, said);
-  if (!opened.source) return std::nullopt;
-  LineReader reader(std::move(opened.source));
-  const std::string_view sample = reader.sample();
-  const auto encoding = opened.encoding ? opened.encoding : detect_encoding(sample);
-  std::string text;
-  if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
-  else text = sample;
-  return text;
-}
-
-}  // namespace
-
-std::string control_by_pattern(const Options& options, const std::string& file) {
-  for (const std::string& rule : options.control_for) {
-    const std::size_t equals = rule.rfind('=');
-    if (equals != std::string::npos && is_like(file, rule.substr(0, equals))) return rule.substr(equals + 1);
-  }
-  return options.control;
-}
-
-std::optional<std::string> control_of(const Options& options, const std::string& file) {
-  if (std::string named = control_by_pattern(options, file); !named.empty()) return named;
-  const auto text = sample_of(file, options.encoding);
-  if (!text) return complain(fmt::format("{}: {}", file, told_errno(errno))), std::nullopt;
-  const Guess guess = guess_control(*text);
-  const bool ru = language(options) == Lang::ru;
-  if (guess.control.empty())
-    complain(ru ? fmt::format("{}: УЧПУ неизвестно ({}); если это УП: --control", file, guess.reason_ru)
-                : fmt::format("{}: unknown, no program of a control that Kadr knows ({}); if it is one: --control", file, guess.reason_en));
-  else if (!options.guesses_silently)
-    complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
-                : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
-  return guess.control;
 }
 
 std::string Job::place_of(const std::string& key) const {

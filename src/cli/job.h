@@ -41,9 +41,6 @@ std::string no_encoding(const std::string& name, bool ru);
 ///   returns  nothing, if something is missing or wrong (exit status 2)
 std::optional<Job> make_job(const Options& options, const std::string& file);
 
-/// The control that the options name for the file, or the one its text looks like: said on stderr, with what it was seen by.
-///   returns  nothing: it cannot be read; empty: it is no program of a control that Kadr knows
-std::optional<std::string> control_of(const Options& options, const std::string& file);
 std::optional<Job> make_job(const Options& options, const std::string& file, const std::string& control);
 
 /// Opens the program, the one that the job names of a tape with several; complains if it cannot be read or is not there.

@@ -92,7 +92,7 @@ CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double 
 
 CLI::Option* whole_number(CLI::Option* option, double least, double most) { return limited(takes(option, "N", "N"), true, least, most); }
 
-CLI::Option* control_id(CLI::Option* option) { return id_of(option, built_in_controls()); }
+CLI::Option* control_id(CLI::Option* option) { return id_of(option, control_names()); }
 CLI::Option* machine_id(CLI::Option* option) { return id_of(option, built_in_machines()); }
 
 CLI::Option* encoding(CLI::Option* option) {

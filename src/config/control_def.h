@@ -203,6 +203,7 @@ struct Behaviour {
   double return_chip_break = 1;         // mm, G73
   double return_near = 1;               // mm, back to just above the bottom in G83
   double probe_least_distance = 0;      // mm
+  bool probe_in_inverse_time = false;   // Grbl: G38 in G93, its F is the time of the whole way
   bool speed_needs_direction = false;   // 2С42: S without M3/M4 changes nothing
   bool tool_and_corrector = false;      // T0404: the last two of more than two digits are the corrector
   bool zero_change_checked = false;     // 2С42: with G90 and G40 on a straight section only
@@ -260,6 +261,7 @@ inline constexpr std::array<std::string_view, 6> dialect_names = {"iso", "s2c42"
 
 struct ControlDef {
   std::string id;
+  std::vector<std::string> aliases;  // other names for --control: "haas-vf"
   Text name;
   std::string spec;                  // where its rules stand
   std::vector<std::string> lineage;  // "gost" for a file that extends it

@@ -2,6 +2,7 @@
 
 #include "config/control_file.h"
 
+#include <algorithm>
 #include <set>
 
 #include "config/control_loader.h"
@@ -39,6 +40,28 @@ void lay_operations(toml::table& under, const toml::table& over) {
   if (base) under.insert("expressions", std::move(*(*base)["expressions"].as_table()));
 }
 
+/// Whatever kind of node they are.
+bool are_equal(const toml::node& a, const toml::node& b) {
+  if (a.type() != b.type()) return false;
+  switch (a.type()) {
+    case toml::node_type::string: return *a.as_string() == *b.as_string();
+    case toml::node_type::integer: return *a.as_integer() == *b.as_integer();
+    case toml::node_type::floating_point: return *a.as_floating_point() == *b.as_floating_point();
+    case toml::node_type::boolean: return *a.as_boolean() == *b.as_boolean();
+    case toml::node_type::array: return *a.as_array() == *b.as_array();
+    case toml::node_type::table: return *a.as_table() == *b.as_table();
+    default: return false;
+  }
+}
+
+/// Every key of the row stands below with the same value.
+bool is_part_of(const toml::table& row, const toml::table& below) {
+  return !row.empty() && std::all_of(row.begin(), row.end(), [&](const auto& entry) {
+    const toml::node* const same = below.get(entry.first.str());
+    return same != nullptr && are_equal(entry.second, *same);
+  });
+}
+
 /// Rows of the control below that this one does not have: it says `false` in their place.
 void take_away(toml::table& merged_table) {
   for (const std::string_view section : {"g", "m", "address", "cycle", "groups"}) {
@@ -49,6 +72,29 @@ void take_away(toml::table& merged_table) {
       if (row.value<bool>() == false) gone.emplace_back(key.str());
     for (const std::string& key : gone) rows->erase(key);
   }
+}
+
+/// A row of the file, or a key of a section without rows, that says what the control below says already: where.
+std::optional<std::string> said_again(const toml::table& under, const toml::table& over, const std::string& file) {
+  constexpr std::string_view with_rows[] = {"g", "m", "address", "groups", "cycle", "alarms"};
+  constexpr std::string_view one_by_one[] = {"grammar", "behaviour", "axes", "order", "feed_codes", "speed_codes"};
+  const auto each = [&](std::string_view name, bool rows) -> std::optional<std::string> {
+    const toml::table *const below = under[name].as_table(), *const own = over[name].as_table();
+    if (below == nullptr || own == nullptr) return std::nullopt;
+    for (const auto& [key, node] : *own) {
+      const toml::node* const same = below->get(key.str());
+      if (same == nullptr || node.is_table() != rows || same->type() != node.type()) continue;
+      const bool is_same = rows ? is_part_of(*node.as_table(), *same->as_table()) : are_equal(node, *same);
+      if (is_same)
+        return toml_tools::place(file, node) + say("[{}] {} has no effect: the control that is extended says the same", name, key.str());
+    }
+    return std::nullopt;
+  };
+  for (const std::string_view name : with_rows)
+    if (auto fault = each(name, true)) return fault;
+  for (const std::string_view name : one_by_one)
+    if (auto fault = each(name, false)) return fault;
+  return std::nullopt;
 }
 
 /// The variables of the control below stay, but for those whose symbol a row of the file has, too: that row takes their place.
@@ -66,6 +112,8 @@ void lay_variables(const toml::table& under, toml::table& over) {
   for (const toml::node& row : *below)
     if (!replaced.contains(symbol_of(row))) row.visit([&](const auto& value) { own->push_back(value); });
 }
+
+bool is_built_in(const std::string& file) { return toml_tools::embedded_text(file).has_value(); }
 
 /// The table of a file with what it extends laid under it; `lineage` collects the ids below.
 Table merged(Table table, const std::string& file, From from, std::vector<std::string>& lineage) {
@@ -89,6 +137,8 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
   }
   auto under = merged(std::move(*base_table), name, from, lineage);
   if (!under) return under;
+  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they tell the base from others
+  if (const auto fault = is_built_in(file) ? std::nullopt : said_again(*under, *table, file)) return Failed(*fault);
   lay_operations(*under, *table);
   lay_variables(*under, *table);
   if (toml::table* const alarms = (*table)["alarms"].as_table(); alarms != nullptr && (*alarms)["alone"].value_or(false)) {
@@ -102,6 +152,14 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
 
 /// The texts of alarms and the tables of parameters are no controls of their own.
 bool is_control(std::string_view name) { return name != "alarms" && !is_parameter_table(name); }
+
+/// The id itself, or the one that the alias stands for.
+std::string id_meant_by(const std::string& name) {
+  if (toml_tools::embedded_text("controls/" + name + ".toml")) return name;
+  const auto& aliases = control_aliases();
+  const auto found = std::find_if(aliases.begin(), aliases.end(), [&](const auto& row) { return row.first == name; });
+  return found == aliases.end() ? name : found->second;
+}
 
 }  // namespace
 
@@ -137,13 +195,13 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
     if (!text) return Failed(text.error());
     return parse_control(*text, name);
   }
-  const std::string id = in_small_letters(name), file = "controls/" + id + ".toml";
+  const std::string id = id_meant_by(in_small_letters(name)), file = "controls/" + id + ".toml";
   auto table = is_control(id) ? built_in(file, From::table) : std::nullopt;
   if (!table) {
     std::string known;
     for (const std::string& one : built_in_controls()) known += (known.empty() ? "" : ", ") + one;
     return Failed(say("no control '{}'; there are: {}, or a file of your own (NAME.toml)", name, known) +
-                  did_you_mean(name, built_in_controls()));
+                  did_you_mean(name, control_names()));
   }
   auto def = load(std::move(*table), file, From::table);
   return def ? def : load(*built_in(file, From::text), file, From::text);
@@ -159,6 +217,27 @@ std::vector<std::string> built_in_controls() {
     if (is_control(name)) ids.emplace_back(name);
   }
   return ids;
+}
+
+const std::vector<std::pair<std::string, std::string>>& control_aliases() {
+  static const std::vector<std::pair<std::string, std::string>> all = [] {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const std::string& id : built_in_controls()) {
+      const auto table = toml_tools::embedded_table("controls/" + id + ".toml");
+      const toml::array* const aliases = table ? (*table)["aliases"].as_array() : nullptr;
+      if (aliases == nullptr) continue;
+      for (const toml::node& alias : *aliases) rows.emplace_back(alias.value_or(std::string()), id);
+    }
+    std::sort(rows.begin(), rows.end());
+    return rows;
+  }();
+  return all;
+}
+
+std::vector<std::string> control_names() {
+  std::vector<std::string> names = built_in_controls();
+  for (const auto& [alias, id] : control_aliases()) names.push_back(alias);
+  return names;
 }
 
 }  // namespace kadr

@@ -4,13 +4,14 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <utility>
 #include <vector>
 
 #include "config/control_def.h"
 
 namespace kadr {
 
-/// The control with that id, in small letters or capitals, or in that file if `name` ends with .toml.
+/// The control with that id or alias, in small letters or capitals, or in that file if `name` ends with .toml.
 ///   returns  an error sentence with file and line: unknown key, function, group, word; a code twice; …
 tl::expected<ControlDef, std::string> load_control(const std::string& name);
 
@@ -19,5 +20,11 @@ tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const
 
 /// Ids of the built-in controls.
 std::vector<std::string> built_in_controls();
+
+/// The other names of the built-in controls, in order, and the ids that they mean: "haas-vf" → "haas".
+const std::vector<std::pair<std::string, std::string>>& control_aliases();
+
+/// Ids and aliases: all that may stand behind --control.
+std::vector<std::string> control_names();
 
 }  // namespace kadr

@@ -32,6 +32,7 @@ class ControlLoader {
 
  private:
   Done sections();
+  Done names();
   Done known_keys(const toml::table& table, const std::vector<std::string_view>& known) const;
   /// A key that is not among `known`, with the nearest of them.
   tl::unexpected<std::string> unknown_key(const toml::node& node, std::string_view key, const std::vector<std::string_view>& known,

@@ -37,6 +37,7 @@ Done ControlLoader::behaviour() {
   number("return_chip_break", b.return_chip_break, ranges::distance);
   number("return_near", b.return_near, ranges::distance);
   number("probe_least_distance", b.probe_least_distance, ranges::distance);
+  flag("probe_in_inverse_time", b.probe_in_inverse_time);
   flag("speed_needs_direction", b.speed_needs_direction);
   flag("tool_and_corrector", b.tool_and_corrector);
   flag("contour_entry_tangent", b.contour_entry_tangent);

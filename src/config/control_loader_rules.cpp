@@ -31,9 +31,13 @@ const std::vector<LooksAt>& behaviour_of_functions() {
       {"arc_centers", {Function::arc_cw, Function::arc_ccw}},
       {"arc_radius_word", {Function::arc_cw, Function::arc_ccw}},
       {"arc_radius_difference", {Function::arc_cw, Function::arc_ccw}},
+      {"arc_difference_inch", {Function::arc_cw, Function::arc_ccw}},
+      {"feed_of_axis", {Function::feed_word}},
+      {"feed_most", {Function::feed_word}},
       {"helix_by_lead", {Function::arc_cw, Function::arc_ccw}},
       {"reference_feed", {Function::approach_reference}},
       {"probe_least_distance", {Function::probe}},
+      {"probe_in_inverse_time", {Function::probe}},
       {"speed_needs_direction", {Function::speed_word}},
       {"tool_and_corrector", {Function::tool_word}},
       {"contour_entry_tangent", {Function::radius_comp_left, Function::radius_comp_right}},
@@ -55,6 +59,33 @@ constexpr std::string_view not_of_nct[] = {"arc_centers",           "helix_by_le
                                            "contour_entry_tangent", "contour_blocks_checked",
                                            "zero_change_checked",   "subprogram_zero_local",
                                            "delayed_assignment",    "fixtures"};
+
+/// Keys of [behaviour] that only the machine of the NCT looks at.
+constexpr std::string_view only_of_nct[] = {"last_word_counts",
+                                            "arc_radius_first",
+                                            "arc_without_centre_straight",
+                                            "dwell_in_milliseconds",
+                                            "repeats_in_program_number",
+                                            "later_argument_counts",
+                                            "drills_by_level",
+                                            "machine_move_absolute",
+                                            "second_reference_usual",
+                                            "repeats_by_k",
+                                            "dwell_by_point",
+                                            "shifts_by_q",
+                                            "taps_rigid",
+                                            "pecks_by_ijk",
+                                            "reference_outside_cycles",
+                                            "reference_all_axes",
+                                            "length_axis_third",
+                                            "arc_difference_free",
+                                            "scale_in_increments",
+                                            "common_cleared",
+                                            "returns_to_own_block",
+                                            "offset_numbers_checked",
+                                            "rounds_words",
+                                            "repeats_keep_locals",
+                                            "alarm_base"};
 
 /// Functions that work in a plane, or along the axis across it.
 constexpr Function plane_functions[] = {
@@ -180,6 +211,8 @@ Done ControlLoader::check_behaviour() {
   if (def_.has_correctors() && !does({Function::corrector_word}))
     return Failed(place(name_, file_, "dialect") + say("dialect = \"correctors\": [address] L must be 'corrector_word'"));
   if (def_.machine_axes()) return {};
+  for (const std::string_view key : only_of_nct)
+    KADR_LOAD(no_effect(*t, key, say("`{}` has no effect without the machine of the NCT", key)));
   for (const LooksAt& row : behaviour_of_functions()) {
     const bool looked_at = std::any_of(row.functions.begin(), row.functions.end(), [&](Function f) { return does({f}); });
     if (!looked_at)

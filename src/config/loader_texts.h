@@ -206,6 +206,15 @@ inline constexpr Row rows[] = {
     {"{} has no effect: there is one", "{} не действует: она одна"},
     {"from must be 1000 or more", "from: должно быть не меньше 1000"},
     {"#{} is beyond [grammar] variables", "#{} больше, чем [grammar] variables"},
+    // ---- [guess], aliases, extends
+    {"[{}] {} has no effect: the control that is extended says the same", "[{}] {} не действует: в расширяемой системе то же самое"},
+    {"[guess] {}: a weight is a number above 0, {} at most", "[guess] {}: вес — число больше 0, не больше {}"},
+    {"aliases have no effect in a file of your own: it is named by its path",
+     "aliases в собственном файле не действует: его называют по пути"},
+    {"aliases: a list of texts", "aliases: список строк"},
+    {"aliases: '{}' is not a name: small letters, digits, - and .", "aliases: «{}» — не имя: строчные латинские буквы, цифры, - и ."},
+    {"aliases: '{}' stands twice", "aliases: «{}» указано дважды"},
+    {"aliases: '{}' is the name of another control: {}", "aliases: «{}» — имя другой системы: {}"},
     // ---- parameters, alarms
     {"a parameter is a table", "параметр описывается таблицей"},
     {"no table of parameters '{}'", "таблицы параметров «{}» нет"},

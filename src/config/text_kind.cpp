@@ -6,32 +6,93 @@
 #include <array>
 
 #include "base/ascii.h"
+#include "config/guess_pattern.h"
 
 namespace kadr {
 namespace {
 
 constexpr int lines_looked_at = 500;
 
+/// A language that Kadr does not know, and what stands in no program of our controls, as config/guess_pattern.h writes it.
 struct LanguageMark {
-  const char* text;  // in capitals
+  const char* pattern;
   const char* language;
 };
-/// Words that stand in no program of our controls.
-constexpr std::array language_marks = {
-    LanguageMark{"BEGIN PGM", "Heidenhain"}, LanguageMark{"TOOL CALL", "Heidenhain"}, LanguageMark{"CYCL DEF", "Heidenhain"},
-    LanguageMark{"BLK FORM", "Heidenhain"},  LanguageMark{" FMAX", "Heidenhain"},     LanguageMark{";$PATH=", "Sinumerik"},
-    LanguageMark{"MCALL ", "Sinumerik"},     LanguageMark{"DEF REAL", "Sinumerik"},   LanguageMark{"DEF INT", "Sinumerik"},
-    LanguageMark{"CYCLE8", "Sinumerik"},     LanguageMark{"CYCLE9", "Sinumerik"},     LanguageMark{"WORKPIECE(", "Sinumerik"},
-    LanguageMark{"STOPRE", "Sinumerik"},     LanguageMark{"GOTOF", "Sinumerik"},      LanguageMark{"GOTOB", "Sinumerik"},
-    LanguageMark{"X=IC(", "Sinumerik"},      LanguageMark{"TRANS X", "Sinumerik"},    LanguageMark{"CALL OO", "Okuma"},
-    LanguageMark{"VZOFZ", "Okuma"},          LanguageMark{"VTOFH", "Okuma"},          LanguageMark{"NAT0", "Okuma"},
+constexpr LanguageMark language_marks[] = {
+    {"BEGINPGM", "Heidenhain"},
+    {"ENDPGM", "Heidenhain"},
+    {"TOOLCALL", "Heidenhain"},
+    {"TOOLDEF", "Heidenhain"},
+    {"CYCLDEF", "Heidenhain"},
+    {"CYCLCALL", "Heidenhain"},
+    {"BLKFORM", "Heidenhain"},
+    {"FMAX", "Heidenhain"},
+    {"CALLLBL", "Heidenhain"},
+    {"^LBL\\d", "Heidenhain"},
+    {"FN\\d:", "Heidenhain"},
+    {"DR+", "Heidenhain"},
+    {"DR-", "Heidenhain"},
+    {"LX\\n", "Heidenhain"},
+    {"LY\\n", "Heidenhain"},
+    {"LZ\\n", "Heidenhain"},
+    {"PLANESPATIAL", "Heidenhain"},
+    {";$PATH=", "Sinumerik"},
+    {"MCALL", "Sinumerik"},
+    {"DEFREAL", "Sinumerik"},
+    {"DEFINT", "Sinumerik"},
+    {"CYCLE\\d", "Sinumerik"},
+    {"WORKPIECE(", "Sinumerik"},
+    {"STOPRE", "Sinumerik"},
+    {"GOTOF", "Sinumerik"},
+    {"GOTOB", "Sinumerik"},
+    {"\\a=IC(", "Sinumerik"},
+    {"\\a=AC(", "Sinumerik"},
+    {"\\a=DC(", "Sinumerik"},
+    {"\\a=R\\d", "Sinumerik"},
+    {"^R\\d=", "Sinumerik"},
+    {"^TRANS\\a", "Sinumerik"},
+    {"ATRANS", "Sinumerik"},
+    {"^AROT", "Sinumerik"},
+    {"SUPA", "Sinumerik"},
+    {"TRAORI", "Sinumerik"},
+    {"TRAFOOF", "Sinumerik"},
+    {"DIAMON", "Sinumerik"},
+    {"DIAMOF", "Sinumerik"},
+    {"FFWON", "Sinumerik"},
+    {"POCKET3(", "Sinumerik"},
+    {"POCKET4(", "Sinumerik"},
+    {"HOLES1(", "Sinumerik"},
+    {"HOLES2(", "Sinumerik"},
+    {"CR=\\n", "Sinumerik"},
+    {"TURN=", "Sinumerik"},
+    {"AP=\\n", "Sinumerik"},
+    {"$TC_", "Sinumerik"},
+    {"$P_", "Sinumerik"},
+    {"$AA_", "Sinumerik"},
+    {"^PROC ", "Sinumerik"},
+    {"MSG(\"", "Sinumerik"},
+    {"G500", "Sinumerik"},
+    {"CALLO", "Okuma"},
+    {"VZOF", "Okuma"},
+    {"VTOFH", "Okuma"},
+    {"VTOFD", "Okuma"},
+    {"NAT0", "Okuma"},
+    {"MODIN", "Okuma"},
+    {"MODOUT", "Okuma"},
+    {"^RTS$", "Okuma"},
+    {"NOEX", "Okuma"},
+    {"^VC\\d=", "Okuma"},
+    {"G15H\\d", "Okuma"},
+    {"G56HA", "Okuma"},
+    {"NCYL", "Okuma"},
 };
 
 /// Words of letters that stand in programs of our controls.
-constexpr std::array<std::string_view, 44> statement_words = {
-    "IF",    "THEN",  "ELSE",  "ELSEIF", "ENDIF", "GOTO", "WHILE",  "ENDWHILE", "DO",     "END",    "EQ",  "NE",  "GT",     "LT",  "GE",
-    "LE",    "SIN",   "COS",   "TAN",    "ATAN",  "SQRT", "ABS",    "FIX",      "FUP",    "ROUND",  "AND", "OR",  "XOR",    "MOD", "DPRNT",
-    "BPRNT", "POPEN", "PCLOS", "FOPEN",  "FCLOS", "SUB",  "ENDSUB", "CALL",     "RETURN", "REPEAT", "LF",  "PRM", "EXISTS", "MSG"};
+constexpr std::array<std::string_view, 54> statement_words = {
+    "IF",     "THEN",  "ELSE",  "ELSEIF", "ENDIF", "GOTO",  "WHILE", "ENDWHILE", "DO",     "END",  "EQ",     "NE",     "GT", "LT",
+    "GE",     "LE",    "SIN",   "COS",    "TAN",   "ATAN",  "SQRT",  "ABS",      "FIX",    "FUP",  "ROUND",  "AND",    "OR", "XOR",
+    "MOD",    "DPRNT", "BPRNT", "POPEN",  "PCLOS", "FOPEN", "FCLOS", "SUB",      "ENDSUB", "CALL", "RETURN", "REPEAT", "LF", "PRM",
+    "EXISTS", "MSG",   "ASIN",  "ACOS",   "BCD",   "BIN",   "LN",    "EXP",      "POW",    "ADP",  "AXNUM",  "SETVN"};
 
 bool letter(char c) { return c >= 'A' && c <= 'Z'; }
 /// The beginning of a character that is no ASCII.
@@ -52,6 +113,7 @@ WordCount words_of(std::string_view line) {
     if (line[i] == '#' || line[i] == ':') {
       ++count.addresses;
       ++i;
+      if (i < line.size() && line[i] == '_') i = std::min(line.find_first_not_of("_0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ", i), line.size());
       continue;
     }
     if (!letter(line[i]) && !beyond_ascii(line[i])) {
@@ -125,8 +187,11 @@ KindOfText kind_of_text(std::string_view sample) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
     ++number;
     if (line.empty()) continue;
+    const GuessLine forms = guess_line(whole);
+    const bool has_names = line.find("#<") != std::string::npos || line.find("O<") != std::string::npos;  // LinuxCNC's, of any letters
     for (const LanguageMark& mark : language_marks)
-      if (line.find(mark.text) != std::string::npos) return {TextKind::other_language, mark.language, mark.text, number};
+      if (const std::string_view found = found_in(forms, mark.pattern); !found.empty() && !has_names)
+        return {TextKind::other_language, mark.language, std::string(found), number};
     ++lines;
     if (is_like_block(line)) ++blocks;
     else if (first_prose.line == 0) first_prose = {TextKind::prose, {}, beginning_of(whole), number};

@@ -18,9 +18,12 @@ Status end_program(Interpreter& m, Span where) {
   if (m.dialect && m.dialect->end_program(m)) return {};
   for (const std::int32_t row_index : m.def.end_codes) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];
+    const bool switches_off = (row.function == Function::spindle_stop && m.modal.spindle != SpindleDir::stop) ||
+                              (row.function == Function::coolant_off && (m.modal.flood || m.modal.mist));
+    const bool told = m.def.behaviour.goes_on_behind_end && switches_off;  // the next lines run without them
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, where});
-    if (row.letter == 'M') m.batch->cut(silent);  // M2 itself stops spindle and coolant
+    if (row.letter == 'M' && !told) m.batch->cut(silent);  // M2 itself stops spindle and coolant
     if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(row_index);
   }
   return {};

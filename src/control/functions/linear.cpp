@@ -158,7 +158,8 @@ Status machine_point(Interpreter& m, const Call& call) {
 Status probe(Interpreter& m, const Call& call) {
   const std::uint64_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
   if ((m.block->letters & linear) == 0) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
-  if (m.modal.feed_mode == FeedMode::inverse_time) return fail(alarm(AlarmId::probe_feed_mode, call.where));
+  if (m.modal.feed_mode == FeedMode::inverse_time && !m.def.behaviour.probe_in_inverse_time)
+    return fail(alarm(AlarmId::probe_feed_mode, call.where));
   KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
   AxisMask named = 0;

@@ -14,7 +14,8 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr double most_block_number = 10'000'000, most_tool = 255, most_systems = 6;
+constexpr double most_tool = 255;
+constexpr std::int32_t most_systems = 6;
 constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, part of the radius (5.2)
 constexpr std::int32_t no_motion = 800;                                                 // G80
 
@@ -22,6 +23,17 @@ constexpr std::uint64_t bits(std::string_view letters) {
   std::uint64_t all = 0;
   for (const char letter : letters) all |= letter_bit(letter);
   return all;
+}
+
+/// int_value and mantissa of gcode.c. The number fits a byte: what is beyond it is left over, as a fraction (G257: error:23).
+struct CodeNumber {
+  std::int32_t whole = 0;
+  std::int32_t hundredths = 0;  // 0 to 65535
+};
+CodeNumber code_number(double value) {
+  const double near = std::clamp(value, -1e6, 1e6);
+  const std::int32_t whole = byte_of(near);
+  return {whole, static_cast<std::uint16_t>(std::lround(100 * (near - whole)))};
 }
 
 class BlockCheck {
@@ -42,8 +54,8 @@ class BlockCheck {
     if (block_.broken) return fail(*block_.broken);
     all_.has_axis = (block_.letters & bits("XYZ")) != 0;
     if (all_.has_axis && all_.axis_command == AxisCommand::none) all_.axis_command = AxisCommand::motion;
-    if (block_.has_number && block_.number > most_block_number)
-      return fail(alarm(AlarmId::block_number_large, block_.number_where, double(block_.number)));
+    if (m_.has('N')) return fail(alarm(AlarmId::block_number_large, m_.where('N'), value('N')));
+    take_start();
     KADR_TRY(feed());
     KADR_TRY(dwell());
     KADR_TRY(length());
@@ -51,7 +63,7 @@ class BlockCheck {
     KADR_TRY(motion());
     KADR_TRY(words_used());
     if (is_jog_) KADR_TRY(jog_codes());
-    KADR_TRY(soft_limits());
+    KADR_TRY(within_travel(m_, control_, all_, is_jog_));
     return all_;
   }
 
@@ -67,7 +79,6 @@ class BlockCheck {
     values_ |= letter_bit(w.address);
     const bool unsigned_word = (letter_bit(w.address) & bits("FNPST")) != 0;
     if (unsigned_word && w.value < 0) return fail(alarm(AlarmId::value_below_zero, w.where, w.address, w.value));
-    if (w.address == 'N') return fail(alarm(AlarmId::block_number_large, w.where, w.value));
     return {};
   }
 
@@ -85,8 +96,7 @@ class BlockCheck {
   }
 
   Status g_code(const Word& w) {
-    const auto whole = static_cast<std::int32_t>(std::clamp(w.value, -1e6, 1e6));
-    const auto hundredths = static_cast<std::int32_t>(std::lround(100 * (std::clamp(w.value, -1e6, 1e6) - whole)));
+    const auto [whole, hundredths] = code_number(w.value);
     bool may_have_fraction = false;
     switch (whole) {
       case 10:
@@ -152,8 +162,7 @@ class BlockCheck {
 
   /// M7 needs a build of its own, M6 does not exist (3).
   Status m_code(const Word& w) {
-    const double whole = std::trunc(w.value);
-    if (w.value != whole) return fail(alarm(AlarmId::word_not_integer, w.where, 'M', w.value));
+    if (code_number(w.value).hundredths != 0) return fail(alarm(AlarmId::word_not_integer, w.where, 'M', w.value));
     return one_of_group(w);
   }
 
@@ -208,6 +217,14 @@ class BlockCheck {
     return {};
   }
 
+  /// Where the tool stands in the work system that the block names.
+  void take_start() {
+    all_.start = m_.position.programmed;
+    const auto system = all_.system < 0 ? std::size_t{m_.modal.work_zero} : static_cast<std::size_t>((all_.system - 530) / 10);
+    if (system == m_.modal.work_zero) return;
+    for (std::size_t a = 0; a < axes; ++a) all_.start[a] += m_.tables.zeros[m_.modal.work_zero][a] - m_.tables.zeros[system][a];
+  }
+
   Status dwell() {
     if (all_.non_modal != 40) return {};
     if (!has("P")) return fail(alarm(AlarmId::word_missing, block_.where, 'P', "G4"));
@@ -232,8 +249,8 @@ class BlockCheck {
   Status offsets() {
     if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G10"));
     if (!has("LP")) return fail(alarm(AlarmId::word_missing, block_.where, 'L', "G10"));
-    if (std::trunc(value('P')) > most_systems) return fail(alarm(AlarmId::system_number_large, m_.where('P'), value('P')));
-    const double kind = std::trunc(value('L'));
+    if (byte_of(value('P')) > most_systems) return fail(alarm(AlarmId::system_number_large, m_.where('P'), value('P')));
+    const std::int32_t kind = byte_of(value('L'));
     if (kind != 20 && kind != 2) return fail(alarm(AlarmId::illegal_address, m_.where('L'), 'L'));
     if (kind == 2 && has("R")) return fail(alarm(AlarmId::illegal_address, m_.where('R'), 'R'));
     use("LP");
@@ -241,7 +258,7 @@ class BlockCheck {
   }
 
   void targets() {
-    all_.target = all_.non_modal == 530 ? m_.position.machine : m_.position.programmed;
+    all_.target = all_.non_modal == 530 ? m_.position.machine : all_.start;
     for (std::size_t a = 0; a < axes; ++a) {
       const char letter = m_.letters.axis_letter[a];
       if (!m_.has(letter)) continue;
@@ -262,7 +279,7 @@ class BlockCheck {
     if (is_arc()) return arc();
     if (!is_probe()) return {};
     if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G38"));
-    if (all_.target == m_.position.programmed) return fail(alarm(AlarmId::probe_too_close, block_.where, 0.0, 0.0));
+    if (all_.target == all_.start) return fail(alarm(AlarmId::probe_too_close, block_.where, 0.0, 0.0));
     return {};
   }
 
@@ -281,7 +298,7 @@ class BlockCheck {
     if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G2, G3"));
     if ((block_.letters & (letter(plane.first) | letter(plane.second))) == 0)
       return fail(alarm(AlarmId::arc_without_plane_word, block_.where));
-    const Vec2 from{m_.position.programmed[plane.first], m_.position.programmed[plane.second]};
+    const Vec2 from{all_.start[plane.first], all_.start[plane.second]};
     const Vec2 to{all_.target[plane.first], all_.target[plane.second]};
     const Turn turn = all_.motion == 20 ? Turn::cw : Turn::ccw;
     if (has("R")) {
@@ -292,15 +309,18 @@ class BlockCheck {
     const bool given = m_.has(center_letter(plane.first)) || m_.has(center_letter(plane.second));
     if (!given) return fail(alarm(AlarmId::center_missing, block_.where));
     use("IJK");
+    constexpr double arc_tolerance = 0.002;  // mm, $12: a circle within it is no segments, but a line (5.4)
     const double radius = kadr::length(offset), end_radius = kadr::length(to - from - offset), error = std::fabs(end_radius - radius);
     if (error > arc_error && (error > arc_error_most || error > arc_error_of_radius * radius))
       return fail(alarm(AlarmId::radius_mismatch, block_.where, radius, end_radius));
+    if (2 * radius <= arc_tolerance) return {};
     return found(arc_around(from, to, from + offset, turn, farthest));
   }
 
   Status by_radius(Vec2 from, Vec2 to, Turn turn) {
     const double radius = value('R') * unit(), half = kadr::length(to - from) / 2;
-    if (all_.target == m_.position.programmed) return fail(alarm(AlarmId::full_circle_by_radius, block_.where));
+    if (all_.target == all_.start) return fail(alarm(AlarmId::full_circle_by_radius, block_.where));
+    if (from == to && radius != 0) return {};  // only the third axis moves: gcode.c divides by 0 and goes there straight
     if (std::fabs(radius) < half) return fail(alarm(AlarmId::radius_too_small, m_.where('R'), std::fabs(radius), half));
     return found(arc_by_radius(from, to, radius, turn, farthest));
   }
@@ -326,22 +346,6 @@ class BlockCheck {
   /// Only G20 G21 G90 G91 G53 (9).
   Status jog_codes() const {
     if (jog_fault_ != nullptr) return fail(alarm(AlarmId::jog_code, jog_fault_->where, block_.text_of(jog_fault_->where)));
-    if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "$J="));
-    return {};
-  }
-
-  /// $20: the end of each motion lies within the travel (8).
-  Status soft_limits() const {
-    const Settings& s = control_.state.settings;
-    if (!s.soft_limits || !all_.moves) return {};
-    const auto system = all_.system < 0 ? std::size_t{m_.modal.work_zero} : static_cast<std::size_t>((all_.system - 530) / 10);
-    for (std::size_t a = 0; a < axes; ++a) {
-      const double zero = m_.tables.zeros[system][a] + m_.set_position[a] + (a == 2 ? control_.state.length : 0);
-      const double machine = all_.target[a] + (all_.non_modal == 530 ? 0 : zero);
-      if (machine >= -s.travel[a] && machine <= 0) continue;
-      const AlarmId id = is_jog_ ? AlarmId::jog_target : AlarmId::limit_exceeded;
-      return fail(alarm(id, block_.where, std::string_view(m_.axis_names[a]), machine, machine > 0 ? 0.0 : -s.travel[a]));
-    }
     return {};
   }
 

@@ -28,10 +28,14 @@ struct CheckedBlock {
   bool moves = false;  // by the motion code
   bool inch = false, absolute = true, inverse_time = false;
   std::int32_t plane = 170;
-  std::int32_t system = -1;  // G54 … of the block
-  Axes target{};             // programmed coordinates; machine ones with G53
-  std::optional<PlaneArc> arc;
+  std::int32_t system = -1;     // G54 … of the block
+  Axes start{};                 // programmed coordinates in the block's work system
+  Axes target{};                // programmed coordinates; machine ones with G53
+  std::optional<PlaneArc> arc;  // of G2, G3; none: a line, where the circle is smaller than its tolerance
 };
+
+/// A number that gcode.c keeps in a byte: of G, M, L, P of G10.
+inline std::int32_t byte_of(double value) { return static_cast<std::uint8_t>(static_cast<std::int64_t>(value)); }
 
 /// Checks the interpreter's block; `is_jog`: the words of `$J=` (9).
 ///   alarms  those of the reader; code_unknown, word_not_integer, group_conflict, not_together, address_twice, value_below_zero,
@@ -39,5 +43,9 @@ struct CheckedBlock {
 ///           illegal_address, machine_motion_mode, no_motion_mode, arc_without_plane_word, full_circle_by_radius, radius_too_small,
 ///           center_missing, radius_mismatch, probe_too_close, word_unused, jog_code, limit_exceeded
 Result<CheckedBlock> check(const Interpreter& m, const Grbl& control, bool is_jog);
+
+/// $20: every segment of the motion ends within the travel (8).
+///   alarms  limit_exceeded; jog_target of a jog
+Status within_travel(const Interpreter& m, const Grbl& control, const CheckedBlock& block, bool is_jog);
 
 }  // namespace kadr::grbl

@@ -1,13 +1,10 @@
 // What the interpreter asks a dialect (control/dialect.h), answered for Grbl.
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
-#include "base/ascii.h"
 #include "base/units.h"
 #include "control/functions/arc_motion.h"
 #include "control/functions/functions.h"
@@ -32,45 +29,9 @@ AxisMask named_in(const Interpreter& m) {
   return named;
 }
 
-/// "$130=200" → 130 and 200.
-struct Assigned {
-  int number = 0;
-  double value = 0;
-};
-std::optional<Assigned> assigned(std::string_view line) {
-  Assigned all;
-  const char* const end = line.data() + line.size();
-  const auto number = std::from_chars(line.data() + 1, end, all.number);
-  if (number.ec != std::errc() || number.ptr == end || *number.ptr != '=') return std::nullopt;
-  const auto value = std::from_chars(number.ptr + 1, end, all.value);
-  if (value.ec != std::errc() || value.ptr != end || !std::isfinite(all.value)) return std::nullopt;
-  return all;
-}
-
 }  // namespace
 
 Grbl& grbl_of(const Interpreter& m) { return static_cast<Grbl&>(*m.dialect); }
-
-Result<bool> set(Settings& settings, int number, double value, Span where) {
-  constexpr int first_travel = 130;
-  if (value < 0) return fail(alarm(AlarmId::value_below_zero, where, std::to_string(number), value));
-  switch (number) {
-    case 20:
-      if (value != 0 && !settings.homing) return fail(alarm(AlarmId::soft_limits_need_homing, where));
-      settings.soft_limits = value != 0;
-      return true;
-    case 22:
-      settings.homing = value != 0;
-      settings.soft_limits = settings.soft_limits && settings.homing;
-      return true;
-    case 30: settings.speed_most = value; return true;
-    case 31: settings.speed_least = value; return true;
-    case first_travel:
-    case first_travel + 1:
-    case first_travel + 2: settings.travel[static_cast<std::size_t>(number - first_travel)] = value; return true;
-    default: return false;
-  }
-}
 
 /// The settings of the set-up; the others are those of the generic build (10).
 Grbl::Grbl(const Setup& setup) {
@@ -103,35 +64,6 @@ bool Grbl::start(Interpreter& m, const Setup&) {
 
 void Grbl::started(Interpreter&) { before_ = state; }
 
-/// `$` lines (9, 11): a jog, homing, settings that count; the others are passed over, with a note.
-Result<bool> Grbl::statement(Interpreter& m) {
-  std::string line;
-  for (const char c : m.block->text_of(m.block->statement.text))
-    if (static_cast<unsigned char>(c) > ' ') line += to_upper(c);
-  const Span where = m.block->statement.where;
-  if (line.starts_with("$J=")) {
-    KADR_TRY(jog(m));
-    return true;
-  }
-  if (line == "$H") {
-    if (!state.settings.homing) return fail(alarm(AlarmId::homing_off, where));
-    KADR_TRY(m.to_machine(MotionKind::home, Axes{}, (AxisMask{1} << axes) - 1, 0));
-    return true;
-  }
-  if (line == "$X") return true;
-  if (line.size() > 1 && is_digit(line[1])) {
-    const auto row = assigned(line);
-    const auto& known = m.def.parameters;
-    if (!row || std::none_of(known.begin(), known.end(), [&](const ParameterRow& p) { return p.number == row->number; }))
-      return fail(alarm(AlarmId::system_line, where, line.substr(0, 30)));
-    const auto counts = set(state.settings, row->number, row->value, where);
-    if (!counts) return fail(counts.error());
-    if (*counts) return true;
-  }
-  m.warn(note(AlarmId::system_line_passed, where, line.substr(0, 30)));
-  return true;
-}
-
 /// `$J=`: a straight motion at its own F, in mm/min; the modes are left as they are (9).
 Status Grbl::jog(Interpreter& m) {
   const auto jog = check(m, *this, true);
@@ -141,6 +73,11 @@ Status Grbl::jog(Interpreter& m) {
   m.modal.inch = jog->inch;
   m.modal.feed = m.length_value('F');
   m.modal.feed_known = true;
+  if (!jog->has_axis) {  // gcode.c: the target has been left at machine zero
+    const Status moved = m.to_machine(MotionKind::feed, Axes{}, (AxisMask{1} << axes) - 1, m.modal.feed);
+    m.modal = before;
+    return moved;
+  }
   const bool by_machine = jog->non_modal == 530;
   const Status moved = by_machine ? m.to_machine(MotionKind::feed, jog->target, named_in(m), m.modal.feed)
                                   : m.straight(MotionKind::feed, jog->target, named_in(m));
@@ -152,6 +89,10 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
   const auto all = check(m, *this, false);
   if (!all) return fail(all.error());
   checked = *all;
+  if (m.has('T')) {  // 1.3: a byte is remembered
+    double& tool = m.block->words[m.block->at['T' - 'A']].value;
+    tool = byte_of(tool);
+  }
   KADR_TRY(m.check_ranges());
   if (!m.has('S')) return false;
   const Settings& s = state.settings;  // $30, $31 (4.17)
@@ -160,7 +101,10 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
   return false;
 }
 
-void Grbl::begin_block(Interpreter&) { before_ = state; }
+void Grbl::begin_block(Interpreter&) {
+  before_ = state;
+  feed_at_end_ = -1;
+}
 
 void Grbl::take_back(Interpreter&) { state = before_; }
 
@@ -172,10 +116,16 @@ std::int16_t Grbl::motion_row(const Interpreter& m) const { return checked.moves
 /// M2, M30: nothing moves again by the G1 that comes into force.
 bool Grbl::end_program(Interpreter& m) {
   m.block_axes_taken = true;
+  checked.motion = 10;
+  feed_at_end_ = m.modal.feed;
   return false;
 }
 
 Status Grbl::after_block(Interpreter& m) {
+  if (feed_at_end_ >= 0) {  // 7: F stays, whatever it was the feed of
+    m.modal.feed = std::exchange(feed_at_end_, -1);
+    m.modal.feed_known = m.modal.feed > 0;
+  }
   const bool probes = checked.motion > 380 && checked.motion < 390;
   if (probes) m.modal.motion_row = static_cast<std::int16_t>(m.def.row_of('G', checked.motion));  // 3: G38.n is a mode
   if (m.modal.feed_mode == FeedMode::inverse_time) {                                              // 4.2: F counts for its block
@@ -197,10 +147,11 @@ ArcRule Grbl::arc_rule(const Interpreter& m) const {
 }
 
 Status Grbl::arc(Interpreter& m, const kadr::Call&, Turn turn) {
-  if (!checked.arc) return {};
+  if (!checked.moves) return {};
   AxisMask named = 0;
   Axes end;
   KADR_TRY(m.target(end, named));
+  if (!checked.arc) return m.straight(MotionKind::feed, end, named);
   KADR_TRY(m.within_reach(end));
   arc_motion(m, *checked.arc, turn, end, named);
   return {};

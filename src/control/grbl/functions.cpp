@@ -35,9 +35,9 @@ Status machine_block(Interpreter& m, const Call&) { return m.block_machine_coord
 
 /// G10 L2, L20: a work system, by its zero in machine coordinates or by what the present point is to read.
 Status stored_offsets(Interpreter& m, const Call&) {
-  const auto number = static_cast<std::size_t>(m.value('P'));
+  const auto number = static_cast<std::size_t>(grbl::byte_of(m.value('P')));
   Axes& zero = to_write(m, m.tables.zeros[number == 0 ? m.modal.work_zero : number]);
-  const bool by_position = std::trunc(m.value('L')) == 20;
+  const bool by_position = grbl::byte_of(m.value('L')) == 20;
   each_length(
       m, [&](std::size_t a, double v) { zero[a] = by_position ? m.position.machine[a] - m.set_position[a] - m.frames.length[a] - v : v; });
   m.change_frames();

@@ -58,6 +58,7 @@ class Grbl final : public Dialect {
  private:
   Status jog(Interpreter& m);
   State before_;
+  double feed_at_end_ = -1;  // of a block with M2 or M30; -1: none
 };
 
 Grbl& grbl_of(const Interpreter& m);

@@ -2,8 +2,8 @@
 
 #include "lang/block/line_word_reader.h"
 
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/ascii.h"
 #include "lang/text/encoding.h"
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_block_number = 1e9;  // a larger one stays a word, which the control judges
+constexpr double most_block_number = 1e7;  // a larger one stays a word, which the control judges
 
 /// Characters that a sender's line never holds: the control takes them out of the stream as commands (spec/grbl 12).
 bool is_real_time(char c) { return c == '!' || c == '?' || c == '~' || is_high(c); }
@@ -19,7 +19,7 @@ bool is_real_time(char c) { return c == '!' || c == '?' || c == '~' || is_high(c
 }  // namespace
 
 Status LineWordReader::read() {
-  filter();
+  kept_ = filtered(cursor_.text, place_);
   cursor_.at = cursor_.text.size();
   if (grammar_.block_length != 0 && kept_.size() > grammar_.block_length)
     return fail(alarm(AlarmId::block_too_long, span(0, kept_.size()), double(kept_.size()), double(grammar_.block_length)));
@@ -32,21 +32,29 @@ Status LineWordReader::read() {
   return {};
 }
 
-/// protocol.c: blanks, control characters, `/` and comments are thrown away.
-void LineWordReader::filter() {
+std::string filtered(std::string_view line, std::vector<std::uint32_t>& place) {
+  std::string kept;
   bool in_comment = false;
-  for (std::size_t i = cursor_.at; i < cursor_.text.size(); ++i) {
-    const char c = cursor_.text[i];
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
     if (in_comment) {
       in_comment = c != ')';
       continue;
     }
-    if (c == ';') return;
+    if (c == ';') break;
     in_comment = c == '(';
-    if (in_comment || c == '/' || is_real_time(c) || static_cast<unsigned char>(c) <= ' ' || c == '\x7f') continue;
-    kept_ += to_upper(c);
-    place_.push_back(static_cast<std::uint32_t>(i));
+    if (in_comment || c == '/' || is_real_time(c) || static_cast<unsigned char>(c) <= ' ') continue;
+    kept += to_upper(c);
+    place.push_back(static_cast<std::uint32_t>(i));
   }
+  return kept;
+}
+
+std::size_t size_of_number(std::string_view text) {
+  std::size_t end = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+  bool point = false, digits = false;
+  for (; end < text.size() && (is_digit(text[end]) || (text[end] == '.' && !point)); ++end) (text[end] == '.' ? point : digits) = true;
+  return digits ? end : 0;
 }
 
 void LineWordReader::words(std::size_t from) {
@@ -62,12 +70,9 @@ bool LineWordReader::word(std::size_t& at) {
     block_.broken = alarm(AlarmId::unexpected_character, span(at, at + 1), std::string_view(kept_).substr(at, 1));
     return false;
   }
-  std::size_t end = ++at;
-  if (end < kept_.size() && (kept_[end] == '-' || kept_[end] == '+')) ++end;
-  bool point = false, digits = false;
-  for (; end < kept_.size() && (is_digit(kept_[end]) || (kept_[end] == '.' && !point)); ++end) (kept_[end] == '.' ? point : digits) = true;
-  if (!digits) {
-    block_.broken = alarm(AlarmId::number_missing, span(begin, end), letter);
+  const std::size_t size = size_of_number(std::string_view(kept_).substr(++at)), end = at + size;
+  if (size == 0) {
+    block_.broken = alarm(AlarmId::number_missing, span(begin, at), letter);
     return false;
   }
   const std::string_view number = std::string_view(kept_).substr(at, end - at);
@@ -88,17 +93,27 @@ bool LineWordReader::word(std::size_t& at) {
   return true;
 }
 
-static double value_of_digits(std::string_view number) {
-  double value = 0;
-  if (number[0] == '+') number.remove_prefix(1);
-  (void)std::from_chars(number.data(), number.data() + number.size(), value);
-  return value;
+double value_of_digits(std::string_view number) {
+  constexpr int most_digits = 8;
+  std::uint64_t digits = 0;
+  int count = 0, exponent = 0;
+  bool fraction = false;
+  for (const char c : number) {
+    if (c == '.') fraction = true;
+    if (!is_digit(c)) continue;
+    if (++count > most_digits) exponent += fraction ? 0 : 1;
+    else digits = 10 * digits + static_cast<std::uint64_t>(c - '0'), exponent -= fraction ? 1 : 0;
+  }
+  if (digits == 0) return 0;
+  const double scale = std::pow(10.0, std::abs(exponent)), value = static_cast<double>(digits);
+  const double sized = exponent < 0 ? value / scale : value * scale;
+  return number[0] == '-' ? -sized : sized;
 }
 
 /// The first N is the block's number, whole or not; one below 0 or too large for a number stays a word.
 bool LineWordReader::takes_number(std::string_view number) {
   const double value = value_of_digits(number);
-  if (block_.has_number || !(value >= 0 && value < most_block_number)) return false;
+  if (block_.has_number || block_.has('N') || !(value >= 0 && value <= most_block_number)) return false;
   block_.has_number = true;
   block_.number = static_cast<std::uint32_t>(value);
   block_.number_digits = static_cast<std::uint8_t>(std::min<std::size_t>(number.size(), 255));
@@ -113,7 +128,7 @@ void LineWordReader::add(char letter, std::string_view number, Span where) {
   w.address = w.written = letter;
   w.digits = static_cast<std::uint8_t>(std::min<std::size_t>(number.size(), 255));
   w.has_point = number.find('.') != std::string_view::npos;
-  if (grammar_.word(letter).code) code_of(w, number);
+  if (grammar_.word(letter).code) code_of(w);
   if (!block_.has(letter)) {
     block_.letters |= letter_bit(letter);
     block_.at[static_cast<std::size_t>(letter - 'A')] = static_cast<std::uint8_t>(block_.word_count);
@@ -121,11 +136,12 @@ void LineWordReader::add(char letter, std::string_view number, Span where) {
   ++block_.word_count;
 }
 
-/// Ten times the number; -1 where no code has so many digits, or a sign.
-void LineWordReader::code_of(Word& w, std::string_view number) const {
-  constexpr double most = 1e6;
-  const double tenths = w.value * 10, nearest = std::round(tenths);
-  if (number[0] != '-' && nearest < most && std::fabs(tenths - nearest) < 1e-6) w.code = static_cast<std::int32_t>(nearest);
+/// Ten times the number, rounded to hundredths (1.3: G17.004 is G17); -1 where no code has so many digits, or is below 0.
+void LineWordReader::code_of(Word& w) const {
+  constexpr double most = 1e5;
+  if (!(w.value >= 0 && w.value < most)) return;
+  const auto hundredths = static_cast<std::int32_t>(std::lround(100 * w.value));
+  if (hundredths % 10 == 0) w.code = hundredths / 10;
 }
 
 Span LineWordReader::span(std::size_t begin, std::size_t end) const {

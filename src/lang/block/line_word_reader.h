@@ -2,7 +2,9 @@
 // A line that is read by itself: filtered character by character, then words to its end (spec/grbl 1; protocol.c, gcode.c). Used by the
 // lexer only.
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -10,6 +12,16 @@
 #include "lang/expression/expression.h"
 
 namespace kadr {
+
+/// What passes the filter of protocol.c, in capitals: no blanks, control characters, `/`, comments, real-time characters.
+///   place  of each of those characters in the line
+std::string filtered(std::string_view line, std::vector<std::uint32_t>& place);
+
+/// How many characters at the beginning are a number of Grbl: a sign, digits, one point. 0: it has no digit.
+std::size_t size_of_number(std::string_view text);
+
+/// read_float of nuts_bolts.c: of the digits, leading zeros too, the first eight count; further ones before the point are zeros (1.3).
+double value_of_digits(std::string_view number);
 
 class LineWordReader {
  public:
@@ -21,12 +33,11 @@ class LineWordReader {
   Status read();
 
  private:
-  void filter();
   void words(std::size_t from);
   bool word(std::size_t& at);
   void add(char letter, std::string_view number, Span where);
   bool takes_number(std::string_view number);
-  void code_of(Word& w, std::string_view number) const;
+  void code_of(Word& w) const;
   Span span(std::size_t begin, std::size_t end) const;
 
   Cursor& cursor_;

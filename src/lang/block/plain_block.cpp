@@ -11,7 +11,6 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t exact_digits = 15;  // so many digits are a whole number exactly in a double
 constexpr double powers_of_ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
 
@@ -31,6 +30,10 @@ struct PlainBlocks::Digits {
 };
 
 PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
+  constexpr std::size_t exact_digits = 15, number_digits = 9;     // a whole number exactly in a double; in 32 bits
+  constexpr std::size_t lone_digits = 8, lone_number_digits = 7;  // all that count, and no number too large (spec/grbl 1.3)
+  most_digits_ = grammar.filtered_lines ? lone_digits : exact_digits;
+  most_number_digits_ = grammar.filtered_lines ? lone_number_digits : number_digits;
   for (const char c : {' ', '\t', '\r', '\0', '\x7f'}) kinds_[static_cast<unsigned char>(c)] = Kind::blank;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     const WordFormat& format = grammar.word(letter);
@@ -95,12 +98,12 @@ inline const char* PlainBlocks::digits_at(const char* at, const char* end, Digit
 }
 
 const char* PlainBlocks::block_number(const char* at, const char* end, Block& block) const {
-  constexpr std::size_t most_digits = 9;
   const char* const begin = block.text.data();
   const WordFormat& format = grammar_.word('N');
   Digits digits;
   const char* const behind = digits_at(at + 1, end, digits);
-  if (block.has_number || block.word_count != 0 || digits.has_point || digits.whole == 0 || digits.whole > most_digits) return nullptr;
+  if (block.has_number || block.word_count != 0 || digits.has_point || digits.whole == 0 || digits.whole > most_number_digits_)
+    return nullptr;
   if (format.whole_digits != 0 && (digits.whole > format.whole_digits || !format.drop_zeros || format.implied)) return nullptr;
   block.has_number = true;
   block.number = static_cast<std::uint32_t>(digits.mantissa);
@@ -119,7 +122,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
   if (sign != 0 && (format.code || !(format.sign || grammar_.macro))) return nullptr;
   Digits digits;
   at = digits_at(at, end, digits);
-  if (digits.count() == 0 || digits.count() > exact_digits || block.word_count == limits::block_words) return nullptr;
+  if (digits.count() == 0 || digits.count() > most_digits_ || block.word_count == limits::block_words) return nullptr;
   const std::uint64_t bit = letter_bit(letter);
   if ((block.letters & bit) == 0) {
     block.letters |= bit;

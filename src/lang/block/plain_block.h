@@ -34,6 +34,8 @@ class PlainBlocks {
   const Grammar& grammar_;
   std::array<Kind, 256> kinds_{};            // by character
   std::array<bool, most_addresses> easy_{};  // any digits will do
+  std::size_t most_digits_ = 0;              // of a value
+  std::size_t most_number_digits_ = 0;       // of a block number
 };
 
 }  // namespace kadr

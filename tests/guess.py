@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Which control `kadr check` takes programs for when none is named: what decides, what is weak, what the programs of a folder share.
+
+    guess.py --kadr build/kadr
+
+tests/guess_cases holds programs of languages that Kadr does not know. The programs of CASES and FOLDERS are written out here; each stands
+for a section of its control's spec. Exit status: 0 all passed, 1 some failed.
+"""
+import argparse
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+FACTORY = '''extends = "gost"
+id = "factory"
+name = { en = "Shop 7", ru = "Цех 7" }
+[guess]
+'M51' = 14
+'''
+
+# A program and what is said of it.
+CASES = [
+    ('N10 G54\nM97 P10\nM30\n', 'looks like haas (line 2: M97P'),
+    ('%\nO00030\nG154 P3\nG0 X0. Y0.\nM30\n%\n', 'looks like haas (line 3: G154P'),
+    ('G90\nG187 P1 E0.01\nG1 X5. F100.\n', 'looks like haas (line 2: G187'),
+    ('#1=5\nWH[#1GT0]DO1\n#1=#1-1\nEND1\nM30\n', 'looks like fanuc (line 2: WH['),
+    ('M29 S500\nG84 Z-8. R2. F500\n', 'looks like fanuc (line 1: M29S'),
+    ('G90 G1 XI-40 F100\n', 'looks like nct (line 1: XI-40'),
+    ('o100 while [#1 lt 5]\nG1 X#1\no100 endwhile\n', 'looks like linuxcnc (line 1: O100WHILE'),
+    ('#<noexist> = 1\no<gotofoo> call [1]\nM2\n', 'looks like linuxcnc (line 1: #<'),
+    ('(debug, here)\nG0 X1\n', 'looks like linuxcnc (line 1: (DEBUG,'),
+    ('$H\nG21 G90\nG1 X10 F500\n', 'looks like grbl (line 1: $H'),
+    ('G21\n$J=G91 X10 F100\n', 'looks like grbl (line 2: $J='),
+    ('% ПС\nN1 G0 X8000 ПС\nN2 M2 ПС\n', 'looks like s2c42 (line 1: ПС'),
+    ('% LF\nN001 G91 Z-50. L4 04 LF\nN002 M02 LF\n', 'looks like correctors (line 2: L4 0'),
+    ('%012 LF\n:1 G90 G00 X10. LF\nN2 M02 LF\n', 'perhaps gost: a weak guess, nothing decides'),
+    ('G0 X1.5\nG1 Z-2 F100\nM30\n', 'perhaps mach3: a weak guess, nothing decides'),
+    ('', 'perhaps mach3: a weak guess, nothing decides (the text tells little)'),
+    ('%\nO0001\nN10 G0 X1.\n#1=5\nWHILE [#1 GT 0] DO1\n#1=#1-1\nEND1\nM30\n%\n', 'perhaps fanuc: a weak guess'),
+]
+
+# Programs of a folder, some in folders below it; what is said of each.
+FOLDERS = [
+    ({'a.nc': 'G154 P3\nG0 X0.\n', 'b.nc': 'G0 X1.5\nG1 Z-2 F100\n', 'sub/c.nc': 'G0 X2.5\n'},
+     {'a.nc': 'looks like haas', 'b.nc': ': haas, as a.nc is (line 1: G154P', 'sub/c.nc': ': haas, as a.nc is'}),
+    ({'a.nc': 'G154 P3\nG0 X0.\n', 'b.nc': '$H\nG0 X1\n', 'c.nc': 'G0 X1.5\nG1 Z-2 F100\n'},
+     {'a.nc': 'looks like haas', 'b.nc': 'looks like grbl', 'c.nc': 'perhaps mach3: a weak guess'}),
+    ({'a.nc': '#1=5\nWHILE[#1 GT 0]DO1\n#1=#1-1\nEND1\nIF[#1 EQ 0] GOTO 5\nN5 M30\n', 'b.nc': 'G0 X1.\nG1 X2. F100.\nM30\n'},
+     {'a.nc': 'perhaps fanuc: a weak guess', 'b.nc': 'perhaps fanuc, like its folder as a whole: a weak guess'}),
+    ({'factory.toml': FACTORY, 'a.nc': '%\nN1 G01 X10. F100 M51\nN2 M02\n', 'b.nc': '%\nN1 G00 X5.\nN2 M02\n'},
+     {'a.nc': 'looks like factory.toml (line 2: M51', 'b.nc': ': factory.toml, as a.nc is (line 2: M51'}),
+]
+
+# A file of tests/guess_cases and what is said of it.
+UNKNOWN = {
+    'heidenhain.h.txt': 'Heidenhain, line 1: BEGINPGM', 'heidenhain-lines.txt': 'Heidenhain, line 1: LX+20',
+    'sinumerik.mpf.txt': 'Sinumerik, line 6: X=R1', 'sinumerik-jump.txt': 'Sinumerik, line 1: R1=',
+    'okuma.min.txt': 'Okuma, line 2: G15H1', 'okuma-call.txt': 'Okuma, line 2: MODIN', 'sheet.txt': 'few lines are blocks',
+}
+
+
+def said(kadr, folder, *names):
+    """{file: what is said of it}."""
+    done = subprocess.run([kadr, 'check', *names, '--lang', 'en', '--max-blocks', '100'], cwd=folder, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, timeout=20)
+    lines = [line.removeprefix('kadr: ').replace('./', '') for line in done.stderr.splitlines()]
+    return {line.split(': ')[0]: line for line in lines if line.endswith('--control')}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument('--kadr', required=True)
+    kadr = str(Path(parser.parse_args().kadr).resolve())
+    passed, failed = 0, 0
+
+    def judge(name, text, expected):
+        nonlocal passed, failed
+        if expected in (text or ''):
+            passed += 1
+        else:
+            failed += 1
+            print(f'FAIL {name}: {text!r}, expected {expected!r}')
+
+    with tempfile.TemporaryDirectory() as name:
+        for n, (program, expected) in enumerate(CASES):
+            folder = Path(name, f'case{n}')
+            folder.mkdir()
+            (folder / 'a.nc').write_text(program)
+            judge(f'case {n} {program!r}', said(kadr, folder, 'a.nc').get('a.nc'), expected)
+        for n, (files, expected) in enumerate(FOLDERS):
+            folder = Path(name, f'folder{n}')
+            for file, text in files.items():
+                (folder / file).parent.mkdir(parents=True, exist_ok=True)
+                (folder / file).write_text(text)
+            found = said(kadr, folder, '.')
+            for file, what in expected.items():
+                judge(f'folder {n} {file}', found.get(file), what)
+    for file, expected in UNKNOWN.items():
+        judge(file, said(kadr, HERE / 'guess_cases', file).get(file), f'no program of a control that Kadr knows ({expected}')
+    listed = set(UNKNOWN)
+    for file in sorted(path.name for path in (HERE / 'guess_cases').iterdir()):
+        if file not in listed:
+            judge(file, None, 'a row of UNKNOWN')
+    print(f'{passed} passed, {failed} failed')
+    return 1 if failed else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
