@@ -24,6 +24,7 @@ constexpr double device_number = 31;
 constexpr double most_program_number = 99'999'999;
 constexpr int short_numbers = 9'999;  // O and four digits
 constexpr std::string_view percent = "%\r\n";
+constexpr std::string_view card_file = "PRNT0000.DAT";
 
 constexpr FileMode modes[] = {
     {true, false, false},  // 1
@@ -121,6 +122,16 @@ Status OutputFile::open_device(double device, std::string_view program) {
   program_ = program;
   path_.clear();
   state_ = State::waits_for_name;
+  return {};
+}
+
+Status OutputFile::open_card(std::string_view program) {
+  constexpr int appended = 4;
+  KADR_TRY(ready(appended));
+  if (!has_room(percent)) return fail(alarm(AlarmId::file_write, {}, std::string_view(card_file)));
+  KADR_TRY(open({beside(program, std::string(card_file)), std::string(card_file), false}, appended, program));
+  if (const Status begun = write(percent); !begun) return abort(), begun;
+  state_ = State::device;
   return {};
 }
 
@@ -227,7 +238,7 @@ Status OutputFile::write(std::string_view bytes) {
 }
 
 Status OutputFile::close_device(double device) {
-  if (device != device_number) return fail(alarm(AlarmId::file_mode, {}, device));
+  if (device != device_number && device != no_device) return fail(alarm(AlarmId::file_mode, {}, device));
   if (state_ == State::waits_for_name) return fail(alarm(AlarmId::file_name, {}, std::string_view()));
   if (state_ != State::device) return fail(alarm(AlarmId::file_not_open, {}));
   KADR_TRY(write(percent));

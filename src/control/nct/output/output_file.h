@@ -20,6 +20,9 @@
 
 namespace kadr::nct {
 
+/// PCLOS without a number (spec/fanuc 5.9).
+inline constexpr double no_device = 0;
+
 enum class OutputWriting : std::uint8_t {
   files,
   nothing,  // dry: alarms as far as they can be known without writing; files that would exist by now count as existing
@@ -58,6 +61,9 @@ class OutputFile {
   ///   program  running program, from the root; gives folder and extension
   ///   alarms   file_mode (device), file_already_open (path)
   Status open_device(double device, std::string_view program);
+
+  /// POPEN without a number: PRNT0000.DAT in the program's folder goes on, `%` CR LF first (spec/fanuc 5.9). alarms as open_named
+  Status open_card(std::string_view program);
 
   /// FOPENn Pp: O and four digits, or eight if p is longer or only that file exists; folder and extension of `program` (14.4.2).
   ///   mode     1 new; 2 new or emptied; 3 appended; 4 new or appended; 5 emptied
