@@ -15,7 +15,7 @@
   X(mark_letter) X(call_digits) X(expression_syntax) X(bracket_not_closed) X(nesting_too_deep) X(operator_unknown)         \
   X(function_unknown) X(parameter_not_allowed)                     \
   /* meaning: codes and words */                                                             \
-  X(code_unknown) X(group_conflict) X(word_unused) X(word_without_effect) X(word_missing) X(word_not_integer) \
+  X(code_unknown) X(group_conflict) X(word_unused) X(word_passed_over) X(word_without_effect) X(word_missing) X(word_not_integer) \
   X(value_out_of_range) X(no_axis_word) X(own_block) X(not_together)                         \
   X(variable_unknown) X(variable_not_set)                              \
   X(division_by_zero) X(not_a_number)                                                        \
@@ -48,7 +48,9 @@
   /* files of the program memory (nct 14.4, 23.2.13) */                                      \
   X(program_missing) X(file_missing) X(program_file_exists) X(file_exists) X(file_name)      \
   X(file_outside) X(file_not_open) X(file_already_open) X(file_write) X(file_mode)           \
-  X(print_format)                                                                            \
+  X(print_format) X(programs_alike)                                                          \
+  /* what a control passes over in silence (spec/fanuc 1.1, 3.2, 6.5, 6.6) */                \
+  X(text_passed_over) X(engraving_font) X(center_passed_over) X(arc_is_line) X(machine_move_incremental) X(reference_without_axes) \
   /* parameters (nct 24) */                                                                  \
   X(parameter_unknown) X(parameter_not_writable) X(parameter_argument) X(data_block)         \
   /* spindles, tools, M codes (nct 11 to 13) */                                              \

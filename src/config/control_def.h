@@ -126,6 +126,8 @@ struct CycleRow {
   X(offset_x) X(offset_y) X(offset_x_wear) X(offset_y_wear)                                                 \
   X(zero_common) X(zero) X(rotation) X(zero_extended) X(rotation_extended)                                  \
   X(zero_dynamic_number) X(zero_dynamic_value) X(zero_dynamic)                                              \
+  /* spec/fanuc 5.1, spec/haas 2.4 */                                                                         \
+  X(common_further) X(common_again) X(timer) X(tool_in_spindle) X(spindle_speed)                            \
   X(tool_magazine) X(tool_data) X(pallet_place) X(pallet_data) X(probe_position_5d)
 // clang-format on
 enum class VariableKind : std::uint8_t {
@@ -147,7 +149,7 @@ struct VariableRange {
 };
 
 inline bool is_clock(VariableKind kind) {
-  return kind == VariableKind::clock || kind == VariableKind::cutting_clock || kind == VariableKind::time;
+  return kind == VariableKind::clock || kind == VariableKind::cutting_clock || kind == VariableKind::time || kind == VariableKind::timer;
 }
 struct VariableRow {
   VariableKind kind = VariableKind::free;
@@ -243,6 +245,12 @@ struct Behaviour {
   bool offset_numbers_checked = false;       // H, D beyond the memory are an alarm of their own (spec/fanuc 7.1)
   bool minus_named = false;                  // a minus where none may stand is an alarm of its own (spec/fanuc 1.3: PS0006)
   bool repeats_keep_locals = false;          // G65 L: the arguments are set for the first pass only (spec/haas 3.4)
+  bool words_passed_over = false;            // a word that nothing in the block takes is warned of, no alarm (spec/fanuc 1.2)
+  bool own_programs_first = false;           // a program of the same file before one of another; more than one is named (spec/fanuc 9.2)
+  bool feed_counts_increments = false;       // F without a point counts as a length does, unless a setting says otherwise (spec/haas 1.2)
+  bool common_is_local_shift = false;        // #5201 and G10 L2 P0 are G52, not the common zero (spec/haas 2.4, 5.4)
+  bool drills_third = false;                 // cycles drill along Z in any plane, unless a parameter says otherwise (spec/fanuc 10.1)
+  bool numbers_by_five = false;              // files of programs have five digits (spec/haas 1.1)
   std::uint32_t alarm_base = 4000;           // #3000=n is alarm base + n (5.5)
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number

@@ -79,6 +79,12 @@ Done ControlLoader::behaviour() {
   flag("offset_numbers_checked", b.offset_numbers_checked);
   flag("minus_named", b.minus_named);
   flag("repeats_keep_locals", b.repeats_keep_locals);
+  flag("words_passed_over", b.words_passed_over);
+  flag("own_programs_first", b.own_programs_first);
+  flag("feed_counts_increments", b.feed_counts_increments);
+  flag("common_is_local_shift", b.common_is_local_shift);
+  flag("drills_third", b.drills_third);
+  flag("numbers_by_five", b.numbers_by_five);
   count("alarm_base", b.alarm_base, 9000);
   count("call_depth", b.call_depth, 255);
   count("offsets", b.offsets, 9999);

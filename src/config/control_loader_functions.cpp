@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "config/control_loader.h"
+#include "config/drill_steps.h"
 
 namespace kadr {
 
@@ -54,6 +55,8 @@ constexpr ArgRow args[] = {
     {Function::drilling, 730, 730},
     {Function::drilling, 740, 740},
     {Function::drilling, 760, 760},
+    {Function::drilling, bored_by_hand, bored_by_hand},
+    {Function::drilling, only_back, only_back},
     {Function::spindle_code, 3, 5},
     {Function::spindle_code, 19, 19},
     {Function::gear_range, 1, 8},

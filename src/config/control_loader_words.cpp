@@ -43,6 +43,11 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"semicolon_ends", &Grammar::semicolon_ends},
     {"colon_is_label", &Grammar::colon_is_label},
     {"condition_alone", &Grammar::condition_alone},
+    {"condition_words", &Grammar::condition_words},
+    {"assignment_and_words", &Grammar::assignment_and_words},
+    {"percent_frames", &Grammar::percent_frames},
+    {"ports_without_number", &Grammar::ports_without_number},
+    {"programs_by_label", &Grammar::programs_by_label},
     {"rounds_in_address", &Grammar::rounds_in_address},
 };
 
@@ -175,10 +180,10 @@ Done ControlLoader::grammar() {
       return Failed(say("{}: format: {}", name_, told_format(applied.error())));
   const toml::table* const t = section("grammar");
   if (t == nullptr) return {};
-  std::set<std::string_view> known = {"percent_digits",  "comment_forbidden", "block_length",    "formal_parameter",
-                                      "parameters_in",   "most_codes",        "long_parameters", "variables",
-                                      "label",           "section",           "end_of_block",    "named_variables",
-                                      "least_increments"};
+  std::set<std::string_view> known = {
+      "percent_digits",   "comment_forbidden", "block_length", "formal_parameter", "parameters_in", "most_codes",
+      "long_parameters",  "variables",         "label",        "section",          "end_of_block",  "named_variables",
+      "least_increments", "given_names"};
   for (const auto& [key, to] : grammar_flags) {
     known.insert(key);
     g.*to = typed(*t, key, g.*to);
@@ -186,6 +191,7 @@ Done ControlLoader::grammar() {
   for (const auto& [key, node] : *t)
     if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()});
   if (typed(*t, "named_variables", false)) g.named_variables = std::make_shared<VariableNames>();
+  if (typed(*t, "given_names", false)) g.given_names = std::make_shared<VariableNames>();
   g.percent_digits = static_cast<std::uint8_t>(whole(*t, "percent_digits", g.percent_digits, 9));
   g.comment_forbidden = text(*t, "comment_forbidden");
   g.least_increments = text(*t, "least_increments");

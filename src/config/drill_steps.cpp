@@ -25,6 +25,8 @@ constexpr DrillCycle drill_cycles[] = {
     {850, {approach, stop, cut, back, clear}},                                                                            // 18.1.11
     {860, {approach, stop, cut, halt, retract, cw}},                                                                      // 18.1.12
     {870, {approach, stop, cut, halt, manual, retract, cw}},                                                              // 18.1.13 A
+    {bored_by_hand, {approach, stop, cut, halt, manual, retract, cw}},                                                    // spec/haas 8.6
+    {only_back, {orient, shift_out, approach, stop, shift_back, cw, cut, orient, shift_out, initial, shift_back, cw}},    // spec/haas 8.6
     {back_boring, {orient, shift_out, approach, stop, shift_back, cw, cut, orient, shift_out, initial, shift_back, cw}},  // 18.1.13 B
     {880, {approach, stop, cut, pause, halt, manual, retract, cw}},                                                       // 18.1.14
     {890, {approach, stop, cut, pause, back, clear}},                                                                     // 18.1.15

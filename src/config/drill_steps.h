@@ -38,7 +38,9 @@ struct DrillCycle {
   std::array<DrillStep, 14> steps;
 };
 
-constexpr std::int32_t back_boring = 1870;  // G87 of case B (18.1.13)
+constexpr std::int32_t back_boring = 1870;   // G87 of case B (18.1.13)
+constexpr std::int32_t bored_by_hand = 871;  // a G87 that has no case B (spec/haas 8.6)
+constexpr std::int32_t only_back = 877;      // G77: case B alone (spec/haas 8.6)
 
 /// The cycle of a code, ten times its number; nullptr, if it is none.
 const DrillCycle* drill_cycle(std::int32_t code);

@@ -252,6 +252,9 @@ namespace kadr {
   X(mirror_axes_off,      transform,     own,  code, nct,        usual, leaves_mode) \
   X(circular_bore,        motion,        own,  code, nct,        usual, nothing) \
   X(hole_pattern,         motion,        own,  code, nct,        usual, nothing) \
+  X(single_direction,     motion,        own,  code, nct,        usual, leaves_mode | breaks_contour) \
+  X(engraved_text,        motion,        own,  code, nct,        usual, nothing) \
+  X(jump_by_input,        flow,          none, code, nct,        usual, nothing) \
   /* each line by itself (spec/grbl) */ \
   X(machine_block,        none,          none, code, lines,      usual, nothing) \
   X(stored_offsets,       data,          own,  code, lines,      usual, nothing) \

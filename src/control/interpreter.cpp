@@ -333,6 +333,8 @@ Status Interpreter::words() {
     KADR_TRY(take_words());
   }
   KADR_TRY(plan());
+  if (plan_now_->passed_over != 0) [[unlikely]]
+    tell_passed_over(plan_now_->passed_over);
   const BlockChanges changes = each_block ? BlockChanges::anything
                                : dialect  ? dialect->changes_of(*this, *plan_now_)
                                           : changes_of_block(*plan_now_);

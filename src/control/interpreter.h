@@ -293,6 +293,8 @@ class Interpreter : public ControlState, public RunMemory {
   Status plan();
   Status check_place() const;
   Status structure();
+  Status next_program();
+  void tell_passed_over(std::uint64_t letters_passed);
   void note_section();
   Span label_place() const;
   Status end_of_file();

@@ -19,6 +19,11 @@ struct Reading {
       note_read(m, number);
     return m.dialect ? m.dialect->read_variable(m, number, where) : m.variables.variable(number, where);
   }
+  /// 0.0001 in or 0.001 mm (spec/haas 2.2).
+  double increments() const {
+    const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
+    return inch ? 10'000 : 1000;
+  }
   Result<double> parameter(int index, Span where) const {
     if (m.use.watches()) note_read_parameter(m, index);
     return m.variables.parameter(index, where);

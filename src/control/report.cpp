@@ -170,4 +170,11 @@ Ending Interpreter::ending() {
   return e;
 }
 
+/// Words that nothing in the block takes: the control says nothing of them (spec/fanuc 1.2).
+void Interpreter::tell_passed_over(std::uint64_t letters_passed) {
+  for (std::uint32_t i = 0; i < block->word_count; ++i)
+    if (const Word& w = block->words[i]; w.address != 0 && (letters_passed & letter_bit(w.address)) != 0)
+      warn(warning(AlarmId::word_passed_over, w.where, block->text_of(w.where)));
+}
+
 }  // namespace kadr

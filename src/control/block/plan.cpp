@@ -19,7 +19,7 @@ class Planner {
 
   Status run(std::int16_t motion_row) {
     plan_.count = 0;
-    plan_.taken = 0;
+    plan_.taken = plan_.passed_over = 0;
     if (def_.grammar.macro && macro_call()) return {};
     for (std::uint32_t i = 0; i < block_.word_count; ++i) {
       const Word& word = block_.words[i];
@@ -198,9 +198,11 @@ class Planner {
     return &block_.words[0];
   }
 
-  Status words_used() const {
+  Status words_used() {
     const std::uint64_t loose = block_.letters & ~letters_.codes & ~letters_.acting & ~plan_.taken;
-    if (loose != 0) {
+    if (def_.behaviour.words_passed_over) {
+      plan_.passed_over = loose;
+    } else if (loose != 0) {
       const Word& word = *first_of(loose);
       const bool no_axis = def_.address(word.address).function == Function::argument_only;  // nct 5.1: W without an axis Z
       return fail(alarm(no_axis ? AlarmId::illegal_address : AlarmId::word_unused, word.where, word.address));

@@ -25,11 +25,12 @@ inline constexpr std::int16_t any_motion = -2;  // for blocks that are only look
 struct Plan {
   std::array<PlanItem, limits::block_words + 2> items;
   std::uint32_t count = 0;
-  std::uint64_t taken = 0;       // letters some code uses
-  bool axes_taken = false;       // by a code that is no motion in force (G28, G92, …)
-  bool moves_only = false;       // no code, no F, S, T …, no assignment: axis words alone
-  bool moves_and_feeds = false;  // nothing but G0 to G3 and F
-  bool calls_only = false;       // nothing but calls and returns
+  std::uint64_t taken = 0;        // letters some code uses
+  std::uint64_t passed_over = 0;  // letters that nothing takes, where the control says nothing of them
+  bool axes_taken = false;        // by a code that is no motion in force (G28, G92, …)
+  bool moves_only = false;        // no code, no F, S, T …, no assignment: axis words alone
+  bool moves_and_feeds = false;   // nothing but G0 to G3 and F
+  bool calls_only = false;        // nothing but calls and returns
 };
 
 /// Letters by what they are, made once from the control's table.

@@ -37,6 +37,8 @@ Status Interpreter::structure() {
     case Marker::label:
       if (def.behaviour.label_is_number && flow.blocks() != start_block + 1)  // spec/gost 1: `%`, then `O0001`
         return fail(alarm(AlarmId::program_number_place, label_place(), double(block->label)));
+      if (def.grammar.programs_by_label) KADR_TRY(next_program());
+      if (flow.ended()) return {};
       if (dialect) dialect->note_line(*this);
       flow.set_started(true);
       if (flow.depth() == 0) flow.pass_label(block->label);
@@ -51,6 +53,20 @@ Status Interpreter::structure() {
   flow.set_started(true);
   if (!def.grammar.program_start_required) return {};
   return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
+}
+
+/// O… of a file that holds several programs: the one being carried out ends there (spec/fanuc 1.1).
+Status Interpreter::next_program() {
+  const CallFrame* const top = flow.innermost();
+  if (top == nullptr) {
+    if (block->position.offset > flow.program_file().first_block().offset) {
+      warn(warning(AlarmId::end_missing, block->where));
+      flow.end();
+    }
+    return {};
+  }
+  const bool own = block->label == top->name || block->position.offset == top->start.offset || top->start.offset == 0;
+  return own ? Status() : fail(alarm(AlarmId::subprogram_end_missing, block->where, double(top->name)));
 }
 
 /// The first block of a subprogram of the program: one whose number is a cycle's cannot be called (2С42 6.7.1).

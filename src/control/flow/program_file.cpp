@@ -91,27 +91,87 @@ BlockReader& ProgramFile::scanner() {
 }
 
 std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position from) {
-  if (index_) return index_->find(number, from);
+  if (index_) return in_index(number, from, extent_of(from));
   const std::pair key{from.offset << 16 | from.nth, number};  // a line has at most 64 K blocks
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
-  const auto found = search(number, from);
+  const Extent in = extent_of(from);
+  const auto found = search(number, from, in);
   if (found && !index_ && numbers_.size() < most_loops) numbers_.emplace(key, *found);
   return found;
 }
 
 /// By reading on; once that has cost enough, by the index.
-std::optional<Position> ProgramFile::search(std::uint32_t number, Position from) {
-  auto found = scan(number, from, {~std::uint64_t{0}, 0, 0});
-  if (!found) found = scan(number, {}, from);
+std::optional<Position> ProgramFile::search(std::uint32_t number, Position from, const Extent& in) {
+  auto found = scan(number, from, in.end);
+  if (!found) found = scan(number, in.begin, from);
   if (found || !index_possible_ || searched_ < most_searched || stop_.asked()) return found;
   index_.emplace();
   index_possible_ = index_->make(scanner(), stop_);
   if (index_possible_) {
     numbers_.clear();
-    return index_->find(number, from);
+    return in_index(number, from, in);
   }
   index_.reset();
-  return search(number, from);
+  return search(number, from, in);
+}
+
+std::optional<Position> ProgramFile::in_index(std::uint32_t number, Position from, const Extent& in) const {
+  const auto inside = [&](const std::optional<Position>& place) {
+    return place && place->offset >= in.begin.offset && (place->offset < in.end.offset);
+  };
+  if (const auto found = index_->find(number, from); inside(found)) return found;
+  if (const auto found = index_->find(number, in.begin); inside(found)) return found;
+  return std::nullopt;
+}
+
+/// Of the program that the block before `place` belongs to; the whole file, where its programs are not told apart.
+ProgramFile::Extent ProgramFile::extent_of(Position place) {
+  Extent extent{{}, {~std::uint64_t{0}, 0, 0}};
+  if (!grammar_.programs_by_label) return extent;
+  if (!programs_) find_programs();
+  const auto before = [](const NumberedProgram& program, const Position& at) {
+    return std::tie(program.begin.offset, program.begin.nth) < std::tie(at.offset, at.nth);
+  };
+  auto next = std::lower_bound(programs_->begin(), programs_->end(), place, before);
+  const bool at_first = next == programs_->begin() && next != programs_->end() && next->begin == place;
+  if (at_first && first_block().offset == place.offset) ++next;  // nothing stands before it
+  if (next != programs_->end()) extent.end = next->begin;
+  if (next != programs_->begin()) extent.begin = std::prev(next)->begin;
+  return extent;
+}
+
+Position ProgramFile::first_block() {
+  if (first_block_) return *first_block_;
+  BlockReader& reader = scanner();
+  reader.seek({});
+  auto block = std::make_unique<Block>();
+  for (;;) {
+    const auto got = reader.next(*block);
+    const bool content = !got || block->marker == Marker::label || !block->empty();
+    if (stop_.asked() || (got && *got == BlockReader::Got::end) || (content && block->marker != Marker::program_start)) break;
+  }
+  first_block_ = block->position;
+  return *first_block_;
+}
+
+std::vector<Position> ProgramFile::programs_numbered(std::uint32_t number) {
+  if (!programs_) find_programs();
+  std::vector<Position> places;
+  for (const NumberedProgram& program : *programs_)
+    if (program.number == number) places.push_back(program.begin);
+  return places;
+}
+
+void ProgramFile::find_programs() {
+  programs_.emplace();
+  BlockReader& reader = scanner();
+  reader.seek({});
+  auto block = std::make_unique<Block>();
+  for (;;) {
+    const auto got = reader.next(*block);
+    if ((got && *got == BlockReader::Got::end) || programs_->size() >= most_loops || stop_.asked()) return;
+    if (block->marker == Marker::label) programs_->push_back({block->position, block->label});
+  }
 }
 
 std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, Position to) {

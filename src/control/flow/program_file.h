@@ -73,6 +73,10 @@ class ProgramFile {
   /// First block numbered `number` from `from` to the end, then from the beginning (nct 14.1, INFERRED order). Reads on for the
   /// first few thousand blocks; after that the file is read once for all its numbers.
   std::optional<Position> find_number(std::uint32_t number, Position from);
+  /// Where O… of that number begins a program of the file (Grammar::programs_by_label).
+  std::vector<Position> programs_numbered(std::uint32_t number);
+  /// The first block with anything but a comment or the sign %.
+  Position first_block();
   /// The loop whose DO, or END, stands at `position`.
   const Loop* loop_from(Position position);
   const Loop* loop_to(Position position);
@@ -95,7 +99,14 @@ class ProgramFile {
   static constexpr std::size_t most_loops = 100'000;
   static constexpr std::size_t most_searched = 4096;  // blocks: a short file, or a jump to a near block, needs no index
   BlockReader& scanner();
-  std::optional<Position> search(std::uint32_t number, Position from);
+  /// From a program's beginning to that of the next one.
+  struct Extent {
+    Position begin, end;
+  };
+  Extent extent_of(Position place);
+  void find_programs();
+  std::optional<Position> in_index(std::uint32_t number, Position from, const Extent& in) const;
+  std::optional<Position> search(std::uint32_t number, Position from, const Extent& in);
   std::optional<Position> scan(std::uint32_t number, Position from, Position to);
   void find_loops();
   static std::pair<std::uint64_t, std::uint32_t> place_of(Position at) { return {at.offset, at.nth}; }
@@ -119,7 +130,13 @@ class ProgramFile {
   bool loops_found_ = false;
   const Loop* last_loop_ = nullptr;  // whose END was met last
   std::size_t searched_ = 0;         // blocks read for numbers
+  std::optional<Position> first_block_;
   std::optional<BlockNumbers> index_;
+  struct NumberedProgram {
+    Position begin;
+    std::uint32_t number = 0;
+  };
+  std::optional<std::vector<NumberedProgram>> programs_;  // where those of the file begin (Grammar::programs_by_label)
   bool index_possible_ = true;
   StopToken stop_;
   static constexpr std::uint32_t marked_line = 256;  // every so many lines one of them

@@ -73,7 +73,10 @@ void count_increments(Interpreter& m) {
     if (w.has_point || w.bare || w.code >= 0 || w.expression) continue;
     if (format.counted == 0 && w.written != 'F') continue;
     const bool length = w.written == 'F' || (w.written < 'A' || w.written > 'C');
-    const int decimals = (w.written == 'F' ? (turns ? 2 : 0) : int{format.counted}) + (inch && length ? (w.written == 'F' ? 2 : 1) : 0);
+    const bool as_length = w.written != 'F' || (m.def.behaviour.feed_counts_increments && !nct_of(m).settings.feed_whole);
+    const int least = as_length ? 3 : (m.def.behaviour.feed_counts_increments || !turns) ? 0 : 2;
+    const int finer = !inch || !length ? 0 : as_length ? 1 : m.def.behaviour.feed_counts_increments ? 0 : 2;
+    const int decimals = least + finer;
     if (decimals == w.counted) continue;
     w.value *= std::pow(10.0, int{w.counted} - decimals);
     w.counted = static_cast<std::uint8_t>(decimals);

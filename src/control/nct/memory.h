@@ -183,8 +183,9 @@ struct Memory {
   double tool_magazine = 10;              // #8400
   Axes probe_position{}, probe_length{};  // work coordinates; tool length then, as vector on the main axes
   Axes probe_machine{};
-  Measurement measurement;  // of the probe motion under way
-  std::string clock;        // "2014-05-18T15:32:41"
+  Measurement measurement;                  // of the probe motion under way
+  std::string clock;                        // "2014-05-18T15:32:41"
+  std::map<double, double> variable_names;  // of SETVN: number of the name, number of the variable (spec/fanuc 5.1)
   // for the state file
   Changes changes;
   bool tables_changed = false;

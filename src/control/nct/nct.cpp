@@ -106,7 +106,8 @@ void reset_codes(Interpreter& m, bool keep) {
 
 void reset_shifts(Interpreter& m) {
   reset_five_axis(m);
-  m.modal.new_system = m.modal.local = {};
+  m.modal.new_system = {};
+  if (!nct_of(m).settings.shift_is_global) m.modal.local = {};  // spec/haas 5.3: setting 33
   m.modal.surface = PathSurface::plane;
   m.modal.smoothing = 0;
   m.modal.diameter = 0;
@@ -242,6 +243,16 @@ void take_length_in_force(Interpreter& m) {
 
 }  // namespace
 
+/// Settings 45 to 48 (spec/haas 6.1): about the work zero, from the start.
+void Nct::mirror_by_settings(Interpreter& m) const {
+  if (settings.mirrored == 0) return;
+  const Axes at = m.transform.to_work(m.position.programmed);
+  for (std::size_t a = 0; a < m.axis_count && a < 4; ++a)
+    if ((settings.mirrored >> a & 1U) != 0) m.transform.mirror[a] = -1;
+  m.transform.refresh();
+  m.position.programmed = m.transform.to_programmed(at);
+}
+
 void Nct::take_setup(Interpreter& m, const Setup& setup) {
   for (const auto& [name, value] : setup.variables) {
     if (name.size() < 2 || name[0] != '#') continue;
@@ -262,6 +273,7 @@ void Nct::take_setup(Interpreter& m, const Setup& setup) {
   if (m.start_fault.empty()) m.start_fault = coupling_fault(m, setup.events);
   find_spindle_axes(m, setup);
   watch_tool_time(m);
+  mirror_by_settings(m);
 }
 
 /// M5, M9 at the end of the program (13.1, "usually"): the codes of the table's `end`; all spindles of the channel stand.

@@ -149,6 +149,7 @@ class Nct : public Dialect, public MachineSide, public Memory {
     std::size_t levels = 1, repeated_arguments = 0;
   };
   void take_reference_points(Interpreter& m);
+  void mirror_by_settings(Interpreter& m) const;
 
   Before before_;
   std::array<Axes, 5> setup_reference_{};  // reference points that the set-up states by themselves

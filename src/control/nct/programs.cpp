@@ -159,6 +159,7 @@ std::uint32_t number_of_file(const std::string& path) {
 }
 
 Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, Span where) {
+  if (m.def.behaviour.own_programs_first) return by_steps(m, number, where);
   const std::pair key{std::uint32_t{m.flow.reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
   const fs::path caller(m.flow.file());
@@ -196,13 +197,29 @@ Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, S
   return place;
 }
 
+Result<ProgramPlace> Programs::opened(Interpreter& m, const std::string& path, Span where) {
+  const std::string name = fs::path(path).filename().string();
+  if (!is_inside(m, path)) return fail(alarm(AlarmId::file_outside, where, std::string_view(name)));
+  const auto reader = m.flow.open_program(path);
+  if (!reader) return fail(alarm(AlarmId::file_missing, where, std::string_view(name)));
+  return ProgramPlace{*reader, {}};
+}
+
 Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Span where) {
   if (name.empty() || characters(name) > most_name || name.find('/') != std::string_view::npos)
     return fail(alarm(AlarmId::file_name, where, name));
   const fs::path folder = fs::path(m.flow.file()).parent_path();
   const fs::path relative = path_of(name);
   const fs::path whole = (folder / relative).lexically_normal();
-  const auto file = in_folder(whole.parent_path(), whole.filename().string());
+  auto file = in_folder(whole.parent_path(), whole.filename().string());
+  if (!file && m.def.behaviour.own_programs_first) {  // spec/fanuc 9.2
+    file = in_folder(whole.parent_path(), whole.filename().string() + fs::path(m.flow.file()).extension().string());
+    if (!file) {
+      const auto headed = by_heading(m, name, where);
+      if (!headed) return fail(headed.error());
+      if (*headed) return **headed;
+    }
+  }
   if (file && !is_inside(m, *file)) return fail(alarm(AlarmId::file_outside, where, name));
   const auto reader = file ? m.flow.open_program(file->string()) : std::nullopt;
   if (!reader) return fail(alarm(AlarmId::file_missing, where, name));

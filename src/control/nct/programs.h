@@ -38,6 +38,14 @@ class Programs {
   Result<ProgramPlace> system(Interpreter& m, std::uint32_t number, Span where);
 
  private:
+  /// The steps of spec/fanuc 9.2 (program_search.cpp). alarms program_missing, programs_alike, file_outside, file_missing
+  Result<ProgramPlace> by_steps(Interpreter& m, std::uint32_t number, Span where);
+  static Result<std::optional<ProgramPlace>> in_own_file(Interpreter& m, std::uint32_t number, Span where);
+  /// A file whose program begins with <name>.
+  static Result<std::optional<ProgramPlace>> by_heading(Interpreter& m, std::string_view name, Span where);
+  /// A file of the program memory. alarms file_outside, file_missing
+  static Result<ProgramPlace> opened(Interpreter& m, const std::string& path, Span where);
+
   std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramPlace> numbers_;  // {reader of the caller, number}
   std::map<std::uint32_t, ProgramPlace> systems_;
 };

@@ -28,7 +28,7 @@ std::vector<std::uint16_t> MacroVariables::take_changed() {
 }
 
 MacroVariables::Memory MacroVariables::memory() const {
-  Memory now{{}, levels_};
+  Memory now{{}, levels_, further_};
   now.commons.reserve(commons_.size());
   for (const double* const common : commons_) now.commons.push_back(*common);
   return now;
@@ -37,6 +37,7 @@ MacroVariables::Memory MacroVariables::memory() const {
 void MacroVariables::remember(const Memory& memory) {
   for (std::size_t i = 0; i < commons_.size(); ++i) set_common(first_common + static_cast<int>(i), memory.commons[i]);
   levels_ = memory.levels;
+  further_ = memory.further;
 }
 
 void MacroVariables::power_off() {

@@ -3,7 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "control/state/journal.h"
@@ -48,6 +51,19 @@ class MacroVariables {
       changed_.push_back(static_cast<std::uint16_t>(n));
     }
   }
+  /// Common variables beyond #999, by number (spec/fanuc 5.1: #900000; spec/haas 2.4: #10000).
+  double further(std::uint32_t n) const {
+    const auto found = further_.find(n);
+    return found == further_.end() ? vacant : found->second;
+  }
+  void set_further(std::uint32_t n, double value) {
+    further_[n] = value;
+    further_changed_.insert(n);
+  }
+  /// Those written since the last call.
+  std::set<std::uint32_t> take_changed_further() { return std::exchange(further_changed_, {}); }
+  const std::map<std::uint32_t, double>& all_further() const { return further_; }
+
   /// #n is about to be written by a block that an alarm may take back.
   void keep_common(Journal& journal, int n) { journal.keep(*commons_[static_cast<std::size_t>(n - first_common)]); }
   Locals& locals() { return levels_.back(); }
@@ -66,6 +82,7 @@ class MacroVariables {
   struct Memory {
     std::vector<double> commons;  // from first_common on
     std::vector<Locals> levels;
+    std::map<std::uint32_t, double> further;
   };
   Memory memory() const;
   void remember(const Memory& memory);
@@ -80,6 +97,8 @@ class MacroVariables {
   std::unique_ptr<Commons> own_;
   std::array<double*, last_common - first_common + 1> commons_{};
   std::vector<Locals> levels_;
+  std::map<std::uint32_t, double> further_;
+  std::set<std::uint32_t> further_changed_;
   std::vector<std::uint16_t> changed_;
   std::array<bool, last_common - first_kept + 1> is_changed_{};
 };

@@ -93,6 +93,7 @@ struct Statement {
   std::uint8_t loop = 0;             // m of DOm, ENDm
   std::uint8_t condition_count = 0;  // of IF or WHILE: all must be true
   bool with_if = false;
+  bool words_follow = false;  // of an assignment behind IF: words of the block (spec/haas 2.3)
   std::array<Expression, limits::conditions> conditions{};
   Expression target;   // assign: number of the variable
   Expression value;    // assign, go_to: N…; ports and files: n

@@ -26,7 +26,10 @@ BlockReader::BlockReader(std::shared_ptr<ByteSource> source, const Grammar& gram
     memory_.encoding = detect_encoding(lines_.sample());
     memory_.guessed = memory_.encoding.has_value();
   }
-  if (!memory_.encoding || !is_tape(*memory_.encoding)) return;
+  if (!memory_.encoding || !is_tape(*memory_.encoding)) {
+    if (grammar_.percent_frames) frame_ = frame_of(lines_.sample(), grammar_);
+    return;
+  }
   if (memory_.encoding == Encoding::eia) lines_.end_lines_with(static_cast<char>(eia_end_of_block));
   if (const auto look = look_at_tape(lines_.sample()); look) lie_ = look->lie;
 }
@@ -65,6 +68,12 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
         position_ = {lines_.offset(), line_.number + 1, 0};
         return Got::end;
       }
+      if (line_.offset < frame_.begin) continue;
+      if (is_sign_of_end()) {
+        lines_.seek(line_.offset, line_.number);
+        position_ = {line_.offset, line_.number, 0};
+        return Got::end;
+      }
       here = {line_.offset, line_.number, here.offset == line_.offset ? here.nth : 0};
       KADR_TRY(begin_line(block, here.nth));
     }
@@ -76,8 +85,15 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
     position_ = in_line_ ? Position{line_.offset, line_.number, here.nth + 1} : Position{lines_.offset(), line_.number + 1, 0};
     if (was_first && line_.too_long) return fail(alarm(AlarmId::line_too_long, {0, 1}, double{limits::line_bytes}));
     if (!status) return fail(status.error());
+    if (frame_.begin != 0 && line_.offset == frame_.begin) block.warnings.push_back(warning(AlarmId::text_passed_over, block.where));
     if (!block.empty() || block.has_number || !block.comments.empty() || !block.warnings.empty()) return Got::block;
   }
+}
+
+/// A % behind the one that begins the program (spec/fanuc 1.1).
+bool BlockReader::is_sign_of_end() const {
+  return grammar_.percent_frames && line_.offset != frame_.sign && has_sign(line_.bytes) &&
+         !(memory_.encoding && is_tape(*memory_.encoding));
 }
 
 /// A tape put in wrongly holds no blocks: one alarm, then its end.

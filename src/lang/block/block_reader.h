@@ -7,6 +7,7 @@
 
 #include "lang/block/block.h"
 #include "lang/block/plain_block.h"
+#include "lang/block/program_frame.h"
 #include "lang/text/line_reader.h"
 #include "lang/text/tape_side.h"
 
@@ -51,6 +52,7 @@ class BlockReader {
   Status begin_line(Block& block, std::uint32_t nth);
   Status lex_line(Block& block);
   Status decode_line();
+  bool is_sign_of_end() const;
   Status join_comment(Block& block, std::size_t open);
 
   LineReader lines_;
@@ -65,6 +67,7 @@ class BlockReader {
   bool in_line_ = false;
   bool is_text_ = false;  // text_ is known to be UTF-8
   TapeLie lie_ = TapeLie::right;
+  ProgramFrame frame_;  // of its signs %, where the control looks for them
   Position position_;
 };
 

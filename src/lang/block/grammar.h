@@ -115,6 +115,12 @@ struct Grammar {
   bool short_words = false;                                 // WH[…], SI[30]: the first two letters are enough (spec/fanuc 5.4)
   bool colon_is_label = false;                              // `:0100` is O0100 (spec/fanuc 1.1)
   bool condition_alone = false;                             // `[#1 LT 10] M99 P10`: IF without the word (spec/haas 2.3)
+  bool condition_words = true;                              // IF[…] G0 X1: words of a block behind a condition (spec/fanuc 5.4: no)
+  bool assignment_and_words = false;                        // IF[…] THEN #7=1 S800 (spec/haas 2.3)
+  bool ports_without_number = false;                        // POPEN, PCLOS (spec/fanuc 5.9)
+  bool programs_by_label = false;                           // O… begins the next program of the file (spec/fanuc 1.1, 5.4)
+  bool percent_frames = false;                              // a program begins behind the first % and ends at the next (spec/fanuc 1.1)
+  std::shared_ptr<VariableNames> given_names;               // SETVN gives variables names, [#NAME] (spec/fanuc 5.1); nullptr: no
   bool rounds_in_address = false;                           // ROUND in a word's value: to 0.001 mm, 0.0001 in (spec/haas 2.2)
   bool semicolon_ends = false;                              // `;` ends the block; the next one may follow it (spec/fanuc 1.2)
   std::string least_increments;                             // addresses whose numbers count 0.001 without a point (spec/fanuc 1.3)

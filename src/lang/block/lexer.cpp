@@ -112,7 +112,8 @@ class Lexer {
 
   Status item() {
     const char c = cursor_.text[cursor_.at];
-    if (block_.statement.kind > StatementKind::words && !is_blank(c) && c != '(' && c != ';') [[unlikely]]  // after its comment
+    if (block_.statement.kind > StatementKind::words && !is_blank(c) && c != '(' && c != ';' && !block_.statement.words_follow)
+        [[unlikely]]  // after its comment
       return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_capital(c)) return word(c, 1);
     if (is_blank(c)) {
@@ -127,7 +128,7 @@ class Lexer {
       case ',': return grammar_.comma_words ? comma_word() : unexpected();
       case '<': return grammar_.file_names ? file_name() : unexpected();
       case ':': return grammar_.colon_is_label ? word_of(grammar_.label_address, 1, cursor_.at) : main_block();
-      case '[': return grammar_.condition_alone ? statements_.read(Keyword::if_) : unexpected();
+      case '[': return statements_.bracket();
       case '\x1a': return end_of_dos_file();
       case ']':
       case '=': return grammar_.macro ? out_of_place(c) : unexpected();

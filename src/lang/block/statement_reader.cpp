@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/ascii.h"
+#include "lang/block/odd_characters.h"
 #include "lang/block/word_reader.h"
 #include "lang/text/encoding.h"
 
@@ -47,7 +48,8 @@ Keyword StatementReader::keyword_here(std::size_t& length) const {
 
 Status StatementReader::read(Keyword keyword) {
   const std::size_t begin = cursor_.at;
-  if (block_.word_count != 0 || (block_.statement.kind != StatementKind::none && block_.statement.condition_count == 0))
+  if (block_.word_count != 0 || block_.statement.words_follow ||
+      (block_.statement.kind != StatementKind::none && block_.statement.condition_count == 0))
     return fail(alarm(AlarmId::statement_not_alone, span(begin, begin + 2)));
   std::size_t length = 0;
   (void)keyword_here(length);
@@ -84,7 +86,10 @@ Status StatementReader::branch() {
   if (next == Keyword::then_) return syntax(cursor_.at);
   if (next != Keyword::none) return read(next);
   const char c = cursor_.peek();
+  const bool ends = c == '\0' || c == '(';
+  if (ends && grammar_.condition_alone) return block_.statement.kind = StatementKind::words, Status();  // spec/haas 2.3: nothing to do
   if (!is_letter(c) && c != ',' && !is_high(c)) return syntax(cursor_.at);
+  if (!grammar_.condition_words) return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
   block_.statement.kind = StatementKind::words;  // 23.2.10 leaves open what may stand there: words of a block too, as with Fanuc
   return {};
 }
@@ -143,9 +148,14 @@ Status StatementReader::jump(std::size_t begin) {
   return ended(begin);
 }
 
+Status StatementReader::bracket() {
+  if (grammar_.given_names != nullptr && given_name_follows(cursor_)) return assignment(cursor_.at);
+  return grammar_.condition_alone ? read(Keyword::if_) : Status(fail(unexpected_at(cursor_.text, cursor_.at)));
+}
+
 Status StatementReader::assignment(std::size_t begin) {
   Statement& s = block_.statement;
-  if (block_.word_count != 0 || (s.kind != StatementKind::none && s.condition_count == 0))
+  if (block_.word_count != 0 || s.words_follow || (s.kind != StatementKind::none && s.condition_count == 0))
     return fail(alarm(AlarmId::statement_not_alone, span(begin, begin + 1)));
   s.where.begin = static_cast<std::uint32_t>(begin);
   const auto target = compile_macro_target(cursor_, grammar_, block_);
@@ -162,15 +172,35 @@ Status StatementReader::assignment(std::size_t begin) {
   const auto value = compile_macro_value(cursor_, grammar_, block_, MacroValue::assigned);
   if (!value) return fail(value.error());
   s.value = *value;
+  if (grammar_.assignment_and_words && s.with_if && !message && words_here()) {
+    s.words_follow = true;
+    s.where = span(s.where.begin, cursor_.at);
+    return {};
+  }
+  Cursor ahead = cursor_;
+  ahead.skip_blanks();
+  if (grammar_.assignment_and_words && ahead.peek() == '#')  // spec/haas 10: 501
+    return fail(alarm(AlarmId::statement_not_alone, span(ahead.at, ahead.at + 1)));
   return ended(begin);
 }
 
-/// SETVN n[NAME,NAME]: the names are for people; `[#NAME]` is not read.
+bool StatementReader::words_here() {
+  cursor_.skip_blanks();
+  return is_letter(cursor_.peek());
+}
+
+/// SETVN n[NAME,NAME]: names of #n, #n+1 … (spec/fanuc 5.1).
 Status StatementReader::variable_names(std::size_t begin) {
   cursor_.skip_blanks();
-  while (is_digit(cursor_.peek())) ++cursor_.at;
+  Number first;
+  if (!is_digit(cursor_.peek()) || !read_number(cursor_, first) || first.has_point) return syntax(cursor_.at);
+  cursor_.skip_blanks();
   const std::size_t close = cursor_.text.find(']', cursor_.at);
   if (cursor_.peek() != '[' || close == std::string_view::npos) return syntax(cursor_.at);
+  block_.statement.text = span(cursor_.at + 1, close);
+  block_.statement.value.begin = static_cast<std::uint16_t>(block_.code.size());
+  block_.code.push_back({Op::number, first.value, span(begin, cursor_.at)});
+  block_.statement.value.end = static_cast<std::uint16_t>(block_.code.size());
   cursor_.at = close + 1;
   block_.statement.kind = StatementKind::names;
   return ended(begin);
@@ -184,6 +214,9 @@ Status StatementReader::device(Keyword keyword, std::size_t begin) {
            : keyword == Keyword::open_file  ? StatementKind::open_file
                                             : StatementKind::close_file;
   if (keyword == Keyword::close_file) return ended(begin);
+  cursor_.skip_blanks();
+  const bool bare = cursor_.peek() == '\0' || cursor_.peek() == '(' || cursor_.peek() == ';';
+  if (bare && grammar_.ports_without_number && keyword != Keyword::open_file) return ended(begin);
   const auto number = compile_macro_value(cursor_, grammar_, block_, MacroValue::operand);
   if (!number) return fail(number.error());
   s.value = *number;

@@ -39,6 +39,8 @@ class StatementReader {
   /// Reads a statement at the cursor, up to the end of the block or a comment.
   ///   alarms  expression_syntax, terminator_wrong, while_without_do, do_number, illegal_address, statement_not_alone
   Status read(Keyword keyword);
+  /// `[#NAME]=5`; else a condition without its word, where the control has that.
+  Status bracket();
   /// `#n=…` at the cursor, which stands after '#'. `begin`: of the '#'.
   Status assignment(std::size_t begin);
 
@@ -54,6 +56,7 @@ class StatementReader {
   Status variable_names(std::size_t begin);
   Status print(Keyword keyword, std::size_t begin);
   Status file_of_program();
+  bool words_here();
   Status ended(std::size_t begin);
   tl::unexpected<Alarm> syntax(std::size_t at) const;
   Span span(std::size_t begin, std::size_t end) const;

@@ -63,6 +63,9 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   auto expression =
       grammar_.macro ? compile_macro_value(cursor_, grammar_, block_, MacroValue::operand) : compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
+  if (grammar_.rounds_in_address && format.counted != 0)  // spec/haas 2.2
+    for (std::size_t i = expression->begin; i < expression->end; ++i)
+      if (block_.code[i].op == Op::round) block_.code[i].op = Op::round_increment;
   if (sign == '-') {
     block_.code.push_back({grammar_.macro ? Op::keep_negate : Op::negate, 0, span(sign_at, cursor_.at)});
     ++expression->end;

@@ -90,6 +90,17 @@ bool read_number(Cursor& cursor, Number& number) {
   return read_long_number({first, p}, number);
 }
 
+bool given_name_follows(const Cursor& cursor) {
+  Cursor ahead = cursor;
+  if (ahead.peek() != '[') return false;
+  ++ahead.at;
+  ahead.skip_blanks();
+  if (ahead.peek() != '#') return false;
+  ++ahead.at;
+  ahead.skip_blanks();
+  return is_letter(ahead.peek()) && ahead.text.find(']', ahead.at) != std::string_view::npos;
+}
+
 Result<double> apply(Op op, double a, double b, Span where) {
   switch (op) {
     case Op::negate: return a == 0 ? 0.0 : -a;

@@ -46,6 +46,9 @@ Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Blo
 /// The number of a variable as it is written after '#': digits, […], _NAME[…].
 Result<Expression> compile_macro_target(Cursor& cursor, const Grammar& grammar, Block& block);
 
+/// `[#NAME]` stands at the cursor (spec/fanuc 5.1).
+bool given_name_follows(const Cursor& cursor);
+
 /// Reads an unsigned number with an optional point; the cursor must stand on a digit or a point.
 struct Number {
   double value = 0;
@@ -97,6 +100,7 @@ inline bool compare(Op op, double a, double b) {
 
 /// Runs the instructions. `variable(double number, Span)` and `parameter(int)` give Result<double>;
 /// `known(double number, double& value)`: the same for what is at hand, false if it is not;
+/// `increments()`: of a length, in one unit of the program;
 /// `control_value(number, bit, index, Span)` and `element(symbol, index, Span)` belong to custom macros.
 template <class Variables>
 // NOLINTNEXTLINE(readability-function-size): one switch over the steps
@@ -127,6 +131,12 @@ Result<double> evaluate(const Block& block, Expression expression, Variables&& v
         auto value = variables.variable(step.number, step.where);
         if (!value) return value;
         stack[top++] = *value;
+        break;
+      }
+      case Op::round_increment: {
+        double parts = 1;
+        if constexpr (requires { variables.increments(); }) parts = variables.increments();
+        stack[top - 1] = std::round(stack[top - 1] * parts) / parts;
         break;
       }
       case Op::element: {

@@ -78,6 +78,10 @@ class Compiler : public StepWriter {
       number = read.value;
       return {};
     }
+    if (c == '[' && grammar_.given_names != nullptr && given_name_follows(cursor_)) {
+      constant_number = true;
+      return given_name(number);
+    }
     if (c == '[') return bracket();
     if (c == '_') return symbol(constant_number, number);
     return wrong(begin);
@@ -141,20 +145,17 @@ class Compiler : public StepWriter {
   }
 
   Status bracket() {
+    if (grammar_.given_names != nullptr && given_name_follows(cursor_)) {
+      const std::size_t at = cursor_.at;
+      double number = 0;
+      KADR_TRY(given_name(number));
+      return step(Op::variable_at, number, at, 1);
+    }
     const std::size_t begin = cursor_.at++;
     KADR_TRY(enter(begin));
     KADR_TRY(sum(1));
     --depth_;
     return close(begin);
-  }
-
-  Status close(std::size_t begin) {
-    cursor_.skip_blanks();
-    if (cursor_.peek() != ']' && (!grammar_.macro || is_open(begin)))
-      return fail(alarm(AlarmId::bracket_not_closed, span(begin, begin + 1)));
-    if (cursor_.peek() != ']') return wrong(cursor_.at);
-    ++cursor_.at;
-    return {};
   }
 
   Status word() {
@@ -235,32 +236,6 @@ class Compiler : public StepWriter {
     ++ahead.at;
     ahead.skip_blanks();
     if (ahead.peek() == '[') block_.warnings.push_back(warning(AlarmId::arctangent_divides, span(begin, ahead.at)));
-  }
-
-  /// AXNUM[X]: the control-wide number of an axis (23.2.12).
-  Status axis_number(std::size_t begin) {
-    cursor_.at = begin + 5;
-    cursor_.skip_blanks();
-    if (cursor_.peek() != '[') return wrong(cursor_.at);
-    const std::size_t open = cursor_.at++;
-    cursor_.skip_blanks();
-    std::string name;
-    const std::size_t from = cursor_.at;
-    while (cursor_.peek() != '\0' && cursor_.peek() != ']' && cursor_.peek() != ' ' && name.size() < 8)
-      name += to_upper(cursor_.text[cursor_.at++]);
-    const Span where = span(from, cursor_.at);
-    KADR_TRY(close(open));
-    const std::uint8_t axis = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z'
-                                  ? grammar_.axis_numbers[static_cast<std::size_t>(name[0] - 'A')]
-                                  : number_of_name(name);
-    if (axis == 0) return fail(alarm(AlarmId::illegal_address, where, std::string_view(name)));
-    return step(Op::number, axis, begin, 1);
-  }
-
-  std::uint8_t number_of_name(const std::string& name) const {
-    for (const AddressName& row : grammar_.names)
-      if (row.text == name) return grammar_.axis_numbers[static_cast<std::size_t>(row.address - 'A')];
-    return 0;
   }
 
   /// PRM[n], PRM[n,bit], …/[index] (24.2); what is left out is vacant.

@@ -41,6 +41,7 @@ enum class Op : std::uint8_t {
   fup,
   ln,
   round,
+  round_increment,  // to the least increment of the unit in force (spec/haas 2.2)
   sin,
   sqrt,
   tan,

@@ -48,6 +48,52 @@ class StepWriter {
   }
 
  protected:
+  /// [#NAME]: the variable that SETVN has given that name (spec/fanuc 5.1).
+  Status given_name(double& number) {
+    const std::size_t open = cursor_.at;
+    const std::size_t name = cursor_.text.find('#', open) + 1, close = std::min(cursor_.text.find(']', open), cursor_.text.size());
+    cursor_.at = std::min(close + 1, cursor_.text.size());
+    const auto known = grammar_.given_names->number_of(cursor_.text.substr(name, close - name));
+    if (!known) return fail(alarm(AlarmId::too_many_words, span(open, cursor_.at), double{VariableNames::most}));
+    number = *known;
+    return {};
+  }
+
+  Status close(std::size_t begin) {
+    cursor_.skip_blanks();
+    if (cursor_.peek() != ']' && (!grammar_.macro || is_open(begin)))
+      return fail(alarm(AlarmId::bracket_not_closed, span(begin, begin + 1)));
+    if (cursor_.peek() != ']') return wrong(cursor_.at);
+    ++cursor_.at;
+    return {};
+  }
+
+  /// AXNUM[X]: the control-wide number of an axis (23.2.12).
+  Status axis_number(std::size_t begin) {
+    cursor_.at = begin + 5;
+    cursor_.skip_blanks();
+    if (cursor_.peek() != '[') return wrong(cursor_.at);
+    const std::size_t open = cursor_.at++;
+    cursor_.skip_blanks();
+    std::string name;
+    const std::size_t from = cursor_.at;
+    while (cursor_.peek() != '\0' && cursor_.peek() != ']' && cursor_.peek() != ' ' && name.size() < 8)
+      name += to_upper(cursor_.text[cursor_.at++]);
+    const Span where = span(from, cursor_.at);
+    KADR_TRY(close(open));
+    const std::uint8_t axis = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z'
+                                  ? grammar_.axis_numbers[static_cast<std::size_t>(name[0] - 'A')]
+                                  : number_of_name(name);
+    if (axis == 0) return fail(alarm(AlarmId::illegal_address, where, std::string_view(name)));
+    return step(Op::number, axis, begin, 1);
+  }
+
+  std::uint8_t number_of_name(const std::string& name) const {
+    for (const AddressName& row : grammar_.names)
+      if (row.text == name) return grammar_.axis_numbers[static_cast<std::size_t>(row.address - 'A')];
+    return 0;
+  }
+
   const ExpressionRow* row_here(const ExpressionRows& rows, std::size_t& length) const {
     if (grammar_.short_words) return rows.find_short(rest(), length);
     const ExpressionRow* const found = rows.find(rest());

@@ -220,6 +220,19 @@ Status call_local(Interpreter& m, const Call& call) {
   return nct::call(m, request, {}, call.where);
 }
 
+/// M96 P Q (spec/haas 3.4): to block P while input Q is 0. INFERRED: an input that the set-up does not give is 0.
+Status jump_by_input(Interpreter& m, const Call& call) {
+  for (const char letter : {'P', 'Q'})
+    if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
+  constexpr double most_inputs = 63;
+  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q5 is no length
+  if (!(input >= 0 && input <= most_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
+  const auto& inputs = nct_of(m).plc_in;
+  const auto number = static_cast<std::size_t>(input);
+  if (number < inputs.size() && inputs[number] != 0) return {};
+  return nct::go_to_block_again(m, m.value('P'), m.where('P'));
+}
+
 Status return_program(Interpreter& m, const Call& call) { return nct::return_from(m, call); }
 
 }  // namespace kadr::functions

@@ -5,6 +5,7 @@
 #include "control/nct/blocks.h"
 #include "control/nct/nct.h"
 #include "control/nct/output/output.h"
+#include "control/nct/variables/further_variables.h"
 #include "control/nct/variables/messages.h"
 #include "control/nct/variables/system_variables.h"
 #include "control/reading.h"
@@ -22,11 +23,20 @@ Result<double> target_of(Interpreter& m, const Statement& s) {
   return value_of(m, s.target);
 }
 
+/// An alarm of the words behind the assignment takes it back too.
+void keep_target(Interpreter& m, double target) {
+  Nct& nct = nct_of(m);
+  const auto n = static_cast<int>(target);
+  if (n >= first_common && n <= last_common) nct.variables.keep_common(m.journal, n);
+  else if (n >= 1 && n <= static_cast<int>(most_locals)) m.journal.keep(nct.variables.locals()[static_cast<std::size_t>(n)]);
+}
+
 Status assign(Interpreter& m, const Statement& s) {
   const auto target = target_of(m, s);
   if (!target) return fail(target.error());
   const auto value = value_of(m, s.value);
   if (!value) return fail(value.error());
+  if (s.words_follow) keep_target(m, *target);
   return write_variable(m, *target, *value, s.where);
 }
 
@@ -88,7 +98,7 @@ Status carry_out(Interpreter& m, const Statement& s, bool holds) {
     case StatementKind::message: return message(m, s);
     case StatementKind::go_to: return jump(m, s);
     case StatementKind::loop_end: return loop_end(m, s);
-    case StatementKind::names: return {};
+    case StatementKind::names: return name_variables(m, s);
     default: return output(m, s);
   }
 }
@@ -125,7 +135,7 @@ Result<bool> run_statement(Interpreter& m) {
   if (!condition) return fail(condition.error());
   if (s.kind == StatementKind::words) return !*condition;
   KADR_TRY(carry_out(m, s, *condition));
-  return true;
+  return !(s.words_follow && *condition);
 }
 
 }  // namespace kadr::nct

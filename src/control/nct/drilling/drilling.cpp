@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
+#include "config/drill_steps.h"
 #include "control/functions/functions.h"
 #include "control/nct/drilling/drilling_run.h"
 #include "control/nct/drilling/pattern.h"
@@ -32,7 +33,10 @@ bool moves_by_code(const Interpreter& m) {
 }
 
 /// X, Y, Z by number: the direction in which the plane drills.
-int drilling_direction(const Interpreter& m) { return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3; }
+int drilling_direction(const Interpreter& m) {
+  if (m.def.behaviour.drills_third && !nct_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1
+  return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
+}
 
 bool has_direction(const Interpreter& m, std::size_t axis, int direction) {
   const int role = nct_of(m).settings.axes[axis].role;
@@ -74,6 +78,7 @@ class Drilling {
       : m_(m), call_(call), code_(call.row->arg != 0 ? call.row->arg : call.row->tenth), kept_(nct_of(m).state.drilling) {
     const bool rigid = nct_of(m).state.rigid_tap || nct_of(m).settings.taps_rigid || m.def.behaviour.taps_rigid;
     if (rigid && (code_ == 840 || code_ == 740)) code_ = code_ == 840 ? 842 : 843;
+    if (code_ == only_back) code_ = 870;
   }
 
   Status run() {
@@ -250,6 +255,7 @@ class Drilling {
       if (job.least > 0 && std::fabs(job.level - job.bottom) / job.least > most_pecks)
         return fail(alarm(AlarmId::value_out_of_range, call_.where, 'K', kept_.shift.z));
     }
+    if (m_.def.behaviour.pecks_by_ijk && code_ == 730 && !(kept_.shift.x > 0)) job.clear_after = std::max(kept_.shift.z, 0.0);
     job.rise = code_ == 830 ? s.return_rise : 0;
     if ((code_ == 730 || code_ == 830) && !(job.peck > 0))
       return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));
@@ -291,7 +297,7 @@ class Drilling {
 
 /// G73, G74, G76 are free where the lathe's codes are used; G83.1, G84.1, G86.1 only there (N1503 CSM).
 Status known(const Interpreter& m, const Call& call) {
-  const bool alias = call.row->arg != 0;
+  const bool alias = call.row->arg == 730 || call.row->arg == 740 || call.row->arg == 760;
   const bool replaced = call.row->tenth == 730 || call.row->tenth == 740 || call.row->tenth == 760;
   const bool lathe = nct_of(m).settings.lathe_codes;
   if (alias ? lathe : !(replaced && lathe)) return {};

@@ -34,6 +34,15 @@ bool is_there(const Interpreter& m, const Axes& to, AxisMask named) {
   return true;
 }
 
+/// Over the hole at rapid, exactly where the setting asks for it (spec/haas 8.1: setting 57).
+Status to_hole(Interpreter& m, const Axes& to, AxisMask named) {
+  const std::size_t before = m.batch->size();
+  KADR_TRY(m.straight(MotionKind::rapid, to, named));
+  if (!nct_of(m).settings.holes_exact || m.batch->size() == before) return {};
+  if (auto* const motion = std::get_if<Motion>(&m.batch->back().what)) motion->exact = true;
+  return {};
+}
+
 }  // namespace
 
 Status hole_position(const Interpreter& m, std::size_t drill, Axes& to, AxisMask& named) {
@@ -54,7 +63,7 @@ Status over_hole(Interpreter& m, std::size_t drill) {
   AxisMask named = 0;
   KADR_TRY(hole_position(m, drill, to, named));
   if (is_there(m, to, named) && nct_of(m).rolled == 0) return {};
-  return m.straight(MotionKind::rapid, to, named);
+  return to_hole(m, to, named);
 }
 
 double tapping_rpm(const Interpreter& m) { return nct_of(m).spindle(nct_of(m).state.current_spindle).rpm; }
@@ -97,7 +106,7 @@ Status DrillingRun::over_point(Interpreter& m, Vec2 point) {
   to[plane.first] = point.x;
   to[plane.second] = point.y;
   const AxisMask named = 1U << plane.first | 1U << plane.second;
-  return is_there(m, to, named) ? Status() : m.straight(MotionKind::rapid, to, named);
+  return is_there(m, to, named) ? Status() : to_hole(m, to, named);
 }
 
 /// Operation 1; of the first pass it stands before the functions of the block.
@@ -107,6 +116,7 @@ Status DrillingRun::begin_pass(Interpreter& m) {
   hole_ = m.position.programmed;
   depth_ = job_.level;
   peck_ = job_.peck;
+  cut_ = 0;
   part_ = 0;
   single_block(m);
   return {};
@@ -151,11 +161,16 @@ Status DrillingRun::pecks(Interpreter& m, bool to_level) {
   switch (part_) {
     case 1: part_ = 2; return rapid(m, job_.level - down() * job_.rise / scale(m));
     case 2: part_ = 3; return rapid(m, back_to(m));
-    default:
+    default: {
+      const double before = depth_;
       depth_ = next_depth(m);
+      cut_ += std::fabs(depth_ - before) * scale(m);
       if (job_.less > 0) peck_ = std::max(peck_ - job_.less, job_.least);
-      part_ = depth_ == job_.bottom ? 0 : to_level ? 1 : 2;
+      const bool clears = to_level || (job_.clear_after > 0 && cut_ >= job_.clear_after - tol::level);
+      if (clears) cut_ = 0;
+      part_ = depth_ == job_.bottom ? 0 : clears ? 1 : 2;
       return feed(m, depth_, 100);
+    }
   }
 }
 

@@ -38,6 +38,7 @@ class DrillingRun final : public RunningValue<DrillingRun> {
     std::vector<Vec2> points;        // of a pattern, programmed, one a pass; empty: where the block's words lead
     double less = 0, least = 0;      // each next peck so much less, never below (spec/haas 8.3)
     double rise = 0;                 // above R between pecks
+    double clear_after = 0;          // cuts that sum up to so much are followed by a way to R (spec/haas 8.3); 0: none
     bool orients_tap = false;        // TSC=1
   };
   explicit DrillingRun(Job job);
@@ -75,6 +76,7 @@ class DrillingRun final : public RunningValue<DrillingRun> {
   std::size_t at_ = 0;      // step to come; 0: operation 1
   std::uint32_t part_ = 0;  // within pecks
   double depth_ = 0;        // reached by pecks, programmed
+  double cut_ = 0;          // since the way to R, mm
 };
 
 }  // namespace kadr::nct

@@ -1,4 +1,4 @@
-// Reference points: G27, G28, G29, G30 (spec/nct/09, spec/fanuc 6.6, spec/haas 5.1).
+// Reference points: G27, G28, G29, G30 (spec/nct/09, spec/fanuc 6.6, spec/haas 5.1); single-direction positioning.
 
 #include <cmath>
 
@@ -55,7 +55,8 @@ Status reference_return(Interpreter& m, const Call& call) {
   }
   if (!m.has_axis_words()) {
     if (m.def.behaviour.reference_all_axes) return to_reference(m, point, (AxisMask{1} << m.axis_count) - 1);
-    if (m.def.behaviour.second_reference_usual) return {};  // spec/fanuc 6.6, unknown: no motion
+    if (m.def.behaviour.second_reference_usual)  // spec/fanuc 6.6, unknown: no motion
+      return m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code)), Status();
     return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   }
   AxisMask named = 0;
@@ -97,6 +98,14 @@ Status reference_leave(Interpreter& m, const Call& call) {
     KADR_TRY(m.straight(MotionKind::rapid, through, named));
   }
   return m.straight(MotionKind::rapid, to, named);
+}
+
+/// G60 (spec/fanuc 3.5): as G0, once. INFERRED: the way beyond the point is not shown.
+Status single_direction(Interpreter& m, const Call&) {
+  AxisMask named = 0;
+  Axes to;
+  KADR_TRY(m.target(to, named));
+  return named == 0 ? Status() : m.straight(MotionKind::rapid, to, named);
 }
 
 }  // namespace kadr::functions

@@ -64,17 +64,27 @@ bool is_linear(const Interpreter& m, std::size_t axis) {
 
 /// P for every linear axis, or I, J, K for X, Y, Z; INFERRED: what is left out is 1.
 ///   alarms  word_missing, not_together, scale_zero, value_out_of_range, illegal_address
-Status read_factors(const Interpreter& m, const Call& call, Axes& factors) {
+Status read_factors(Interpreter& m, const Call& call, Axes& factors) {
   factors.fill(1);
-  const bool each = m.has('I') || m.has('J') || m.has('K');
+  const Settings& settings = nct_of(m).settings;
+  const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.9: else I, J, K mean nothing
+  const bool each = (m.has('I') || m.has('J') || m.has('K')) && (!by_parameter || settings.scale_each);
+  if (by_parameter && !each)
+    for (const char letter : {'I', 'J', 'K'})
+      if (m.has(letter)) m.warn(warning(AlarmId::word_passed_over, m.where(letter), m.block->text_of(m.where(letter))));
+  if (!each && !m.has('P') && settings.scale_usual != 0) {  // spec/fanuc 6.9: 5411, spec/haas 6.3: setting 71
+    for (std::size_t a = 0; a < m.axis_count; ++a)
+      if (is_linear(m, a)) factors[a] = settings.scale_usual;
+    return {};
+  }
+  if (by_parameter && !each && !m.has('P')) return fail(alarm(AlarmId::scale_zero, call.where, 'P'));  // 5411 is 0
   if (!each && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   if (each && m.has('P')) return fail(alarm(AlarmId::not_together, m.where('P'), "P", "I J K"));
   for (const char letter : {'P', 'I', 'J', 'K'})
     if (m.has(letter) && m.value(letter) == 0) return fail(alarm(AlarmId::scale_zero, m.where(letter), letter));
   if (!each) {
     const bool counted = m.def.behaviour.scale_in_increments && !m.word('P')->has_point && !m.word('P')->expression;
-    constexpr double least_factor = 1e-5;  // spec/fanuc 6.9, 5400#7 = 0
-    const double factor = m.value('P') * (counted ? least_factor : 1);
+    const double factor = m.value('P') * (counted ? settings.scale_unit : 1);
     if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));  // only I, J, K mirror
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (is_linear(m, a)) factors[a] = factor;
@@ -110,6 +120,24 @@ void note_mirror_code(Interpreter& m, const CodeRow& row) {
 namespace kadr::functions {
 
 using namespace nct;
+namespace {
+
+/// Of the named axes; without axis words of all (INFERRED).
+Status end_mirror(Interpreter& m) {
+  if (!m.has_axis_words()) return clear_mirror(m), Status();
+  AxisMask named = 0;
+  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
+    const Word& w = m.block->words[i];
+    if (w.address != 0 && (m.letters.axes & letter_bit(w.address)) != 0) named |= AxisMask{1} << m.def.address(w.address).axis;
+  }
+  change_transform(m, [&](Transform& t) {
+    for (std::size_t a = 0; a < m.axis_count; ++a)
+      if ((named >> a & 1u) != 0) t.mirror[a] = 1, t.added[a] = 0;
+  });
+  return {};
+}
+
+}  // namespace
 
 /// G51.1 (16.3): the named axes are mirrored about the given coordinates. alarms mirror_state, no_axis_word
 Status mirror_on(Interpreter& m, const Call& call) {
@@ -128,9 +156,9 @@ Status mirror_on(Interpreter& m, const Call& call) {
   return {};
 }
 
-/// G101 X0 Y0 (spec/haas 6.1): about the work zero of the named axes; the numbers mean nothing.
-Status mirror_axes_on(Interpreter& m, const Call& call) {
-  KADR_TRY(mirror_may_change(m, call));
+/// G101 X0 Y0 (spec/haas 6.1): about the work zero of the named axes; the numbers mean nothing. INFERRED: under G51, G68 too, for the
+/// control has no alarm for that.
+Status mirror_axes_on(Interpreter& m, const Call&) {
   auto mirror = m.transform.mirror;
   Axes added = m.transform.added;
   KADR_TRY(each_center(m, [&](std::size_t axis, double) {
@@ -144,22 +172,12 @@ Status mirror_axes_on(Interpreter& m, const Call& call) {
   return {};
 }
 
-Status mirror_axes_off(Interpreter& m, const Call& call) { return mirror_off(m, call); }
+Status mirror_axes_off(Interpreter& m, const Call&) { return end_mirror(m); }
 
 /// G50.1: off on the named axes; without axis words on all (INFERRED). alarms mirror_state
 Status mirror_off(Interpreter& m, const Call& call) {
   KADR_TRY(mirror_may_change(m, call));
-  if (!m.has_axis_words()) return clear_mirror(m), Status();
-  AxisMask named = 0;
-  for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
-    const Word& w = m.block->words[i];
-    if (w.address != 0 && (m.letters.axes & letter_bit(w.address)) != 0) named |= AxisMask{1} << m.def.address(w.address).axis;
-  }
-  change_transform(m, [&](Transform& t) {
-    for (std::size_t a = 0; a < m.axis_count; ++a)
-      if ((named >> a & 1u) != 0) t.mirror[a] = 1, t.added[a] = 0;
-  });
-  return {};
+  return end_mirror(m);
 }
 
 /// G51 (16.2): a centre left out is the momentary position. One that is in force already keeps its place in the order.
@@ -194,13 +212,17 @@ Status plane_rotation_on(Interpreter& m, const Call& call) {
   const PlaneAxes& plane = m.modal.axes;
   if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   const Word* const r = m.word('R');
-  const bool adds = r == nullptr || r->incremental || !m.modal.absolute;
+  const Settings& settings = nct_of(m).settings;
+  const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.8, spec/haas 6.2: else R is absolute in G91 too
+  const bool adds =
+      by_parameter ? r != nullptr && !m.modal.absolute && settings.rotation_adds : r == nullptr || r->incremental || !m.modal.absolute;
+  const double angle = r == nullptr && by_parameter ? settings.rotation_usual : m.value('R');
   Axes center = m.position.programmed;
   KADR_TRY(each_center(m, [&](std::size_t axis, double at) { center[axis] = at; }));
   change_transform(m, [&](Transform& t) {
     if (!t.turning) t.turned_last = !t.scaling;
     t.turning = true;
-    t.rotation = (adds ? t.rotation : 0.0) + m.value('R');
+    t.rotation = (adds ? t.rotation : 0.0) + angle;
     t.rotation_center = {center[plane.first], center[plane.second]};
     t.first = static_cast<std::uint8_t>(plane.first);
     t.second = static_cast<std::uint8_t>(plane.second);

@@ -82,6 +82,8 @@ Status select_plane(Interpreter& m, const Call& call) {
 /// G54 … G59 (10.2.1).
 Status work_system(Interpreter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
+  const bool extended = call.row->arg == 1 && m.has('P') && (call.row->takes & letter_bit('P')) != 0;  // spec/fanuc 6.1: G54 P3
+  if (extended) return work_system_extended(m, call);
   m.modal.work_zero = static_cast<std::uint8_t>(call.row->arg);
   note_work_zero(m, m.modal.work_zero);
   m.change_frames();
@@ -138,7 +140,8 @@ Status new_system(Interpreter& m, const Call& call) {
 Status machine_move(Interpreter& m, const Call& call) {
   nct_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
-  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) return {};  // spec/fanuc 6.5
+  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute)  // spec/fanuc 6.5
+    return m.warn(warning(AlarmId::machine_move_incremental, call.where, call.row->code)), Status();
   KADR_TRY(plane_surface(m, call));
   Axes to = m.position.machine;
   AxisMask named = 0;

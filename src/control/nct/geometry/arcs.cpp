@@ -51,10 +51,14 @@ class Arc {
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
     if (named_ == 0 && !has_data) return {};  // the code alone: only the mode
+    if (radius_first && m_.has('R') && (has_center() || m_.has(letters_.other))) tell_center_passed_over();
     if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
       return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
     if (!has_data && !in_plane && nct_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool turns about its tip
-    if (!has_data && m_.def.behaviour.arc_without_centre_straight && !nct_of(m_).settings.arc_without_data_stops) return straight_line();
+    if (!has_data && m_.def.behaviour.arc_without_centre_straight && !nct_of(m_).settings.arc_without_data_stops) {
+      m_.warn(warning(AlarmId::arc_is_line, call_.where, call_.row->code));
+      return straight_line();
+    }
     if (!has_data) return fail(alarm(AlarmId::center_missing, call_.where));
     if (m_.transform.leaves(plane_)) return fail(alarm(AlarmId::plane_wrong, call_.where, call_.row->code));
     from_ = placed_flat(m_.position.programmed);
@@ -97,6 +101,12 @@ class Arc {
     KADR_TRY(hand_on({placed_point(center), 0}));
     attach(m_, contour_);
     return {};
+  }
+
+  /// Beside R they mean nothing (spec/fanuc 3.2).
+  void tell_center_passed_over() {
+    for (const char letter : {letters_.first, letters_.second, letters_.other})
+      if (m_.has(letter)) m_.warn(warning(AlarmId::center_passed_over, m_.where(letter), m_.block->text_of(m_.where(letter))));
   }
 
   bool has_center() const { return m_.has(letters_.first) || m_.has(letters_.second); }

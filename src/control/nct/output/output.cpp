@@ -108,8 +108,9 @@ Status output(Interpreter& m, const Statement& s) {
   const auto number = value_or_zero(m, s.value);
   if (!number) return fail(number.error());
   switch (s.kind) {
-    case StatementKind::open_port: return placed(output.open_device(*number, program_path(m)), s.where);
-    case StatementKind::close_port: return placed(output.close_device(*number), s.where);
+    case StatementKind::open_port:
+      return placed(s.value ? output.open_device(*number, program_path(m)) : output.open_card(program_path(m)), s.where);
+    case StatementKind::close_port: return placed(output.close_device(s.value ? *number : no_device), s.where);
     default: return open_file_of(m, s, *number);
   }
 }

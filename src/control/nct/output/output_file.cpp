@@ -25,6 +25,7 @@ constexpr double device_number = 31;
 constexpr double most_program_number = 99'999'999;
 constexpr int short_numbers = 9'999;  // O and four digits
 constexpr std::string_view percent = "%\r\n";
+constexpr std::string_view card_file = "PRNT0000.DAT";
 
 constexpr FileMode modes[] = {
     {true, false, false},  // 1
@@ -118,6 +119,16 @@ Status OutputFile::open_device(double device, std::string_view program) {
   return {};
 }
 
+Status OutputFile::open_card(std::string_view program) {
+  constexpr int appended = 4;
+  KADR_TRY(ready(appended));
+  if (!has_room(percent)) return fail(alarm(AlarmId::file_write, {}, std::string_view(card_file)));
+  KADR_TRY(open({beside(program, std::string(card_file)), std::string(card_file), false}, appended, program));
+  if (const Status begun = write(percent); !begun) return abort(), begun;
+  state_ = State::device;
+  return {};
+}
+
 Status OutputFile::open_number(double mode, double p, std::string_view program) {
   KADR_TRY(ready(mode));
   if (!(p >= 1 && p <= most_program_number) || p != std::floor(p)) return fail(alarm(AlarmId::value_out_of_range, {}, 'P', p));
@@ -180,7 +191,7 @@ Status OutputFile::name_device_file(std::string_view line, PrintKind kind) {
 }
 
 Status OutputFile::close_device(double device) {
-  if (device != device_number) return fail(alarm(AlarmId::file_mode, {}, device));
+  if (device != device_number && device != no_device) return fail(alarm(AlarmId::file_mode, {}, device));
   if (state_ == State::waits_for_name) return fail(alarm(AlarmId::file_name, {}, std::string_view()));
   if (state_ != State::device) return fail(alarm(AlarmId::file_not_open, {}));
   KADR_TRY(writer_.write(percent));

@@ -18,6 +18,9 @@ namespace kadr::nct {
 using files::OutputOptions;
 using files::OutputWriting;
 
+/// PCLOS without a number (spec/fanuc 5.9).
+inline constexpr double no_device = 0;
+
 /// The file that <name> means in `program`, for FOPEN as for calls by name.
 ///   name     text between < >: at most 60 characters, parts separated by `\`, `..` is the folder above; a leading `\` is the program's own
 ///            folder; blanks at both ends do not count (14.4.2)
@@ -40,6 +43,9 @@ class OutputFile {
   ///   program  running program, from the root; gives folder and extension
   ///   alarms   file_mode (device), file_already_open (path)
   Status open_device(double device, std::string_view program);
+
+  /// POPEN without a number: PRNT0000.DAT in the program's folder goes on, `%` CR LF first (spec/fanuc 5.9). alarms as open_named
+  Status open_card(std::string_view program);
 
   /// FOPENn Pp: O and four digits, or eight if p is longer or only that file exists; folder and extension of `program` (14.4.2).
   ///   mode     1 new; 2 new or emptied; 3 appended; 4 new or appended; 5 emptied

@@ -4,6 +4,7 @@
 
 #include "control/interpreter.h"
 #include "control/nct/nct.h"
+#include "control/nct/variables/further_variables.h"
 
 namespace kadr::nct {
 namespace {
@@ -48,10 +49,19 @@ StateChanges Changes::take(Interpreter& m) {
     const double value = nct.variables.common(n);
     changes.rows.push_back({StateTable::variables, "#" + std::to_string(n), is_vacant(value) ? StateValue() : StateValue(value)});
   }
+  std::set<std::uint32_t> further = nct.variables.take_changed_further();
+  for (const auto& row : nct.variables.all_further())
+    if (all_) further.insert(row.first);
+  for (const std::uint32_t n : further) {
+    const double value = nct.variables.further(n);
+    changes.rows.push_back({StateTable::variables, "#" + std::to_string(n), is_vacant(value) ? StateValue() : StateValue(value)});
+  }
   note_number(changes, "#3901", nct.state.parts_done, parts_done_);
   note_number(changes, "#3902", nct.parts_required, parts_required_);
-  if (nct.cutting_ms - cutting_ms_ >= cutting_step_ms || nct.cutting_ms < cutting_ms_)
-    note_number(changes, "#3002", nct.cutting_ms, cutting_ms_);
+  if (nct.cutting_ms - cutting_ms_ >= cutting_step_ms || nct.cutting_ms < cutting_ms_) {
+    if (nct.cutting_ms != cutting_ms_) changes.rows.push_back({StateTable::variables, "#3002", nct.cutting_ms / cutting_unit(m.def)});
+    cutting_ms_ = nct.cutting_ms;
+  }
   const bool touched = tables_touched(nct);
   if (!std::exchange(all_, false) && !touched && parameters_ == nct.parameters.version()) return changes;
   parameters_ = nct.parameters.version();

@@ -58,6 +58,8 @@ void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string
   };
   for (int n = 1; n <= static_cast<int>(most_locals); ++n) add(n);
   for (int n = first_common; n <= last_common; ++n) add(n);
+  for (const auto& [n, value] : nct_of(m).variables.all_further())
+    if (!is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);
   for (const std::string& name : watch) {
     const auto same = [&](const auto& v) { return v.first == name; };
     if (std::any_of(ending.variables.begin(), ending.variables.end(), same) || name.size() < 2) continue;

@@ -107,6 +107,25 @@ void read_macros(Settings& s, const ParameterSource& p) {
   }
 }
 
+/// Of the Fanuc and the Haas alone.
+void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
+  s.drills_across = p.value("drills_across", 0) != 0;
+  s.scale_unit = p.value("scale_in_thousandths", 0) != 0 ? 1e-3 : 1e-5;
+  s.scale_each = p.value("scale_each", 0) != 0;
+  s.scale_usual = p.value("scale_usual", 0);
+  s.rotation_adds = p.value("rotation_adds", 0) != 0;
+  s.rotation_usual = p.value("rotation_usual", 0);
+  s.holes_exact = p.value("holes_exact", 0) != 0;
+  s.shift_direction = whole(p.value("shift_direction", 0));
+  if (s.shift_direction == 1 || s.shift_direction == 3) s.shift_negative = true;
+  if (s.shift_direction >= 2) s.shift_second = true;
+  s.shift_is_global = whole(p.value("coordinates_of", 0)) == 1;
+  constexpr const char* mirrored[] = {"mirror_first", "mirror_second", "mirror_third", "mirror_fourth"};
+  for (unsigned i = 0; i < 4; ++i)
+    if (p.value(mirrored[i], 0) != 0) s.mirrored |= 1U << i;
+  s.feed_whole = p.value("feed_whole", 0) != 0;
+}
+
 void read_interpretation(Settings& s, const ParameterSource& p) {
   const double difference = p.value("1339", 0);
   s.radius_difference = difference > 0 ? difference : 0.01;
@@ -120,6 +139,7 @@ void read_interpretation(Settings& s, const ParameterSource& p) {
   s.shift_negative = p.value("shift_negative", 0) != 0;
   s.shift_second = p.value("shift_second", 0) != 0;
   s.return_rise = p.value("return_rise", 0);
+  read_frames_and_cycles(s, p);
   s.dwell_seconds = p.bit("1337", "1", 0);
   s.centers_absolute = p.bit("1337", "2", 0);
   s.feed_along_helix = p.bit("1337", "3", 0);

@@ -70,6 +70,17 @@ struct Settings {
   bool offsets_are_diameters = false;   // spec/haas 2.4: setting 40
   double return_rise = 0;               // spec/haas 8.3: setting 52
   bool taps_rigid = false;              // spec/fanuc 10.4: 5200#0
+  bool drills_across = false;           // spec/fanuc 10.1: 5101#0
+  double scale_unit = 1e-5;             // of G51 P without a point, spec/fanuc 6.9: 5400#7
+  bool scale_each = false;              // 5400#6: G51 I J K
+  double scale_usual = 0;               // spec/fanuc 6.9: 5411, spec/haas 6.3: setting 71; 0: none
+  bool rotation_adds = false;           // spec/fanuc 6.8: 5400#0, spec/haas 6.2: setting 73
+  double rotation_usual = 0;            // 5410, setting 72, degrees
+  bool holes_exact = false;             // spec/haas 8.1: setting 57
+  int shift_direction = 0;              // spec/haas 8.6: setting 27, 0 … 3: X+, X-, Y+, Y-
+  bool shift_is_global = false;         // spec/haas 5.3: setting 33 = 1
+  unsigned mirrored = 0;                // spec/haas 6.1: settings 45 to 48, a bit an axis
+  bool feed_whole = false;              // spec/haas 1.2: setting 77: F without a point is as it stands
   bool shift_negative = false;          // spec/fanuc 10.5: 5101#4
   bool shift_second = false;            // … #5
   int length_axes = 0;                  // N1416: 0 axes of the block, 1 always Z, 2 normal to the plane

@@ -10,6 +10,8 @@
 #include "control/nct/five_axis/five_axis.h"
 #include "control/nct/nct.h"
 #include "control/nct/variables/clock.h"
+#include "control/nct/variables/further_variables.h"
+#include "control/nct/variables/machine_bits.h"
 #include "control/nct/variables/modal_values.h"
 #include "control/nct/words/coordinates.h"
 #include "kinematics/part_space.h"
@@ -160,31 +162,9 @@ double probe_of_five_axes(const Interpreter& m, bool of_machine, int axis) {
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
 double* zero_field(Interpreter& m, const Found& f, int axis) {
-  Axes* const zero = f.row->kind == VariableKind::zero_common ? &m.tables.common : &m.tables.zeros[system_of(f)];
+  Axes& common = m.def.behaviour.common_is_local_shift ? m.modal.local : m.tables.common;
+  Axes* const zero = f.row->kind == VariableKind::zero_common ? &common : &m.tables.zeros[system_of(f)];
   return zero->data() + axis;
-}
-
-double bits_to_word(const std::array<double, 32>& bits) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < bits.size(); ++i)
-    if (bits[i] != 0) word |= 1u << i;
-  return word;
-}
-
-double mirror_bits(const Interpreter& m) {
-  std::uint32_t bits = 0;
-  for (std::size_t a = 0; a < m.axis_count; ++a)
-    if (m.transform.mirror[a] < 0 && m.def.axis_numbers[a] >= 1) bits |= 1u << (m.def.axis_numbers[a] - 1u);
-  return bits;
-}
-
-/// Of #_CNTBS (23.1.11): all three as a mask, or one.
-double search_bits(const Nct& n, int bit) {
-  constexpr const char* names[] = {"BSEARCH", "TEST", "MCHLOCK"};
-  unsigned bits = 0;
-  for (unsigned i = 0; i < 3; ++i)
-    if (const auto found = n.signals.find(names[i]); found != n.signals.end() && found->second != 0) bits |= 1U << i;
-  return bit < 0 ? bits : bits >> bit & 1U;
 }
 
 double read_plain(const Interpreter& m, const Found& f) {
@@ -200,7 +180,10 @@ double read_plain(const Interpreter& m, const Found& f) {
     case VariableKind::plc_out_word: return f.index == 0 ? bits_to_word(n.plc_out) : n.plc_out_word[f.index];
     case VariableKind::message_box: return n.answer;
     case VariableKind::clock: return n.now_ms - n.clock_offset_ms;
-    case VariableKind::cutting_clock: return n.cutting_ms;
+    case VariableKind::cutting_clock: return n.cutting_ms / cutting_unit(row);
+    case VariableKind::timer: return timer(m, row);
+    case VariableKind::tool_in_spindle: return m.modal.tool;
+    case VariableKind::spindle_speed: return n.spindle_rpm(m);
     case VariableKind::date: return date_number(n.clock);
     case VariableKind::time: return time_number(n.clock, n.now_ms);
     case VariableKind::parts_done: return n.state.parts_done;
@@ -260,7 +243,7 @@ Status write_plain(Interpreter& m, const Found& f, double value, Span where) {
       n.plc_out_word[f.index] = value;
       return {};
     case VariableKind::clock: n.clock_offset_ms = n.now_ms - value; return {};
-    case VariableKind::cutting_clock: n.cutting_ms = value; return {};
+    case VariableKind::cutting_clock: n.cutting_ms = value * cutting_unit(*f.row); return {};
     case VariableKind::parts_done: n.state.parts_done = value; return {};
     case VariableKind::parts_required: n.parts_required = value; return {};
     case VariableKind::single_block_lock: return write_control(n.control_1, *f.row, value, 255, where);
@@ -293,12 +276,15 @@ Axes length_in_force(const Interpreter& m) {
 }
 
 Result<double> read_variable(Interpreter& m, double number, Span where) {
-  const auto n = whole_number(number, where);
+  const auto meant = number_meant(m, number, where);
+  if (!meant) return fail(meant.error());
+  const auto n = whole_number(*meant, where);
   if (!n) return fail(n.error());
   if (double value = 0; nct_of(m).variables.known(*n, value)) return value;
   nct_of(m).endless.note_reading();
   const auto f = find(m.def, *n);
-  if (!f) return fail(alarm(AlarmId::variable_unknown, where, number));
+  if (!f) return fail(alarm(AlarmId::variable_unknown, where, *meant));
+  if (const auto further = further_variable(*f->row, *n, f->index)) return read_further(m, *further);
   if (!f->row->read) return fail(alarm(AlarmId::variable_write_only, where, number));
   const VariableKind kind = f->row->kind;
   if (double* const field = offset_field(m, kind, f->index); field != nullptr) {
@@ -323,7 +309,9 @@ Result<double> read_variable(Interpreter& m, double number, Span where) {
 }
 
 Status write_variable(Interpreter& m, double number, double value, Span where) {
-  const auto n = whole_number(number, where);
+  const auto meant = number_meant(m, number, where);
+  if (!meant) return fail(meant.error());
+  const auto n = whole_number(*meant, where);
   if (!n) return fail(n.error());
   Nct& nct = nct_of(m);
   const auto plain = static_cast<int>(*n);
@@ -334,6 +322,7 @@ Status write_variable(Interpreter& m, double number, double value, Span where) {
   const auto f = find(m.def, *n);
   if (!f) return fail(alarm(AlarmId::variable_unknown, where, number));
   if (!f->row->write) return fail(alarm(AlarmId::variable_read_only, where, number));
+  if (const auto further = further_variable(*f->row, *n, f->index)) return write_further(m, *further, value), Status();
   nct.endless.note_change();
   if (is_vacant(value)) value = 0;  // only #1 … #999 can be empty
   const VariableKind kind = f->row->kind;
