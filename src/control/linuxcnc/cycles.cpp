@@ -140,7 +140,17 @@ class Drilling final : public RunningValue<Drilling> {
     KADR_TRY(stroke(m, h_.clear));
     spindle(m, SpindleDir::stop);
     spindle(m, in);
+    if (h_.plane != Plane::xy) stand(m);
     return {};
+  }
+
+  /// The strokes have gone to turned axes; the control takes the tool for where they should have left it.
+  void stand(Interpreter& m) const {
+    Axes to = m.position.programmed;
+    to[h_.first] = h_.at_first;
+    to[h_.second] = h_.at_second;
+    to[h_.drill] = h_.clear;
+    m.move_to(to, to, 7);
   }
 
   Status stroke(Interpreter& m, double level) {

@@ -217,7 +217,9 @@ Status polar_words(Interpreter& m, LinuxCnc& control) {
   control.state.polar_step = !absolute;
   control.state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
   control.state.polar_angle = angle == nullptr ? 0 : angle->value;
-  // One of the two may be missing: its place is taken by the other's neighbour.
+  // A loop carries the block out again: its words come back (forget_polar_words()). One of the two may be missing: its place is taken by the
+  // other's neighbour.
+  control.written_words.assign(m.block->words.begin(), m.block->words.begin() + m.block->word_count);
   Word* const first = radius != nullptr ? radius : angle;
   first->address = first->written = 'X';
   first->value = to.x;
@@ -317,11 +319,25 @@ void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
 
 Status LinuxCnc::after_block(Interpreter& m) {
   if (codes.motion == 0 || codes.motion == 10 || codes.motion == 330 || codes.motion == 331) state.arc_not_allowed = false;
+  forget_polar_words(m);
   if (codes.g1() == 800) state.motion = m.modal.motion_row >= 0 ? state.motion : 800;
   return {};
 }
 
-void LinuxCnc::take_back(Interpreter&) { state = before_; }
+void LinuxCnc::take_back(Interpreter& m) {
+  state = before_;
+  forget_polar_words(m);
+}
+
+/// The block's words as they are written.
+void LinuxCnc::forget_polar_words(Interpreter& m) {
+  if (written_words.empty()) return;
+  std::copy(written_words.begin(), written_words.end(), m.block->words.begin());
+  m.block->word_count = static_cast<std::uint32_t>(written_words.size());
+  m.block->altered = false;
+  written_words.clear();
+  m.note_addresses();
+}
 
 bool LinuxCnc::lines_follow(const Interpreter& m) const {
   return !turning && !has_rotary_rules(machine) && m.modal.feed_mode == FeedMode::per_minute;

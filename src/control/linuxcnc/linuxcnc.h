@@ -154,6 +154,7 @@ class LinuxCnc final : public Dialect {
   ProgramFiles outputs;
   char spindle_address = 0;  // `$` as the reader knows it
   std::map<int, Tool> tools;
+  std::vector<Word> written_words;                    // of the block, where X and Y stand for its @ and ^
   bool table_is_known = false;                        // else each tool is there, and nothing of it is known
   std::vector<std::vector<KeptModes>> kept_modes{1};  // by call
   Axes probed{};                                      // #5061 …, mm
@@ -162,6 +163,7 @@ class LinuxCnc final : public Dialect {
 
  private:
   void forget_shift(Interpreter& m);
+  void forget_polar_words(Interpreter& m);
   Status write_probed(const Interpreter& m);
   void read_parameter_file(Interpreter& m, const RunLimits& limits);
   void take_parameters(Interpreter& m);

@@ -97,8 +97,8 @@ using linuxcnc::linuxcnc_of;
 /// G5: third degree, the tangent at the start by I J, or as the one before ended; at the end by P Q.
 Status cubic_spline(Interpreter& m, const Call& call) {
   auto end = linuxcnc::end_in_xy(m, call.where);
-  if (m.has('I') != m.has('J')) return linuxcnc::spline_fault(m, call.where, "Must specify both I and J, or neither");
   if (!end) return fail(end.error());
+  if (m.has('I') != m.has('J')) return linuxcnc::spline_fault(m, call.where, "Must specify both I and J, or neither");
   if (!m.has('P') || !m.has('Q')) return linuxcnc::spline_fault(m, call.where, "Must specify both P and Q with G5");
   const Vec2 start = linuxcnc::in_plane_xy(m.position.programmed);
   CycleMemory& memory = m.cycle_memory;  // shared with I J of G87, as LinuxCNC's
