@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::string_view axis_letters = "XYZUVWABC";
+constexpr std::string_view letters_of_axes = "XYZUVWABC";
 
 std::size_t digits_at(std::string_view text, std::size_t at) {
   return std::min(text.find_first_not_of("0123456789", at), text.size()) - at;
@@ -25,7 +25,7 @@ std::optional<std::size_t> taken(char sign, std::string_view line, std::size_t a
   }
   if (at >= line.size()) return std::nullopt;
   if (sign == 'c') return is_digit(line[at]) ? std::optional<std::size_t>(1) : std::nullopt;
-  if (sign == 'a') return axis_letters.find(line[at]) != std::string_view::npos ? std::optional<std::size_t>(1) : std::nullopt;
+  if (sign == 'a') return letters_of_axes.find(line[at]) != std::string_view::npos ? std::optional<std::size_t>(1) : std::nullopt;
   if (sign != 'n') return line[at] == sign ? std::optional<std::size_t>(1) : std::nullopt;
   const std::size_t end = std::min(line.find_first_not_of("+-.0123456789", at), line.size());
   const bool has_digit = line.substr(at, end - at).find_first_of("0123456789") != std::string_view::npos;

@@ -21,7 +21,7 @@ using Files = std::vector<fs::path>;
 constexpr std::size_t most_searched_files = 10'000;  // of a folder
 constexpr std::size_t most_heading = 4096;           // bytes of a file in which its first word is looked for
 constexpr std::size_t most_named = 3;                // files that an alarm names
-constexpr std::size_t digits_of_haas = 5, digits_of_fanuc = 4, most_digits = 8;
+constexpr std::size_t digits_of_haas = 5, digits_of_fanuc = 4, most_name_digits = 8;
 
 std::string in_capitals(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), to_upper);
@@ -32,7 +32,8 @@ std::string in_capitals(std::string text) {
 std::size_t digits_of(const fs::path& file, std::uint32_t number) {
   const std::string stem = in_capitals(file.stem().string());
   const std::size_t digits = stem.size() - 1;
-  if (stem.size() < 2 || stem[0] != 'O' || digits > most_digits || stem.find_first_not_of("0123456789", 1) != std::string::npos) return 0;
+  if (stem.size() < 2 || stem[0] != 'O' || digits > most_name_digits || stem.find_first_not_of("0123456789", 1) != std::string::npos)
+    return 0;
   return std::stoul(stem.substr(1)) == number ? digits : 0;
 }
 

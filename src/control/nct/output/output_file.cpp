@@ -122,9 +122,15 @@ Status OutputFile::open_device(double device, std::string_view program) {
 Status OutputFile::open_card(std::string_view program) {
   constexpr int appended = 4;
   KADR_TRY(ready(appended));
-  if (!has_room(percent)) return fail(alarm(AlarmId::file_write, {}, std::string_view(card_file)));
-  KADR_TRY(open({beside(program, std::string(card_file)), std::string(card_file), false}, appended, program));
-  if (const Status begun = write(percent); !begun) return abort(), begun;
+  if (!writer_.has_room(percent)) return fail(alarm(AlarmId::file_write, {}, std::string_view(card_file)));
+  KADR_TRY(open({.path = beside(program, std::string(card_file)),
+                 .shown = std::string(card_file),
+                 .rule = {},
+                 .exists = AlarmId::program_file_exists,
+                 .missing = AlarmId::program_missing,
+                 .running = {}},
+                appended, program));
+  if (const Status begun = writer_.write(percent); !begun) return abort(), begun;
   state_ = State::device;
   return {};
 }
