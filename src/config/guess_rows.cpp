@@ -48,7 +48,8 @@ tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, con
   const toml::table* const traits = guess["text"].as_table();
   if (traits == nullptr) return rows;
   for (const auto& [key, node] : *traits) {
-    const auto known = std::find_if(trait_texts.begin(), trait_texts.end(), [&](const TraitText& t) { return t.key == key.str(); });
+    const auto known =
+        std::find_if(trait_texts.begin(), trait_texts.end(), [name = key.str()](const TraitText& t) { return t.key == name; });
     if (known == trait_texts.end()) {
       std::vector<std::string_view> keys;
       for (const TraitText& t : trait_texts) keys.push_back(t.key);
