@@ -216,10 +216,11 @@ int PlaneSpline::pieces(double from, double to, double chord) const {
     for (double i = 0; i < count; ++i) {
       const double low = from + (to - from) * i / count, high = from + (to - from) * (i + 1) / count;
       const Vec2 after = at(high), way = after - before;
-      const double way_length = kadr::length(way);
+      const double squared = dot(way, way);
       for (const double place : {0.25, 0.5, 0.75}) {
         const Vec2 off = at(low + place * (high - low)) - before;
-        worst = std::max(worst, way_length > 0 ? std::fabs(cross(way, off)) / way_length : kadr::length(off));
+        const double along = squared > 0 ? std::clamp(dot(way, off) / squared, 0.0, 1.0) : 0;  // at a cusp it is beyond the chord's end
+        worst = std::max(worst, kadr::length(off - along * way));
       }
       before = after;
     }

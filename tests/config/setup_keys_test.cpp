@@ -106,7 +106,7 @@ TEST(setup_keys, what_the_controls_have) {
   const std::map<std::string, std::set<H>> expected = {
       {"s2c42", {H::nothing, H::zeros, H::variables}},
       {"mach3", {H::nothing, H::work_offsets, H::variables, H::probe}},
-      {"linuxcnc", {H::nothing, H::work_offsets, H::variables, H::probe}},
+      {"linuxcnc", {H::nothing, H::work_offsets, H::variables, H::ini, H::probe}},
       {"grbl", {H::nothing, H::work_offsets, H::parameters, H::probe}},
       {"fanuc",
        {H::nothing, H::work_offsets, H::variables, H::parameters, H::corner_radius, H::turning_lengths, H::tool_management, H::clock,

@@ -86,8 +86,8 @@ std::uint8_t quick_call(const Interpreter& m, const Block& block) {
 
 /// A loop carries it out again, and nothing is to be done beside what its words say.
 bool is_read_again(const Block& block) {
-  return block.kept && (block.no_clock || block.code.empty()) && block.skip == 0 && block.marker == Marker::none &&
-         block.comments.empty() && block.warnings.empty();
+  return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
+         block.warnings.empty();
 }
 
 /// The same, and some of its words are expressions.
