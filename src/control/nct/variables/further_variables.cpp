@@ -34,7 +34,7 @@ Status name_variables(Interpreter& m, const Statement& statement) {
 }
 
 Result<double> number_meant(const Interpreter& m, double number, Span where) {
-  if (!VariableNames::is_named(number)) return number;
+  if (!VariableNames::is_named(number) || m.def.grammar.given_names == nullptr) return number;
   const auto& names = nct_of(m).variable_names;
   if (const auto found = names.find(number); found != names.end()) return found->second;
   return fail(alarm(AlarmId::variable_unknown, where, std::string_view(m.def.grammar.given_names->name_of(number))));
