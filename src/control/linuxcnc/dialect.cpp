@@ -176,6 +176,13 @@ Result<bool> LinuxCnc::end_of_file(Interpreter& m) {
                state.percent ? "File ended with no percent sign" : "File ended with no percent sign or program end");
 }
 
+/// Behind the end of the file nothing is left to go on with: its fault is found once.
+void LinuxCnc::note_fault(Interpreter& m, bool) {
+  const Alarm& fault = m.report.alarm;
+  const bool of_the_end = fault.id == AlarmId::rs274_flow || fault.id == AlarmId::rs274_program;
+  if (of_the_end && fault.where.end == 0) m.flow.end();
+}
+
 void LinuxCnc::begin_block(Interpreter&) {
   state.began = true;
   before_ = state;
@@ -217,8 +224,8 @@ Status polar_words(Interpreter& m, LinuxCnc& control) {
   control.state.polar_step = !absolute;
   control.state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
   control.state.polar_angle = angle == nullptr ? 0 : angle->value;
-  // A loop carries the block out again: its words come back (forget_polar_words()). One of the two may be missing: its place is taken by the
-  // other's neighbour.
+  // A loop carries the block out again: its words come back (forget_polar_words()). One of the two may be missing: its place is taken by
+  // the other's neighbour.
   control.written_words.assign(m.block->words.begin(), m.block->words.begin() + m.block->word_count);
   Word* const first = radius != nullptr ? radius : angle;
   first->address = first->written = 'X';

@@ -121,6 +121,7 @@ class LinuxCnc final : public Dialect {
   Status machine_code(Interpreter& m, const Call& call) override;
   Status take_answer(Interpreter& m, const ProbeAnswer& answer) override;
   Result<bool> end_of_file(Interpreter& m) override;
+  void note_fault(Interpreter& m, bool may_have_steered) override;
   Result<bool> sign_of_file(Interpreter& m) override;
   Status comments(Interpreter& m) override;
   void reword(const Interpreter& m, AlarmReport& report) const override;
