@@ -50,7 +50,11 @@ OFile FlowTable::read_o_lines(const ProgramFile& file) {
     row.behind = reader.position();
     row.word = block->statement.o_word;
     row.label = label_or_none(written_label(*block));
-    if (row.label == no_label) row.expression = block->text_of(block->statement.label_where).substr(1);
+    if (row.label == no_label) {
+      const auto written = block->text_of(block->statement.label_where);
+      if (written.empty()) continue;  // of a line that could not be read to its end
+      row.expression = written.substr(1);
+    }
     const auto index = static_cast<std::int32_t>(all.lines.size());
     if (row.word == OWord::sub && sub < 0) sub = index;
     row.sub = sub;
