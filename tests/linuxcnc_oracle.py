@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Kadr beside LinuxCNC's own interpreter: random programs, or those of a folder, in rs274 and in `kadr run --control linuxcnc`.
 
-    tests/linuxcnc_oracle.py --kadr build/release/kadr [--count 400] [--seed 1] [--show]
+    tests/linuxcnc_oracle.py --kadr build/release/kadr [--count 400] [--seed 1] [--show] [--axes XYZABC]
     tests/linuxcnc_oracle.py --kadr build/release/kadr --folder DIR [--named FILE]     LinuxCNC's own programs
 
 Compared: positions within 1e-4 mm, arcs with centre and turns, feeds, dwells, messages, spindle, coolant, outputs, and the text of an alarm.
+A fourth of the programs are of a machine with the axes U V W too; `--axes` makes all of them of that machine.
 `--named`: lines `NAME reason` of programs that differ for a reason; one that is equal all the same is a fault.
 Skipped, counted and said, where there is no rs274 (Debian's linuxcnc-uspace: dev/setup oracle).
 """
@@ -25,7 +26,7 @@ import oracle  # noqa: E402
 import programs  # noqa: E402
 
 TOOLS = '\n'.join(f'T{n} P{n} Z0 D0' for n in range(1, 100)) + '\n'
-SETUP = {'axes': list('XYZABC'), 'probe': {'1': None}}
+USUAL, ALL = 'XYZABC', 'XYZABCUVW'
 SECONDS = 20
 
 
@@ -33,6 +34,8 @@ class KadrRun(check.Run):
     """As the referee's run of a case, of a file that stands where it stands."""
 
     def __init__(self, kadr, folder, name, setup_file):  # noqa: super's makes a folder of its own
+        setup = json.loads(Path(setup_file).read_text())
+        self.axes = setup['axes']
         done = subprocess.run([kadr, 'run', name, '--control', 'linuxcnc', '--setup', setup_file, '--files', '.', '--trace', '-', '--lang', 'en'],
                               cwd=folder, capture_output=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
         self.status, self.stderr = done.returncode, done.stderr.decode(errors='replace')
@@ -45,12 +48,12 @@ class KadrRun(check.Run):
             if action['do'] == 'home':                    # the second half of G28: rs274 has a traverse
                 action['do'] = 'rapid'
         self.actions = self.without_still()
-        self.add_snapshots(SETUP)
+        self.add_snapshots(setup)
 
 
     def without_still(self):
         """Straight motions of no length are left out, as of the oracle's."""
-        here, moving = dict.fromkeys('XYZABC', 0), []
+        here, moving = dict.fromkeys(self.axes, 0), []
         for action in self.actions:
             to = {**here, **action.get('machine', {})}
             still = action['do'] in ('rapid', 'feed') and all(abs(to[a] - here[a]) <= 1e-9 for a in here)
@@ -70,18 +73,18 @@ def expected(lines, error, text):
     return expect
 
 
-def difference(rs274, kadr, folder, name, text):
+def difference(rs274, kadr, folder, name, text, axes=USUAL):
     """What differs, or None; "no answer" where rs274 itself does not end."""
     (folder / 'tool.tbl').write_text(TOOLS)
     (folder / 'p.var').write_text('')
     try:
-        lines, error = rs274.run(folder, name, SECONDS)
+        lines, error = rs274.run(folder, name, SECONDS, axes)
     except subprocess.TimeoutExpired:
         return 'no answer'
     for rest in ('p.var', 'p.var.bak'):
         (folder / rest).unlink(missing_ok=True)
     setup = folder.parent / 'setup.json'
-    setup.write_text(json.dumps(SETUP))
+    setup.write_text(json.dumps({'axes': list(axes), 'probe': {'1': None}}))
     expect = expected(lines, error, text)
     try:
         run = KadrRun(kadr, folder, name, str(setup))
@@ -94,12 +97,12 @@ def difference(rs274, kadr, folder, name, text):
     return None
 
 
-def of_text(rs274, kadr, text):
+def of_text(rs274, kadr, text, axes):
     with tempfile.TemporaryDirectory(prefix='rs274') as place:
         folder = Path(place, 'memory')
         folder.mkdir()
         (folder / 'main.ngc').write_text(text + '\n')
-        return difference(rs274, kadr, folder, 'main.ngc', text)
+        return difference(rs274, kadr, folder, 'main.ngc', text, axes)
 
 
 def of_file(rs274, kadr, path):
@@ -125,6 +128,7 @@ def main():
     parser.add_argument('--show', action='store_true', help='print the programs that differ')
     parser.add_argument('--folder')
     parser.add_argument('--named')
+    parser.add_argument('--axes', choices=(USUAL, ALL))
     options = parser.parse_args()
     kadr = str(Path(options.kadr).resolve())
     with tempfile.TemporaryDirectory(prefix='rs274') as place:
@@ -139,8 +143,9 @@ def main():
             work = {str(f.relative_to(root)): f for f in sorted(root.rglob('*.ngc'))}
             compare = lambda name: of_file(rs274, kadr, work[name])
         else:
-            work = {f'seed {n}': programs.random_program(n) for n in range(options.seed, options.seed + options.count)}
-            compare = lambda name: of_text(rs274, kadr, work[name][1])
+            axes = {n: options.axes or (ALL if n % 4 == 0 else USUAL) for n in range(options.seed, options.seed + options.count)}
+            work = {f'seed {n}': (*programs.random_program(n, of), of) for n, of in axes.items()}
+            compare = lambda name: of_text(rs274, kadr, *work[name][1:])
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             found = dict(zip(work, pool.map(compare, work)))
     named = named_in(options.named)

@@ -40,6 +40,7 @@ enum class FeedAlong : std::uint8_t {
   path,      // the linear axes; where only rotary axes move, their way (NIST 2.1.2.5)
   arc,       // of a helix: the arc in its plane, the other axes keep pace (nct 4.3.2, HEF=0)
   all_axes,  // millimetres and degrees alike (nct 4.2)
+  xyz,       // X, Y, Z where they move, else the other linear axes, else the rotary ones (spec/linuxcnc 7.2)
 };
 
 /// Where the programmed plane lies when it is not a plane of the axes (nct 4.5, 4.6).

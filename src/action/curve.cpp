@@ -10,6 +10,8 @@ namespace kadr {
 
 namespace {
 
+constexpr double stands_within = 1e-7;  // mm; `tiny` of LinuxCNC's find_straight_length: FeedAlong::xyz
+
 AxisMask followers_of(const MotionDetail* detail) {
   AxisMask axes = 0;
   for (const Follower& follower : detail->followers) axes |= AxisMask{1} << follower.axis;
@@ -53,13 +55,25 @@ double Curve::length() const {
 
 double Curve::rotary_length() const { return std::sqrt(squares(roles_.rotary & own_axes() & ~plane_axes())); }
 
+AxisMask Curve::xyz_axes() const {
+  AxisMask axes = 0;
+  for (const int axis : roles_.xyz)
+    if (axis >= 0) axes |= AxisMask{1} << axis;
+  return axes;
+}
+
 /// What the axes outside the plane contribute to a length.
 double Curve::rise(FeedAlong along) const {
   if (along == FeedAlong::arc && arc_) return 0;
+  if (along == FeedAlong::xyz) {
+    const double moved = squares(xyz_axes() & own_axes() & ~plane_axes());
+    if (!straight() || moved > stands_within * stands_within) return std::sqrt(moved);
+  }
   return std::sqrt(squares((along == FeedAlong::all_axes ? own_axes() : own_axes() & ~roles_.rotary) & ~plane_axes()));
 }
 
 bool Curve::measures_path(FeedAlong along) const {
+  if (along == FeedAlong::xyz) return (all_axes() & ~(xyz_axes() | roles_.rotary)) == 0;
   if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
   bool flat = true;  // nothing outside the plane moves
   for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || way(i) == 0);

@@ -91,6 +91,7 @@ class Curve {
  private:
   AxisMask plane_axes() const { return straight() ? 0 : AxisMask{1} << first_ | AxisMask{1} << second_; }
   AxisMask all_axes() const { return (AxisMask{1} << roles_.count) - 1; }
+  AxisMask xyz_axes() const;
   AxisMask own_axes() const { return all_axes() & ~following_; }
   void find_path();
   FlatPath plane_path() const;

@@ -170,6 +170,9 @@ std::optional<SearchRules> Control::search_rules() const {
 bool Control::has_machine_parameters() const { return machine_side() != nullptr; }
 bool Control::queues_contours() const { return interpreter_->def.behaviour.contour_queued; }
 std::uint32_t Control::rotary() const { return interpreter_->def.rotary; }
+std::pair<double, double> Control::limits_by_file(std::size_t axis) const {
+  return interpreter_->dialect ? interpreter_->dialect->limits_by_file(axis) : std::pair{-1e300, 1e300};
+}
 const SetupFault& Control::setup_fault() const { return interpreter_->start_fault; }
 
 }  // namespace kadr

@@ -190,6 +190,8 @@ class Control {
   /// Its contours are those of path/contour/queued_compensation.
   bool queues_contours() const;
   std::uint32_t rotary() const;
+  /// Dialect::limits_by_file().
+  std::pair<double, double> limits_by_file(std::size_t axis) const;
 
  private:
   /// What the machine may tell the control; nullptr: nothing.

@@ -11,6 +11,7 @@ namespace kadr {
 
 bool Dialect::start(Interpreter&, const Setup&) { return false; }
 void Dialect::take_setup(Interpreter&, const Setup&) {}
+std::pair<double, double> Dialect::limits_by_file(std::size_t) const { return {-1e300, 1e300}; }
 void Dialect::started(Interpreter&) {}
 bool Dialect::end_program(Interpreter&) { return false; }
 bool Dialect::lose_power(Interpreter&) { return false; }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "base/result.h"
 #include "base/vec.h"
@@ -88,8 +89,13 @@ class Dialect {
   virtual std::string start_words() const { return {}; }
   /// The tool stands where the set-up says.
   virtual void started(Interpreter& m);
+  /// Limits of an axis that a file of the machine says, machine coordinates; ±1e300: none. Those of the set-up and of a machine file
+  /// count before them.
+  virtual std::pair<double, double> limits_by_file(std::size_t axis) const;
   /// M2, M30, instead of the file's end codes. true: done.
   virtual bool end_program(Interpreter& m);
+  /// The run has stopped with an alarm; all that the block had changed is as it was.
+  virtual void failed(Interpreter&) {}
   /// Power off and on: what only the power kept is lost. false: nothing is known of that.
   virtual bool lose_power(Interpreter& m);
   /// Variables that hold something, and those that are asked for.

@@ -267,6 +267,7 @@ void Interpreter::fail_with(const Alarm& failed) {
   block_open = false;
   report = report_of(failed, origin, block->text);
   stopped_ = true;
+  if (dialect) dialect->failed(*this);
 }
 
 Status Interpreter::execute() {

@@ -13,6 +13,12 @@
 namespace kadr {
 namespace {
 
+/// AxisProfile: ±1e300 is none.
+bool is_limit(double least, double most) {
+  constexpr double none = 1e299;
+  return least > -none || most < none;
+}
+
 /// How far the axis stays from the command: the setup's own entry, else the one for all axes.
 double position_error(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
@@ -25,11 +31,17 @@ double position_error(const Setup& setup, const std::string& axis) {
 VirtualMachine::VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                                const ToolPosition& start)
     : names_(axes), roles_(AxisRoles::of(axes, rotary)), probe_(axes, roles_, setup), position_(start) {
-  constexpr double none = 1e299;  // AxisProfile: ±1e300 is no limit
   for (std::size_t i = 0; i < roles_.count; ++i) {
     std::tie(least_[i], most_[i]) = limits_of(profile, setup, axes[i]);
-    if (least_[i] > -none || most_[i] < none) limited_ |= AxisMask{1} << i;
+    if (is_limit(least_[i], most_[i])) limited_ |= AxisMask{1} << i;
   }
+}
+
+void VirtualMachine::limit(std::size_t axis, double least, double most) {
+  if (axis >= roles_.count || (limited_ >> axis & 1U) != 0 || !is_limit(least, most)) return;
+  limited_ |= AxisMask{1} << axis;
+  least_[axis] = least;
+  most_[axis] = most;
 }
 
 void VirtualMachine::obey_parameters(const Setup& setup) {

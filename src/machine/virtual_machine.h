@@ -20,6 +20,9 @@ class VirtualMachine {
   VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                  const ToolPosition& start);
 
+  /// An axis that neither set-up nor machine file limits gets these limits, machine coordinates.
+  void limit(std::size_t axis, double least, double most);
+
   /// The machine of an NCT: its parameters give zones and in-position windows (nct 4.1.1, 22).
   void obey_parameters(const Setup& setup);
 

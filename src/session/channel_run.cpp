@@ -51,6 +51,10 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
   };
   control.find_corners = corners_of;
   if (control.queues_contours()) queued_.emplace(control.tool_position());
+  for (std::size_t a = 0; a < control.axes().size(); ++a) {
+    const auto [least, most] = control.limits_by_file(a);
+    machine_.limit(a, least, most);
+  }
   if (control.has_machine_parameters()) machine_.obey_parameters(setup);
   control.on_signal = [this](const std::string& name, bool on) { machine_.set_signal(name, on); };
   const bool answers = machine_.has_limits() || !logic.plc.idle();

@@ -1,8 +1,9 @@
 """LinuxCNC's stand-alone interpreter as an oracle: what `rs274` (Debian's linuxcnc-uspace) makes of a program, as actions of a golden case.
 
-Two things are done to it, neither to the interpreter itself: its stub of the machine says by one constant of the executable that a user
-unit is an inch (a copy with the constant 1 is a machine in mm: tool table and parameter file are in mm then), and a preloaded fprintf
-prints nine decimals for its four. What the stub does not know, so what no test may rest on: tool length and rotation where the interpreter
+Three things are done to it, none to the interpreter itself: its stub of the machine says by one constant of the executable that a user
+unit is an inch (a copy with the constant 1 is a machine in mm: tool table and parameter file are in mm then), and by another that there are
+six axes (a copy with nine, for programs with U V W); a preloaded library prints nine decimals for the stub's four, and before a call with U V
+W, of which the stub prints nothing, a line ALSO_UVW with them. What the stub does not know, so what no test may rest on: tool length and rotation where the interpreter
 asks for the position (after M6, M61, M66, G38.n), where a probe touches, inputs.
 """
 import math
@@ -16,15 +17,21 @@ from pathlib import Path
 
 PROGRAM = '/usr/bin/rs274'
 USER_UNIT = struct.pack('<d', 0.03937007874016)     # user units per mm in the stub
+SIX_AXES, NINE_AXES = b'\xb8\x3f\x00\x00\x00\xc3', b'\xb8\xff\x01\x00\x00\xc3'     # return 0x3f, 0x1ff: a bit an axis
 CANONICAL = re.compile(r' *\d+ N[0-9.]* *([A-Z_.0-9]+)\((.*)\)$')
-AXES = 'XYZABC'
+AXES = 'XYZABCUVW'
 PLANES = {'XY': ('XY', 'Z'), 'XZ': ('ZX', 'Y'), 'YZ': ('YZ', 'X')}
 KINDS = {'spindle', 'dwell', 'message', 'coolant', 'tool', 'speed', 'stop', 'm'}
 SHIM = r'''
 #define _GNU_SOURCE
+#include <dlfcn.h>
+#include <elf.h>
+#include <link.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 static int out(FILE* f, const char* fmt, va_list ap) {
   char b[4096];
   size_t n = 0;
@@ -45,6 +52,53 @@ int __fprintf_chk(FILE* f, int flag, const char* fmt, ...) {
   va_end(ap);
   return r;
 }
+typedef double d;
+static void also(d u, d v, d w) { if (u || v || w) printf("    0 N..... ALSO_UVW(%.9f, %.9f, %.9f)\n", u, v, w); }
+#define NINE d x, d y, d z, d a, d b, d c, d u, d v, d w
+#define GIVEN x, y, z, a, b, c, u, v, w
+static void (*feed)(int, NINE), (*rapid)(int, NINE), (*system_at)(int, NINE), (*shift)(NINE), (*probe)(int, NINE, unsigned char);
+static void (*arc)(int, d, d, d, d, int, d, d, d, d, d, d, d);
+static void my_feed(int n, NINE) { also(u, v, w); feed(n, GIVEN); }
+static void my_rapid(int n, NINE) { also(u, v, w); rapid(n, GIVEN); }
+static void my_system(int n, NINE) { also(u, v, w); system_at(n, GIVEN); }
+static void my_shift(NINE) { also(u, v, w); shift(GIVEN); }
+static void my_probe(int n, NINE, unsigned char t) { also(u, v, w); probe(n, GIVEN, t); }
+static void my_arc(int n, d p, d q, d r, d s, int t, d e, d a, d b, d c, d u, d v, d w) { also(u, v, w); arc(n, p, q, r, s, t, e, a, b, c, u, v, w); }
+static struct { const char* name; void* mine; void** theirs; } calls[] = {
+    {"_Z13STRAIGHT_FEEDiddddddddd", (void*)my_feed, (void**)&feed},       {"_Z17STRAIGHT_TRAVERSEiddddddddd", (void*)my_rapid, (void**)&rapid},
+    {"_Z14SET_G5X_OFFSETiddddddddd", (void*)my_system, (void**)&system_at}, {"_Z14SET_G92_OFFSETddddddddd", (void*)my_shift, (void**)&shift},
+    {"_Z14STRAIGHT_PROBEidddddddddh", (void*)my_probe, (void**)&probe},   {"_Z8ARC_FEEDiddddiddddddd", (void*)my_arc, (void**)&arc}};
+static int of_library(struct dl_phdr_info* info, size_t size, void* given) {  /* the interpreter's calls of the stub go through its table */
+  (void)size, (void)given;
+  if (!strstr(info->dlpi_name, "librs274")) return 0;
+  const ElfW(Dyn)* dyn = 0;
+  for (int i = 0; i < info->dlpi_phnum; ++i)
+    if (info->dlpi_phdr[i].p_type == PT_DYNAMIC) dyn = (void*)(info->dlpi_addr + info->dlpi_phdr[i].p_vaddr);
+  const ElfW(Sym)* symbols = 0;
+  const char* names = 0;
+  const ElfW(Rela)* tables[2] = {0, 0};
+  size_t sizes[2] = {0, 0};
+  for (; dyn && dyn->d_tag != DT_NULL; ++dyn) {
+    if (dyn->d_tag == DT_SYMTAB) symbols = (void*)dyn->d_un.d_ptr;
+    if (dyn->d_tag == DT_STRTAB) names = (void*)dyn->d_un.d_ptr;
+    if (dyn->d_tag == DT_JMPREL) tables[0] = (void*)dyn->d_un.d_ptr;
+    if (dyn->d_tag == DT_PLTRELSZ) sizes[0] = dyn->d_un.d_val;
+    if (dyn->d_tag == DT_RELA) tables[1] = (void*)dyn->d_un.d_ptr;
+    if (dyn->d_tag == DT_RELASZ) sizes[1] = dyn->d_un.d_val;
+  }
+  for (int t = 0; t < 2; ++t)
+    for (size_t i = 0; i < sizes[t] / sizeof(ElfW(Rela)); ++i)
+      for (size_t n = 0; n < sizeof calls / sizeof *calls; ++n) {
+        if (strcmp(names + symbols[ELF64_R_SYM(tables[t][i].r_info)].st_name, calls[n].name)) continue;
+        void** at = (void**)(info->dlpi_addr + tables[t][i].r_offset);
+        const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+        mprotect((void*)((size_t)at / page * page), page, PROT_READ | PROT_WRITE);
+        *calls[n].theirs = dlsym(RTLD_DEFAULT, calls[n].name);
+        *at = calls[n].mine;
+      }
+  return 1;
+}
+__attribute__((constructor)) static void begin(void) { dl_iterate_phdr(of_library, 0); }
 '''
 
 
@@ -65,16 +119,22 @@ class Oracle:
         data = Path(PROGRAM).read_bytes()
         if data.count(USER_UNIT) != 1:
             raise Absent(f'{PROGRAM} is not the version that is known here')
-        self.program.write_bytes(data.replace(USER_UNIT, struct.pack('<d', 1.0)))
-        self.program.chmod(0o755)
+        if data.count(SIX_AXES) != 1:
+            raise Absent(f'{PROGRAM} does not say its axes as is known here')
+        metric = data.replace(USER_UNIT, struct.pack('<d', 1.0))
+        self.nine_axes = Path(folder, 'rs274uvw')
+        for path, made in ((self.program, metric), (self.nine_axes, metric.replace(SIX_AXES, NINE_AXES))):
+            path.write_bytes(made)
+            path.chmod(0o755)
         source = Path(folder, 'decimals.c')
         source.write_text(SHIM)
         subprocess.run([compiler, '-shared', '-fPIC', '-O1', '-o', self.shim, source], check=True)
 
-    def run(self, folder, name, seconds=10):
+    def run(self, folder, name, seconds=10, axes='XYZABC'):
         """Runs the file `name` of the folder, in which tool.tbl and p.var stand: (canonical lines, text of the alarm or None)."""
+        program = self.nine_axes if 'U' in axes else self.program
         for attempt in range(4):                      # once in some hundred runs it ends with status 1 and says nothing
-            done = subprocess.run([str(self.program), '-t', 'tool.tbl', '-v', 'p.var', '-g', name], cwd=folder, capture_output=True,
+            done = subprocess.run([str(program), '-t', 'tool.tbl', '-v', 'p.var', '-g', name], cwd=folder, capture_output=True,
                                   timeout=seconds, stdin=subprocess.DEVNULL, env={**os.environ, 'LD_PRELOAD': str(self.shim), 'LC_ALL': 'C'})
             said = [line for line in done.stderr.decode('latin-1').splitlines() if line and not line.startswith(('executing', 'link ('))]
             if done.returncode == 0 or said:
@@ -99,6 +159,7 @@ class Converter:
         self.rotation, self.speed, self.tool = 0.0, 0.0, 0
         self.inverse = self.turning = self.changing = self.spline_open = False
         self.used = set()
+        self.uvw = [0.0, 0.0, 0.0]                       # of the next call
 
     def all(self, lines):
         last = max((i for i, line in enumerate(lines) if 'SET_FEED_MODE' in line), default=-1)
@@ -124,19 +185,23 @@ class Converter:
         to = {a: number(v) for a, v in target.items() if a in 'XYZ' or a in self.used or abs(v) > 1e-9}
         self.used |= {a for a in to if a not in 'XYZ'}
         action = {'do': do, 'to': to, **fields}
-        moves = any(abs(target[a] - self.here[a]) > 1e-9 for a in 'XYZ')
+        moves = any(abs(target[a] - self.here[a]) > 1e-9 for a in 'XYZUVW')
         if self.spline_open:
             self.spline_open, moves = False, True        # from where is not told
         if do in ('rapid', 'feed') and not moves and all(abs(target[a] - self.here[a]) <= 1e-9 for a in 'ABC'):
             return                                       # of no length: a trace may leave it out
         if do.startswith('arc') or (do == 'feed' and moves):
             if self.inverse:
-                length = length or math.dist([target[a] for a in 'XYZ'], [self.here[a] for a in 'XYZ'])
+                length = length or self.way(target, 'XYZ') or self.way(target, 'UVW')
                 action.update(feed=number(self.feed / length), unit='1/min')
             else:
                 action.update(feed=number(self.feed), unit='mm/rev' if self.per_rev else 'mm/min')
         self.actions.append(action)
         self.here = dict(target)
+
+    def way(self, target, axes):
+        way = math.dist([target[a] for a in axes], [self.here[a] for a in axes])
+        return way if way > 1e-7 else 0
 
     def frame(self):
         return dict(self.g5x), dict(self.g92), self.rotation, dict(self.length)
@@ -153,13 +218,18 @@ class Converter:
         self.here = {a: p[a] - self.g92[a] for a in AXES}
 
     def lengths(self, values):
-        return dict(zip(AXES, [v * self.factor for v in values[:3]] + values[3:6]))
+        return dict(zip(AXES, [v * self.factor for v in values[:3]] + values[3:6] + [v * self.factor for v in values[6:9] or self.uvw]))
 
     def call(self, name, inside):
         args = [float(v) for v in re.findall(r'-?\d+(?:\.\d+)?(?:e[-+]\d+)?|-?nan|-?inf', inside)] if '"' not in inside else []
         handler = getattr(self, 'on_' + name.lower(), None)
         if handler is not None:
             handler(args, inside)
+        if name != 'ALSO_UVW':
+            self.uvw = [0.0, 0.0, 0.0]
+
+    def on_also_uvw(self, args, _):
+        self.uvw = args
 
     # ---- motions
     def on_straight_traverse(self, args, _):
@@ -190,7 +260,7 @@ class Converter:
             swept += 2 * math.pi
         swept += (abs(sense) - 1) * 2 * math.pi
         length = math.hypot(math.hypot(x1, y1) * swept, end3 - self.here[third])
-        target = {**self.here, **dict(zip('ABC', args[6:9])), first: end1, second: end2, third: end3}
+        target = {**self.lengths([0.0] * 3 + args[6:9]), first: end1, second: end2, third: end3}
         self.motion('arc_ccw' if sense > 0 else 'arc_cw', target, length, center={first: number(c1), second: number(c2)},
                     plane=first + second, turns=number(swept / 2 / math.pi))
 
@@ -280,8 +350,8 @@ class Converter:
     def on_flood_on(self, *_):
         self.add('coolant', code='M8')
 
-    def on_mist_off(self, *_):
-        self.add('coolant', code='M9')
+    def on_mist_off(self, *_):                            # M2 tells it where mist is on
+        self.add('coolant', code='M9', **({'optional': True} if self.changing else {}))
 
     def on_program_stop(self, *_):
         self.add('stop')

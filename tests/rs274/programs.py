@@ -128,6 +128,39 @@ class Program:
     def message(self):
         self.add(self.random.choice(['(PRINT,x #5420 y #5421)', '(MSG, text)', '(DEBUG,#200 %d #200 %.2f#5422)', '(plain remark)']))
 
+    # ---- of a machine with U V W
+    def straight_uvw(self):
+        self.add(f'{self.random.choice(["G0", "G1", "G1", ""])} {self.words(self.random.choice(["UVW", "XYZUVW", "XYZ", "UVWAB"]))}'.strip())
+
+    def system_uvw(self):
+        r = self.random
+        words = self.words(r.choice(['UVW', 'XYZUVW']), 20)
+        self.add(r.choice([r.choice(SYSTEMS), f'G10 L2 P{r.randint(0, 9)} {words}', f'G10 L20 P{r.randint(0, 9)} {words}', f'G92 {words}', 'G92.1',
+                           'G92.2', 'G92.3', f'G52 {words}', f'G43.1 W{r.randint(-20, 20)}', 'G49', 'G28.1', 'G30.1', f'G28 {words}', 'G30',
+                           f'G10 L2 P{r.randint(1, 9)} R{r.randint(-180, 180)}', f'G10 L1 P{r.randint(1, 9)} {words}', f'G43 H{r.randint(1, 9)}']))
+
+    def plane_uvw(self):
+        r = self.random
+        plane = r.choice(['G17', 'G18', 'G19', 'G17.1', 'G18.1', 'G19.1', 'G17.1', 'G18.1', 'G19.1'])
+        of = 'UVW' if plane.endswith('.1') else 'XYZ'
+        first, second, drill = {'G17': of, 'G18': of[2] + of[0] + of[1], 'G19': of[1] + of[2] + of[0]}[plane[:3]]
+        if self.chance(0.1):                              # a letter of the other kind of plane
+            first = r.choice('XYZUVW')
+        code = r.choice(['G81', 'G82 P0.2', 'G83 Q1.3', 'G73 Q0.9', 'G85', 'G89 P0.1', 'G86 P0.1', 'G87 I0.5 J0.3 K-0.2', 'G84', 'G74'])
+        if of == 'XYZ' and plane != 'G17' and code in ('G84', 'G74'):
+            code = 'G81'                                  # strokes along axes that are turned: a fault of the control
+        self.add(f'{plane} {"M4" if code == "G74" else "M3"} {r.choice(["G98", "G99"])} {r.choice(["G90", "G90", "G91"])}')
+        self.add(f'G0 {drill}{r.randint(3, 12)}')
+        count = f' L{r.randint(1, 3)}' if self.chance(0.3) and code != 'G74' else ''
+        self.add(f'{code} {first}{self.number(30)} {second}{self.number(30)} {drill}{-r.randint(1, 5)} R{r.randint(0, 5)}{count}')
+        for _ in range(r.randint(0, 2)):
+            self.add(self.words(first + second, 30))
+        self.add('G80 G90')
+        self.add(r.choice(['G17', '', f'{r.choice(["G2", "G3"])} U5 V5 I2 J2', '@5 ^10']))
+
+    def variable_uvw(self):
+        self.add(self.random.choice(['(PRINT,#5426 #5427 #5428)', '(PRINT,#<_u> #<_v> #<_w> #<_abs_x>)', '(PRINT,#5227 #5217 #5167 #<_plane>)']))
+
     TOPICS = {
         'motions': ['straight', 'straight', 'arc', 'mode', 'polar', 'spline'],
         'systems': ['straight', 'system', 'system', 'mode'],
@@ -135,19 +168,23 @@ class Program:
         'flow': ['loop', 'call', 'variable', 'straight', 'message'],
         'all': ['straight', 'arc', 'mode', 'system', 'cycle', 'polar', 'spline', 'variable', 'loop', 'call', 'message'],
     }
+    UVW = ['straight_uvw', 'straight_uvw', 'system_uvw', 'plane_uvw', 'variable_uvw', 'straight', 'arc', 'mode', 'system']
+    FAULTY_UVW = ['G1 U1 U2', 'G1 V', 'G5 X1 Y1 I1 J1 P-1 Q1 U3', 'G17.1 G2 U5 V5 I1', 'G17.1 G41', 'G81 U1 Z-1 R1', 'G17.1 G81 X1 W-1 R1', 'G80 U1', 'U5',
+                  'G18.1 G81 U1 R1', 'G19.1 G84 U-3 R2', 'G17.1 G5.1 X1 Y1 I1 J1', 'G17.1 @5 ^9', 'G93 G1 U5 F2', 'G76 P1 Z-5 I1 J.5 K1 U3']
 
 
-def random_program(seed):
+def random_program(seed, axes='XYZABC'):
     """(topic, text)"""
     program = Program(seed)
-    topic = list(Program.TOPICS)[seed % len(Program.TOPICS)]
+    topic = 'uvw' if 'U' in axes else list(Program.TOPICS)[seed % len(Program.TOPICS)]
+    kinds, faulty = (Program.UVW, Program.FAULTY_UVW + FAULTY) if topic == 'uvw' else (Program.TOPICS[topic], FAULTY)
     program.add('G21 G90 G17 G40 G80')
     program.add('F200 S500')
     for _ in range(program.random.randint(4, 18)):
-        getattr(program, program.random.choice(Program.TOPICS[topic]))()
+        getattr(program, program.random.choice(kinds))()
     if program.chance(0.3):
-        program.lines.insert(program.random.randint(2, len(program.lines)), program.random.choice(FAULTY))
+        program.lines.insert(program.random.randint(2, len(program.lines)), program.random.choice(faulty))
     program.add('M2')
-    if any('G43.1' in line for line in program.lines):    # rs274's stub does not convert a length in force
+    if any('G43' in line for line in program.lines):    # rs274's stub does not convert a length in force
         program.lines = ['G21' if line == 'G20' else line for line in program.lines]
     return topic, '\n'.join(program.lines)

@@ -171,6 +171,7 @@ void Interpreter::refused() {
   if (batch != nullptr) take_back(0);
   state_kept_ = false;
   if (block_states_) block_states_->note(origin.number, *this);
+  if (dialect) dialect->failed(*this);
 }
 
 void Interpreter::run_modes(std::initializer_list<Function> functions) {

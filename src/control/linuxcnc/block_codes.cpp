@@ -38,7 +38,6 @@ class Checker {
 
   Result<BlockCodes> run() {
     KADR_TRY(read());
-    KADR_TRY(axes_there());
     codes_.has_axis = m_.has_axis_words();
     codes_.has_polar = has(polar_radius_) || has(polar_angle_);
     KADR_TRY(polar());
@@ -56,6 +55,7 @@ class Checker {
   Status read() {
     for (std::uint32_t i = 0; i < m_.block->word_count; ++i) {
       const Word& w = m_.block->words[i];
+      KADR_TRY(axis_there(w));
       if (w.address == 'G') KADR_TRY(g_code(w));
       else if (w.address == 'M') KADR_TRY(m_code(w));
       else KADR_TRY(value(w));
@@ -80,14 +80,14 @@ class Checker {
   }
 
   /// U, V, W are no axes of the machine that is assumed; only in a turned profile U and W are increments.
-  Status axes_there() const {
-    if (control_.turning) return {};
-    for (std::uint32_t i = 0; i < m_.block->word_count; ++i) {
-      const Word& w = m_.block->words[i];
-      if (w.address < 'U' || w.address > 'W') continue;
-      return wrong(AlarmId::rs274_form, w.where, fmt::format("Bad character '{}' used", static_cast<char>(w.address | 0x20)));
-    }
-    return {};
+  /// A letter of an axis that the machine has not is none (1.1); in a profile A, C, U, W are words of its blocks (interp_g7x:
+  /// switch_settings).
+  Status axis_there(const Word& w) const {
+    const std::size_t axis = axis_letters.find(w.address);
+    if (axis == std::string_view::npos || (control_.axes >> axis & 1U) != 0) return {};
+    constexpr std::string_view of_profiles = "ACUW";
+    if (control_.turning && of_profiles.find(w.address) != std::string_view::npos) return {};
+    return wrong(AlarmId::rs274_form, w.where, fmt::format("Bad character '{}' used", static_cast<char>(w.address | 0x20)));
   }
 
   Status m_code(const Word& w) {
@@ -132,7 +132,7 @@ class Checker {
   Status polar() const {
     if (!codes_.has_polar) return {};
     const auto no = [&](const char* text) { return wrong(AlarmId::rs274_motion, m_.block->where, text); };
-    if (m_.modal.plane != Plane::xy) return no("Cannot use polar coordinate except in G17 plane");
+    if (m_.modal.plane != Plane::xy || is_plane_of_uvw(m_)) return no("Cannot use polar coordinate except in G17 plane");
     if (m_.has('X')) return no("Cannot specify both polar coordinate and X word");
     if (m_.has('Y')) return no("Cannot specify both polar coordinate and Y word");
     return {};

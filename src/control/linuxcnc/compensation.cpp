@@ -17,7 +17,7 @@ Status tool_side(Interpreter& m, const Call& call) {
   const int code = call.row->arg;
   const bool by_word = code > 100;
   const auto wrong = [&](std::string text) { return control.fault(AlarmId::rs274_compensation, call.where, std::move(text)); };
-  if (m.modal.plane == Plane::yz) return wrong("Cutter radius compensation allowed only in XY, XZ planes");
+  if (m.modal.plane == Plane::yz || linuxcnc::is_plane_of_uvw(m)) return wrong("Cutter radius compensation allowed only in XY, XZ planes");
   if (m.modal.radius_side != 0) return wrong("Cannot turn cutter radius comp on when on");
   double diameter = 0;
   if (by_word) {

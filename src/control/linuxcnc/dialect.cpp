@@ -25,11 +25,20 @@ constexpr std::uint32_t debug_on = 5599;
 
 }  // namespace
 
+bool is_plane_of_uvw(const Interpreter& m) {
+  return std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
+    if (row < 0) return false;
+    const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
+    return code.letter == 'G' && (code.tenth == 171 || code.tenth == 181 || code.tenth == 191);
+  });
+}
+
 LinuxCnc& linuxcnc_of(const Interpreter& m) { return static_cast<LinuxCnc&>(*m.dialect); }
 
 struct LinuxCnc::Remembered : DialectState {
   State state;
   std::map<int, Tool> tools;
+  bool tools_changed = false;
   std::vector<Level> levels;
   std::map<double, double> globals;
   std::vector<std::vector<KeptModes>> kept_modes;
@@ -63,14 +72,56 @@ LinuxCnc::LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits)
   read_tool_file(limits);
 }
 
+/// Axes of the machine (1.1): the set-up names them, or its ini file. INFERRED: with U, V or W there are all nine places, so that the
+/// numbers of the parameters hold; a letter that is not named is no word all the same.
+bool LinuxCnc::start(Interpreter& m, const Setup& setup) {
+  std::string named;
+  for (const std::string& axis : setup.axes) named += axis;
+  if (named.empty()) named = machine.axes;
+  if (named.empty()) named = axis_letters.substr(0, usual_axes);
+  for (std::size_t a = 0; a < axis_letters.size(); ++a)
+    if (named.find(axis_letters[a]) != std::string::npos) axes |= AxisMask{1} << a;
+  if (axes >> axis_u == 0) m.axis_names.resize(usual_axes);
+  m.axis_count = m.axis_names.size();
+  return false;
+}
+
+std::pair<double, double> LinuxCnc::limits_by_file(std::size_t axis) const {
+  return machine.known && axis < machine.limits.size() ? machine.limits[axis] : Dialect::limits_by_file(axis);
+}
+
+/// X Y Z have the feed where they move, else U V W, else A B C (7.2).
+void LinuxCnc::note_motion(Interpreter& m, Motion& motion) {
+  motion.along = FeedAlong::xyz;
+  if (m.modal.axes.first >= axis_u) {  // a plane of U, V, W has no arcs and no contours
+    const PlaneAxes of_xyz = axes_of(m.modal.plane);
+    motion.first = static_cast<std::uint8_t>(of_xyz.first);
+    motion.second = static_cast<std::uint8_t>(of_xyz.second);
+  }
+  Dialect::note_motion(m, motion);
+}
+
+/// Work systems with their rotations, and reference points: mm and degrees, where the parameters are in the machine's unit.
+void LinuxCnc::take_tables(Interpreter& m, const Setup& setup) {
+  const auto store = [&](std::uint32_t first, const AxisValues& values) {
+    for (std::size_t a = 0; a < m.axis_count; ++a)
+      if (const auto at = values.find(m.axis_names[a]); at != values.end()) store_axis(m, first, a, at->second);
+  };
+  constexpr std::string_view names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+  for (const auto& [name, offset] : setup.work_offsets) {
+    const auto found = std::find(std::begin(names), std::end(names), name);
+    if (found == std::end(names)) continue;
+    const std::uint32_t first = 5221 + 20 * static_cast<std::uint32_t>(found - std::begin(names));
+    store(first, offset);
+    if (const auto angle = offset.find("G17"); angle != offset.end()) m.variables.set_raw(first + 9, angle->second);
+  }
+  for (const auto& [number, point] : setup.reference_points)
+    if (number == 1 || number == 2) store(number == 1 ? 5161 : 5181, point);
+}
+
 void LinuxCnc::take_setup(Interpreter& m, const Setup& setup) {
   take_parameters(m);
-  for (const auto& [name, offset] : setup.work_offsets)  // the rotation of a system stands beside its offsets
-    if (const auto angle = offset.find("G17"); angle != offset.end())
-      for (std::size_t i = 0; i < 9; ++i) {
-        constexpr const char* names[] = {"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
-        if (name == names[i]) m.variables.set_raw(5230 + static_cast<std::uint32_t>(i) * 20, angle->second);
-      }
+  take_tables(m, setup);
   if (!machine.keeps_shift)
     for (std::uint32_t n = shift_on_number; n < first_shift + axes_of_tables; ++n) m.variables.set_raw(n, 0);
   const auto stated = static_cast<std::uint32_t>(m.variables.raw(system_number));
@@ -78,8 +129,7 @@ void LinuxCnc::take_setup(Interpreter& m, const Setup& setup) {
   m.modal.fixture = number;
   m.variables.set_raw(system_number, number);
   state.shift_on = m.variables.raw(shift_on_number) != 0;
-  for (std::uint32_t a = 0; a < axes_of_tables && a < m.axis_count && state.shift_on; ++a)
-    state.shift[a] = m.variables.raw(first_shift + a);
+  if (state.shift_on) state.shift = stored_axes(m, first_shift);
   state.system_number = number;
   state.system = system_offset(m, number);
   state.rotation = m.variables.raw(5230 + (number - 1) * 20);
@@ -113,14 +163,22 @@ bool LinuxCnc::end_program(Interpreter& m) {
   flow.by_m98.clear();
   turning.reset();
   save_parameters(m, true);
+  save_tools(m);
   stop_other_spindles(m);
   return false;
+}
+
+/// An alarm leaves the parameters as they are, and they are written: the machine asks the interpreter to (Interp::synch).
+void LinuxCnc::failed(Interpreter& m) {
+  save_parameters(m, false);
+  save_tools(m);
 }
 
 std::shared_ptr<const DialectState> LinuxCnc::snapshot() const {
   auto all = std::make_shared<Remembered>();
   all->state = state;
   all->tools = tools;
+  all->tools_changed = tools_changed;
   all->levels = levels_;
   all->globals = globals_;
   all->kept_modes = kept_modes;
@@ -137,6 +195,7 @@ Status LinuxCnc::restore(Interpreter&, const DialectState& from) {
   const auto& all = static_cast<const Remembered&>(from);
   state = before_ = all.state;
   tools = all.tools;
+  tools_changed = all.tools_changed;
   levels_ = all.levels;
   globals_ = all.globals;
   kept_modes = all.kept_modes;
@@ -163,6 +222,7 @@ Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
   }
   if (!state.percent) return fault(AlarmId::rs274_form, m.block->where, "Bad character '%' used");
   save_parameters(m, false);
+  save_tools(m);
   m.flow.end();
   return true;
 }
@@ -190,60 +250,6 @@ void LinuxCnc::begin_block(Interpreter&) {
 
 namespace {
 
-/// @r ^t as X and Y (7.1): the words themselves are changed, so that all that moves reads them.
-Status polar_words(Interpreter& m, LinuxCnc& control) {
-  char radius_sign = 0, angle_sign = 0;
-  for (const AddressName& name : m.def.grammar.names) {
-    if (name.text == "@") radius_sign = name.address;
-    if (name.text == "^") angle_sign = name.address;
-  }
-  Word* const radius = m.has(radius_sign) ? const_cast<Word*>(m.word(radius_sign)) : nullptr;
-  Word* const angle = m.has(angle_sign) ? const_cast<Word*>(m.word(angle_sign)) : nullptr;
-  if (radius == nullptr && angle == nullptr) return {};
-  const Span at = m.block->where;
-  const auto wrong = [&](const char* text) { return control.fault(AlarmId::rs274_motion, at, text); };
-  if (m.has_code({Function::machine_coordinates})) return wrong("Cannot use polar coordinates with G53");
-  const double unit = (control.codes.g[6] >= 0 ? control.codes.g[6] == 200 : m.modal.inch) ? mm_per_inch : 1;
-  const Vec2 here{m.position.programmed[0] / unit, m.position.programmed[1] / unit};
-  const bool at_zero = length(here) < 1e-9;
-  const bool absolute = control.codes.g[3] >= 0 ? control.codes.g[3] == 900 : m.modal.absolute;
-  double r = length(here), t = at_zero ? 0 : angle_deg(here);
-  if (absolute) {
-    if (radius != nullptr && angle == nullptr && at_zero) return wrong("Must specify angle in polar coordinate if at the origin");
-    if (radius != nullptr) r = radius->value;
-    if (angle != nullptr) t = angle->value;
-  } else {
-    if (at_zero && radius != nullptr) return wrong("Incremental motion with polar coordinates is indeterminate when at the origin");
-    if (at_zero) return wrong("G91 motion with polar coordinates is indeterminate when at the origin");
-    if (radius != nullptr) r += radius->value;
-    if (angle != nullptr) t += angle->value;
-  }
-  const SinCos by = sincos_deg(t);
-  Vec2 to{r * by.cos, r * by.sin};
-  if (!absolute) to = to - here;
-  control.state.polar_step = !absolute;
-  control.state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
-  control.state.polar_angle = angle == nullptr ? 0 : angle->value;
-  // A loop carries the block out again: its words come back (forget_polar_words()). One of the two may be missing: its place is taken by
-  // the other's neighbour.
-  control.written_words.assign(m.block->words.begin(), m.block->words.begin() + m.block->word_count);
-  Word* const first = radius != nullptr ? radius : angle;
-  first->address = first->written = 'X';
-  first->value = to.x;
-  Word* second = radius != nullptr && angle != nullptr ? angle : nullptr;
-  if (second == nullptr) {
-    if (m.block->word_count == limits::block_words) return fail(alarm(AlarmId::too_many_words, at, double{limits::block_words}));
-    m.block->words[m.block->word_count] = *first;
-    second = &m.block->words[m.block->word_count++];
-  }
-  second->address = second->written = 'Y';
-  second->value = to.y;
-  first->expression = second->expression = {};
-  m.block->altered = true;
-  m.note_addresses();
-  return {};
-}
-
 /// Feed 0 is found when the block is carried out, after its F and its kind of feed (7.2).
 Status feed_known(const Interpreter& m, const LinuxCnc& control) {
   const std::int32_t motion = control.codes.motion;
@@ -258,8 +264,8 @@ Status feed_known(const Interpreter& m, const LinuxCnc& control) {
   const double feed = m.has('F') ? m.value('F') : kind >= 0 || !m.modal.feed_known ? 0 : m.modal.feed;
   if (!(feed > 0)) return control.fault(AlarmId::rs274_motion, at, "Cannot do g1 with zero feed rate");
   const bool by_turn = kind >= 0 ? kind == 950 : m.modal.feed_mode == FeedMode::per_revolution;
-  const double speed = m.has('S') ? m.value('S') : m.modal.rpm;
-  if (by_turn && speed == 0) return control.fault(AlarmId::rs274_spindle, at, "Cannot feed with zero spindle speed in feed per rev mode");
+  if (by_turn && speed_of_block(m, control.state.active_spindle) == 0)
+    return control.fault(AlarmId::rs274_spindle, at, "Cannot feed with zero spindle speed in feed per rev mode");
   return {};
 }
 
@@ -297,7 +303,7 @@ Result<bool> LinuxCnc::takes_block(Interpreter& m) {
   KADR_TRY(feed_known(m, *this));
   KADR_TRY(m.take_words());
   state.polar_step = false;
-  KADR_TRY(polar_words(m, *this));
+  KADR_TRY(take_polar_words(m));
   return false;
 }
 
@@ -317,6 +323,8 @@ void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
     m.modal.feed_known = false;
     return;
   }
+  if (group == "2" && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: the like of G17, G18, G19 among U, V, W
+    m.modal.axes = {m.modal.axes.first + axis_u, m.modal.axes.second + axis_u, m.modal.axes.normal + axis_u};
   if (group == "7" && m.modal.contour == ContourPhase::leaving) state.arc_not_allowed = true;
   if (group == "6") m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
   if (group != "1" || !row.modal) return;
@@ -334,16 +342,6 @@ Status LinuxCnc::after_block(Interpreter& m) {
 void LinuxCnc::take_back(Interpreter& m) {
   state = before_;
   forget_polar_words(m);
-}
-
-/// The block's words as they are written.
-void LinuxCnc::forget_polar_words(Interpreter& m) {
-  if (written_words.empty()) return;
-  std::copy(written_words.begin(), written_words.end(), m.block->words.begin());
-  m.block->word_count = static_cast<std::uint32_t>(written_words.size());
-  m.block->altered = false;
-  written_words.clear();
-  m.note_addresses();
 }
 
 bool LinuxCnc::lines_follow(const Interpreter& m) const {

@@ -1,4 +1,4 @@
-// Files of a machine that are read at power-on, and parameters that are written at the end: ini file, parameter file, tool table
+// Files of a machine that are read at power-on, and what of them is written at the end: ini file, parameter file, tool table
 // (spec/linuxcnc 1.1, 4.4, 9, 10.1).
 
 #include "config/read_file.h"
@@ -62,9 +62,18 @@ void LinuxCnc::read_tool_file(const RunLimits& limits) {
   if (limits.files.empty()) return;
   const std::string table = machine.tool_table.empty() ? "tool.tbl" : machine.tool_table;
   if (const auto text = read_file(path_in(limits.files, table), most_bytes); text) {
-    tools = read_tools(*text);
+    tools = read_tools(*text, machine.unit);
+    tools_before_ = *text;
     table_is_known = true;
+    writes_tools_ = limits.writes_files && !machine.tool_table.empty();
   }
+}
+
+/// The table that the ini file names, where G10 has changed it.
+void LinuxCnc::save_tools(Interpreter& m) {
+  if (!writes_tools_ || !tools_changed) return;
+  const Status saved = outputs.replace(ProgramFiles::Which::tools, machine.tool_table, tools_before_, tools_text(tools, machine.unit));
+  if (!saved) m.warn(warning(saved.error().id, {}, std::string_view(machine.tool_table)));
 }
 
 }  // namespace kadr::linuxcnc

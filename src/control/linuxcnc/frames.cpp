@@ -71,11 +71,11 @@ Status write_system(Interpreter& m, const kadr::Call& call, bool by_position) {
     each_word(m, [&](std::size_t a, double v) { reads[a] = v; });
     const Axes offset = sum(sum(m.position.machine, control.state.length, -1), turned_by(sum(reads, control.state.shift), rotation), -1);
     const bool turns = rotation != 0 && (m.has('X') || m.has('Y'));
-    each_word(m, [&](std::size_t a, double) { set(m, first + static_cast<std::uint32_t>(a), offset[a]); });
+    each_word(m, [&](std::size_t a, double) { control.store_axis(m, first, a, offset[a]); });
     if (turns)
-      for (const std::uint32_t a : {0U, 1U}) set(m, first + a, offset[a]);
+      for (const std::size_t a : {0U, 1U}) control.store_axis(m, first, a, offset[a]);
   } else {
-    each_word(m, [&](std::size_t a, double v) { set(m, first + static_cast<std::uint32_t>(a), v); });
+    each_word(m, [&](std::size_t a, double v) { control.store_axis(m, first, a, v); });
   }
   (void)m.variables.take_frames_changed();
   if (in_force) control.take_system(m, number);
@@ -148,15 +148,25 @@ const Tool* LinuxCnc::tool(double number) const {
 
 Tool& LinuxCnc::tool_to_write(Interpreter& m, int number) {
   Tool& tool = tools[number];
-  m.journal.on_undo([&tool, before = tool] { tool = before; });
+  m.journal.on_undo([this, &tool, before = tool, changed = tools_changed] {
+    tool = before;
+    tools_changed = changed;
+  });
+  tools_changed = true;
   return tool;
 }
 
-Axes LinuxCnc::system_offset(const Interpreter& m, std::uint32_t number) const {
-  Axes offset{};
-  for (std::uint32_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) offset[a] = m.variables.raw(system_at(number) + a);
-  return offset;
+Axes LinuxCnc::stored_axes(const Interpreter& m, std::uint32_t first) const {
+  Axes values{};
+  for (std::uint32_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) values[a] = m.variables.raw(first + a) * table_unit(a);
+  return values;
 }
+
+void LinuxCnc::store_axis(Interpreter& m, std::uint32_t first, std::size_t axis, double value) const {
+  m.variables.set_raw(first + static_cast<std::uint32_t>(axis), value / table_unit(axis));
+}
+
+Axes LinuxCnc::system_offset(const Interpreter& m, std::uint32_t number) const { return stored_axes(m, system_at(number)); }
 
 void LinuxCnc::take_system(Interpreter& m, std::uint32_t number) {
   state.system_number = number;
@@ -167,7 +177,7 @@ void LinuxCnc::take_system(Interpreter& m, std::uint32_t number) {
 
 void LinuxCnc::store_shift(Interpreter& m) {
   set(m, shift_on_number, state.shift_on ? 1 : 0);
-  for (std::uint32_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) set(m, first_shift + a, state.shift[a]);
+  for (std::size_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) store_axis(m, first_shift, a, state.shift[a]);
   (void)m.variables.take_frames_changed();
 }
 
@@ -220,7 +230,7 @@ Status coordinate_shift_off(Interpreter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
   if (call.row->arg == 3) {
-    for (std::uint32_t a = 0; a < m.axis_count; ++a) control.state.shift[a] = m.variables.raw(linuxcnc::first_shift + a);
+    control.state.shift = control.stored_axes(m, linuxcnc::first_shift);
     control.state.shift_on = true;
     linuxcnc::set(m, linuxcnc::shift_on_number, 1);
   } else {
@@ -260,9 +270,7 @@ Status reference_move(Interpreter& m, const Call& call) {
     named = (AxisMask{1} << m.axis_count) - 1;
     KADR_TRY(m.straight(MotionKind::rapid, m.position.programmed, named));
   }
-  Axes stored = m.position.machine;
-  for (std::uint32_t a = 0; a < linuxcnc::axes_of_tables && a < m.axis_count; ++a) stored[a] = m.variables.raw(first + a);
-  const Axes there = m.frames.work_of(stored);
+  const Axes there = m.frames.work_of(linuxcnc_of(m).stored_axes(m, first));
   Axes to = m.position.programmed;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((named >> a & 1U) != 0) to[a] = there[a];
@@ -273,7 +281,7 @@ Status reference_move(Interpreter& m, const Call& call) {
 Status reference_store(Interpreter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot set reference point with cutter compensation in effect"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
-  for (std::uint32_t a = 0; a < linuxcnc::axes_of_tables && a < m.axis_count; ++a) linuxcnc::set(m, first + a, m.position.machine[a]);
+  for (std::size_t a = 0; a < m.axis_count; ++a) linuxcnc_of(m).store_axis(m, first, a, m.position.machine[a]);
   (void)m.variables.take_frames_changed();
   return {};
 }

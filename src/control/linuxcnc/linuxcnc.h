@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "action/plane_spline.h"
@@ -31,7 +32,9 @@ inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, syste
 
 inline constexpr std::size_t most_arguments = 30;  // #1 … #30
 inline constexpr std::size_t most_spindles = 8;
-inline constexpr std::size_t axes_of_tables = 9;  // X Y Z A B C U V W
+inline constexpr std::string_view axis_letters = "XYZABCUVW";  // in the order of the tables and of the control's axes
+inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
+inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // A B C
 
 /// A tool of the table (9); mm, degrees.
 struct Tool {
@@ -40,6 +43,7 @@ struct Tool {
   double front = 0, back = 0;  // I J
   double orientation = 0;      // Q
   int pocket = 0;
+  std::string remark;  // behind `;` in the file
 };
 
 /// Parameters that belong to one call: #1 … #30, and those with names.
@@ -92,11 +96,15 @@ class LinuxCnc final : public Dialect {
   LinuxCnc(Interpreter& m, const Setup& setup, const RunLimits& limits);
 
   // ---- dialect.cpp, files_read.cpp
+  bool start(Interpreter& m, const Setup& setup) override;
+  void note_motion(Interpreter& m, Motion& motion) override;
   void take_setup(Interpreter& m, const Setup& setup) override;
   std::string start_words() const override { return machine.startup; }
+  std::pair<double, double> limits_by_file(std::size_t axis) const override;
   void started(Interpreter& m) override;
   Status target(const Interpreter& m, Axes& to, AxisMask& named) const override;
   bool end_program(Interpreter& m) override;
+  void failed(Interpreter& m) override;
   void add_variables(Interpreter& m, Ending& ending, const std::vector<std::string>& watch) override;
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(Interpreter& m, const DialectState& from) override;
@@ -111,6 +119,7 @@ class LinuxCnc final : public Dialect {
   Status after_block(Interpreter& m) override;
   void take_back(Interpreter& m) override;
   bool lines_follow(const Interpreter& m) const override;
+  AxisMask rolling_axes(const Interpreter&) const override { return ~axes; }  // no words of this machine: an alarm
   void note_line(Interpreter& m) override;
   ArcRule arc_rule(const Interpreter& m) const override;
   Status arc(Interpreter& m, const Call& call, Turn turn) override;
@@ -139,6 +148,10 @@ class LinuxCnc final : public Dialect {
   Tool& tool_to_write(Interpreter& m, int number);
   void retain_length(Interpreter& m);
   Axes system_offset(const Interpreter& m, std::uint32_t number) const;
+  /// Parameters that hold a position are in the machine's unit (1.1): a value an axis, from the number `first`; here mm, degrees.
+  Axes stored_axes(const Interpreter& m, std::uint32_t first) const;
+  void store_axis(Interpreter& m, std::uint32_t first, std::size_t axis, double value) const;
+  double table_unit(std::size_t axis) const { return is_rotary_place(axis) ? 1 : machine.unit; }
   void take_system(Interpreter& m, std::uint32_t number);
   void store_shift(Interpreter& m);
 
@@ -154,8 +167,10 @@ class LinuxCnc final : public Dialect {
   std::optional<TurningCycle> turning;  // its profile is being read
   ProgramFiles outputs;
   char spindle_address = 0;  // `$` as the reader knows it
+  AxisMask axes = 0;         // that the machine has (1.1); others are no words
   std::map<int, Tool> tools;
   std::vector<Word> written_words;                    // of the block, where X and Y stand for its @ and ^
+  bool tools_changed = false;                         // by G10: the file is written
   bool table_is_known = false;                        // else each tool is there, and nothing of it is known
   std::vector<std::vector<KeptModes>> kept_modes{1};  // by call
   Axes probed{};                                      // #5061 …, mm
@@ -164,20 +179,23 @@ class LinuxCnc final : public Dialect {
 
  private:
   void forget_shift(Interpreter& m);
+  Status take_polar_words(Interpreter& m);
   void forget_polar_words(Interpreter& m);
   Status write_probed(const Interpreter& m);
   void read_parameter_file(Interpreter& m, const RunLimits& limits);
   void take_parameters(Interpreter& m);
+  void take_tables(Interpreter& m, const Setup& setup);
   void save_parameters(Interpreter& m, bool program_ends);
+  void save_tools(Interpreter& m);
   void read_tool_file(const RunLimits& limits);
   void read_machine_file(Interpreter& m, const Setup& setup, const RunLimits& limits);
   struct Remembered;
   /// own: the control's (4.3); common: #<_name>; local: of a call.
   enum class NameKind : std::uint8_t { unknown, own, common, local };
   NameKind kind_of(const Interpreter& m, double number) const;
-  std::string parameters_before_;  // what stands in the file of parameters
+  std::string parameters_before_, tools_before_;  // what stands in the files
   StoredParameters stored_;
-  bool writes_parameters_ = false;
+  bool writes_parameters_ = false, writes_tools_ = false;
   std::vector<Level> levels_{1};
   std::map<double, double> globals_;  // #<_name>
   State before_;
@@ -191,5 +209,8 @@ class LinuxCnc final : public Dialect {
 };
 
 LinuxCnc& linuxcnc_of(const Interpreter& m);
+
+/// The plane in force is one of U, V, W: G17.1, G18.1, G19.1.
+bool is_plane_of_uvw(const Interpreter& m);
 
 }  // namespace kadr::linuxcnc

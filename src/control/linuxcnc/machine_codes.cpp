@@ -29,6 +29,19 @@ tl::unexpected<Alarm> wrong_word(const Interpreter& m, Span where, std::string t
 
 namespace {
 
+/// M7, M8, M9 only where one differs (write_m_codes, gen_m_codes): of two that are on one alone does not go off. `mist`, `flood`: now.
+void restore_coolant(Interpreter& m, bool mist, bool flood) {
+  Modal& modal = m.modal;
+  if (!modal.mist && !modal.flood) {
+    if (mist || flood) m.emit(CoolantSwitch{Coolant::off});
+    return;
+  }
+  if (modal.mist && !mist) m.emit(CoolantSwitch{Coolant::mist});
+  if (modal.flood && !flood) m.emit(CoolantSwitch{Coolant::flood});
+  modal.mist = modal.mist || mist;
+  modal.flood = modal.flood || flood;
+}
+
 /// The modes are values: what stands in the groups is brought back, with the actions that tell the machine (8; the control itself carries
 /// out a line of codes, with F of one decimal and S of none).
 Status restore_modes(Interpreter& m, const Modal& to) {
@@ -56,11 +69,7 @@ Status restore_modes(Interpreter& m, const Modal& to) {
   m.variables.inch = false;  // parameters are in the machine's unit (1.1)
   if (speed_changes && !spindle_changes) m.emit(Speed{modal.rpm, modal.surface_speed});
   if (spindle_changes) m.emit(Spindle{modal.spindle, modal.spindle == SpindleDir::stop ? 0 : modal.rpm});
-  if (mist != modal.mist || flood != modal.flood) {
-    if (!modal.mist && !modal.flood) m.emit(CoolantSwitch{Coolant::off});
-    if (modal.mist && !mist) m.emit(CoolantSwitch{Coolant::mist});
-    if (modal.flood && !flood) m.emit(CoolantSwitch{Coolant::flood});
-  }
+  restore_coolant(m, mist, flood);
   if (before.fixture != fixture) linuxcnc_of(m).take_system(m, fixture);
   return {};
 }
@@ -202,12 +211,19 @@ Status orient_to(Interpreter& m, const Call& call) {
   return {};
 }
 
-/// M50 to M53 P.
+/// M50 to M53 P. M51 `$` means one of the other spindles; that the first one has no number there is the source's slip.
 Status override_switch(Interpreter& m, const Call& call) {
   const bool on = !m.has('P') || m.value('P') != 0;
   KADR_TRY(linuxcnc::compensation_forbids(
       m, call.where,
       on ? "Cannot enable overrides with cutter radius compensation on" : "Cannot disable overrides with cutter radius compensation on"));
+  const char spindle = linuxcnc_of(m).spindle_address;
+  if (call.row->arg == 51 && m.has(spindle)) {
+    const double number = m.value(spindle);
+    if (!(number > 0 && number < linuxcnc_of(m).machine.spindles))
+      return linuxcnc_of(m).fault(AlarmId::rs274_spindle, call.where, "Invalid spindle ($) number in M51 command");
+    return {};
+  }
   const std::uint8_t bit = call.row->arg == 50 ? feed_permission : call.row->arg == 51 ? 2 : 0;
   m.modal.override_permission = static_cast<std::uint8_t>(on ? m.modal.override_permission | bit : m.modal.override_permission & ~bit);
   return {};

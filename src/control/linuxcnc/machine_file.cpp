@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/ascii.h"
+#include "base/units.h"
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::linuxcnc {
@@ -25,6 +26,24 @@ std::string_view without_blanks(std::string_view text) {
 std::optional<double> tolerance_in(const Ini& ini, const std::string& key, double least, double most) {
   const auto value = ini.number("RS274NGC", key);
   return value && *value >= least && *value <= most ? value : std::nullopt;
+}
+
+/// Words of emcTrajLinearUnits; others, and none, are mm.
+double unit_of(std::string_view word) {
+  std::string small(word);
+  for (char& c : small) c = to_lower(c);
+  return small == "in" || small == "inch" || small == "imperial" ? mm_per_inch : 1;
+}
+
+constexpr double no_limit = 1e300, beyond_limits = 1e99;  // what LinuxCNC has where the file says nothing
+
+std::pair<double, double> limits_in(const Ini& ini, char axis, double unit) {
+  const std::string section = std::string("AXIS_") + axis;
+  const auto in = [&](const char* key, double otherwise) {
+    const auto value = ini.number(section, key);
+    return value && std::fabs(*value) < beyond_limits ? *value * unit : otherwise;
+  };
+  return {in("MIN_LIMIT", -no_limit), in("MAX_LIMIT", no_limit)};
 }
 
 std::vector<std::string> folders_of(const Ini& ini) {
@@ -109,7 +128,12 @@ MachineFile machine_of(Ini ini) {
     const std::string* const found = ini.find(section, key);
     return found == nullptr ? std::string() : *found;
   };
-  machine.startup = text(of_control, "RS274NGC_STARTUP_CODE");
+  for (const char c : text("TRAJ", "COORDINATES"))
+    if (axis_letters.find(to_upper(c)) != std::string_view::npos) machine.axes += to_upper(c);
+  machine.unit = unit_of(text("TRAJ", "LINEAR_UNITS"));
+  for (std::size_t a = 0; a < machine.limits.size(); ++a)
+    machine.limits[a] = limits_in(ini, axis_letters[a], is_rotary_place(a) ? 1 : machine.unit);
+  machine.startup = (machine.unit == 1 ? "" : "G20 ") + text(of_control, "RS274NGC_STARTUP_CODE");
   machine.parameter_file = text(of_control, "PARAMETER_FILE");
   machine.tool_table = text("EMCIO", "TOOL_TABLE");
   machine.subprogram_folders = folders_of(ini);

@@ -31,6 +31,9 @@ class Ini {
 struct MachineFile {
   bool known = false;  // one is named
   Ini ini;
+  std::string axes;                                   // [TRAJ]COORDINATES: letters; empty: not said
+  double unit = 1;                                    // mm; of lengths in tables, of limits: [TRAJ]LINEAR_UNITS
+  std::array<std::pair<double, double>, 9> limits{};  // [AXIS_…]MIN_LIMIT, MAX_LIMIT by axis, mm, degrees; ±1e300: none
   int spindles = 1;
   double orient_offset = 0;  // degrees, M19
   std::optional<double> arc_tolerance_mm, arc_tolerance_inch;

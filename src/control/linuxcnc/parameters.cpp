@@ -22,7 +22,7 @@ double per_unit(const Interpreter& m) { return m.modal.inch ? mm_per_inch : 1; }
 /// Work position, #5420 …, in the unit of the program.
 double position(const Interpreter& m, const Axes& of, std::size_t axis) {
   if (axis >= m.axis_count) return 0;
-  return axis < 3 || axis >= 6 ? of[axis] / per_unit(m) : of[axis];
+  return is_rotary_place(axis) ? of[axis] : of[axis] / per_unit(m);
 }
 
 /// #5400 … #5413: the tool in the spindle.
@@ -30,8 +30,8 @@ double of_tool(const Interpreter& m, const LinuxCnc& control, int n) {
   if (n == 0) return m.modal.tool;
   const Tool* const tool = control.tool(m.modal.tool);
   if (tool == nullptr || m.modal.tool == 0) return 0;
-  if (n <= 9) return tool->offset[static_cast<std::size_t>(n - 1)];
-  const double others[] = {tool->diameter, tool->front, tool->back, tool->orientation};
+  if (n <= 9) return tool->offset[static_cast<std::size_t>(n - 1)] / control.table_unit(static_cast<std::size_t>(n - 1));
+  const double others[] = {tool->diameter / control.machine.unit, tool->front, tool->back, tool->orientation};
   return others[n - 10];
 }
 
@@ -168,7 +168,7 @@ std::optional<double> place_named(const Interpreter& m, const LinuxCnc& control,
   constexpr std::string_view letters = "xyzabcuvw";
   if (name.size() == 2 && letters.find(name[1]) != std::string_view::npos)
     return position(m, current_point(m, m.position.programmed), letters.find(name[1]));
-  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) != std::string_view::npos)
+  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) < axis_u)  // there is none of U, V, W
     return position(m, current_point(m, m.position.machine), letters.find(name[5]));
   if (name == "_tool_offset")
     return std::any_of(control.state.length.begin(), control.state.length.end(), [](double v) { return v != 0; }) ? 1 : 0;
@@ -198,7 +198,8 @@ std::optional<double> predefined(const Interpreter& m, const LinuxCnc& control, 
   if (control.machine.parameters_of_ini && name.starts_with("_ini[")) return of_ini(control.machine.ini, name);
   if (name == "_vmajor") return 2.9;
   if (name == "_vminor" || name == "_remap_level") return 0;
-  if (name == "_metric_machine" || name == "_task") return 1;
+  if (name == "_metric_machine") return control.machine.unit == 1 ? 1 : 0;
+  if (name == "_task") return 1;
   if (name == "_line") return m.block->position.line;
   if (name == "_call_level") return static_cast<double>(control.flow.calls.size());
   if (name == "_value") return control.state.value;

@@ -82,7 +82,7 @@ Status ProgramFiles::remember(const Memory& memory) {
 
 void ProgramFiles::note() {
   written_ = log_.files();
-  for (const files::FileWriter* const other : {&probe_, &parameters_})
+  for (const files::FileWriter* const other : {&probe_, &parameters_, &tools_})
     for (const auto& [path, bytes] : other->files()) written_[path] += bytes;
 }
 

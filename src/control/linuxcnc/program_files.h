@@ -1,6 +1,6 @@
 #pragma once
-// Files that a program writes: the log, the file of probed points (spec/linuxcnc 2.4), and at its end the file of parameters (4.4). One of
-// each at a time, in the program memory.
+// Files that a program writes: the log, the file of probed points (spec/linuxcnc 2.4), and at its end the file of parameters (4.4) and the
+// tool table (9). One of each at a time, in the program memory.
 
 #include <string>
 #include <string_view>
@@ -14,9 +14,9 @@ namespace kadr::linuxcnc {
 
 class ProgramFiles {
  public:
-  enum class Which : std::uint8_t { log, probe, parameters };
+  enum class Which : std::uint8_t { log, probe, parameters, tools };
 
-  explicit ProgramFiles(const files::OutputOptions& options) : log_(options), probe_(options), parameters_(options) {}
+  explicit ProgramFiles(const files::OutputOptions& options) : log_(options), probe_(options), parameters_(options), tools_(options) {}
 
   /// Emptied, or gone on with at its end; one that is open is closed before.
   ///   name     parts separated by `/`, from the folder of the program memory
@@ -38,10 +38,18 @@ class ProgramFiles {
   Status remember(const Memory& memory);
 
  private:
-  files::FileWriter& of(Which which) { return which == Which::log ? log_ : which == Which::probe ? probe_ : parameters_; }
+  files::FileWriter& of(Which which) {
+    switch (which) {
+      case Which::log: return log_;
+      case Which::probe: return probe_;
+      case Which::parameters: return parameters_;
+      case Which::tools: break;
+    }
+    return tools_;
+  }
   void note();
 
-  files::FileWriter log_, probe_, parameters_;
+  files::FileWriter log_, probe_, parameters_, tools_;
   WrittenFiles written_;
 };
 

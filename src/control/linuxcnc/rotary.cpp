@@ -55,7 +55,7 @@ Status indexers_allow(const Interpreter& m) {
   };
   if (control.codes.motion != 0) KADR_TRY(each([&](char letter) -> Status { return wrong("with G0", letter); }));
   return each([&](char letter) -> Status {
-    for (const char other : {'X', 'Y', 'Z', 'A', 'B', 'C'})
+    for (const char other : axis_letters)
       if (other != letter && m.has(other)) return wrong("alone", letter);
     return {};
   });

@@ -36,10 +36,6 @@ void each_spindle(const LinuxCnc& control, int number, Use use) {
     if (number == all_spindles || i == number) use(i);
 }
 
-double rpm_of(const Interpreter& m, int number) {
-  return number == 0 ? m.modal.rpm : linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].rpm;
-}
-
 void command_spindle(Interpreter& m, int number, SpindleDir dir) {
   if (number == 0) m.modal.spindle = dir;
   else linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].dir = dir;
@@ -47,6 +43,19 @@ void command_spindle(Interpreter& m, int number, SpindleDir dir) {
 }
 
 }  // namespace
+
+double rpm_of(const Interpreter& m, int number) {
+  return number == 0 ? m.modal.rpm : linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].rpm;
+}
+
+SpindleDir direction_of(const Interpreter& m, int number) {
+  return number == 0 ? m.modal.spindle : linuxcnc_of(m).state.others[static_cast<std::size_t>(number)].dir;
+}
+
+double speed_of_block(const Interpreter& m, int number) {
+  const int told = spindle_word(m).value_or(0);
+  return m.has('S') && (told == number || told == all_spindles) ? m.value('S') : rpm_of(m, number);
+}
 
 Status take_spindle(Interpreter& m, const char* text, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
@@ -58,8 +67,7 @@ Status take_spindle(Interpreter& m, const char* text, Span where) {
 }
 
 bool active_spindle_turns(const Interpreter& m) {
-  const State& state = linuxcnc_of(m).state;
-  const SpindleDir dir = state.active_spindle == 0 ? m.modal.spindle : state.others[static_cast<std::size_t>(state.active_spindle)].dir;
+  const SpindleDir dir = direction_of(m, linuxcnc_of(m).state.active_spindle);
   return dir == SpindleDir::cw || dir == SpindleDir::ccw;
 }
 

@@ -50,7 +50,7 @@ Status spline_feed(const Interpreter& m, Span where) {
 /// Of G5 and G5.1: where the curve ends.
 Result<Vec2> end_in_xy(Interpreter& m, Span where) {
   KADR_TRY(spline_feed(m, where));
-  if (m.modal.plane != Plane::xy) return spline_fault(m, where, "Splines must be in the XY plane");
+  if (m.modal.plane != Plane::xy || is_plane_of_uvw(m)) return spline_fault(m, where, "Splines must be in the XY plane");
   for (const char letter : {'Z', 'A', 'B', 'C'})
     if (m.has(letter)) return spline_fault(m, where, "Splines may not have motion in Z, A, B, or C");
   AxisMask named = 0;

@@ -145,6 +145,8 @@ Words own_words(const AlarmReport& report, const ExpressionRules& rules) {
     case AlarmId::address_twice:
       if (letter == "N") return {AlarmId::rs274_form, "Bad character 'n' used"};
       if (letter == "$") return {AlarmId::rs274_form, "Multiple spindle choice ($) words on one line"};
+      if (letter == "U" || letter == "V" || letter == "W")
+        return {AlarmId::rs274_form, fmt::format("Multiple {} words on one line", letter)};
       return {AlarmId::rs274_form, fmt::format("Multiple {} words on one line", letter.empty() ? '?' : small(letter[0]))};
     case AlarmId::address_unknown:
     case AlarmId::unexpected_character:

@@ -2,6 +2,8 @@
 
 #include "control/linuxcnc/tools.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -29,8 +31,7 @@ struct Entry {
 };
 
 bool take_word(Entry& entry, char letter, double value) {
-  constexpr std::string_view axes = "XYZABCUVW";
-  if (const std::size_t axis = axes.find(letter); axis != std::string_view::npos) return entry.tool.offset[axis] = value, true;
+  if (const std::size_t axis = axis_letters.find(letter); axis != std::string_view::npos) return entry.tool.offset[axis] = value, true;
   switch (letter) {
     case 'T': entry.number = static_cast<int>(value); return true;
     case 'P': entry.tool.pocket = static_cast<int>(value); return entry.has_pocket = true;
@@ -44,7 +45,11 @@ bool take_word(Entry& entry, char letter, double value) {
 
 std::optional<Entry> entry_of(std::string_view line) {
   Entry entry;
-  line = line.substr(0, line.find(';'));
+  if (const std::size_t semicolon = line.find(';'); semicolon != std::string_view::npos) {
+    entry.tool.remark = line.substr(semicolon + 1);
+    while (entry.tool.remark.ends_with('\r')) entry.tool.remark.pop_back();
+    line = line.substr(0, semicolon);
+  }
   for (std::size_t at = 0; at < line.size();) {
     at = line.find_first_not_of(" \t\r", at);
     if (at == std::string_view::npos) break;
@@ -57,13 +62,45 @@ std::optional<Entry> entry_of(std::string_view line) {
   return entry;
 }
 
+void scale_lengths(Tool& tool, double by) {
+  for (std::size_t a = 0; a < axes_of_tables; ++a)
+    if (!is_rotary_place(a)) tool.offset[a] *= by;
+  tool.diameter *= by;
+}
+
+std::string line_of_tool(int number, const Tool& tool) {
+  std::string line = fmt::format("T{} P{}", number, tool.pocket);
+  const auto word = [&](char letter, double value) {
+    if (value != 0) line += fmt::format(" {}{:+f}", letter, value);
+  };
+  if (tool.diameter != 0) line += fmt::format(" D{:f}", tool.diameter);
+  for (std::size_t a = 0; a < axes_of_tables; ++a) word(axis_letters[a], tool.offset[a]);
+  word('I', tool.front);
+  word('J', tool.back);
+  if (tool.orientation != 0) line += fmt::format(" Q{:.0f}", tool.orientation);
+  return line + " ;" + tool.remark + "\n";
+}
+
 }  // namespace
 
-std::map<int, Tool> read_tools(std::string_view text) {
+std::string tools_text(const std::map<int, Tool>& tools, double unit) {
+  std::string text;
+  for (const auto& [number, tool] : tools) {
+    Tool written = tool;
+    scale_lengths(written, 1 / unit);
+    text += line_of_tool(number, written);
+  }
+  return text;
+}
+
+std::map<int, Tool> read_tools(std::string_view text, double unit) {
   std::map<int, Tool> tools;
   for (std::size_t at = 0; at < text.size() && tools.size() < most_tools;) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    if (auto entry = entry_of(text.substr(at, end - at))) tools.insert_or_assign(entry->number, entry->tool);
+    if (auto entry = entry_of(text.substr(at, end - at))) {
+      scale_lengths(entry->tool, unit);
+      tools.insert_or_assign(entry->number, entry->tool);
+    }
     at = end + 1;
   }
   return tools;

@@ -1,0 +1,195 @@
+// The motions of canned cycles (spec/linuxcnc 7.6; convert_cycle_g81 … convert_cycle_g89, CYCLE_MACRO of the source).
+
+#include "control/linuxcnc/hole.h"
+
+#include <cmath>
+
+#include "base/vec.h"
+#include "control/linuxcnc/linuxcnc.h"
+
+namespace kadr::linuxcnc {
+namespace {
+
+constexpr double above_bottom = 0.254;  // mm; G83, G73
+constexpr double same_height = 1e-9;
+
+/// Goes on a few actions at a time.
+class Drilling final : public RunningValue<Drilling> {
+ public:
+  explicit Drilling(const Hole& hole) : h_(hole), depth_(hole.level) {}
+
+  Result<bool> next(Interpreter& m) override {
+    for (std::size_t i = 0; i < batch_size / 8; ++i) {
+      if (done_ == h_.repeats) return false;
+      KADR_TRY(go_on(m));
+    }
+    return done_ < h_.repeats;
+  }
+
+ private:
+  Status go_on(Interpreter& m) {
+    if (!in_hole_) return approach(m);
+    const bool pecks = h_.code == 830 || h_.code == 730;
+    if (pecks && depth_ - h_.peck > h_.bottom + same_height) return peck(m);
+    KADR_TRY(finish(m));
+    in_hole_ = false;
+    ++done_;
+    return {};
+  }
+
+  Status approach(Interpreter& m) {
+    in_hole_ = true;
+    depth_ = h_.level;
+    if (done_ == 0 && h_.up_first) KADR_TRY(drill(m, MotionKind::rapid, h_.level));
+    if (h_.fault_above) return linuxcnc_of(m).fault(h_.fault, h_.where, h_.fault_text);
+    if (h_.polar) {
+      const Vec2 here{m.position.programmed[0], m.position.programmed[1]};
+      const double radius = length(here) + h_.polar_radius;
+      const SinCos by = sincos_deg(angle_deg(here) + h_.polar_angle);
+      h_.at_first = radius * by.cos;
+      h_.at_second = radius * by.sin;
+    }
+    h_.at_first += h_.step_first;
+    h_.at_second += h_.step_second;
+    const double here = m.position.programmed[h_.drill];
+    if (done_ == 0 && here > h_.level + same_height) {
+      KADR_TRY(place(m, h_.at_first, h_.at_second, here));
+    } else {
+      KADR_TRY(place(m, h_.at_first, h_.at_second, h_.clear));
+    }
+    KADR_TRY(drill(m, MotionKind::rapid, h_.level));
+    if (h_.fault != AlarmId::count) return linuxcnc_of(m).fault(h_.fault, h_.where, h_.fault_text);
+    return {};
+  }
+
+  Status peck(Interpreter& m) {
+    depth_ -= h_.peck;
+    KADR_TRY(drill(m, MotionKind::feed, depth_));
+    if (h_.code == 830) KADR_TRY(drill(m, MotionKind::rapid, h_.level));
+    return drill(m, MotionKind::rapid, depth_ + above_bottom);
+  }
+
+  Status finish(Interpreter& m) {
+    switch (h_.code) {
+      case 740: return tap(m);
+      case 840: return tap(m);
+      case 850:
+        KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
+        KADR_TRY(drill(m, MotionKind::feed, h_.level));
+        return drill(m, MotionKind::rapid, h_.clear);
+      case 860:
+        KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
+        dwell(m);
+        turn_spindle(m, SpindleDir::stop);
+        KADR_TRY(drill(m, MotionKind::rapid, h_.clear));
+        turn_spindle(m, h_.spindle);
+        return {};
+      case 870: return back_bore(m);
+      case 880:
+        KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
+        dwell(m);
+        turn_spindle(m, SpindleDir::stop);
+        m.emit(Stop{false});
+        turn_spindle(m, h_.spindle);
+        m.position.programmed[h_.drill] = h_.clear;  // the control takes it so: the operator has brought the tool out
+        m.place_plainly(AxisMask{1} << h_.drill);
+        return {};
+      case 890:
+        KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
+        dwell(m);
+        return drill(m, MotionKind::feed, h_.clear);
+      default:
+        KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
+        if (h_.code == 820) dwell(m);
+        return drill(m, MotionKind::rapid, h_.clear);
+    }
+  }
+
+  /// Fault of the control: in G18, G19 both strokes go to turned axes; so does Kadr, and a warning has told.
+  Status tap(Interpreter& m) {
+    const SpindleDir in = h_.code == 840 ? SpindleDir::cw : SpindleDir::ccw;
+    KADR_TRY(stroke(m, h_.bottom));
+    turn_spindle(m, SpindleDir::stop);
+    turn_spindle(m, in == SpindleDir::cw ? SpindleDir::ccw : SpindleDir::cw);
+    dwell(m);
+    KADR_TRY(stroke(m, h_.clear));
+    turn_spindle(m, SpindleDir::stop);
+    turn_spindle(m, in);
+    if (h_.plane != Plane::xy) stand(m);
+    return {};
+  }
+
+  /// The strokes have gone to turned axes; the control takes the tool for where they should have left it.
+  void stand(Interpreter& m) const {
+    Axes to = m.position.programmed;
+    to[h_.first] = h_.at_first;
+    to[h_.second] = h_.at_second;
+    to[h_.drill] = h_.clear;
+    m.move_to(to, to, axes());
+  }
+
+  Status stroke(Interpreter& m, double level) {
+    if (h_.plane == Plane::xy) return drill(m, MotionKind::feed, level);
+    Axes to = m.position.programmed;
+    const double x = h_.plane == Plane::zx ? h_.at_second : 0, z = h_.plane == Plane::zx ? h_.at_first : h_.at_second;
+    if (h_.plane == Plane::zx) to[0] = level, to[1] = z, to[2] = x;
+    else to[0] = z, to[1] = level, to[2] = h_.at_first;
+    return m.straight(MotionKind::feed, to, axes());
+  }
+
+  Status back_bore(Interpreter& m) {
+    KADR_TRY(place(m, h_.at_first + h_.i, h_.at_second + h_.j, h_.level));
+    turn_spindle(m, SpindleDir::stop);
+    turn_spindle(m, SpindleDir::orient);
+    KADR_TRY(drill(m, MotionKind::rapid, h_.bottom));
+    KADR_TRY(place(m, h_.at_first, h_.at_second, h_.bottom));
+    turn_spindle(m, h_.spindle);
+    KADR_TRY(drill(m, MotionKind::feed, h_.back));
+    KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
+    turn_spindle(m, SpindleDir::stop);
+    turn_spindle(m, SpindleDir::orient);
+    KADR_TRY(place(m, h_.at_first + h_.i, h_.at_second + h_.j, h_.bottom));
+    KADR_TRY(drill(m, MotionKind::rapid, h_.clear));
+    KADR_TRY(place(m, h_.at_first, h_.at_second, h_.clear));
+    turn_spindle(m, h_.spindle);
+    return {};
+  }
+
+  Status drill(Interpreter& m, MotionKind kind, double level) {
+    Axes to = m.position.programmed;
+    if (std::fabs(to[h_.drill] - level) <= same_height) return {};
+    to[h_.drill] = level;
+    return m.straight(kind, to, AxisMask{1} << h_.drill);
+  }
+
+  Status place(Interpreter& m, double first, double second, double level) {
+    Axes to = m.position.programmed;
+    to[h_.first] = first;
+    to[h_.second] = second;
+    to[h_.drill] = level;
+    return m.straight(MotionKind::rapid, to, axes());
+  }
+
+  AxisMask axes() const { return AxisMask{1} << h_.first | AxisMask{1} << h_.second | AxisMask{1} << h_.drill; }
+
+  void dwell(Interpreter& m) const {
+    m.emit(Dwell{h_.dwell});  // of no time too, as the control does
+  }
+  void turn_spindle(Interpreter& m, SpindleDir dir) const {
+    const bool turns = dir == SpindleDir::cw || dir == SpindleDir::ccw;
+    Spindle spindle{dir, turns ? h_.rpm : 0, static_cast<std::uint8_t>(h_.spindle_number + 1)};
+    if (dir == SpindleDir::orient) spindle.angle = 0;
+    m.emit(spindle);
+  }
+
+  Hole h_;
+  std::uint32_t done_ = 0;
+  bool in_hole_ = false;
+  double depth_;
+};
+
+}  // namespace
+
+void begin_drilling(Interpreter& m, const Hole& hole) { m.running = std::make_unique<Drilling>(hole); }
+
+}  // namespace kadr::linuxcnc
