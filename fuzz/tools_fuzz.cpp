@@ -1,0 +1,38 @@
+// Tools files of every form: whatever stands in them ends in tools with a shape, or in a sentence.
+
+#include <cmath>
+#include <string_view>
+
+#include "config/tool_formats.h"
+#include "require.h"
+#include "stock/tool/round_solid.h"
+
+namespace {
+
+using namespace kadr;
+
+void look_at(const tl::expected<ToolLibrary, std::string>& library) {
+  if (!library) return fuzz::require(!library.error().empty(), "a refusal says why");
+  fuzz::require(!library->tools.empty(), "a library has tools");
+  for (const ToolGeometry& tool : library->tools) {
+    fuzz::require(told_fault(tool).empty(), "what was read has a shape");
+    const ToolShape shape = shape_of(tool);
+    fuzz::require(!shape.bodies.empty(), "the shape has a body");
+    for (const ConvexBody& body : shape.bodies) {
+      fuzz::require(!body.solids.empty() && body.top() > body.bottom(), "a body has a height");
+      fuzz::require(body.widest() > 0 && std::isfinite(body.widest()), "a body has a width");
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  look_at(tools_of_toml(text, "tools"));
+  look_at(tools_of_linuxcnc(text, "tools"));
+  look_at(tools_of_camotics(text, "tools"));
+  look_at(tools_of_freecad(text, "tools"));
+  look_at(tools_of_fusion(text, "tools"));
+  return 0;
+}

@@ -1,0 +1,223 @@
+// tools.toml: what the tools look like. For session and cli; tested by tests/config/tool_library_test.cpp.
+
+#include "config/tool_library.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "config/nearest.h"
+#include "config/range.h"
+#include "config/read_file.h"
+#include "config/told.h"
+#include "config/toml_tools.h"
+#include "config/tool_formats.h"
+
+namespace kadr {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+using Done = tl::expected<void, std::string>;
+using toml_tools::place;
+
+struct KindName {
+  std::string_view name;
+  ToolKind kind;
+};
+constexpr KindName kind_names[] = {{"flat", ToolKind::flat},   {"ball", ToolKind::ball},   {"bull", ToolKind::bull},
+                                   {"drill", ToolKind::drill}, {"taper", ToolKind::taper}, {"chamfer", ToolKind::chamfer},
+                                   {"tslot", ToolKind::tslot}, {"form", ToolKind::form}};
+
+constexpr std::string_view keys[] = {"number", "name",   "kind",    "diameter", "corner", "angle",  "tip",
+                                     "flutes", "length", "profile", "shank",    "holder", "plunges"};
+
+constexpr NumberRange size_range = {0, 1e4, "mm", "мм"};
+constexpr NumberRange angle_range = {0, 180, "degrees", "градусов"};
+
+Done known_tool_keys(const std::string& file, const toml::table& row) {
+  for (const auto& [key, node] : row) {
+    if (std::find(std::begin(keys), std::end(keys), key.str()) != std::end(keys)) continue;
+    const std::string_view near = toml_tools::nearest(key.str(), {std::begin(keys), std::end(keys)});
+    const std::string hint_en = near.empty() ? "" : "; '" + std::string(near) + "'?",
+                      hint_ru = near.empty() ? "" : "; «" + std::string(near) + "»?";
+    return Failed(place(file, node) + told("unknown key '" + std::string(key.str()) + "' of a tool" + hint_en,
+                                           "неизвестный ключ инструмента «" + std::string(key.str()) + "»" + hint_ru));
+  }
+  return {};
+}
+
+Done number_of(const std::string& file, const toml::table& row, ToolGeometry& tool) {
+  const auto number = row["number"].value<std::int64_t>();
+  if (!number || *number < 0 || *number > 99'999'999 || !row["number"].is_integer())
+    return Failed(place(file, row, "number") +
+                  told("number: that of the tool, a whole number from 0 to 99999999", "number: номер инструмента, целое от 0 до 99999999"));
+  tool.number = std::uint32_t(*number);
+  return {};
+}
+
+Done kind_of(const std::string& file, const toml::table& row, ToolGeometry& tool) {
+  const auto word = row["kind"].value<std::string_view>();
+  for (const KindName& k : kind_names)
+    if (word == k.name) return tool.kind = k.kind, Done();
+  return Failed(place(file, row, "kind") + told("kind must be flat, ball, bull, drill, taper, chamfer, tslot or form",
+                                                "kind: flat, ball, bull, drill, taper, chamfer, tslot или form"));
+}
+
+/// [[diameter, height], …]
+Done outline_of(const std::string& file, const toml::table& row, std::string_view key, std::vector<ProfilePoint>& to) {
+  const toml::node* const node = row.get(key);
+  if (node == nullptr) return {};
+  const toml::array* const list = node->as_array();
+  bool fits = list != nullptr && list->size() >= 2 && list->size() <= limits::outline_points;
+  for (std::size_t i = 0; fits && i < list->size(); ++i) {
+    const toml::array* const pair = list->get(i)->as_array();
+    const auto diameter = pair != nullptr && pair->size() == 2 ? pair->get(0)->value<double>() : std::nullopt;
+    const auto height = pair != nullptr && pair->size() == 2 ? pair->get(1)->value<double>() : std::nullopt;
+    fits = diameter && height && is_within(*diameter, size_range) && is_within(*height, size_range);
+    if (fits) to.push_back({*diameter, *height});
+  }
+  if (fits) return {};
+  return Failed(place(file, *node) + std::string(key) +
+                told(": a list of [diameter, height], two to 1000 of them, each number ",
+                     ": список [диаметр, высота], от двух до 1000, каждое число ") +
+                told(size_range));
+}
+
+tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const toml::table& row) {
+  ToolGeometry tool;
+  Done done = known_tool_keys(file, row);
+  if (done) done = number_of(file, row, tool);
+  if (done) done = kind_of(file, row, tool);
+  const auto number = [&](std::string_view key, const NumberRange& range, double& to) {
+    if (done) done = toml_tools::number(file, row, key, range, to);
+  };
+  number("diameter", size_range, tool.diameter);
+  number("corner", size_range, tool.corner);
+  number("angle", angle_range, tool.angle);
+  number("tip", size_range, tool.tip);
+  number("flutes", size_range, tool.flutes);
+  number("length", size_range, tool.length);
+  if (done) done = outline_of(file, row, "profile", tool.profile);
+  if (done) done = outline_of(file, row, "shank", tool.shank);
+  if (done) done = outline_of(file, row, "holder", tool.holder);
+  if (!done) return Failed(done.error());
+  tool.name = toml_tools::value_or<std::string>(row, "name", "");
+  tool.plunges = toml_tools::value_or(row, "plunges", true);
+  complete(tool);
+  if (const std::string fault = told_fault(tool); !fault.empty())
+    return Failed(place(file, row, "number") + told("tool ", "инструмент ") + std::to_string(tool.number) + ": " + fault);
+  return tool;
+}
+
+/// What is wrong with an outline.
+std::string told_outline(std::string_view key, const std::vector<ProfilePoint>& outline) {
+  double widest = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (!is_within(outline[i].diameter, size_range) || !is_within(outline[i].height, size_range))
+      return std::string(key) + told(": each number must be ", ": каждое число должно быть ") + told(size_range);
+    widest = std::max(widest, outline[i].diameter);
+    if (i != 0 && outline[i].height < outline[i - 1].height)
+      return std::string(key) + told(": heights must not fall", ": высоты не должны убывать");
+  }
+  const bool flat = !outline.empty() && !(outline.back().height > outline.front().height && widest > 0);
+  return flat ? std::string(key) + told(": has no height or no width", ": нет ни высоты, ни ширины") : std::string();
+}
+
+std::string told_end(const ToolGeometry& t) {
+  const double most_angle = t.kind == ToolKind::taper ? 90 : 180;
+  switch (t.kind) {
+    case ToolKind::bull:
+      if (!(t.corner <= t.diameter / 2)) return told("corner is more than half of the diameter", "corner больше половины диаметра");
+      break;
+    case ToolKind::drill:
+    case ToolKind::chamfer:
+    case ToolKind::taper:
+      if (!(t.angle > 0 && t.angle < most_angle))
+        return t.kind == ToolKind::taper
+                   ? told("angle is missing: the half angle, above 0 and below 90 degrees",
+                          "нет angle: половина угла, больше 0 и меньше 90 градусов")
+                   : told("angle is missing: the full angle of the point, above 0 and below 180 degrees (drills mostly 118 or 140)",
+                          "нет angle: полный угол при вершине, больше 0 и меньше 180 градусов (у свёрл обычно 118 или 140)");
+      if (!(t.tip < t.diameter)) return told("tip is not less than the diameter", "tip не меньше диаметра");
+      break;
+    default: break;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view name_of(ToolKind kind) {
+  for (const KindName& k : kind_names)
+    if (k.kind == kind) return k.name;
+  return "";
+}
+
+const ToolGeometry* ToolLibrary::find(std::uint32_t number) const {
+  const auto found = std::find_if(tools.begin(), tools.end(), [&](const ToolGeometry& t) { return t.number == number; });
+  if (found != tools.end()) return &*found;
+  return tools.size() == 1 && tools.front().number == 0 ? &tools.front() : nullptr;
+}
+
+void complete(ToolGeometry& t) {
+  if (t.kind == ToolKind::form && !t.profile.empty()) {
+    if (t.flutes == 0) t.flutes = t.profile.back().height;
+    for (const ProfilePoint& p : t.profile) t.diameter = std::max(t.diameter, p.diameter);
+  }
+  if (t.length == 0) t.length = t.shank.empty() ? t.flutes : std::max(t.flutes, t.shank.back().height);
+  if (t.flutes == 0) t.flutes = t.length;
+}
+
+std::string told_fault(const ToolGeometry& t) {
+  if (t.kind == ToolKind::form && t.profile.empty())
+    return told("profile is missing: [[diameter, height], …] from the tip upwards", "нет profile: [[диаметр, высота], …] от вершины вверх");
+  for (const double size : {t.diameter, t.corner, t.tip, t.flutes, t.length})
+    if (!is_within(size, size_range)) return told("a size must be ", "размер должен быть ") + told(size_range);
+  if (!(t.diameter > 0)) return told("diameter is missing", "нет diameter");
+  if (!(t.flutes > 0)) return told("flutes is missing: how high above its tip it cuts", "нет flutes: на какую высоту от вершины он режет");
+  if (t.length < t.flutes) return told("length (stick-out) is less than flutes", "length (вылет) меньше flutes");
+  if (const std::string end = told_end(t); !end.empty()) return end;
+  for (const auto& [key, outline] : {std::pair("profile", &t.profile), std::pair("shank", &t.shank), std::pair("holder", &t.holder)})
+    if (std::string fault = told_outline(key, *outline); !fault.empty()) return fault;
+  return {};
+}
+
+tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, const std::string& file) {
+  auto table = toml_tools::parsed(text, file);
+  if (!table) return Failed(table.error());
+  for (const auto& [key, node] : *table)
+    if (key.str() != "tool")
+      return Failed(place(file, node) + told("unknown key '" + std::string(key.str()) + "': a tools file has [[tool]] tables",
+                                             "неизвестный ключ «" + std::string(key.str()) + "»: в файле инструментов таблицы [[tool]]"));
+  const toml::array* const rows = (*table)["tool"].as_array();
+  if (rows == nullptr || rows->empty() || rows->size() > limits::tools)
+    return Failed(file + ": " +
+                  told("a tools file has [[tool]] tables, 1 to 10000", "в файле инструментов таблицы [[tool]], от 1 до 10000"));
+  ToolLibrary library;
+  std::set<std::uint32_t> numbers;
+  for (const toml::node& row : *rows) {
+    if (!row.is_table()) return Failed(place(file, row) + told("tool: write [[tool]]", "tool: пишите [[tool]]"));
+    auto tool = tool_of(file, *row.as_table());
+    if (!tool) return Failed(tool.error());
+    if (!numbers.insert(tool->number).second)
+      return Failed(place(file, *row.as_table(), "number") + told("tool " + std::to_string(tool->number) + " stands twice",
+                                                                  "инструмент " + std::to_string(tool->number) + " указан дважды"));
+    library.tools.push_back(std::move(*tool));
+  }
+  return library;
+}
+
+tl::expected<ToolLibrary, std::string> load_tools(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return Failed(text.error());
+  switch (tool_format_of(*text, path)) {
+    case ToolFormat::toml: return tools_of_toml(*text, path);
+    case ToolFormat::linuxcnc: return tools_of_linuxcnc(*text, path);
+    case ToolFormat::camotics: return tools_of_camotics(*text, path);
+    case ToolFormat::freecad: return tools_of_freecad(*text, path);
+    case ToolFormat::fusion: return tools_of_fusion(*text, path);
+  }
+  return Failed(path);
+}
+
+}  // namespace kadr

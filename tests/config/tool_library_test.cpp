@@ -1,0 +1,153 @@
+// Tools files of our own form, and those of others.
+
+#include "config/tool_library.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "config/tool_formats.h"
+
+namespace kadr {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+ToolGeometry only(const tl::expected<ToolLibrary, std::string>& library) {
+  EXPECT_TRUE(library) << library.error();
+  EXPECT_THAT(library->tools, SizeIs(1));
+  return library->tools.front();
+}
+
+std::string fault(const std::string& text) {
+  const auto library = tools_of_toml(text, "tools.toml");
+  EXPECT_FALSE(library);
+  return library ? "" : library.error();
+}
+
+TEST(ToolLibrary, ReadsEveryKey) {
+  const ToolGeometry t = only(tools_of_toml(R"([[tool]]
+number = 3
+name = "rougher"
+kind = "bull"
+diameter = 10
+corner = 1.5
+flutes = 22
+length = 60
+shank = [[8, 22], [8, 60]]
+holder = [[40, 0], [50, 30]]
+plunges = false
+)",
+                                            "tools.toml"));
+  EXPECT_EQ(t.number, 3u);
+  EXPECT_EQ(t.name, "rougher");
+  EXPECT_EQ(t.kind, ToolKind::bull);
+  EXPECT_EQ(t.diameter, 10);
+  EXPECT_EQ(t.corner, 1.5);
+  EXPECT_EQ(t.flutes, 22);
+  EXPECT_EQ(t.length, 60);
+  EXPECT_EQ(t.shank, (std::vector<ProfilePoint>{{8, 22}, {8, 60}}));
+  EXPECT_EQ(t.holder, (std::vector<ProfilePoint>{{40, 0}, {50, 30}}));
+  EXPECT_FALSE(t.plunges);
+}
+
+TEST(ToolLibrary, FlutesAndLengthFollowFromEachOther) {
+  EXPECT_EQ(only(tools_of_toml("tool = [{number = 1, kind = \"flat\", diameter = 6, flutes = 20}]", "t")).length, 20);
+  EXPECT_EQ(only(tools_of_toml("tool = [{number = 1, kind = \"flat\", diameter = 6, length = 20}]", "t")).flutes, 20);
+  const ToolGeometry form = only(tools_of_toml("tool = [{number = 1, kind = \"form\", profile = [[4, 0], [8, 5], [8, 9]]}]", "t"));
+  EXPECT_EQ(form.flutes, 9);
+  EXPECT_EQ(form.diameter, 8);
+}
+
+TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\n"), HasSubstr("tools.toml:2:"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\n"), HasSubstr("diameter is missing"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\n"), HasSubstr("flutes is missing"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"mill\"\n"), HasSubstr("flat, ball, bull"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"drill\"\ndiameter = 6\nflutes = 20\n"), HasSubstr("118"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiametr = 6\n"), HasSubstr("'diameter'?"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"bull\"\ndiameter = 6\ncorner = 4\nflutes = 9\n"), HasSubstr("corner"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = -1\n"), HasSubstr("whole number"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = nan\nflutes = 9\n"), HasSubstr("diameter"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"form\"\nprofile = [[4, 5], [8, 2]]\n"), HasSubstr("must not fall"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"form\"\nprofile = [[4, 5]]\n"), HasSubstr("two to 1000"));
+  EXPECT_THAT(fault("tools = 3\n"), HasSubstr("[[tool]]"));
+  EXPECT_THAT(fault(""), HasSubstr("[[tool]]"));
+  const std::string one = "[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflutes = 9\n";
+  EXPECT_THAT(fault(one + one), HasSubstr("twice"));
+}
+
+TEST(ToolFormats, AreToldByNameAndText) {
+  EXPECT_EQ(tool_format_of("T1 D3", "a.tbl"), ToolFormat::linuxcnc);
+  EXPECT_EQ(tool_format_of("[[tool]]", "a.toml"), ToolFormat::toml);
+  EXPECT_EQ(tool_format_of("{\"tools\": {}}", "a.camotics"), ToolFormat::camotics);
+  EXPECT_EQ(tool_format_of("{\"shape\": \"endmill.fcstd\"}", "a.json"), ToolFormat::freecad);
+  EXPECT_EQ(tool_format_of("{\"data\": [{\"geometry\": {}}]}", "a.json"), ToolFormat::fusion);
+}
+
+TEST(ToolFormats, LinuxcncTableSaysWhatIsAssumed) {
+  const auto library =
+      tools_of_linuxcnc("; a table\nT1 P1 Z0.5 D+6.35 ;1/4 ball nose\nT2 P2 Z1 ; no diameter\nT12 P3 D3 ; DRILL\n", "tool.tbl");
+  ASSERT_TRUE(library);
+  ASSERT_THAT(library->tools, SizeIs(2));
+  EXPECT_EQ(library->tools[0].kind, ToolKind::ball);
+  EXPECT_EQ(library->tools[0].diameter, 6.35);
+  EXPECT_EQ(library->tools[1].number, 12u);
+  EXPECT_EQ(library->tools[1].kind, ToolKind::drill);
+  EXPECT_THAT(library->notes, SizeIs(2));
+  EXPECT_FALSE(tools_of_linuxcnc("T1 P1\n", "tool.tbl"));
+}
+
+TEST(ToolFormats, CamoticsProject) {
+  const auto library = tools_of_camotics(R"({"units": "metric", "tools": {
+    "1": {"units": "metric", "shape": "Cylindrical", "length": 20, "diameter": 6, "description": "end mill"},
+    "2": {"units": "imperial", "shape": "ballnose", "length": 1, "diameter": 0.25},
+    "3": {"units": "metric", "shape": "conical", "length": 5, "diameter": 10},
+    "4": {"units": "metric", "shape": "saw", "length": 5, "diameter": 10}}})",
+                                         "job.camotics");
+  ASSERT_TRUE(library);
+  ASSERT_THAT(library->tools, SizeIs(3));
+  EXPECT_EQ(library->find(2)->diameter, 6.35);
+  EXPECT_NEAR(library->find(3)->angle, 90, 1e-9);
+  EXPECT_THAT(library->notes, SizeIs(1));
+}
+
+TEST(ToolFormats, FreecadBitIsWhateverTheProgramCalls) {
+  const auto library = tools_of_freecad(R"({"version": 2, "name": "5mm", "shape": "endmill.fcstd",
+    "parameter": {"CuttingEdgeHeight": "30.0000 mm", "Diameter": "0.2500 in", "Length": "50.0000 mm", "ShankDiameter": "3.0000 mm"}})",
+                                        "5mm.fctb");
+  ASSERT_TRUE(library);
+  ASSERT_NE(library->find(7), nullptr);
+  EXPECT_NEAR(library->find(7)->diameter, 6.35, 1e-12);
+  EXPECT_EQ(library->find(7)->shank, (std::vector<ProfilePoint>{{3, 30}, {3, 50}}));
+}
+
+TEST(ToolFormats, FusionLibraryWithHolder) {
+  const auto library = tools_of_fusion(R"({"version": 1, "data": [
+    {"type": "holder", "segments": []},
+    {"type": "bull nose end mill", "unit": "millimeters", "description": "x", "post-process": {"number": 4},
+     "geometry": {"DC": 10, "RE": 1, "LCF": 22, "LB": 40, "SFDM": 10},
+     "holder": {"segments": [{"height": 20, "lower-diameter": 30, "upper-diameter": 40}]}},
+    {"type": "tap right hand", "unit": "millimeters", "post-process": {"number": 5}, "geometry": {"DC": 6}}]})",
+                                       "lib.json");
+  ASSERT_TRUE(library);
+  const ToolGeometry* const t = library->find(4);
+  ASSERT_NE(t, nullptr);
+  EXPECT_EQ(t->corner, 1);
+  EXPECT_EQ(t->length, 40);
+  EXPECT_EQ(t->holder, (std::vector<ProfilePoint>{{30, 0}, {40, 20}}));
+  EXPECT_THAT(library->notes, SizeIs(1));
+}
+
+TEST(ToolFormats, GarbageIsRefused) {
+  for (const char* text :
+       {"", "{", "[]", "{}", "{\"tools\": []}", "{\"tools\": {\"1\": 3}}", "{\"data\": {\"a\": 1}}", "{\"parameter\": 1, \"shape\": 2}"}) {
+    EXPECT_FALSE(tools_of_camotics(text, "f")) << text;
+    EXPECT_FALSE(tools_of_freecad(text, "f")) << text;
+    EXPECT_FALSE(tools_of_fusion(text, "f")) << text;
+  }
+}
+
+}  // namespace
+}  // namespace kadr
