@@ -1,0 +1,114 @@
+// Lattice lines through a closed mesh. For stock/stock.
+
+#include "stock/blank/mesh_blank.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stock/mesh/mesh_index.h"
+
+namespace kadr {
+namespace {
+
+constexpr double same_hit = 1e-3;  // mm: places come back in single precision
+
+class MeshBlank : public Blank {
+ public:
+  explicit MeshBlank(Mesh mesh)
+      : mesh_(std::move(mesh)),
+        box_(box_of(mesh_)),
+        volume_(volume_of(mesh_)),
+        along_{MeshIndex(mesh_, 0), MeshIndex(mesh_, 1), MeshIndex(mesh_, 2)} {}
+  MeshBlank(const MeshBlank&) = delete;
+  MeshBlank& operator=(const MeshBlank&) = delete;
+
+  Box3 box() const override { return box_; }
+  double volume() const override { return volume_; }
+  void cross(int family, double u, double v, std::vector<Range>& ranges) const override;
+  Vec3 normal(Vec3 at, int family, bool out) const override;
+  std::vector<bool> bricks_at_surface(const Lattice& lattice) const override;
+
+ private:
+  Vec3 normal_of(std::size_t triangle, const Vec3& otherwise) const;
+
+  Mesh mesh_;
+  Box3 box_;
+  double volume_;
+  MeshIndex along_[3];
+};
+
+/// Where two bodies touch, the one begins before the other ends.
+bool before(const MeshHit& a, const MeshHit& b) {
+  if (a.place != b.place) return a.place < b.place;
+  return a.turn != b.turn ? a.turn > b.turn : a.triangle < b.triangle;
+}
+
+void MeshBlank::cross(int family, double u, double v, std::vector<Range>& ranges) const {
+  static thread_local std::vector<MeshHit> hits;
+  hits.clear();
+  along_[family].hits(u, v, hits);
+  std::sort(hits.begin(), hits.end(), before);
+  int depth = 0;
+  double from = 0;
+  for (const MeshHit& hit : hits) {
+    const int next = depth + hit.turn;
+    if (depth <= 0 && next > 0) from = hit.place;
+    if (depth > 0 && next <= 0 && hit.place > from) ranges.push_back({from, hit.place});
+    depth = next;
+  }
+}
+
+Vec3 MeshBlank::normal_of(std::size_t triangle, const Vec3& otherwise) const {
+  const Vec3 a = mesh_.corner(triangle, 0), p = mesh_.corner(triangle, 1) - a, q = mesh_.corner(triangle, 2) - a;
+  const Vec3 n{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+  const double size = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+  return size > 0 ? (1 / size) * n : otherwise;
+}
+
+Vec3 MeshBlank::normal(Vec3 at, int family, bool out) const {
+  static thread_local std::vector<MeshHit> hits;
+  hits.clear();
+  along_[family].hits(along(at, (family + 1) % 3), along(at, (family + 2) % 3), hits);
+  const MeshHit* best = nullptr;
+  double nearest = same_hit;
+  for (const MeshHit& hit : hits) {
+    const double far = std::fabs(hit.place - along(at, family));
+    if (hit.turn != (out ? -1 : 1) || far > nearest) continue;
+    if (best != nullptr && far == nearest && best->triangle < hit.triangle) continue;
+    best = &hit, nearest = far;
+  }
+  Vec3 square;
+  along(square, family) = out ? 1 : -1;
+  return best == nullptr ? square : normal_of(best->triangle, square);
+}
+
+/// Around each triangle, and a hair more: places on lines are rounded.
+std::vector<bool> MeshBlank::bricks_at_surface(const Lattice& lattice) const {
+  std::vector<bool> at(lattice.size(), false);
+  const double hair = 1e-3 * lattice.cell();
+  for (std::size_t t = 0; t < mesh_.triangle_count(); ++t) {
+    const Vec3 a = mesh_.corner(t, 0), b = mesh_.corner(t, 1), c = mesh_.corner(t, 2);
+    int low[3], high[3];
+    for (int d = 0; d < 3; ++d) {
+      const double least = std::min({along(a, d), along(b, d), along(c, d)}), most = std::max({along(a, d), along(b, d), along(c, d)});
+      low[d] = std::max(0, int(std::floor((least - hair - along(lattice.origin(), d)) / lattice.edge())));
+      high[d] = std::min(lattice.bricks(d) - 1, int(std::floor((most + hair - along(lattice.origin(), d)) / lattice.edge())));
+    }
+    for (int z = low[2]; z <= high[2]; ++z)
+      for (int y = low[1]; y <= high[1]; ++y)
+        for (int x = low[0]; x <= high[0]; ++x) at[lattice.at({x, y, z})] = true;
+  }
+  return at;
+}
+
+}  // namespace
+
+std::shared_ptr<const Blank> mesh_blank(Mesh mesh) { return std::make_shared<MeshBlank>(std::move(mesh)); }
+
+std::size_t mesh_blank_bytes(std::size_t triangles) {
+  constexpr std::size_t mesh = 3 * sizeof(std::uint32_t) + 3 * sizeof(float) / 2;  // a closed mesh has half as many points as triangles
+  constexpr std::size_t index = 3 * (6 + 1) * sizeof(std::uint32_t);
+  return triangles * (mesh + index);
+}
+
+}  // namespace kadr

@@ -1,0 +1,63 @@
+#pragma once
+// Cutter: one sweep of one body in one brick. For stock/cut/brick_cut.
+//
+// Which lines it can meet, what it sweeps of them (upright_rows, level_rows), what is taken away: in lanes (cutter_lanes.h), and what needs
+// none (cutter.cpp).
+
+#include "stock/cut/brick_cut.h"
+#include "stock/cut/lanes.h"
+
+namespace kadr {
+
+namespace lanes {
+template <class V>
+struct Swept;
+}
+
+/// Lattice points that a sweep can meet: from `first` up to before `last` along each axis.
+struct PointRange {
+  int first[3], last[3];
+  bool none = false;
+};
+
+class Cutter {
+ public:
+  Cutter(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, const SweptBody& body, std::int32_t by, CutOutcome& outcome);
+
+  bool stays_above() const { return sweep_.lowest() + below_ >= brick_.top + margin(); }
+  /// The whole brick lies inside what is swept: within the cylinder that the body is above some height.
+  bool takes_all() const;
+  void clear();
+  template <class V>
+  void cut();
+  void end();
+
+ private:
+  /// What is left out for certain: whatever the bounds are at the time, the same bits are left.
+  float margin() const { return scale_.cell * 1e-3f; }
+  float lowest_over_brick() const;
+  template <class V>
+  void narrow_by_squares(float least_place[3], float most_place[3]) const;
+  template <class V>
+  PointRange range() const;
+  template <class V, BodyEnd end>
+  void cut_families(const PointRange& range);
+  template <class V, BodyEnd end, int family>
+  void cut_family(const PointRange& range);
+  template <class V>
+  void take(BrickLines& lines, int family, int at, const lanes::Swept<V>& swept, V& gone);
+  void split(BrickLines& lines, int at, const float* from, const float* to);
+  void watch_lanes(const BrickLines& lines, int family, int at, const float* from, const float* to) const;
+  void take_further(BrickLines& lines, int family, const float* from, const float* to);
+  void watch(int family, int line, float from, float to) const;
+
+  Brick& brick_;
+  const BrickScale& scale_;
+  const LocalSweep& sweep_;
+  const SweptBody& body_;
+  std::int32_t by_;
+  CutOutcome& outcome_;
+  float below_, above_;  // the body's bottom and top, from the tip, mm
+};
+
+}  // namespace kadr

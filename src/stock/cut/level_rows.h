@@ -1,0 +1,147 @@
+#pragma once
+// Where lines along X or Y lie within what a body sweeps along a straight way. Single precision, lengths mm from the brick's corner.
+//
+//   law  a place in an interval is within the body at some part of the way, to 2e-4 mm   (tests/stock/sweep_test)
+
+#include "stock/cut/upright_rows.h"
+
+namespace kadr::lanes {
+
+/// The way as lines along one axis see it.
+struct LevelWay {
+  LevelWay(const LocalSweep& s, int axis)
+      : start(s.from[axis]), across_start(s.from[1 - axis]), forth(s.way[axis]), across(s.way[1 - axis]), up(s.way[2]) {
+    const float guarded = std::fabs(across) < 1e-9f ? 1e-9f : across;
+    per_across = 1 / guarded;
+    side = s.flat_way[axis] * s.per_flat * (guarded > 0.f ? 1.f : -1.f);
+  }
+  float start, across_start;  // of the tip, along the lines and across them
+  float forth, across, up;    // unit vector of the way
+  float per_across;
+  float side;  // of a disc's radius: how far across the place lies where it leaves a line
+};
+
+/// Lines by how far across and how high they lie from the tip at the beginning of the way.
+template <class V>
+struct LevelLines {
+  V across, up;
+};
+
+/// The part of the way on which heights of the tool are at the line.
+template <class V>
+struct Stretch {
+  V first, last;
+  MarksOf<V> any;
+};
+template <class V>
+KADR_IN_LANES Stretch<V> at_height(const LocalSweep& s, const V& up, float low, float high) {
+  const V a = (up - high) * s.per_upward, b = (up - low) * s.per_upward;
+  const V first = most(least(a, b), spread<V>(0.f)), last = least(most(a, b), spread<V>(s.length));
+  return {first, last, (up >= std::min(s.rise, 0.f) + low) & (up <= std::max(s.rise, 0.f) + high) & (first <= last)};
+}
+
+/// A place of the way, and the square of how far to either side of the tool's axis the line lies within it there.
+template <class V>
+struct LeftAt {
+  V place, square;
+};
+template <class V>
+KADR_IN_LANES Swept<V> between(const LevelWay& w, const LeftAt<V>& from, const LeftAt<V>& to, const MarksOf<V>& on) {
+  const MarksOf<V> meets = on & (least(from.square, to.square) >= 0.f);
+  return where(meets, from.place * w.forth + w.start - root(from.square), to.place * w.forth + w.start + root(to.square));
+}
+
+/// A cylinder on the stretch.
+template <class V>
+KADR_IN_LANES Swept<V> level_cylinder(const LevelWay& w, const LevelLines<V>& lines, const Stretch<V>& on, float radius) {
+  const float edge = radius * w.side;
+  const V square = spread<V>(radius * radius), to = within((lines.across + edge) * w.per_across, on.first, on.last),
+          from = within((lines.across - edge) * w.per_across, on.first, on.last);
+  const V to_side = to * w.across - lines.across, from_side = from * w.across - lines.across;
+  return between(w, LeftAt<V>{from, square - from_side * from_side}, LeftAt<V>{to, square - to_side * to_side}, on.any);
+}
+
+/// The lower half of a ball.
+template <class V>
+KADR_IN_LANES Swept<V> level_ball(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
+  float across = w.across, up = w.up,
+        square = across * across + up * up;  // not 1 - forth²: no digits left where the way is along the lines
+  const bool along = square < upright_below * upright_below;
+  if (along) across = up = 0.f, square = upright_below * upright_below;
+  const float per_square = 1 / square, slope = w.forth / std::sqrt(square);
+  const V above = lines.up - b.end_top, beside = lines.across * up - above * across;
+  const V nearest = (lines.across * across + above * up) * per_square;
+  const V apart = along ? lines.across * lines.across + above * above : beside * beside * per_square;
+  const V room = spread<V>(b.radius * b.radius) - apart, reach = root(room) * slope;
+  const V to = within(nearest + reach, on.first, on.last), from = within(nearest - reach, on.first, on.last);
+  const V to_far = to - nearest, from_far = from - nearest;
+  return between(w, LeftAt<V>{from, room - from_far * from_far * square}, LeftAt<V>{to, room - to_far * to_far * square}, on.any);
+}
+
+/// A cone or a rounded edge at one place of the way.
+template <class V>
+struct EndAt {
+  V square;  // of half the length of line within it
+  V forth;   // times the way along the line, and
+  V turn;    // … more: the slope of where the line leaves it
+};
+template <class V, BodyEnd end>
+KADR_IN_LANES EndAt<V> end_at(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const V& place) {
+  const V none = spread<V>(0.f), height = within(lines.up - place * w.up - b.bottom, none, spread<V>(b.tall()));
+  const V side = place * w.across - lines.across;
+  V radius, grows, scale;  // grows / scale: of the radius for each mm of height
+  if constexpr (end == BodyEnd::cone) {
+    radius = height * b.widens + b.flat, grows = spread<V>(b.widens), scale = spread<V>(1.f);
+  } else {
+    scale = root(height * (2 * b.corner - height)), radius = scale + b.flat, grows = spread<V>(b.corner) - height;
+  }
+  // Where the line misses it: towards meeting it.
+  const V square = (radius - side) * (radius + side), towards = choose(side > 0.f, spread<V>(w.across), spread<V>(-w.across));
+  const V rises = grows * w.up;
+  const MarksOf<V> meets = square > 0.f;
+  return {square, choose(meets, root(square) * scale * w.forth, none),
+          choose(meets, -(rises * radius + side * scale * w.across), -(rises + scale * towards))};
+}
+
+/// Where the line leaves the end, in the direction `sign` of it.
+template <class V, BodyEnd end>
+KADR_IN_LANES LeftAt<V> farthest(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on, float sign,
+                                 const EndAt<V>& first, const EndAt<V>& last) {
+  const auto slope_of = [&](const EndAt<V>& e) { return Slope<V>{e.forth * sign + e.turn, e.square > 0.f}; };
+  const Slope<V> at_first = slope_of(first), at_last = slope_of(last);
+  const MarksOf<V> begins = at_first.value <= 0.f, ends = ~begins & (at_last.value >= 0.f), sought = on.any & ~begins & ~ends;
+  LeftAt<V> answer{choose(begins, on.first, on.last), choose(begins, first.square, last.square)};
+  if (!any(sought)) return answer;
+  const auto slope_at = [&](const V& place) { return slope_of(end_at<V, end>(w, b, lines, place)); };
+  const V place = farthest_place(on.first, on.last, at_first, at_last, sought, b.place_error, slope_at);
+  const EndAt<V> there = end_at<V, end>(w, b, lines, place);
+  return {choose(sought, place, answer.place), choose(sought, there.square, answer.square)};
+}
+
+template <class V, BodyEnd end>
+KADR_IN_LANES Swept<V> level_end(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
+  if constexpr (end == BodyEnd::ball) {
+    return level_ball(w, b, lines, on);
+  } else {
+    const EndAt<V> first = end_at<V, end>(w, b, lines, on.first), last = end_at<V, end>(w, b, lines, on.last);
+    return between(w, farthest<V, end>(w, b, lines, on, -1.f, first, last), farthest<V, end>(w, b, lines, on, 1.f, first, last), on.any);
+  }
+}
+
+/// Lines at the places `across`, `z`. The body is convex: what its end and its cylinder sweep of a line is one interval.
+template <class V, BodyEnd end>
+KADR_IN_LANES Swept<V> level_lines(const LocalSweep& s, const LevelWay& w, const SweptBody& b, const V& across, const V& z) {
+  const LevelLines<V> lines{across - w.across_start, z - s.from[2]};
+  Swept<V> swept{spread<V>(missed), spread<V>(-missed)};
+  if constexpr (end != BodyEnd::flat) {
+    const Stretch<V> on = at_height(s, lines.up, b.bottom, b.end_top);
+    if (any(on.any)) swept = level_end<V, end>(w, b, lines, on);
+  }
+  if (b.top <= b.end_top) return swept;
+  const Stretch<V> on = at_height(s, lines.up, b.end_top, b.top);
+  if (!any(on.any)) return swept;
+  const Swept<V> cylinder = level_cylinder(w, lines, on, b.radius);
+  return {least(swept.from, cylinder.from), most(swept.to, cylinder.to)};
+}
+
+}  // namespace kadr::lanes

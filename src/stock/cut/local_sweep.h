@@ -1,0 +1,85 @@
+#pragma once
+// LocalSweep: a straight motion of an upright tool, seen from one brick.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vec.h"
+#include "stock/brick/lattice.h"
+
+namespace kadr {
+
+/// What a tool needs around its tip, mm.
+struct AroundTip {
+  double beside, below, above;  // `below` is negative where the body begins above the tip
+};
+
+/// Lengths mm, from the brick's corner. Places on the way are mm from `from`.
+struct LocalSweep {
+  float from[3];  // the tip
+  float way[3];   // unit vector; {1, 0, 0} where the tool stands
+  float length;
+  float rise;            // along Z, of all of the way
+  float per_upward;      // 1 / way[2], large where the way is level
+  float flat_way[2];     // way[0], way[1]; 0 where the way is upright
+  float flat, per_flat;  // length of flat_way, its inverse: finite where it is 0
+  bool upright;
+
+  float lowest() const { return from[2] + std::min(rise, 0.f); }
+  float highest() const { return from[2] + std::max(rise, 0.f); }
+};
+
+/// A way that is this much longer than what reaches the brick is shortened: single precision has seven digits.
+inline constexpr double clipped_above = 4;
+/// The share of the way in the plane below which it is taken for upright: within a brick's reach that is less than 1e-4 mm.
+inline constexpr float upright_below = 3e-6f;
+inline constexpr float nearly_none = 1e-12f;
+
+/// Shares of a way.
+struct WayPart {
+  double first = 0, last = 1;
+};
+
+/// On which the tool can reach a box from {0, 0, 0} to `most`, with some room around it; `first` where it never can.
+inline WayPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec3 most) {
+  WayPart part;
+  for (int d = 0; d < 3; ++d) {
+    const double room = along(most, d) / 4, low = -(d == 2 ? tool.above : tool.beside) - room,
+                 high = along(most, d) + room + (d == 2 ? tool.below : tool.beside);
+    if (along(way, d) == 0) continue;
+    const double a = (low - along(from, d)) / along(way, d), b = (high - along(from, d)) / along(way, d);
+    part.first = std::max(part.first, std::min(a, b)), part.last = std::min(part.last, std::max(a, b));
+  }
+  if (part.first > part.last) return {0, 0};
+  return part;
+}
+
+/// From the brick's corner; `edge`: of the brick.
+inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double edge) {
+  Vec3 way = to - from;
+  double all = length(way);
+  LocalSweep s{};
+  if (all > clipped_above * (edge + 2 * tool.beside)) {
+    const WayPart part = part_that_reaches(from, way, tool, {edge, edge, edge});
+    from = from + part.first * way, all = all * (part.last - part.first);
+  }
+  const double per = all > 0 ? 1 / length(way) : 0;
+  way = all > 0 ? per * way : Vec3{1, 0, 0};
+  for (int d = 0; d < 3; ++d) s.from[d] = float(along(from, d)), s.way[d] = float(along(way, d));
+  s.length = float(all), s.rise = float(all * way.z);
+  const float flat = std::sqrt(s.way[0] * s.way[0] + s.way[1] * s.way[1]);
+  s.upright = flat < upright_below;
+  s.flat_way[0] = s.upright ? 0.f : s.way[0], s.flat_way[1] = s.upright ? 0.f : s.way[1];
+  s.flat = s.upright ? 0.f : flat, s.per_flat = 1 / std::max(flat, upright_below);
+  s.per_upward = 1 / (std::fabs(s.way[2]) < nearly_none ? nearly_none : s.way[2]);
+  return s;
+}
+
+/// Mirrored about the plane through the brick's corner: what narrows upwards widens upwards.
+inline LocalSweep upside_down(LocalSweep s) {
+  s.from[2] = -s.from[2], s.way[2] = -s.way[2], s.rise = -s.rise;
+  s.per_upward = 1 / (std::fabs(s.way[2]) < nearly_none ? nearly_none : s.way[2]);
+  return s;
+}
+
+}  // namespace kadr

@@ -1,0 +1,51 @@
+// What the rows need of a body. For stock/stock.
+
+#include "stock/cut/swept_body.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+/// What an error of the place on the way may add to where the tool leaves a line, mm.
+constexpr double error_by_place = 4e-4;
+
+BodyEnd end_of(RoundSolid::Form form) {
+  switch (form) {
+    case RoundSolid::Form::ball: return BodyEnd::ball;
+    case RoundSolid::Form::cone: return BodyEnd::cone;
+    case RoundSolid::Form::torus: return BodyEnd::torus;
+    case RoundSolid::Form::cylinder: break;
+  }
+  return BodyEnd::flat;
+}
+
+}  // namespace
+
+SweptBody swept_body(const ConvexBody& convex) {
+  assert(convex.solids.size() == 1 || (convex.solids.size() == 2 && convex.solids[1].form == RoundSolid::Form::cylinder));
+  RoundSolid end = convex.solids.front();
+  double top = convex.solids.back().top;
+  SweptBody body;
+  body.end = end_of(end.form);
+  body.turned = body.end == BodyEnd::cone && end.bottom_radius > end.top_radius;
+  if (body.turned) {
+    end = {end.form, -end.top, -end.bottom, end.top_radius, end.bottom_radius};
+    top = end.top;
+  }
+  body.bottom = float(end.bottom), body.top = float(top);
+  body.end_top = body.end == BodyEnd::flat ? body.bottom : float(end.top);
+  body.flat = float(body.end == BodyEnd::ball ? 0 : end.bottom_radius), body.radius = float(end.top_radius);
+  body.corner = float(end.top - end.bottom);
+  if (body.end == BodyEnd::cone) {
+    body.widens = float((end.top_radius - end.bottom_radius) / (end.top - end.bottom));
+    body.stands = float((end.top - end.bottom) / (end.top_radius - end.bottom_radius));
+  }
+  // A place that is wrong by e moves the answer by e² / (2 corner); at a cone's point by up to e.
+  body.place_error = float(body.end == BodyEnd::cone ? 3e-4 : std::sqrt(2 * error_by_place * double(body.corner)));
+  return body;
+}
+
+}  // namespace kadr

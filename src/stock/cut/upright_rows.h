@@ -1,0 +1,110 @@
+#pragma once
+// Where upright lines lie within what a body sweeps along a straight way. Single precision, lengths mm from the brick's corner.
+//
+//   law  a place in an interval is within the body at some part of the way, to 2e-4 mm   (tests/stock/sweep_test)
+
+#include "stock/cut/sweep_search.h"
+#include "stock/cut/swept_body.h"
+
+namespace kadr::lanes {
+
+inline constexpr float missed = 1e30f;
+
+/// An interval on each line; of one that misses the body `from` lies behind `to`.
+template <class V>
+struct Swept {
+  V from, to;
+};
+
+template <class V>
+KADR_IN_LANES Swept<V> where(const MarksOf<V>& meets, const V& from, const V& to) {
+  return {choose(meets, from, spread<V>(missed)), choose(meets, to, spread<V>(-missed))};
+}
+
+/// The body stands over a line on a part of the way.
+template <class V>
+struct Over {
+  V nearest, apart;  // where it is nearest, and the distance² there
+  V first, last;
+  MarksOf<V> meets;
+};
+
+template <class V>
+KADR_IN_LANES Over<V> over_line(const LocalSweep& s, const V& x, float y, float radius) {
+  const float wx = s.flat_way[0], wy = s.flat_way[1], per_square = s.per_flat * s.per_flat, dy = y - s.from[1];
+  const V dx = x - s.from[0], none = spread<V>(0.f), nearest = (dx * wx + spread<V>(dy * wy)) * per_square;
+  const V beside = dx * wy - spread<V>(dy * wx);
+  const V apart = s.upright ? dx * dx + spread<V>(dy * dy) : beside * beside * per_square;
+  const V room = spread<V>(radius * radius) - apart, half = root(room) * s.per_flat;
+  const V first = most(nearest - half, none), last = least(nearest + half, spread<V>(s.length));
+  return {nearest, apart, first, last, (room > 0.f) & (first <= last)};
+}
+
+/// A cone's side is taken this much farther out, mm: a distance from the axis that is rounded up must not climb a side that is all but
+/// upright.
+inline constexpr float rounded_radius = 1e-5f;
+
+/// Height of the end's surface above its bottom.
+template <class V, BodyEnd end>
+KADR_IN_LANES V end_height(const SweptBody& b, const V& radius) {
+  const V beyond = most(radius - (end == BodyEnd::cone ? b.flat + rounded_radius : b.flat), spread<V>(0.f));
+  if constexpr (end == BodyEnd::cone) return least(beyond * b.stands, spread<V>(b.tall()));
+  if constexpr (end == BodyEnd::torus || end == BodyEnd::ball)
+    return spread<V>(b.corner) - root(spread<V>(b.corner * b.corner) - beyond * beyond);
+  return spread<V>(0.f);
+}
+
+/// The place where a rounded edge is lowest over the line.
+template <class V>
+KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const Over<V>& over) {
+  const float square = s.flat * s.flat, corner_square = b.corner * b.corner;
+  const auto slope_at = [&](const V& at) {
+    const V q = at - over.nearest, r = square_root(over.apart + q * q * square + spread<V>(1e-18f));
+    const V beyond = most(r - b.flat, spread<V>(0.f)), chord = root(spread<V>(corner_square) - beyond * beyond);
+    return Slope<V>{-(chord * r * s.way[2] + beyond * q * square), beyond >= 0.f};
+  };
+  const Slope<V> at_first = slope_at(over.first), at_last = slope_at(over.last);
+  const MarksOf<V> begins = at_first.value <= 0.f, ends = ~begins & (at_last.value >= 0.f), sought = over.meets & ~begins & ~ends;
+  V place = choose(begins, over.first, over.last);
+  if (any(sought)) place = choose(sought, farthest_place(over.first, over.last, at_first, at_last, sought, b.place_error, slope_at), place);
+  return place;
+}
+
+/// How far along the way, of its length in the plane, a cone is lowest from where it is nearest: for each mm that it is apart there.
+inline float cone_lag(const LocalSweep& s, const SweptBody& b) {
+  const float steep = std::fabs(s.way[2]) * s.per_flat * b.widens;
+  return steep < 1.f ? steep / std::sqrt(std::max(1.f - steep * steep, nearly_none)) : missed;
+}
+
+/// The place where the body's end is lowest over the line.
+template <class V, BodyEnd end>
+KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over<V>& over) {
+  const V none = spread<V>(0.f);
+  if constexpr (end == BodyEnd::flat) return s.way[2] > 0.f ? over.first : over.last;
+  if constexpr (end == BodyEnd::torus) return lowest_of_torus(s, b, over);
+  V before;  // it is reached before the nearest place where the way rises
+  if constexpr (end == BodyEnd::ball) {
+    before = root(spread<V>(b.radius * b.radius) - over.apart) * (s.way[2] * s.per_flat);
+  } else {
+    const V flat = s.way[2] == 0.f ? none : root(spread<V>(b.flat * b.flat) - over.apart);
+    const V lag = most(least(square_root(over.apart) * cone_lag(s, b), spread<V>(missed)), flat) * s.per_flat;
+    before = s.way[2] > 0.f ? lag : -lag;
+  }
+  return within(over.nearest - before, over.first, over.last);
+}
+
+/// Lines at the places `x`, `y`.
+template <class V, BodyEnd end>
+KADR_IN_LANES Swept<V> upright_lines(const LocalSweep& s, const SweptBody& b, const V& x, float y) {
+  const Over<V> over = over_line(s, x, y, b.radius);
+  const V lowest = lowest_place<V, end>(s, b, over), q = lowest - over.nearest, square = over.apart + q * q * (s.flat * s.flat);
+  const float base = s.from[2] + b.bottom;
+  V height = spread<V>(0.f);
+  if constexpr (end == BodyEnd::ball) height = spread<V>(b.corner) - root(spread<V>(b.corner * b.corner) - square);
+  else if constexpr (end != BodyEnd::flat) height = end_height<V, end>(b, root(square));
+  const V from = lowest * s.way[2] + height + base;
+  const V to = (s.way[2] > 0.f ? over.last : over.first) * s.way[2] + (s.from[2] + b.top);
+  return where(over.meets, from, to);
+}
+
+}  // namespace kadr::lanes

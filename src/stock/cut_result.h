@@ -1,0 +1,43 @@
+#pragma once
+// CutResult: what a cut came to, for whoever tells it. Lengths mm, volumes mm³, times s.
+
+#include <cstdint>
+#include <vector>
+
+#include "action/action.h"
+#include "base/alarm.h"
+
+namespace kadr {
+
+/// Something hit the material, or was cut as it must not be.
+struct CutFinding {
+  AlarmId id = AlarmId::rapid_in_stock;
+  Origin origin;
+  std::uint32_t tool = 0;
+  Vec3 at;             // the middle of what was taken away, in the work system of the blank
+  double depth = 0;    // least side of the box around it
+  double volume = 0;   // of it
+  double at_time = 0;  // s since the start
+};
+
+struct ToolRemoval {
+  std::uint32_t tool = 0;
+  double removed = 0;        // mm³
+  double seconds = 0;        // at feed
+  double greatest_rate = 0;  // mm³/s, over at least two cells of path
+};
+
+struct CutResult {
+  double stock = 0;        // mm³ of the blank
+  double left = 0;         // of what is left
+  double error_bound = 0;  // of these
+  double cell = 0;         // mm
+  double seconds = 0;      // of the program
+  std::uint64_t sweeps = 0;
+  std::vector<ToolRemoval> tools;      // in the order of their first use
+  std::vector<CutFinding> collisions;  // alarms
+  std::vector<CutFinding> warnings;
+  std::size_t not_told = 0;  // findings beyond those that are kept
+};
+
+}  // namespace kadr

@@ -1,0 +1,211 @@
+// Closing, turning, telling. For stock/mesh/mesh_file.
+
+#include "stock/mesh/mesh_repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <utility>
+
+#include "config/told.h"
+#include "stock/mesh/mesh_edges.h"
+#include "stock/mesh/mesh_index.h"
+#include "stock/mesh/point_weld.h"
+
+namespace kadr {
+namespace {
+
+std::string mm(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string at_point(const Vec3& p) { return "X" + mm(p.x) + " Y" + mm(p.y) + " Z" + mm(p.z); }
+
+struct Repair {
+  Mesh mesh;
+  const MeshRules& rules;
+  std::vector<std::uint32_t> numbers{};  // of the triangles, in the file
+  std::vector<std::string> notes{};
+
+  std::string told_points() const;
+  void close();
+  void join_near();
+  bool turn_to_fit();
+  std::string told_open() const;
+  std::vector<std::uint32_t> shells() const;
+  void turn_shells();
+  void turn(std::size_t triangle) { std::swap(mesh.triangles[3 * triangle + 1], mesh.triangles[3 * triangle + 2]); }
+};
+
+/// A corner that is no place, or far beyond any machine.
+std::string Repair::told_points() const {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::string triangle = std::to_string(i / 3 + 1);
+    if (mesh.triangles[i] >= mesh.point_count())
+      return told("triangle " + triangle + ": no point has the number " + std::to_string(mesh.triangles[i]),
+                  "треугольник " + triangle + ": нет точки с номером " + std::to_string(mesh.triangles[i]));
+    const Vec3 p = mesh.point(mesh.triangles[i]);
+    for (const double v : {p.x, p.y, p.z}) {
+      if (!std::isfinite(v))
+        return told("triangle " + triangle + ": a coordinate is no number", "треугольник " + triangle + ": координата не является числом");
+      if (std::fabs(v) > rules.reach)
+        return told("triangle " + triangle + ": " + mm(v) + " mm is beyond any machine: at most " + mm(rules.reach),
+                    "треугольник " + triangle + ": " + mm(v) + " мм дальше любого станка: не более " + mm(rules.reach));
+    }
+  }
+  return {};
+}
+
+/// Triangles side by side go along their common edge in opposite ways: what fits to the first of a shell is turned so.
+bool Repair::turn_to_fit() {
+  const std::vector<EdgeWay> ways = edge_ways(mesh);
+  const std::size_t count = mesh.triangle_count();
+  std::vector<std::uint32_t> beside(3 * count), found(count, 0);  // three neighbours each; odd: it goes the same way
+  for (std::size_t i = 0; i < ways.size(); i += 2) {
+    if (i + 1 >= ways.size() || ways[i].ends != ways[i + 1].ends || (i + 2 < ways.size() && ways[i + 2].ends == ways[i].ends)) return false;
+    const EdgeWay &a = ways[i], &b = ways[i + 1];
+    const std::uint32_t same = a.upwards == b.upwards;
+    beside[3 * std::size_t(a.triangle) + found[a.triangle]++] = 2 * b.triangle + same;
+    beside[3 * std::size_t(b.triangle) + found[b.triangle]++] = 2 * a.triangle + same;
+  }
+  std::vector<std::uint8_t> turned(count, 2);  // 2: not yet known
+  std::vector<std::uint32_t> open;
+  std::size_t turns = 0;
+  for (std::size_t first = 0; first < count; ++first) {
+    if (turned[first] != 2) continue;
+    turned[first] = 0;
+    open.push_back(std::uint32_t(first));
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = beside[3 * std::size_t(t) + k] / 2;
+        const std::uint8_t wanted = turned[t] ^ std::uint8_t(beside[3 * std::size_t(t) + k] & 1);
+        if (turned[other] == 2) turned[other] = wanted, open.push_back(other);
+        else if (turned[other] != wanted) return false;  // a band with one side only
+      }
+    }
+  }
+  for (std::size_t t = 0; t < count; ++t)
+    if (turned[t] == 1) turn(t), ++turns;
+  notes.push_back(told(std::to_string(turns) + " triangles went round against their neighbours: turned",
+                       told_count(turns, "треугольник", "треугольника", "треугольников") + " с обходом против соседних: повёрнуты"));
+  return true;
+}
+
+/// Joins what lies within the tolerance, then turns what does not fit, each only if edges are open.
+void Repair::close() {
+  if (edges_of(mesh).open == 0) return;
+  if (rules.weld > 0) join_near();
+  if (edges_of(mesh).open != 0) (void)turn_to_fit();
+}
+
+/// Points of edges that an odd number of triangles have.
+void Repair::join_near() {
+  std::vector<bool> marked(mesh.point_count(), false);
+  const std::vector<EdgeWay> ways = edge_ways(mesh);
+  for (std::size_t i = 0, end = 0; i < ways.size(); i = end) {
+    for (end = i; end < ways.size() && ways[end].ends == ways[i].ends;) ++end;
+    if ((end - i) % 2 == 0) continue;
+    marked[std::size_t(ways[i].ends >> 32)] = marked[std::size_t(ways[i].ends & 0xffffffffu)] = true;
+  }
+  if (const std::size_t joined = weld_near(mesh, marked, rules.weld); joined > 0) {
+    notes.push_back(
+        told(std::to_string(joined) + " points at open edges lay within " + mm(rules.weld) + " mm of another: joined",
+             told_count(joined, "точка", "точки", "точек") + " у открытых рёбер не далее " + mm(rules.weld) + " мм от другой: соединены"));
+    drop_flat(mesh, numbers);
+  }
+}
+
+std::string Repair::told_open() const {
+  if (mesh.triangles.empty()) return told("there is no triangle in it", "в нём нет ни одного треугольника");
+  const MeshEdges edges = edges_of(mesh);
+  if (edges.open == 0) return {};
+  const std::string number = std::to_string(numbers[edges.open_triangle] + 1), place = at_point(mesh.corner(edges.open_triangle, 0));
+  return told("not closed: " + std::to_string(edges.open) + " edges are open, the first at triangle " + number + ", " + place,
+              "не замкнуто: открытых рёбер " + std::to_string(edges.open) + ", первое у треугольника " + number + ", " + place);
+}
+
+/// Of each triangle the lowest point of what hangs together.
+std::vector<std::uint32_t> Repair::shells() const {
+  std::vector<std::uint32_t> parent(mesh.point_count());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t a = root(mesh.triangles[i]), b = root(mesh.triangles[i / 3 * 3]);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<std::uint32_t> shell(mesh.triangle_count());
+  for (std::size_t t = 0; t < shell.size(); ++t) shell[t] = root(mesh.triangles[3 * t]);
+  return shell;
+}
+
+/// A shell inside out is a hollow where another one is about it.
+void Repair::turn_shells() {
+  if (volume_of(mesh) < 0) {
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t) turn(t);
+    notes.push_back(told("it was inside out: turned", "поверхность была вывернута: повёрнута"));
+  }
+  const std::vector<std::uint32_t> shell = shells();
+  std::vector<double> volume(mesh.point_count(), 0);
+  std::vector<std::uint32_t> sample(mesh.point_count(), 0);
+  for (std::size_t t = mesh.triangle_count(); t-- > 0;) {
+    const Vec3 a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+    volume[shell[t]] += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+    sample[shell[t]] = std::uint32_t(t);
+  }
+  if (std::none_of(volume.begin(), volume.end(), [](double v) { return v < 0; })) return;
+  const MeshIndex upright(mesh, 2);
+  std::vector<MeshHit> hits;
+  std::vector<bool> turns(mesh.point_count(), false);
+  std::size_t turned = 0;
+  for (std::size_t s = 0; s < volume.size(); ++s) {
+    if (volume[s] >= 0) continue;
+    const Vec3 at = (1 / 3.0) * (mesh.corner(sample[s], 0) + mesh.corner(sample[s], 1) + mesh.corner(sample[s], 2));
+    hits.clear();
+    upright.hits(at.x, at.y, hits);
+    int about = 0;
+    for (const MeshHit& h : hits)
+      if (h.place < at.z && shell[h.triangle] != s) about += h.turn;
+    if (about <= 0) turns[s] = true, ++turned;
+  }
+  if (turned == 0) return;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+    if (turns[shell[t]]) turn(t);
+  notes.push_back(told(std::to_string(turned) + " of its bodies were inside out: turned",
+                       told_count(turned, "тело было вывернуто", "тела были вывернуты", "тел были вывернуты") + ": повёрнуто"));
+}
+
+}  // namespace
+
+std::string told_too_many(std::size_t triangles, const MeshRules& rules) {
+  if (triangles <= rules.memory / solid_bytes(1)) return {};
+  const std::string most = std::to_string(rules.memory / solid_bytes(1)), there = std::to_string(triangles);
+  return told(there + " triangles do not fit into the memory allowed: at most " + most,
+              "треугольников " + there + ": не помещаются в отведённую память, не более " + most);
+}
+
+tl::expected<SolidMesh, std::string> solid_of(Mesh mesh, const MeshRules& rules) {
+  if (std::string wrong = told_too_many(mesh.triangle_count(), rules); !wrong.empty()) return tl::unexpected(std::move(wrong));
+  Repair repair{std::move(mesh), rules};
+  if (std::string wrong = repair.told_points(); !wrong.empty()) return tl::unexpected(std::move(wrong));
+  drop_unused(repair.mesh);
+  repair.numbers.resize(repair.mesh.triangle_count());
+  std::iota(repair.numbers.begin(), repair.numbers.end(), 0u);
+  weld_equal(repair.mesh);
+  drop_flat(repair.mesh, repair.numbers);
+  repair.close();
+  drop_unused(repair.mesh);
+  if (std::string wrong = repair.told_open(); !wrong.empty()) return tl::unexpected(std::move(wrong));
+  repair.turn_shells();
+  if (!(volume_of(repair.mesh) > 0)) return tl::unexpected(told("it encloses nothing", "оно ничего не охватывает"));
+  return SolidMesh{std::move(repair.mesh), std::move(repair.notes)};
+}
+
+}  // namespace kadr

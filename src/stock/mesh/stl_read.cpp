@@ -1,0 +1,149 @@
+// STL: which of the two it is, and its triangles. For stock/mesh/mesh_file.
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "config/read_file.h"
+#include "config/told.h"
+#include "stock/mesh/stl.h"
+#include "stock/mesh/word_reader.h"
+
+namespace kadr {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+using ReadMesh = tl::expected<Mesh, std::string>;
+
+constexpr std::size_t header_bytes = 84, record_bytes = 50, normal_bytes = 12;
+
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value |= std::uint32_t(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+  return value;
+}
+
+void add_triangle(Mesh& mesh) {
+  const std::uint32_t first = std::uint32_t(mesh.triangles.size());
+  for (std::uint32_t i = 0; i < 3; ++i) mesh.triangles.push_back(first + i);
+}
+
+ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector<std::string>& notes) {
+  const std::size_t body = bytes.size() - header_bytes, count = body / record_bytes, said = number_at(bytes, header_bytes - 4);
+  const std::string length = std::to_string(bytes.size()), number = std::to_string(said);
+  if (body % record_bytes != 0)
+    return Failed(
+        told("it ends within triangle " + std::to_string(count + 1) + ": " + length + " bytes, its header says " + number + " triangles",
+             "обрывается в треугольнике " + std::to_string(count + 1) + ": байтов " + length + ", в заголовке треугольников " + number));
+  if (std::string wrong = told_too_many(count, rules); !wrong.empty()) return Failed(std::move(wrong));
+  if (said != count)
+    notes.push_back(told("its header says " + number + " triangles, it has " + std::to_string(count),
+                         "в заголовке треугольников " + number + ", в файле их " + std::to_string(count)));
+  Mesh mesh;
+  mesh.points.reserve(9 * count), mesh.triangles.reserve(3 * count);
+  for (std::size_t t = 0; t < count; ++t) {
+    for (std::size_t i = 0; i < 9; ++i)
+      mesh.points.push_back(std::bit_cast<float>(number_at(bytes, header_bytes + t * record_bytes + normal_bytes + 4 * i)));
+    add_triangle(mesh);
+  }
+  return mesh;
+}
+
+/// solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, as often as it comes.
+class TextStl {
+ public:
+  TextStl(std::string_view text, const MeshRules& rules) : words_(text), rules_(rules) {}
+  ReadMesh read();
+
+ private:
+  bool expect(std::string_view word);
+  bool number(float& value);
+  bool facet();
+  Failed failed() const { return Failed(told_place("", words_.line(), words_.column()) + fault_); }
+
+  WordReader words_;
+  const MeshRules& rules_;
+  Mesh mesh_;
+  std::string fault_;
+};
+
+bool TextStl::expect(std::string_view word) {
+  const std::string_view found = words_.next();
+  if (equal_ignoring_case(found, word)) return true;
+  const std::string there = found.empty() ? told("the end of the file", "конец файла") : "'" + shown(found) + "'";
+  fault_ = told("'" + std::string(word) + "' is expected here, there is " + there,
+                "здесь должно быть '" + std::string(word) + "', а стоит " + there);
+  return false;
+}
+
+bool TextStl::number(float& value) {
+  const std::string_view found = words_.next();
+  double read = 0;
+  if (number_of(found, read) && std::isfinite(float(read))) {
+    value = float(read);
+    return true;
+  }
+  fault_ = told("a coordinate is expected here, there is '" + shown(found) + "'",
+                "здесь должна быть координата, а стоит '" + shown(found) + "'");
+  return false;
+}
+
+/// After the word facet. Some programs write "nan" for the normal of a triangle without area: it is not asked.
+bool TextStl::facet() {
+  if (!expect("normal")) return false;
+  for (int i = 0; i < 3; ++i) (void)words_.next();
+  if (!expect("outer") || !expect("loop")) return false;
+  for (int i = 0; i < 3; ++i) {
+    if (!expect("vertex")) return false;
+    for (int d = 0; d < 3; ++d) {
+      float value = 0;
+      if (!number(value)) return false;
+      mesh_.points.push_back(value);
+    }
+  }
+  add_triangle(mesh_);
+  fault_ = told_too_many(mesh_.triangle_count(), rules_);
+  return fault_.empty() && expect("endloop") && expect("endfacet");
+}
+
+ReadMesh TextStl::read() {
+  while (words_.more()) {
+    if (!expect("solid")) return failed();
+    words_.rest_of_line();
+    while (true) {
+      const std::string_view word = words_.next();
+      if (equal_ignoring_case(word, "endsolid")) break;
+      if (!equal_ignoring_case(word, "facet")) {
+        const std::string there = word.empty() ? told("the end of the file", "конец файла") : "'" + shown(word) + "'";
+        fault_ =
+            told("'facet' or 'endsolid' is expected here, there is " + there, "здесь должно быть 'facet' или 'endsolid', а стоит " + there);
+        return failed();
+      }
+      if (!facet()) return failed();
+    }
+    words_.rest_of_line();
+  }
+  return std::move(mesh_);
+}
+
+/// Binary files, too, may begin with "solid".
+bool is_binary(std::string_view bytes) {
+  if (bytes.size() < header_bytes) return false;
+  if (bytes.size() == header_bytes + record_bytes * std::size_t(number_at(bytes, header_bytes - 4))) return true;
+  return !equal_ignoring_case(bytes.substr(0, 5), "solid") || bytes.find('\0') != std::string_view::npos;
+}
+
+}  // namespace
+
+tl::expected<SolidMesh, std::string> read_stl(std::string_view bytes, const MeshRules& rules) {
+  std::vector<std::string> notes;
+  if (!is_binary(bytes) && !equal_ignoring_case(WordReader(bytes).next(), "solid"))
+    return Failed(told("it is no STL file", "это не файл STL"));
+  ReadMesh mesh = is_binary(bytes) ? read_binary(bytes, rules, notes) : TextStl(bytes, rules).read();
+  if (!mesh) return Failed(std::move(mesh.error()));
+  auto solid = solid_of(std::move(*mesh), rules);
+  if (solid) solid->notes.insert(solid->notes.begin(), notes.begin(), notes.end());
+  return solid;
+}
+
+}  // namespace kadr

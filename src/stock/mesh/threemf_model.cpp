@@ -1,0 +1,185 @@
+// Elements of a model's XML become objects. For stock/mesh/threemf_read.
+
+#include "stock/mesh/threemf_model.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "config/told.h"
+#include "stock/mesh/word_reader.h"
+#include "stock/mesh/xml_scan.h"
+
+namespace kadr {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+
+constexpr std::size_t most_objects = 100'000;  // and parts, and items
+
+struct Unit {
+  std::string_view name;
+  double mm;
+};
+constexpr Unit units[] = {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}};
+
+class ModelReader {
+ public:
+  ModelReader(std::string_view text, std::size_t most_triangles) : scan_(text), most_triangles_(most_triangles) {}
+  tl::expected<Model, std::string> read();
+
+ private:
+  bool take(std::string_view name);
+  bool take_root();
+  bool take_object();
+  bool take_vertex();
+  bool take_triangle();
+  bool take_item(std::vector<ModelItem>& items);
+  bool in_mesh();
+  bool transform(ModelTransform& matrix);
+  bool number(std::string_view name, double& value);
+  bool count(std::string_view name, std::uint32_t& value);
+  bool wrong(const std::string& en, const std::string& ru);
+  bool wrong_attribute(std::string_view name);
+
+  XmlScan scan_;
+  std::size_t most_triangles_, triangles_ = 0, items_ = 0;
+  std::string_view prefix_;  // of the core's elements: the root's
+  Model model_;
+  ModelObject* object_ = nullptr;
+  std::string fault_;
+};
+
+bool ModelReader::wrong(const std::string& en, const std::string& ru) {
+  fault_ = scan_.told_here() + told(en, ru);
+  return false;
+}
+
+bool ModelReader::wrong_attribute(std::string_view name) {
+  const std::string_view* const text = scan_.attribute(name);
+  const std::string key(name), element = shown(scan_.name());
+  if (text == nullptr) return wrong("<" + element + "> has no " + key, "у <" + element + "> нет " + key);
+  return wrong(key + "=\"" + shown(*text) + "\" of <" + element + "> is not what it must be",
+               key + "=\"" + shown(*text) + "\" у <" + element + "> задано неверно");
+}
+
+bool ModelReader::number(std::string_view name, double& value) {
+  const std::string_view* const text = scan_.attribute(name);
+  return (text != nullptr && number_of(*text, value)) || wrong_attribute(name);
+}
+
+bool ModelReader::count(std::string_view name, std::uint32_t& value) {
+  const std::string_view* const text = scan_.attribute(name);
+  if (text == nullptr) return wrong_attribute(name);
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  return (error == std::errc() && end == text->data() + text->size() && !text->empty()) || wrong_attribute(name);
+}
+
+bool ModelReader::transform(ModelTransform& matrix) {
+  const std::string_view* const text = scan_.attribute("transform");
+  if (text == nullptr) return true;
+  WordReader words(*text);
+  for (double& m : matrix)
+    if (!number_of(words.next(), m)) return wrong_attribute("transform");
+  return !words.more() || wrong_attribute("transform");
+}
+
+/// Extensions that must be understood are not; others are passed over.
+bool ModelReader::take_root() {
+  const std::string_view root = scan_.name();
+  const std::size_t colon = root.find(':');
+  prefix_ = colon == std::string_view::npos ? std::string_view() : root.substr(0, colon + 1);
+  if (root.substr(prefix_.size()) != "model") return wrong("the root is no <model>", "корень не <model>");
+  if (const std::string_view* const needs = scan_.attribute("requiredextensions"); needs != nullptr && WordReader(*needs).more())
+    return wrong("it needs an extension that is not known: " + shown(*needs),
+                 "нужно расширение, которое не поддерживается: " + shown(*needs));
+  const std::string_view* const name = scan_.attribute("unit");
+  if (name == nullptr) return true;
+  for (const Unit& unit : units)
+    if (unit.name == *name) {
+      model_.unit = unit.mm;
+      return true;
+    }
+  return wrong_attribute("unit");
+}
+
+bool ModelReader::take_object() {
+  std::uint32_t id = 0;
+  if (!count("id", id)) return false;
+  if (model_.objects.size() >= most_objects) return wrong("too many objects", "слишком много объектов");
+  const auto [place, is_new] = model_.objects.try_emplace(id);
+  if (!is_new) return wrong("a second object with the id " + std::to_string(id), "второй объект с id " + std::to_string(id));
+  object_ = &place->second;
+  const std::string_view* const type = scan_.attribute("type");
+  object_->is_body = type == nullptr || *type == "model" || *type == "solidsupport";
+  return true;
+}
+
+bool ModelReader::in_mesh() {
+  return object_ != nullptr || wrong("<" + shown(scan_.name()) + "> is in no object", "<" + shown(scan_.name()) + "> вне объекта");
+}
+
+bool ModelReader::take_vertex() {
+  double x = 0, y = 0, z = 0;
+  if (!in_mesh() || !number("x", x) || !number("y", y) || !number("z", z)) return false;
+  if (object_->mesh.point_count() >= 3 * most_triangles_)
+    return wrong("too many vertices for the memory allowed", "вершин больше, чем вмещает отведённая память");
+  for (const double v : {x, y, z}) object_->mesh.points.push_back(float(v));
+  return true;
+}
+
+bool ModelReader::take_triangle() {
+  std::uint32_t corner[3];
+  if (!in_mesh() || !count("v1", corner[0]) || !count("v2", corner[1]) || !count("v3", corner[2])) return false;
+  if (++triangles_ > most_triangles_)
+    return wrong("more triangles than the memory allowed holds: " + std::to_string(most_triangles_),
+                 "треугольников больше, чем вмещает отведённая память: " + std::to_string(most_triangles_));
+  for (const std::uint32_t c : corner) {
+    if (c >= object_->mesh.point_count()) return wrong("there is no vertex " + std::to_string(c), "нет вершины " + std::to_string(c));
+    object_->mesh.triangles.push_back(c);
+  }
+  return true;
+}
+
+bool ModelReader::take_item(std::vector<ModelItem>& items) {
+  if (++items_ > most_objects) return wrong("too many parts", "слишком много частей");
+  ModelItem item;
+  if (!count("objectid", item.object) || !transform(item.transform)) return false;
+  items.push_back(item);
+  return true;
+}
+
+bool ModelReader::take(std::string_view name) {
+  if (name == "object") return take_object();
+  if (name == "vertex") return take_vertex();
+  if (name == "triangle") return take_triangle();
+  if (name == "component") return in_mesh() && take_item(object_->parts);
+  if (name == "item") return take_item(model_.build);
+  return true;
+}
+
+tl::expected<Model, std::string> ModelReader::read() {
+  while (true) {
+    const XmlScan::Event event = scan_.next();
+    if (event == XmlScan::Event::fault) return Failed(scan_.fault());
+    if (event == XmlScan::Event::ends) return std::move(model_);
+    if (event == XmlScan::Event::opens && scan_.depth() == 1) {
+      if (!take_root()) return Failed(fault_);
+      continue;
+    }
+    if (!scan_.name().starts_with(prefix_)) continue;
+    const std::string_view name = scan_.name().substr(prefix_.size());
+    if (event == XmlScan::Event::closes) {
+      if (name == "object") object_ = nullptr;
+    } else if (!take(name)) {
+      return Failed(fault_);
+    }
+  }
+}
+
+}  // namespace
+
+tl::expected<Model, std::string> read_model(std::string_view text, std::size_t most_triangles) {
+  return ModelReader(text, most_triangles).read();
+}
+
+}  // namespace kadr

@@ -1,0 +1,39 @@
+// How fine a stock is cut. For cli/cut.
+
+#include "stock/size.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stock/brick/brick.h"
+
+namespace kadr {
+namespace {
+
+constexpr double cells_along = 400;
+constexpr double finest = 1e-3;  // mm
+
+/// 1, 2.5 or 5 times a power of ten, not below.
+double round_up(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {1.0, 2.5, 5.0})
+    if (step * power >= value * (1 - 1e-9)) return step * power;
+  return 10 * power;
+}
+
+}  // namespace
+
+double bytes_of_bricks(const Box3& box, double cell) {
+  double count = 1;
+  for (int d = 0; d < 3; ++d) count *= std::ceil(((along(box.most, d) - along(box.least, d)) / cell + 4) / brick_edge);
+  return count * double(sizeof(Brick) + 64);  // its place among the others
+}
+
+double cell_for(const Box3& box, double most_bytes) {
+  const Vec3 size = box.most - box.least;
+  double cell = round_up(std::max(std::max({size.x, size.y, size.z}) / cells_along, finest));
+  while (bytes_of_bricks(box, cell) > most_bytes && cell < 1e6) cell = round_up(cell * 1.01);
+  return cell;
+}
+
+}  // namespace kadr

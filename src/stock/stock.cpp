@@ -1,0 +1,279 @@
+// Bricks from the blank, sweeps binned by brick, bricks cut side by side.
+
+#include "stock/stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <tuple>
+
+namespace kadr {
+namespace {
+
+constexpr double removed_unit = 1.0 / (1 << 20);  // mm of line
+
+/// Sweeps after which a past that is kept is looked at for room.
+constexpr std::size_t between_room = 4096;
+
+double part_of_cell(double cell) { return cell / 50; }
+
+/// Within the brick, from its corner; a stretch that fills it ends on its very edges.
+FurtherInterval within_brick(const Range& range, double corner, float edge, std::int32_t line) {
+  const double from = std::max(range.from - corner, 0.0), to = std::min(range.to - corner, double(edge));
+  return {line, float(from), float(to), of_blank, of_blank};
+}
+
+std::unique_ptr<Brick> whole_brick(float edge) {
+  auto brick = std::make_unique<Brick>();
+  for (BrickLines& lines : brick->family)
+    for (int i = 0; i < brick_lines; ++i) {
+      lines.from[i] = 0, lines.to[i] = edge;
+      lines.from_by[i] = lines.to_by[i] = of_blank;
+    }
+  brick->top_of_square.fill(edge);
+  brick->top = edge;
+  return brick;
+}
+
+bool is_full(const Brick& brick, float edge) {
+  for (const BrickLines& lines : brick.family)
+    for (int i = 0; i < brick_lines; ++i)
+      if (lines.from[i] > 0 || lines.to[i] < edge) return false;
+  return true;
+}
+
+bool is_empty(const Brick& brick) {
+  for (const BrickLines& lines : brick.family)
+    for (int i = 0; i < brick_lines; ++i)
+      if (lines.from[i] < lines.to[i]) return false;
+  return true;
+}
+
+/// Of all its bodies.
+AroundTip around_tip(const ToolShape& tool) {
+  AroundTip all{0, 0, 0};
+  for (const ConvexBody& body : tool.bodies) {
+    const AroundTip one = kadr::around_tip(body);
+    all = {std::max(all.beside, one.beside), std::max(all.below, one.below), std::max(all.above, one.above)};
+  }
+  return all;
+}
+
+}  // namespace
+
+void side_by_side(int threads, const std::function<void(int)>& work) {
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back(work, i);
+  work(0);
+  for (std::thread& t : others) t.join();
+}
+
+Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
+    : blank_(std::move(blank)), lattice_(blank_->box(), cell), scale_(cell), threads_(std::max(threads, 1)) {
+  bricks_.resize(lattice_.size());
+  states_.resize(lattice_.size());
+  bins_.resize(lattice_.size());
+  const std::vector<bool> at_surface = blank_->bricks_at_surface(lattice_);
+  std::atomic<std::size_t> next{0};
+  side_by_side(threads_, [&](int) {
+    for (std::size_t i; (i = next++) < bricks_.size();) {
+      if (at_surface.empty() || at_surface[i]) fill_in(i);
+      else fill_evenly(i);
+    }
+  });
+}
+
+/// The blank's surface does not go through the brick.
+void Stock::fill_evenly(std::size_t i) {
+  const Vec3 middle = lattice_.corner(i) + 0.5 * lattice_.edge() * Vec3{1, 1, 1};
+  std::vector<Range> ranges;
+  blank_->cross(2, middle.x, middle.y, ranges);
+  const bool inside = std::any_of(ranges.begin(), ranges.end(), [&](const Range& r) { return r.from < middle.z && r.to > middle.z; });
+  states_[i] = inside ? State::full : State::empty;
+}
+
+std::unique_ptr<Brick> Stock::fresh(std::size_t i) const {
+  auto brick = std::make_unique<Brick>();
+  const Vec3 corner = lattice_.corner(i);
+  std::vector<Range> ranges;
+  for (int family = 0; family < 3; ++family) {
+    const int u = (family + 1) % 3, v = (family + 2) % 3;
+    BrickLines& lines = brick->family[std::size_t(family)];
+    for (int line = 0; line < brick_lines; ++line) {
+      lines.from[line] = lines.to[line] = -1;
+      lines.from_by[line] = lines.to_by[line] = of_blank;
+      ranges.clear();
+      blank_->cross(family, along(corner, u) + (line % brick_edge + 0.5) * lattice_.cell(),
+                    along(corner, v) + (line / brick_edge + 0.5) * lattice_.cell(), ranges);
+      bool first = true;
+      for (const Range& range : ranges) {
+        const FurtherInterval piece = within_brick(range, along(corner, family), scale_.edge, line);
+        if (piece.from >= piece.to) continue;
+        if (!first) lines.further.push_back(piece);
+        else lines.from[line] = piece.from, lines.to[line] = piece.to;
+        first = false;
+      }
+    }
+  }
+  take_tops(*brick, scale_.cell);
+  return brick;
+}
+
+void Stock::fill_in(std::size_t i) {
+  auto brick = fresh(i);
+  const bool full = is_full(*brick, scale_.edge);
+  states_[i] = full ? State::full : is_empty(*brick) ? State::empty : State::mixed;
+  if (states_[i] == State::mixed) bricks_[i] = std::move(brick);
+}
+
+std::uint16_t Stock::add_tool(const ToolShape& shape) {
+  tools_.push_back(shape);
+  std::vector<SweptBody>& swept = swept_.emplace_back();
+  for (const ConvexBody& body : shape.bodies) swept.push_back(swept_body(body));
+  return std::uint16_t(tools_.size() - 1);
+}
+
+void Stock::add(const Sweep& sweep) {
+  const Vec3 start = sweep.from - lattice_.origin(), way = sweep.to - sweep.from;
+  const double edge = lattice_.edge();
+  const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
+  const WayPart part = part_that_reaches(start, way, around_tip(tools_[sweep.tool]), most);
+  const Vec3 from = start + part.first * way, to = part.last == 1 ? sweep.to - lattice_.origin() : start + part.last * way;
+  KeptSweep kept{};
+  for (int d = 0; d < 3; ++d) kept.from[d] = float(along(from, d)), kept.to[d] = float(along(to, d));
+  kept.tool = sweep.tool;
+  kept.watched = sweep.watched;
+  sweeps_.push_back(kept);
+}
+
+/// Puts the sweeps from `first` up to before `last` into the bins of the bricks that they may reach.
+void Stock::bin(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const KeptSweep& s = sweeps_[i];
+    for (const ConvexBody& body : tools_[s.tool].bodies) {
+      int low[3], high[3];
+      for (int d = 0; d < 3; ++d) {
+        const double below = d == 2 ? body.bottom() : -body.widest(), above = d == 2 ? body.top() : body.widest();
+        const double least = double(std::min(s.from[d], s.to[d])) + below, most = double(std::max(s.from[d], s.to[d])) + above;
+        low[d] = int(std::floor(std::max(least / lattice_.edge(), 0.0)));
+        high[d] = int(std::floor(std::min(most / lattice_.edge(), double(lattice_.bricks(d) - 1))));
+      }
+      for (int z = low[2]; z <= high[2]; ++z)
+        for (int y = low[1]; y <= high[1]; ++y)
+          for (int x = low[0]; x <= high[0]; ++x) {
+            const std::size_t b = lattice_.at({x, y, z});
+            if (states_[b] == State::empty) continue;
+            if (bins_[b].empty()) touched_.push_back(b);
+            if (bins_[b].empty() || bins_[b].back() != std::int32_t(i)) bins_[b].push_back(std::int32_t(i));
+          }
+    }
+  }
+}
+
+struct Stock::Worker {
+  std::vector<Touch> touches;
+  std::vector<std::atomic<std::int64_t>>* removed;
+  std::size_t first;  // of the sweeps in `removed`
+};
+
+/// One sweep in one brick. `worker`: who is told what it took away; nullptr: nobody.
+///   returns  whether it changed anything
+bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* worker) const {
+  const Vec3 corner = lattice_.corner(b) - lattice_.origin();
+  const KeptSweep& s = sweeps_[std::size_t(number)];
+  const bool was_full = now.state == State::full;
+  if (was_full) now.brick = whole_brick(scale_.edge);
+  const Vec3 from{double(s.from[0]) - corner.x, double(s.from[1]) - corner.y, double(s.from[2]) - corner.z};
+  const Vec3 to{double(s.to[0]) - corner.x, double(s.to[1]) - corner.y, double(s.to[2]) - corner.z};
+  bool changed = false;
+  for (std::size_t i = 0; i < swept_[s.tool].size(); ++i) {
+    const ConvexBody& body = tools_[s.tool].bodies[i];
+    const LocalSweep local = local_sweep(from, to, around_tip(body), lattice_.edge());
+    RemovedBox box;
+    CutOutcome outcome;
+    const bool told = worker != nullptr && (s.watched || body.part != ToolPart::cutting);
+    if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
+    cut_brick(*now.brick, scale_, local, swept_[s.tool][i], number, outcome);
+    changed = changed || outcome.changed;
+    if (worker != nullptr && outcome.length != 0)
+      (*worker->removed)[std::size_t(number) - worker->first].fetch_add(std::llround(outcome.length / removed_unit),
+                                                                        std::memory_order_relaxed);
+    if (!told || !box.any()) continue;
+    const Vec3 at = lattice_.corner(b);
+    const Box3 around{at + Vec3{double(box.least[0]), double(box.least[1]), double(box.least[2])},
+                      at + Vec3{double(box.most[0]), double(box.most[1]), double(box.most[2])}};
+    worker->touches.push_back({std::uint32_t(number), body.part, around, outcome.length * lattice_.cell() * lattice_.cell()});
+  }
+  if (changed) now.state = State::mixed;
+  else if (was_full) now.brick.reset();
+  if (changed && now.brick->top <= 0) now.state = State::empty, now.brick.reset();
+  return changed;
+}
+
+/// Its bounds are taken; a brick without material is none.
+void Stock::settle(BrickNow now) const {
+  if (!now.brick || now.brick->cuts_since == 0) return;
+  take_tops(*now.brick, scale_.cell);
+  if (now.brick->top <= 0) now.state = State::empty, now.brick.reset();
+}
+
+void Stock::cut_in(std::size_t b, Worker& worker) {
+  const BrickNow now{bricks_[b], states_[b]};
+  for (const std::int32_t number : bins_[b]) {
+    if (now.state == State::empty) break;
+    const bool was_full = now.state == State::full;
+    if (!carry_out(number, b, now, &worker) || !past_) continue;
+    if (was_full) past_->of_brick[b].was_full = true;
+    past_->add(b, number, now.brick.get());
+  }
+  settle(now);
+}
+
+std::vector<Touch> Stock::cut(const StopToken& stop) {
+  first_ = done_;
+  removed_ = std::vector<std::atomic<std::int64_t>>(sweeps_.size() - first_);
+  std::vector<Worker> workers(static_cast<std::size_t>(threads_), Worker{{}, &removed_, first_});
+  while (done_ < sweeps_.size() && !stop.asked()) {
+    const std::size_t last = past_ ? std::min(done_ + between_room, sweeps_.size()) : sweeps_.size();
+    bin(done_, last);
+    std::atomic<std::size_t> next{0};
+    side_by_side(threads_, [&](int thread) {
+      for (std::size_t i; !stop.asked() && (i = next++) < touched_.size();) cut_in(touched_[i], workers[std::size_t(thread)]);
+    });
+    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // and their memory
+    touched_.clear();
+    done_ = last;
+    if (past_) past_->make_room();
+  }
+  done_ = sweeps_.size();
+  std::vector<Touch> touches;
+  for (Worker& w : workers) touches.insert(touches.end(), w.touches.begin(), w.touches.end());
+  const auto key = [](const Touch& t) { return std::tuple(t.sweep, t.part, t.around.least.z, t.around.least.y, t.around.least.x); };
+  std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
+  std::vector<Touch> together;
+  for (const Touch& t : touches) {
+    if (together.empty() || together.back().sweep != t.sweep || together.back().part != t.part) {
+      together.push_back(t);
+      continue;
+    }
+    Touch& all = together.back();
+    all.around.include(t.around);
+    all.volume += t.volume;
+  }
+  return together;
+}
+
+double Stock::removed_by(std::size_t sweep) const {
+  return double(removed_[sweep - first_].load(std::memory_order_relaxed)) * removed_unit * lattice_.cell() * lattice_.cell();
+}
+
+double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }
+
+std::size_t Stock::bytes() const {
+  std::size_t sum = sweeps_.size() * sizeof(KeptSweep) + bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
+  for (const auto& b : bricks_)
+    if (b) sum += bytes_of(*b);
+  return sum;
+}
+
+}  // namespace kadr

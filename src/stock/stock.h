@@ -1,0 +1,131 @@
+#pragma once
+// Stock: the part that is being cut. The one door of this room for whoever cuts: the blank, sweeps of tools in the order of time, what is
+// left.
+//
+//   Stock stock(blank, cell, threads);
+//   const auto tool = stock.add_tool(shape);
+//   stock.add({from, to, tool});  …
+//   stock.cut(on_touch);                     // carries out what was added
+//   surface_of(stock)                        // stock/surface/surface.h
+//
+// Sweeps are binned by the bricks that they can reach; a brick is the work of one thread, in the order of time. So the answer is the same,
+// bit by bit, for any number of threads. Lengths mm, in the work system of the blank.
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "base/stop.h"
+#include "stock/blank/blank.h"
+#include "stock/brick/brick.h"
+#include "stock/brick/brick_past.h"
+#include "stock/brick/lattice.h"
+#include "stock/cut/brick_cut.h"
+#include "stock/cut/swept_body.h"
+#include "stock/tool/round_solid.h"
+
+namespace kadr {
+
+/// A straight way of an upright tool.
+struct Sweep {
+  Vec3 from, to;           // of the tip
+  std::uint16_t tool = 0;  // of Stock::add_tool
+  bool watched = false;    // whatever its cutting part takes away is told: a rapid, a spindle that stands …
+};
+
+/// As it is kept: from the lattice's corner, so that single precision is some nanometres.
+struct KeptSweep {
+  float from[3], to[3];
+  std::uint16_t tool;
+  bool watched;
+};
+
+/// A part of the tool took material away that is to be told.
+struct Touch {
+  std::uint32_t sweep;
+  ToolPart part;
+  Box3 around;    // what was taken
+  double volume;  // mm³
+};
+
+class Stock {
+ public:
+  enum class State : std::uint8_t { empty, full, mixed };
+
+  /// `threads`: that cut at once, at least 1.
+  Stock(std::shared_ptr<const Blank> blank, double cell, int threads);
+
+  std::uint16_t add_tool(const ToolShape& shape);
+  /// Carried out by the next cut().
+  ///   returns  its number: sweeps that reach no brick have none of their own
+  void add(const Sweep& sweep);
+  /// Sweeps that have been added.
+  std::size_t sweeps() const { return sweeps_.size(); }
+  /// What was added since the last time. `least_piece`: shorter pieces on a line are no touch, mm.
+  ///   returns  what is to be told, in the order of the sweeps
+  std::vector<Touch> cut(const StopToken& stop = {});
+  /// From now on each brick's past is kept, so that at() can be asked. Before the first cut().
+  ///   most_bytes  of copies of bricks: the fewer, the longer at() takes. The list of what cut each brick comes on top, 4 bytes a cut
+  void keep_past(std::size_t most_bytes);
+  /// As it was when the first `count` sweeps were carried out, and nothing more: the same bits as of a stock that they alone have cut.
+  ///   pre  keep_past(); count is at most what has been cut
+  Stock at(std::size_t count) const;
+  /// Of the past; 0: none is kept.
+  std::size_t bytes_of_past() const;
+  /// mm³ that a sweep of the last cut() took away, by the upright lines.
+  double removed_by(std::size_t sweep) const;
+
+  // ---- what is left
+  const Lattice& lattice() const { return lattice_; }
+  const Blank& blank() const { return *blank_; }
+  State state(std::size_t brick) const { return states_[brick]; }
+  /// nullptr: it is empty or full.
+  const Brick* brick(std::size_t i) const { return bricks_[i].get(); }
+  const KeptSweep& sweep(std::size_t i) const { return sweeps_[i]; }
+  const ToolShape& tool(std::size_t i) const { return tools_[i]; }
+  std::size_t tools() const { return tools_.size(); }
+  int threads() const { return threads_; }
+  std::size_t bytes() const;
+  /// Pieces of a line shorter than this are no touch, mm.
+  double least_piece() const;
+
+ private:
+  struct Worker;
+  struct BrickNow {
+    std::unique_ptr<Brick>& brick;
+    State& state;
+  };
+  Stock(const Stock& later, std::size_t count);
+  std::unique_ptr<Brick> fresh(std::size_t i) const;
+  void fill_in(std::size_t i);
+  void fill_evenly(std::size_t i);
+  void bin(std::size_t first, std::size_t last);
+  void cut_in(std::size_t brick, Worker& worker);
+  bool carry_out(std::int32_t sweep, std::size_t brick, BrickNow now, Worker* worker) const;
+  void settle(BrickNow now) const;
+  void go_back(const Stock& later, std::size_t brick);
+
+  std::shared_ptr<const Blank> blank_;
+  Lattice lattice_;
+  BrickScale scale_;
+  int threads_;
+  std::vector<std::unique_ptr<Brick>> bricks_;
+  std::vector<State> states_;
+  std::vector<ToolShape> tools_;
+  std::vector<std::vector<SweptBody>> swept_;  // for each body of each tool
+  std::deque<KeptSweep> sweeps_;               // a million grow without being moved
+  std::size_t done_ = 0;                       // of sweeps_
+  std::size_t first_ = 0;                      // of the last cut()
+  std::vector<std::vector<std::int32_t>> bins_;
+  std::vector<std::size_t> touched_;
+  std::unique_ptr<Past> past_;
+  std::vector<std::atomic<std::int64_t>> removed_;  // in units of `removed_unit`: sums that the order does not change
+};
+
+/// Runs `work(thread)` on so many threads, this one among them.
+void side_by_side(int threads, const std::function<void(int)>& work);
+
+}  // namespace kadr

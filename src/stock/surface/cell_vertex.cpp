@@ -1,0 +1,69 @@
+// Least squares of tangent planes. For stock/surface.
+
+#include "stock/surface/cell_vertex.h"
+
+#include <algorithm>
+
+namespace kadr {
+namespace {
+
+/// How much the middle of the crossings weighs against a plane: a direction in which the normals turn by less than its root, some 3°, is
+/// taken for level.
+constexpr double weight_of_middle = 0.003;
+
+/// Of the mean normal: normals that differ by less than some 40° are of one smooth face.
+constexpr double smooth_mean = 0.94;
+
+/// Of a hollow, as the step from the middle of the crossings to where their tangents meet. The surface is half way; two thirds of what the
+/// chord between two points cuts off are added, so that the faces between the points hold as much as the surface.
+constexpr double share_of_tangents = 5.0 / 6;
+
+/// A symmetric matrix, its upper half by rows.
+struct Symmetric {
+  double a, b, c, d, e, f;
+
+  Symmetric inverse() const {
+    const double A = d * f - e * e, B = c * e - b * f, C = b * e - c * d, per = 1 / (a * A + b * B + c * C);
+    return {A * per, B * per, C * per, (a * f - c * c) * per, (b * c - a * e) * per, (a * d - b * b) * per};
+  }
+  std::array<double, 3> times(const std::array<double, 3>& v) const {
+    return {a * v[0] + b * v[1] + c * v[2], b * v[0] + d * v[1] + e * v[2], c * v[0] + e * v[1] + f * v[2]};
+  }
+};
+
+}  // namespace
+
+void CellVertex::add(const Crossing& crossing) {
+  const double n0 = double(crossing.normal[0]), n1 = double(crossing.normal[1]), n2 = double(crossing.normal[2]);
+  const double p0 = double(crossing.at[0]), p1 = double(crossing.at[1]), p2 = double(crossing.at[2]);
+  const double far = n0 * p0 + n1 * p1 + n2 * p2;
+  square_[0] += n0 * n0, square_[1] += n0 * n1, square_[2] += n0 * n2;
+  square_[3] += n1 * n1, square_[4] += n1 * n2, square_[5] += n2 * n2;
+  right_[0] += far * n0, right_[1] += far * n1, right_[2] += far * n2;
+  normals_[0] += n0, normals_[1] += n1, normals_[2] += n2;
+  sum_[0] += p0, sum_[1] += p1, sum_[2] += p2;
+  ++count_;
+  made_by_ = std::max(made_by_, crossing.by);
+}
+
+std::array<double, 3> CellVertex::place(const std::array<double, 3>& low, double cell) const {
+  const double middle = weight_of_middle * count_;
+  const Symmetric planes{square_[0], square_[1], square_[2], square_[3], square_[4], square_[5]};
+  const Symmetric inverse = Symmetric{planes.a + middle, planes.b, planes.c, planes.d + middle, planes.e, planes.f + middle}.inverse();
+  const std::array<double, 3> centre{sum_[0] / count_, sum_[1] / count_, sum_[2] / count_};
+  std::array<double, 3> at = centre;
+  const double turns = normals_[0] * normals_[0] + normals_[1] * normals_[1] + normals_[2] * normals_[2];
+  const bool smooth = turns > smooth_mean * smooth_mean * count_ * count_;
+  for (int round = 0; round < (smooth ? 2 : 4); ++round) {  // what the weight of the middle held back is made good by the next
+    const std::array<double, 3> there = planes.times(at);
+    const std::array<double, 3> step = inverse.times({right_[0] - there[0], right_[1] - there[1], right_[2] - there[2]});
+    for (std::size_t d = 0; d < 3; ++d) at[d] += step[d];
+  }
+  const double outwards = normals_[0] * (at[0] - centre[0]) + normals_[1] * (at[1] - centre[1]) + normals_[2] * (at[2] - centre[2]);
+  if (smooth && outwards < 0)
+    for (std::size_t d = 0; d < 3; ++d) at[d] = centre[d] + share_of_tangents * (at[d] - centre[d]);
+  for (std::size_t d = 0; d < 3; ++d) at[d] = std::clamp(at[d], low[d], low[d] + cell);
+  return at;
+}
+
+}  // namespace kadr

@@ -1,0 +1,172 @@
+// The ends of intervals on lattice edges, and their normals. For stock/surface.
+
+#include "stock/surface/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+/// Families agree to this about where a surface lies, mm: twice the law of stock/cut/sweep_rows.h.
+constexpr float families_agree = 5e-4f;
+
+struct LineEnd {
+  float at;
+  std::int32_t by;
+  bool found = false;
+  bool seam = false;  // where two bricks meet, one full up to there and the other empty: neither knows why
+};
+
+}  // namespace
+
+struct Crossings::Finder {
+  /// Further intervals by their lines, made when the first is asked for.
+  class FurtherByLine {
+   public:
+    void forget() { made_ = false; }
+    template <class Visit>
+    void each(const BrickLines& lines, int line, const Visit& visit) {
+      if (lines.further.empty()) return;
+      if (!made_) make(lines);
+      for (std::uint32_t i = first_[std::size_t(line)]; i < first_[std::size_t(line) + 1]; ++i) visit(lines.further[order_[i]]);
+    }
+
+   private:
+    void make(const BrickLines& lines) {
+      made_ = true;
+      first_.fill(0);
+      for (const FurtherInterval& f : lines.further) ++first_[std::size_t(f.line) + 1];
+      for (std::size_t i = 0; i < brick_lines; ++i) first_[i + 1] += first_[i];
+      order_.resize(lines.further.size());
+      std::array<std::uint32_t, brick_lines + 1> next = first_;
+      for (std::size_t i = 0; i < lines.further.size(); ++i) order_[next[std::size_t(lines.further[i].line)]++] = std::uint32_t(i);
+    }
+    bool made_ = false;
+    std::array<std::uint32_t, brick_lines + 1> first_{};
+    std::vector<std::uint32_t> order_;
+  };
+
+  const Stock& stock;
+  const std::vector<ToolFaces>& tools;
+  const BricksAround& around;
+  Vec3 corner, from_lattice;  // of the brick, in the work system and from the lattice's corner
+  float cell, edge;
+  std::array<std::array<FurtherByLine, 3>, 8> further{};
+
+  LineEnd end_on(const LatticeEdge& e, bool leaves);
+  Crossing crossing_at(const LatticeEdge& e, bool leaves, const LineEnd& end) const;
+  Vec3 blank_normal(const Vec3& at, int family, bool leaves, bool seam) const;
+};
+
+/// The end of material nearest to the edge's material point.
+LineEnd Crossings::Finder::end_on(const LatticeEdge& e, bool leaves) {
+  const int f = e.family, u = (f + 1) % 3, v = (f + 2) % 3;
+  const auto p = [&](int axis) { return e.point[std::size_t(axis)]; };
+  const float first = (float(p(f)) + 0.5f) * cell, last = first + cell;
+  const int line = p(v) % brick_edge * brick_edge + p(u) % brick_edge;
+  const int beside = (p(u) == brick_edge) << u | (p(v) == brick_edge) << v;
+  LineEnd best{}, seam{};
+  float nearest = 1e30f;
+  for (int half = 0; half <= int(p(f) == brick_edge - 1); ++half) {
+    const std::size_t q = std::size_t(beside | half << f);
+    if (around.state[q] == Stock::State::empty) continue;
+    const float offset = half ? edge : 0.f;
+    const auto see = [&](float from, float to, std::int32_t from_by, std::int32_t to_by) {
+      if (from >= to) return;
+      const float at = (leaves ? to : from) + offset;
+      if (at < first - families_agree || at > last + families_agree) return;
+      const std::int32_t by = leaves ? to_by : from_by;
+      if (leaves ? half == 0 && to >= edge : half == 1 && from <= 0) {
+        seam = {at, by, true, true};
+        return;
+      }
+      const float far = leaves ? at - first : last - at;
+      if (far < nearest) nearest = far, best = {at, by, true, false};
+    };
+    if (around.state[q] == Stock::State::full) {
+      see(0, edge, of_blank, of_blank);
+      continue;
+    }
+    const BrickLines& lines = around.brick[q]->family[std::size_t(f)];
+    see(lines.from[line], lines.to[line], lines.from_by[line], lines.to_by[line]);
+    further[q][std::size_t(f)].each(lines, line, [&](const FurtherInterval& i) { see(i.from, i.to, i.from_by, i.to_by); });
+  }
+  LineEnd end = best.found ? best : seam;
+  end.at = std::clamp(end.at, first, last);
+  return end;
+}
+
+/// An end where bricks meet is the blank's only if that ends there: else a sweep did that the brick beyond knows nothing of any more.
+Vec3 Crossings::Finder::blank_normal(const Vec3& at, int family, bool leaves, bool seam) const {
+  Vec3 square;
+  along(square, family) = leaves ? 1 : -1;
+  if (seam) {
+    std::vector<Range> ranges;
+    stock.blank().cross(family, along(at, (family + 1) % 3), along(at, (family + 2) % 3), ranges);
+    const double place = along(at, family);
+    const bool ends = std::any_of(ranges.begin(), ranges.end(),
+                                  [&](const Range& r) { return std::fabs((leaves ? r.to : r.from) - place) < double(families_agree); });
+    if (!ends) return square;
+  }
+  return stock.blank().normal(at, family, leaves);
+}
+
+Crossing Crossings::Finder::crossing_at(const LatticeEdge& e, bool leaves, const LineEnd& end) const {
+  Vec3 at;
+  for (int d = 0; d < 3; ++d) along(at, d) = d == e.family ? double(end.at) : (e.point[std::size_t(d)] + 0.5) * double(cell);
+  Vec3 normal;
+  if (end.by == of_blank) {
+    normal = blank_normal(at + corner, e.family, leaves, end.seam);
+  } else {
+    const KeptSweep& sweep = stock.sweep(std::size_t(end.by));
+    normal = cut_normal(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves});
+  }
+  return {{float(at.x), float(at.y), float(at.z)}, {float(normal.x), float(normal.y), float(normal.z)}, end.by};
+}
+
+Crossings::Crossings() : slots_(std::size_t(3) * signs_edge * signs_edge * signs_edge) {}
+
+void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, std::size_t brick, const BricksAround& around,
+                     const BrickSigns& signs) {
+  const Lattice& lattice = stock.lattice();
+  all_.clear();
+  lost_.clear();
+  const Vec3 corner = lattice.corner(brick);
+  Finder finder{stock, tools, around, corner, corner - lattice.origin(), float(lattice.cell()), float(lattice.edge())};
+  each_unlike_edge(signs, brick_edge, [&](const LatticeEdge& e, bool leaves) {
+    LineEnd end = finder.end_on(e, leaves);
+    if (!end.found) {
+      end = {(float(e.point[std::size_t(e.family)]) + 1.f) * finder.cell, of_blank, false, true};
+      lost_.push_back(e);
+    }
+    slots_[slot_of(e)] = std::uint16_t(all_.size());
+    all_.push_back(finder.crossing_at(e, leaves, end));
+  });
+  for (const LatticeEdge& e : lost_) mend(e, signs);
+}
+
+/// A line that lies in a surface may be cut away where the upright lines, a hair beside it, are not. Then a like edge next to it tells.
+void Crossings::mend(const LatticeEdge& e, const BrickSigns& signs) {
+  const std::size_t f = std::size_t(e.family);
+  const auto sign = [&](const std::array<int, 3>& p) { return signs.at(p[0], p[1], p[2]); };
+  for (std::size_t turn = 1; turn < 3; ++turn)
+    for (const int step : {-1, 1}) {
+      LatticeEdge beside = e;
+      int& place = beside.point[(f + turn) % 3];
+      place += step;
+      if (place < 0 || place > brick_edge) continue;
+      std::array<int, 3> end = beside.point, own_end = e.point;
+      ++end[f], ++own_end[f];
+      if (sign(beside.point) == sign(end) || sign(beside.point) != sign(e.point)) continue;
+      const bool lost =
+          std::any_of(lost_.begin(), lost_.end(), [&](const LatticeEdge& l) { return l.family == e.family && l.point == beside.point; });
+      if (lost) continue;
+      const Crossing& like = of(beside);
+      Crossing& own = all_[slots_[slot_of(e)]];
+      own.at[f] = like.at[f], own.normal = like.normal, own.by = like.by;
+      return;
+    }
+}
+
+}  // namespace kadr

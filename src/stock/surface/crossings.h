@@ -1,0 +1,66 @@
+#pragma once
+// Where the surface goes through the edges of a brick's lattice cells. For stock/surface.
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "stock/surface/brick_signs.h"
+#include "stock/surface/cut_normal.h"
+
+namespace kadr {
+
+/// Lengths mm, from the brick's corner.
+struct Crossing {
+  std::array<float, 3> at;
+  std::array<float, 3> normal;  // outward
+  std::int32_t by;              // the sweep that cut there, of_blank
+};
+
+/// The lattice edge from a point to the next along an axis.
+struct LatticeEdge {
+  int family;
+  std::array<int, 3> point;
+};
+
+/// Of the edges whose points are in the brick or the layer beyond.
+class Crossings {
+ public:
+  Crossings();
+  void take(const Stock& stock, const std::vector<ToolFaces>& tools, std::size_t brick, const BricksAround& around,
+            const BrickSigns& signs);
+  bool none() const { return all_.empty(); }
+  const Crossing& of(const LatticeEdge& e) const { return all_[slots_[slot_of(e)]]; }
+
+ private:
+  struct Finder;
+  static std::size_t slot_of(const LatticeEdge& e) {
+    return std::size_t(((e.family * signs_edge + e.point[2]) * signs_edge + e.point[1]) * signs_edge + e.point[0]);
+  }
+  void mend(const LatticeEdge& e, const BrickSigns& signs);
+
+  std::vector<Crossing> all_;
+  std::vector<std::uint16_t> slots_;
+  std::vector<LatticeEdge> lost_;  // no line of the family ends on them
+};
+
+/// Visits (edge, material at its start) of each lattice edge with unlike ends, whose points are at most `last` across.
+template <class Visit>
+void each_unlike_edge(const BrickSigns& signs, int last, const Visit& visit) {
+  for (int family = 0; family < 3; ++family) {
+    const int x_end = family == 0 ? brick_edge : last + 1, y_end = family == 1 ? brick_edge : last + 1;
+    const std::uint32_t all = family == 2 ? (1u << brick_edge) - 1 : (2u << last) - 1;
+    for (int y = 0; y < y_end; ++y)
+      for (int x = 0; x < x_end; ++x) {
+        const std::uint32_t here = signs.column(x, y);
+        const std::uint32_t next = family == 0 ? signs.column(x + 1, y) : family == 1 ? signs.column(x, y + 1) : here >> 1;
+        for (std::uint32_t unlike = (here ^ next) & all; unlike != 0; unlike &= unlike - 1) {
+          const int z = std::countr_zero(unlike);
+          visit(LatticeEdge{family, {x, y, z}}, (here >> z & 1) != 0);
+        }
+      }
+  }
+}
+
+}  // namespace kadr

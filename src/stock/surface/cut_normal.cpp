@@ -1,0 +1,179 @@
+// Where on its way a tool touched a place, and its normal there. For stock/surface/crossings.
+
+#include "stock/surface/cut_normal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace kadr {
+namespace {
+
+using Form = RoundSolid::Form;
+
+/// Faces nearer to a place than this cannot be told apart, mm: the law of stock/cut/sweep_rows.h.
+constexpr double same_place = 3e-4;
+constexpr double along_the_line = 0.01;  // of the part of a normal that points along a line
+constexpr int most_steps = 60;
+constexpr double same_part = 1e-6;  // of a way, mm
+constexpr double level = 1e-9;      // of how the distance grows, in the length of the way
+constexpr double on_axis = 1e-12;   // mm
+
+/// A face near the place: its distance, its outward normal in the half plane of radius and height.
+struct Near {
+  double distance, radial, up;
+};
+
+/// The place as the tool stands at a part of its way.
+struct Seen {
+  double x, y, radius, height;  // from the tip
+};
+
+struct Way {
+  Vec3 start, along;
+
+  Seen seen(const Vec3& at, double part) const {
+    const double x = at.x - start.x - part * along.x, y = at.y - start.y - part * along.y;
+    return {x, y, std::sqrt(x * x + y * y), at.z - start.z - part * along.z};
+  }
+};
+
+Near to_side(const BodyFaces::Side& side, double bottom, double radius, double height) {
+  if (side.form == Form::cylinder || side.form == Form::cone)
+    return {(radius - side.radius) * side.normal_radial + (height - side.height) * side.normal_up, side.normal_radial, side.normal_up};
+  if (height >= side.height) return {radius - side.radius - side.circle, 1, 0};
+  if (radius <= side.radius) return {bottom - height, 0, -1};
+  const double x = radius - side.radius, y = height - side.height, far = std::sqrt(x * x + y * y);
+  return {far - side.circle, x / far, y / far};
+}
+
+template <class Visit>
+void each_face(const BodyFaces& body, const Seen& seen, const Visit& visit) {
+  for (const BodyFaces::Side& side : body.sides) visit(to_side(side, body.bottom, seen.radius, seen.height));
+  visit(Near{body.bottom - seen.height, 0, -1});
+  visit(Near{seen.height - body.top, 0, 1});
+}
+
+Near farthest(const BodyFaces& body, const Seen& seen) {
+  Near best{-1e30, 0, 0};
+  each_face(body, seen, [&](const Near& face) { best = face.distance > best.distance ? face : best; });
+  return best;
+}
+
+/// Of the tool.
+Vec3 in_space(const Near& face, const Seen& seen) {
+  const double per = seen.radius > on_axis ? face.radial / seen.radius : 0;
+  return seen.radius > on_axis ? Vec3{seen.x * per, seen.y * per, face.up} : Vec3{face.radial, 0, face.up};
+}
+
+struct Touching {
+  double distance;
+  Vec3 normal;  // of the tool
+};
+
+/// A line in a plane does not cross it: where the farthest face lies along the line, that one counts of those that cannot be told apart
+/// from it which the line goes through most squarely.
+Touching at_part(const BodyFaces& body, const Way& way, const CutPlace& place, double part) {
+  const Seen seen = way.seen(place.at, part);
+  const auto square_to = [&](const Vec3& normal) { return place.leaves ? -along(normal, place.family) : along(normal, place.family); };
+  const Near face = farthest(body, seen);
+  Touching best{face.distance, in_space(face, seen)};
+  double squarest = square_to(best.normal);
+  if (squarest > along_the_line) return best;
+  each_face(body, seen, [&](const Near& other) {
+    const Vec3 normal = in_space(other, seen);
+    if (other.distance < face.distance - same_place || square_to(normal) <= squarest) return;
+    squarest = square_to(normal), best.normal = normal;
+  });
+  return best;
+}
+
+double nearest_part(double over, double length_squared) { return length_squared > 0 ? std::clamp(over / length_squared, 0.0, 1.0) : 0; }
+
+/// On a level way all heights stay, and the nearest part is the nearest in the plane; a ball goes by the distance from its middle.
+std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const Vec3& at) {
+  const Vec3 d = way.along, q = at - way.start;
+  const double flat = d.x * d.x + d.y * d.y, over = q.x * d.x + q.y * d.y;
+  if (d.z == 0) return nearest_part(over, flat);
+  if (!body.ball) return std::nullopt;
+  const double middle = body.sides.front().height;
+  const double part = nearest_part(over + (q.z - middle) * d.z, flat + d.z * d.z);
+  const double height = q.z - part * d.z;
+  if (height <= middle) return part;
+  const double beside = nearest_part(over, flat), beside_height = q.z - beside * d.z;
+  if (flat > 0 && beside_height >= middle && beside_height <= body.top) return beside;
+  return std::nullopt;
+}
+
+/// How the distance grows along the way.
+double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
+
+Touching touching(const BodyFaces& body, const Way& way, const CutPlace& place) {
+  if (const auto part = part_at_once(body, way, place.at)) return at_part(body, way, place, *part);
+  double low = 0, high = 1;
+  Vec3 before, after;
+  const auto normal_at = [&](double part) {
+    const Seen seen = way.seen(place.at, part);
+    return in_space(farthest(body, seen), seen);
+  };
+  before = normal_at(0), after = normal_at(1);
+  if (growth(before, way.along) >= 0) return at_part(body, way, place, 0);
+  if (growth(after, way.along) <= 0) return at_part(body, way, place, 1);
+  const double size = std::sqrt(way.along.x * way.along.x + way.along.y * way.along.y + way.along.z * way.along.z);
+  double down = growth(before, way.along), up = growth(after, way.along);
+  for (int i = 0; i < most_steps && (high - low) * size > same_part; ++i) {
+    // By the straight line between both ends, which finds what is smooth soon, and by halves, which finds kinks.
+    const double middle = i % 2 == 0 ? low + (high - low) * down / (down - up) : 0.5 * (low + high);
+    const Vec3 normal = normal_at(middle);
+    const double grows = growth(normal, way.along);
+    if (std::fabs(grows) < level * size) return at_part(body, way, place, middle);
+    if (grows < 0) low = middle, before = normal, down = grows;
+    else high = middle, after = normal, up = grows;
+  }
+  const Seen seen = way.seen(place.at, 0.5 * (low + high));
+  return {farthest(body, seen).distance, (up / (up - down)) * before + (down / (down - up)) * after};
+}
+
+Vec3 as_unit(const Vec3& v, const Vec3& otherwise) {
+  const double size = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  return size > on_axis ? (1 / size) * v : otherwise;
+}
+
+}  // namespace
+
+BodyFaces::BodyFaces(const ConvexBody& body) : bottom(body.bottom()), top(body.top()), widest(body.widest()) {
+  for (const RoundSolid& s : body.solids) {
+    if (s.form == Form::cylinder) {
+      sides.push_back({s.form, s.top_radius, s.bottom, 1, 0, 0});
+    } else if (s.form == Form::cone) {
+      const double widens = s.top_radius - s.bottom_radius, tall = s.top - s.bottom, slant = std::sqrt(widens * widens + tall * tall);
+      sides.push_back({s.form, s.bottom_radius, s.bottom, tall / slant, -widens / slant, 0});
+    } else {
+      const double middle = s.form == Form::ball ? 0 : s.bottom_radius;
+      sides.push_back({s.form, middle, s.top, 0, 0, s.top_radius - middle});
+    }
+  }
+  ball = sides.front().form == Form::ball;
+}
+
+ToolFaces faces_of(const ToolShape& tool) { return {tool.bodies.begin(), tool.bodies.end()}; }
+
+Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place) {
+  const Vec3 from{double(sweep.from[0]), double(sweep.from[1]), double(sweep.from[2])};
+  const Vec3 to{double(sweep.to[0]), double(sweep.to[1]), double(sweep.to[2])};
+  const Way way{from, to - from};
+  Vec3 along_line;
+  along(along_line, place.family) = place.leaves ? 1 : -1;
+  double nearest = 1e30;
+  Vec3 best = along_line;
+  for (const BodyFaces& body : tool) {
+    const Touching t = touching(body, way, place);
+    if (std::fabs(t.distance) >= nearest) continue;
+    nearest = std::fabs(t.distance);
+    best = as_unit({-t.normal.x, -t.normal.y, -t.normal.z}, along_line);
+    if (nearest < same_place && along(best, place.family) * along(along_line, place.family) > 0) break;
+  }
+  return best;
+}
+
+}  // namespace kadr

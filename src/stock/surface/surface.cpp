@@ -1,0 +1,101 @@
+// Parts of the surface brick by brick, joined. For who shows or measures the cut part.
+
+#include "stock/surface/surface.h"
+
+#include <atomic>
+#include <memory>
+
+#include "stock/surface/surface_part.h"
+
+namespace kadr {
+namespace {
+
+using Parts = std::vector<std::unique_ptr<SurfacePart>>;
+
+/// Each index once, by any of the threads.
+template <class Work>
+void each_side_by_side(int threads, std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  side_by_side(threads, [&](int thread) {
+    for (std::size_t i; (i = next++) < count;) work(i, thread);
+  });
+}
+
+struct Joiner {
+  const Lattice& lattice;
+  const Parts& parts;
+  Surface& surface;
+
+  std::uint32_t point_of(BrickPlace brick, std::array<int, 3> cell, int edge) const;
+  void put_face(std::size_t brick, const CrossedEdge& edge, std::uint32_t* to) const;
+  double apart_squared(std::uint32_t a, std::uint32_t b) const;
+};
+
+/// `cell` may be one before the brick.
+std::uint32_t Joiner::point_of(BrickPlace brick, std::array<int, 3> cell, int edge) const {
+  std::array<int*, 3> place{&brick.x, &brick.y, &brick.z};
+  for (std::size_t d = 0; d < 3; ++d)
+    if (cell[d] < 0) cell[d] += brick_edge, --*place[d];
+  return parts[lattice.at(brick)]->point_of(cell, edge);  // signs differ around it: it has a part, and lies within the lattice
+}
+
+double Joiner::apart_squared(std::uint32_t a, std::uint32_t b) const {
+  const Vec3 d = surface.point(a) - surface.point(b);
+  return d.x * d.x + d.y * d.y + d.z * d.z;
+}
+
+/// Two triangles between the points of the four cells around the edge, parted by the shorter diagonal.
+void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to) const {
+  const int f = e.family;
+  const std::size_t u = std::size_t(f + 1) % 3, v = std::size_t(f + 2) % 3;
+  std::array<std::uint32_t, 4> round;
+  for (int i = 0; i < 4; ++i) {  // counter-clockwise about the axis
+    const int before_u = i == 1 || i == 2, before_v = i >= 2;
+    std::array<int, 3> cell{e.x, e.y, e.z};
+    cell[u] -= before_u, cell[v] -= before_v;
+    round[std::size_t(i)] = point_of(lattice.place(brick), cell, 4 * f + before_u + 2 * before_v);
+  }
+  if (!e.leaves) std::swap(round[1], round[3]);
+  const auto [a, b, c, d] = round;
+  const bool across = apart_squared(a, c) <= apart_squared(b, d);
+  const std::array<std::uint32_t, 6> corners = across ? std::array{a, b, c, a, c, d} : std::array{a, b, d, b, c, d};
+  std::copy(corners.begin(), corners.end(), to);
+}
+
+}  // namespace
+
+Surface surface_of(const Stock& stock) {
+  const std::size_t count = stock.lattice().size();
+  std::vector<ToolFaces> tools;
+  for (std::size_t i = 0; i < stock.tools(); ++i) tools.push_back(faces_of(stock.tool(i)));
+  Parts parts(count);
+  std::vector<PartWork> works(std::size_t(stock.threads()));
+  each_side_by_side(stock.threads(), count,
+                    [&](std::size_t i, int thread) { parts[i] = surface_part(stock, tools, i, works[std::size_t(thread)]); });
+
+  std::vector<std::size_t> first_face(count);
+  std::size_t points = 0, faces = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!parts[i]) continue;
+    parts[i]->base = std::uint32_t(points), first_face[i] = faces;
+    points += parts[i]->made_by.size(), faces += parts[i]->edges.size();
+  }
+  Surface surface;
+  surface.points.reserve(3 * points), surface.made_by.reserve(points);
+  for (const auto& part : parts) {
+    if (!part) continue;
+    surface.points.insert(surface.points.end(), part->points.begin(), part->points.end());
+    surface.made_by.insert(surface.made_by.end(), part->made_by.begin(), part->made_by.end());
+    part->points = {}, part->made_by = {};
+  }
+  surface.triangles.resize(6 * faces);
+  const Joiner joiner{stock.lattice(), parts, surface};
+  each_side_by_side(stock.threads(), count, [&](std::size_t i, int) {
+    if (!parts[i]) return;
+    std::uint32_t* to = surface.triangles.data() + 6 * first_face[i];
+    for (const CrossedEdge& e : parts[i]->edges) joiner.put_face(i, e, to), to += 6;
+  });
+  return surface;
+}
+
+}  // namespace kadr

@@ -1,0 +1,44 @@
+#pragma once
+// Blanks, tools and programs that the tests of the stock share.
+
+#include <memory>
+#include <vector>
+
+#include "stock/stock.h"
+
+namespace kadr::test {
+
+inline ToolShape tool_of(ToolKind kind, double diameter, double flutes = 50) {
+  ToolGeometry g;
+  g.kind = kind;
+  g.diameter = diameter;
+  g.flutes = g.length = flutes;
+  g.corner = kind == ToolKind::bull ? diameter / 6 : 0;
+  g.angle = kind == ToolKind::taper ? 12 : 90;
+  return shape_of(g);
+}
+
+/// A disc of `thick` under a thinner shank.
+inline ToolShape t_slot_cutter(double diameter, double thick, double shank) {
+  ToolGeometry g;
+  g.kind = ToolKind::tslot;
+  g.diameter = diameter;
+  g.flutes = thick;
+  g.length = 60;
+  g.shank = {{shank, thick}, {shank, 60}};
+  return shape_of(g);
+}
+
+inline const Box3 block{{0, 0, -20}, {100, 100, 0}};
+
+/// Cut by the tool along the corners of the way.
+inline std::unique_ptr<Stock> cut_along(std::shared_ptr<const Blank> blank, double cell, const ToolShape& tool,
+                                        const std::vector<Vec3>& way, int threads = 2) {
+  auto stock = std::make_unique<Stock>(std::move(blank), cell, threads);
+  const std::uint16_t number = stock->add_tool(tool);
+  for (std::size_t i = 1; i < way.size(); ++i) stock->add({way[i - 1], way[i], number, false});
+  stock->cut();
+  return stock;
+}
+
+}  // namespace kadr::test
