@@ -20,6 +20,7 @@ struct Commands {
   StateOptions state;
   SetupOptions setup;
   MillOptions mill;
+  CutOptions cut;
   std::string machine;  // of machines; empty: all
   std::string shell;    // of completion
 };

@@ -13,6 +13,13 @@ void add_setup(CLI::App& app, Commands& commands);
 /// mill (mill_command.cpp).
 void add_mill(CLI::App& app, Commands& commands);
 
+/// cut (cut_command.cpp).
+void add_cut(CLI::App& app, Commands& commands);
+
+/// The options of a program, of all commands that take one (program_commands.cpp).
+void program_argument(CLI::App& app, Options& options);
+void program_options(CLI::App& app, Options& options);
+
 void control_option(CLI::App& app, std::string& control);
 void language_option(CLI::App& app, std::string& lang);
 void quiet_option(CLI::App& app, bool& quiet);

@@ -148,6 +148,20 @@ std::string mill_examples() {
       "Код возврата: 0 — записано и проверено, 1 — ошибка в контуре или траектории, 2 — неверная команда или файл не читается.");
 }
 
+std::string cut_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr cut pocket.ngc --stock box:0,0,-20,100,100,0 --tools tools.toml\n"
+      "  kadr cut pocket.ngc --stock box:0,0,-20,100,100,0 --tools tools.toml --out part.stl --json part.json\n"
+      "  kadr cut part.nc --stock cylinder:0,0,-30,0,60 --tools tools.toml --fixture box:-60,-60,-50,60,60,-30\n"
+      "Exit status: 0 all well, 1 a collision or an alarm, 2 wrong usage or unreadable file.",
+      "Примеры:\n"
+      "  kadr cut pocket.ngc --stock box:0,0,-20,100,100,0 --tools tools.toml\n"
+      "  kadr cut pocket.ngc --stock box:0,0,-20,100,100,0 --tools tools.toml --out part.stl --json part.json\n"
+      "  kadr cut part.nc --stock cylinder:0,0,-30,0,60 --tools tools.toml --fixture box:-60,-60,-50,60,60,-30\n"
+      "Код возврата: 0 — всё в порядке, 1 — столкновение или ошибка УП, 2 — неверная команда или файл не читается.");
+}
+
 std::string man_examples() {
   return told(
       "Examples:\n"

@@ -58,6 +58,20 @@ int run(const Options& options);
 int debug(const Options& options);
 int check(const Options& options);
 
+struct CutOptions {
+  Options run;
+  std::string stock, tools;  // what --stock says; the tools file
+  double resolution = 0;     // mm; 0: chosen
+  std::vector<std::string> fixtures;
+  std::string stock_zero;   // name of a work system; empty: that of the first motion at feed
+  std::string until;        // LINE or SECONDSs; empty: the end
+  double max_memory = 1000; // MB
+  int threads = 0;          // 0: as many as the processor has
+  bool coolant = false;     // is demanded
+  std::string out, json;
+};
+int cut(const CutOptions& options);
+
 struct ExplainOptions {
   std::string control;
   std::string code;  // empty: the whole control

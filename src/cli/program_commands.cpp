@@ -13,14 +13,6 @@
 namespace kadr::cli {
 namespace {
 
-void program_argument(CLI::App& app, Options& o) {
-  app.add_option(told("PROGRAM", "УП"), o.programs,
-                 told("the part program (- for standard input)", "управляющая программа (- стандартный ввод)"))
-      ->required()
-      ->expected(1)
-      ->allow_extra_args(false);
-}
-
 /// What is stated beside the set-up file.
 void setup_options(CLI::App& app, Options& o) {
   takes_file(
@@ -39,6 +31,16 @@ void setup_options(CLI::App& app, Options& o) {
                        told("axis corrector, mm: 17=-0.35; repeated", "осевой корректор, мм: 17=-0.35; можно повторять"))
             ->allow_extra_args(false),
         "N=MM", "N=ММ");
+}
+
+}  // namespace
+
+void program_argument(CLI::App& app, Options& o) {
+  app.add_option(told("PROGRAM", "УП"), o.programs,
+                 told("the part program (- for standard input)", "управляющая программа (- стандартный ввод)"))
+      ->required()
+      ->expected(1)
+      ->allow_extra_args(false);
 }
 
 void program_options(CLI::App& app, Options& o) {
@@ -73,6 +75,8 @@ void program_options(CLI::App& app, Options& o) {
   quiet_option(app, o.quiet);
   language_option(app, o.lang);
 }
+
+namespace {
 
 /// `SECONDS:PERCENT`, as in 2.5:50.
 OverrideChange override_change(const std::string& text) {

@@ -32,4 +32,9 @@ class Chain {
   std::array<int, 3> xyz_;
 };
 
+/// Zero of the work system, machine coordinates.
+inline Vec3 zero_of(const Chain& chain, const Placement& placement) {
+  return placement.space && placement.space->has_rotary() ? placement.space->zero() : chain.tip(placement.origin);
+}
+
 }  // namespace kadr

@@ -5,6 +5,15 @@
 #include <array>
 
 namespace kadr {
+namespace {
+
+/// A view of the picture, which must outlive it. Cairo only reads it.
+cairo_surface_t* surface_of(const Cairo& lib, const Pixels& picture) {
+  auto* const data = reinterpret_cast<unsigned char*>(const_cast<std::uint32_t*>(picture.argb.data()));
+  return lib.image_surface_create_for_data(data, CAIRO_FORMAT_ARGB32, picture.width, picture.height, picture.width * 4);
+}
+
+}  // namespace
 
 void CairoCanvas::pen(Colour ink, double width) {
   lib_.set_source_rgba(cairo_, ink.red, ink.green, ink.blue, ink.alpha);
@@ -42,6 +51,33 @@ void CairoCanvas::ring(Vec2 centre, double radius, Colour ink, double width) {
   lib_.new_sub_path(cairo_);
   lib_.arc(cairo_, centre.x, centre.y, radius, 0, 2 * pi);
   lib_.stroke(cairo_);
+}
+
+void CairoCanvas::pixels(const Area& area, const Pixels& picture) {
+  cairo_surface_t* const surface = surface_of(lib_, picture);
+  lib_.save(cairo_);
+  lib_.translate(cairo_, area.x, area.y);
+  lib_.scale(cairo_, area.width / picture.width, area.height / picture.height);
+  lib_.set_source_surface(cairo_, surface, 0, 0);
+  lib_.paint(cairo_);
+  lib_.restore(cairo_);
+  lib_.surface_destroy(surface);
+}
+
+std::string png_of(const Pixels& picture) {
+  const Cairo* const cairo = cairo_library();
+  if (cairo == nullptr) return {};
+  std::string bytes;
+  cairo_surface_t* const surface = surface_of(*cairo, picture);
+  cairo->surface_write_to_png_stream(
+      surface,
+      [](void* to, const unsigned char* data, unsigned count) {
+        static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(data), count);
+        return CAIRO_STATUS_SUCCESS;
+      },
+      &bytes);
+  cairo->surface_destroy(surface);
+  return bytes;
 }
 
 void CairoCanvas::clip(const Area& area) {

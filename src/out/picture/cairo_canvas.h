@@ -14,6 +14,7 @@ class CairoCanvas final : public Canvas {
 
   void fill(const Area& area, Colour ink) override;
   void ring(Vec2 centre, double radius, Colour ink, double width) override;
+  void pixels(const Area& area, const Pixels& picture) override;
   void clip(const Area& area) override;
   void unclip() override { lib_.restore(cairo_); }
   void pen(Colour ink, double width) override;
@@ -31,5 +32,8 @@ class CairoCanvas final : public Canvas {
   const Cairo& lib_;
   cairo_t* cairo_;
 };
+
+/// As a PNG file; empty: Cairo is not there.
+std::string png_of(const Pixels& picture);
 
 }  // namespace kadr

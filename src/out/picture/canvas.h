@@ -2,8 +2,10 @@
 // Canvas: the few strokes, areas and texts that a picture needs, in the order of the calls. Two painters take them: out/picture/svg_canvas
 // writes SVG as it comes, out/picture/cairo_canvas draws pixels.
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -43,6 +45,12 @@ struct ProgramLine {
   friend bool operator==(const ProgramLine&, const ProgramLine&) = default;
 };
 
+/// A picture made elsewhere, row by row from the top: 0xAARRGGBB, the colours multiplied by A / 255.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> argb;
+};
+
 class Canvas {
  public:
   Canvas() = default;
@@ -58,6 +66,9 @@ class Canvas {
   virtual void ring(Vec2 centre, double radius, Colour ink, double width) = 0;
   void zero_mark(Vec2 centre, double radius, Colour ink);
   void arrow(Vec2 from, Vec2 to, Colour ink, double width);
+
+  /// Stretched over the area.
+  virtual void pixels(const Area& area, const Pixels& picture) = 0;
 
   virtual void clip(const Area& area) = 0;
   virtual void unclip() = 0;

@@ -24,11 +24,6 @@ Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
 /// The curve's box is that of the programming frame, not of the picture's directions.
 bool has_frame(const Step& step) { return step.from.space && step.from.space->has_frame(); }
 
-/// Of the work system, machine coordinates.
-Vec3 zero_of(const Chain& chain, const Placement& placement) {
-  return placement.space && placement.space->has_rotary() ? placement.space->zero() : chain.tip(placement.origin);
-}
-
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
   if (is_arc(motion.kind) || motion.kind == MotionKind::spline) return Stroke::arc;
   if (motion.kind == MotionKind::probe) return Stroke::probe;

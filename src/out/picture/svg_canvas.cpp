@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "out/picture/cairo_canvas.h"
 #include "out/picture/text_width.h"
+#include "out/text/base64.h"
 
 namespace kadr {
 namespace {
@@ -112,6 +114,14 @@ void SvgCanvas::ring(Vec2 centre, double radius, Colour ink, double width) {
   pen(ink, width);
   take_group();
   put(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", number(centre.x), number(centre.y), number(radius)));
+}
+
+void SvgCanvas::pixels(const Area& area, const Pixels& picture) {
+  leave_group();
+  put(fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,", number(area.x), number(area.y),
+                  number(area.width), number(area.height)));
+  put(base64_of(png_of(picture)));
+  put("\"/>\n");
 }
 
 void SvgCanvas::clip(const Area& area) {

@@ -28,6 +28,7 @@ class SvgCanvas final : public Canvas {
 
   void fill(const Area& area, Colour ink) override;
   void ring(Vec2 centre, double radius, Colour ink, double width) override;
+  void pixels(const Area& area, const Pixels& picture) override;
   void clip(const Area& area) override;
   void unclip() override;
   void pen(Colour ink, double width) override { pen_.ink = ink, pen_.width = width; }

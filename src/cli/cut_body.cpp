@@ -1,0 +1,74 @@
+// Words of the command line → bodies. For cli/cut.
+
+#include "cli/cut_body.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "config/nearest.h"
+#include "config/told.h"
+#include "stock/blank/mesh_blank.h"
+#include "stock/mesh/mesh_file.h"
+
+namespace kadr::cli {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+constexpr double farthest = 1e5;  // mm
+
+/// Numbers with commas between them; nothing: something else stands there.
+std::optional<std::vector<double>> numbers_of(std::string_view text) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    double value = 0;
+    const auto read = std::from_chars(at, end, value);
+    if (read.ec != std::errc() || !(std::abs(value) <= farthest)) return std::nullopt;
+    numbers.push_back(value);
+    if (read.ptr == end) return numbers;
+    if (*read.ptr != ',') return std::nullopt;
+    at = read.ptr + 1;
+  }
+}
+
+tl::expected<NamedBody, std::string> body_of_file(const std::string& path, double most_bytes) {
+  MeshRules rules;
+  rules.memory = std::size_t(most_bytes);
+  auto solid = read_mesh_file(path, rules);
+  if (!solid) return Failed(solid.error());
+  NamedBody body{nullptr, std::move(solid->notes)};
+  body.body = mesh_blank(std::move(solid->mesh));
+  return body;
+}
+
+}  // namespace
+
+tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes) {
+  const std::string small = in_small_letters(text);
+  if (small.ends_with(".stl") || small.ends_with(".3mf")) return body_of_file(text, most_bytes);
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const auto n = colon == std::string::npos ? std::nullopt : numbers_of(std::string_view(text).substr(colon + 1));
+  if (kind == "box") {
+    if (n && n->size() == 6 && (*n)[0] < (*n)[3] && (*n)[1] < (*n)[4] && (*n)[2] < (*n)[5])
+      return NamedBody{box_blank({{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}}), {}};
+    return Failed(text + ": " +
+                  told("want box:X0,Y0,Z0,X1,Y1,Z1, mm up to 100000, the first corner below the second in each axis",
+                       "нужно box:X0,Y0,Z0,X1,Y1,Z1, мм до 100000, первый угол по каждой оси меньше второго"));
+  }
+  if (kind == "cylinder") {
+    if (n && n->size() == 5 && (*n)[2] < (*n)[3] && (*n)[4] > 0)
+      return NamedBody{cylinder_blank({(*n)[0], (*n)[1]}, (*n)[2], (*n)[3], (*n)[4]), {}};
+    return Failed(text + ": " +
+                  told("want cylinder:X,Y,Z0,Z1,D, mm up to 100000: its axis, its bottom, its top above that, its diameter above 0",
+                       "нужно cylinder:X,Y,Z0,Z1,D, мм до 100000: ось, низ, верх выше низа, диаметр больше 0"));
+  }
+  return Failed(text + ": " +
+                told("want box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl, .3mf",
+                     "нужно box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf"));
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,23 @@
+#pragma once
+// Bodies that the command line names: blanks and fixtures.
+
+#include <memory>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "stock/blank/blank.h"
+
+namespace kadr::cli {
+
+struct NamedBody {
+  std::shared_ptr<const Blank> body;
+  std::vector<std::string> notes;  // what of a file had to be repaired
+};
+
+/// box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl or .3mf, in mm.
+///   most_bytes  that reading a file may take
+///   returns     an error sentence
+tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes);
+
+}  // namespace kadr::cli

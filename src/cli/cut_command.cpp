@@ -1,0 +1,78 @@
+// kadr cut: its options.
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_parts.h"
+#include "cli/help_text.h"
+#include "cli/option_values.h"
+#include "config/told.h"
+
+namespace kadr::cli {
+namespace {
+
+constexpr double least_cell = 1e-3, most_cell = 1000;   // mm
+constexpr double least_memory = 16, most_memory = 1e6;  // MB
+constexpr double most_threads = 256;
+
+void material_options(CLI::App& app, CutOptions& o) {
+  takes(app.add_option(
+               "--stock", o.stock,
+               told("the blank, mm in the work system of the first cut: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl, .3mf",
+                    "заготовка, мм в системе координат первого реза: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf"))
+            ->required(),
+        "BODY", "ТЕЛО");
+  takes_file(app.add_option("--tools", o.tools,
+                            told("what the tools look like: a file .toml, or a library of LinuxCNC, CAMotics, FreeCAD, Fusion",
+                                 "вид инструментов: файл .toml или библиотека LinuxCNC, CAMotics, FreeCAD, Fusion"))
+                 ->required());
+  takes(
+      app.add_option("--fixture", o.fixtures,
+                     told("a body never to be cut, as --stock; repeated", "тело, которое нельзя задевать, как у --stock; можно повторять"))
+          ->allow_extra_args(false),
+      "BODY", "ТЕЛО");
+  takes(app.add_option("--stock-zero", o.stock_zero,
+                       told("work system of blank and fixtures: G54 … (default: that of the first cut)",
+                            "система координат заготовки и приспособлений: G54 … (по умолчанию первого реза)")),
+        "NAME", "ИМЯ");
+}
+
+void exactness_options(CLI::App& app, CutOptions& o) {
+  number(app.add_option("--resolution", o.resolution,
+                        told("cell of the lattice (default: chosen and told)", "шаг сетки (по умолчанию выбирается и сообщается)")),
+         "MM", "ММ", least_cell, most_cell);
+  number(app.add_option("--max-memory", o.max_memory, told("for the material", "памяти на материал, не больше")), "MB", "МБ", least_memory,
+         most_memory)
+      ->capture_default_str();
+  whole_number(app.add_option("--threads", o.threads,
+                              told("that cut at once (default: as many as the processor has); the result is the same",
+                                   "потоков сразу (по умолчанию по числу ядер); результат тот же")),
+               1, most_threads);
+}
+
+}  // namespace
+
+void add_cut(CLI::App& app, Commands& c) {
+  CutOptions& o = c.cut;
+  CLI::App* const cut = app.add_subcommand("cut", told("cut the part: what is left, what collides, what each tool takes away",
+                                                       "снять материал: что останется, что столкнётся, сколько снимет каждый инструмент"));
+  program_argument(*cut, o.run);
+  material_options(*cut, o);
+  exactness_options(*cut, o);
+  takes(cut->add_option("--until", o.until,
+                        told("end after this line, or after so many seconds of the program: 120, 35.5s",
+                             "закончить после этой строки или через столько секунд УП: 120, 35.5s")),
+        "LINE|SECONDSs", "СТРОКА|СЕКУНДЫs");
+  cut->add_flag("--coolant", o.coolant, told("warn of cutting without coolant", "предупреждать о резании без охлаждения"));
+  takes_file(cut->add_option("--plot", o.run.plot, told("draw the part: a file .svg or .png", "вид детали: файл .svg или .png")));
+  one_of(cut->add_option("--colour,--color", o.run.colour,
+                         told("of the part in --plot: by tool (default), or by age of the cut",
+                              "цвет детали на --plot: по инструменту (по умолчанию) или по времени реза")),
+         {"tool", "age"});
+  takes_file(cut->add_option("--out", o.out, told("the part: a file .stl or .3mf", "деталь: файл .stl или .3mf")));
+  takes_file(
+      cut->add_option("--json", o.json, told("what was found, to a file or - for stdout", "найденное: в файл или - на стандартный вывод")));
+  program_options(*cut, o.run);
+  cut->footer(cut_examples());
+}
+
+}  // namespace kadr::cli

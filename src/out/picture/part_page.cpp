@@ -1,0 +1,133 @@
+// The page of a cut part. For cli/cut; tested by tests/out/part_view_test.cpp.
+
+#include "out/picture/part_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/matrix.h"
+#include "out/picture/part_view.h"
+#include "out/picture/plot_page.h"
+#include "out/text/page_file.h"
+
+namespace kadr {
+namespace {
+
+constexpr double part_page_width = 1600, part_page_height = 1060, part_margin = 28, part_gap = 14;
+constexpr double heading = 80, large_width = 900, caption_height = 60;
+constexpr double sharpness = 1.5;  // pixels a unit of the page
+constexpr double name_height = 24;
+constexpr double room = 0.92;      // of a view that the part fills
+
+constexpr std::array<std::uint32_t, 8> tool_colours = {0x6FA8DC, 0xE69F56, 0x7BB661, 0xC27BA0, 0xD9C04F, 0x8E7CC3, 0x5FB8B0, 0xCC6666};
+constexpr std::uint32_t blank_colour = 0xC9CED6;
+constexpr std::uint32_t oldest = 0x3B5B92, newest = 0xF2A65A;
+
+struct PartWords {
+  std::array<const char*, 6> sides;
+  const char *control, *uncut, *by_age, *first, *last;
+};
+constexpr PartWords part_english = {
+    {"from above", "front", "right", "from below", "back", "left"}, "control", "uncut", "by age", "first", "last"};
+constexpr PartWords part_russian = {
+    {"сверху", "спереди", "справа", "снизу", "сзади", "слева"}, "УЧПУ", "не снято", "по времени", "раньше", "позже"};
+
+ViewDirection seen_from(Vec3 towards, Vec3 up) { return {cross(up, towards), up, towards}; }
+
+std::array<ViewDirection, 6> sides() {
+  return {seen_from({0, 0, 1}, {0, 1, 0}),   seen_from({0, -1, 0}, {0, 0, 1}), seen_from({1, 0, 0}, {0, 0, 1}),
+          seen_from({0, 0, -1}, {0, -1, 0}), seen_from({0, 1, 0}, {0, 0, 1}),  seen_from({-1, 0, 0}, {0, 0, 1})};
+}
+
+ViewDirection isometric() {
+  const Vec3 towards = unit({1, -1, 1});
+  const Vec3 right = unit(cross({0, 0, 1}, towards));
+  return {right, cross(towards, right), towards};
+}
+
+std::uint32_t mixed(std::uint32_t a, std::uint32_t b, double share) {
+  const auto part = [&](int shift) {
+    return std::uint32_t(std::lround((1 - share) * double(a >> shift & 0xFF) + share * double(b >> shift & 0xFF))) << shift;
+  };
+  return part(16) | part(8) | part(0);
+}
+
+/// Of a triangle: that of the sweep that cut it last.
+std::uint32_t colour_of_triangle(const PartScene& scene, std::size_t triangle) {
+  std::int32_t by = of_blank;
+  for (std::size_t k = 0; k < 3; ++k) by = std::max(by, scene.surface.made_by[scene.surface.triangles[triangle * 3 + k]]);
+  if (by == of_blank) return blank_colour;
+  if (scene.colour == PartColour::age) return mixed(oldest, newest, scene.colours.empty() ? 0 : double(by) / double(scene.colours.size()));
+  return tool_colours[scene.colours[std::size_t(by)] % tool_colours.size()];
+}
+
+/// Pixels a unit of the part so that all of it is seen.
+double scale_for(const Box3& box, const ViewDirection& view, const Area& area) {
+  const Vec3 size = box.most - box.least;
+  const auto reach = [&](const Vec3& axis) { return std::abs(axis.x) * size.x + std::abs(axis.y) * size.y + std::abs(axis.z) * size.z; };
+  return room * sharpness * std::min(area.width / std::max(reach(view.right), 1e-9), area.height / std::max(reach(view.up), 1e-9));
+}
+
+/// Its name stands above the part.
+Area below_name(const Area& area) { return {area.x, area.y + name_height, area.width, area.height - name_height}; }
+
+void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale, const char* name) {
+  const Area inner = below_name(area);
+  const ViewFrame frame{0.5 * (scene.box.least + scene.box.most), scale, int(inner.width * sharpness), int(inner.height * sharpness)};
+  canvas.pixels(inner, part_view(scene.surface, view, frame, [&](std::size_t t) { return colour_of_triangle(scene, t); }));
+  canvas.frame(area, colour(0xD5DAE1));
+  canvas.text({area.x + 8, area.y + 18}, name, {13, colour(0x5B6775), Align::left, false});
+}
+
+void draw_key(Canvas& canvas, const PartScene& scene, const PartWords& w) {
+  const double y = part_page_height - 24;
+  double x = part_margin;
+  const auto entry = [&](std::uint32_t rgb, const std::string& text) {
+    canvas.fill({x, y - 11, 14, 14}, colour(rgb));
+    canvas.text({x + 20, y + 1}, text, {13, colour(0x20262E), Align::left, false});
+    x += 40 + 9.0 * double(text.size());
+  };
+  entry(blank_colour, w.uncut);
+  if (scene.colour == PartColour::age) {
+    entry(oldest, fmt::format("{}: {}", w.by_age, w.first));
+    entry(newest, w.last);
+    return;
+  }
+  for (std::size_t i = 0; i < scene.title.legend.size() && x < part_page_width - 120; ++i)
+    entry(tool_colours[i % tool_colours.size()], scene.title.legend[i]);
+}
+
+void draw_page(Canvas& canvas, const PartScene& scene) {
+  const PartWords& w = scene.title.lang == Lang::ru ? part_russian : part_english;
+  canvas.fill({0, 0, part_page_width, part_page_height}, colour(0xFFFFFF));
+  canvas.text({part_margin, 42}, name_of_file(scene.title.file), {24, colour(0x20262E), Align::left, true});
+  canvas.text({part_margin, 66}, fmt::format("{}: {}     {}", w.control, scene.title.control, scene.title.caption),
+              {14, colour(0x5B6775), Align::left, false});
+  canvas.text({part_page_width - part_margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
+  const double bottom = part_page_height - caption_height;
+  const Area large{part_margin, heading, large_width, bottom - heading};
+  const ViewDirection view = isometric();
+  draw_view(canvas, scene, view, large, scale_for(scene.box, view, below_name(large)), "");
+  const double width = (part_page_width - 2 * part_margin - large_width - 2 * part_gap) / 2, height = (bottom - heading - 2 * part_gap) / 3;
+  const auto directions = sides();
+  double scale = 1e30;
+  for (const ViewDirection& d : directions) scale = std::min(scale, scale_for(scene.box, d, below_name({0, 0, width, height})));
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Area area{part_margin + large_width + part_gap + double(i / 3) * (width + part_gap),
+                    heading + double(i % 3) * (height + part_gap), width, height};
+    draw_view(canvas, scene, directions[i], area, scale, w.sides[i]);
+  }
+  draw_key(canvas, scene, w);
+}
+
+}  // namespace
+
+tl::expected<void, std::string> draw_part_page(const ResultFile& file, const PartScene& scene) {
+  return write_page(file, part_page_width, part_page_height, {name_of_file(scene.title.file), scene.title.caption, scene.title.lang},
+                    [&](Canvas& canvas) { draw_page(canvas, scene); });
+}
+
+}  // namespace kadr

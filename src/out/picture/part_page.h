@@ -1,0 +1,35 @@
+#pragma once
+// The page of a cut part: large from the front right above, and from six sides; coloured by tool, or by age.
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "config/alarm_texts.h"
+#include "out/trace/result_file.h"
+#include "stock/surface/surface.h"
+
+namespace kadr {
+
+enum class PartColour : std::uint8_t { tool, age };
+
+struct PartTitle {
+  std::string file, control;
+  Lang lang = Lang::en;
+  std::string caption;              // a line below: what was removed, in what cell
+  std::vector<std::string> legend;  // by colour number: "T1"; of PartColour::tool
+};
+
+struct PartScene {
+  const Surface& surface;
+  Box3 box;  // of the blank
+  PartColour colour = PartColour::tool;
+  std::vector<std::uint8_t> colours;  // of PartColour::tool: by sweep, the number in the legend
+  PartTitle title;
+};
+
+/// The ending of the name says whether .svg or .png. The file is the caller's to keep.
+///   returns  an error sentence
+tl::expected<void, std::string> draw_part_page(const ResultFile& file, const PartScene& scene);
+
+}  // namespace kadr

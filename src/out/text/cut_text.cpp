@@ -1,0 +1,98 @@
+// What a cut came to, in words. For cli/cut; tested by tests/out/cut_text_test.cpp.
+
+#include "out/text/cut_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "out/text/summary.h"
+
+namespace kadr {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The words of the summary; both languages in one row.
+struct CutWords {
+  const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further;
+};
+constexpr CutWords cut_english = {"cell",       "blank",      "left", "removed", "tools", "none", "{} at feed, at most {:.1f} mm³/s",
+                                  "collisions", "and {} more"};
+constexpr CutWords cut_russian = {
+    "шаг сетки", "заготовка", "осталось", "снято", "инструменты", "нет", "{} на подаче, не более {:.1f} мм³/с", "столкновений", "и ещё {}"};
+
+/// To thousandths of a mm, of a mm³: what stands behind is no more than noise.
+double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
+
+std::string summary_row(std::string_view name, std::string_view text) { return fmt::format("{:<12} {}\n", name, text); }
+
+ordered_json finding_json(const CutFinding& f) {
+  ordered_json json{{"id", name_of(f.id)}, {"line", f.origin.line}};
+  if (f.origin.has_block) json["block"] = fmt::format("N{:0{}}", f.origin.block, int(f.origin.block_digits));
+  json["tool"] = f.tool;
+  json["at"] = {{"X", rounded(f.at.x)}, {"Y", rounded(f.at.y)}, {"Z", rounded(f.at.z)}};
+  json["depth"] = rounded(f.depth);
+  json["volume"] = rounded(f.volume);
+  json["at_time"] = rounded(f.at_time);
+  return json;
+}
+
+ordered_json findings_json(const std::vector<CutFinding>& findings) {
+  ordered_json list = ordered_json::array();
+  for (const CutFinding& f : findings) list.push_back(finding_json(f));
+  return list;
+}
+
+}  // namespace
+
+Alarm alarm_of(const CutFinding& f) {
+  const std::string place = fmt::format("X{:.2f} Y{:.2f} Z{:.2f}", f.at.x, f.at.y, f.at.z);
+  const double tool = f.tool, depth = rounded(f.depth);
+  return f.id == AlarmId::no_coolant ? warning(f.id, {}, tool, depth, place) : alarm(f.id, {}, tool, depth, place);
+}
+
+std::string cut_caption(const CutResult& r, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  return fmt::format("{} {:.1f} {}, {} {:g} {}", ru ? "снято" : "removed", r.stock - r.left, ru ? "мм³" : "mm³", ru ? "шаг сетки" : "cell",
+                     r.cell, ru ? "мм" : "mm");
+}
+
+std::string cut_summary(const CutResult& r, Lang lang) {
+  const CutWords& w = lang == Lang::ru ? cut_russian : cut_english;
+  const char* const mm = lang == Lang::ru ? "мм" : "mm";
+  const char* const mm3 = lang == Lang::ru ? "мм³" : "mm³";
+  const auto volume = [&](double v) { return fmt::format("{:.1f} {}", v, mm3); };
+  std::string text = summary_row(w.cell, fmt::format("{:g} {}", r.cell, mm)) + summary_row(w.blank, volume(r.stock)) +
+                     summary_row(w.left, fmt::format("{:.1f} ± {:.1f} {}", r.left, r.error_bound, mm3)) +
+                     summary_row(w.removed, fmt::format("{:.1f} ± {:.1f} {}", r.stock - r.left, r.error_bound, mm3));
+  const char* name = w.tools;
+  for (const ToolRemoval& t : r.tools) {
+    text += summary_row(name, fmt::format("T{}: {}, ", t.tool, volume(t.removed)) +
+                                  fmt::format(fmt::runtime(w.rate), duration_text(t.seconds), t.greatest_rate));
+    name = "";
+  }
+  const std::size_t count = r.collisions.size() + r.not_told;
+  return text + summary_row(w.collisions, count == 0 ? std::string(w.none) : std::to_string(count));
+}
+
+std::string cut_json(const CutResult& r, std::size_t alarms, std::size_t warnings) {
+  ordered_json json{{"stock", rounded(r.stock)},
+                    {"left", rounded(r.left)},
+                    {"removed", rounded(r.stock - r.left)},
+                    {"error_bound", rounded(r.error_bound)},
+                    {"resolution", r.cell},
+                    {"seconds", rounded(r.seconds)},
+                    {"alarms", alarms + r.collisions.size() + r.not_told},
+                    {"warnings", warnings + r.warnings.size()}};
+  json["tools"] = ordered_json::array();
+  for (const ToolRemoval& t : r.tools)
+    json["tools"].push_back(
+        {{"tool", t.tool}, {"removed", rounded(t.removed)}, {"seconds", rounded(t.seconds)}, {"greatest_rate", rounded(t.greatest_rate)}});
+  json["collisions"] = findings_json(r.collisions);
+  if (!r.warnings.empty()) json["warned"] = findings_json(r.warnings);
+  return json.dump() + "\n";
+}
+
+}  // namespace kadr

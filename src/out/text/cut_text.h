@@ -1,0 +1,22 @@
+#pragma once
+// CutResult → text: the summary on stdout, JSON (design.md 10).
+
+#include <string>
+
+#include "config/alarm_texts.h"
+#include "stock/cut_result.h"
+
+namespace kadr {
+
+/// In a line: "82581.4 mm³ removed, cell 0.25 mm".
+std::string cut_caption(const CutResult& result, Lang lang);
+
+std::string cut_summary(const CutResult& result, Lang lang);
+
+/// One object. `alarms`, `warnings`: of the program itself, the findings not among them.
+std::string cut_json(const CutResult& result, std::size_t alarms, std::size_t warnings);
+
+/// The finding as an alarm or warning, without its place.
+Alarm alarm_of(const CutFinding& finding);
+
+}  // namespace kadr

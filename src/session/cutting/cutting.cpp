@@ -1,0 +1,238 @@
+// The steps of a run on the part. For cli/cut.
+
+#include "session/cutting/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t batch_sweeps = 1 << 15;
+constexpr std::size_t most_kept = 100'000;    // motions before the work system of the blank is known
+constexpr std::size_t most_findings = 1000;   // that are told one by one
+constexpr double sideways = 0.01;             // mm in the plane that a drill may be moved while it cuts
+constexpr double chord_of_cell = 1.0 / 2000;  // arcs as chords: far below the error of a cell …
+constexpr double greatest_chord = 2e-4;       // … and below the least increment of the controls, mm
+
+double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
+
+double flat_length(const WayPiece& p) { return length(Vec2{p.to.x - p.from.x, p.to.y - p.from.y}); }
+
+AlarmId fault_of_part(ToolPart part) {
+  return part == ToolPart::holder ? AlarmId::holder_in_stock : part == ToolPart::shank ? AlarmId::shank_in_stock : AlarmId::beyond_flutes;
+}
+
+double least_side(const Box3& box) {
+  const Vec3 size = box.most - box.least;
+  return std::min({size.x, size.y, size.z});
+}
+
+}  // namespace
+
+Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
+    : job_(job),
+      way_(roles, chord_for(job.cell), job.system),
+      stock_(job.blank, job.cell, job.threads),
+      tool_(job.tool),
+      spindle_(job.spindle) {
+  for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
+  if (!job.starts_known)
+    for (const int axis : roles.xyz)
+      if (axis >= 0) unknown_ |= AxisMask{1} << axis;
+  result_.stock = job.blank->volume();
+  result_.cell = job.cell;
+}
+
+/// What stands in the spindle and how it turns.
+void Cutting::note(const Action& action) {
+  if (const auto* const change = std::get_if<ToolChange>(&action.what)) tool_ = change->tool;
+  else if (const auto* const spindle = std::get_if<Spindle>(&action.what); spindle != nullptr && spindle->number == 1)
+    spindle_ = spindle->dir;
+  else if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) coolant_ = coolant->what;
+}
+
+std::size_t Cutting::use_of(std::uint32_t tool) {
+  const auto found = std::find_if(result_.tools.begin(), result_.tools.end(), [&](const ToolRemoval& t) { return t.tool == tool; });
+  if (found == result_.tools.end()) return result_.tools.push_back({tool, 0, 0, 0}), result_.tools.size() - 1;
+  return std::size_t(found - result_.tools.begin());
+}
+
+/// Nothing: the tools file has none of that number. A program that calls no tool has the only one of the file.
+std::optional<std::uint16_t> Cutting::shape_of_tool() {
+  for (const auto& [number, shape] : shapes_)
+    if (number == tool_) return shape;
+  const ToolGeometry* geometry = job_.tools.find(tool_);
+  if (geometry == nullptr && tool_ == 0 && job_.tools.tools.size() == 1) geometry = &job_.tools.tools.front();
+  if (geometry == nullptr) return std::nullopt;
+  const ToolShape shape = shape_of(*geometry);
+  const std::uint16_t number = stock_.add_tool(shape);
+  for (const auto& fixture : fixtures_) (void)fixture->add_tool(shape);
+  shapes_.emplace_back(tool_, number);
+  return number;
+}
+
+/// What is wrong if the cutting part takes anything away on this motion.
+AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pieces) const {
+  if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return AlarmId::rapid_in_stock;
+  if (motion.kind == MotionKind::thread) return AlarmId::count;  // the spindle is led by the control
+  if (spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) return AlarmId::spindle_stopped;
+  if (spindle_ == SpindleDir::ccw) return AlarmId::spindle_wrong_way;
+  const ToolGeometry* const tool = job_.tools.find(tool_);
+  if (tool == nullptr) return AlarmId::count;
+  double flat = 0;
+  for (const WayPiece& p : pieces) flat += flat_length(p);
+  if (tool->kind == ToolKind::drill && flat > sideways) return AlarmId::drill_sideways;
+  const bool down = flat < sideways && pieces.back().to.z < pieces.front().from.z;
+  return down && !tool->plunges ? AlarmId::plunge : AlarmId::count;
+}
+
+/// Whether it was known where the motion begins. What its words name is known from now on.
+bool Cutting::place_known(const Motion& motion) {
+  const bool known = unknown_ == 0;
+  unknown_ &= ~motion.named;
+  return known;
+}
+
+Status Cutting::consume(const Step& step, double longer) {
+  note(step.action);
+  const Motion* const motion = step.motion();
+  result_.seconds = std::max(result_.seconds, step.begins + step.time.seconds + longer + step.pause);
+  const bool upright = way_.take(step, pieces_);
+  if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || step.begins >= job_.until) return {};
+  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the way there only its end is certain
+    if (unknown_ != 0) return {};
+    const Vec3 there = pieces_.back().to;
+    pieces_.assign(1, {there, there, 0, 1});
+  }
+  if (!upright) return fail(alarm(AlarmId::tool_leans, {}));
+  const auto shape = shape_of_tool();
+  if (!shape) return is_cutting(motion->kind) ? Status(fail(alarm(AlarmId::tool_without_shape, {}, double(tool_)))) : Status();
+  const double seconds = step.time.seconds + longer, most = seconds > 0 ? (job_.until - step.begins) / seconds : 1;
+  while (!pieces_.empty() && pieces_.back().begins >= most) pieces_.pop_back();
+  if (pieces_.empty()) return {};
+  if (WayPiece& last = pieces_.back(); last.ends > most) {
+    last.to = last.from + (most - last.begins) / (last.ends - last.begins) * (last.to - last.from);
+    last.ends = most;
+  }
+  Moved moved;
+  moved.origin = step.action.origin;
+  moved.tool = tool_;
+  moved.use = use_of(tool_);
+  moved.fault = fault_of(*motion, pieces_);
+  moved.cuts = is_cutting(motion->kind);
+  moved.lacks_coolant = job_.wants_coolant && coolant_ == Coolant::off && moved.cuts;
+  moved.begins = step.begins;
+  moved.seconds = seconds * std::min(most, 1.0);
+  if (way_.zero() && !zero_known_) release_kept();
+  if (zero_known_) {
+    add(moved, pieces_, *shape);
+  } else {
+    kept_.push_back({moved, pieces_, *shape});
+    if (kept_.size() >= most_kept) release_kept();
+  }
+  return {};
+}
+
+/// The work system is known, or will not be waited for any longer: that in force counts.
+void Cutting::release_kept() {
+  zero_ = way_.zero().value_or(way_.present_zero());
+  zero_known_ = true;
+  for (const Kept& k : kept_) add(k.moved, k.pieces, k.shape);
+  kept_ = {};
+}
+
+void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape) {
+  batch_.push_back(moved);
+  Moved& in_batch = batch_.back();
+  in_batch.first_sweep = stock_.sweeps();
+  const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
+  for (const WayPiece& p : pieces) {
+    stock_.add({p.from - zero_, p.to - zero_, shape, watched});
+    for (const auto& fixture : fixtures_) fixture->add({p.from - zero_, p.to - zero_, shape, true});
+    in_batch.length += length(p.to - p.from);
+  }
+  if (stock_.sweeps() - batch_.front().first_sweep >= batch_sweeps) cut();
+}
+
+void Cutting::cut() {
+  if (batch_.empty()) return;
+  tell(stock_.cut(job_.stop), false);
+  for (const auto& fixture : fixtures_) tell(fixture->cut(job_.stop), true);
+  count_removed();
+  batch_.clear();
+}
+
+void Cutting::count_removed() {
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
+    const Moved& m = batch_[i];
+    const std::size_t end = i + 1 < batch_.size() ? batch_[i + 1].first_sweep : stock_.sweeps();
+    double volume = 0;
+    for (std::size_t s = m.first_sweep; s < end; ++s) volume += stock_.removed_by(s);
+    ToolRemoval& tool = result_.tools[m.use];
+    tool.removed += volume;
+    if (!m.cuts) continue;
+    tool.seconds += m.seconds;
+    if (rate_.use != m.use) rate_ = {};
+    rate_.use = m.use;
+    rate_.volume += volume, rate_.seconds += m.seconds, rate_.length += m.length;
+    if (rate_.length < 2 * job_.cell || !(rate_.seconds > 0)) continue;
+    tool.greatest_rate = std::max(tool.greatest_rate, rate_.volume / rate_.seconds);
+    rate_ = {};
+    rate_.use = m.use;
+  }
+}
+
+/// The touches of a motion are one finding a kind.
+void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
+  std::map<std::pair<std::size_t, AlarmId>, std::pair<Box3, double>> around;  // motion of the batch, what → box, volume
+  for (const Touch& t : touches) {
+    const auto after = std::upper_bound(batch_.begin(), batch_.end(), std::size_t(t.sweep),
+                                        [](std::size_t s, const Moved& m) { return s < m.first_sweep; });
+    const auto motion = std::size_t(after - batch_.begin()) - 1;
+    const auto [found, is_new] = around.try_emplace({motion, fault_of_touch(batch_[motion], t.part, of_fixture)}, t.around, 0);
+    auto& [box, volume] = found->second;
+    volume += t.volume;
+    if (!is_new) box.include(t.around);
+  }
+  for (const auto& [what, taken] : around) {
+    const Moved& m = batch_[what.first];
+    const Box3& box = taken.first;
+    const CutFinding finding{what.second, m.origin, m.tool, 0.5 * (box.least + box.most), least_side(box), taken.second, m.begins};
+    if (finding.depth >= stock_.least_piece()) keep(finding);
+  }
+}
+
+AlarmId Cutting::fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture) {
+  if (of_fixture) return AlarmId::fixture;
+  if (part != ToolPart::cutting) return fault_of_part(part);
+  return moved.fault != AlarmId::count ? moved.fault : AlarmId::no_coolant;
+}
+
+void Cutting::keep(const CutFinding& finding) {
+  const bool is_warning = finding.id == AlarmId::no_coolant;
+  if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // once a line
+  auto& list = is_warning ? result_.warnings : result_.collisions;
+  if (list.size() >= most_findings) {
+    ++result_.not_told;
+    return;
+  }
+  list.push_back(finding);
+  if (on_finding) on_finding(finding);
+}
+
+void Cutting::finish() {
+  if (!zero_known_) release_kept();
+  cut();
+}
+
+CutResult Cutting::result(double left, double error_bound) const {
+  CutResult result = result_;
+  result.left = left;
+  result.error_bound = error_bound;
+  result.sweeps = stock_.sweeps();
+  return result;
+}
+
+}  // namespace kadr
