@@ -43,12 +43,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto blank = kadr::mesh_blank(solid->mesh);
   const kadr::Box3 box = blank->box();
   for (int family = 0; family < 3; ++family) {
-    std::vector<kadr::Range> ranges;
+    std::vector<kadr::LineRange> ranges;
     const int u = (family + 1) % 3, v = (family + 2) % 3;
     blank->cross(family, 0.5 * (kadr::along(box.least, u) + kadr::along(box.most, u)),
                  0.5 * (kadr::along(box.least, v) + kadr::along(box.most, v)), ranges);
     double before = kadr::along(box.least, family);
-    for (const kadr::Range& r : ranges) {
+    for (const kadr::LineRange& r : ranges) {
       require(r.from >= before && r.to > r.from && r.to <= kadr::along(box.most, family),
               "stretches of a line follow each other within the box");
       before = r.to;

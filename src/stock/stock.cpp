@@ -18,7 +18,7 @@ constexpr std::size_t between_room = 4096;
 double part_of_cell(double cell) { return cell / 50; }
 
 /// Within the brick, from its corner; a stretch that fills it ends on its very edges.
-FurtherInterval within_brick(const Range& range, double corner, float edge, std::int32_t line) {
+FurtherInterval within_brick(const LineRange& range, double corner, float edge, std::int32_t line) {
   const double from = std::max(range.from - corner, 0.0), to = std::min(range.to - corner, double(edge));
   return {line, float(from), float(to), of_blank, of_blank};
 }
@@ -86,16 +86,16 @@ Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
 /// The blank's surface does not go through the brick.
 void Stock::fill_evenly(std::size_t i) {
   const Vec3 middle = lattice_.corner(i) + 0.5 * lattice_.edge() * Vec3{1, 1, 1};
-  std::vector<Range> ranges;
+  std::vector<LineRange> ranges;
   blank_->cross(2, middle.x, middle.y, ranges);
-  const bool inside = std::any_of(ranges.begin(), ranges.end(), [&](const Range& r) { return r.from < middle.z && r.to > middle.z; });
+  const bool inside = std::any_of(ranges.begin(), ranges.end(), [&](const LineRange& r) { return r.from < middle.z && r.to > middle.z; });
   states_[i] = inside ? State::full : State::empty;
 }
 
 std::unique_ptr<Brick> Stock::fresh(std::size_t i) const {
   auto brick = std::make_unique<Brick>();
   const Vec3 corner = lattice_.corner(i);
-  std::vector<Range> ranges;
+  std::vector<LineRange> ranges;
   for (int family = 0; family < 3; ++family) {
     const int u = (family + 1) % 3, v = (family + 2) % 3;
     BrickLines& lines = brick->family[std::size_t(family)];
@@ -106,7 +106,7 @@ std::unique_ptr<Brick> Stock::fresh(std::size_t i) const {
       blank_->cross(family, along(corner, u) + (line % brick_edge + 0.5) * lattice_.cell(),
                     along(corner, v) + (line / brick_edge + 0.5) * lattice_.cell(), ranges);
       bool first = true;
-      for (const Range& range : ranges) {
+      for (const LineRange& range : ranges) {
         const FurtherInterval piece = within_brick(range, along(corner, family), scale_.edge, line);
         if (piece.from >= piece.to) continue;
         if (!first) lines.further.push_back(piece);

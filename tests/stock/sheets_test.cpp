@@ -19,7 +19,7 @@ class Cubes : public Blank {
  public:
   Cubes(int edge, std::vector<bool> filled) : edge_(edge), filled_(std::move(filled)) {}
   Box3 box() const override { return {{0, 0, 0}, {double(edge_), double(edge_), double(edge_)}}; }
-  void cross(int family, double u, double v, std::vector<Range>& ranges) const override {
+  void cross(int family, double u, double v, std::vector<LineRange>& ranges) const override {
     for (int w = 0; w < edge_; ++w) {
       int p[3];
       p[family] = w, p[(family + 1) % 3] = int(std::floor(u)), p[(family + 2) % 3] = int(std::floor(v));

@@ -11,7 +11,7 @@ class BoxBlank : public Blank {
  public:
   explicit BoxBlank(const Box3& box) : box_(box) {}
   Box3 box() const override { return box_; }
-  void cross(int family, double u, double v, std::vector<Range>& ranges) const override {
+  void cross(int family, double u, double v, std::vector<LineRange>& ranges) const override {
     if (inside((family + 1) % 3, u) && inside((family + 2) % 3, v)) ranges.push_back({along(box_.least, family), along(box_.most, family)});
   }
   Vec3 normal(Vec3, int family, bool out) const override {
@@ -36,7 +36,7 @@ class CylinderBlank : public Blank {
   Box3 box() const override {
     return {{centre_.x - radius_, centre_.y - radius_, bottom_}, {centre_.x + radius_, centre_.y + radius_, top_}};
   }
-  void cross(int family, double u, double v, std::vector<Range>& ranges) const override {
+  void cross(int family, double u, double v, std::vector<LineRange>& ranges) const override {
     if (family == 2) {
       if (length(Vec2{u, v} - centre_) < radius_) ranges.push_back({bottom_, top_});
       return;

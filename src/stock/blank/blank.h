@@ -9,7 +9,7 @@
 namespace kadr {
 
 /// A stretch of a lattice line within the material.
-struct Range {
+struct LineRange {
   double from, to;
 };
 
@@ -20,7 +20,7 @@ class Blank {
   virtual Box3 box() const = 0;
   /// Where a line along the axis `family` is within it, in ascending order, put into `ranges`. u, v: its places along the axes
   /// (family + 1) % 3 and (family + 2) % 3.
-  virtual void cross(int family, double u, double v, std::vector<Range>& ranges) const = 0;
+  virtual void cross(int family, double u, double v, std::vector<LineRange>& ranges) const = 0;
   /// Outward, at a place of its surface where a line along the axis leaves it (`out`) or enters it.
   virtual Vec3 normal(Vec3 at, int family, bool out) const = 0;
   virtual double volume() const = 0;

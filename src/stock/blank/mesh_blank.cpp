@@ -24,7 +24,7 @@ class MeshBlank : public Blank {
 
   Box3 box() const override { return box_; }
   double volume() const override { return volume_; }
-  void cross(int family, double u, double v, std::vector<Range>& ranges) const override;
+  void cross(int family, double u, double v, std::vector<LineRange>& ranges) const override;
   Vec3 normal(Vec3 at, int family, bool out) const override;
   std::vector<bool> bricks_at_surface(const Lattice& lattice) const override;
 
@@ -43,7 +43,7 @@ bool before(const MeshHit& a, const MeshHit& b) {
   return a.turn != b.turn ? a.turn > b.turn : a.triangle < b.triangle;
 }
 
-void MeshBlank::cross(int family, double u, double v, std::vector<Range>& ranges) const {
+void MeshBlank::cross(int family, double u, double v, std::vector<LineRange>& ranges) const {
   static thread_local std::vector<MeshHit> hits;
   hits.clear();
   along_[family].hits(u, v, hits);

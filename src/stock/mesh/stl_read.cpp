@@ -61,7 +61,7 @@ class TextStl {
   bool facet();
   Failed failed() const { return Failed(told_place("", words_.line(), words_.column()) + fault_); }
 
-  WordReader words_;
+  MeshWordReader words_;
   const MeshRules& rules_;
   Mesh mesh_;
   std::string fault_;
@@ -137,7 +137,7 @@ bool is_binary(std::string_view bytes) {
 
 tl::expected<SolidMesh, std::string> read_stl(std::string_view bytes, const MeshRules& rules) {
   std::vector<std::string> notes;
-  if (!is_binary(bytes) && !equal_ignoring_case(WordReader(bytes).next(), "solid"))
+  if (!is_binary(bytes) && !equal_ignoring_case(MeshWordReader(bytes).next(), "solid"))
     return Failed(told("it is no STL file", "это не файл STL"));
   ReadMesh mesh = is_binary(bytes) ? read_binary(bytes, rules, notes) : TextStl(bytes, rules).read();
   if (!mesh) return Failed(std::move(mesh.error()));

@@ -77,7 +77,7 @@ bool ModelReader::count(std::string_view name, std::uint32_t& value) {
 bool ModelReader::transform(ModelTransform& matrix) {
   const std::string_view* const text = scan_.attribute("transform");
   if (text == nullptr) return true;
-  WordReader words(*text);
+  MeshWordReader words(*text);
   for (double& m : matrix)
     if (!number_of(words.next(), m)) return wrong_attribute("transform");
   return !words.more() || wrong_attribute("transform");
@@ -89,7 +89,7 @@ bool ModelReader::take_root() {
   const std::size_t colon = root.find(':');
   prefix_ = colon == std::string_view::npos ? std::string_view() : root.substr(0, colon + 1);
   if (root.substr(prefix_.size()) != "model") return wrong("the root is no <model>", "корень не <model>");
-  if (const std::string_view* const needs = scan_.attribute("requiredextensions"); needs != nullptr && WordReader(*needs).more())
+  if (const std::string_view* const needs = scan_.attribute("requiredextensions"); needs != nullptr && MeshWordReader(*needs).more())
     return wrong("it needs an extension that is not known: " + shown(*needs),
                  "нужно расширение, которое не поддерживается: " + shown(*needs));
   const std::string_view* const name = scan_.attribute("unit");

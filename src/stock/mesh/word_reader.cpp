@@ -18,24 +18,24 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' |
 
 }  // namespace
 
-void WordReader::to_word() {
+void MeshWordReader::to_word() {
   for (; at_ < text_.size() && is_blank(text_[at_]); ++at_)
     if (text_[at_] == '\n') ++line_, line_start_ = at_ + 1;
   word_ = at_;
 }
 
-std::string_view WordReader::next() {
+std::string_view MeshWordReader::next() {
   to_word();
   while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
   return text_.substr(word_, at_ - word_);
 }
 
-bool WordReader::more() {
+bool MeshWordReader::more() {
   to_word();
   return at_ < text_.size();
 }
 
-void WordReader::rest_of_line() {
+void MeshWordReader::rest_of_line() {
   while (at_ < text_.size() && text_[at_] != '\n') ++at_;
 }
 

@@ -1,14 +1,14 @@
 #pragma once
-// WordReader: words of a text, parted by blanks and ends of lines, with their places. For the readers of meshes.
+// MeshWordReader: words of a text, parted by blanks and ends of lines, with their places. For the readers of meshes.
 
 #include <string>
 #include <string_view>
 
 namespace kadr {
 
-class WordReader {
+class MeshWordReader {
  public:
-  explicit WordReader(std::string_view text) : text_(text) {}
+  explicit MeshWordReader(std::string_view text) : text_(text) {}
   /// Empty: the text is at its end.
   std::string_view next();
   bool more();

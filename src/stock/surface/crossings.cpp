@@ -102,11 +102,11 @@ Vec3 Crossings::Finder::blank_normal(const Vec3& at, int family, bool leaves, bo
   Vec3 square;
   along(square, family) = leaves ? 1 : -1;
   if (seam) {
-    std::vector<Range> ranges;
+    std::vector<LineRange> ranges;
     stock.blank().cross(family, along(at, (family + 1) % 3), along(at, (family + 2) % 3), ranges);
     const double place = along(at, family);
     const bool ends = std::any_of(ranges.begin(), ranges.end(),
-                                  [&](const Range& r) { return std::fabs((leaves ? r.to : r.from) - place) < double(families_agree); });
+                                  [&](const LineRange& r) { return std::fabs((leaves ? r.to : r.from) - place) < double(families_agree); });
     if (!ends) return square;
   }
   return stock.blank().normal(at, family, leaves);
