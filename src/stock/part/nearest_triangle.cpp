@@ -65,8 +65,7 @@ void NearestTriangle::put_leaf(const Mesh& mesh, Node& node, const std::uint32_t
   for (const std::uint32_t* t = first; t != last; ++t) {
     Triangle& triangle = triangles_.emplace_back();
     for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t d = 0; d < 3; ++d)
-        triangle.corner[k][d] = mesh.points[3 * std::size_t(mesh.triangles[3 * std::size_t(*t) + k]) + d];
+      for (std::size_t d = 0; d < 3; ++d) triangle.corner[k][d] = mesh.points[3 * std::size_t(mesh.triangles[3 * std::size_t(*t) + k]) + d];
   }
 }
 

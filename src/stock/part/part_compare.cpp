@@ -16,7 +16,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t points_at_once = 1024;
-constexpr double same_place = 2e-3;  // mm: a stretch that is nowhere farther from the part's surface is rounding along a wall
+constexpr double same_place = 2e-3;   // mm: a stretch that is nowhere farther from the part's surface is rounding along a wall
 constexpr double step_of_cell = 0.5;  // between places of a stretch whose depth is asked
 
 /// The deepest place of one kind; `order` decides between equals, whichever thread came first.
