@@ -49,7 +49,7 @@ void draw_deviation_key(Canvas& canvas, const Area& area, const DeviationScale& 
   const double base = area.y + area.height - 2, below = area.y + area.height + 15;
   text(left - 8, base, fmt::format("{} {:.3f}", ru ? "зарез" : "gouged", scale.most), Align::right);
   text(left + width + 8, base, fmt::format("{:.3f} {} {}", scale.most, ru ? "мм" : "mm", ru ? "недобор" : "left on"), Align::left);
-  text(left + width / 2, below, fmt::format("±{:g}", scale.within), Align::middle);
+  text(left + width / 2, below, fmt::format("±{:g}", scale.within), Align::centre);
 }
 
 }  // namespace kadr
