@@ -24,8 +24,10 @@
 #include "out/text/cut_text.h"
 #include "out/text/page_file.h"
 #include "session/cutting/cutting.h"
+#include "stock/mesh/mesh_file.h"
 #include "stock/mesh/stl.h"
 #include "stock/mesh/threemf.h"
+#include "stock/part/part_compare.h"
 #include "stock/size.h"
 #include "stock/surface/surface.h"
 
@@ -33,7 +35,8 @@ namespace kadr::cli {
 namespace {
 
 constexpr double bytes_per_mb = 1 << 20;
-constexpr double share_of_cell = 0.02;  // volume error of the surface for each mm² of it, in cells: docs/stock.md
+constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; what a point of the surface may be off: docs/stock.md
+constexpr double share_of_cell = 0.02;                   // volume error of the surface for each mm² of it, in cells: docs/stock.md
 
 /// --until: seconds, or a line in `line`.
 std::optional<double> seconds_of(const std::string& text, std::string& line) {
@@ -58,6 +61,7 @@ Outputs outputs_of(const CutOptions& options, const Job& job) {
   outputs.writes("--plot", options.run.plot);
   for (const std::string& body : options.fixtures) outputs.reads(body);
   outputs.reads(options.stock);
+  outputs.reads(options.part);
   return outputs;
 }
 
@@ -80,6 +84,23 @@ std::shared_ptr<const Blank> named_body(const char* option, const std::string& t
   if (!named) return complain(fmt::format("{} {}", option, named.error())), nullptr;
   for (const std::string& note : named->notes) say(note + "\n");
   return named->body;
+}
+
+/// The part that is wanted, if one is; complains.
+bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
+  if (options.part.empty()) {
+    const char* const lonely = options.allow >= 0 ? "--allow" : options.run.colour == "deviation" ? "--colour deviation" : nullptr;
+    if (lonely != nullptr)
+      complain(lonely + std::string(told(": of --part FILE, which is missing", ": нужна --part ФАЙЛ, а она не указана")));
+    return lonely == nullptr;
+  }
+  MeshRules rules;
+  rules.memory = std::size_t(options.max_memory * bytes_per_mb);
+  auto solid = read_mesh_file(options.part, rules);
+  if (!solid) return complain("--part " + solid.error()), false;
+  for (const std::string& note : solid->notes) say(note + "\n");
+  part = std::move(solid->mesh);
+  return true;
 }
 
 /// Cell and bodies, within the memory that may be taken; complains.
@@ -134,6 +155,10 @@ class CutCommand {
 
   const Stock& stock() const { return cutting_.stock(); }
   CutResult result(double left, double bound) const { return cutting_.result(left, bound); }
+  PartResult part_result(const PartComparison& c, double allow) const {
+    const auto difference = [&](const PartOffence& o) { return PartDifference{o.volume, o.deepest, o.at, cutting_.line_of(o.sweep)}; };
+    return {difference(c.left_on), difference(c.gouged), allow};
+  }
   std::size_t alarms() const { return alarms_; }
   std::size_t warnings() const { return warnings_; }
 
@@ -165,12 +190,17 @@ class CutCommand {
 
 bool is_3mf(const std::string& name) { return in_small_letters(name).ends_with(".3mf"); }
 
+PartColour colour_of(const std::string& word) {
+  return word == "age" ? PartColour::age : word == "deviation" ? PartColour::deviation : PartColour::tool;
+}
+
 /// The picture, if one is asked for. Returns an error sentence.
 tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Surface& surface,
-                                     const CutResult& result, const Stock& stock) {
+                                     const CutResult& result, const PartComparison& held, const Stock& stock) {
   if (options.run.plot.empty()) return {};
   const Lang lang = language(options.run);
-  PartScene scene{surface, stock.blank().box(), options.run.colour == "age" ? PartColour::age : PartColour::tool, {}, {}};
+  PartScene scene{surface, stock.blank().box(), colour_of(options.run.colour), {}, {}, {}};
+  if (result.part) scene.deviation = {held.deviation, result.part->allow};
   scene.title = {job.file, lang == Lang::ru ? job.def->name.ru : job.def->name.en, lang, cut_caption(result, lang), {}};
   scene.colours.resize(stock.sweeps());
   for (std::size_t i = 0; i < scene.colours.size(); ++i) scene.colours[i] = std::uint8_t(stock.sweep(i).tool);
@@ -179,7 +209,7 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
 }
 
 bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Surface& surface, const CutResult& result,
-                   const CutCommand& command) {
+                   const PartComparison& held, const CutCommand& command) {
   if (std::FILE* const file = outputs.stream("--out"); file != nullptr) {
     const ByteSink sink = [file](std::string_view bytes) { return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(); };
     const std::string fault = is_3mf(options.out) ? write_3mf(surface, sink) : write_stl(surface, sink) ? std::string() : told_errno(errno);
@@ -187,7 +217,7 @@ bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, 
   }
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
     fmt::print(file, "{}", cut_json(result, command.alarms(), command.warnings()));
-  if (const auto drawn = draw(options, job, outputs, surface, result, command.stock()); !drawn) return complain(drawn.error()), false;
+  if (const auto drawn = draw(options, job, outputs, surface, result, held, command.stock()); !drawn) return complain(drawn.error()), false;
   if (!options.run.quiet && options.json != "-" && options.out != "-") fmt::print("{}", cut_summary(result, language(options.run)));
   return outputs.keep();
 }
@@ -211,7 +241,8 @@ int cut(const CutOptions& given) {
     return complain("--until " + options.until + told(": want a line, or seconds as in 35.5s", ": нужна строка или секунды, как 35.5s")),
            wrong_usage;
   cut_job.until = *until;
-  if (!can_write(options) || !find_material(options, cut_job)) return wrong_usage;
+  std::optional<Mesh> part;
+  if (!can_write(options) || !find_part(options, part) || !find_material(options, cut_job)) return wrong_usage;
   auto tools = load_tools(options.tools);
   if (!tools) return complain(tools.error()), wrong_usage;
   for (const std::string& note : tools->notes) say(note + "\n");
@@ -235,11 +266,16 @@ int cut(const CutOptions& given) {
   command.run(*drive, options.run.limits.stop);
   if (interrupted()) return interrupted_status();
   const Surface surface = surface_of(command.stock());
-  const CutResult result = command.result(volume_of(surface), share_of_cell * cut_job.cell * area_of(surface));
+  CutResult result = command.result(volume_of(surface), share_of_cell * cut_job.cell * area_of(surface));
+  PartComparison held;
+  if (part) {
+    held = compare(command.stock(), surface, *part);
+    result.part = command.part_result(held, options.allow >= 0 ? options.allow : allowed + allowed_of_cell * cut_job.cell);
+  }
   if (interrupted()) return interrupted_status();
   erase_bar();
-  if (!write_results(options, *job, outputs, surface, result, command)) return wrong_usage;
-  return command.alarms() != 0 || !result.collisions.empty() ? alarms : ok;
+  if (!write_results(options, *job, outputs, surface, result, held, command)) return wrong_usage;
+  return command.alarms() != 0 || !result.collisions.empty() || (result.part && result.part->is_gouged()) ? alarms : ok;
 }
 
 }  // namespace kadr::cli

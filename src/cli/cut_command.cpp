@@ -12,6 +12,7 @@ namespace {
 
 constexpr double least_cell = 1e-3, most_cell = 1000;   // mm
 constexpr double least_memory = 16, most_memory = 1e6;  // MB
+constexpr double most_allowed = 1000;                   // mm
 constexpr double most_threads = 256;
 
 void material_options(CLI::App& app, CutOptions& o) {
@@ -34,6 +35,13 @@ void material_options(CLI::App& app, CutOptions& o) {
                        told("work system of blank and fixtures: G54 … (default: that of the first cut)",
                             "система координат заготовки и приспособлений: G54 … (по умолчанию первого реза)")),
         "NAME", "ИМЯ");
+  takes_file(app.add_option("--part", o.part,
+                            told("the part that is wanted, a closed mesh in the work system of the blank: a file .stl or .3mf",
+                                 "деталь, которая должна получиться, замкнутая сетка в системе координат заготовки: файл .stl или .3mf")));
+  number(app.add_option("--allow", o.allow,
+                        told("that the part may be cut into (default 0.01 and a tenth of the cell)",
+                             "на сколько можно врезаться в деталь (по умолчанию 0.01 и десятая шага сетки)")),
+         "MM", "ММ", 0, most_allowed);
 }
 
 void exactness_options(CLI::App& app, CutOptions& o) {
@@ -65,9 +73,9 @@ void add_cut(CLI::App& app, Commands& c) {
   cut->add_flag("--coolant", o.coolant, told("warn of cutting without coolant", "предупреждать о резании без охлаждения"));
   takes_file(cut->add_option("--plot", o.run.plot, told("draw the part: a file .svg or .png", "вид детали: файл .svg или .png")));
   one_of(cut->add_option("--colour,--color", o.run.colour,
-                         told("of the part in --plot: by tool (default), or by age of the cut",
-                              "цвет детали на --plot: по инструменту (по умолчанию) или по времени реза")),
-         {"tool", "age"});
+                         told("of the part in --plot: by tool (default), by age of the cut, or by deviation from --part",
+                              "цвет детали на --plot: по инструменту (по умолчанию), по времени реза или по отклонению от --part")),
+         {"tool", "age", "deviation"});
   takes_file(cut->add_option("--out", o.out, told("the part: a file .stl or .3mf", "деталь: файл .stl или .3mf")));
   takes_file(
       cut->add_option("--json", o.json, told("what was found, to a file or - for stdout", "найденное: в файл или - на стандартный вывод")));

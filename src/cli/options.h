@@ -63,11 +63,13 @@ struct CutOptions {
   std::string stock, tools;  // what --stock says; the tools file
   double resolution = 0;     // mm; 0: chosen
   std::vector<std::string> fixtures;
-  std::string stock_zero;   // name of a work system; empty: that of the first motion at feed
-  std::string until;        // LINE or SECONDSs; empty: the end
-  double max_memory = 1000; // MB
-  int threads = 0;          // 0: as many as the processor has
-  bool coolant = false;     // is demanded
+  std::string stock_zero;    // name of a work system; empty: that of the first motion at feed
+  std::string until;         // LINE or SECONDSs; empty: the end
+  double max_memory = 1000;  // MB
+  int threads = 0;           // 0: as many as the processor has
+  bool coolant = false;      // is demanded
+  std::string part;          // a file; empty: nothing to hold the result against
+  double allow = -1;         // mm that a gouge may be deep; below 0: left out
   std::string out, json;
 };
 int cut(const CutOptions& options);

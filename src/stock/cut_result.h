@@ -2,6 +2,7 @@
 // CutResult: what a cut came to, for whoever tells it. Lengths mm, volumes mm³, times s.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "action/action.h"
@@ -27,6 +28,21 @@ struct ToolRemoval {
   double greatest_rate = 0;  // mm³/s, over at least two cells of path
 };
 
+/// What differs from the part that was wanted, one way.
+struct PartDifference {
+  double volume = 0;       // mm³
+  double deepest = 0;      // mm from the part's surface
+  Vec3 at;                 // there, in the work system of the blank
+  std::uint32_t line = 0;  // of the motion that cut last next to it; 0: the blank's own surface
+};
+
+struct PartResult {
+  PartDifference left_on, gouged;
+  double allow = 0;  // mm that a gouge may be deep
+
+  bool is_gouged() const { return gouged.deepest > allow; }
+};
+
 struct CutResult {
   double stock = 0;        // mm³ of the blank
   double left = 0;         // of what is left
@@ -37,7 +53,8 @@ struct CutResult {
   std::vector<ToolRemoval> tools;      // in the order of their first use
   std::vector<CutFinding> collisions;  // alarms
   std::vector<CutFinding> warnings;
-  std::size_t not_told = 0;  // findings beyond those that are kept
+  std::optional<PartResult> part;  // if one was wanted
+  std::size_t not_told = 0;        // findings beyond those that are kept
 };
 
 }  // namespace kadr

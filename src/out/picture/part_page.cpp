@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/matrix.h"
+#include "out/picture/deviation_colour.h"
 #include "out/picture/part_view.h"
 #include "out/picture/plot_page.h"
 #include "out/text/page_file.h"
@@ -20,7 +21,7 @@ constexpr double part_page_width = 1600, part_page_height = 1060, part_margin = 
 constexpr double heading = 80, large_width = 900, caption_height = 60;
 constexpr double sharpness = 1.5;  // pixels a unit of the page
 constexpr double name_height = 24;
-constexpr double room = 0.92;      // of a view that the part fills
+constexpr double room = 0.92;  // of a view that the part fills
 
 constexpr std::array<std::uint32_t, 8> tool_colours = {0x6FA8DC, 0xE69F56, 0x7BB661, 0xC27BA0, 0xD9C04F, 0x8E7CC3, 0x5FB8B0, 0xCC6666};
 constexpr std::uint32_t blank_colour = 0xC9CED6;
@@ -48,19 +49,18 @@ ViewDirection isometric() {
   return {right, cross(towards, right), towards};
 }
 
-std::uint32_t mixed(std::uint32_t a, std::uint32_t b, double share) {
-  const auto part = [&](int shift) {
-    return std::uint32_t(std::lround((1 - share) * double(a >> shift & 0xFF) + share * double(b >> shift & 0xFF))) << shift;
-  };
-  return part(16) | part(8) | part(0);
-}
-
-/// Of a triangle: that of the sweep that cut it last.
-std::uint32_t colour_of_triangle(const PartScene& scene, std::size_t triangle) {
+/// Of a triangle: how far it is off, or that of the sweep that cut it last.
+std::uint32_t colour_of_triangle(const PartScene& scene, const DeviationScale& scale, std::size_t triangle) {
+  if (scene.colour == PartColour::deviation) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += double(scene.deviation.of_point[scene.surface.triangles[triangle * 3 + k]]);
+    return deviation_colour(sum / 3, scale);
+  }
   std::int32_t by = of_blank;
   for (std::size_t k = 0; k < 3; ++k) by = std::max(by, scene.surface.made_by[scene.surface.triangles[triangle * 3 + k]]);
   if (by == of_blank) return blank_colour;
-  if (scene.colour == PartColour::age) return mixed(oldest, newest, scene.colours.empty() ? 0 : double(by) / double(scene.colours.size()));
+  if (scene.colour == PartColour::age)
+    return mixed_colour(oldest, newest, scene.colours.empty() ? 0 : double(by) / double(scene.colours.size()));
   return tool_colours[scene.colours[std::size_t(by)] % tool_colours.size()];
 }
 
@@ -76,8 +76,9 @@ Area below_name(const Area& area) { return {area.x, area.y + name_height, area.w
 
 void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale, const char* name) {
   const Area inner = below_name(area);
+  const DeviationScale deviation = deviation_scale(scene.deviation.of_point, scene.deviation.within);
   const ViewFrame frame{0.5 * (scene.box.least + scene.box.most), scale, int(inner.width * sharpness), int(inner.height * sharpness)};
-  canvas.pixels(inner, part_view(scene.surface, view, frame, [&](std::size_t t) { return colour_of_triangle(scene, t); }));
+  canvas.pixels(inner, part_view(scene.surface, view, frame, [&](std::size_t t) { return colour_of_triangle(scene, deviation, t); }));
   canvas.frame(area, colour(0xD5DAE1));
   canvas.text({area.x + 8, area.y + 18}, name, {13, colour(0x5B6775), Align::left, false});
 }
@@ -85,6 +86,9 @@ void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view
 void draw_key(Canvas& canvas, const PartScene& scene, const PartWords& w) {
   const double y = part_page_height - 24;
   double x = part_margin;
+  if (scene.colour == PartColour::deviation)
+    return draw_deviation_key(canvas, {x, y - 11, part_page_width / 2, 14},
+                              deviation_scale(scene.deviation.of_point, scene.deviation.within), scene.title.lang);
   const auto entry = [&](std::uint32_t rgb, const std::string& text) {
     canvas.fill({x, y - 11, 14, 14}, colour(rgb));
     canvas.text({x + 20, y + 1}, text, {13, colour(0x20262E), Align::left, false});

@@ -1,5 +1,5 @@
 #pragma once
-// The page of a cut part: large from the front right above, and from six sides; coloured by tool, or by age.
+// The page of a cut part: large from the front right above, and from six sides; coloured by tool, by age, or by deviation.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-enum class PartColour : std::uint8_t { tool, age };
+enum class PartColour : std::uint8_t { tool, age, deviation };
 
 struct PartTitle {
   std::string file, control;
@@ -20,12 +20,18 @@ struct PartTitle {
   std::vector<std::string> legend;  // by colour number: "T1"; of PartColour::tool
 };
 
+struct PartDeviation {
+  std::vector<float> of_point;  // mm, above 0 outside the part that is wanted
+  double within = 0;            // mm that are none
+};
+
 struct PartScene {
   const Surface& surface;
   Box3 box;  // of the blank
   PartColour colour = PartColour::tool;
   std::vector<std::uint8_t> colours;  // of PartColour::tool: by sweep, the number in the legend
   PartTitle title;
+  PartDeviation deviation;  // of PartColour::deviation
 };
 
 /// The ending of the name says whether .svg or .png. The file is the caller's to keep.

@@ -16,12 +16,34 @@ using nlohmann::ordered_json;
 
 /// The words of the summary; both languages in one row.
 struct CutWords {
-  const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further;
+  const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line;
 };
-constexpr CutWords cut_english = {"cell",       "blank",      "left", "removed", "tools", "none", "{} at feed, at most {:.1f} mm³/s",
-                                  "collisions", "and {} more"};
-constexpr CutWords cut_russian = {
-    "шаг сетки", "заготовка", "осталось", "снято", "инструменты", "нет", "{} на подаче, не более {:.1f} мм³/с", "столкновений", "и ещё {}"};
+constexpr CutWords cut_english = {"cell",
+                                  "blank",
+                                  "left",
+                                  "removed",
+                                  "tools",
+                                  "none",
+                                  "{} at feed, at most {:.1f} mm³/s",
+                                  "collisions",
+                                  "and {} more",
+                                  "left on",
+                                  "gouged",
+                                  "{:.1f} {}, {:.3f} {} deep at X{:.2f} Y{:.2f} Z{:.2f}",
+                                  ", line {}"};
+constexpr CutWords cut_russian = {"шаг сетки",
+                                  "заготовка",
+                                  "осталось",
+                                  "снято",
+                                  "инструменты",
+                                  "нет",
+                                  "{} на подаче, не более {:.1f} мм³/с",
+                                  "столкновений",
+                                  "и ещё {}",
+                                  "недобор",
+                                  "зарез",
+                                  "{:.1f} {}, {:.3f} {} в точке X{:.2f} Y{:.2f} Z{:.2f}",
+                                  ", строка {}"};
 
 /// To thousandths of a mm, of a mm³: what stands behind is no more than noise.
 double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
@@ -43,6 +65,22 @@ ordered_json findings_json(const std::vector<CutFinding>& findings) {
   ordered_json list = ordered_json::array();
   for (const CutFinding& f : findings) list.push_back(finding_json(f));
   return list;
+}
+
+ordered_json difference_json(const PartDifference& d) {
+  return {{"volume", rounded(d.volume)},
+          {"deepest", rounded(d.deepest)},
+          {"line", d.line},
+          {"at", {{"X", rounded(d.at.x)}, {"Y", rounded(d.at.y)}, {"Z", rounded(d.at.z)}}}};
+}
+
+std::string difference_row(const CutWords& w, const char* name, const PartDifference& d, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  if (!(d.deepest > 0)) return summary_row(name, w.none);
+  std::string text =
+      fmt::format(fmt::runtime(w.deepest), d.volume, ru ? "мм³" : "mm³", d.deepest, ru ? "мм" : "mm", d.at.x, d.at.y, d.at.z);
+  if (d.line != 0) text += fmt::format(fmt::runtime(w.line), d.line);
+  return summary_row(name, text);
 }
 
 }  // namespace
@@ -74,6 +112,7 @@ std::string cut_summary(const CutResult& r, Lang lang) {
     name = "";
   }
   const std::size_t count = r.collisions.size() + r.not_told;
+  if (r.part) text += difference_row(w, w.left_on, r.part->left_on, lang) + difference_row(w, w.gouged, r.part->gouged, lang);
   return text + summary_row(w.collisions, count == 0 ? std::string(w.none) : std::to_string(count));
 }
 
@@ -91,6 +130,7 @@ std::string cut_json(const CutResult& r, std::size_t alarms, std::size_t warning
     json["tools"].push_back(
         {{"tool", t.tool}, {"removed", rounded(t.removed)}, {"seconds", rounded(t.seconds)}, {"greatest_rate", rounded(t.greatest_rate)}});
   json["collisions"] = findings_json(r.collisions);
+  if (r.part) json["part"] = {{"left_on", difference_json(r.part->left_on)}, {"gouged", difference_json(r.part->gouged)}};
   if (!r.warnings.empty()) json["warned"] = findings_json(r.warnings);
   return json.dump() + "\n";
 }

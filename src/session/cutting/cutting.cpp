@@ -150,6 +150,7 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
   const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
   for (const WayPiece& p : pieces) {
     stock_.add({p.from - zero_, p.to - zero_, shape, watched});
+    line_of_sweep_.push_back(moved.origin.line);
     for (const auto& fixture : fixtures_) fixture->add({p.from - zero_, p.to - zero_, shape, true});
     in_batch.length += length(p.to - p.from);
   }

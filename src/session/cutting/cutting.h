@@ -6,6 +6,7 @@
 // Pieces are cut in batches: findings come when their batch is done. Until the work system of the blank is known (the first motion at feed)
 // pieces are kept.
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,7 +33,7 @@ struct CutJob {
   std::uint32_t tool = 0;              // in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
   bool starts_known = false;  // the set-up says where the tool stands at the start; else it is known when each of X, Y, Z has been named
-  double until = 1e300;  // s of the program: what comes later is not cut
+  double until = 1e300;       // s of the program: what comes later is not cut
   StopToken stop;
 };
 
@@ -50,6 +51,8 @@ class Cutting {
   void finish();
   /// After finish(), with the volume of the surface of what is left.
   CutResult result(double left, double error_bound) const;
+  /// Line of the program that a sweep of the stock comes from; 0 for of_blank.
+  std::uint32_t line_of(std::int32_t sweep) const { return sweep < 0 ? 0 : line_of_sweep_[std::size_t(sweep)]; }
   const Stock& stock() const { return stock_; }
 
  private:
@@ -87,13 +90,14 @@ class Cutting {
   std::vector<std::unique_ptr<Stock>> fixtures_;
   std::set<std::uint32_t> without_coolant_;                      // lines
   std::vector<std::pair<std::uint32_t, std::uint16_t>> shapes_;  // tool → Stock::add_tool
-  AxisMask unknown_ = 0;  // of X, Y, Z: where the tool stands along them nobody has said
+  AxisMask unknown_ = 0;                                         // of X, Y, Z: where the tool stands along them nobody has said
   std::uint32_t tool_;
   SpindleDir spindle_;
   Coolant coolant_ = Coolant::off;
   std::vector<WayPiece> pieces_;
   std::vector<Kept> kept_;
   std::vector<Moved> batch_;
+  std::deque<std::uint32_t> line_of_sweep_;  // a million grow without being moved
   Vec3 zero_;
   bool zero_known_ = false;
   struct Rate {

@@ -1,0 +1,87 @@
+// Intervals of the material against those of the part, line by line. For stock/part/part_compare.
+
+#include "stock/part/brick_difference.h"
+
+#include <algorithm>
+
+namespace kadr {
+namespace {
+
+constexpr double least_stretch = 1e-3;  // mm: both ends are known to a micrometre, no better
+
+/// Material on a line, in ascending order.
+void take_material(const BrickLines& lines, std::int32_t line, std::vector<Stretch>& material) {
+  material.clear();
+  if (lines.from[line] < lines.to[line])
+    material.push_back({line, double(lines.from[line]), double(lines.to[line]), lines.from_by[line], lines.to_by[line]});
+  for (const FurtherInterval& f : lines.further)
+    if (f.line == line && f.from < f.to) material.push_back({line, double(f.from), double(f.to), f.from_by, f.to_by});
+  std::sort(material.begin(), material.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+}
+
+void put(std::vector<Stretch>& to, const Stretch& stretch) {
+  if (stretch.to - stretch.from > least_stretch) to.push_back(stretch);
+}
+
+/// Material without the part.
+void take_left_on(const std::vector<Stretch>& material, const std::vector<Range>& part, std::vector<Stretch>& left_on) {
+  for (const Stretch& m : material) {
+    Stretch rest = m;
+    for (const Range& p : part) {
+      if (p.to <= rest.from || p.from >= rest.to) continue;
+      Stretch before = rest;
+      before.to = p.from, before.to_by = before.from_by;
+      put(left_on, before);
+      rest.from = p.to, rest.from_by = rest.to_by;
+    }
+    put(left_on, rest);
+  }
+}
+
+/// The part without material: a gap's ends are those of the material beside it.
+void take_gouged(const std::vector<Stretch>& material, const std::vector<Range>& part, std::int32_t line, std::vector<Stretch>& gouged) {
+  for (const Range& p : part) {
+    Stretch rest{line, p.from, p.to, of_blank, of_blank};
+    for (const Stretch& m : material) {
+      if (m.to <= rest.from) {
+        rest.from_by = m.to_by;
+        continue;
+      }
+      if (m.from >= rest.to) {
+        rest.to_by = m.from_by;
+        break;
+      }
+      Stretch before = rest;
+      before.to = m.from, before.to_by = m.from_by;
+      put(gouged, before);
+      rest.from = m.to, rest.from_by = m.to_by;
+    }
+    put(gouged, rest);
+  }
+}
+
+}  // namespace
+
+void take_difference(const Brick* brick, bool is_full, const Blank& part, const Vec3& corner, double cell, BrickDifference& difference) {
+  const double edge = cell * brick_edge;
+  for (int family = 0; family < 3; ++family) {
+    LineDifference& found = difference.family[std::size_t(family)];
+    found.left_on.clear(), found.gouged.clear();
+    for (std::int32_t line = 0; line < brick_lines; ++line) {
+      difference.part.clear();
+      part.cross(family, along(corner, (family + 1) % 3) + (line % brick_edge + 0.5) * cell,
+                 along(corner, (family + 2) % 3) + (line / brick_edge + 0.5) * cell, difference.part);
+      for (Range& r : difference.part) {
+        r.from = std::max(r.from - along(corner, family), 0.0);
+        r.to = std::min(r.to - along(corner, family), edge);
+      }
+      std::erase_if(difference.part, [](const Range& r) { return r.from >= r.to; });
+      if (brick != nullptr) take_material(brick->family[std::size_t(family)], line, difference.material);
+      else difference.material.assign(is_full ? 1 : 0, {line, 0, edge, of_blank, of_blank});
+      take_left_on(difference.material, difference.part, found.left_on);
+      take_gouged(difference.material, difference.part, line, found.gouged);
+    }
+  }
+}
+
+}  // namespace kadr

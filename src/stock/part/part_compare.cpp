@@ -1,0 +1,211 @@
+// Points of the surface, then stretches of lattice lines, held against the part. For session and cli.
+
+#include "stock/part/part_compare.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+
+#include "base/matrix.h"
+#include "stock/blank/mesh_blank.h"
+#include "stock/part/brick_difference.h"
+#include "stock/part/nearest_triangle.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t points_at_once = 1024;
+constexpr double same_place = 2e-3;   // mm: a stretch that is nowhere farther from the part's surface is rounding along a wall
+constexpr double step_of_cell = 0.5;  // between places of a stretch whose depth is asked
+
+/// The deepest place of one kind; `order` decides between equals, whichever thread came first.
+struct Deepest {
+  double depth = 0;
+  Vec3 at;
+  std::int32_t sweep = of_blank;
+  std::uint64_t order = ~std::uint64_t{0};
+
+  void take(const Deepest& other) {
+    if (other.depth > depth || (other.depth == depth && other.order < order)) *this = other;
+  }
+};
+
+struct Offences {
+  Deepest left_on, gouged;
+
+  void take(const Offences& other) { left_on.take(other.left_on), gouged.take(other.gouged); }
+};
+
+/// mm³ in one brick.
+struct BrickVolumes {
+  float left_on = 0, gouged = 0;
+};
+
+/// The stock's lattice, and as many bricks around it as the part needs.
+struct WiderLattice {
+  Lattice lattice;
+  BrickPlace stock_at;  // of the stock's first brick
+};
+
+WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& part) {
+  const Vec3 size = blank.most - blank.least;
+  const double most_beyond = std::max({size.x, size.y, size.z});
+  Box3 box = blank;
+  int before[3];
+  for (int d = 0; d < 3; ++d) {
+    const double below = std::clamp(along(blank.least, d) - along(part.least, d), 0.0, most_beyond);
+    before[d] = int(std::ceil(below / own.edge()));
+    along(box.least, d) -= before[d] * own.edge();
+    along(box.most, d) = std::clamp(along(part.most, d), along(blank.most, d), along(blank.most, d) + most_beyond);
+  }
+  return {Lattice(box, own.cell()), {before[0], before[1], before[2]}};
+}
+
+class PartHeld {
+ public:
+  PartHeld(const Stock& stock, const Surface& surface, const Mesh& part)
+      : stock_(stock),
+        surface_(surface),
+        nearest_(part),
+        body_(mesh_blank(part)),
+        wider_(wider_lattice(stock.lattice(), stock.blank().box(), body_->box())),
+        part_at_(body_->bricks_at_surface(wider_.lattice)),
+        volumes_(wider_.lattice.size()) {}
+
+  PartComparison held();
+
+ private:
+  struct Work {
+    BrickDifference difference;
+    Offences found;
+    std::vector<Range> ranges;
+    std::uint32_t hint = 0;
+  };
+  bool is_inside(const Vec3& at, Work& work) const;
+  void hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const;
+  void hold_brick(std::size_t brick, Work& work);
+  void hold_evenly(std::size_t brick, bool material, Work& work);
+  float hold_stretches(std::size_t brick, bool gouged, Work& work);
+  bool walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const;
+  std::optional<std::size_t> of_stock(std::size_t brick) const;
+
+  const Stock& stock_;
+  const Surface& surface_;
+  NearestTriangle nearest_;
+  std::shared_ptr<const Blank> body_;
+  WiderLattice wider_;
+  std::vector<bool> part_at_;
+  std::vector<BrickVolumes> volumes_;
+};
+
+bool PartHeld::is_inside(const Vec3& at, Work& work) const {
+  work.ranges.clear();
+  body_->cross(2, at.x, at.y, work.ranges);
+  return std::any_of(work.ranges.begin(), work.ranges.end(), [&](const Range& r) { return r.from < at.z && at.z < r.to; });
+}
+
+void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const {
+  const std::size_t last = std::min((chunk + 1) * points_at_once, surface_.point_count());
+  for (std::size_t i = chunk * points_at_once; i < last; ++i) {
+    const Vec3 at = surface_.point(i);
+    const double depth = nearest_.distance(at, work.hint);
+    const bool inside = is_inside(at, work);
+    deviation[i] = float(inside ? -depth : depth);
+    (inside ? work.found.gouged : work.found.left_on).take({depth, at, surface_.made_by[i], i});
+  }
+}
+
+/// The same brick in the stock's lattice; nothing: it lies beside that, where no material ever was.
+std::optional<std::size_t> PartHeld::of_stock(std::size_t brick) const {
+  BrickPlace place = wider_.lattice.place(brick);
+  place.x -= wider_.stock_at.x, place.y -= wider_.stock_at.y, place.z -= wider_.stock_at.z;
+  return stock_.lattice().holds(place) ? std::optional(stock_.lattice().at(place)) : std::nullopt;
+}
+
+void PartHeld::hold_brick(std::size_t brick, Work& work) {
+  const auto own = of_stock(brick);
+  const Stock::State state = own ? stock_.state(*own) : Stock::State::empty;
+  if (state != Stock::State::mixed && !part_at_[brick]) return hold_evenly(brick, state == Stock::State::full, work);
+  take_difference(own ? stock_.brick(*own) : nullptr, state == Stock::State::full, *body_, wider_.lattice.corner(brick),
+                  wider_.lattice.cell(), work.difference);
+  volumes_[brick] = {hold_stretches(brick, false, work), hold_stretches(brick, true, work)};
+}
+
+/// All material or none, all part or none.
+void PartHeld::hold_evenly(std::size_t brick, bool material, Work& work) {
+  const Vec3 corner = wider_.lattice.corner(brick);
+  const double edge = wider_.lattice.edge();
+  const bool part = is_inside(corner + 0.5 * edge * Vec3{1, 1, 1}, work);
+  if (part == material) return;
+  (part ? volumes_[brick].gouged : volumes_[brick].left_on) = float(edge * edge * edge);
+  Deepest& deepest = part ? work.found.gouged : work.found.left_on;
+  for (std::int32_t line = 0; line < brick_lines; ++line) (void)walk({line, 0, edge, of_blank, of_blank}, 2, brick, deepest, work);
+}
+
+/// By the direction that meets most of the difference: lines across a thin layer tell its volume, lines along it hardly.
+///   returns  mm³
+float PartHeld::hold_stretches(std::size_t brick, bool gouged, Work& work) {
+  const auto of = [&](int family) -> const std::vector<Stretch>& {
+    const LineDifference& d = work.difference.family[std::size_t(family)];
+    return gouged ? d.gouged : d.left_on;
+  };
+  int best = 2;
+  for (const int family : {0, 1})
+    if (of(family).size() > of(best).size()) best = family;
+  double length = 0;
+  for (const Stretch& stretch : of(best))
+    if (walk(stretch, best, brick, gouged ? work.found.gouged : work.found.left_on, work)) length += stretch.to - stretch.from;
+  return float(length * wider_.lattice.cell() * wider_.lattice.cell());
+}
+
+/// Asks how deep it goes, in its middle and, where it can be deeper than what was found, in steps.
+///   returns  whether it is more than rounding along a wall
+bool PartHeld::walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const {
+  const double cell = wider_.lattice.cell(), half = (stretch.to - stretch.from) / 2;
+  Vec3 at = wider_.lattice.corner(brick);
+  along(at, (family + 1) % 3) += (stretch.line % brick_edge + 0.5) * cell;
+  along(at, (family + 2) % 3) += (stretch.line / brick_edge + 0.5) * cell;
+  const double corner = along(at, family);
+  const auto depth_at = [&](double place) {
+    along(at, family) = corner + place;
+    const double depth = nearest_.distance(at, work.hint);
+    const std::int32_t by = place - stretch.from < stretch.to - place ? stretch.from_by : stretch.to_by;
+    deepest.take({depth, at, by, (std::uint64_t{1} << 63) + brick * brick_lines + std::uint64_t(stretch.line)});
+    return depth;
+  };
+  double most = depth_at(stretch.from + half);
+  if (most > same_place && most + half < deepest.depth) return true;
+  const int steps = int(std::ceil(2 * half / (step_of_cell * cell)));
+  for (int i = 0; i <= steps; ++i) most = std::max(most, depth_at(stretch.from + 2 * half * i / steps));
+  return most > same_place;
+}
+
+PartComparison PartHeld::held() {
+  PartComparison result;
+  result.deviation.resize(surface_.point_count());
+  const std::size_t chunks = (surface_.point_count() + points_at_once - 1) / points_at_once;
+  std::vector<Work> works(std::size_t(stock_.threads()));
+  const auto share = [&](std::size_t count, const auto& hold) {
+    std::atomic<std::size_t> next{0};
+    side_by_side(stock_.threads(), [&](int thread) {
+      for (std::size_t i; (i = next++) < count;) hold(i, works[std::size_t(thread)]);
+    });
+  };
+  share(chunks, [&](std::size_t i, Work& work) { hold_points(i, result.deviation, work); });
+  Offences all;
+  for (const Work& w : works) all.take(w.found);
+  for (Work& w : works) w.found = all;
+  share(wider_.lattice.size(), [&](std::size_t i, Work& work) { hold_brick(i, work); });
+  for (const Work& w : works) all.take(w.found);
+  const auto offence = [](const Deepest& d) { return PartOffence{0, d.depth, d.at, d.sweep}; };
+  result.left_on = offence(all.left_on), result.gouged = offence(all.gouged);
+  for (const BrickVolumes& v : volumes_) result.left_on.volume += double(v.left_on), result.gouged.volume += double(v.gouged);
+  return result;
+}
+
+}  // namespace
+
+PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part) { return PartHeld(stock, surface, part).held(); }
+
+}  // namespace kadr
