@@ -41,7 +41,10 @@ constexpr double share_of_cell = 0.02;                   // volume error of the 
 /// --until: seconds, or a line in `line`.
 std::optional<double> seconds_of(const std::string& text, std::string& line) {
   if (text.empty()) return 1e300;
-  if (!text.ends_with('s')) return line = text, 1e300;
+  if (!text.ends_with('s')) {
+    const bool is_line = text.find_first_not_of("0123456789") == std::string::npos && text.size() < 10;
+    return is_line ? (line = text, std::optional(1e300)) : std::nullopt;
+  }
   double seconds = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size() - 1, seconds);
   if (read.ec != std::errc() || read.ptr != text.data() + text.size() - 1 || !(seconds >= 0)) return std::nullopt;
@@ -253,6 +256,8 @@ int cut(const CutOptions& given) {
   cut_job.wants_coolant = options.coolant;
   cut_job.tool = std::uint32_t(std::max(job->setup.tool, 0));
   cut_job.starts_known = job->stated.count("start") != 0;
+  for (const auto& [number, offset] : job->setup.offsets)
+    if (number > 0 && offset.length != 0) cut_job.lengths[std::uint32_t(number)] = offset.length;
   cut_job.stop = options.run.limits.stop;
   Outputs outputs = outputs_of(options, *job);
   auto program = outputs.check() ? open_program(*job) : std::nullopt;

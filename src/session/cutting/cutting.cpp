@@ -95,12 +95,22 @@ bool Cutting::place_known(const Motion& motion) {
   return known;
 }
 
+/// The tip stands lower or higher than the control believes, where the length that it reckons with is not the tool's: a worn, a wrong or no
+/// H.
+void Cutting::shift_by_length() {
+  const auto real = job_.lengths.find(tool_);
+  if (real == job_.lengths.end()) return;
+  const double shift = way_.length_in_force() - real->second;
+  for (WayPiece& p : pieces_) p.from.z += shift, p.to.z += shift;
+}
+
 Status Cutting::consume(const Step& step, double longer) {
   note(step.action);
   const Motion* const motion = step.motion();
   result_.seconds = std::max(result_.seconds, step.begins + step.time.seconds + longer + step.pause);
   const bool upright = way_.take(step, pieces_);
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || step.begins >= job_.until) return {};
+  shift_by_length();
   if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the way there only its end is certain
     if (unknown_ != 0) return {};
     const Vec3 there = pieces_.back().to;
@@ -118,8 +128,8 @@ Status Cutting::consume(const Step& step, double longer) {
   }
   Moved moved;
   moved.origin = step.action.origin;
-  moved.tool = tool_;
-  moved.use = use_of(tool_);
+  moved.tool = stock_.tool(*shape).geometry.number;
+  moved.use = use_of(moved.tool);
   moved.fault = fault_of(*motion, pieces_);
   moved.cuts = is_cutting(motion->kind);
   moved.lacks_coolant = job_.wants_coolant && coolant_ == Coolant::off && moved.cuts;

@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -26,6 +27,8 @@ struct CutJob {
   std::shared_ptr<const Blank> blank;
   std::vector<std::shared_ptr<const Blank>> fixtures;  // never to be cut
   ToolLibrary tools;
+  /// By tool: how long it really is, where the control's table says so under its own number. Others are as long as the control believes.
+  std::map<std::uint32_t, double> lengths;
   double cell = 0.5;  // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
@@ -76,6 +79,7 @@ class Cutting {
   std::optional<std::uint16_t> shape_of_tool();
   AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces) const;
   void add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape);
+  void shift_by_length();
   void release_kept();
   void cut();
   void count_removed();

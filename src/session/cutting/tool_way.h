@@ -29,6 +29,8 @@ class ToolWay {
 
   /// Zero of the work system, in the coordinates of the pieces; nothing before it is in force.
   const std::optional<Vec3>& zero() const { return zero_; }
+  /// Of the tool along Z, as the control reckons with it, mm.
+  double length_in_force() const { return chain_.tip(placement_.length).z; }
   /// What is in force now, where no zero was named.
   Vec3 present_zero() const { return zero_of(chain_, placement_); }
 
