@@ -9,6 +9,8 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     removed   mm³, within `within` (default 0.2 %, at least 0.5 mm³)
     depth     of the first collision, mm, within 0.05 and a hundredth
     stops     id of the alarm that ends the run
+    part_program   the wanted part is what this program cuts of the same blank; part: an STL text
+    left_on, gouged   [deepest, LINE], mm within a tenth of the cell; 0: no deeper than that; too_deep: the exit status is 1 because of it
     args      further words of the command line; setup: a set-up
 Every case is cut with one and with two threads: the same JSON. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
 it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
@@ -29,12 +31,26 @@ MILL_CONTROLS = ['s2c42', 'mach3', 'nct', 'gost', 'correctors']
 MILL_STOCK = 'box:-20,-20,-30,220,180,0'
 
 
+def write(file, text):
+    file.write_text(text)
+    return file
+
+
 def cut(kadr, folder, case, tools, threads):
     (folder / 'tools.toml').write_text(case.get('tools', tools))
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
     words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), '--stock', case['stock'], '--tools', str(folder / 'tools.toml'),
-             '--resolution', str(case.get('resolution', 0.5)), '--json', '-', '--lang', 'en', '--threads', str(threads), *case.get('args', [])]
+             '--resolution', str(case.get('resolution', 0.5)), '--json', '-', '--lang', 'en', '--threads', str(threads)]
+    if 'part_program' in case:
+        made = subprocess.run([*words[:2], str(write(folder / 'wanted.nc', case['part_program'].lstrip('\n'))), *words[3:], '--out', str(folder / 'wanted.stl'), '-q'],
+                              capture_output=True, text=True, timeout=TIME_LIMIT_S)
+        if made.returncode != 0:
+            return made
+        words += ['--part', str(folder / 'wanted.stl')]
+    elif 'part' in case:
+        words += ['--part', str(write(folder / 'wanted.stl', case['part']))]
+    words += case.get('args', [])
     if 'setup' in case:
         (folder / 'setup.json').write_text(case['setup'])
         words += ['--setup', str(folder / 'setup.json')]
@@ -60,10 +76,15 @@ def faults_of(case, run):
         want, got = case['depth'], result['collisions'][0]['depth']
         if abs(got - want) > 0.05 + 0.01 * want:
             yield f'depth {got}, not {want}'
+    for key in ('left_on', 'gouged'):
+        if key in case:
+            (want, line), got = case[key], result['part'][key]
+            if abs(got['deepest'] - want) > 0.1 * result['resolution'] or (want > 0 and got['line'] != line):
+                yield f'{key}: {got}, not {case[key]}'
     stops = case.get('stops')
     if stops and f'alarm {stops}:' not in run.stderr:
         yield f'does not stop by {stops}: {run.stderr.strip()[:200]}'
-    status = 1 if case.get('found') or stops else 0
+    status = 1 if case.get('found') or stops or case.get('too_deep') else 0
     if run.returncode != status:
         yield f'exit status {run.returncode}, not {status}: {run.stderr.strip()[:200]}'
 
