@@ -24,10 +24,10 @@ void put(std::vector<Stretch>& to, const Stretch& stretch) {
 }
 
 /// Material without the part.
-void take_left_on(const std::vector<Stretch>& material, const std::vector<Range>& part, std::vector<Stretch>& left_on) {
+void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::vector<Stretch>& left_on) {
   for (const Stretch& m : material) {
     Stretch rest = m;
-    for (const Range& p : part) {
+    for (const LineRange& p : part) {
       if (p.to <= rest.from || p.from >= rest.to) continue;
       Stretch before = rest;
       before.to = p.from, before.to_by = before.from_by;
@@ -39,8 +39,8 @@ void take_left_on(const std::vector<Stretch>& material, const std::vector<Range>
 }
 
 /// The part without material: a gap's ends are those of the material beside it.
-void take_gouged(const std::vector<Stretch>& material, const std::vector<Range>& part, std::int32_t line, std::vector<Stretch>& gouged) {
-  for (const Range& p : part) {
+void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::int32_t line, std::vector<Stretch>& gouged) {
+  for (const LineRange& p : part) {
     Stretch rest{line, p.from, p.to, of_blank, of_blank};
     for (const Stretch& m : material) {
       if (m.to <= rest.from) {
@@ -71,11 +71,11 @@ void take_difference(const Brick* brick, bool is_full, const Blank& part, const 
       difference.part.clear();
       part.cross(family, along(corner, (family + 1) % 3) + (line % brick_edge + 0.5) * cell,
                  along(corner, (family + 2) % 3) + (line / brick_edge + 0.5) * cell, difference.part);
-      for (Range& r : difference.part) {
+      for (LineRange& r : difference.part) {
         r.from = std::max(r.from - along(corner, family), 0.0);
         r.to = std::min(r.to - along(corner, family), edge);
       }
-      std::erase_if(difference.part, [](const Range& r) { return r.from >= r.to; });
+      std::erase_if(difference.part, [](const LineRange& r) { return r.from >= r.to; });
       if (brick != nullptr) take_material(brick->family[std::size_t(family)], line, difference.material);
       else difference.material.assign(is_full ? 1 : 0, {line, 0, edge, of_blank, of_blank});
       take_left_on(difference.material, difference.part, found.left_on);

@@ -24,7 +24,7 @@ struct LineDifference {
 /// What a thread needs, kept from brick to brick.
 struct BrickDifference {
   std::array<LineDifference, 3> family;
-  std::vector<Range> part;
+  std::vector<LineRange> part;
   std::vector<Stretch> material;
 };
 

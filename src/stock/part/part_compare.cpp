@@ -79,7 +79,7 @@ class PartHeld {
   struct Work {
     BrickDifference difference;
     Offences found;
-    std::vector<Range> ranges;
+    std::vector<LineRange> ranges;
     std::uint32_t hint = 0;
   };
   bool is_inside(const Vec3& at, Work& work) const;
@@ -102,7 +102,7 @@ class PartHeld {
 bool PartHeld::is_inside(const Vec3& at, Work& work) const {
   work.ranges.clear();
   body_->cross(2, at.x, at.y, work.ranges);
-  return std::any_of(work.ranges.begin(), work.ranges.end(), [&](const Range& r) { return r.from < at.z && at.z < r.to; });
+  return std::any_of(work.ranges.begin(), work.ranges.end(), [&](const LineRange& r) { return r.from < at.z && at.z < r.to; });
 }
 
 void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const {
