@@ -42,8 +42,6 @@ class ToolWay {
   std::optional<std::uint8_t> system_;
   Placement placement_;
   std::optional<Vec3> zero_;
-  Vec3 at_;
-  bool at_known_ = false;
 };
 
 /// Where it is a motion that cuts.
