@@ -81,6 +81,8 @@ tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, 
     tool.diameter = *diameter;
     tool.angle = tool.kind == ToolKind::drill ? 118 : 0;
     tool.length = tool.flutes = assumed_length;
+    if (const std::string fault = told_fault(tool); !fault.empty())
+      return tl::unexpected(file + ":" + std::to_string(line_number) + ": " + fault);
     library.tools.push_back(tool);
   }
   if (library.tools.empty())
