@@ -133,12 +133,11 @@ class Oracle:
     def run(self, folder, name, seconds=10, axes='XYZABC'):
         """Runs the file `name` of the folder, in which tool.tbl and p.var stand: (canonical lines, text of the alarm or None)."""
         program = self.nine_axes if 'U' in axes else self.program
-        for attempt in range(4):                      # once in some hundred runs it ends with status 1 and says nothing
+        with tempfile.TemporaryDirectory(prefix='rs274home') as home:   # of its own: the tool table is a shared file ~/.tool.mmap
             done = subprocess.run([str(program), '-t', 'tool.tbl', '-v', 'p.var', '-g', name], cwd=folder, capture_output=True,
-                                  timeout=seconds, stdin=subprocess.DEVNULL, env={**os.environ, 'LD_PRELOAD': str(self.shim), 'LC_ALL': 'C'})
-            said = [line for line in done.stderr.decode('latin-1').splitlines() if line and not line.startswith(('executing', 'link ('))]
-            if done.returncode == 0 or said:
-                break
+                                  timeout=seconds, stdin=subprocess.DEVNULL,
+                                  env={**os.environ, 'HOME': home, 'LD_PRELOAD': str(self.shim), 'LC_ALL': 'C'})
+        said = [line for line in done.stderr.decode('latin-1').splitlines() if line and not line.startswith(('executing', 'link ('))]
         lines = done.stdout.decode('latin-1').splitlines()
         return lines, None if done.returncode == 0 else said[0] if said else 'ended without a word'
 
