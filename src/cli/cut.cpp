@@ -272,6 +272,9 @@ int cut(const CutOptions& given) {
   if (interrupted()) return interrupted_status();
   const Surface surface = surface_of(command.stock());
   CutResult result = command.result(volume_of(surface), share_of_cell * cut_job.cell * area_of(surface));
+  if (result.threads_left_out != 0)
+    say(told("threads of turning tools are not cut; passes left out: ", "резьба резцом не снимается; пропущено проходов: ") +
+        std::to_string(result.threads_left_out) + "\n");
   PartComparison held;
   if (part) {
     held = compare(command.stock(), surface, *part);

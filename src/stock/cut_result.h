@@ -55,6 +55,7 @@ struct CutResult {
   std::vector<CutFinding> warnings;
   std::optional<PartResult> part;  // if one was wanted
   std::size_t not_told = 0;        // findings beyond those that are kept
+  std::size_t threads_left_out = 0;  // passes of turning tools along a thread
 };
 
 }  // namespace kadr

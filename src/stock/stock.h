@@ -29,14 +29,14 @@
 
 namespace kadr {
 
-/// A straight way of an upright tool.
+/// A straight way of an upright tool. Of a turning tool: in the half plane of a part that spins about X0 Y0, x the signed radius, y 0.
 struct Sweep {
   Vec3 from, to;           // of the tip
   std::uint16_t tool = 0;  // of Stock::add_tool
   bool watched = false;    // whatever its cutting part takes away is told: a rapid, a spindle that stands …
 };
 
-/// As it is kept: from the lattice's corner, so that single precision is some nanometres.
+/// As it is kept: from the lattice's corner, so that single precision is some nanometres; x of a turning tool from the axis.
 struct KeptSweep {
   float from[3], to[3];
   std::uint16_t tool;
@@ -47,7 +47,7 @@ struct KeptSweep {
 struct Touch {
   std::uint32_t sweep;
   ToolPart part;
-  Box3 around;    // what was taken
+  Box3 around;    // what was taken; by a turning tool: x radii, y 0
   double volume;  // mm³
 };
 
@@ -93,7 +93,14 @@ class Stock {
   double least_piece() const;
 
  private:
-  struct Worker;
+  struct Worker {
+    std::vector<Touch> touches;
+    std::vector<std::atomic<std::int64_t>>* removed;
+    std::size_t first;  // of the sweeps in `removed`
+
+    /// mm of upright lines that a sweep took away.
+    void count(std::int32_t sweep, double length);
+  };
   struct BrickNow {
     std::unique_ptr<Brick>& brick;
     State& state;
@@ -103,6 +110,11 @@ class Stock {
   void fill_in(std::size_t i);
   void fill_evenly(std::size_t i);
   void bin(std::size_t first, std::size_t last);
+  void put_in_bin(std::size_t brick, std::size_t sweep);
+  // Of turning tools: stock_turned.cpp.
+  KeptSweep kept_turned(const Sweep& sweep) const;
+  void bin_turned(std::size_t sweep);
+  bool turn(std::int32_t sweep, std::size_t brick, Brick& material, Worker* worker) const;
   void cut_in(std::size_t brick, Worker& worker);
   bool carry_out(std::int32_t sweep, std::size_t brick, BrickNow now, Worker* worker) const;
   void settle(BrickNow now) const;
