@@ -146,6 +146,7 @@ Place some_place(const Stock& stock, Chance& chance) {
     p.is_end = wanted == 1 && !ends.empty();
     if (!ends.empty()) p.along_line = ends[std::size_t(chance.below(int(ends.size())))] + (p.is_end ? 0 : chance.between(-0.01, 0.01));
   }
+  p.along_line = std::clamp(p.along_line, 0.0, stock.lattice().edge());
   p.at = stock.lattice().corner(p.brick);
   along(p.at, p.family) += p.along_line;
   along(p.at, (p.family + 1) % 3) += (p.line % brick_edge + 0.5) * cell;
