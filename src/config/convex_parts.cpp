@@ -11,7 +11,9 @@ namespace {
 constexpr double same_line = 1e-9;  // mm²: twice the area of three points on a line
 
 /// Twice the area of a triangle; above 0: counter-clockwise.
-double turn(const InsertPoint& a, const InsertPoint& b, const InsertPoint& c) { return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x); }
+double turn(const InsertPoint& a, const InsertPoint& b, const InsertPoint& c) {
+  return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
+}
 
 double twice_area(const InsertOutline& p) {
   double sum = 0;

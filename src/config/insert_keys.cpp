@@ -26,7 +26,7 @@ struct TipName {
   std::string_view name;
   int x, z;
 };
-constexpr TipName tip_names[] = {{"-x-z", -1, -1}, {"-x+z", -1, 1}, {"+x-z", 1, -1}, {"+x+z", 1, 1}, {"-x", -1, 0},
+constexpr TipName tip_names[] = {{"-x-z", -1, -1}, {"-x+z", -1, 1}, {"+x-z", 1, -1}, {"+x+z", 1, 1},  {"-x", -1, 0},
                                  {"+x", 1, 0},     {"-z", 0, -1},   {"+z", 0, 1},    {"centre", 0, 0}};
 
 Done tip_of(const std::string& file, const toml::table& row, InsertGeometry& insert) {
@@ -114,7 +114,8 @@ std::string told_insert_fault(const ToolGeometry& t) {
   if (i.profile.empty()) {
     if (std::string fault = told_nose(t); !fault.empty()) return fault;
     if (i.width > 0 && i.lead != 0 && i.lead != 90)
-      return told("lead of a grooving insert: 90, it plunges along x, or 0, along z", "lead канавочной пластины: 90 — врезается по x, или 0 — по z");
+      return told("lead of a grooving insert: 90, it plunges along x, or 0, along z",
+                  "lead канавочной пластины: 90 — врезается по x, или 0 — по z");
     if (t.length < t.flutes) return told("length (of the insert's side) is less than flutes", "length (сторона пластины) меньше flutes");
   }
   if (std::string fault = told_polygon("profile", i.profile); !fault.empty()) return fault;

@@ -1,9 +1,10 @@
 #pragma once
 // The keys of a turning tool in tools files, and what an insert must be (docs/commands/cut.md). For config/tool_library.
 
+#include <toml++/toml.h>
+
 #include <string>
 #include <tl/expected.hpp>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "config/tool_geometry.h"

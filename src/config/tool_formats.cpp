@@ -44,9 +44,7 @@ ToolKind kind_in_words(std::string_view comment) {
 }
 
 /// Q: where the tip lies from the nose's centre, along x and z, as LinuxCNC's picture of the tool (rs274/glcanon.py) has it.
-constexpr struct {
-  int x, z;
-} tips_by_q[] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 0}};
+constexpr struct { int x, z; } tips_by_q[] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 0}};
 
 /// From the feed along z that the tip points to, 0 to 360, of an edge whose direction is given from +z towards +x.
 double from_feed(double direction, int tip_x, int tip_z) {

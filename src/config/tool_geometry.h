@@ -19,7 +19,8 @@ struct ProfilePoint {
   friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
 };
 
-/// In the half plane of a turning tool, from the programmed point: x along the radius (machine X, or Y where that is the radius), z along Z.
+/// In the half plane of a turning tool, from the programmed point: x along the radius (machine X, or Y where that is the radius), z along
+/// Z.
 struct InsertPoint {
   double x = 0, z = 0;
   friend bool operator==(const InsertPoint&, const InsertPoint&) = default;

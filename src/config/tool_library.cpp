@@ -29,8 +29,8 @@ constexpr KindName kind_names[] = {{"flat", ToolKind::flat},   {"ball", ToolKind
                                    {"drill", ToolKind::drill}, {"taper", ToolKind::taper}, {"chamfer", ToolKind::chamfer},
                                    {"tslot", ToolKind::tslot}, {"form", ToolKind::form},   {"turning", ToolKind::turning}};
 
-constexpr std::string_view keys[] = {"number", "name",   "kind",    "diameter", "corner", "angle",  "tip",
-                                     "flutes", "length", "profile", "shank",    "holder", "plunges", "points", "lead", "width"};
+constexpr std::string_view keys[] = {"number", "name",    "kind",  "diameter", "corner",  "angle",  "tip",  "flutes",
+                                     "length", "profile", "shank", "holder",   "plunges", "points", "lead", "width"};
 
 constexpr NumberRange size_range = {0, 1e4, "mm", "мм"};
 constexpr NumberRange angle_range = {0, 180, "degrees", "градусов"};

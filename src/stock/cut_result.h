@@ -53,8 +53,8 @@ struct CutResult {
   std::vector<ToolRemoval> tools;      // in the order of their first use
   std::vector<CutFinding> collisions;  // alarms
   std::vector<CutFinding> warnings;
-  std::optional<PartResult> part;  // if one was wanted
-  std::size_t not_told = 0;        // findings beyond those that are kept
+  std::optional<PartResult> part;    // if one was wanted
+  std::size_t not_told = 0;          // findings beyond those that are kept
   std::size_t threads_left_out = 0;  // passes of turning tools along a thread
 };
 

@@ -17,8 +17,7 @@ InsertPoint point_of(const float (&at)[3]) { return {double(at[0]), double(at[2]
 double reach_of(const ToolShape& tool) {
   double most = 0;
   for (const InsertBody& body : tool.insert)
-    for (const InsertCorner& c : body.corners)
-      most = std::max({most, std::fabs(c.centre.x) + c.radius, std::fabs(c.centre.z) + c.radius});
+    for (const InsertCorner& c : body.corners) most = std::max({most, std::fabs(c.centre.x) + c.radius, std::fabs(c.centre.z) + c.radius});
   return most;
 }
 
@@ -34,13 +33,16 @@ WayPart part_between(double from, double to, double low, double high) {
 /// What of the way can reach nothing is left out: single precision has seven digits. A way that reaches nothing is where it begins.
 KeptSweep Stock::kept_turned(const Sweep& sweep) const {
   const double reach = reach_of(tools_[sweep.tool]) + room, edge = lattice_.edge();
-  const Vec3 least = lattice_.origin(), most = least + edge * Vec3{double(lattice_.bricks(0)), double(lattice_.bricks(1)), double(lattice_.bricks(2))};
-  const double farthest = std::hypot(std::max(std::fabs(least.x), std::fabs(most.x)), std::max(std::fabs(least.y), std::fabs(most.y))) + reach;
+  const Vec3 least = lattice_.origin(),
+             most = least + edge * Vec3{double(lattice_.bricks(0)), double(lattice_.bricks(1)), double(lattice_.bricks(2))};
+  const double farthest =
+      std::hypot(std::max(std::fabs(least.x), std::fabs(most.x)), std::max(std::fabs(least.y), std::fabs(most.y))) + reach;
   const WayPart x = part_between(sweep.from.x, sweep.to.x, -farthest, farthest);
   const WayPart z = part_between(sweep.from.z, sweep.to.z, least.z - reach, most.z + reach);
   WayPart part{std::max(x.first, z.first), std::min(x.last, z.last)};
   if (part.first > part.last) part = {0, 0};
-  const Vec3 way = sweep.to - sweep.from, from = sweep.from + part.first * way, to = part.last == 1 ? sweep.to : sweep.from + part.last * way;
+  const Vec3 way = sweep.to - sweep.from, from = sweep.from + part.first * way,
+             to = part.last == 1 ? sweep.to : sweep.from + part.last * way;
   return {{float(from.x), 0, float(from.z - least.z)}, {float(to.x), 0, float(to.z - least.z)}, sweep.tool, sweep.watched};
 }
 

@@ -78,7 +78,9 @@ TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault(one + one), HasSubstr("twice"));
 }
 
-ToolGeometry turning(const std::string& keys) { return only(tools_of_toml("tool = [{number = 1, kind = \"turning\", " + keys + "}]", "t")); }
+ToolGeometry turning(const std::string& keys) {
+  return only(tools_of_toml("tool = [{number = 1, kind = \"turning\", " + keys + "}]", "t"));
+}
 std::string turning_fault(const std::string& keys) { return fault("tool = [{number = 1, kind = \"turning\", " + keys + "}]"); }
 
 TEST(ToolLibrary, TurningToolsAreReadWithTheirTip) {
@@ -126,7 +128,8 @@ TEST(ToolLibrary, SaysWhatIsWrongWithATurningTool) {
 }
 
 TEST(ToolFormats, LinuxcncTableOfALathe) {
-  const auto library = tools_of_linuxcnc("T1 P1 D0.8 I+85 J+25 Q2 ;rough\nT2 P2 D0.8 Q2\nT3 P3 D4 I0 J0 Q9\nT4 P4 I85 J25 Q2\n", "lathe.tbl");
+  const auto library =
+      tools_of_linuxcnc("T1 P1 D0.8 I+85 J+25 Q2 ;rough\nT2 P2 D0.8 Q2\nT3 P3 D4 I0 J0 Q9\nT4 P4 I85 J25 Q2\n", "lathe.tbl");
   ASSERT_TRUE(library);
   ASSERT_THAT(library->tools, SizeIs(4));
   EXPECT_EQ(library->tools[0].kind, ToolKind::turning);

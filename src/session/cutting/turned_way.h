@@ -1,8 +1,8 @@
 #pragma once
 // The way of a turning tool in the half plane that it stands in: what a part that spins sees of it. For session/cutting.
 //
-// The part spins about X0 Y0 of its work system. A tool whose way lies in the plane of X and Z (or of Y and Z) keeps its signed radius X (or
-// Y); beside that plane its distance from the axis counts.
+// The part spins about X0 Y0 of its work system. A tool whose way lies in the plane of X and Z (or of Y and Z) keeps its signed radius X
+// (or Y); beside that plane its distance from the axis counts.
 
 #include <functional>
 #include <vector>

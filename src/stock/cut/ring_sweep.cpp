@@ -32,7 +32,8 @@ RingSweep::RingSweep(const InsertBody& body, const InsertPoint& from, const Inse
   const std::size_t n = body.corners.size();
   const InsertPoint way{to.x - from.x, to.z - from.z};
   const double far = std::sqrt(inner(way, way));
-  const InsertPoint right = far > 0 ? InsertPoint{way.z / far, -way.x / far} : InsertPoint{};  // of the way: turning there, normals come ahead
+  const InsertPoint right =
+      far > 0 ? InsertPoint{way.z / far, -way.x / far} : InsertPoint{};  // of the way: turning there, normals come ahead
   std::vector<InsertCorner> corners;
   std::vector<InsertPoint> outward;
   for (std::size_t k = 0; k < n; ++k) {

@@ -82,7 +82,9 @@ InsertBody grooving_insert(const ToolGeometry& g, ToolPart part, double deep) {
 
 std::vector<InsertBody> insert_bodies(const ToolGeometry& g) {
   std::vector<InsertBody> bodies;
-  const auto add = [&](ToolPart part, double size) { bodies.push_back(g.insert.width > 0 ? grooving_insert(g, part, size) : angular_insert(g, part, size)); };
+  const auto add = [&](ToolPart part, double size) {
+    bodies.push_back(g.insert.width > 0 ? grooving_insert(g, part, size) : angular_insert(g, part, size));
+  };
   if (!g.insert.profile.empty()) {
     for (const InsertOutline& outline : convex_parts(g.insert.profile)) bodies.push_back(polygon(ToolPart::cutting, outline));
   } else if (g.insert.width == 0 && g.angle == 0) {
