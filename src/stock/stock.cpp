@@ -247,7 +247,9 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
   done_ = sweeps_.size();
   std::vector<Touch> touches;
   for (Worker& w : workers) touches.insert(touches.end(), w.touches.begin(), w.touches.end());
-  const auto key = [](const Touch& t) { return std::tuple(t.sweep, t.part, t.around.least.z, t.around.least.y, t.around.least.x); };
+  const auto key = [](const Touch& t) {
+    return std::tuple(t.sweep, t.part, t.around.least.z, t.around.least.y, t.around.least.x, t.volume);
+  };
   std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
   std::vector<Touch> together;
   for (const Touch& t : touches) {

@@ -220,7 +220,7 @@ TEST(turn, a_nose_radius_stands_where_its_imaginary_tip_is) {
   const auto stock = test::cut_along(rod(40), 0.5, shape_of(insert(-1, -1, 80, 0.8, 12)), {{15, 0, 2}, {15, 0, -20}});
   // The cylinder is the tip's; at the shoulder the nose leaves a fillet, then the edge at 95°.
   const auto radius_at = [&](double z) {
-    double r = 0;
+    double r = 14;
     while (from_rings(stock->tool(0), {{15, 0, 2}, {15, 0, -20}, 0, false}, {r, 0, z}) > 0) r += 0.001;
     return r;
   };
