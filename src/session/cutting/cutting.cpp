@@ -44,6 +44,8 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
   if (!job.starts_known)
     for (const int axis : roles.xyz)
       if (axis >= 0) unknown_ |= AxisMask{1} << axis;
+  for (const int axis : {roles.xyz[0], roles.xyz[1]})
+    if (axis >= 0) across_ |= AxisMask{1} << axis;
   result_.stock = job.blank->volume();
   result_.cell = job.cell;
 }
@@ -94,9 +96,16 @@ AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pie
   return down && !tool.plunges ? AlarmId::plunge : AlarmId::count;
 }
 
+/// A program that turns names one of X and Y.
+AxisMask Cutting::unknown_now() const {
+  const ToolGeometry* const tool = job_.tools.find(tool_);
+  const bool turns = tool != nullptr && tool->kind == ToolKind::turning;
+  return turns && (unknown_ & across_) != across_ ? unknown_ & ~across_ : unknown_;
+}
+
 /// Whether it was known where the motion begins. What its words name is known from now on.
 bool Cutting::place_known(const Motion& motion) {
-  const bool known = unknown_ == 0;
+  const bool known = unknown_now() == 0;
   unknown_ &= ~motion.named;
   return known;
 }
@@ -127,7 +136,7 @@ Status Cutting::consume(const Step& step, double longer) {
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || step.begins >= job_.until) return {};
   shift_by_length();
   if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the way there only its end is certain
-    if (unknown_ != 0) return {};
+    if (unknown_now() != 0) return {};
     const Vec3 there = pieces_.back().to;
     pieces_.assign(1, {there, there, 0, 1});
   }

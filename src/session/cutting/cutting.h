@@ -76,6 +76,7 @@ class Cutting {
     std::uint16_t shape;
   };
   void note(const Action& action);
+  AxisMask unknown_now() const;
   bool place_known(const Motion& motion);
   bool leaves_thread(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
@@ -97,6 +98,7 @@ class Cutting {
   std::set<std::uint32_t> without_coolant_;                      // lines
   std::vector<std::pair<std::uint32_t, std::uint16_t>> shapes_;  // tool → Stock::add_tool
   AxisMask unknown_ = 0;                                         // of X, Y, Z: where the tool stands along them nobody has said
+  AxisMask across_ = 0;                                          // X and Y
   std::uint32_t tool_;
   SpindleDir spindle_;
   std::uint32_t spinning_ = 0;  // spindles that turn, a bit each: any may turn the part
