@@ -88,6 +88,7 @@ int list_machines(const std::string& id);
 struct SetupOptions {
   Options program;
   std::string output;  // empty: stdout
+  bool tools = false;  // a tools file for kadr cut is written, no set-up
 };
 int write_setup(const SetupOptions& options);
 
