@@ -51,9 +51,15 @@ bool Cutter::takes_all() const {
 
 void Cutter::clear() {
   BrickLines& upright = brick_.family[2];
-  for (int i = 0; i < brick_lines; ++i)
-    if (upright.from[i] < upright.to[i]) outcome_.length += double(upright.to[i]) - double(upright.from[i]);
-  for (const FurtherInterval& f : upright.further) outcome_.length += double(f.to) - double(f.from);
+  for (int i = 0; i < brick_lines; ++i) {
+    if (!(upright.from[i] < upright.to[i])) continue;
+    outcome_.length += double(upright.to[i]) - double(upright.from[i]);
+    note_piece(2, i, upright.from[i], upright.to[i]);
+  }
+  for (const FurtherInterval& f : upright.further) {
+    outcome_.length += double(f.to) - double(f.from);
+    note_piece(2, f.line, f.from, f.to);
+  }
   for (int family = 0; family < 3; ++family) {
     BrickLines& lines = brick_.family[std::size_t(family)];
     if (outcome_.watched != nullptr) {
@@ -71,6 +77,19 @@ void Cutter::clear() {
 
 void Cutter::end() {
   if (outcome_.changed && ++brick_.cuts_since >= cuts_between_tops) take_tops(brick_, scale_.cell);
+}
+
+/// Height of the tip where it is nearest to an upright line.
+float Cutter::tip_over(int line) const {
+  const LocalSweep& s = sweep_;
+  const float x = scale_.place[line % brick_edge] - s.from[0], y = scale_.place[line / brick_edge] - s.from[1];
+  const float nearest = (x * s.flat_way[0] + y * s.flat_way[1]) * (s.per_flat * s.per_flat);
+  return s.rise == 0.f ? s.from[2] : std::min(std::max(nearest, 0.f), s.length) * s.way[2] + s.from[2];
+}
+
+void Cutter::note_piece(int family, int line, float from, float to) {
+  outcome_.longest = std::max(outcome_.longest, to - from);
+  if (family == 2) outcome_.depth = std::max(outcome_.depth, to - tip_over(line));
 }
 
 void Cutter::watch(int family, int line, float from, float to) const {
@@ -113,6 +132,7 @@ void Cutter::take_further(BrickLines& lines, int family, const float* from, cons
     outcome_.changed = true;
     const float first = std::max(a, low), last = std::min(b, high);
     if (family == 2) outcome_.length += double(last) - double(first);
+    note_piece(family, further[k].line, first, last);
     if (outcome_.watched != nullptr) watch(family, further[k].line, first, last);
     if (a <= low && b >= high) {
       further[k].to = further[k].from;
