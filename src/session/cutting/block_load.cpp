@@ -12,7 +12,7 @@ namespace {
 
 constexpr double steepest = 1;  // way along Z for each mm in the plane, up to which depth and width make sense
 
-bool same_line(const Origin& a, const Origin& b) { return a.line == b.line && a.file == b.file; }
+bool of_same_line(const Origin& a, const Origin& b) { return a.line == b.line && a.file == b.file; }
 
 bool heavier(const BlockLoad& a, const BlockLoad& b) { return *a.rate != *b.rate ? *a.rate > *b.rate : a.begins < b.begins; }
 
@@ -89,7 +89,8 @@ void BlockLoads::tell(const std::vector<Block>& row) {
 
 /// Among the heaviest. One that is pushed out is lighter than all that stay, so that its line can come back with a greater rate only.
 void BlockLoads::weigh(const BlockLoad& load) {
-  const auto same = std::find_if(heaviest_.begin(), heaviest_.end(), [&](const BlockLoad& h) { return same_line(h.origin, load.origin); });
+  const auto same =
+      std::find_if(heaviest_.begin(), heaviest_.end(), [&](const BlockLoad& h) { return of_same_line(h.origin, load.origin); });
   if (same != heaviest_.end()) {
     if (*load.rate > *same->rate) *same = load;
     return;
