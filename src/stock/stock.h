@@ -77,7 +77,7 @@ class Stock {
   std::size_t bytes_of_past() const;
   /// mm³ that a sweep of the last cut() took away, by the upright lines.
   double removed_by(std::size_t sweep) const;
-  /// … the greatest height above the tip of what its cutting part took off upright lines: of the tip as it stood nearest to the line, mm.
+  /// … the greatest height above the tip of what its cutting part took off upright lines: of the tip as it stood lowest over the line, mm.
   double depth_of(std::size_t sweep) const;
   /// … whether it took away a piece of a line, in any direction, that is no touch.
   bool cuts_anything(std::size_t sweep) const;

@@ -1,4 +1,4 @@
-// Lines in the air. For session/cutting; tested by tests/session/air_lines_test.cpp.
+// Lines in the air. For session/cutting; tested by tests/session/block_load_test.cpp.
 
 #include "session/cutting/air_lines.h"
 

@@ -3,7 +3,7 @@
 //
 // A piece that is shorter than a cell may cut between lattice lines: pieces without a cut count where two cells of path in a row have none.
 //
-//   law  of no more than `most` lines the seconds are exact; of more each lacks at most what missing() says (tests/session/air_lines_test)
+//   law  of no more than `most` lines the seconds are exact; of more each lacks at most what missing() says (tests/session/block_load_test)
 
 #include <map>
 #include <utility>
