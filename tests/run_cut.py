@@ -11,12 +11,19 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     stops     id of the alarm that ends the run
     part_program   the wanted part is what this program cuts of the same blank; part: an STL text
     left_on, gouged   [deepest, LINE], mm within a tenth of the cell; 0: no deeper than that; too_deep: the exit status is 1 because of it
+    calls     of the first collision: [["O100", LINE], …], outermost first
+    checks    [["heaviest.0.rate", 150, 1.5], …]: a place in the JSON, its value, how far off it may be (a text: what it ends with; 'null': null)
+    rows      [[LINE, "rate", 150, 1.5], …]: of the first row of a line in --blocks; "": not told
+    files     { "name" = "text" }: further files beside the program
     args      further words of the command line; setup: a set-up
-Every case is cut with one and with two threads: the same JSON. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
+Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes are in sum those of the tools. The keys of
+`heaviest` and `emptiest` are those that docs/commands/cut.md names. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
 it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import argparse
+import csv
+import io
 import json
 import subprocess
 import sys
@@ -29,6 +36,11 @@ TIME_LIMIT_S = 60
 MILL_SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
 MILL_CONTROLS = ['s2c42', 'mach3', 'nct', 'gost', 'correctors']
 MILL_STOCK = 'box:-20,-20,-30,220,180,0'
+HEAVIEST_KEYS = {'line', 'program', 'block', 'tool', 'rate', 'feed_per_tooth', 'depth', 'width', 'angle', 'volume', 'seconds', 'at', 'at_time'}
+EMPTIEST_KEYS = {'line', 'program', 'block', 'tool', 'seconds'}
+NOT_ALWAYS = {'program', 'block'}
+COLUMNS = 'line,block,tool,begins,seconds,length,volume,rate,feed_per_tooth,depth,width,angle,program'.split(',')
+MOST_TOLD = 10
 
 
 def write(file, text):
@@ -41,7 +53,10 @@ def cut(kadr, folder, case, tools, threads):
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
     words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), '--stock', case['stock'], '--tools', str(folder / 'tools.toml'),
-             '--resolution', str(case.get('resolution', 0.5)), '--json', '-', '--lang', 'en', '--threads', str(threads)]
+             '--resolution', str(case.get('resolution', 0.5)), '--json', '-', '--lang', 'en', '--threads', str(threads),
+             '--blocks', str(folder / 'blocks.csv')]
+    for name, text in case.get('files', {}).items():
+        write(folder / name, text.lstrip('\n'))
     if 'part_program' in case:
         made = subprocess.run([*words[:2], str(write(folder / 'wanted.nc', case['part_program'].lstrip('\n'))), *words[3:], '--out', str(folder / 'wanted.stl'), '-q'],
                               capture_output=True, text=True, timeout=TIME_LIMIT_S)
@@ -57,7 +72,35 @@ def cut(kadr, folder, case, tools, threads):
     return subprocess.run(words, capture_output=True, text=True, timeout=TIME_LIMIT_S)
 
 
-def faults_of(case, run):
+def faults_of_loads(case, result, table):
+    """Sentences: what is wrong with the heaviest and the emptiest lines, and the table of blocks."""
+    for heading, keys in (('heaviest', HEAVIEST_KEYS), ('emptiest', EMPTIEST_KEYS)):
+        if len(result[heading]) > MOST_TOLD:
+            yield f'{heading}: more than {MOST_TOLD}'
+        for line in result[heading]:
+            if set(line) - keys or keys - NOT_ALWAYS - set(line):
+                yield f'{heading}: keys {sorted(line)}'
+    for place, want, *off in case.get('checks', []):
+        got = result
+        for key in place.split('.'):
+            got = got[int(key)] if isinstance(got, list) else got.get(key)
+        if isinstance(want, str) and want != 'null':
+            got = want if str(got).endswith(want) else got
+        if got != (None if want == 'null' else want) and not (off and got is not None and abs(got - want) <= off[0]):
+            yield f'{place}: {got}, not {want}'
+    rows = list(csv.DictReader(io.StringIO(table)))
+    if table.splitlines()[0].split(',') != COLUMNS:
+        yield f'--blocks: columns {table.splitlines()[0]}'
+    for line, column, want, *off in case.get('rows', []):
+        got = next((row[column] for row in rows if row['line'] == str(line)), None)
+        if got != want and not (off and got and abs(float(got) - want) <= off[0]):
+            yield f'--blocks: {column} of line {line} is {got}, not {want}'
+    told, removed = sum(float(row['volume']) for row in rows), sum(tool['removed'] for tool in result['tools'])
+    if not case.get('found') and abs(told - removed) > 1e-3 * (1 + len(rows) + len(result['tools'])):
+        yield f'--blocks: {told} mm³ in all, not {removed}'
+
+
+def faults_of(case, run, table=None):
     """Sentences: what is not as it was to be."""
     if not run.stdout.startswith('{'):
         yield f'no result: {run.stderr.strip()[:300]}'
@@ -81,6 +124,15 @@ def faults_of(case, run):
             (want, line), got = case[key], result['part'][key]
             if abs(got['deepest'] - want) > 0.1 * result['resolution'] or (want > 0 and got['line'] != line):
                 yield f'{key}: {got}, not {case[key]}'
+    if 'calls' in case:
+        got = [[call['program'], call['line']] for call in result['collisions'][0].get('calls', [])]
+        if got != case['calls']:
+            yield f'calls: {got}, not {case["calls"]}'
+        for what, line in case['calls']:
+            if f'called {what} in line {line}' not in run.stderr:
+                yield f'alarm does not tell: called {what} in line {line}'
+    if table is not None:
+        yield from faults_of_loads(case, result, table)
     stops = case.get('stops')
     if stops and f'alarm {stops}:' not in run.stderr:
         yield f'does not stop by {stops}: {run.stderr.strip()[:200]}'
@@ -116,9 +168,15 @@ def main():
                 title = f'{file.stem}/{case["name"]}'
                 if options.only not in title:
                     continue
-                one, two = (cut(options.kadr, Path(name), case, cases.get('tools', ''), threads) for threads in (1, 2))
-                faults = list(faults_of(case, one))
-                if one.stdout != two.stdout:
+                runs, tables = [], []
+                for threads in (1, 2):
+                    (Path(name) / 'blocks.csv').unlink(missing_ok=True)
+                    runs.append(cut(options.kadr, Path(name), case, cases.get('tools', ''), threads))
+                    table = Path(name) / 'blocks.csv'
+                    tables.append(table.read_text() if table.exists() else None)
+                one, two = runs
+                faults = list(faults_of(case, one, tables[0]))
+                if one.stdout != two.stdout or tables[0] != tables[1]:
                     faults.append('one thread and two threads differ')
                 for fault in faults:
                     print(f'{title}: {fault}')

@@ -21,6 +21,7 @@
 #include "config/told.h"
 #include "out/picture/part_page.h"
 #include "out/text/alarm_print.h"
+#include "out/text/cut_load_text.h"
 #include "out/text/cut_text.h"
 #include "out/text/page_file.h"
 #include "session/cutting/cutting.h"
@@ -62,6 +63,7 @@ Outputs outputs_of(const CutOptions& options, const Job& job) {
   outputs.writes("--out", options.out);
   outputs.writes("--json", options.json);
   outputs.writes("--plot", options.run.plot);
+  outputs.writes("--blocks", options.blocks);
   for (const std::string& body : options.fixtures) outputs.reads(body);
   outputs.reads(options.stock);
   outputs.reads(options.part);
@@ -132,7 +134,18 @@ class CutCommand {
         session_(session),
         cutting_(cut, AxisRoles::of(session.control().axes(), session.control().rotary())),
         progress_(options.run.quiet) {
-    cutting_.on_finding = [this](const CutFinding& f) { tell(session_.control().report_for(alarm_of(f), f.origin)); };
+    cutting_.on_finding = [this](const CutFinding& f) { tell(session_.settled_control().report_for(alarm_of(f), f.origin)); };
+  }
+
+  /// A row a block is written there.
+  void write_blocks(std::FILE* file) {
+    if (file == nullptr) return;
+    fmt::print(file, "{}", blocks_heading());
+    cutting_.on_block = [this, file](const BlockLoad& load) {
+      BlockLoad told = load;
+      name_program(told);
+      fmt::print(file, "{}", blocks_row(told));
+    };
   }
 
   void run(Drive& drive, const StopToken& stop) {
@@ -157,22 +170,37 @@ class CutCommand {
   }
 
   const Stock& stock() const { return cutting_.stock(); }
-  CutResult result(double left, double bound) const { return cutting_.result(left, bound); }
+  const std::vector<float>& rates() const { return cutting_.rates(); }
+  CutResult result(double left, double bound) const {
+    CutResult result = cutting_.result(left, bound);
+    for (auto* const findings : {&result.collisions, &result.warnings})
+      for (CutFinding& f : *findings) name_program(f), f.calls = session_.settled_control().calls_of(f.origin);
+    for (BlockLoad& load : result.heaviest) name_program(load);
+    for (AirCut& air : result.emptiest) name_program(air);
+    return result;
+  }
   PartResult part_result(const PartComparison& c, double allow) const {
-    const auto difference = [&](const PartOffence& o) { return PartDifference{o.volume, o.deepest, o.at, cutting_.line_of(o.sweep)}; };
+    const auto difference = [&](const PartOffence& o) {
+      const Cutting::Line line = cutting_.line_of(o.sweep);
+      return PartDifference{o.volume, o.deepest, o.at, line.line, program_of(line.file)};
+    };
     return {difference(c.left_on), difference(c.gouged), allow};
   }
   std::size_t alarms() const { return alarms_; }
   std::size_t warnings() const { return warnings_; }
 
  private:
+  /// File of a line, if it is not the program itself; by Origin::file.
+  std::string program_of(std::uint16_t file) const { return file == 0 ? std::string() : session_.settled_control().file_name(file); }
+  void name_program(auto& of) const { of.program = program_of(of.origin.file); }
+
   /// After the first tool that cannot be cut with nothing more is.
   void consume(const Step& step, double longer) {
     if (failed_) return;
     const Status taken = cutting_.consume(step, longer);
     if (taken) return;
     failed_ = true;
-    const AlarmReport report = session_.control().report_for(taken.error(), step.action.origin);
+    const AlarmReport report = session_.settled_control().report_for(taken.error(), step.action.origin);
     count(report);
     tell(report);
   }
@@ -194,15 +222,21 @@ class CutCommand {
 bool is_3mf(const std::string& name) { return in_small_letters(name).ends_with(".3mf"); }
 
 PartColour colour_of(const std::string& word) {
-  return word == "age" ? PartColour::age : word == "deviation" ? PartColour::deviation : PartColour::tool;
+  return word == "age"         ? PartColour::age
+         : word == "deviation" ? PartColour::deviation
+         : word == "load"      ? PartColour::load
+                               : PartColour::tool;
 }
 
 /// The picture, if one is asked for. Returns an error sentence.
 tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Surface& surface,
-                                     const CutResult& result, const PartComparison& held, const Stock& stock) {
+                                     const CutResult& result, const PartComparison& held, const CutCommand& command) {
   if (options.run.plot.empty()) return {};
   const Lang lang = language(options.run);
+  const Stock& stock = command.stock();
   PartScene scene{surface, stock.blank().box(), colour_of(options.run.colour), {}, {}, {}};
+  scene.load.rates = command.rates();
+  for (const BlockLoad& load : result.heaviest) scene.load.heaviest.push_back(load.at);
   if (result.part) scene.deviation = {held.deviation, result.part->allow};
   scene.title = {job.file, lang == Lang::ru ? job.def->name.ru : job.def->name.en, lang, cut_caption(result, lang), {}};
   scene.colours.resize(stock.sweeps());
@@ -220,8 +254,9 @@ bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, 
   }
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
     fmt::print(file, "{}", cut_json(result, command.alarms(), command.warnings()));
-  if (const auto drawn = draw(options, job, outputs, surface, result, held, command.stock()); !drawn) return complain(drawn.error()), false;
-  if (!options.run.quiet && options.json != "-" && options.out != "-") fmt::print("{}", cut_summary(result, language(options.run)));
+  if (const auto drawn = draw(options, job, outputs, surface, result, held, command); !drawn) return complain(drawn.error()), false;
+  if (!options.run.quiet && options.json != "-" && options.out != "-" && options.blocks != "-")
+    fmt::print("{}", cut_summary(result, language(options.run)));
   return outputs.keep();
 }
 
@@ -255,6 +290,10 @@ int cut(const CutOptions& given) {
   cut_job.threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
   cut_job.wants_coolant = options.coolant;
   cut_job.tool = std::uint32_t(std::max(job->setup.tool, 0));
+  cut_job.rpm = job->setup.spindle().rpm;
+  const std::string& dir = job->setup.spindle().dir;
+  cut_job.spindle = dir == "cw" ? SpindleDir::cw : dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
+  cut_job.keeps_rates = options.run.colour == "load";
   cut_job.starts_known = job->stated.count("start") != 0;
   for (const auto& [number, offset] : job->setup.offsets)
     if (number > 0 && offset.length != 0) cut_job.lengths[std::uint32_t(number)] = offset.length;
@@ -265,9 +304,11 @@ int cut(const CutOptions& given) {
   if (!drive) return wrong_usage;
   const auto session = make_session(*job, std::move(*program), options.run.limits);
   if (!session || !outputs.open()) return wrong_usage;
+  session->control().watch_calls();
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(drive.get(), [](Drive* left) { left->leave(); });
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
   CutCommand command(options, *job, *session, cut_job);
+  command.write_blocks(outputs.stream("--blocks"));
   command.run(*drive, options.run.limits.stop);
   if (interrupted()) return interrupted_status();
   const Surface surface = surface_of(command.stock());

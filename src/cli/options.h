@@ -71,6 +71,7 @@ struct CutOptions {
   std::string part;          // a file; empty: nothing to hold the result against
   double allow = -1;         // mm that a gouge may be deep; below 0: left out
   std::string out, json;
+  std::string blocks;  // a table of what each block takes away
 };
 int cut(const CutOptions& options);
 

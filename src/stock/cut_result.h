@@ -7,6 +7,7 @@
 
 #include "action/action.h"
 #include "base/alarm.h"
+#include "stock/cut_load.h"
 
 namespace kadr {
 
@@ -14,6 +15,8 @@ namespace kadr {
 struct CutFinding {
   AlarmId id = AlarmId::rapid_in_stock;
   Origin origin;
+  std::string program{};                   // as of BlockLoad
+  std::vector<AlarmReport::Call> calls{};  // by which its line came to be carried out, outermost first
   std::uint32_t tool = 0;
   Vec3 at;             // the middle of what was taken away, in the work system of the blank
   double depth = 0;    // least side of the box around it
@@ -34,6 +37,7 @@ struct PartDifference {
   double deepest = 0;      // mm from the part's surface
   Vec3 at;                 // there, in the work system of the blank
   std::uint32_t line = 0;  // of the motion that cut last next to it; 0: the blank's own surface
+  std::string program{};   // as of BlockLoad
 };
 
 struct PartResult {
@@ -53,8 +57,10 @@ struct CutResult {
   std::vector<ToolRemoval> tools;      // in the order of their first use
   std::vector<CutFinding> collisions;  // alarms
   std::vector<CutFinding> warnings;
-  std::optional<PartResult> part;  // if one was wanted
-  std::size_t not_told = 0;        // findings beyond those that are kept
+  std::vector<BlockLoad> heaviest;  // lines by removal rate, the greatest first
+  std::vector<AirCut> emptiest;     // lines by seconds in the air, the most first
+  std::optional<PartResult> part;   // if one was wanted
+  std::size_t not_told = 0;         // findings beyond those that are kept
 };
 
 }  // namespace kadr

@@ -49,6 +49,11 @@ bool is_empty(const Brick& brick) {
   return true;
 }
 
+void raise_to(std::atomic<float>& most, float value) {
+  float now = most.load(std::memory_order_relaxed);
+  while (now < value && !most.compare_exchange_weak(now, value, std::memory_order_relaxed)) {}
+}
+
 /// Of all its bodies.
 AroundTip around_tip(const ToolShape& tool) {
   AroundTip all{0, 0, 0};
@@ -172,7 +177,7 @@ void Stock::bin(std::size_t first, std::size_t last) {
 
 struct Stock::Worker {
   std::vector<Touch> touches;
-  std::vector<std::atomic<std::int64_t>>* removed;
+  std::vector<Removed>* removed;
   std::size_t first;  // of the sweeps in `removed`
 };
 
@@ -195,9 +200,12 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
     if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
     cut_brick(*now.brick, scale_, local, swept_[s.tool][i], number, outcome);
     changed = changed || outcome.changed;
-    if (worker != nullptr && outcome.length != 0)
-      (*worker->removed)[std::size_t(number) - worker->first].fetch_add(std::llround(outcome.length / removed_unit),
-                                                                        std::memory_order_relaxed);
+    if (worker != nullptr && outcome.changed) {
+      Removed& removed = (*worker->removed)[std::size_t(number) - worker->first];
+      removed.length.fetch_add(std::llround(outcome.length / removed_unit), std::memory_order_relaxed);
+      raise_to(removed.longest, outcome.longest);
+      if (body.part == ToolPart::cutting) raise_to(removed.depth, outcome.depth);
+    }
     if (!told || !box.any()) continue;
     const Vec3 at = lattice_.corner(b);
     const Box3 around{at + Vec3{double(box.least[0]), double(box.least[1]), double(box.least[2])},
@@ -231,7 +239,7 @@ void Stock::cut_in(std::size_t b, Worker& worker) {
 
 std::vector<Touch> Stock::cut(const StopToken& stop) {
   first_ = done_;
-  removed_ = std::vector<std::atomic<std::int64_t>>(sweeps_.size() - first_);
+  removed_ = std::vector<Removed>(sweeps_.size() - first_);
   std::vector<Worker> workers(static_cast<std::size_t>(threads_), Worker{{}, &removed_, first_});
   while (done_ < sweeps_.size() && !stop.asked()) {
     const std::size_t last = past_ ? std::min(done_ + between_room, sweeps_.size()) : sweeps_.size();
@@ -264,7 +272,13 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
 }
 
 double Stock::removed_by(std::size_t sweep) const {
-  return double(removed_[sweep - first_].load(std::memory_order_relaxed)) * removed_unit * lattice_.cell() * lattice_.cell();
+  return double(removed_[sweep - first_].length.load(std::memory_order_relaxed)) * removed_unit * lattice_.cell() * lattice_.cell();
+}
+
+double Stock::depth_of(std::size_t sweep) const { return double(removed_[sweep - first_].depth.load(std::memory_order_relaxed)); }
+
+bool Stock::cuts_anything(std::size_t sweep) const {
+  return double(removed_[sweep - first_].longest.load(std::memory_order_relaxed)) >= least_piece();
 }
 
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }

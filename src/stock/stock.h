@@ -77,6 +77,10 @@ class Stock {
   std::size_t bytes_of_past() const;
   /// mm³ that a sweep of the last cut() took away, by the upright lines.
   double removed_by(std::size_t sweep) const;
+  /// … the greatest height above the tip of what its cutting part took off upright lines: of the tip as it stood lowest over the line, mm.
+  double depth_of(std::size_t sweep) const;
+  /// … whether it took away a piece of a line, in any direction, that is no touch.
+  bool cuts_anything(std::size_t sweep) const;
 
   // ---- what is left
   const Lattice& lattice() const { return lattice_; }
@@ -94,6 +98,11 @@ class Stock {
 
  private:
   struct Worker;
+  /// What a sweep took away in all bricks: sums and maxima that the order does not change.
+  struct Removed {
+    std::atomic<std::int64_t> length{0};  // of upright lines, in units of `removed_unit`
+    std::atomic<float> depth{0}, longest{0};
+  };
   struct BrickNow {
     std::unique_ptr<Brick>& brick;
     State& state;
@@ -122,7 +131,7 @@ class Stock {
   std::vector<std::vector<std::int32_t>> bins_;
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;
-  std::vector<std::atomic<std::int64_t>> removed_;  // in units of `removed_unit`: sums that the order does not change
+  std::vector<Removed> removed_;  // of the last cut()
 };
 
 /// Runs `work(thread)` on so many threads, this one among them.

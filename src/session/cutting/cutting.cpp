@@ -16,6 +16,8 @@ constexpr double sideways = 0.01;             // mm in the plane that a drill ma
 constexpr double chord_of_cell = 1.0 / 2000;  // arcs as chords: far below the error of a cell …
 constexpr double greatest_chord = 2e-4;       // … and below the least increment of the controls, mm
 
+constexpr double seconds_a_minute = 60;
+
 double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
 
 double flat_length(const WayPiece& p) { return length(Vec2{p.to.x - p.from.x, p.to.y - p.from.y}); }
@@ -36,7 +38,16 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
       way_(roles, chord_for(job.cell), job.system),
       stock_(job.blank, job.cell, job.threads),
       tool_(job.tool),
-      spindle_(job.spindle) {
+      spindle_(job.spindle),
+      rpm_(job.rpm),
+      loads_(job.cell),
+      air_(job.cell) {
+  loads_.on_block = [this](const BlockLoad& load) { take_rate(load); };
+  if (job.keeps_rates)
+    loads_.on_rate = [this](std::size_t first, std::size_t end, double rate) {
+      rate_of_sweep_.resize(stock_.sweeps());
+      std::fill(rate_of_sweep_.begin() + std::ptrdiff_t(first), rate_of_sweep_.begin() + std::ptrdiff_t(end), float(rate));
+    };
   for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
   if (!job.starts_known)
     for (const int axis : roles.xyz)
@@ -49,7 +60,9 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
 void Cutting::note(const Action& action) {
   if (const auto* const change = std::get_if<ToolChange>(&action.what)) tool_ = change->tool;
   else if (const auto* const spindle = std::get_if<Spindle>(&action.what); spindle != nullptr && spindle->number == 1)
-    spindle_ = spindle->dir;
+    spindle_ = spindle->dir, rpm_ = spindle->rpm;
+  else if (const auto* const speed = std::get_if<Speed>(&action.what); speed != nullptr && speed->number == 1)
+    rpm_ = speed->surface ? 0 : speed->value;
   else if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) coolant_ = coolant->what;
 }
 
@@ -132,6 +145,9 @@ Status Cutting::consume(const Step& step, double longer) {
   moved.use = use_of(moved.tool);
   moved.fault = fault_of(*motion, pieces_);
   moved.cuts = is_cutting(motion->kind);
+  moved.diameter = stock_.tool(*shape).geometry.diameter;
+  if (motion->kind != MotionKind::thread && spindle_ != SpindleDir::stop)
+    moved.teeth = stock_.tool(*shape).geometry.teeth * rpm_ / seconds_a_minute;
   moved.lacks_coolant = job_.wants_coolant && coolant_ == Coolant::off && moved.cuts;
   moved.begins = step.begins;
   moved.seconds = seconds * std::min(most, 1.0);
@@ -160,10 +176,12 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
   const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
   for (const WayPiece& p : pieces) {
     stock_.add({p.from - zero_, p.to - zero_, shape, watched});
-    line_of_sweep_.push_back(moved.origin.line);
+    line_of_sweep_.push_back({moved.origin.line, moved.origin.file});
     for (const auto& fixture : fixtures_) fixture->add({p.from - zero_, p.to - zero_, shape, true});
-    in_batch.length += length(p.to - p.from);
+    in_batch.length += length(p.to - p.from), in_batch.flat += flat_length(p);
   }
+  const WayPiece& middle = pieces[pieces.size() / 2];
+  in_batch.at = 0.5 * (middle.from + middle.to) - zero_;
   if (stock_.sweeps() - batch_.front().first_sweep >= batch_sweeps) cut();
 }
 
@@ -179,20 +197,23 @@ void Cutting::count_removed() {
   for (std::size_t i = 0; i < batch_.size(); ++i) {
     const Moved& m = batch_[i];
     const std::size_t end = i + 1 < batch_.size() ? batch_[i + 1].first_sweep : stock_.sweeps();
-    double volume = 0;
-    for (std::size_t s = m.first_sweep; s < end; ++s) volume += stock_.removed_by(s);
+    double volume = 0, depth = 0;
+    for (std::size_t s = m.first_sweep; s < end; ++s) volume += stock_.removed_by(s), depth = std::max(depth, stock_.depth_of(s));
     ToolRemoval& tool = result_.tools[m.use];
     tool.removed += volume;
     if (!m.cuts) continue;
     tool.seconds += m.seconds;
-    if (rate_.use != m.use) rate_ = {};
-    rate_.use = m.use;
-    rate_.volume += volume, rate_.seconds += m.seconds, rate_.length += m.length;
-    if (rate_.length < 2 * job_.cell || !(rate_.seconds > 0)) continue;
-    tool.greatest_rate = std::max(tool.greatest_rate, rate_.volume / rate_.seconds);
-    rate_ = {};
-    rate_.use = m.use;
+    loads_.add({m.origin, m.tool, m.diameter, m.teeth, m.begins, m.seconds, m.length, m.flat, volume, depth, m.first_sweep, end, m.at});
+    const double share = 1.0 / double(end - m.first_sweep);
+    for (std::size_t s = m.first_sweep; s < end; ++s)
+      air_.add({m.origin, m.tool, m.seconds * share, m.length * share, stock_.cuts_anything(s)});
   }
+}
+
+void Cutting::take_rate(const BlockLoad& load) {
+  ToolRemoval& tool = result_.tools[use_of(load.tool)];
+  tool.greatest_rate = std::max(tool.greatest_rate, load.rate.value_or(0));
+  if (on_block) on_block(load);
 }
 
 /// The touches of a motion are one finding a kind.
@@ -210,7 +231,7 @@ void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
   for (const auto& [what, taken] : around) {
     const Moved& m = batch_[what.first];
     const Box3& box = taken.first;
-    const CutFinding finding{what.second, m.origin, m.tool, 0.5 * (box.least + box.most), least_side(box), taken.second, m.begins};
+    const CutFinding finding{what.second, m.origin, {}, {}, m.tool, 0.5 * (box.least + box.most), least_side(box), taken.second, m.begins};
     if (finding.depth >= stock_.least_piece()) keep(finding);
   }
 }
@@ -236,6 +257,7 @@ void Cutting::keep(const CutFinding& finding) {
 void Cutting::finish() {
   if (!zero_known_) release_kept();
   cut();
+  loads_.finish();
 }
 
 CutResult Cutting::result(double left, double error_bound) const {
@@ -243,6 +265,8 @@ CutResult Cutting::result(double left, double error_bound) const {
   result.left = left;
   result.error_bound = error_bound;
   result.sweeps = stock_.sweeps();
+  result.heaviest = loads_.heaviest();
+  result.emptiest = air_.emptiest();
   return result;
 }
 

@@ -17,6 +17,8 @@
 
 #include "base/result.h"
 #include "config/tool_library.h"
+#include "session/cutting/air_lines.h"
+#include "session/cutting/block_load.h"
 #include "session/cutting/tool_way.h"
 #include "stock/cut_result.h"
 #include "stock/stock.h"
@@ -35,6 +37,8 @@ struct CutJob {
   bool wants_coolant = false;          // cutting without it is a warning
   std::uint32_t tool = 0;              // in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
+  double rpm = 0;             // at which it turns then
+  bool keeps_rates = false;   // Cutting::rates() is wanted
   bool starts_known = false;  // the set-up says where the tool stands at the start; else it is known when each of X, Y, Z has been named
   double until = 1e300;       // s of the program: what comes later is not cut
   StopToken stop;
@@ -46,6 +50,8 @@ class Cutting {
 
   /// Called with each finding of a batch, in the order of the program.
   std::function<void(const CutFinding&)> on_finding;
+  /// Called with what each block that moves at feed took away, in the order of the program: a batch later, and some blocks more.
+  std::function<void(const BlockLoad&)> on_block;
 
   /// `longer`: s that the machine takes beyond Step::time.
   ///   returns  alarms tool_without_shape, tool_leans: nothing of the step is cut
@@ -54,8 +60,14 @@ class Cutting {
   void finish();
   /// After finish(), with the volume of the surface of what is left.
   CutResult result(double left, double error_bound) const;
-  /// Line of the program that a sweep of the stock comes from; 0 for of_blank.
-  std::uint32_t line_of(std::int32_t sweep) const { return sweep < 0 ? 0 : line_of_sweep_[std::size_t(sweep)]; }
+  /// Where a sweep of the stock comes from: line, and file as Origin::file; line 0 for of_blank.
+  struct Line {
+    std::uint32_t line = 0;
+    std::uint16_t file = 0;
+  };
+  Line line_of(std::int32_t sweep) const { return sweep < 0 ? Line() : line_of_sweep_[std::size_t(sweep)]; }
+  /// By sweep: mm³/s that its block took away; 0: at rapid, or none is told. Shorter than the sweeps where the last ones have none.
+  const std::vector<float>& rates() const { return rate_of_sweep_; }
   const Stock& stock() const { return stock_; }
 
  private:
@@ -67,7 +79,9 @@ class Cutting {
     std::size_t use = 0;             // of result_.tools
     AlarmId fault = AlarmId::count;  // of its cutting part, if that takes anything away; count: none
     bool cuts = false, lacks_coolant = false;
-    double begins = 0, seconds = 0, length = 0;
+    double begins = 0, seconds = 0, length = 0, flat = 0;
+    double diameter = 0, teeth = 0;  // of CutMotion
+    Vec3 at;
   };
   struct Kept {
     Moved moved;
@@ -83,6 +97,7 @@ class Cutting {
   void release_kept();
   void cut();
   void count_removed();
+  void take_rate(const BlockLoad& load);
   void tell(const std::vector<Touch>& touches, bool of_fixture);
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
@@ -97,17 +112,17 @@ class Cutting {
   AxisMask unknown_ = 0;                                         // of X, Y, Z: where the tool stands along them nobody has said
   std::uint32_t tool_;
   SpindleDir spindle_;
+  double rpm_;
   Coolant coolant_ = Coolant::off;
   std::vector<WayPiece> pieces_;
   std::vector<Kept> kept_;
   std::vector<Moved> batch_;
-  std::deque<std::uint32_t> line_of_sweep_;  // a million grow without being moved
+  std::deque<Line> line_of_sweep_;  // a million grow without being moved
+  std::vector<float> rate_of_sweep_;
   Vec3 zero_;
   bool zero_known_ = false;
-  struct Rate {
-    double volume = 0, seconds = 0, length = 0;
-    std::size_t use = 0;
-  } rate_;
+  BlockLoads loads_;
+  AirLines air_;
   CutResult result_;
 };
 
