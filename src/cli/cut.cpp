@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cli/cut_body.h"
+#include "cli/cut_machine.h"
 #include "cli/drive.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
@@ -126,13 +127,18 @@ bool find_material(const CutOptions& options, CutJob& job) {
 
 class CutCommand {
  public:
-  CutCommand(const CutOptions& options, const Job& job, Session& session, const CutJob& cut)
+  CutCommand(const CutOptions& options, const Job& job, Session& session, const CutJob& cut, MachineWatch* watch)
       : job_(job),
         lang_(language(options.run)),
         session_(session),
         cutting_(cut, AxisRoles::of(session.control().axes(), session.control().rotary())),
+        watch_(watch),
         progress_(options.run.quiet) {
-    cutting_.on_finding = [this](const CutFinding& f) { tell(session_.control().report_for(alarm_of(f), f.origin)); };
+    cutting_.on_finding = [this](const CutFinding& f) {
+      AlarmReport report = session_.control().report_for(alarm_of(f), f.origin);
+      report.own_text = names_of_bodies(f);
+      tell(report);
+    };
   }
 
   void run(Drive& drive, const StopToken& stop) {
@@ -153,7 +159,9 @@ class CutCommand {
     };
     session_.change_outlets();
     drive.carry_out(session_);
-    if (!interrupted()) cutting_.finish();
+    if (interrupted()) return;
+    if (watch_ != nullptr) watch([&](auto& found, auto& notes) { watch_->finish(found, notes); });
+    cutting_.finish();
   }
 
   const Stock& stock() const { return cutting_.stock(); }
@@ -168,6 +176,7 @@ class CutCommand {
  private:
   /// After the first tool that cannot be cut with nothing more is.
   void consume(const Step& step, double longer) {
+    if (watch_ != nullptr) watch([&](auto& found, auto& notes) { watch_->take(step, longer, found, notes); });
     if (failed_) return;
     const Status taken = cutting_.consume(step, longer);
     if (taken) return;
@@ -175,6 +184,16 @@ class CutCommand {
     const AlarmReport report = session_.control().report_for(taken.error(), step.action.origin);
     count(report);
     tell(report);
+  }
+
+  /// What the bodies of the machine meet, told with what the cut finds.
+  template <class Take>
+  void watch(const Take& take) {
+    std::vector<CutFinding> found;
+    std::vector<std::string> notes;
+    take(found, notes);
+    for (const CutFinding& finding : found) cutting_.also(finding);
+    for (const std::string& note : notes) say(note + "\n");
   }
 
   void count(const AlarmReport& report) {
@@ -186,6 +205,7 @@ class CutCommand {
   const Lang lang_;
   Session& session_;
   Cutting cutting_;
+  MachineWatch* const watch_;  // nullptr: the machine has no bodies
   Progress progress_;
   std::size_t alarms_ = 0, warnings_ = 0;
   bool failed_ = false;
@@ -264,10 +284,13 @@ int cut(const CutOptions& given) {
   const auto drive = program ? drive_of(options.run) : nullptr;
   if (!drive) return wrong_usage;
   const auto session = make_session(*job, std::move(*program), options.run.limits);
-  if (!session || !outputs.open()) return wrong_usage;
+  if (!session) return wrong_usage;
+  bool unwatched = false;
+  const auto watch = watch_of(options, *job, *session, cut_job, unwatched);
+  if (unwatched || !outputs.open()) return wrong_usage;
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(drive.get(), [](Drive* left) { left->leave(); });
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
-  CutCommand command(options, *job, *session, cut_job);
+  CutCommand command(options, *job, *session, cut_job, watch.get());
   command.run(*drive, options.run.limits.stop);
   if (interrupted()) return interrupted_status();
   const Surface surface = surface_of(command.stock());

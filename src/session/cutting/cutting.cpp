@@ -173,6 +173,12 @@ void Cutting::cut() {
   for (const auto& fixture : fixtures_) tell(fixture->cut(job_.stop), true);
   count_removed();
   batch_.clear();
+  tell_others();
+}
+
+void Cutting::tell_others() {
+  for (const CutFinding& finding : others_) keep(finding);
+  others_.clear();
 }
 
 void Cutting::count_removed() {
@@ -236,6 +242,7 @@ void Cutting::keep(const CutFinding& finding) {
 void Cutting::finish() {
   if (!zero_known_) release_kept();
   cut();
+  tell_others();
 }
 
 CutResult Cutting::result(double left, double error_bound) const {

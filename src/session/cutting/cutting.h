@@ -50,6 +50,8 @@ class Cutting {
   /// `longer`: s that the machine takes beyond Step::time.
   ///   returns  alarms tool_without_shape, tool_leans: nothing of the step is cut
   Status consume(const Step& step, double longer);
+  /// What others found in a step that has come: told with what is found in cutting.
+  void also(const CutFinding& finding) { others_.push_back(finding); }
   /// All that has come is cut.
   void finish();
   /// After finish(), with the volume of the surface of what is left.
@@ -86,6 +88,7 @@ class Cutting {
   void tell(const std::vector<Touch>& touches, bool of_fixture);
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
+  void tell_others();
   std::size_t use_of(std::uint32_t tool);
 
   CutJob job_;
@@ -101,6 +104,7 @@ class Cutting {
   std::vector<WayPiece> pieces_;
   std::vector<Kept> kept_;
   std::vector<Moved> batch_;
+  std::vector<CutFinding> others_;
   std::deque<std::uint32_t> line_of_sweep_;  // a million grow without being moved
   Vec3 zero_;
   bool zero_known_ = false;
