@@ -11,7 +11,8 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     stops     id of the alarm that ends the run
     part_program   the wanted part is what this program cuts of the same blank; part: an STL text
     left_on, gouged   [deepest, LINE], mm within a tenth of the cell; 0: no deeper than that; too_deep: the exit status is 1 because of it
-    args      further words of the command line; setup: a set-up
+    args      further words of the command line; setup: a set-up; machine: one of the file's [machines]
+    bodies    names of those that the first collision is between, in any order; place: where, mm within 0.02
 Every case is cut with one and with two threads: the same JSON. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
 it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
@@ -36,7 +37,7 @@ def write(file, text):
     return file
 
 
-def cut(kadr, folder, case, tools, threads):
+def cut(kadr, folder, case, tools, threads, machines={}):
     (folder / 'tools.toml').write_text(case.get('tools', tools))
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
@@ -51,6 +52,8 @@ def cut(kadr, folder, case, tools, threads):
     elif 'part' in case:
         words += ['--part', str(write(folder / 'wanted.stl', case['part']))]
     words += case.get('args', [])
+    if 'machine' in case:
+        words += ['--machine', str(write(folder / 'machine.toml', machines[case['machine']]))]
     if 'setup' in case:
         (folder / 'setup.json').write_text(case['setup'])
         words += ['--setup', str(folder / 'setup.json')]
@@ -76,6 +79,14 @@ def faults_of(case, run):
         want, got = case['depth'], result['collisions'][0]['depth']
         if abs(got - want) > 0.05 + 0.01 * want:
             yield f'depth {got}, not {want}'
+    if 'bodies' in case and result['collisions']:
+        got = result['collisions'][0].get('bodies')
+        if got is None or sorted(got) != sorted(case['bodies']):
+            yield f'between {got}, not {case["bodies"]}'
+    if 'place' in case and result['collisions']:
+        got = [result['collisions'][0]['at'][axis] for axis in 'XYZ']
+        if any(want is not None and abs(got[i] - want) > 0.02 for i, want in enumerate(None if w == 'any' else w for w in case['place'])):
+            yield f'at {got}, not {case["place"]}'
     for key in ('left_on', 'gouged'):
         if key in case:
             (want, line), got = case[key], result['part'][key]
@@ -116,7 +127,7 @@ def main():
                 title = f'{file.stem}/{case["name"]}'
                 if options.only not in title:
                     continue
-                one, two = (cut(options.kadr, Path(name), case, cases.get('tools', ''), threads) for threads in (1, 2))
+                one, two = (cut(options.kadr, Path(name), case, cases.get('tools', ''), threads, cases.get('machines', {})) for threads in (1, 2))
                 faults = list(faults_of(case, one))
                 if one.stdout != two.stdout:
                     faults.append('one thread and two threads differ')

@@ -17,6 +17,7 @@
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "config/nearest.h"
+#include "config/rapid_way.h"
 #include "config/read_file.h"
 #include "config/setup_names.h"
 #include "config/told.h"
@@ -285,6 +286,8 @@ int cut(const CutOptions& given) {
   if (!drive) return wrong_usage;
   const auto session = make_session(*job, std::move(*program), options.run.limits);
   if (!session) return wrong_usage;
+  const std::vector<std::string>& axes = session->control().axes();
+  if (rapids_apart(*job->def, job->setup, axes)) cut_job.apart = rates_of(job->profile, job->setup, axes).rapid;
   bool unwatched = false;
   const auto watch = watch_of(options, *job, *session, cut_job, unwatched);
   if (unwatched || !outputs.open()) return wrong_usage;

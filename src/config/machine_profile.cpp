@@ -163,7 +163,8 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
 
 tl::expected<MachineProfile, std::string> profile_of(const std::string& file, const toml::table& table) {
   MachineProfile profile;
-  if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes", "kinematics", "bodies"});
+  if (auto done =
+          known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes", "kinematics", "bodies"});
       !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());

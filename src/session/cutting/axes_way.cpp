@@ -38,7 +38,7 @@ class LedWay {
 
 }  // namespace
 
-void along_axes_way(const Step& step, double chord, const AxesPiece& visit) {
+void along_axes_way(const Step& step, double chord, const std::optional<Axes>& apart, const AxesPiece& visit) {
   const Motion& motion = *step.motion();
   const Curve& curve = step.curve();
   const bool led = leads_tip(step.from, motion);
@@ -46,6 +46,14 @@ void along_axes_way(const Step& step, double chord, const AxesPiece& visit) {
   if (motion.detail)
     for (std::size_t i = 0; i < step.roles.count; ++i)
       if ((motion.detail->rolled >> i & 1U) != 0) end[i] = step.from.machine[i] + motion.detail->travel[i];
+  if (const auto leg = DogLeg::of(step, apart)) {
+    for (const double part : leg->corners()) {
+      Axes to = step.from.machine;
+      for (std::size_t i = 0; i < step.roles.count; ++i) to[i] += leg->gone(i, part) * (end[i] - to[i]);
+      visit(to, part);
+    }
+    return;
+  }
   if (curve.straight() && !led) return visit(end, 1);
   const int most = most_pieces_of_turn * (1 + int(std::min(motion.turns, 1e4)));
   const int count = std::clamp(curve.straight() ? 1 : curve.pieces(chord), led ? least_led : 1, most);

@@ -33,7 +33,7 @@ double least_side(const Box3& box) {
 
 Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     : job_(job),
-      way_(roles, chord_for(job.cell), job.system),
+      way_(roles, chord_for(job.cell), job.system, job.apart),
       stock_(job.blank, job.cell, job.threads),
       tool_(job.tool),
       spindle_(job.spindle) {

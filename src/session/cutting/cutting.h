@@ -32,6 +32,7 @@ struct CutJob {
   double cell = 0.5;  // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
+  std::optional<Axes> apart;           // of ToolWay
   bool wants_coolant = false;          // cutting without it is a warning
   std::uint32_t tool = 0;              // in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;

@@ -216,27 +216,29 @@ void MachineWatch::carry_out(const Step& step, const InForce& in_force, std::vec
     met_.clear();
     bodies_.move(at, to, met_);
     for (const BodyMeeting& meeting : met_) {
-      const CutFinding finding = finding_of(meeting, step, in_force, begins + meeting.part * (ends - begins));
+      Axes there = at;
+      for (std::size_t i = 0; i < max_axes; ++i) there[i] += meeting.part * (to[i] - at[i]);
+      CutFinding finding = finding_of(meeting, there);
+      finding.origin = step.action.origin;
+      finding.tool = in_force.tool;
+      const double part = begins + meeting.part * (ends - begins);
+      finding.at_time = step.begins + part * (step.time.seconds + in_force.longer);
       if (finding.at_time <= job_.until) found.push_back(finding);
     }
     at = to;
     begins = ends;
   };
-  if (in_force.known) along_axes_way(step, chord_of_axes, go);
+  if (in_force.known) along_axes_way(step, chord_of_axes, job_.apart, go);
   else go(motion.machine, 1);
   stand_ = motion.machine;
 }
 
-CutFinding MachineWatch::finding_of(const BodyMeeting& meeting, const Step& step, const InForce& in_force, double part) {
-  Axes at = part < 1 ? machine_along(step.roles, step.from, *step.motion(), step.curve().at(part), part) : step.motion()->machine;
-  bodies_.links().poses(at, poses_);
+CutFinding MachineWatch::finding_of(const BodyMeeting& meeting, const Axes& axes) {
+  bodies_.links().poses(axes, poses_);
   CutFinding finding;
   finding.id = AlarmId::machine;
-  finding.origin = step.action.origin;
-  finding.tool = in_force.tool;
   finding.at = work_on_link_.back(poses_[bodies_.links().part()].back(meeting.at));
   finding.depth = meeting.depth;
-  finding.at_time = step.begins + part * (step.time.seconds + in_force.longer);
   finding.bodies = {names_[meeting.first], names_[meeting.second]};
   return finding;
 }

@@ -70,7 +70,7 @@ class MachineWatch {
   const ToolBodies* bodies_of_tool(std::uint32_t tool);
   void place_work(double reference);
   void find_zero();
-  CutFinding finding_of(const BodyMeeting& meeting, const Step& step, const InForce& in_force, double part);
+  CutFinding finding_of(const BodyMeeting& meeting, const Axes& axes);
 
   CutJob job_;
   AxisRoles roles_;
