@@ -19,6 +19,7 @@ Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import argparse
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -114,6 +115,17 @@ def mill(kadr, folder, scheme, control):
     yield from faults_of(case, cut(kadr, folder, case, '', 2))
 
 
+def without_module(kadr, folder, case, tools, machines):
+    """Sentences: what is wrong where kadr-bodies.so is not there."""
+    alone = Path(shutil.copy(kadr, folder / 'kadr-alone'))
+    run = cut(str(alone), folder, case, tools, 1, machines)
+    if run.returncode != 2 or 'kadr-bodies.so' not in run.stderr:
+        yield f'exit status {run.returncode}, not 2: {run.stderr.strip()[:200]}'
+    run = cut(str(alone), folder, {key: value for key, value in case.items() if key != 'machine'}, tools, 1)
+    if run.returncode not in (0, 1):
+        yield f'a machine without bodies: exit status {run.returncode}: {run.stderr.strip()[:200]}'
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument('--kadr', required=True)
@@ -135,6 +147,14 @@ def main():
                     print(f'{title}: {fault}')
                 failed += bool(faults)
                 passed += not faults
+        title = 'machine/without the module'
+        if options.only in title:
+            cases = tomllib.loads((HERE / 'cut_cases/machine.toml').read_text())
+            faults = list(without_module(options.kadr, Path(name), cases['case'][0], cases['tools'], cases['machines']))
+            for fault in faults:
+                print(f'{title}: {fault}')
+            failed += bool(faults)
+            passed += not faults
         for scheme in MILL_SCHEMES:
             for control in MILL_CONTROLS:
                 title = f'mill/{scheme}/{control}'

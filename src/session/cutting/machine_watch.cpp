@@ -212,6 +212,8 @@ void MachineWatch::carry_out(const Step& step, const InForce& in_force, std::vec
   if (!bodies_.links().same_place(from, stand_)) bodies_.jump();
   Axes at = from;
   double begins = 0;
+  const std::size_t first_new = found.size();
+  std::vector<std::pair<std::size_t, std::size_t>> new_ones;
   const auto go = [&](const Axes& to, double ends) {
     met_.clear();
     bodies_.move(at, to, met_);
@@ -223,13 +225,19 @@ void MachineWatch::carry_out(const Step& step, const InForce& in_force, std::vec
       finding.tool = in_force.tool;
       const double part = begins + meeting.part * (ends - begins);
       finding.at_time = step.begins + part * (step.time.seconds + in_force.longer);
-      if (finding.at_time <= job_.until) found.push_back(finding);
+      if (finding.at_time > job_.until) continue;
+      found.push_back(finding);
+      new_ones.emplace_back(meeting.first, meeting.second);
     }
     at = to;
     begins = ends;
   };
   if (in_force.known) along_axes_way(step, chord_of_axes, job_.apart, go);
   else go(motion.machine, 1);
+  for (std::size_t i = 0; i < new_ones.size(); ++i) {  // of a motion in many pieces what came after the one where they met
+    double& depth = found[first_new + i].depth;
+    depth = std::max(depth, bodies_.depth(new_ones[i].first, new_ones[i].second, at));
+  }
   stand_ = motion.machine;
 }
 

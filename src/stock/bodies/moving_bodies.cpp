@@ -161,13 +161,17 @@ void MovingBodies::part_from(Pair& pair, const Axes& to) {
   pair.at_least = pair.touches ? 0 : distance;
 }
 
+double MovingBodies::depth(std::size_t first, std::size_t second, const Axes& axes) {
+  const SolidBody &a = bodies_[first].solid, &b = bodies_[second].solid;
+  if (!a.convex || !b.convex) return 0;
+  links_.poses(axes, now_);
+  return world_.depth(a, pose(first, now_), b, pose(second, now_));
+}
+
 double MovingBodies::depth_after(const Pair& pair, const Axes& from, const Axes& by, double part) {
-  const SolidBody &a = bodies_[pair.first].solid, &b = bodies_[pair.second].solid;
   double deepest = 0;
-  for (int i = 0; a.convex && b.convex && i <= depth_samples; ++i) {
-    links_.poses(along_axes(from, by, part + (1 - part) * i / depth_samples), now_);
-    deepest = std::max(deepest, world_.depth(a, pose(pair.first, now_), b, pose(pair.second, now_)));
-  }
+  for (int i = 0; i <= depth_samples; ++i)
+    deepest = std::max(deepest, depth(pair.first, pair.second, along_axes(from, by, part + (1 - part) * i / depth_samples)));
   return deepest;
 }
 

@@ -56,6 +56,8 @@ class MovingBodies {
   /// Each axis goes evenly from one position to the other.
   ///   found  is added to
   void move(const Axes& from, const Axes& to, std::vector<BodyMeeting>& found);
+  /// By how much two bodies overlap where the axes stand, mm; 0: they do not, or it is not known.
+  double depth(std::size_t first, std::size_t second, const Axes& axes);
   /// How often FCL was asked for a distance.
   std::uint64_t asked() const { return asked_; }
 
