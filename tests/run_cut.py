@@ -15,7 +15,8 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     checks    [["heaviest.0.rate", 150, 1.5], …]: a place in the JSON, its value, how far off it may be (a text: what it ends with; 'null': null)
     rows      [[LINE, "rate", 150, 1.5], …]: of the first row of a line in --blocks; "": not told
     files     { "name" = "text" }: further files beside the program
-    args      further words of the command line; setup: a set-up
+    args      further words of the command line; setup: a set-up; machine: one of the file's [machines]
+    bodies    names of those that the first collision is between, in any order; place: where, mm within 0.02
 Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes are in sum those of the tools. The keys of
 `heaviest` and `emptiest` are those that docs/commands/cut.md names. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
 it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
@@ -25,6 +26,7 @@ import argparse
 import csv
 import io
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -48,7 +50,7 @@ def write(file, text):
     return file
 
 
-def cut(kadr, folder, case, tools, threads):
+def cut(kadr, folder, case, tools, threads, machines={}):
     (folder / 'tools.toml').write_text(case.get('tools', tools))
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
@@ -66,6 +68,8 @@ def cut(kadr, folder, case, tools, threads):
     elif 'part' in case:
         words += ['--part', str(write(folder / 'wanted.stl', case['part']))]
     words += case.get('args', [])
+    if 'machine' in case:
+        words += ['--machine', str(write(folder / 'machine.toml', machines[case['machine']]))]
     if 'setup' in case:
         (folder / 'setup.json').write_text(case['setup'])
         words += ['--setup', str(folder / 'setup.json')]
@@ -119,6 +123,14 @@ def faults_of(case, run, table=None):
         want, got = case['depth'], result['collisions'][0]['depth']
         if abs(got - want) > 0.05 + 0.01 * want:
             yield f'depth {got}, not {want}'
+    if 'bodies' in case and result['collisions']:
+        got = result['collisions'][0].get('bodies')
+        if got is None or sorted(got) != sorted(case['bodies']):
+            yield f'between {got}, not {case["bodies"]}'
+    if 'place' in case and result['collisions']:
+        got = [result['collisions'][0]['at'][axis] for axis in 'XYZ']
+        if any(want is not None and abs(got[i] - want) > 0.02 for i, want in enumerate(None if w == 'any' else w for w in case['place'])):
+            yield f'at {got}, not {case["place"]}'
     for key in ('left_on', 'gouged'):
         if key in case:
             (want, line), got = case[key], result['part'][key]
@@ -155,6 +167,17 @@ def mill(kadr, folder, scheme, control):
     yield from faults_of(case, cut(kadr, folder, case, '', 2))
 
 
+def without_module(kadr, folder, case, tools, machines):
+    """Sentences: what is wrong where kadr-bodies.so is not there."""
+    alone = Path(shutil.copy(kadr, folder / 'kadr-alone'))
+    run = cut(str(alone), folder, case, tools, 1, machines)
+    if run.returncode != 2 or 'kadr-bodies.so' not in run.stderr:
+        yield f'exit status {run.returncode}, not 2: {run.stderr.strip()[:200]}'
+    run = cut(str(alone), folder, {key: value for key, value in case.items() if key != 'machine'}, tools, 1)
+    if run.returncode not in (0, 1):
+        yield f'a machine without bodies: exit status {run.returncode}: {run.stderr.strip()[:200]}'
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument('--kadr', required=True)
@@ -171,7 +194,7 @@ def main():
                 runs, tables = [], []
                 for threads in (1, 2):
                     (Path(name) / 'blocks.csv').unlink(missing_ok=True)
-                    runs.append(cut(options.kadr, Path(name), case, cases.get('tools', ''), threads))
+                    runs.append(cut(options.kadr, Path(name), case, cases.get('tools', ''), threads, cases.get('machines', {})))
                     table = Path(name) / 'blocks.csv'
                     tables.append(table.read_text() if table.exists() else None)
                 one, two = runs
@@ -182,6 +205,14 @@ def main():
                     print(f'{title}: {fault}')
                 failed += bool(faults)
                 passed += not faults
+        title = 'machine/without the module'
+        if options.only in title:
+            cases = tomllib.loads((HERE / 'cut_cases/machine.toml').read_text())
+            faults = list(without_module(options.kadr, Path(name), cases['case'][0], cases['tools'], cases['machines']))
+            for fault in faults:
+                print(f'{title}: {fault}')
+            failed += bool(faults)
+            passed += not faults
         for scheme in MILL_SCHEMES:
             for control in MILL_CONTROLS:
                 title = f'mill/{scheme}/{control}'

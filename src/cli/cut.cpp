@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "cli/cut_body.h"
+#include "cli/cut_machine.h"
 #include "cli/drive.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
@@ -16,6 +17,7 @@
 #include "cli/stop.h"
 #include "cli/terminal.h"
 #include "config/nearest.h"
+#include "config/rapid_way.h"
 #include "config/read_file.h"
 #include "config/setup_names.h"
 #include "config/told.h"
@@ -128,13 +130,18 @@ bool find_material(const CutOptions& options, CutJob& job) {
 
 class CutCommand {
  public:
-  CutCommand(const CutOptions& options, const Job& job, Session& session, const CutJob& cut)
+  CutCommand(const CutOptions& options, const Job& job, Session& session, const CutJob& cut, MachineWatch* watch)
       : job_(job),
         lang_(language(options.run)),
         session_(session),
         cutting_(cut, AxisRoles::of(session.control().axes(), session.control().rotary())),
+        watch_(watch),
         progress_(options.run.quiet) {
-    cutting_.on_finding = [this](const CutFinding& f) { tell(session_.settled_control().report_for(alarm_of(f), f.origin)); };
+    cutting_.on_finding = [this](const CutFinding& f) {
+      AlarmReport report = session_.settled_control().report_for(alarm_of(f), f.origin);
+      report.own_text = names_of_bodies(f);
+      tell(report);
+    };
   }
 
   /// A row a block is written there.
@@ -166,7 +173,9 @@ class CutCommand {
     };
     session_.change_outlets();
     drive.carry_out(session_);
-    if (!interrupted()) cutting_.finish();
+    if (interrupted()) return;
+    if (watch_ != nullptr) watch([&](auto& found, auto& notes) { watch_->finish(found, notes); });
+    cutting_.finish();
   }
 
   const Stock& stock() const { return cutting_.stock(); }
@@ -196,6 +205,7 @@ class CutCommand {
 
   /// After the first tool that cannot be cut with nothing more is.
   void consume(const Step& step, double longer) {
+    if (watch_ != nullptr) watch([&](auto& found, auto& notes) { watch_->take(step, longer, found, notes); });
     if (failed_) return;
     const Status taken = cutting_.consume(step, longer);
     if (taken) return;
@@ -203,6 +213,16 @@ class CutCommand {
     const AlarmReport report = session_.settled_control().report_for(taken.error(), step.action.origin);
     count(report);
     tell(report);
+  }
+
+  /// What the bodies of the machine meet, told with what the cut finds.
+  template <class Take>
+  void watch(const Take& take) {
+    std::vector<CutFinding> found;
+    std::vector<std::string> notes;
+    take(found, notes);
+    for (const CutFinding& finding : found) cutting_.also(finding);
+    for (const std::string& note : notes) say(note + "\n");
   }
 
   void count(const AlarmReport& report) {
@@ -214,6 +234,7 @@ class CutCommand {
   const Lang lang_;
   Session& session_;
   Cutting cutting_;
+  MachineWatch* const watch_;  // nullptr: the machine has no bodies
   Progress progress_;
   std::size_t alarms_ = 0, warnings_ = 0;
   bool failed_ = false;
@@ -303,11 +324,16 @@ int cut(const CutOptions& given) {
   const auto drive = program ? drive_of(options.run) : nullptr;
   if (!drive) return wrong_usage;
   const auto session = make_session(*job, std::move(*program), options.run.limits);
-  if (!session || !outputs.open()) return wrong_usage;
+  if (!session) return wrong_usage;
+  const std::vector<std::string>& axes = session->control().axes();
+  if (rapids_apart(*job->def, job->setup, axes)) cut_job.apart = rates_of(job->profile, job->setup, axes).rapid;
+  bool unwatched = false;
+  const auto watch = watch_of(options, *job, *session, cut_job, unwatched);
+  if (unwatched || !outputs.open()) return wrong_usage;
   session->control().watch_calls();
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(drive.get(), [](Drive* left) { left->leave(); });
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
-  CutCommand command(options, *job, *session, cut_job);
+  CutCommand command(options, *job, *session, cut_job, watch.get());
   command.write_blocks(outputs.stream("--blocks"));
   command.run(*drive, options.run.limits.stop);
   if (interrupted()) return interrupted_status();

@@ -1,8 +1,10 @@
 #pragma once
 // CutResult: what a cut came to, for whoever tells it. Lengths mm, volumes mm³, times s.
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "action/action.h"
@@ -22,6 +24,8 @@ struct CutFinding {
   double depth = 0;    // least side of the box around it
   double volume = 0;   // of it
   double at_time = 0;  // s since the start
+  /// Of AlarmId::machine: the names of those that met.
+  std::array<std::string, 2> bodies{};
 };
 
 struct ToolRemoval {

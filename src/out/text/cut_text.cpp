@@ -67,6 +67,7 @@ ordered_json finding_json(const CutFinding& f) {
   json["volume"] = rounded(f.volume);
   json["at_time"] = rounded(f.at_time);
   if (!f.calls.empty()) json["calls"] = calls_json(f.calls);
+  if (!f.bodies[0].empty()) json["bodies"] = f.bodies;
   return json;
 }
 
@@ -96,9 +97,12 @@ std::string difference_row(const CutWords& w, const char* name, const PartDiffer
 
 }  // namespace
 
+std::string names_of_bodies(const CutFinding& f) { return f.bodies[0].empty() ? std::string() : f.bodies[0] + ", " + f.bodies[1]; }
+
 Alarm alarm_of(const CutFinding& f) {
   const std::string place = fmt::format("X{:.2f} Y{:.2f} Z{:.2f}", f.at.x, f.at.y, f.at.z);
   const double tool = f.tool, depth = rounded(f.depth);
+  if (f.id == AlarmId::machine) return alarm(f.id, {}, place, names_of_bodies(f));
   return f.id == AlarmId::no_coolant ? warning(f.id, {}, tool, depth, place) : alarm(f.id, {}, tool, depth, place);
 }
 

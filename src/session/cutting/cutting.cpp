@@ -35,7 +35,7 @@ double least_side(const Box3& box) {
 
 Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     : job_(job),
-      way_(roles, chord_for(job.cell), job.system),
+      way_(roles, chord_for(job.cell), job.system, job.apart),
       stock_(job.blank, job.cell, job.threads),
       tool_(job.tool),
       spindle_(job.spindle),
@@ -191,6 +191,12 @@ void Cutting::cut() {
   for (const auto& fixture : fixtures_) tell(fixture->cut(job_.stop), true);
   count_removed();
   batch_.clear();
+  tell_others();
+}
+
+void Cutting::tell_others() {
+  for (const CutFinding& finding : others_) keep(finding);
+  others_.clear();
 }
 
 void Cutting::count_removed() {
@@ -258,6 +264,7 @@ void Cutting::finish() {
   if (!zero_known_) release_kept();
   cut();
   loads_.finish();
+  tell_others();
 }
 
 CutResult Cutting::result(double left, double error_bound) const {

@@ -34,6 +34,7 @@ struct CutJob {
   double cell = 0.5;  // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
+  std::optional<Axes> apart;           // of ToolWay
   bool wants_coolant = false;          // cutting without it is a warning
   std::uint32_t tool = 0;              // in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
@@ -56,6 +57,8 @@ class Cutting {
   /// `longer`: s that the machine takes beyond Step::time.
   ///   returns  alarms tool_without_shape, tool_leans: nothing of the step is cut
   Status consume(const Step& step, double longer);
+  /// What others found in a step that has come: told with what is found in cutting.
+  void also(const CutFinding& finding) { others_.push_back(finding); }
   /// All that has come is cut.
   void finish();
   /// After finish(), with the volume of the surface of what is left.
@@ -101,6 +104,7 @@ class Cutting {
   void tell(const std::vector<Touch>& touches, bool of_fixture);
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
+  void tell_others();
   std::size_t use_of(std::uint32_t tool);
 
   CutJob job_;
@@ -117,6 +121,7 @@ class Cutting {
   std::vector<WayPiece> pieces_;
   std::vector<Kept> kept_;
   std::vector<Moved> batch_;
+  std::vector<CutFinding> others_;
   std::deque<Line> line_of_sweep_;  // a million grow without being moved
   std::vector<float> rate_of_sweep_;
   Vec3 zero_;

@@ -24,6 +24,7 @@ class MeshBlank : public Blank {
 
   Box3 box() const override { return box_; }
   double volume() const override { return volume_; }
+  const Mesh* mesh() const override { return &mesh_; }
   void cross(int family, double u, double v, std::vector<LineRange>& ranges) const override;
   Vec3 normal(Vec3 at, int family, bool out) const override;
   std::vector<bool> bricks_at_surface(const Lattice& lattice) const override;
