@@ -3,20 +3,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <thread>
 
 #include "cli/cut_body.h"
+#include "cli/cut_meshes.h"
+#include "cli/cut_window.h"
 #include "cli/drive.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "config/nearest.h"
-#include "config/read_file.h"
 #include "config/setup_names.h"
 #include "config/told.h"
 #include "out/picture/part_page.h"
@@ -25,10 +24,7 @@
 #include "out/text/page_file.h"
 #include "session/cutting/cutting.h"
 #include "stock/mesh/mesh_file.h"
-#include "stock/mesh/stl.h"
-#include "stock/mesh/threemf.h"
 #include "stock/part/part_compare.h"
-#include "stock/size.h"
 #include "stock/surface/surface.h"
 
 namespace kadr::cli {
@@ -36,7 +32,6 @@ namespace {
 
 constexpr double bytes_per_mb = 1 << 20;
 constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; what a point of the surface may be off: docs/stock.md
-constexpr double share_of_cell = 0.02;                   // volume error of the surface for each mm² of it, in cells: docs/stock.md
 
 /// --until: seconds, or a line in `line`.
 std::optional<double> seconds_of(const std::string& text, std::string& line) {
@@ -60,6 +55,7 @@ Outputs outputs_of(const CutOptions& options, const Job& job) {
   if (options.run.control.ends_with(".toml")) outputs.reads(options.run.control);
   if (options.run.machine.ends_with(".toml")) outputs.reads(options.run.machine);
   outputs.writes("--out", options.out);
+  outputs.writes("--deviation", options.deviation);
   outputs.writes("--json", options.json);
   outputs.writes("--plot", options.run.plot);
   for (const std::string& body : options.fixtures) outputs.reads(body);
@@ -92,7 +88,11 @@ std::shared_ptr<const Blank> named_body(const char* option, const std::string& t
 /// The part that is wanted, if one is; complains.
 bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   if (options.part.empty()) {
-    const char* const lonely = options.allow >= 0 ? "--allow" : options.run.colour == "deviation" ? "--colour deviation" : nullptr;
+    const char* const lonely = options.allow >= 0                  ? "--allow"
+                               : options.allow_left >= 0           ? "--allow-left"
+                               : !options.deviation.empty()        ? "--deviation"
+                               : options.run.colour == "deviation" ? "--colour deviation"
+                                                                   : nullptr;
     if (lonely != nullptr)
       complain(lonely + std::string(told(": of --part FILE, which is missing", ": нужна --part ФАЙЛ, а она не указана")));
     return lonely == nullptr;
@@ -106,21 +106,21 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   return true;
 }
 
-/// Cell and bodies, within the memory that may be taken; complains.
-bool find_material(const CutOptions& options, CutJob& job) {
+/// Cells and bodies, within the memory that may be taken; complains.
+bool find_material(const CutOptions& options, const std::optional<Mesh>& part, CutJob& job) {
   const double most = options.max_memory * bytes_per_mb;
   job.blank = named_body("--stock", options.stock, most);
   if (!job.blank) return false;
   for (const std::string& text : options.fixtures)
     if (!job.fixtures.emplace_back(named_body("--fixture", text, most))) return false;
-  job.cell = options.resolution > 0 ? options.resolution : cell_for(job.blank->box(), most / 2);
-  double bytes = bytes_of_bricks(job.blank->box(), job.cell);
-  for (const auto& fixture : job.fixtures) bytes += bytes_of_bricks(fixture->box(), job.cell);
-  if (bytes <= most) return true;
-  complain(fmt::format("{}: {:.0f} MB",
-                       told("at this resolution the material may take more than --max-memory",
-                            "с таким шагом материал может занять больше, чем --max-memory"),
-                       bytes / bytes_per_mb));
+  if (!find_cells(options, most, job) || (part && !part_meets_window(job, *part))) return false;
+  const double bytes = bytes_of_material(job, nullptr), with_part = bytes_of_material(job, part ? &*part : nullptr);
+  if (with_part <= most) return true;
+  const std::string text = bytes > most ? told("at this resolution the material may take more than --max-memory",
+                                               "с таким шагом материал может занять больше, чем --max-memory")
+                                        : told("the material and the part that is wanted may take more than --max-memory",
+                                               "материал вместе с нужной деталью может занять больше, чем --max-memory");
+  complain(fmt::format("{}: {:.0f} MB", text, (bytes > most ? bytes : with_part) / bytes_per_mb));
   return false;
 }
 
@@ -156,11 +156,10 @@ class CutCommand {
     if (!interrupted()) cutting_.finish();
   }
 
-  const Stock& stock() const { return cutting_.stock(); }
-  CutResult result(double left, double bound) const { return cutting_.result(left, bound); }
-  PartResult part_result(const PartComparison& c, double allow) const {
+  const Cutting& cutting() const { return cutting_; }
+  PartResult part_result(const PartComparison& c) const {
     const auto difference = [&](const PartOffence& o) { return PartDifference{o.volume, o.deepest, o.at, cutting_.line_of(o.sweep)}; };
-    return {difference(c.left_on), difference(c.gouged), allow};
+    return {difference(c.left_on), difference(c.gouged)};
   }
   std::size_t alarms() const { return alarms_; }
   std::size_t warnings() const { return warnings_; }
@@ -191,8 +190,6 @@ class CutCommand {
   bool failed_ = false;
 };
 
-bool is_3mf(const std::string& name) { return in_small_letters(name).ends_with(".3mf"); }
-
 PartColour colour_of(const std::string& word) {
   return word == "age" ? PartColour::age : word == "deviation" ? PartColour::deviation : PartColour::tool;
 }
@@ -211,24 +208,20 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
   return draw_part_page(*outputs.file("--plot"), scene);
 }
 
-bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Surface& surface, const CutResult& result,
-                   const PartComparison& held, const CutCommand& command) {
-  if (std::FILE* const file = outputs.stream("--out"); file != nullptr) {
-    const ByteSink sink = [file](std::string_view bytes) { return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(); };
-    const std::string fault = is_3mf(options.out) ? write_3mf(surface, sink) : write_stl(surface, sink) ? std::string() : told_errno(errno);
-    if (!fault.empty()) return complain(options.out + ": " + fault), false;
-  }
+/// `stock`: whose surface it is.
+bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Surface& surface, CutResult& result,
+                   const PartComparison& held, const CutCommand& command, const Stock& stock) {
+  if (!write_meshes(options, outputs, surface, held, stock.threads(), result)) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
     fmt::print(file, "{}", cut_json(result, command.alarms(), command.warnings()));
-  if (const auto drawn = draw(options, job, outputs, surface, result, held, command.stock()); !drawn) return complain(drawn.error()), false;
+  if (const auto drawn = draw(options, job, outputs, surface, result, held, stock); !drawn) return complain(drawn.error()), false;
   if (!options.run.quiet && options.json != "-" && options.out != "-") fmt::print("{}", cut_summary(result, language(options.run)));
   return outputs.keep();
 }
 
 /// Why a result cannot be written in that form; complains.
 bool can_write(const CutOptions& options) {
-  if (!options.out.empty() && options.out != "-" && !is_3mf(options.out) && !in_small_letters(options.out).ends_with(".stl"))
-    return complain("--out " + options.out + told(": want a file .stl or .3mf", ": нужен файл .stl или .3mf")), false;
+  if (!can_write_meshes(options)) return false;
   const std::string fault = options.run.plot.empty() ? "" : page_fault(options.run.plot);
   if (!fault.empty()) complain("--plot " + fault);
   return fault.empty();
@@ -245,7 +238,7 @@ int cut(const CutOptions& given) {
            wrong_usage;
   cut_job.until = *until;
   std::optional<Mesh> part;
-  if (!can_write(options) || !find_part(options, part) || !find_material(options, cut_job)) return wrong_usage;
+  if (!can_write(options) || !find_part(options, part) || !find_material(options, part, cut_job)) return wrong_usage;
   auto tools = load_tools(options.tools);
   if (!tools) return complain(tools.error()), wrong_usage;
   for (const std::string& note : tools->notes) say(note + "\n");
@@ -270,17 +263,24 @@ int cut(const CutOptions& given) {
   CutCommand command(options, *job, *session, cut_job);
   command.run(*drive, options.run.limits.stop);
   if (interrupted()) return interrupted_status();
-  const Surface surface = surface_of(command.stock());
-  CutResult result = command.result(volume_of(surface), share_of_cell * cut_job.cell * area_of(surface));
+  const Stock* const window = command.cutting().window();
+  const Stock& shown = window != nullptr ? *window : command.cutting().stock();
+  Surface surface = surface_of(command.cutting().stock());
+  Surface of_window = window != nullptr ? surface_of(*window) : Surface();
+  CutResult result = cut_figures(command.cutting(), cut_job, surface, window != nullptr ? &of_window : nullptr);
+  if (window != nullptr) surface = std::move(of_window);
   PartComparison held;
   if (part) {
-    held = compare(command.stock(), surface, *part);
-    result.part = command.part_result(held, options.allow >= 0 ? options.allow : allowed + allowed_of_cell * cut_job.cell);
+    held = hold_against(cut_job, shown, surface, *part);
+    result.part = command.part_result(held);
+    result.part->allow = options.allow >= 0 ? options.allow : allowed + allowed_of_cell * shown.lattice().cell();
+    if (options.allow_left >= 0) result.part->allow_left = options.allow_left;
   }
   if (interrupted()) return interrupted_status();
   erase_bar();
-  if (!write_results(options, *job, outputs, surface, result, held, command)) return wrong_usage;
-  return command.alarms() != 0 || !result.collisions.empty() || (result.part && result.part->is_gouged()) ? alarms : ok;
+  if (!write_results(options, *job, outputs, surface, result, held, command, shown)) return wrong_usage;
+  const bool part_is_wrong = result.part && (result.part->is_gouged() || result.part->is_left_on());
+  return command.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
 }
 
 }  // namespace kadr::cli

@@ -20,4 +20,8 @@ struct NamedBody {
 ///   returns     an error sentence
 tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes);
 
+/// X0,Y0,Z0,X1,Y1,Z1, mm.
+///   returns  an error sentence
+tl::expected<Box3, std::string> window_of(const std::string& text);
+
 }  // namespace kadr::cli

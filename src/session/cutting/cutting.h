@@ -29,7 +29,9 @@ struct CutJob {
   ToolLibrary tools;
   /// By tool: how long it really is, where the control's table says so under its own number. Others are as long as the control believes.
   std::map<std::uint32_t, double> lengths;
-  double cell = 0.5;  // mm
+  double cell = 0.5;                    // mm
+  std::shared_ptr<const Blank> window;  // blank_within() of what is cut once more, finer; nullptr: nothing
+  double window_cell = 0;               // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
   bool wants_coolant = false;          // cutting without it is a warning
@@ -57,6 +59,8 @@ class Cutting {
   /// Line of the program that a sweep of the stock comes from; 0 for of_blank.
   std::uint32_t line_of(std::int32_t sweep) const { return sweep < 0 ? 0 : line_of_sweep_[std::size_t(sweep)]; }
   const Stock& stock() const { return stock_; }
+  /// nullptr: there is none. Its sweeps have the same numbers.
+  const Stock* window() const { return window_.get(); }
 
  private:
   /// A motion whose pieces are in the batch.
@@ -84,6 +88,7 @@ class Cutting {
   void cut();
   void count_removed();
   void tell(const std::vector<Touch>& touches, bool of_fixture);
+  double least_depth(const Box3& around) const;
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
   std::size_t use_of(std::uint32_t tool);
@@ -91,6 +96,7 @@ class Cutting {
   CutJob job_;
   ToolWay way_;
   Stock stock_;
+  std::unique_ptr<Stock> window_;
   std::vector<std::unique_ptr<Stock>> fixtures_;
   std::set<std::uint32_t> without_coolant_;                      // lines
   std::vector<std::pair<std::uint32_t, std::uint16_t>> shapes_;  // tool → Stock::add_tool

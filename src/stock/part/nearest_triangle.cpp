@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/matrix.h"
+#include "stock/part/triangle_distance.h"
 
 namespace kadr {
 namespace {
@@ -15,8 +15,6 @@ constexpr std::ptrdiff_t leaf_triangles = 4;
 constexpr double more_than_rounding = 1 + 1e-9;  // of a square of a distance
 constexpr double hair_squared = 1e-18;           // mm²
 
-double squared(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
-
 /// Of the middle, three times.
 double middle_along(const Mesh& mesh, std::uint32_t triangle, int axis) {
   double sum = 0;
@@ -24,31 +22,12 @@ double middle_along(const Mesh& mesh, std::uint32_t triangle, int axis) {
   return sum;
 }
 
-/// From p to the stretch that begins at a place `from` away from it.
-double square_to_stretch(const Vec3& from, const Vec3& way) {
-  const double length_squared = squared(way);
-  const double share = length_squared > 0 ? std::clamp(-dot(from, way) / length_squared, 0.0, 1.0) : 0;
-  return squared(from + share * way);
-}
-
 }  // namespace
 
-/// The corners are seen from the point. Over the triangle's inside its plane is nearest, else one of its sides.
 double NearestTriangle::square_to(const Triangle& t, const Vec3& p) {
-  Vec3 corner[3], side[3];
+  Vec3 corner[3];
   for (int k = 0; k < 3; ++k) corner[k] = Vec3{double(t.corner[k][0]), double(t.corner[k][1]), double(t.corner[k][2])} - p;
-  for (int k = 0; k < 3; ++k) side[k] = corner[(k + 1) % 3] - corner[k];
-  const Vec3 normal = cross(side[0], side[1]);
-  const double size = squared(normal);
-  if (size > 0) {
-    bool over = true;
-    for (int k = 0; k < 3 && over; ++k) over = dot(cross(corner[k], corner[(k + 1) % 3]), normal) >= 0;
-    const double off = dot(corner[0], normal);
-    if (over) return off * off / size;
-  }
-  double least = square_to_stretch(corner[0], side[0]);
-  for (int k = 1; k < 3; ++k) least = std::min(least, square_to_stretch(corner[k], side[k]));
-  return least;
+  return square_to_triangle(corner);
 }
 
 double NearestTriangle::square_to(const Node& n, const Vec3& p) {

@@ -1,0 +1,72 @@
+// Surface → STL, 3MF, PLY. For cli/cut.
+
+#include "cli/cut_meshes.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstdio>
+
+#include "cli/stop.h"
+#include "config/nearest.h"
+#include "config/read_file.h"
+#include "config/told.h"
+#include "out/picture/deviation_colour.h"
+#include "stock/mesh/ply.h"
+#include "stock/mesh/stl.h"
+#include "stock/mesh/threemf.h"
+#include "stock/surface/simplified_surface.h"
+
+namespace kadr::cli {
+namespace {
+
+bool ends_with(const std::string& name, std::string_view ending) { return in_small_letters(name).ends_with(ending); }
+
+ByteSink sink_of(std::FILE* file) {
+  return [file](std::string_view bytes) { return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(); };
+}
+
+bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
+  const std::string fault = ends_with(name, ".3mf")          ? write_3mf(mesh, sink_of(file))
+                            : write_stl(mesh, sink_of(file)) ? std::string()
+                                                             : told_errno(errno);
+  if (!fault.empty()) complain(name + ": " + fault);
+  return fault.empty();
+}
+
+/// Complains.
+bool write_simplified(const CutOptions& options, const Surface& surface, int threads, std::FILE* file, CutResult& result) {
+  const auto simple = simplified_surface(surface, {options.simplify, threads, options.run.limits.stop});
+  if (!simple) return complain("--simplify: " + simple.error()), false;
+  result.simplified = {surface.triangle_count(), simple->mesh.triangle_count(), simple->off};
+  return write_part(options.out, simple->mesh, file);
+}
+
+}  // namespace
+
+bool can_write_meshes(const CutOptions& options) {
+  if (!options.out.empty() && options.out != "-" && !ends_with(options.out, ".3mf") && !ends_with(options.out, ".stl"))
+    return complain("--out " + options.out + told(": want a file .stl or .3mf", ": нужен файл .stl или .3mf")), false;
+  if (!options.deviation.empty() && options.deviation != "-" && !ends_with(options.deviation, ".ply"))
+    return complain("--deviation " + options.deviation + told(": want a file .ply", ": нужен файл .ply")), false;
+  if (options.simplify > 0 && options.out.empty())
+    return complain(told("--simplify: of --out FILE, which is missing", "--simplify: нужен --out ФАЙЛ, а он не указан")), false;
+  return true;
+}
+
+bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held, int threads,
+                  CutResult& result) {
+  if (std::FILE* const file = outputs.stream("--out"); file != nullptr) {
+    const bool written =
+        options.simplify > 0 ? write_simplified(options, surface, threads, file, result) : write_part(options.out, surface, file);
+    if (!written) return false;
+  }
+  std::FILE* const file = outputs.stream("--deviation");
+  if (file == nullptr) return true;
+  const DeviationScale scale = deviation_scale(held.deviation, result.part->allow);
+  const ColourOf colour = [&](float deviation) { return deviation_colour(double(deviation), scale); };
+  if (write_ply(surface, held.deviation, colour, sink_of(file))) return true;
+  return complain(options.deviation + ": " + told_errno(errno)), false;
+}
+
+}  // namespace kadr::cli
