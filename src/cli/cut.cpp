@@ -211,7 +211,7 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
 /// `stock`: whose surface it is.
 bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Surface& surface, CutResult& result,
                    const PartComparison& held, const CutCommand& command, const Stock& stock) {
-  if (!write_meshes(options, outputs, surface, held, stock.threads(), result)) return false;
+  if (!write_meshes(options, outputs, surface, held, stock, result) || interrupted()) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
     fmt::print(file, "{}", cut_json(result, command.alarms(), command.warnings()));
   if (const auto drawn = draw(options, job, outputs, surface, result, held, stock); !drawn) return complain(drawn.error()), false;
@@ -278,7 +278,8 @@ int cut(const CutOptions& given) {
   }
   if (interrupted()) return interrupted_status();
   erase_bar();
-  if (!write_results(options, *job, outputs, surface, result, held, command, shown)) return wrong_usage;
+  if (!write_results(options, *job, outputs, surface, result, held, command, shown))
+    return interrupted() ? interrupted_status() : wrong_usage;
   const bool part_is_wrong = result.part && (result.part->is_gouged() || result.part->is_left_on());
   return command.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
 }

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdio>
 
-#include "cli/stop.h"
 #include "config/nearest.h"
 #include "config/read_file.h"
 #include "config/told.h"
@@ -19,6 +18,9 @@
 
 namespace kadr::cli {
 namespace {
+
+constexpr double bytes_per_mb = 1 << 20;
+constexpr double bytes_of_surface = 20;  // a triangle
 
 bool ends_with(const std::string& name, std::string_view ending) { return in_small_letters(name).ends_with(ending); }
 
@@ -35,11 +37,16 @@ bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
 }
 
 /// Complains.
-bool write_simplified(const CutOptions& options, const Surface& surface, int threads, std::FILE* file, CutResult& result) {
-  const auto simple = simplified_surface(surface, {options.simplify, threads, options.run.limits.stop});
-  if (!simple) return complain("--simplify: " + simple.error()), false;
-  result.simplified = {surface.triangle_count(), simple->mesh.triangle_count(), simple->off};
-  return write_part(options.out, simple->mesh, file);
+bool write_simplified(const CutOptions& options, const Surface& surface, const Stock& stock, std::FILE* file, CutResult& result) {
+  const double bytes =
+      double(stock.bytes()) + double(surface.triangle_count()) * bytes_of_surface + bytes_of_simplifying(surface.triangle_count());
+  if (bytes > options.max_memory * bytes_per_mb)
+    return complain(fmt::format("--simplify: {}: {:.0f} MB", told("takes more than --max-memory", "нужно больше памяти, чем --max-memory"),
+                                bytes / bytes_per_mb)),
+           false;
+  const SimplifiedSurface simple = simplified_surface(surface, {options.simplify, stock.threads(), options.run.limits.stop});
+  result.simplified = {surface.triangle_count(), simple.mesh.triangle_count(), simple.off};
+  return write_part(options.out, simple.mesh, file);
 }
 
 }  // namespace
@@ -54,11 +61,11 @@ bool can_write_meshes(const CutOptions& options) {
   return true;
 }
 
-bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held, int threads,
+bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held, const Stock& stock,
                   CutResult& result) {
   if (std::FILE* const file = outputs.stream("--out"); file != nullptr) {
     const bool written =
-        options.simplify > 0 ? write_simplified(options, surface, threads, file, result) : write_part(options.out, surface, file);
+        options.simplify > 0 ? write_simplified(options, surface, stock, file, result) : write_part(options.out, surface, file);
     if (!written) return false;
   }
   std::FILE* const file = outputs.stream("--deviation");

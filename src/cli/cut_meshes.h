@@ -13,8 +13,9 @@ namespace kadr::cli {
 bool can_write_meshes(const CutOptions& options);
 
 /// Into the open files; complains.
-///   result  gets `simplified`
-bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held, int threads,
+///   surface  of `stock`
+///   result   gets `simplified`
+bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held, const Stock& stock,
                   CutResult& result);
 
 }  // namespace kadr::cli

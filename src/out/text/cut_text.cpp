@@ -16,7 +16,8 @@ using nlohmann::ordered_json;
 
 /// The words of the summary; both languages in one row.
 struct CutWords {
-  const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line;
+  const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line, *window,
+      *in_window, *simplified, *triangles;
 };
 constexpr CutWords cut_english = {"cell",
                                   "blank",
@@ -30,7 +31,11 @@ constexpr CutWords cut_english = {"cell",
                                   "left on",
                                   "gouged",
                                   "{:.1f} {}, {:.3f} {} deep at X{:.2f} Y{:.2f} Z{:.2f}",
-                                  ", line {}"};
+                                  ", line {}",
+                                  "window",
+                                  "cell {:g} {}; of {:.1f} {} left {:.1f} ± {:.1f}, removed {:.1f} ± {:.1f}",
+                                  "simplified",
+                                  "{} of {} triangles, {:.4f} {} off at most"};
 constexpr CutWords cut_russian = {"шаг сетки",
                                   "заготовка",
                                   "осталось",
@@ -43,7 +48,11 @@ constexpr CutWords cut_russian = {"шаг сетки",
                                   "недобор",
                                   "зарез",
                                   "{:.1f} {}, {:.3f} {} в точке X{:.2f} Y{:.2f} Z{:.2f}",
-                                  ", строка {}"};
+                                  ", строка {}",
+                                  "окно",
+                                  "шаг {:g} {}; из {:.1f} {} осталось {:.1f} ± {:.1f}, снято {:.1f} ± {:.1f}",
+                                  "упрощено",
+                                  "{} треугольников из {}, отклонение не более {:.4f} {}"};
 
 /// To thousandths of a mm, of a mm³: what stands behind is no more than noise.
 double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
@@ -105,6 +114,9 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   std::string text = summary_row(w.cell, fmt::format("{:g} {}", r.cell, mm)) + summary_row(w.blank, volume(r.stock)) +
                      summary_row(w.left, fmt::format("{:.1f} ± {:.1f} {}", r.left, r.error_bound, mm3)) +
                      summary_row(w.removed, fmt::format("{:.1f} ± {:.1f} {}", r.stock - r.left, r.error_bound, mm3));
+  if (const auto& in = r.window)
+    text += summary_row(w.window, fmt::format(fmt::runtime(w.in_window), in->cell, mm, in->stock, mm3, in->left, in->error_bound,
+                                              in->stock - in->left, in->error_bound));
   const char* name = w.tools;
   for (const ToolRemoval& t : r.tools) {
     text += summary_row(name, fmt::format("T{}: {}, ", t.tool, volume(t.removed)) +
@@ -113,6 +125,9 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   }
   const std::size_t count = r.collisions.size() + r.not_told;
   if (r.part) text += difference_row(w, w.left_on, r.part->left_on, lang) + difference_row(w, w.gouged, r.part->gouged, lang);
+  if (r.simplified)
+    text += summary_row(w.simplified,
+                        fmt::format(fmt::runtime(w.triangles), r.simplified->triangles, r.simplified->exact, r.simplified->off, mm));
   return text + summary_row(w.collisions, count == 0 ? std::string(w.none) : std::to_string(count));
 }
 
@@ -125,12 +140,20 @@ std::string cut_json(const CutResult& r, std::size_t alarms, std::size_t warning
                     {"seconds", rounded(r.seconds)},
                     {"alarms", alarms + r.collisions.size() + r.not_told},
                     {"warnings", warnings + r.warnings.size()}};
+  if (r.window)
+    json["window"] = {{"stock", rounded(r.window->stock)},
+                      {"left", rounded(r.window->left)},
+                      {"removed", rounded(r.window->stock - r.window->left)},
+                      {"error_bound", rounded(r.window->error_bound)},
+                      {"resolution", r.window->cell}};
   json["tools"] = ordered_json::array();
   for (const ToolRemoval& t : r.tools)
     json["tools"].push_back(
         {{"tool", t.tool}, {"removed", rounded(t.removed)}, {"seconds", rounded(t.seconds)}, {"greatest_rate", rounded(t.greatest_rate)}});
   json["collisions"] = findings_json(r.collisions);
   if (r.part) json["part"] = {{"left_on", difference_json(r.part->left_on)}, {"gouged", difference_json(r.part->gouged)}};
+  if (r.simplified)
+    json["simplified"] = {{"exact", r.simplified->exact}, {"triangles", r.simplified->triangles}, {"off", r.simplified->off}};
   if (!r.warnings.empty()) json["warned"] = findings_json(r.warnings);
   return json.dump() + "\n";
 }

@@ -38,14 +38,14 @@ void each_place(const Mesh& mesh, std::size_t triangle, double step, const Visit
 
 }  // namespace
 
-double farthest_off(const Mesh& from, const Mesh& to, double step, int threads) {
+double farthest_off(const Mesh& from, const Mesh& to, double step, const SimplifyRules& rules) {
   const NearestTriangle nearest(to);
-  std::vector<double> most(std::size_t(threads), 0);
+  std::vector<double> most(std::size_t(rules.threads), 0);
   std::atomic<std::size_t> next{0};
-  side_by_side(threads, [&](int thread) {
+  side_by_side(rules.threads, [&](int thread) {
     std::uint32_t hint = 0;
     double& own = most[std::size_t(thread)];
-    for (std::size_t chunk; (chunk = next++) * triangles_at_once < from.triangle_count();) {
+    for (std::size_t chunk; !rules.stop.asked() && (chunk = next++) * triangles_at_once < from.triangle_count();) {
       const std::size_t last = std::min((chunk + 1) * triangles_at_once, from.triangle_count());
       for (std::size_t t = chunk * triangles_at_once; t < last; ++t)
         each_place(from, t, step, [&](const Vec3& at) { own = std::max(own, nearest.distance(at, hint)); });

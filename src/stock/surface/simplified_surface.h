@@ -29,6 +29,6 @@ SimplifiedSurface simplified_surface(const Mesh& exact, const SimplifyRules& rul
 double bytes_of_simplifying(std::size_t triangles);
 
 /// The greatest distance of the places of one mesh, its points among them and others at most `step` apart, from another.
-double farthest_off(const Mesh& from, const Mesh& to, double step, int threads);
+double farthest_off(const Mesh& from, const Mesh& to, double step, const SimplifyRules& rules);
 
 }  // namespace kadr
