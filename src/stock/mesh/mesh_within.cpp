@@ -52,8 +52,10 @@ void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
     between_walls = clipped(between_walls, d, along(box.most, d), -1);
   }
   const double height = box.most.z - box.least.z;
-  each_triangle(clipped(between_walls, 2, box.most.z, 1),
-                [&](const Vec3& a, const Vec3& b, const Vec3& c) { sum.volume += flat_area(a, b, c) * height; });
+  each_triangle(clipped(between_walls, 2, box.most.z, 1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;  // and not above: counts once, below
+    if (!at_ceiling) sum.volume += flat_area(a, b, c) * height;
+  });
   each_triangle(clipped(clipped(between_walls, 2, box.least.z, 1), 2, box.most.z, -1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     sum.volume += flat_area(a, b, c) * ((a.z + b.z + c.z) / 3 - box.least.z);
     sum.area += length(cross(b - a, c - a)) / 2;

@@ -17,6 +17,9 @@ constexpr float rounding_of_places = 0x1p-21f;   // of the farthest place: the p
 constexpr double more_than_rounding = 1 + 4e-6;  // of a square of a distance, in single precision
 constexpr double hair_squared = 1e-18;           // mm²
 
+/// Boxes that are farther hold nothing nearer.
+float limit_of(double square) { return float(square * more_than_rounding + hair_squared); }
+
 /// Half of them, by the middles along the longest side; whole nodes, so that few have room left.
 template <class Placed>
 Placed* halved(Placed* first, Placed* last) {
@@ -110,18 +113,19 @@ double NearestTriangle::distance(const Vec3& point, std::uint32_t& hint) const {
   };
   const std::uint32_t began = hint;
   double best = square_to(triangles_[began], point);
+  float limit = limit_of(best);
   const Quad none{}, place[3] = {none + float(point.x), none + float(point.y), none + float(point.z)};
   Waiting stack[64];  // quarters of 2³¹ triangles lie no deeper than 16
   int waiting = 0;
   stack[waiting++] = {0, 0};
   while (waiting > 0) {
     const Waiting next = stack[--waiting];
-    if (double(next.square) > best * more_than_rounding + hair_squared) continue;
+    if (next.square > limit) continue;
     if ((next.child & of_triangles) != 0) {
       const std::uint32_t t = next.child & ~of_triangles;
       if (t == began) continue;
       const double square = square_to(triangles_[t], point);
-      if (square < best) best = square, hint = t;
+      if (square < best) best = square, limit = limit_of(best), hint = t;
       continue;
     }
     const Node& node = nodes_[next.child];
@@ -135,7 +139,7 @@ double NearestTriangle::distance(const Vec3& point, std::uint32_t& hint) const {
     }
     const int first = waiting;
     for (int i = 0; i < width; ++i) {
-      if (double(sum[i]) > best * more_than_rounding + hair_squared) continue;
+      if (sum[i] > limit) continue;
       int to = waiting++;  // the nearest on top
       for (; to > first && stack[to - 1].square < sum[i]; --to) stack[to] = stack[to - 1];
       stack[to] = {sum[i], node.child[i]};
