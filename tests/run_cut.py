@@ -11,13 +11,18 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     stops     id of the alarm that ends the run
     part_program   the wanted part is what this program cuts of the same blank; part: an STL text
     left_on, gouged   [deepest, LINE], mm within a tenth of the cell; 0: no deeper than that; too_deep: the exit status is 1 because of it
-    args      further words of the command line; setup: a set-up
+    window    {stock, removed: mm³ within `within`; resolution}
+    simplified   {off: mm at most; share of the triangles that are left at most}: of part.stl, which is whole
+    deviation the greatest number in off.ply, mm within a hundredth
+    refused   the beginning of the complaint; nothing is cut, the exit status is 2
+    args      further words of the command line, files in a folder of the case; setup: a set-up
 Every case is cut with one and with two threads: the same JSON. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
 it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import argparse
 import json
+import struct
 import subprocess
 import sys
 import tempfile
@@ -50,15 +55,41 @@ def cut(kadr, folder, case, tools, threads):
         words += ['--part', str(folder / 'wanted.stl')]
     elif 'part' in case:
         words += ['--part', str(write(folder / 'wanted.stl', case['part']))]
-    words += case.get('args', [])
+    words += [str(folder / word) if word.endswith(('.stl', '.ply')) else word for word in case.get('args', [])]
     if 'setup' in case:
         (folder / 'setup.json').write_text(case['setup'])
         words += ['--setup', str(folder / 'setup.json')]
     return subprocess.run(words, capture_output=True, text=True, timeout=TIME_LIMIT_S)
 
 
-def faults_of(case, run):
+def window_faults(want, got):
+    for key in ('stock', 'removed'):
+        if abs(got[key] - want[key]) > want['within']:
+            yield f'window {key} {got[key]}, not {want[key]}'
+    if got['resolution'] != want['resolution'] or abs(got['stock'] - got['left'] - got['removed']) > 0.002 or got['error_bound'] <= 0:
+        yield f'window {got}'
+
+
+def mesh_faults(case, result, folder):
+    """Of the files that were written."""
+    if 'simplified' in case:
+        got, size = result['simplified'], (folder / 'part.stl').stat().st_size
+        if got['off'] > case['simplified']['off'] or got['triangles'] > case['simplified']['share'] * got['exact'] or size != 84 + 50 * got['triangles']:
+            yield f'simplified {got}, {size} bytes'
+    if 'deviation' in case:
+        head, _, body = (folder / 'off.ply').read_bytes().partition(b'end_header\n')
+        points = int(head.split(b'element vertex ')[1].split()[0])
+        greatest = max(value for *_, value in struct.iter_unpack('<fffBBBf', body[:19 * points]))
+        if abs(greatest - case['deviation']) > 0.01:
+            yield f'deviation {greatest}, not {case["deviation"]}'
+
+
+def faults_of(case, run, folder):
     """Sentences: what is not as it was to be."""
+    if 'refused' in case:
+        if run.returncode != 2 or not run.stderr.removeprefix('kadr: ').startswith(case['refused']):
+            yield f'not refused: exit status {run.returncode}, {run.stderr.strip()[:300]}'
+        return
     if not run.stdout.startswith('{'):
         yield f'no result: {run.stderr.strip()[:300]}'
         return
@@ -79,8 +110,11 @@ def faults_of(case, run):
     for key in ('left_on', 'gouged'):
         if key in case:
             (want, line), got = case[key], result['part'][key]
-            if abs(got['deepest'] - want) > 0.1 * result['resolution'] or (want > 0 and got['line'] != line):
+            if abs(got['deepest'] - want) > 0.1 * result.get('window', result)['resolution'] or (want > 0 and got['line'] != line):
                 yield f'{key}: {got}, not {case[key]}'
+    if 'window' in case:
+        yield from window_faults(case['window'], result['window'])
+    yield from mesh_faults(case, result, folder)
     stops = case.get('stops')
     if stops and f'alarm {stops}:' not in run.stderr:
         yield f'does not stop by {stops}: {run.stderr.strip()[:200]}'
@@ -100,7 +134,7 @@ def mill(kadr, folder, scheme, control):
         return
     case = {'program': program.read_text(), 'control': control, 'stock': MILL_STOCK, 'resolution': 1,
             'tools': '[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 12\nflutes = 20\nlength = 50\nholder = [[40, 0], [40, 30]]\n'}
-    yield from faults_of(case, cut(kadr, folder, case, '', 2))
+    yield from faults_of(case, cut(kadr, folder, case, '', 2), folder)
 
 
 def main():
@@ -117,7 +151,7 @@ def main():
                 if options.only not in title:
                     continue
                 one, two = (cut(options.kadr, Path(name), case, cases.get('tools', ''), threads) for threads in (1, 2))
-                faults = list(faults_of(case, one))
+                faults = list(faults_of(case, one, Path(name)))
                 if one.stdout != two.stdout:
                     faults.append('one thread and two threads differ')
                 for fault in faults:
