@@ -211,11 +211,12 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
 /// `stock`: whose surface it is.
 bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Surface& surface, CutResult& result,
                    const PartComparison& held, const CutCommand& command, const Stock& stock) {
-  if (!write_meshes(options, outputs, surface, held, stock, result) || interrupted()) return false;
+  if (!write_meshes(options, outputs, surface, held, command.cutting(), result) || interrupted()) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
     fmt::print(file, "{}", cut_json(result, command.alarms(), command.warnings()));
   if (const auto drawn = draw(options, job, outputs, surface, result, held, stock); !drawn) return complain(drawn.error()), false;
-  if (!options.run.quiet && options.json != "-" && options.out != "-") fmt::print("{}", cut_summary(result, language(options.run)));
+  if (!options.run.quiet && options.json != "-" && options.out != "-" && options.deviation != "-")
+    fmt::print("{}", cut_summary(result, language(options.run)));
   return outputs.keep();
 }
 

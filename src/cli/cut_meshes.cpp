@@ -19,17 +19,17 @@
 namespace kadr::cli {
 namespace {
 
-constexpr double bytes_per_mb = 1 << 20;
+constexpr double mesh_mb = 1 << 20;      // bytes
 constexpr double bytes_of_surface = 20;  // a triangle
 
-bool ends_with(const std::string& name, std::string_view ending) { return in_small_letters(name).ends_with(ending); }
+bool has_ending(const std::string& name, std::string_view ending) { return in_small_letters(name).ends_with(ending); }
 
 ByteSink sink_of(std::FILE* file) {
   return [file](std::string_view bytes) { return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(); };
 }
 
 bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
-  const std::string fault = ends_with(name, ".3mf")          ? write_3mf(mesh, sink_of(file))
+  const std::string fault = has_ending(name, ".3mf")         ? write_3mf(mesh, sink_of(file))
                             : write_stl(mesh, sink_of(file)) ? std::string()
                                                              : told_errno(errno);
   if (!fault.empty()) complain(name + ": " + fault);
@@ -37,35 +37,35 @@ bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
 }
 
 /// Complains.
-bool write_simplified(const CutOptions& options, const Surface& surface, const Stock& stock, std::FILE* file, CutResult& result) {
-  const double bytes =
-      double(stock.bytes()) + double(surface.triangle_count()) * bytes_of_surface + bytes_of_simplifying(surface.triangle_count());
-  if (bytes > options.max_memory * bytes_per_mb)
+bool write_simplified(const CutOptions& options, const Surface& surface, const Cutting& cutting, std::FILE* file, CutResult& result) {
+  const std::size_t triangles = surface.triangle_count(), in_window = cutting.window() != nullptr ? cutting.window()->bytes() : 0;
+  const double bytes = double(cutting.stock().bytes() + in_window) + double(triangles) * bytes_of_surface + bytes_of_simplifying(triangles);
+  if (bytes > options.max_memory * mesh_mb)
     return complain(fmt::format("--simplify: {}: {:.0f} MB", told("takes more than --max-memory", "нужно больше памяти, чем --max-memory"),
-                                bytes / bytes_per_mb)),
+                                bytes / mesh_mb)),
            false;
-  const SimplifiedSurface simple = simplified_surface(surface, {options.simplify, stock.threads(), options.run.limits.stop});
-  result.simplified = {surface.triangle_count(), simple.mesh.triangle_count(), simple.off};
+  const SimplifiedSurface simple = simplified_surface(surface, {options.simplify, cutting.stock().threads(), options.run.limits.stop});
+  result.simplified = {triangles, simple.mesh.triangle_count(), simple.off};
   return write_part(options.out, simple.mesh, file);
 }
 
 }  // namespace
 
 bool can_write_meshes(const CutOptions& options) {
-  if (!options.out.empty() && options.out != "-" && !ends_with(options.out, ".3mf") && !ends_with(options.out, ".stl"))
+  if (!options.out.empty() && options.out != "-" && !has_ending(options.out, ".3mf") && !has_ending(options.out, ".stl"))
     return complain("--out " + options.out + told(": want a file .stl or .3mf", ": нужен файл .stl или .3mf")), false;
-  if (!options.deviation.empty() && options.deviation != "-" && !ends_with(options.deviation, ".ply"))
+  if (!options.deviation.empty() && options.deviation != "-" && !has_ending(options.deviation, ".ply"))
     return complain("--deviation " + options.deviation + told(": want a file .ply", ": нужен файл .ply")), false;
   if (options.simplify > 0 && options.out.empty())
     return complain(told("--simplify: of --out FILE, which is missing", "--simplify: нужен --out ФАЙЛ, а он не указан")), false;
   return true;
 }
 
-bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held, const Stock& stock,
-                  CutResult& result) {
+bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held,
+                  const Cutting& cutting, CutResult& result) {
   if (std::FILE* const file = outputs.stream("--out"); file != nullptr) {
     const bool written =
-        options.simplify > 0 ? write_simplified(options, surface, stock, file, result) : write_part(options.out, surface, file);
+        options.simplify > 0 ? write_simplified(options, surface, cutting, file, result) : write_part(options.out, surface, file);
     if (!written) return false;
   }
   std::FILE* const file = outputs.stream("--deviation");

@@ -3,6 +3,7 @@
 
 #include "cli/options.h"
 #include "cli/outputs.h"
+#include "session/cutting/cutting.h"
 #include "stock/cut_result.h"
 #include "stock/part/part_compare.h"
 #include "stock/surface/surface.h"
@@ -13,9 +14,9 @@ namespace kadr::cli {
 bool can_write_meshes(const CutOptions& options);
 
 /// Into the open files; complains.
-///   surface  of `stock`
+///   surface  of what `cutting` has left, in its window if there is one
 ///   result   gets `simplified`
-bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held, const Stock& stock,
-                  CutResult& result);
+bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held,
+                  const Cutting& cutting, CutResult& result);
 
 }  // namespace kadr::cli

@@ -102,8 +102,9 @@ Alarm alarm_of(const CutFinding& f) {
 
 std::string cut_caption(const CutResult& r, Lang lang) {
   const bool ru = lang == Lang::ru;
-  return fmt::format("{} {:.1f} {}, {} {:g} {}", ru ? "снято" : "removed", r.stock - r.left, ru ? "мм³" : "mm³", ru ? "шаг сетки" : "cell",
-                     r.cell, ru ? "мм" : "mm");
+  const double removed = r.window ? r.window->stock - r.window->left : r.stock - r.left, cell = r.window ? r.window->cell : r.cell;
+  return fmt::format("{} {:.1f} {}, {} {:g} {}", ru ? "снято" : "removed", removed, ru ? "мм³" : "mm³", ru ? "шаг сетки" : "cell", cell,
+                     ru ? "мм" : "mm");
 }
 
 std::string cut_summary(const CutResult& r, Lang lang) {
