@@ -83,4 +83,13 @@ tl::expected<NamedBody, std::string> body_of(const std::string& text, double mos
                      "нужно box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf"));
 }
 
+tl::expected<Box3, std::string> window_of(const std::string& text) {
+  const auto n = numbers_of(text);
+  if (n && n->size() == 6 && (*n)[0] < (*n)[3] && (*n)[1] < (*n)[4] && (*n)[2] < (*n)[5])
+    return Box3{{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}};
+  return Failed(text + ": " +
+                told("want X0,Y0,Z0,X1,Y1,Z1, mm up to 100000, the first corner below the second in each axis",
+                     "нужно X0,Y0,Z0,X1,Y1,Z1, мм до 100000, первый угол по каждой оси меньше второго"));
+}
+
 }  // namespace kadr::cli

@@ -25,4 +25,8 @@ tl::expected<NamedBody, std::string> body_of(const std::string& text, double mos
 /// The same words as a shape; nothing: they are none, or name a file.
 std::optional<BodyShape> shape_of_words(const std::string& text);
 
+/// X0,Y0,Z0,X1,Y1,Z1, mm.
+///   returns  an error sentence
+tl::expected<Box3, std::string> window_of(const std::string& text);
+
 }  // namespace kadr::cli

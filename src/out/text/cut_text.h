@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// In a line: "82581.4 mm³ removed, cell 0.25 mm".
+/// In a line: "removed 82581.4 mm³, cell 0.25 mm"; of the window, if there is one.
 std::string cut_caption(const CutResult& result, Lang lang);
 
 std::string cut_summary(const CutResult& result, Lang lang);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "session/cutting/window_touches.h"
+
 namespace kadr {
 namespace {
 
@@ -42,6 +44,7 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
       rpm_(job.rpm),
       loads_(job.cell),
       air_(job.cell) {
+  if (job.window) window_ = std::make_unique<Stock>(job.window, job.window_cell, job.threads);
   loads_.on_block = [this](const BlockLoad& load) { take_rate(load); };
   if (job.keeps_rates)
     loads_.on_rate = [this](std::size_t first, std::size_t end, double rate) {
@@ -81,6 +84,7 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   if (geometry == nullptr) return std::nullopt;
   const ToolShape shape = shape_of(*geometry);
   const std::uint16_t number = stock_.add_tool(shape);
+  if (window_) (void)window_->add_tool(shape);
   for (const auto& fixture : fixtures_) (void)fixture->add_tool(shape);
   shapes_.emplace_back(tool_, number);
   return number;
@@ -176,6 +180,7 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
   const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
   for (const WayPiece& p : pieces) {
     stock_.add({p.from - zero_, p.to - zero_, shape, watched});
+    if (window_) window_->add({p.from - zero_, p.to - zero_, shape, watched});
     line_of_sweep_.push_back({moved.origin.line, moved.origin.file});
     for (const auto& fixture : fixtures_) fixture->add({p.from - zero_, p.to - zero_, shape, true});
     in_batch.length += length(p.to - p.from), in_batch.flat += flat_length(p);
@@ -187,7 +192,9 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
 
 void Cutting::cut() {
   if (batch_.empty()) return;
-  tell(stock_.cut(job_.stop), false);
+  std::vector<Touch> touches = stock_.cut(job_.stop);
+  if (window_) touches = finer_touches(job_.window->box(), touches, window_->cut(job_.stop));
+  tell(touches, false);
   for (const auto& fixture : fixtures_) tell(fixture->cut(job_.stop), true);
   count_removed();
   batch_.clear();
@@ -238,8 +245,13 @@ void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
     const Moved& m = batch_[what.first];
     const Box3& box = taken.first;
     const CutFinding finding{what.second, m.origin, {}, {}, m.tool, 0.5 * (box.least + box.most), least_side(box), taken.second, m.begins};
-    if (finding.depth >= stock_.least_piece()) keep(finding);
+    if (finding.depth >= least_depth(box)) keep(finding);
   }
+}
+
+/// What the window has found is as exact as its cell.
+double Cutting::least_depth(const Box3& around) const {
+  return window_ && lies_within(around, job_.window->box()) ? window_->least_piece() : stock_.least_piece();
 }
 
 AlarmId Cutting::fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture) {

@@ -31,7 +31,9 @@ struct CutJob {
   ToolLibrary tools;
   /// By tool: how long it really is, where the control's table says so under its own number. Others are as long as the control believes.
   std::map<std::uint32_t, double> lengths;
-  double cell = 0.5;  // mm
+  double cell = 0.5;                    // mm
+  std::shared_ptr<const Blank> window;  // blank_within() of what is cut once more, finer; nullptr: nothing
+  double window_cell = 0;               // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
   std::optional<Axes> apart;           // of ToolWay
@@ -72,6 +74,8 @@ class Cutting {
   /// By sweep: mm³/s that its block took away; 0: at rapid, or none is told. Shorter than the sweeps where the last ones have none.
   const std::vector<float>& rates() const { return rate_of_sweep_; }
   const Stock& stock() const { return stock_; }
+  /// nullptr: there is none. Its sweeps have the same numbers.
+  const Stock* window() const { return window_.get(); }
 
  private:
   /// A motion whose pieces are in the batch.
@@ -102,6 +106,7 @@ class Cutting {
   void count_removed();
   void take_rate(const BlockLoad& load);
   void tell(const std::vector<Touch>& touches, bool of_fixture);
+  double least_depth(const Box3& around) const;
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
   void tell_others();
@@ -110,6 +115,7 @@ class Cutting {
   CutJob job_;
   ToolWay way_;
   Stock stock_;
+  std::unique_ptr<Stock> window_;
   std::vector<std::unique_ptr<Stock>> fixtures_;
   std::set<std::uint32_t> without_coolant_;                      // lines
   std::vector<std::pair<std::uint32_t, std::uint16_t>> shapes_;  // tool → Stock::add_tool
