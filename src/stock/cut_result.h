@@ -80,7 +80,8 @@ struct CutResult {
   std::optional<PartResult> part;   // if one was wanted; of a window what lies in it
   std::optional<WindowResult> window;
   std::optional<SimplifiedResult> simplified;
-  std::size_t not_told = 0;  // findings beyond those that are kept
+  std::size_t not_told = 0;          // findings beyond those that are kept
+  std::size_t threads_left_out = 0;  // passes of turning tools along a thread
 };
 
 }  // namespace kadr

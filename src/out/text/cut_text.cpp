@@ -170,6 +170,7 @@ std::string cut_json(const CutResult& r, std::size_t alarms, std::size_t warning
   for (const ToolRemoval& t : r.tools)
     json["tools"].push_back(
         {{"tool", t.tool}, {"removed", rounded(t.removed)}, {"seconds", rounded(t.seconds)}, {"greatest_rate", rounded(t.greatest_rate)}});
+  if (r.threads_left_out != 0) json["threads_left_out"] = r.threads_left_out;
   json["collisions"] = findings_json(r.collisions);
   add_loads(json, r);
   if (r.part) json["part"] = {{"left_on", difference_json(r.part->left_on)}, {"gouged", difference_json(r.part->gouged)}};

@@ -89,6 +89,7 @@ class Cutting {
     double begins = 0, seconds = 0, length = 0, flat = 0;
     double diameter = 0, teeth = 0;  // of CutMotion
     Vec3 at;
+    Vec2 radius;  // of a turning tool: along its radius, towards it; else 0
   };
   struct Kept {
     Moved moved;
@@ -97,8 +98,9 @@ class Cutting {
   };
   void note(const Action& action);
   bool place_known(const Motion& motion);
+  bool leaves_thread(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
-  AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces) const;
+  AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const;
   void add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape);
   void shift_by_length();
   void release_kept();
@@ -122,6 +124,8 @@ class Cutting {
   AxisMask unknown_ = 0;                                         // of X, Y, Z: where the tool stands along them nobody has said
   std::uint32_t tool_;
   SpindleDir spindle_;
+  std::uint32_t spinning_ = 0;  // spindles that turn, a bit each: any may turn the part
+  bool in_thread_ = false;      // the last motion of a turning tool was a pass of a thread
   double rpm_;
   Coolant coolant_ = Coolant::off;
   std::vector<WayPiece> pieces_;
