@@ -67,6 +67,7 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
   PartScene scene{cut.surface, stock.blank().box(), colour_of(options.run.colour), {}, {}, {}};
   scene.load.rates = cut.run.cutting().rates();
   for (const BlockLoad& load : result.heaviest) scene.load.heaviest.push_back(load.at);
+  for (const CutFinding& f : result.collisions) scene.collisions.push_back({f.at, f.origin.line});
   if (result.part) scene.deviation = {cut.held.deviation, result.part->allow};
   scene.title = {job.file, lang == Lang::ru ? job.def->name.ru : job.def->name.en, lang, cut_caption(result, lang), {}};
   scene.colours.resize(stock.sweeps());
