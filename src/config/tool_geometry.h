@@ -51,6 +51,7 @@ struct ToolGeometry {
   std::vector<ProfilePoint> shank;    // empty: `diameter` from `flutes` to `length`
   std::vector<ProfilePoint> holder;   // empty: none is known
   bool plunges = true;                // may cut straight down
+  int teeth = 0;                      // 0: not known
   InsertGeometry insert;              // of a turning tool
 };
 

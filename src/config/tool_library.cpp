@@ -29,8 +29,8 @@ constexpr KindName kind_names[] = {{"flat", ToolKind::flat},   {"ball", ToolKind
                                    {"drill", ToolKind::drill}, {"taper", ToolKind::taper}, {"chamfer", ToolKind::chamfer},
                                    {"tslot", ToolKind::tslot}, {"form", ToolKind::form},   {"turning", ToolKind::turning}};
 
-constexpr std::string_view keys[] = {"number", "name",    "kind",  "diameter", "corner",  "angle",  "tip",  "flutes",
-                                     "length", "profile", "shank", "holder",   "plunges", "points", "lead", "width"};
+constexpr std::string_view keys[] = {"number",  "name",  "kind",   "diameter", "corner", "angle",  "tip",  "flutes", "length",
+                                     "profile", "shank", "holder", "plunges",  "teeth",  "points", "lead", "width"};
 
 constexpr NumberRange size_range = {0, 1e4, "mm", "мм"};
 constexpr NumberRange angle_range = {0, 180, "degrees", "градусов"};
@@ -53,6 +53,17 @@ Done number_of(const std::string& file, const toml::table& row, ToolGeometry& to
     return Failed(place(file, row, "number") +
                   told("number: that of the tool, a whole number from 0 to 99999999", "number: номер инструмента, целое от 0 до 99999999"));
   tool.number = std::uint32_t(*number);
+  return {};
+}
+
+Done teeth_of(const std::string& file, const toml::table& row, ToolGeometry& tool) {
+  const toml::node* const node = row.get("teeth");
+  if (node == nullptr) return {};
+  const auto teeth = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+  if (!teeth || *teeth < 1 || *teeth > limits::teeth)
+    return Failed(place(file, *node) + told("teeth: how many cut, a whole number from 1 to ", "teeth: число зубьев, целое от 1 до ") +
+                  std::to_string(limits::teeth));
+  tool.teeth = int(*teeth);
   return {};
 }
 
@@ -89,6 +100,7 @@ tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const t
   Done done = known_tool_keys(file, row);
   if (done) done = number_of(file, row, tool);
   if (done) done = kind_of(file, row, tool);
+  if (done) done = teeth_of(file, row, tool);
   const auto number = [&](std::string_view key, const NumberRange& range, double& to) {
     if (done) done = toml_tools::number(file, row, key, range, to);
   };

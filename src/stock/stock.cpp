@@ -49,6 +49,12 @@ bool is_empty(const Brick& brick) {
   return true;
 }
 
+void raise_to(std::atomic<float>& most, float value) {
+  float now = most.load(std::memory_order_relaxed);
+  while (now < value && !most.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+  }
+}
+
 /// Of all its bodies.
 AroundTip around_tip(const ToolShape& tool) {
   AroundTip all{0, 0, 0};
@@ -173,8 +179,11 @@ void Stock::put_in_bin(std::size_t b, std::size_t sweep) {
   if (bins_[b].empty() || bins_[b].back() != std::int32_t(sweep)) bins_[b].push_back(std::int32_t(sweep));
 }
 
-void Stock::Worker::count(std::int32_t sweep, double length) {
-  (*removed)[std::size_t(sweep) - first].fetch_add(std::llround(length / removed_unit), std::memory_order_relaxed);
+void Stock::Worker::count(std::int32_t sweep, double length, float longest, float depth) {
+  Removed& of_sweep = (*removed)[std::size_t(sweep) - first];
+  of_sweep.length.fetch_add(std::llround(length / removed_unit), std::memory_order_relaxed);
+  raise_to(of_sweep.longest, longest);
+  raise_to(of_sweep.depth, depth);
 }
 
 /// One sweep in one brick. `worker`: who is told what it took away; nullptr: nobody.
@@ -196,7 +205,8 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
     if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
     cut_brick(*now.brick, scale_, local, swept_[s.tool][i], number, outcome);
     changed = changed || outcome.changed;
-    if (worker != nullptr && outcome.length != 0) worker->count(number, outcome.length);
+    if (worker != nullptr && outcome.changed)
+      worker->count(number, outcome.length, outcome.longest, body.part == ToolPart::cutting ? outcome.depth : 0.f);
     if (!told || !box.any()) continue;
     const Vec3 at = lattice_.corner(b);
     const Box3 around{at + Vec3{double(box.least[0]), double(box.least[1]), double(box.least[2])},
@@ -230,7 +240,7 @@ void Stock::cut_in(std::size_t b, Worker& worker) {
 
 std::vector<Touch> Stock::cut(const StopToken& stop) {
   first_ = done_;
-  removed_ = std::vector<std::atomic<std::int64_t>>(sweeps_.size() - first_);
+  removed_ = std::vector<Removed>(sweeps_.size() - first_);
   std::vector<Worker> workers(static_cast<std::size_t>(threads_), Worker{{}, &removed_, first_});
   while (done_ < sweeps_.size() && !stop.asked()) {
     const std::size_t last = past_ ? std::min(done_ + between_room, sweeps_.size()) : sweeps_.size();
@@ -265,7 +275,13 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
 }
 
 double Stock::removed_by(std::size_t sweep) const {
-  return double(removed_[sweep - first_].load(std::memory_order_relaxed)) * removed_unit * lattice_.cell() * lattice_.cell();
+  return double(removed_[sweep - first_].length.load(std::memory_order_relaxed)) * removed_unit * lattice_.cell() * lattice_.cell();
+}
+
+double Stock::depth_of(std::size_t sweep) const { return double(removed_[sweep - first_].depth.load(std::memory_order_relaxed)); }
+
+bool Stock::cuts_anything(std::size_t sweep) const {
+  return double(removed_[sweep - first_].longest.load(std::memory_order_relaxed)) >= least_piece();
 }
 
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }

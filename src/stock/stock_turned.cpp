@@ -82,11 +82,11 @@ bool Stock::turn(std::int32_t number, std::size_t b, Brick& material, Worker* wo
     cut_ring(material, scale_, corner, ring, number, outcome);
     changed = changed || outcome.changed;
     if (worker == nullptr) continue;
-    if (outcome.length != 0) worker->count(number, outcome.length);
+    if (outcome.changed) worker->count(number, outcome.length, outcome.longest, 0);
     if (!outcome.any()) continue;
     const double from_zero = lattice_.origin().z;
     const Box3 around{{outcome.radii.from, 0, outcome.heights.from + from_zero}, {outcome.radii.to, 0, outcome.heights.to + from_zero}};
-    worker->touches.push_back({std::uint32_t(number), body.part, around, outcome.length * lattice_.cell() * lattice_.cell()});
+    worker->touches.push_back({std::uint32_t(number), body.part, around, outcome.length * lattice_.cell() * lattice_.cell(), true});
   }
   return changed;
 }

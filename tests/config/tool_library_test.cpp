@@ -38,6 +38,7 @@ length = 60
 shank = [[8, 22], [8, 60]]
 holder = [[40, 0], [50, 30]]
 plunges = false
+teeth = 4
 )",
                                             "tools.toml"));
   EXPECT_EQ(t.number, 3u);
@@ -50,6 +51,7 @@ plunges = false
   EXPECT_EQ(t.shank, (std::vector<ProfilePoint>{{8, 22}, {8, 60}}));
   EXPECT_EQ(t.holder, (std::vector<ProfilePoint>{{40, 0}, {50, 30}}));
   EXPECT_FALSE(t.plunges);
+  EXPECT_EQ(t.teeth, 4);
 }
 
 TEST(ToolLibrary, FlutesAndLengthFollowFromEachOther) {
@@ -69,6 +71,8 @@ TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiametr = 6\n"), HasSubstr("'diameter'?"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"bull\"\ndiameter = 6\ncorner = 4\nflutes = 9\n"), HasSubstr("corner"));
   EXPECT_THAT(fault("[[tool]]\nnumber = -1\n"), HasSubstr("whole number"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflutes = 9\nteeth = 0\n"), HasSubstr("tools.toml:6:"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflutes = 9\nteeth = 2.5\n"), HasSubstr("whole number"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = nan\nflutes = 9\n"), HasSubstr("diameter"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"form\"\nprofile = [[4, 5], [8, 2]]\n"), HasSubstr("must not fall"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"form\"\nprofile = [[4, 5]]\n"), HasSubstr("two to 1000"));
@@ -177,11 +181,12 @@ TEST(ToolFormats, CamoticsProject) {
 
 TEST(ToolFormats, FreecadBitIsWhateverTheProgramCalls) {
   const auto library = tools_of_freecad(R"({"version": 2, "name": "5mm", "shape": "endmill.fcstd",
-    "parameter": {"CuttingEdgeHeight": "30.0000 mm", "Diameter": "0.2500 in", "Length": "50.0000 mm", "ShankDiameter": "3.0000 mm"}})",
+    "parameter": {"CuttingEdgeHeight": "30.0000 mm", "Diameter": "0.2500 in", "Length": "50.0000 mm", "ShankDiameter": "3.0000 mm", "Flutes": "2"}})",
                                         "5mm.fctb");
   ASSERT_TRUE(library);
   ASSERT_NE(library->find(7), nullptr);
   EXPECT_NEAR(library->find(7)->diameter, 6.35, 1e-12);
+  EXPECT_EQ(library->find(7)->teeth, 2);
   EXPECT_EQ(library->find(7)->shank, (std::vector<ProfilePoint>{{3, 30}, {3, 50}}));
 }
 
@@ -189,7 +194,7 @@ TEST(ToolFormats, FusionLibraryWithHolder) {
   const auto library = tools_of_fusion(R"({"version": 1, "data": [
     {"type": "holder", "segments": []},
     {"type": "bull nose end mill", "unit": "millimeters", "description": "x", "post-process": {"number": 4},
-     "geometry": {"DC": 10, "RE": 1, "LCF": 22, "LB": 40, "SFDM": 10},
+     "geometry": {"DC": 10, "RE": 1, "LCF": 22, "LB": 40, "SFDM": 10, "NOF": 3},
      "holder": {"segments": [{"height": 20, "lower-diameter": 30, "upper-diameter": 40}]}},
     {"type": "tap right hand", "unit": "millimeters", "post-process": {"number": 5}, "geometry": {"DC": 6}}]})",
                                        "lib.json");
@@ -198,6 +203,7 @@ TEST(ToolFormats, FusionLibraryWithHolder) {
   ASSERT_NE(t, nullptr);
   EXPECT_EQ(t->corner, 1);
   EXPECT_EQ(t->length, 40);
+  EXPECT_EQ(t->teeth, 3);
   EXPECT_EQ(t->holder, (std::vector<ProfilePoint>{{30, 0}, {40, 20}}));
   EXPECT_THAT(library->notes, SizeIs(1));
 }

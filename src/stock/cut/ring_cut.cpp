@@ -83,6 +83,7 @@ void RingCutter::clear() {
   brick_.top_of_square.fill(-1.f);
   brick_.top = -1;
   outcome_.changed = true;
+  outcome_.longest = scale_.edge;
 }
 
 /// Both sides of the axis, which may overlap.
@@ -169,6 +170,7 @@ void RingCutter::note(int family, int line, float from, float to) {
   outcome_.changed = true;
   const double length = double(to) - double(from), lane = place(line % brick_edge), row = place(line / brick_edge);
   if (family == 2) outcome_.length += length;
+  outcome_.longest = std::max(outcome_.longest, to - from);
   if (!outcome_.watched) return;
   if (family == 2) {
     if (length < outcome_.least_piece) return;

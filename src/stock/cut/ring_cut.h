@@ -13,6 +13,7 @@ namespace kadr {
 struct RingOutcome {
   bool changed = false;
   double length = 0;     // of material on the upright lines, mm
+  float longest = 0;     // of the pieces taken off lines in any direction, mm
   bool watched = false;  // where is asked for: pieces thinner than `least_piece` along the radius (of level lines) or Z do not count
   double least_piece = 0;
   RingRange radii, heights;  // of what was taken away, where it is asked for
