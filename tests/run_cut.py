@@ -15,7 +15,12 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     checks    [["heaviest.0.rate", 150, 1.5], …]: a place in the JSON, its value, how far off it may be (a text: what it ends with; 'null': null)
     rows      [[LINE, "rate", 150, 1.5], …]: of the first row of a line in --blocks; "": not told
     files     { "name" = "text" }: further files beside the program
-    args      further words of the command line; setup: a set-up
+    window    {stock, removed: mm³ within `within`; resolution}
+    simplified   {off: mm at most; share of the triangles that are left at most}: of part.stl, which is whole
+    deviation the greatest number in off.ply, mm within a hundredth
+    refused   the beginning of the complaint; nothing is cut, the exit status is 2
+    args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines]
+    bodies    names of those that the first collision is between, in any order; place: where, mm within 0.02
 Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes are in sum those of the tools. The keys of
 `heaviest` and `emptiest` are those that docs/commands/cut.md names. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
 it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
@@ -25,6 +30,8 @@ import argparse
 import csv
 import io
 import json
+import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -48,7 +55,7 @@ def write(file, text):
     return file
 
 
-def cut(kadr, folder, case, tools, threads):
+def cut(kadr, folder, case, tools, threads, machines={}):
     (folder / 'tools.toml').write_text(case.get('tools', tools))
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
@@ -65,7 +72,9 @@ def cut(kadr, folder, case, tools, threads):
         words += ['--part', str(folder / 'wanted.stl')]
     elif 'part' in case:
         words += ['--part', str(write(folder / 'wanted.stl', case['part']))]
-    words += case.get('args', [])
+    words += [str(folder / word) if word.endswith(('.stl', '.ply')) else word for word in case.get('args', [])]
+    if 'machine' in case:
+        words += ['--machine', str(write(folder / 'machine.toml', machines[case['machine']]))]
     if 'setup' in case:
         (folder / 'setup.json').write_text(case['setup'])
         words += ['--setup', str(folder / 'setup.json')]
@@ -100,8 +109,34 @@ def faults_of_loads(case, result, table):
         yield f'--blocks: {told} mm³ in all, not {removed}'
 
 
-def faults_of(case, run, table=None):
+def window_faults(want, got):
+    for key in ('stock', 'removed'):
+        if abs(got[key] - want[key]) > want['within']:
+            yield f'window {key} {got[key]}, not {want[key]}'
+    if got['resolution'] != want['resolution'] or abs(got['stock'] - got['left'] - got['removed']) > 0.002 or got['error_bound'] <= 0:
+        yield f'window {got}'
+
+
+def mesh_faults(case, result, folder):
+    """Of the files that were written."""
+    if 'simplified' in case:
+        got, size = result['simplified'], (folder / 'part.stl').stat().st_size
+        if got['off'] > case['simplified']['off'] or got['triangles'] > case['simplified']['share'] * got['exact'] or size != 84 + 50 * got['triangles']:
+            yield f'simplified {got}, {size} bytes'
+    if 'deviation' in case:
+        head, _, body = (folder / 'off.ply').read_bytes().partition(b'end_header\n')
+        points = int(head.split(b'element vertex ')[1].split()[0])
+        greatest = max(value for *_, value in struct.iter_unpack('<fffBBBf', body[:19 * points]))
+        if abs(greatest - case['deviation']) > 0.01:
+            yield f'deviation {greatest}, not {case["deviation"]}'
+
+
+def faults_of(case, run, folder, table=None):
     """Sentences: what is not as it was to be."""
+    if 'refused' in case:
+        if run.returncode != 2 or not run.stderr.removeprefix('kadr: ').startswith(case['refused']):
+            yield f'not refused: exit status {run.returncode}, {run.stderr.strip()[:300]}'
+        return
     if not run.stdout.startswith('{'):
         yield f'no result: {run.stderr.strip()[:300]}'
         return
@@ -119,10 +154,18 @@ def faults_of(case, run, table=None):
         want, got = case['depth'], result['collisions'][0]['depth']
         if abs(got - want) > 0.05 + 0.01 * want:
             yield f'depth {got}, not {want}'
+    if 'bodies' in case and result['collisions']:
+        got = result['collisions'][0].get('bodies')
+        if got is None or sorted(got) != sorted(case['bodies']):
+            yield f'between {got}, not {case["bodies"]}'
+    if 'place' in case and result['collisions']:
+        got = [result['collisions'][0]['at'][axis] for axis in 'XYZ']
+        if any(want is not None and abs(got[i] - want) > 0.02 for i, want in enumerate(None if w == 'any' else w for w in case['place'])):
+            yield f'at {got}, not {case["place"]}'
     for key in ('left_on', 'gouged'):
         if key in case:
             (want, line), got = case[key], result['part'][key]
-            if abs(got['deepest'] - want) > 0.1 * result['resolution'] or (want > 0 and got['line'] != line):
+            if abs(got['deepest'] - want) > 0.1 * result.get('window', result)['resolution'] or (want > 0 and got['line'] != line):
                 yield f'{key}: {got}, not {case[key]}'
     if 'calls' in case:
         got = [[call['program'], call['line']] for call in result['collisions'][0].get('calls', [])]
@@ -133,6 +176,9 @@ def faults_of(case, run, table=None):
                 yield f'alarm does not tell: called {what} in line {line}'
     if table is not None:
         yield from faults_of_loads(case, result, table)
+    if 'window' in case:
+        yield from window_faults(case['window'], result['window'])
+    yield from mesh_faults(case, result, folder)
     stops = case.get('stops')
     if stops and f'alarm {stops}:' not in run.stderr:
         yield f'does not stop by {stops}: {run.stderr.strip()[:200]}'
@@ -152,7 +198,18 @@ def mill(kadr, folder, scheme, control):
         return
     case = {'program': program.read_text(), 'control': control, 'stock': MILL_STOCK, 'resolution': 1,
             'tools': '[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 12\nflutes = 20\nlength = 50\nholder = [[40, 0], [40, 30]]\n'}
-    yield from faults_of(case, cut(kadr, folder, case, '', 2))
+    yield from faults_of(case, cut(kadr, folder, case, '', 2), folder)
+
+
+def without_module(kadr, folder, case, tools, machines):
+    """Sentences: what is wrong where kadr-bodies.so is not there."""
+    alone = Path(shutil.copy(kadr, folder / 'kadr-alone'))
+    run = cut(str(alone), folder, case, tools, 1, machines)
+    if run.returncode != 2 or 'kadr-bodies.so' not in run.stderr:
+        yield f'exit status {run.returncode}, not 2: {run.stderr.strip()[:200]}'
+    run = cut(str(alone), folder, {key: value for key, value in case.items() if key != 'machine'}, tools, 1)
+    if run.returncode not in (0, 1):
+        yield f'a machine without bodies: exit status {run.returncode}: {run.stderr.strip()[:200]}'
 
 
 def main():
@@ -171,17 +228,25 @@ def main():
                 runs, tables = [], []
                 for threads in (1, 2):
                     (Path(name) / 'blocks.csv').unlink(missing_ok=True)
-                    runs.append(cut(options.kadr, Path(name), case, cases.get('tools', ''), threads))
+                    runs.append(cut(options.kadr, Path(name), case, cases.get('tools', ''), threads, cases.get('machines', {})))
                     table = Path(name) / 'blocks.csv'
                     tables.append(table.read_text() if table.exists() else None)
                 one, two = runs
-                faults = list(faults_of(case, one, tables[0]))
+                faults = list(faults_of(case, one, Path(name), tables[0]))
                 if one.stdout != two.stdout or tables[0] != tables[1]:
                     faults.append('one thread and two threads differ')
                 for fault in faults:
                     print(f'{title}: {fault}')
                 failed += bool(faults)
                 passed += not faults
+        title = 'machine/without the module'
+        if options.only in title:
+            cases = tomllib.loads((HERE / 'cut_cases/machine.toml').read_text())
+            faults = list(without_module(options.kadr, Path(name), cases['case'][0], cases['tools'], cases['machines']))
+            for fault in faults:
+                print(f'{title}: {fault}')
+            failed += bool(faults)
+            passed += not faults
         for scheme in MILL_SCHEMES:
             for control in MILL_CONTROLS:
                 title = f'mill/{scheme}/{control}'

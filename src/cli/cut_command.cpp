@@ -14,6 +14,7 @@ constexpr double least_cell = 1e-3, most_cell = 1000;   // mm
 constexpr double least_memory = 16, most_memory = 1e6;  // MB
 constexpr double most_allowed = 1000;                   // mm
 constexpr double most_threads = 256;
+constexpr double least_simplify = 1e-4;  // mm: the points of the mesh are no more exact
 
 void material_options(CLI::App& app, CutOptions& o) {
   takes(app.add_option(
@@ -42,12 +43,21 @@ void material_options(CLI::App& app, CutOptions& o) {
                         told("that the part may be cut into (default 0.01 and a tenth of the cell)",
                              "на сколько можно врезаться в деталь (по умолчанию 0.01 и десятая шага сетки)")),
          "MM", "ММ", 0, most_allowed);
+  number(app.add_option("--allow-left", o.allow_left,
+                        told("that may be left on the part (default: any; a roughing program leaves something on)",
+                             "сколько можно оставить на детали (по умолчанию сколько угодно: черновая УП оставляет припуск)")),
+         "MM", "ММ", 0, most_allowed);
 }
 
 void exactness_options(CLI::App& app, CutOptions& o) {
   number(app.add_option("--resolution", o.resolution,
-                        told("cell of the lattice (default: chosen and told)", "шаг сетки (по умолчанию выбирается и сообщается)")),
+                        told("cell of the lattice, with --window of the window (default: chosen and told)",
+                             "шаг сетки, с --window шаг в окне (по умолчанию выбирается и сообщается)")),
          "MM", "ММ", least_cell, most_cell);
+  takes(app.add_option("--window", o.window,
+                       told("a box of the blank that is cut finer: X0,Y0,Z0,X1,Y1,Z1; picture, mesh and --part are of it alone",
+                            "часть заготовки с более мелким шагом: X0,Y0,Z0,X1,Y1,Z1; вид, сетка и --part относятся к ней")),
+        "BOX", "ОКНО");
   number(app.add_option("--max-memory", o.max_memory, told("for the material", "памяти на материал, не больше")), "MB", "МБ", least_memory,
          most_memory)
       ->capture_default_str();
@@ -78,6 +88,13 @@ void add_cut(CLI::App& app, Commands& c) {
                               "нагрузке")),
          {"tool", "age", "deviation", "load"});
   takes_file(cut->add_option("--out", o.out, told("the part: a file .stl or .3mf", "деталь: файл .stl или .3mf")));
+  number(
+      cut->add_option("--simplify", o.simplify,
+                      told("fewer triangles in --out, which are off by no more", "меньше треугольников в --out, с отклонением не больше")),
+      "MM", "ММ", least_simplify, most_allowed);
+  takes_file(cut->add_option("--deviation", o.deviation,
+                             told("the part, coloured by its deviation from --part, which each point carries: a file .ply",
+                                  "деталь, окрашенная по отклонению от --part, число у каждой точки: файл .ply")));
   takes_file(
       cut->add_option("--json", o.json, told("what was found, to a file or - for stdout", "найденное: в файл или - на стандартный вывод")));
   takes_file(cut->add_option("--blocks", o.blocks,

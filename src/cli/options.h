@@ -70,6 +70,10 @@ struct CutOptions {
   bool coolant = false;      // is demanded
   std::string part;          // a file; empty: nothing to hold the result against
   double allow = -1;         // mm that a gouge may be deep; below 0: left out
+  double allow_left = -1;    // mm that may be left on; below 0: any
+  std::string window;        // X0,Y0,Z0,X1,Y1,Z1; empty: none
+  std::string deviation;     // a file .ply
+  double simplify = 0;       // mm that the mesh of --out may be off; 0: it is exact
   std::string out, json;
   std::string blocks;  // a table of what each block takes away
 };
@@ -89,6 +93,7 @@ int list_machines(const std::string& id);
 struct SetupOptions {
   Options program;
   std::string output;  // empty: stdout
+  bool tools = false;  // a tools file for kadr cut is written, no set-up
 };
 int write_setup(const SetupOptions& options);
 

@@ -1,8 +1,10 @@
 #pragma once
 // CutResult: what a cut came to, for whoever tells it. Lengths mm, volumes mm³, times s.
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "action/action.h"
@@ -22,6 +24,8 @@ struct CutFinding {
   double depth = 0;    // least side of the box around it
   double volume = 0;   // of it
   double at_time = 0;  // s since the start
+  /// Of AlarmId::machine: the names of those that met.
+  std::array<std::string, 2> bodies{};
 };
 
 struct ToolRemoval {
@@ -42,9 +46,23 @@ struct PartDifference {
 
 struct PartResult {
   PartDifference left_on, gouged;
-  double allow = 0;  // mm that a gouge may be deep
+  double allow = 0;           // mm that a gouge may be deep
+  double allow_left = 1e300;  // mm that may be left on
 
   bool is_gouged() const { return gouged.deepest > allow; }
+  bool is_left_on() const { return left_on.deepest > allow_left; }
+};
+
+/// What was cut anew in a window, finer.
+struct WindowResult {
+  double stock = 0, left = 0, error_bound = 0;  // mm³ in the window
+  double cell = 0;                              // mm
+};
+
+/// The surface that is written, where it was made simpler.
+struct SimplifiedResult {
+  std::size_t exact = 0, triangles = 0;  // before and after
+  double off = 0;                        // mm, the farthest of either from the other
 };
 
 struct CutResult {
@@ -59,8 +77,11 @@ struct CutResult {
   std::vector<CutFinding> warnings;
   std::vector<BlockLoad> heaviest;  // lines by removal rate, the greatest first
   std::vector<AirCut> emptiest;     // lines by seconds in the air, the most first
-  std::optional<PartResult> part;   // if one was wanted
-  std::size_t not_told = 0;         // findings beyond those that are kept
+  std::optional<PartResult> part;   // if one was wanted; of a window what lies in it
+  std::optional<WindowResult> window;
+  std::optional<SimplifiedResult> simplified;
+  std::size_t not_told = 0;          // findings beyond those that are kept
+  std::size_t threads_left_out = 0;  // passes of turning tools along a thread
 };
 
 }  // namespace kadr

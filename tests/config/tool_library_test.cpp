@@ -82,6 +82,68 @@ TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault(one + one), HasSubstr("twice"));
 }
 
+ToolGeometry turning(const std::string& keys) {
+  return only(tools_of_toml("tool = [{number = 1, kind = \"turning\", " + keys + "}]", "t"));
+}
+std::string turning_fault(const std::string& keys) { return fault("tool = [{number = 1, kind = \"turning\", " + keys + "}]"); }
+
+TEST(ToolLibrary, TurningToolsAreReadWithTheirTip) {
+  const ToolGeometry t = only(tools_of_toml(R"([[tool]]
+number = 7
+kind = "turning"
+points = "-x+z"
+angle = 55
+lead = 93
+corner = 0.4
+flutes = 9
+length = 11
+holder = [[8, 1], [28, 60]]
+)",
+                                            "tools.toml"));
+  EXPECT_EQ(t.kind, ToolKind::turning);
+  EXPECT_EQ(t.insert.tip_x, -1);
+  EXPECT_EQ(t.insert.tip_z, 1);
+  EXPECT_EQ(t.insert.lead, 93);
+  EXPECT_EQ(t.insert.holder, (std::vector<InsertPoint>{{8, 1}, {28, 60}}));
+  EXPECT_EQ(t.length, 11);
+}
+
+TEST(ToolLibrary, ATurningToolStandsStraightIfNothingElseIsSaid) {
+  EXPECT_EQ(turning("points = \"-x-z\", angle = 80, flutes = 9").insert.lead, 95);
+  EXPECT_EQ(turning("points = \"-x\", angle = 60, flutes = 9").insert.lead, 60);
+  EXPECT_EQ(turning("points = \"-z\", angle = 60, flutes = 9").insert.lead, 150);
+  EXPECT_EQ(turning("points = \"-x-z\", width = 3, flutes = 9").insert.lead, 90);
+  EXPECT_EQ(turning("points = \"-z\", width = 3, flutes = 9").insert.lead, 0);
+  EXPECT_EQ(turning("points = \"centre\", corner = 4").flutes, 8);
+  EXPECT_THAT(turning("profile = [[0, 0], [5, 1], [5, 6]]").insert.profile, SizeIs(3));
+}
+
+TEST(ToolLibrary, SaysWhatIsWrongWithATurningTool) {
+  EXPECT_THAT(turning_fault("angle = 80, flutes = 9"), HasSubstr("-x-z"));
+  EXPECT_THAT(turning_fault("points = \"3\", angle = 80, flutes = 9"), HasSubstr("points"));
+  EXPECT_THAT(turning_fault("points = \"-x\", flutes = 9"), HasSubstr("angle is missing"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60"), HasSubstr("flutes is missing"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60, flutes = 2, corner = 1"), HasSubstr("too short"));
+  EXPECT_THAT(turning_fault("points = \"-x\", width = 1, flutes = 5, corner = 1"), HasSubstr("half of the width"));
+  EXPECT_THAT(turning_fault("points = \"-x\", width = 1, flutes = 5, lead = 45"), HasSubstr("90"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60, flutes = 9, holder = [[1, 2]]"), HasSubstr("2 (a rectangle"));
+  EXPECT_THAT(turning_fault("profile = [[0, 0], [5, 5], [5, 0], [0, 5]]"), HasSubstr("crosses itself"));
+  EXPECT_THAT(turning_fault("profile = [[0, 0], [5, 5], [9, 9]]"), HasSubstr("no area"));
+}
+
+TEST(ToolFormats, LinuxcncTableOfALathe) {
+  const auto library =
+      tools_of_linuxcnc("T1 P1 D0.8 I+85 J+25 Q2 ;rough\nT2 P2 D0.8 Q2\nT3 P3 D4 I0 J0 Q9\nT4 P4 I85 J25 Q2\n", "lathe.tbl");
+  ASSERT_TRUE(library);
+  ASSERT_THAT(library->tools, SizeIs(4));
+  EXPECT_EQ(library->tools[0].kind, ToolKind::turning);
+  EXPECT_EQ(library->tools[0].corner, 0.4);
+  EXPECT_EQ(library->tools[1].kind, ToolKind::flat);  // a table without I and J says no insert
+  EXPECT_EQ(library->tools[2].angle, 0);
+  EXPECT_EQ(library->tools[3].corner, 0);
+  EXPECT_THAT(library->notes, SizeIs(2));
+}
+
 TEST(ToolFormats, AreToldByNameAndText) {
   EXPECT_EQ(tool_format_of("T1 D3", "a.tbl"), ToolFormat::linuxcnc);
   EXPECT_EQ(tool_format_of("[[tool]]", "a.toml"), ToolFormat::toml);

@@ -212,5 +212,27 @@ RC_GTEST_PROP(surface, any_number_of_threads_gives_the_same_bits, (unsigned seed
   }
 }
 
+/// The lattice of this block begins at -1, -1, -21: seams lie at X 15, Y 15, Z -5.
+TEST(surface, a_cut_at_the_seam_of_two_bricks_knows_its_sweep) {
+  const auto stock = cut_along(box_blank(block), 1, tool_of(ToolKind::flat, 10),
+                               {{20, 20, 5}, {20, 20, -5}, {80, 20, -5}, {80, 28, -5}, {20, 28, -5}, {20, 20, -5}});
+  const Surface surface = surface_of(*stock);
+  expect_manifold(surface);
+  std::size_t floor = 0, walls = 0;
+  for (std::size_t i = 0; i < surface.point_count(); ++i) {
+    const Vec3 at = surface.point(i);
+    const bool inside = at.x > 14.9 && at.x < 85.1 && at.y > 14.9 && at.y < 33.1 && at.z < -0.1 && at.z > -5.1;
+    if (!inside) continue;
+    ++(at.z < -4.9 ? floor : walls);
+    const std::int32_t by = surface.made_by[i];
+    ASSERT_NE(by, of_blank) << at.x << " " << at.y << " " << at.z;
+    if (at.x > 30 && at.x < 70 && at.y > 15.5 && at.y < 22.5) {
+      EXPECT_EQ(by, 1) << at.x << " " << at.y;
+    }
+  }
+  EXPECT_GT(floor, 1000U);
+  EXPECT_GT(walls, 500U);
+}
+
 }  // namespace
 }  // namespace kadr

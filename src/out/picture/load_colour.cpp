@@ -56,8 +56,8 @@ void draw_load_marks(Canvas& canvas, const std::vector<LoadMark>& marks) {
     drawn.push_back(mark.at);
     for (double radius = mark_radius / 2; radius > 0.5; radius /= 2)  // a disc of rings
       canvas.ring(mark.at, radius, colour(0xFFFFFF), 2 * radius);
-    canvas.ring(mark.at, mark_radius, colour(0x20262E), 1.5);
-    canvas.text({mark.at.x, mark.at.y + 4.5}, mark.text, {12, colour(0x20262E), Align::centre, true});
+    canvas.ring(mark.at, mark_radius, colour(mark.rgb), 1.5);
+    canvas.text({mark.at.x, mark.at.y + 4.5}, mark.text, {12, colour(mark.rgb), Align::centre, true});
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Removal rate as colour, from blue to red, and the marks of the heaviest lines. For out/picture/part_page.
+// Removal rate as colour, from blue to red, and marks of lines: the heaviest, those of collisions. For out/picture/part_page.
 
 #include <cstdint>
 #include <string>
@@ -27,6 +27,7 @@ void draw_load_key(Canvas& canvas, const Area& area, double greatest, Lang lang)
 struct LoadMark {
   Vec2 at;
   std::string text;
+  std::uint32_t rgb = 0x20262E;
 };
 /// In order; one that would cover another drawn before is left out.
 void draw_load_marks(Canvas& canvas, const std::vector<LoadMark>& marks);

@@ -25,6 +25,7 @@ constexpr double room = 0.92;  // of a view that the part fills
 
 constexpr std::array<std::uint32_t, 8> tool_colours = {0x6FA8DC, 0xE69F56, 0x7BB661, 0xC27BA0, 0xD9C04F, 0x8E7CC3, 0x5FB8B0, 0xCC6666};
 constexpr std::uint32_t blank_colour = 0xC9CED6;
+constexpr std::uint32_t collision_colour = 0xC00000;
 constexpr std::uint32_t oldest = 0x3B5B92, newest = 0xF2A65A;
 
 struct PartWords {
@@ -94,17 +95,20 @@ void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view
   canvas.text({area.x + 8, area.y + 18}, name, {13, colour(0x5B6775), Align::left, false});
 }
 
-/// The heaviest lines, by their numbers.
-void draw_heaviest(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale) {
+/// Collisions by their lines, and by load the heaviest lines by their numbers.
+void draw_marks(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale) {
   const Area inner = below_name(area);
   const Vec3 centre = 0.5 * (scene.box.least + scene.box.most);
-  std::vector<LoadMark> marks;
-  for (const Vec3& at : scene.load.heaviest) {
+  const auto place = [&](const Vec3& at) {
     const Vec3 from = at - centre;
-    marks.push_back({{inner.x + inner.width / 2 + dot(from, view.right) * scale / sharpness,
-                      inner.y + inner.height / 2 - dot(from, view.up) * scale / sharpness},
-                     std::to_string(marks.size() + 1)});
-  }
+    return Vec2{inner.x + inner.width / 2 + dot(from, view.right) * scale / sharpness,
+                inner.y + inner.height / 2 - dot(from, view.up) * scale / sharpness};
+  };
+  std::vector<LoadMark> marks;
+  for (const CollisionPlace& c : scene.collisions) marks.push_back({place(c.at), std::to_string(c.line), collision_colour});
+  std::size_t number = 0;
+  if (scene.colour == PartColour::load)
+    for (const Vec3& at : scene.load.heaviest) marks.push_back({place(at), std::to_string(++number)});
   draw_load_marks(canvas, marks);
 }
 
@@ -143,7 +147,7 @@ void draw_page(Canvas& canvas, const PartScene& scene) {
   const ViewDirection view = isometric();
   const double large_scale = scale_for(scene.box, view, below_name(large));
   draw_view(canvas, scene, view, large, large_scale, "");
-  if (scene.colour == PartColour::load) draw_heaviest(canvas, scene, view, large, large_scale);
+  draw_marks(canvas, scene, view, large, large_scale);
   const double width = (part_page_width - 2 * part_margin - large_width - 2 * part_gap) / 2, height = (bottom - heading - 2 * part_gap) / 3;
   const auto directions = sides();
   double scale = 1e30;

@@ -32,6 +32,12 @@ struct PartLoad {
   std::vector<Vec3> heaviest;  // places of the heaviest lines, the first is number 1
 };
 
+/// Where something hit the material.
+struct CollisionPlace {
+  Vec3 at;
+  std::uint32_t line = 0;
+};
+
 struct PartScene {
   const Surface& surface;
   Box3 box;  // of the blank
@@ -40,6 +46,7 @@ struct PartScene {
   PartTitle title;
   PartDeviation deviation;  // of PartColour::deviation
   PartLoad load{};          // of PartColour::load
+  std::vector<CollisionPlace> collisions{};
 };
 
 /// The ending of the name says whether .svg or .png. The file is the caller's to keep.

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 /// The words of the summary; both languages in one row.
 struct CutWords {
   const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line, *heaviest,
-      *in_air;
+      *in_air, *window, *in_window, *simplified, *triangles;
 };
 constexpr CutWords cut_english = {"cell",
                                   "blank",
@@ -34,7 +34,11 @@ constexpr CutWords cut_english = {"cell",
                                   "{:.1f} {}, {:.3f} {} deep at X{:.2f} Y{:.2f} Z{:.2f}",
                                   ", line {}",
                                   "heaviest",
-                                  "in the air"};
+                                  "in the air",
+                                  "window",
+                                  "cell {:g} {}; of {:.1f} {} left {:.1f} ± {:.1f}, removed {:.1f} ± {:.1f}",
+                                  "simplified",
+                                  "{} of {} triangles, {:.4f} {} off at most"};
 constexpr CutWords cut_russian = {"шаг сетки",
                                   "заготовка",
                                   "осталось",
@@ -49,7 +53,11 @@ constexpr CutWords cut_russian = {"шаг сетки",
                                   "{:.1f} {}, {:.3f} {} в точке X{:.2f} Y{:.2f} Z{:.2f}",
                                   ", строка {}",
                                   "нагрузка",
-                                  "в воздухе"};
+                                  "в воздухе",
+                                  "окно",
+                                  "шаг {:g} {}; из {:.1f} {} осталось {:.1f} ± {:.1f}, снято {:.1f} ± {:.1f}",
+                                  "упрощено",
+                                  "{} треугольников из {}, отклонение не более {:.4f} {}"};
 
 constexpr double told_from = 0.05;  // s in the air: less is no tenth
 
@@ -67,6 +75,7 @@ ordered_json finding_json(const CutFinding& f) {
   json["volume"] = rounded(f.volume);
   json["at_time"] = rounded(f.at_time);
   if (!f.calls.empty()) json["calls"] = calls_json(f.calls);
+  if (!f.bodies[0].empty()) json["bodies"] = f.bodies;
   return json;
 }
 
@@ -96,16 +105,20 @@ std::string difference_row(const CutWords& w, const char* name, const PartDiffer
 
 }  // namespace
 
+std::string names_of_bodies(const CutFinding& f) { return f.bodies[0].empty() ? std::string() : f.bodies[0] + ", " + f.bodies[1]; }
+
 Alarm alarm_of(const CutFinding& f) {
   const std::string place = fmt::format("X{:.2f} Y{:.2f} Z{:.2f}", f.at.x, f.at.y, f.at.z);
   const double tool = f.tool, depth = rounded(f.depth);
+  if (f.id == AlarmId::machine) return alarm(f.id, {}, place, names_of_bodies(f));
   return f.id == AlarmId::no_coolant ? warning(f.id, {}, tool, depth, place) : alarm(f.id, {}, tool, depth, place);
 }
 
 std::string cut_caption(const CutResult& r, Lang lang) {
   const bool ru = lang == Lang::ru;
-  return fmt::format("{} {:.1f} {}, {} {:g} {}", ru ? "снято" : "removed", r.stock - r.left, ru ? "мм³" : "mm³", ru ? "шаг сетки" : "cell",
-                     r.cell, ru ? "мм" : "mm");
+  const double removed = r.window ? r.window->stock - r.window->left : r.stock - r.left, cell = r.window ? r.window->cell : r.cell;
+  return fmt::format("{} {:.1f} {}, {} {:g} {}", ru ? "снято" : "removed", removed, ru ? "мм³" : "mm³", ru ? "шаг сетки" : "cell", cell,
+                     ru ? "мм" : "mm");
 }
 
 std::string cut_summary(const CutResult& r, Lang lang) {
@@ -116,6 +129,9 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   std::string text = summary_row(w.cell, fmt::format("{:g} {}", r.cell, mm)) + summary_row(w.blank, volume(r.stock)) +
                      summary_row(w.left, fmt::format("{:.1f} ± {:.1f} {}", r.left, r.error_bound, mm3)) +
                      summary_row(w.removed, fmt::format("{:.1f} ± {:.1f} {}", r.stock - r.left, r.error_bound, mm3));
+  if (const auto& in = r.window)
+    text += summary_row(w.window, fmt::format(fmt::runtime(w.in_window), in->cell, mm, in->stock, mm3, in->left, in->error_bound,
+                                              in->stock - in->left, in->error_bound));
   const char* name = w.tools;
   for (const ToolRemoval& t : r.tools) {
     text += summary_row(name, fmt::format("T{}: {}, ", t.tool, volume(t.removed)) +
@@ -129,6 +145,9 @@ std::string cut_summary(const CutResult& r, Lang lang) {
     if (air.seconds >= told_from) text += summary_row(name, air_words(air, lang)), name = "";
   const std::size_t count = r.collisions.size() + r.not_told;
   if (r.part) text += difference_row(w, w.left_on, r.part->left_on, lang) + difference_row(w, w.gouged, r.part->gouged, lang);
+  if (r.simplified)
+    text += summary_row(w.simplified,
+                        fmt::format(fmt::runtime(w.triangles), r.simplified->triangles, r.simplified->exact, r.simplified->off, mm));
   return text + summary_row(w.collisions, count == 0 ? std::string(w.none) : std::to_string(count));
 }
 
@@ -141,13 +160,22 @@ std::string cut_json(const CutResult& r, std::size_t alarms, std::size_t warning
                     {"seconds", rounded(r.seconds)},
                     {"alarms", alarms + r.collisions.size() + r.not_told},
                     {"warnings", warnings + r.warnings.size()}};
+  if (r.window)
+    json["window"] = {{"stock", rounded(r.window->stock)},
+                      {"left", rounded(r.window->left)},
+                      {"removed", rounded(r.window->stock - r.window->left)},
+                      {"error_bound", rounded(r.window->error_bound)},
+                      {"resolution", r.window->cell}};
   json["tools"] = ordered_json::array();
   for (const ToolRemoval& t : r.tools)
     json["tools"].push_back(
         {{"tool", t.tool}, {"removed", rounded(t.removed)}, {"seconds", rounded(t.seconds)}, {"greatest_rate", rounded(t.greatest_rate)}});
+  if (r.threads_left_out != 0) json["threads_left_out"] = r.threads_left_out;
   json["collisions"] = findings_json(r.collisions);
   add_loads(json, r);
   if (r.part) json["part"] = {{"left_on", difference_json(r.part->left_on)}, {"gouged", difference_json(r.part->gouged)}};
+  if (r.simplified)
+    json["simplified"] = {{"exact", r.simplified->exact}, {"triangles", r.simplified->triangles}, {"off", r.simplified->off}};
   if (!r.warnings.empty()) json["warned"] = findings_json(r.warnings);
   return json.dump() + "\n";
 }

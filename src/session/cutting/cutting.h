@@ -31,9 +31,12 @@ struct CutJob {
   ToolLibrary tools;
   /// By tool: how long it really is, where the control's table says so under its own number. Others are as long as the control believes.
   std::map<std::uint32_t, double> lengths;
-  double cell = 0.5;  // mm
+  double cell = 0.5;                    // mm
+  std::shared_ptr<const Blank> window;  // blank_within() of what is cut once more, finer; nullptr: nothing
+  double window_cell = 0;               // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
+  std::optional<Axes> apart;           // of ToolWay
   bool wants_coolant = false;          // cutting without it is a warning
   std::uint32_t tool = 0;              // in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
@@ -56,6 +59,8 @@ class Cutting {
   /// `longer`: s that the machine takes beyond Step::time.
   ///   returns  alarms tool_without_shape, tool_leans: nothing of the step is cut
   Status consume(const Step& step, double longer);
+  /// What others found in a step that has come: told with what is found in cutting.
+  void also(const CutFinding& finding) { others_.push_back(finding); }
   /// All that has come is cut.
   void finish();
   /// After finish(), with the volume of the surface of what is left.
@@ -69,6 +74,8 @@ class Cutting {
   /// By sweep: mm³/s that its block took away; 0: at rapid, or none is told. Shorter than the sweeps where the last ones have none.
   const std::vector<float>& rates() const { return rate_of_sweep_; }
   const Stock& stock() const { return stock_; }
+  /// nullptr: there is none. Its sweeps have the same numbers.
+  const Stock* window() const { return window_.get(); }
 
  private:
   /// A motion whose pieces are in the batch.
@@ -82,6 +89,7 @@ class Cutting {
     double begins = 0, seconds = 0, length = 0, flat = 0;
     double diameter = 0, teeth = 0;  // of CutMotion
     Vec3 at;
+    Vec2 radius;  // of a turning tool: along its radius, towards it; else 0
   };
   struct Kept {
     Moved moved;
@@ -90,32 +98,39 @@ class Cutting {
   };
   void note(const Action& action);
   bool place_known(const Motion& motion);
+  bool leaves_thread(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
-  AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces) const;
+  AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const;
   void add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape);
   void shift_by_length();
   void release_kept();
   void cut();
   void count_removed();
   void tell(const std::vector<Touch>& touches, bool of_fixture);
+  double least_depth(const Box3& around) const;
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
+  void tell_others();
   std::size_t use_of(std::uint32_t tool);
 
   CutJob job_;
   ToolWay way_;
   Stock stock_;
+  std::unique_ptr<Stock> window_;
   std::vector<std::unique_ptr<Stock>> fixtures_;
   std::set<std::uint32_t> without_coolant_;                      // lines
   std::vector<std::pair<std::uint32_t, std::uint16_t>> shapes_;  // tool → Stock::add_tool
   AxisMask unknown_ = 0;                                         // of X, Y, Z: where the tool stands along them nobody has said
   std::uint32_t tool_;
   SpindleDir spindle_;
+  std::uint32_t spinning_ = 0;  // spindles that turn, a bit each: any may turn the part
+  bool in_thread_ = false;      // the last motion of a turning tool was a pass of a thread
   double rpm_;
   Coolant coolant_ = Coolant::off;
   std::vector<WayPiece> pieces_;
   std::vector<Kept> kept_;
   std::vector<Moved> batch_;
+  std::vector<CutFinding> others_;
   std::deque<Line> line_of_sweep_;  // a million grow without being moved
   std::vector<float> rate_of_sweep_;
   Vec3 zero_;

@@ -2,10 +2,13 @@
 
 #include "stock/blank/blank.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kadr {
 namespace {
+
+constexpr int lines_across = 1024;
 
 class BoxBlank : public Blank {
  public:
@@ -60,6 +63,19 @@ class CylinderBlank : public Blank {
 };
 
 }  // namespace
+
+double Blank::volume_within(const Box3& box) const {
+  const double step_y = (box.most.y - box.least.y) / lines_across, step_z = (box.most.z - box.least.z) / lines_across;
+  std::vector<LineRange> ranges;
+  double length = 0;
+  for (int j = 0; j < lines_across; ++j)
+    for (int k = 0; k < lines_across; ++k) {
+      ranges.clear();
+      cross(0, box.least.y + (j + 0.5) * step_y, box.least.z + (k + 0.5) * step_z, ranges);
+      for (const LineRange& r : ranges) length += std::max(std::min(r.to, box.most.x) - std::max(r.from, box.least.x), 0.0);
+    }
+  return length * step_y * step_z;
+}
 
 std::shared_ptr<const Blank> box_blank(const Box3& box) { return std::make_shared<BoxBlank>(box); }
 

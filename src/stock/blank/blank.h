@@ -13,6 +13,8 @@ struct LineRange {
   double from, to;
 };
 
+struct Mesh;
+
 class Blank {
  public:
   virtual ~Blank() = default;
@@ -24,8 +26,14 @@ class Blank {
   /// Outward, at a place of its surface where a line along the axis leaves it (`out`) or enters it.
   virtual Vec3 normal(Vec3 at, int family, bool out) const = 0;
   virtual double volume() const = 0;
+  /// mm³ of it in a box. By lines where a body has no better way: to some hundred thousandths.
+  virtual double volume_within(const Box3& box) const;
+  /// Of memory, where it takes much.
+  virtual std::size_t bytes() const { return 0; }
   /// Of each brick: may the surface go through it? Empty: through any. Of the others one line tells whether they are full.
   virtual std::vector<bool> bricks_at_surface(const Lattice&) const { return {}; }
+  /// Of which it is made; nullptr: of none.
+  virtual const Mesh* mesh() const { return nullptr; }
 };
 
 std::shared_ptr<const Blank> box_blank(const Box3& box);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "stock/mesh/mesh_index.h"
+#include "stock/mesh/mesh_within.h"
 
 namespace kadr {
 namespace {
@@ -24,6 +25,9 @@ class MeshBlank : public Blank {
 
   Box3 box() const override { return box_; }
   double volume() const override { return volume_; }
+  const Mesh* mesh() const override { return &mesh_; }
+  double volume_within(const Box3& box) const override { return mesh_within(mesh_, box).volume; }
+  std::size_t bytes() const override { return mesh_blank_bytes(mesh_.triangle_count()); }
   void cross(int family, double u, double v, std::vector<LineRange>& ranges) const override;
   Vec3 normal(Vec3 at, int family, bool out) const override;
   std::vector<bool> bricks_at_surface(const Lattice& lattice) const override;

@@ -4,130 +4,146 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "base/matrix.h"
+#include "stock/cut/lanes.h"
+#include "stock/part/triangle_distance.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::ptrdiff_t leaf_triangles = 4;
-constexpr double more_than_rounding = 1 + 1e-9;  // of a square of a distance
+constexpr std::uint32_t of_triangles = std::uint32_t{1} << 31;
+constexpr float nowhere = 1e30f;
+constexpr float rounding_of_places = 0x1p-21f;   // of the farthest place: the point's, the box's and their difference's
+constexpr double more_than_rounding = 1 + 4e-6;  // of a square of a distance, in single precision
 constexpr double hair_squared = 1e-18;           // mm²
 
-double squared(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+/// Boxes that are farther hold nothing nearer.
+float limit_of(double square) { return float(square * more_than_rounding + hair_squared); }
 
-/// Of the middle, three times.
-double middle_along(const Mesh& mesh, std::uint32_t triangle, int axis) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += along(mesh.corner(triangle, k), axis);
-  return sum;
-}
-
-/// From p to the stretch that begins at a place `from` away from it.
-double square_to_stretch(const Vec3& from, const Vec3& way) {
-  const double length_squared = squared(way);
-  const double share = length_squared > 0 ? std::clamp(-dot(from, way) / length_squared, 0.0, 1.0) : 0;
-  return squared(from + share * way);
+/// Half of them, by the middles along the longest side; whole nodes, so that few have room left.
+template <class Placed>
+Placed* halved(Placed* first, Placed* last) {
+  const std::ptrdiff_t count = last - first, nodeful = 4;
+  if (count <= 1) return last;
+  Placed* const middle = first + (count <= nodeful ? count : (count / 2 + nodeful - 1) / nodeful * nodeful);
+  if (middle == last) return last;
+  float least[3] = {nowhere, nowhere, nowhere}, most[3] = {-nowhere, -nowhere, -nowhere};
+  for (const Placed* p = first; p != last; ++p)
+    for (int d = 0; d < 3; ++d) least[d] = std::min(least[d], p->middle[d]), most[d] = std::max(most[d], p->middle[d]);
+  int axis = 0;
+  for (int d = 1; d < 3; ++d)
+    if (most[d] - least[d] > most[axis] - least[axis]) axis = d;
+  std::nth_element(first, middle, last, [axis](const Placed& a, const Placed& b) {
+    return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.triangle < b.triangle;
+  });
+  return middle;
 }
 
 }  // namespace
 
-/// The corners are seen from the point. Over the triangle's inside its plane is nearest, else one of its sides.
 double NearestTriangle::square_to(const Triangle& t, const Vec3& p) {
-  Vec3 corner[3], side[3];
+  Vec3 corner[3];
   for (int k = 0; k < 3; ++k) corner[k] = Vec3{double(t.corner[k][0]), double(t.corner[k][1]), double(t.corner[k][2])} - p;
-  for (int k = 0; k < 3; ++k) side[k] = corner[(k + 1) % 3] - corner[k];
-  const Vec3 normal = cross(side[0], side[1]);
-  const double size = squared(normal);
-  if (size > 0) {
-    bool over = true;
-    for (int k = 0; k < 3 && over; ++k) over = dot(cross(corner[k], corner[(k + 1) % 3]), normal) >= 0;
-    const double off = dot(corner[0], normal);
-    if (over) return off * off / size;
-  }
-  double least = square_to_stretch(corner[0], side[0]);
-  for (int k = 1; k < 3; ++k) least = std::min(least, square_to_stretch(corner[k], side[k]));
-  return least;
+  return square_to_triangle(corner);
 }
 
-double NearestTriangle::square_to(const Node& n, const Vec3& p) {
-  double sum = 0;
-  for (int d = 0; d < 3; ++d) {
-    const double place = along(p, d), off = std::max({double(n.least[d]) - place, place - double(n.most[d]), 0.0});
-    sum += off * off;
+std::uint32_t NearestTriangle::put_triangle(const Mesh& mesh, std::uint32_t number, Node& node, int child) {
+  Triangle triangle;
+  for (std::size_t d = 0; d < 3; ++d) {
+    float least = nowhere, most = -nowhere;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float place = mesh.points[3 * std::size_t(mesh.triangles[3 * std::size_t(number) + k]) + d];
+      triangle.corner[k][d] = place, least = std::min(least, place), most = std::max(most, place);
+    }
+    node.least[d][child] = least - pad_, node.most[d][child] = most + pad_;
   }
-  return sum;
+  triangles_.push_back(triangle);
+  return of_triangles | std::uint32_t(triangles_.size() - 1);
 }
 
-void NearestTriangle::put_leaf(const Mesh& mesh, Node& node, const std::uint32_t* first, const std::uint32_t* last) {
-  node.first = std::uint32_t(triangles_.size()), node.count = std::uint32_t(last - first);
-  for (const std::uint32_t* t = first; t != last; ++t) {
-    Triangle& triangle = triangles_.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t d = 0; d < 3; ++d) triangle.corner[k][d] = mesh.points[3 * std::size_t(mesh.triangles[3 * std::size_t(*t) + k]) + d];
+/// Four triangles or fewer are children themselves.
+std::uint32_t NearestTriangle::build(const Mesh& mesh, Placed* first, Placed* last) {
+  const auto at = std::uint32_t(nodes_.size());
+  nodes_.emplace_back();
+  Node node;
+  std::fill(&node.least[0][0], &node.least[0][0] + 3 * width, nowhere);
+  std::fill(&node.most[0][0], &node.most[0][0] + 3 * width, -nowhere);
+  std::fill(node.child, node.child + width, of_triangles);
+  if (last - first <= width) {
+    for (int i = 0; first + i != last; ++i) node.child[i] = put_triangle(mesh, first[i].triangle, node, i);
+    return nodes_[at] = node, at;
   }
-}
-
-void NearestTriangle::build(const Mesh& mesh, std::uint32_t* first, std::uint32_t* last) {
-  const std::size_t at = nodes_.size();
-  Node node{{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}, 0, 0};
-  for (const std::uint32_t* t = first; t != last; ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t d = 0; d < 3; ++d) {
-        const float place = mesh.points[3 * std::size_t(mesh.triangles[3 * std::size_t(*t) + k]) + d];
-        node.least[d] = std::min(node.least[d], place), node.most[d] = std::max(node.most[d], place);
-      }
-  if (last - first <= leaf_triangles) {
-    put_leaf(mesh, node, first, last);
-    nodes_.push_back(node);
-    return;
+  Placed* const half = halved(first, last);
+  Placed* const parts[width + 1] = {first, halved(first, half), half, halved(half, last), last};
+  for (int i = 0; i < width; ++i) {
+    if (parts[i] == parts[i + 1]) continue;
+    const std::uint32_t child = node.child[i] = build(mesh, parts[i], parts[i + 1]);
+    for (int d = 0; d < 3; ++d) {
+      const Node& below = nodes_[child];
+      node.least[d][i] = *std::min_element(below.least[d], below.least[d] + width);
+      node.most[d][i] = *std::max_element(below.most[d], below.most[d] + width);
+    }
   }
-  nodes_.push_back(node);
-  int axis = 0;
-  for (int d = 1; d < 3; ++d)
-    if (node.most[d] - node.least[d] > node.most[axis] - node.least[axis]) axis = d;
-  std::uint32_t* const middle = first + (last - first) / 2;
-  std::nth_element(first, middle, last, [&](std::uint32_t a, std::uint32_t b) {
-    const double to_a = middle_along(mesh, a, axis), to_b = middle_along(mesh, b, axis);
-    return to_a != to_b ? to_a < to_b : a < b;
-  });
-  build(mesh, first, middle);
-  nodes_[at].first = std::uint32_t(nodes_.size());
-  build(mesh, middle, last);
+  return nodes_[at] = node, at;
 }
 
 NearestTriangle::NearestTriangle(const Mesh& mesh) {
-  std::vector<std::uint32_t> order(mesh.triangle_count());
-  std::iota(order.begin(), order.end(), 0U);
+  float farthest = 0;
+  for (const float place : mesh.points) farthest = std::max(farthest, std::fabs(place));
+  pad_ = farthest * rounding_of_places;
+  std::vector<Placed> order(mesh.triangle_count());
+  for (std::size_t t = 0; t < order.size(); ++t) {
+    order[t].triangle = std::uint32_t(t);
+    for (std::size_t d = 0; d < 3; ++d) {
+      float sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) sum += mesh.points[3 * std::size_t(mesh.triangles[3 * t + k]) + d];
+      order[t].middle[d] = sum;
+    }
+  }
   triangles_.reserve(order.size());
-  nodes_.reserve(order.size());
+  nodes_.reserve(order.size() / 5 * 2 + 2);
   build(mesh, order.data(), order.data() + order.size());
 }
 
 double NearestTriangle::distance(const Vec3& point, std::uint32_t& hint) const {
+  using lanes::Quad;
   struct Waiting {
-    std::uint32_t node;
-    double square;
+    float square;
+    std::uint32_t child;
   };
-  double best = square_to(triangles_[hint], point);
-  const auto is_farther = [&](double square) { return square > best * more_than_rounding + hair_squared; };
-  Waiting stack[64];  // halves of 2³² triangles lie no deeper than 32
+  const std::uint32_t began = hint;
+  double best = square_to(triangles_[began], point);
+  float limit = limit_of(best);
+  const Quad none{}, place[3] = {none + float(point.x), none + float(point.y), none + float(point.z)};
+  Waiting stack[64];  // quarters of 2³¹ triangles lie no deeper than 16
   int waiting = 0;
-  stack[waiting++] = {0, square_to(nodes_[0], point)};
+  stack[waiting++] = {0, 0};
   while (waiting > 0) {
     const Waiting next = stack[--waiting];
-    if (is_farther(next.square)) continue;
-    const Node& node = nodes_[next.node];
-    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
+    if (next.square > limit) continue;
+    if ((next.child & of_triangles) != 0) {
+      const std::uint32_t t = next.child & ~of_triangles;
+      if (t == began) continue;
       const double square = square_to(triangles_[t], point);
-      if (square < best) best = square, hint = t;
+      if (square < best) best = square, limit = limit_of(best), hint = t;
+      continue;
     }
-    if (node.count != 0) continue;
-    Waiting near{next.node + 1, square_to(nodes_[next.node + 1], point)}, far{node.first, square_to(nodes_[node.first], point)};
-    if (far.square < near.square) std::swap(near, far);
-    if (!is_farther(far.square)) stack[waiting++] = far;
-    if (!is_farther(near.square)) stack[waiting++] = near;
+    const Node& node = nodes_[next.child];
+    Quad sum{};
+    for (int d = 0; d < 3; ++d) {
+      const Quad below = *reinterpret_cast<const Quad*>(node.least[d]) - place[d],
+                 above = place[d] - *reinterpret_cast<const Quad*>(node.most[d]);
+      Quad off = below > above ? below : above;
+      off = off > none ? off : none;
+      sum += off * off;
+    }
+    const int first = waiting;
+    for (int i = 0; i < width; ++i) {
+      if (sum[i] > limit) continue;
+      int to = waiting++;  // the nearest on top
+      for (; to > first && stack[to - 1].square < sum[i]; --to) stack[to] = stack[to - 1];
+      stack[to] = {sum[i], node.child[i]};
+    }
   }
   return std::sqrt(best);
 }

@@ -19,6 +19,8 @@ constexpr std::size_t points_at_once = 1024;
 constexpr double same_place = 2e-3;   // mm: a stretch that is nowhere farther from the part's surface is rounding along a wall
 constexpr double step_of_cell = 0.5;  // between places of a stretch whose depth is asked
 
+constexpr double bytes_of_triangle = 200;  // tree, lines, and the triangle itself, twice
+
 /// The deepest place of one kind; `order` decides between equals, whichever thread came first.
 struct Deepest {
   double depth = 0;
@@ -64,11 +66,12 @@ WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& pa
 
 class PartHeld {
  public:
-  PartHeld(const Stock& stock, const Surface& surface, const Mesh& part)
+  PartHeld(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces)
       : stock_(stock),
         surface_(surface),
+        faces_(faces),
         nearest_(part),
-        body_(mesh_blank(part)),
+        body_(faces == nullptr ? mesh_blank(part) : blank_within(mesh_blank(part), stock.blank().box())),
         wider_(wider_lattice(stock.lattice(), stock.blank().box(), body_->box())),
         part_at_(body_->bricks_at_surface(wider_.lattice)),
         volumes_(wider_.lattice.size()) {}
@@ -92,6 +95,7 @@ class PartHeld {
 
   const Stock& stock_;
   const Surface& surface_;
+  const WindowFaces* faces_;
   NearestTriangle nearest_;
   std::shared_ptr<const Blank> body_;
   WiderLattice wider_;
@@ -109,6 +113,7 @@ void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Wor
   const std::size_t last = std::min((chunk + 1) * points_at_once, surface_.point_count());
   for (std::size_t i = chunk * points_at_once; i < last; ++i) {
     const Vec3 at = surface_.point(i);
+    if (faces_ != nullptr && faces_->hold(at)) continue;
     const double depth = nearest_.distance(at, work.hint);
     const bool inside = is_inside(at, work);
     deviation[i] = float(inside ? -depth : depth);
@@ -206,6 +211,14 @@ PartComparison PartHeld::held() {
 
 }  // namespace
 
-PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part) { return PartHeld(stock, surface, part).held(); }
+PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces) {
+  return PartHeld(stock, surface, part, faces).held();
+}
+
+double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, HeldPart held) {
+  const Lattice own(stock, cell);
+  const Lattice lattice = held == HeldPart::window ? own : wider_lattice(own, stock, box_of(part)).lattice;
+  return double(part.triangle_count()) * bytes_of_triangle + double(lattice.size()) * double(sizeof(BrickVolumes) + 1);
+}
 
 }  // namespace kadr

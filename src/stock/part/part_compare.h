@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "stock/blank/blank_window.h"
 #include "stock/mesh/mesh.h"
 #include "stock/stock.h"
 #include "stock/surface/surface.h"
@@ -25,9 +26,15 @@ struct PartComparison {
 
 /// Volumes: the material's intervals on lattice lines and those of the part, exactly, in each brick by the direction that meets most
 /// of the difference. Of a part that reaches beyond the blank by more than the blank's longest side only what is nearer counts.
-///   part    a solid, not empty, in the work system of the blank
+///   part    a solid, not empty, in the work system of the blank; of a window: one whose box meets it
 ///   law     the same bits for any number of threads
-///   memory  4 bytes a point of the surface, 150 bytes a triangle of the part
-PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part);
+///   faces   of a stock that is a window (blank_within()): only what of the part lies in it counts, and points on its faces have no
+///           deviation; nullptr: it is the whole
+///   memory  4 bytes a point of the surface, and bytes_of_comparison()
+PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces = nullptr);
+
+/// For a stock of that box, all but the stock itself and its surface; the part's own triangles are among them.
+enum class HeldPart : std::uint8_t { whole, window };
+double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, HeldPart held);
 
 }  // namespace kadr

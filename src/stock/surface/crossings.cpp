@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stock/surface/turned_normal.h"
+
 namespace kadr {
 namespace {
 
@@ -15,8 +17,20 @@ struct LineEnd {
   float at;
   std::int32_t by;
   bool found = false;
-  bool seam = false;  // where two bricks meet, one full up to there and the other empty: neither knows why
+  bool seam = false;  // where two bricks meet, one full up to there and the other empty, and not the blank's: neither knows why
 };
+
+/// Of all its bodies, from the tip.
+struct ToolExtent {
+  double widest, bottom, top;
+};
+
+ToolExtent extent_of(const ToolFaces& tool) {
+  ToolExtent all{0, 1e30, -1e30};
+  for (const BodyFaces& body : tool)
+    all = {std::max(all.widest, body.widest), std::min(all.bottom, body.bottom), std::max(all.top, body.top)};
+  return all;
+}
 
 }  // namespace
 
@@ -54,9 +68,14 @@ struct Crossings::Finder {
   float cell, edge;
   std::array<std::array<FurtherByLine, 3>, 8> further{};
 
+  std::vector<std::uint32_t> sweeps_near{};  // that may have cut at the brick's seams, found when the first is asked for
+  bool near_known = false;
+
   LineEnd end_on(const LatticeEdge& e, bool leaves);
+  Vec3 place_of(const LatticeEdge& e, const LineEnd& end) const;
+  void find_cut(const LatticeEdge& e, bool leaves, LineEnd& end);
+  void find_sweeps_near();
   Crossing crossing_at(const LatticeEdge& e, bool leaves, const LineEnd& end) const;
-  Vec3 blank_normal(const Vec3& at, int family, bool leaves, bool seam) const;
 };
 
 /// The end of material nearest to the edge's material point.
@@ -97,30 +116,61 @@ LineEnd Crossings::Finder::end_on(const LatticeEdge& e, bool leaves) {
   return end;
 }
 
-/// An end where bricks meet is the blank's only if that ends there: else a sweep did that the brick beyond knows nothing of any more.
-Vec3 Crossings::Finder::blank_normal(const Vec3& at, int family, bool leaves, bool seam) const {
-  Vec3 square;
-  along(square, family) = leaves ? 1 : -1;
-  if (seam) {
-    std::vector<LineRange> ranges;
-    stock.blank().cross(family, along(at, (family + 1) % 3), along(at, (family + 2) % 3), ranges);
-    const double place = along(at, family);
-    const bool ends = std::any_of(ranges.begin(), ranges.end(),
-                                  [&](const LineRange& r) { return std::fabs((leaves ? r.to : r.from) - place) < double(families_agree); });
-    if (!ends) return square;
+Vec3 Crossings::Finder::place_of(const LatticeEdge& e, const LineEnd& end) const {
+  Vec3 at;
+  for (int d = 0; d < 3; ++d) along(at, d) = d == e.family ? double(end.at) : (e.point[std::size_t(d)] + 0.5) * double(cell);
+  return at;
+}
+
+/// By the boxes around their ways.
+void Crossings::Finder::find_sweeps_near() {
+  near_known = true;
+  std::vector<ToolExtent> extents;
+  for (const ToolFaces& tool : tools) extents.push_back(extent_of(tool));
+  const double room = double(cell), reach = double(edge) + room;
+  for (std::size_t i = 0; i < stock.sweeps(); ++i) {
+    const KeptSweep& s = stock.sweep(i);
+    const ToolExtent& tool = extents[s.tool];
+    bool near = true;
+    for (int d = 0; d < 3 && near; ++d) {
+      const double least = double(std::min(s.from[d], s.to[d])) + (d == 2 ? tool.bottom : -tool.widest);
+      const double most = double(std::max(s.from[d], s.to[d])) + (d == 2 ? tool.top : tool.widest);
+      near = least <= along(from_lattice, d) + reach && most >= along(from_lattice, d) - room;
+    }
+    if (near) sweeps_near.push_back(std::uint32_t(i));
   }
-  return stock.blank().normal(at, family, leaves);
+}
+
+/// An end where bricks meet is the blank's only if that ends there. Else a sweep made it that the brick beyond knows nothing of any more:
+/// the first that cut there.
+void Crossings::Finder::find_cut(const LatticeEdge& e, bool leaves, LineEnd& end) {
+  const Vec3 at = place_of(e, end), in_space = at + corner;
+  std::vector<LineRange> ranges;
+  stock.blank().cross(e.family, along(in_space, (e.family + 1) % 3), along(in_space, (e.family + 2) % 3), ranges);
+  end.seam = std::none_of(ranges.begin(), ranges.end(), [&](const LineRange& r) {
+    return std::fabs((leaves ? r.to : r.from) - along(in_space, e.family)) < double(families_agree);
+  });
+  if (!end.seam) return;
+  if (!near_known) find_sweeps_near();
+  for (const std::uint32_t i : sweeps_near) {
+    const KeptSweep& sweep = stock.sweep(i);
+    if (!cut_at(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves})) continue;
+    end.by = std::int32_t(i);
+    return;
+  }
 }
 
 Crossing Crossings::Finder::crossing_at(const LatticeEdge& e, bool leaves, const LineEnd& end) const {
-  Vec3 at;
-  for (int d = 0; d < 3; ++d) along(at, d) = d == e.family ? double(end.at) : (e.point[std::size_t(d)] + 0.5) * double(cell);
+  const Vec3 at = place_of(e, end);
   Vec3 normal;
   if (end.by == of_blank) {
-    normal = blank_normal(at + corner, e.family, leaves, end.seam);
+    if (end.seam) along(normal, e.family) = leaves ? 1 : -1;
+    else normal = stock.blank().normal(at + corner, e.family, leaves);
   } else {
     const KeptSweep& sweep = stock.sweep(std::size_t(end.by));
-    normal = cut_normal(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves});
+    const CutPlace place{at + from_lattice, e.family, leaves};
+    const ToolShape& tool = stock.tool(sweep.tool);
+    normal = tool.turns() ? turned_normal(sweep, tool, place, stock.lattice().origin()) : cut_normal(sweep, tools[sweep.tool], place);
   }
   return {{float(at.x), float(at.y), float(at.z)}, {float(normal.x), float(normal.y), float(normal.z)}, end.by};
 }
@@ -140,6 +190,7 @@ void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, st
       end = {(float(e.point[std::size_t(e.family)]) + 1.f) * finder.cell, of_blank, false, true};
       lost_.push_back(e);
     }
+    if (end.seam && end.by == of_blank) finder.find_cut(e, leaves, end);
     slots_[slot_of(e)] = std::uint16_t(all_.size());
     all_.push_back(finder.crossing_at(e, leaves, end));
   });

@@ -38,6 +38,12 @@ struct Way {
   }
 };
 
+Way way_of(const KeptSweep& sweep) {
+  const Vec3 from{double(sweep.from[0]), double(sweep.from[1]), double(sweep.from[2])};
+  const Vec3 to{double(sweep.to[0]), double(sweep.to[1]), double(sweep.to[2])};
+  return {from, to - from};
+}
+
 Near to_side(const BodyFaces::Side& side, double bottom, double radius, double height) {
   if (side.form == Form::cylinder || side.form == Form::cone)
     return {(radius - side.radius) * side.normal_radial + (height - side.height) * side.normal_up, side.normal_radial, side.normal_up};
@@ -158,10 +164,17 @@ BodyFaces::BodyFaces(const ConvexBody& body) : bottom(body.bottom()), top(body.t
 
 ToolFaces faces_of(const ToolShape& tool) { return {tool.bodies.begin(), tool.bodies.end()}; }
 
+bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place) {
+  const Way way = way_of(sweep);
+  return std::any_of(tool.begin(), tool.end(), [&](const BodyFaces& body) {
+    const Touching t = touching(body, way, place);
+    const double inwards = along(t.normal, place.family);
+    return std::fabs(t.distance) < same_place && (place.leaves ? -inwards : inwards) > along_the_line;
+  });
+}
+
 Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place) {
-  const Vec3 from{double(sweep.from[0]), double(sweep.from[1]), double(sweep.from[2])};
-  const Vec3 to{double(sweep.to[0]), double(sweep.to[1]), double(sweep.to[2])};
-  const Way way{from, to - from};
+  const Way way = way_of(sweep);
   Vec3 along_line;
   along(along_line, place.family) = place.leaves ? 1 : -1;
   double nearest = 1e30;

@@ -39,6 +39,9 @@ struct CutPlace {
   bool leaves;  // the material lies before it on the line
 };
 
+/// Whether the sweep has cut a surface there that the line goes through.
+bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place);
+
 /// Outward, of what is left.
 Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place);
 

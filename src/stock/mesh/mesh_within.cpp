@@ -1,0 +1,83 @@
+// Triangles clipped by the planes of a box. For stock/blank and session/cutting.
+//
+// On an upright line that goes through the box, the closed mesh's crossings, each moved to the box's floor or ceiling where it lies beyond,
+// add up to what is inside both. So each triangle counts by its heights above the floor, over what the box's walls leave of it.
+
+#include "stock/mesh/mesh_within.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/matrix.h"
+
+namespace kadr {
+namespace {
+
+/// A convex polygon; each of six planes adds at most one corner to a triangle.
+struct Polygon {
+  std::array<Vec3, 12> corner;
+  std::size_t count = 0;
+
+  void add(const Vec3& p) { corner[count++] = p; }
+};
+
+/// What of it lies above a place along the axis (`side` 1), or below (−1).
+Polygon clipped(const Polygon& from, int axis, double place, int side) {
+  Polygon to;
+  for (std::size_t i = 0; i < from.count; ++i) {
+    const Vec3 a = from.corner[i], b = from.corner[(i + 1) % from.count];
+    const double above = side * (along(a, axis) - place), next = side * (along(b, axis) - place);
+    if (above >= 0) to.add(a);
+    if ((above < 0) == (next < 0) || above == 0 || next == 0) continue;
+    Vec3 between = a + above / (above - next) * (b - a);
+    along(between, axis) = place;
+    to.add(between);
+  }
+  return to;
+}
+
+/// Of its triangles, from its first corner.
+template <class Visit>
+void each_triangle(const Polygon& p, const Visit& visit) {
+  for (std::size_t i = 2; i < p.count; ++i) visit(p.corner[0], p.corner[i - 1], p.corner[i]);
+}
+
+/// Seen from above, counter-clockwise is above 0.
+double flat_area(const Vec3& a, const Vec3& b, const Vec3& c) { return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2; }
+
+void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
+  Polygon between_walls = triangle;
+  for (int d = 0; d < 2; ++d) {
+    between_walls = clipped(between_walls, d, along(box.least, d), 1);
+    between_walls = clipped(between_walls, d, along(box.most, d), -1);
+  }
+  const double height = box.most.z - box.least.z;
+  each_triangle(clipped(between_walls, 2, box.most.z, 1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;  // and not above: counts once, below
+    if (!at_ceiling) sum.volume += flat_area(a, b, c) * height;
+  });
+  each_triangle(clipped(clipped(between_walls, 2, box.least.z, 1), 2, box.most.z, -1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    sum.volume += flat_area(a, b, c) * ((a.z + b.z + c.z) / 3 - box.least.z);
+    sum.area += length(cross(b - a, c - a)) / 2;
+  });
+}
+
+}  // namespace
+
+MeshWithin mesh_within(const Mesh& mesh, const Box3& box) {
+  MeshWithin sum;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    Polygon triangle;
+    for (std::size_t k = 0; k < 3; ++k) triangle.add(mesh.corner(t, k));
+    const auto all_beyond = [&](int axis, double place, int side) {
+      return std::all_of(triangle.corner.begin(), triangle.corner.begin() + 3,
+                         [&](const Vec3& p) { return side * (along(p, axis) - place) >= 0; });
+    };
+    bool beside = all_beyond(2, box.least.z, -1);
+    for (int d = 0; d < 2 && !beside; ++d) beside = all_beyond(d, along(box.least, d), -1) || all_beyond(d, along(box.most, d), 1);
+    if (!beside) add_triangle(triangle, box, sum);
+  }
+  return sum;
+}
+
+}  // namespace kadr

@@ -1,0 +1,36 @@
+#pragma once
+// How far the origin is from a triangle.
+
+#include <algorithm>
+
+#include "base/matrix.h"
+
+namespace kadr {
+
+inline double square_of(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+
+/// From the origin to the stretch that begins at a place.
+inline double square_to_stretch(const Vec3& from, const Vec3& way) {
+  const double length_squared = square_of(way);
+  const double share = length_squared > 0 ? std::clamp(-dot(from, way) / length_squared, 0.0, 1.0) : 0;
+  return square_of(from + share * way);
+}
+
+/// mm² from the origin. Over the triangle's inside its plane is nearest, else one of its sides.
+inline double square_to_triangle(const Vec3 (&corner)[3]) {
+  Vec3 side[3];
+  for (int k = 0; k < 3; ++k) side[k] = corner[(k + 1) % 3] - corner[k];
+  const Vec3 normal = cross(side[0], side[1]);
+  const double size = square_of(normal);
+  if (size > 0) {
+    bool over = true;
+    for (int k = 0; k < 3 && over; ++k) over = dot(cross(corner[k], corner[(k + 1) % 3]), normal) >= 0;
+    const double off = dot(corner[0], normal);
+    if (over) return off * off / size;
+  }
+  double least = square_to_stretch(corner[0], side[0]);
+  for (int k = 1; k < 3; ++k) least = std::min(least, square_to_stretch(corner[k], side[k]));
+  return least;
+}
+
+}  // namespace kadr

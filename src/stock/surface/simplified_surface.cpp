@@ -1,0 +1,44 @@
+// Decimated, measured, and decimated less where that was too much. For cli/cut.
+
+#include "stock/surface/simplified_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stock/surface/decimation.h"
+
+namespace kadr {
+namespace {
+
+constexpr double shares[] = {0.1, 0.35, 1};  // of what is allowed, one after the other: what is flat goes first
+constexpr int most_rounds = 4;
+constexpr double of_found = 0.8;   // of the share that would have been right, if places were off in proportion
+constexpr double at_points = 1e9;  // mm: a step that no triangle is larger than
+
+/// The lists of Decimation and its mesh; then the trees of both surfaces.
+constexpr double bytes_a_triangle = 180;
+
+Mesh decimated(const Mesh& exact, double most_off, const StopToken& stop) {
+  Decimation decimation(exact);
+  for (const double share : shares) decimation.go(share * most_off, stop);
+  return decimation.mesh();
+}
+
+}  // namespace
+
+SimplifiedSurface simplified_surface(const Mesh& exact, const SimplifyRules& rules) {
+  const double half_a_cell = std::sqrt(area_of(exact) / double(std::max<std::size_t>(exact.triangle_count(), 1)) / 2);
+  double allowed = rules.most_off;
+  for (int round = 0; round < most_rounds && !exact.triangles.empty() && !rules.stop.asked(); ++round) {
+    SimplifiedSurface simple{decimated(exact, allowed, rules.stop), 0};
+    simple.off =
+        std::max(farthest_off(exact, simple.mesh, at_points, rules), farthest_off(simple.mesh, exact, half_a_cell, rules));
+    if (simple.off <= rules.most_off) return simple;
+    allowed *= of_found * rules.most_off / simple.off;
+  }
+  return {exact, 0};
+}
+
+double bytes_of_simplifying(std::size_t triangles) { return double(triangles) * bytes_a_triangle; }
+
+}  // namespace kadr
