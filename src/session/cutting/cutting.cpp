@@ -47,7 +47,9 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
       loads_(job.cell),
       air_(job.cell) {
   if (job.window) window_ = std::make_unique<Stock>(job.window, job.window_cell, job.threads);
-  loads_.on_block = [this](const BlockLoad& load) { take_rate(load); };
+  loads_.on_block = [this](const BlockLoad& load) {
+    if (on_block) on_block(load);
+  };
   if (job.keeps_rates)
     loads_.on_rate = [this](std::size_t first, std::size_t end, double rate) {
       rate_of_sweep_.resize(stock_.sweeps());
@@ -248,17 +250,19 @@ void Cutting::count_removed() {
     tool.removed += volume;
     if (!m.cuts) continue;
     tool.seconds += m.seconds;
+    if (end == m.first_sweep) continue;
     loads_.add({m.origin, m.tool, m.diameter, m.teeth, m.begins, m.seconds, m.length, m.flat, volume, depth, m.first_sweep, end, m.at});
     const double share = 1.0 / double(end - m.first_sweep);
     for (std::size_t s = m.first_sweep; s < end; ++s)
       air_.add({m.origin, m.tool, m.seconds * share, m.length * share, stock_.cuts_anything(s)});
+    if (rate_.use != m.use) rate_ = {};
+    rate_.use = m.use;
+    rate_.volume += volume, rate_.seconds += m.seconds, rate_.length += m.length;
+    if (rate_.length < 2 * job_.cell || !(rate_.seconds > 0)) continue;
+    tool.greatest_rate = std::max(tool.greatest_rate, rate_.volume / rate_.seconds);
+    rate_ = {};
+    rate_.use = m.use;
   }
-}
-
-void Cutting::take_rate(const BlockLoad& load) {
-  ToolRemoval& tool = result_.tools[use_of(load.tool)];
-  tool.greatest_rate = std::max(tool.greatest_rate, load.rate.value_or(0));
-  if (on_block) on_block(load);
 }
 
 /// The touches of a motion are one finding a kind.

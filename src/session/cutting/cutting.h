@@ -107,7 +107,6 @@ class Cutting {
   void release_kept();
   void cut();
   void count_removed();
-  void take_rate(const BlockLoad& load);
   void tell(const std::vector<Touch>& touches, bool of_fixture);
   double least_depth(const Box3& around) const;
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
@@ -138,6 +137,10 @@ class Cutting {
   std::vector<float> rate_of_sweep_;
   Vec3 zero_;
   bool zero_known_ = false;
+  struct Rate {
+    double volume = 0, seconds = 0, length = 0;
+    std::size_t use = 0;
+  } rate_;
   BlockLoads loads_;
   AirLines air_;
   CutResult result_;
