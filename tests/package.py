@@ -20,7 +20,7 @@ DOC = 'usr/share/doc/kadr'
 # In it, and a piece of what stands there; None: no text is looked for.
 FILES = [
     ('usr/bin/kadr', None),
-    ('usr/lib/kadr/kadr-bodies.so', None),
+    ('usr/lib/kadr/modules/kadr-bodies.so', None),
     ('usr/share/man/man1/kadr.1.gz', 'kadr run'),
     ('usr/share/man/ru/man1/kadr.1.gz', 'станк'),
     ('usr/share/bash-completion/completions/kadr', 'complete '),

@@ -151,6 +151,7 @@ Status Cutting::consume(const Step& step, double longer) {
   const Motion* const motion = step.motion();
   result_.seconds = std::max(result_.seconds, step.begins + step.time.seconds + longer + step.pause);
   const bool upright = way_.take(step, pieces_);
+  if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // named, and it stood there already
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || step.begins >= job_.until) return {};
   shift_by_length();
   if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the way there only its end is certain

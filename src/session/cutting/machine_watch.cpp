@@ -68,9 +68,9 @@ tl::expected<std::unique_ptr<MachineWatch>, std::string> MachineWatch::of(const 
   if (door == nullptr)
     return tl::unexpected(
         told("this machine has [[bodies]], and kadr-bodies.so, which finds what they hit, is not there: it is installed with "
-             "Kadr as lib/kadr/kadr-bodies.so and needs the package libfcl0.7",
+             "Kadr as lib/kadr/modules/kadr-bodies.so and needs the package libfcl0.7",
              "у станка есть [[bodies]], но нет kadr-bodies.so, который находит их столкновения: он ставится вместе с Kadr "
-             "как lib/kadr/kadr-bodies.so, ему нужен пакет libfcl0.7"));
+             "как lib/kadr/modules/kadr-bodies.so, ему нужен пакет libfcl0.7"));
   std::unique_ptr<MachineWatch> watch(new MachineWatch(tree_of(machine, axes), BodyWorld(*door), machine, roles, job));
   if (const auto fault = watch->add_bodies(machine, work, read)) return tl::unexpected(*fault);
   return watch;

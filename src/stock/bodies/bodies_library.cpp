@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* bodies_file = "kadr-bodies.so";
 // From that of the program; the next two: of libkadr.so; the last: of the tests of a build.
-constexpr const char* bodies_folders[] = {"", "../lib/kadr/", "kadr/", "../kadr/", "../"};
+constexpr const char* bodies_folders[] = {"", "../lib/kadr/modules/", "kadr/modules/", "../kadr/modules/", "../"};
 
 /// With the `/` at its end; empty: it is not known.
 std::string folder_of_this() {
