@@ -20,6 +20,7 @@ DOC = 'usr/share/doc/kadr'
 # In it, and a piece of what stands there; None: no text is looked for.
 FILES = [
     ('usr/bin/kadr', None),
+    ('usr/lib/kadr/kadr-bodies.so', None),
     ('usr/share/man/man1/kadr.1.gz', 'kadr run'),
     ('usr/share/man/ru/man1/kadr.1.gz', 'станк'),
     ('usr/share/bash-completion/completions/kadr', 'complete '),
@@ -72,6 +73,13 @@ def failures(build, folder):
     # the example of the documentation, by the program and the files that are installed
     ran = run([tree / 'usr/bin/kadr', 'run', tree / DOC / 'examples/s2c42/flange.nc', '--setup', tree / DOC / 'examples/s2c42/flange.json'])
     yield None if ran.returncode == 0 and 'blocks' in ran.stdout + ran.stderr else f'the example: {ran.stdout}{ran.stderr}'
+    # what is loaded at need is found where it is installed, and the package brings what it needs
+    cut = tree / DOC / 'examples/cut'
+    ran = run([tree / 'usr/bin/kadr', 'cut', cut / 'trunnion.nc', '--control', 'mach3', '--machine', cut / 'trunnion.toml', '--setup', cut / 'trunnion.json',
+               '--stock', 'box:-20,-20,-20,20,20,0', '--tools', cut / 'tools.toml', '--lang', 'en', '--resolution', '1'])
+    yield None if ran.returncode == 1 and 'alarm machine' in ran.stderr else f'bodies of the machine: {ran.stdout}{ran.stderr}'
+    needs = run(['dpkg-deb', '-f', packages[0], 'Depends']).stdout
+    yield None if 'libfcl' in needs else f'the package does not need FCL: {needs}'
 
 
 def main():

@@ -11,17 +11,26 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     stops     id of the alarm that ends the run
     part_program   the wanted part is what this program cuts of the same blank; part: an STL text
     left_on, gouged   [deepest, LINE], mm within a tenth of the cell; 0: no deeper than that; too_deep: the exit status is 1 because of it
+    calls     of the first collision: [["O100", LINE], …], outermost first
+    checks    [["heaviest.0.rate", 150, 1.5], …]: a place in the JSON, its value, how far off it may be (a text: what it ends with; 'null': null)
+    rows      [[LINE, "rate", 150, 1.5], …]: of the first row of a line in --blocks; "": not told
+    files     { "name" = "text" }: further files beside the program
     window    {stock, removed: mm³ within `within`; resolution}
     simplified   {off: mm at most; share of the triangles that are left at most}: of part.stl, which is whole
     deviation the greatest number in off.ply, mm within a hundredth
     refused   the beginning of the complaint; nothing is cut, the exit status is 2
-    args      further words of the command line, files in a folder of the case; setup: a set-up
-Every case is cut with one and with two threads: the same JSON. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
+    args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines]
+    bodies    names of those that the first collision is between, in any order; place: where, mm within 0.02
+Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes are in sum those of the tools. The keys of
+`heaviest` and `emptiest` are those that docs/commands/cut.md names. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
 it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
 """
 import argparse
+import csv
+import io
 import json
+import shutil
 import struct
 import subprocess
 import sys
@@ -34,6 +43,11 @@ TIME_LIMIT_S = 60
 MILL_SCHEMES = ['zigzag', '1zigzag', '2zigzag', 'spiral-out', 'spiral-in', 'comb', '1comb', '2comb']
 MILL_CONTROLS = ['s2c42', 'mach3', 'nct', 'gost', 'correctors']
 MILL_STOCK = 'box:-20,-20,-30,220,180,0'
+HEAVIEST_KEYS = {'line', 'program', 'block', 'tool', 'rate', 'feed_per_tooth', 'depth', 'width', 'angle', 'volume', 'seconds', 'at', 'at_time'}
+EMPTIEST_KEYS = {'line', 'program', 'block', 'tool', 'seconds'}
+NOT_ALWAYS = {'program', 'block'}
+COLUMNS = 'line,block,tool,begins,seconds,length,volume,rate,feed_per_tooth,depth,width,angle,program'.split(',')
+MOST_TOLD = 10
 
 
 def write(file, text):
@@ -41,12 +55,15 @@ def write(file, text):
     return file
 
 
-def cut(kadr, folder, case, tools, threads):
+def cut(kadr, folder, case, tools, threads, machines={}):
     (folder / 'tools.toml').write_text(case.get('tools', tools))
     program = folder / 'part.nc'
     program.write_text(case['program'].lstrip('\n'))
     words = [kadr, 'cut', str(program), '--control', case.get('control', 'mach3'), '--stock', case['stock'], '--tools', str(folder / 'tools.toml'),
-             '--resolution', str(case.get('resolution', 0.5)), '--json', '-', '--lang', 'en', '--threads', str(threads)]
+             '--resolution', str(case.get('resolution', 0.5)), '--json', '-', '--lang', 'en', '--threads', str(threads),
+             '--blocks', str(folder / 'blocks.csv')]
+    for name, text in case.get('files', {}).items():
+        write(folder / name, text.lstrip('\n'))
     if 'part_program' in case:
         made = subprocess.run([*words[:2], str(write(folder / 'wanted.nc', case['part_program'].lstrip('\n'))), *words[3:], '--out', str(folder / 'wanted.stl'), '-q'],
                               capture_output=True, text=True, timeout=TIME_LIMIT_S)
@@ -56,10 +73,40 @@ def cut(kadr, folder, case, tools, threads):
     elif 'part' in case:
         words += ['--part', str(write(folder / 'wanted.stl', case['part']))]
     words += [str(folder / word) if word.endswith(('.stl', '.ply')) else word for word in case.get('args', [])]
+    if 'machine' in case:
+        words += ['--machine', str(write(folder / 'machine.toml', machines[case['machine']]))]
     if 'setup' in case:
         (folder / 'setup.json').write_text(case['setup'])
         words += ['--setup', str(folder / 'setup.json')]
     return subprocess.run(words, capture_output=True, text=True, timeout=TIME_LIMIT_S)
+
+
+def faults_of_loads(case, result, table):
+    """Sentences: what is wrong with the heaviest and the emptiest lines, and the table of blocks."""
+    for heading, keys in (('heaviest', HEAVIEST_KEYS), ('emptiest', EMPTIEST_KEYS)):
+        if len(result[heading]) > MOST_TOLD:
+            yield f'{heading}: more than {MOST_TOLD}'
+        for line in result[heading]:
+            if set(line) - keys or keys - NOT_ALWAYS - set(line):
+                yield f'{heading}: keys {sorted(line)}'
+    for place, want, *off in case.get('checks', []):
+        got = result
+        for key in place.split('.'):
+            got = got[int(key)] if isinstance(got, list) else got.get(key)
+        if isinstance(want, str) and want != 'null':
+            got = want if str(got).endswith(want) else got
+        if got != (None if want == 'null' else want) and not (off and got is not None and abs(got - want) <= off[0]):
+            yield f'{place}: {got}, not {want}'
+    rows = list(csv.DictReader(io.StringIO(table)))
+    if table.splitlines()[0].split(',') != COLUMNS:
+        yield f'--blocks: columns {table.splitlines()[0]}'
+    for line, column, want, *off in case.get('rows', []):
+        got = next((row[column] for row in rows if row['line'] == str(line)), None)
+        if got != want and not (off and got and abs(float(got) - want) <= off[0]):
+            yield f'--blocks: {column} of line {line} is {got}, not {want}'
+    told, removed = sum(float(row['volume']) for row in rows), sum(tool['removed'] for tool in result['tools'])
+    if not case.get('found') and abs(told - removed) > 1e-3 * (1 + len(rows) + len(result['tools'])):
+        yield f'--blocks: {told} mm³ in all, not {removed}'
 
 
 def window_faults(want, got):
@@ -84,7 +131,7 @@ def mesh_faults(case, result, folder):
             yield f'deviation {greatest}, not {case["deviation"]}'
 
 
-def faults_of(case, run, folder):
+def faults_of(case, run, folder, table=None):
     """Sentences: what is not as it was to be."""
     if 'refused' in case:
         if run.returncode != 2 or not run.stderr.removeprefix('kadr: ').startswith(case['refused']):
@@ -107,11 +154,28 @@ def faults_of(case, run, folder):
         want, got = case['depth'], result['collisions'][0]['depth']
         if abs(got - want) > 0.05 + 0.01 * want:
             yield f'depth {got}, not {want}'
+    if 'bodies' in case and result['collisions']:
+        got = result['collisions'][0].get('bodies')
+        if got is None or sorted(got) != sorted(case['bodies']):
+            yield f'between {got}, not {case["bodies"]}'
+    if 'place' in case and result['collisions']:
+        got = [result['collisions'][0]['at'][axis] for axis in 'XYZ']
+        if any(want is not None and abs(got[i] - want) > 0.02 for i, want in enumerate(None if w == 'any' else w for w in case['place'])):
+            yield f'at {got}, not {case["place"]}'
     for key in ('left_on', 'gouged'):
         if key in case:
             (want, line), got = case[key], result['part'][key]
             if abs(got['deepest'] - want) > 0.1 * result.get('window', result)['resolution'] or (want > 0 and got['line'] != line):
                 yield f'{key}: {got}, not {case[key]}'
+    if 'calls' in case:
+        got = [[call['program'], call['line']] for call in result['collisions'][0].get('calls', [])]
+        if got != case['calls']:
+            yield f'calls: {got}, not {case["calls"]}'
+        for what, line in case['calls']:
+            if f'called {what} in line {line}' not in run.stderr:
+                yield f'alarm does not tell: called {what} in line {line}'
+    if table is not None:
+        yield from faults_of_loads(case, result, table)
     if 'window' in case:
         yield from window_faults(case['window'], result['window'])
     yield from mesh_faults(case, result, folder)
@@ -137,6 +201,17 @@ def mill(kadr, folder, scheme, control):
     yield from faults_of(case, cut(kadr, folder, case, '', 2), folder)
 
 
+def without_module(kadr, folder, case, tools, machines):
+    """Sentences: what is wrong where kadr-bodies.so is not there."""
+    alone = Path(shutil.copy(kadr, folder / 'kadr-alone'))
+    run = cut(str(alone), folder, case, tools, 1, machines)
+    if run.returncode != 2 or 'kadr-bodies.so' not in run.stderr:
+        yield f'exit status {run.returncode}, not 2: {run.stderr.strip()[:200]}'
+    run = cut(str(alone), folder, {key: value for key, value in case.items() if key != 'machine'}, tools, 1)
+    if run.returncode not in (0, 1):
+        yield f'a machine without bodies: exit status {run.returncode}: {run.stderr.strip()[:200]}'
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument('--kadr', required=True)
@@ -150,14 +225,28 @@ def main():
                 title = f'{file.stem}/{case["name"]}'
                 if options.only not in title:
                     continue
-                one, two = (cut(options.kadr, Path(name), case, cases.get('tools', ''), threads) for threads in (1, 2))
-                faults = list(faults_of(case, one, Path(name)))
-                if one.stdout != two.stdout:
+                runs, tables = [], []
+                for threads in (1, 2):
+                    (Path(name) / 'blocks.csv').unlink(missing_ok=True)
+                    runs.append(cut(options.kadr, Path(name), case, cases.get('tools', ''), threads, cases.get('machines', {})))
+                    table = Path(name) / 'blocks.csv'
+                    tables.append(table.read_text() if table.exists() else None)
+                one, two = runs
+                faults = list(faults_of(case, one, Path(name), tables[0]))
+                if one.stdout != two.stdout or tables[0] != tables[1]:
                     faults.append('one thread and two threads differ')
                 for fault in faults:
                     print(f'{title}: {fault}')
                 failed += bool(faults)
                 passed += not faults
+        title = 'machine/without the module'
+        if options.only in title:
+            cases = tomllib.loads((HERE / 'cut_cases/machine.toml').read_text())
+            faults = list(without_module(options.kadr, Path(name), cases['case'][0], cases['tools'], cases['machines']))
+            for fault in faults:
+                print(f'{title}: {fault}')
+            failed += bool(faults)
+            passed += not faults
         for scheme in MILL_SCHEMES:
             for control in MILL_CONTROLS:
                 title = f'mill/{scheme}/{control}'

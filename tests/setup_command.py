@@ -78,6 +78,18 @@ POSITIONS = [
     ('correctors', '%\nN1 G90 G00 X10. L17\nN2 M02\n', ['--corrector', '17=-0.5'], {'X': 9.5}),
 ]
 
+# name, control, program, lines of the tools file (without the comment behind `#`), and what kadr cut still misses of the first tool
+TOOLS = [
+    ('mills and a drill', 'mach3', '(T1 D8 ENDMILL)\n(T2 D=8.5 TAPER=118DEG - DRILL)\nT1 M6\nG1 X1 F100\nT2 M6\nG1 X2\nT3 M6 (BALL R3)\nM30\n',
+     ['[[tool]]', 'number = 1', 'kind = "flat"', 'diameter = 8', '[[tool]]', 'number = 2', 'kind = "drill"', 'diameter = 8.5', 'angle = 118',
+      '[[tool]]', 'number = 3', 'kind = "ball"', 'diameter = 6'], 'flutes is missing'),
+    ('nothing said', 'nct', 'T7 M6\nG1 X1 F100\nM30\n', ['[[tool]]', 'number = 7'], 'kind must be'),
+    ('a tap is none of the kinds', 'mach3', 'T3 M6 (TAP M8)\nM30\n', ['[[tool]]', 'number = 3', 'diameter = 8'], 'kind must be'),
+    ('inches', 'mach3', 'G20\nT1 M6 (.5 IN ENDMILL R.0625)\nM30\n', ['[[tool]]', 'number = 1', 'kind = "bull"', 'diameter = 12.7', 'corner = 1.5875'],
+     'flutes is missing'),
+    ('no tool at all', 'mach3', 'G1 X1 F100\nM30\n', [], '[[tool]] tables'),
+]
+
 
 class Runner:
     def __init__(self, kadr, folder):
@@ -138,6 +150,25 @@ class Runner:
         if any(abs(at[axis] - value) > 1e-9 for axis, value in expected.items()):
             yield f'{at}, not {expected}'
 
+    def tools(self, control, program, expected, missing):
+        done = self.run('setup', program, control, '--tools')
+        if done.returncode != 0:
+            yield f'status {done.returncode}: {done.stderr.strip()}'
+            return
+        lines = [x for x in (line.split('#')[0].rstrip() for line in done.stdout.splitlines()) if x]
+        if lines != expected:
+            yield f'{lines}, not {expected}'
+        file = self.folder / 'tools.toml'
+        file.write_text(done.stdout, encoding='utf-8')
+        cut = self.run('cut', program, control, '--stock', 'box:0,0,0,10,10,10', '--tools', str(file))
+        if cut.returncode != 2 or missing not in cut.stderr:
+            yield f'kadr cut takes it, or says otherwise what is missing: {cut.returncode}, {cut.stderr.strip()}'
+        file.write_text(done.stdout.replace('# flutes = ', 'flutes = 20 #').replace('# kind = ""', 'kind = "flat" #').replace('# diameter = ', 'diameter = 5 #'),
+                        encoding='utf-8')
+        cut = self.run('cut', program, control, '--stock', 'box:0,0,0,10,10,10', '--tools', str(file))
+        if expected and cut.returncode == 2:
+            yield f'filled in, kadr cut does not take it: {cut.stderr.strip()}'
+
     def file_that_is_there(self):
         file = self.folder / 'there.json'
         file.write_text('mine', encoding='utf-8')
@@ -161,6 +192,8 @@ def main():
         runner = Runner(kadr, folder)
         for name, *row in TEMPLATES:
             runner.judge(f'setup, {name}', runner.template(*row))
+        for name, *row in TOOLS:
+            runner.judge(f'tools, {name}', runner.tools(*row))
         for name, *row in NOTES:
             runner.judge(f'note, {name}', runner.note(*row))
         for row in POSITIONS:

@@ -28,6 +28,7 @@ struct Origin {
   std::uint8_t block_digits = 0;  // as written, zeros included
   std::uint8_t depth = 0;         // calls around it
   std::uint16_t file = 0;         // that the line stands in: 0 the program, others: Control::file_name()
+  std::uint16_t calls = 0;        // by which it came to be carried out: Control::calls_of(); 0: none, or nobody watches
   std::uint32_t number = 0;       // of the block in the run, in the order of execution: Control::state_of()
 };
 
@@ -345,6 +346,7 @@ struct AlarmReport {
     std::uint32_t line;
     std::uint32_t block;
     bool has_block;
+    std::string file{};  // that the line stands in, if that is not the program itself; Control::calls_of() alone tells
   };
   std::vector<Call> calls;  // outermost first
   struct Line {

@@ -2,49 +2,27 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cstdio>
-#include <thread>
 
-#include "cli/cut_body.h"
+#include "cli/cut_job.h"
+#include "cli/cut_machine.h"
 #include "cli/cut_meshes.h"
+#include "cli/cut_run.h"
 #include "cli/cut_window.h"
-#include "cli/drive.h"
-#include "cli/job.h"
 #include "cli/outputs.h"
-#include "cli/progress.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "config/setup_names.h"
+#include "config/rapid_way.h"
 #include "config/told.h"
 #include "out/picture/part_page.h"
-#include "out/text/alarm_print.h"
 #include "out/text/cut_text.h"
 #include "out/text/page_file.h"
-#include "session/cutting/cutting.h"
-#include "stock/mesh/mesh_file.h"
-#include "stock/part/part_compare.h"
 #include "stock/surface/surface.h"
 
 namespace kadr::cli {
 namespace {
 
-constexpr double bytes_per_mb = 1 << 20;
 constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; what a point of the surface may be off: docs/stock.md
-
-/// --until: seconds, or a line in `line`.
-std::optional<double> seconds_of(const std::string& text, std::string& line) {
-  if (text.empty()) return 1e300;
-  if (!text.ends_with('s')) {
-    const bool is_line = text.find_first_not_of("0123456789") == std::string::npos && text.size() < 10;
-    return is_line ? (line = text, std::optional(1e300)) : std::nullopt;
-  }
-  double seconds = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size() - 1, seconds);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size() - 1 || !(seconds >= 0)) return std::nullopt;
-  return seconds;
-}
 
 /// The files of the command, none of them opened yet.
 Outputs outputs_of(const CutOptions& options, const Job& job) {
@@ -58,149 +36,39 @@ Outputs outputs_of(const CutOptions& options, const Job& job) {
   outputs.writes("--deviation", options.deviation);
   outputs.writes("--json", options.json);
   outputs.writes("--plot", options.run.plot);
+  outputs.writes("--blocks", options.blocks);
   for (const std::string& body : options.fixtures) outputs.reads(body);
   outputs.reads(options.stock);
   outputs.reads(options.part);
   return outputs;
 }
 
-/// The row of the work system that --stock-zero names; complains.
-bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint8_t>& system) {
-  if (options.stock_zero.empty()) return true;
-  const std::vector<std::string> names = system_names(*job.def);
-  const auto found = std::find(names.begin(), names.end(), options.stock_zero);
-  if (found == names.end() || found == names.begin())
-    return complain(fmt::format("--stock-zero {}: {}", options.stock_zero,
-                                told("this control has no such work system", "у этого УЧПУ нет такой системы координат"))),
-           false;
-  system = std::uint8_t(found - names.begin());
-  return true;
+PartColour colour_of(const std::string& word) {
+  return word == "age"         ? PartColour::age
+         : word == "deviation" ? PartColour::deviation
+         : word == "load"      ? PartColour::load
+                               : PartColour::tool;
 }
 
-/// A body of the command line; complains.
-std::shared_ptr<const Blank> named_body(const char* option, const std::string& text, double most) {
-  const auto named = body_of(text, most);
-  if (!named) return complain(fmt::format("{} {}", option, named.error())), nullptr;
-  for (const std::string& note : named->notes) say(note + "\n");
-  return named->body;
-}
-
-/// The part that is wanted, if one is; complains.
-bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
-  if (options.part.empty()) {
-    const char* const lonely = options.allow >= 0                  ? "--allow"
-                               : options.allow_left >= 0           ? "--allow-left"
-                               : !options.deviation.empty()        ? "--deviation"
-                               : options.run.colour == "deviation" ? "--colour deviation"
-                                                                   : nullptr;
-    if (lonely != nullptr)
-      complain(lonely + std::string(told(": of --part FILE, which is missing", ": нужна --part ФАЙЛ, а она не указана")));
-    return lonely == nullptr;
-  }
-  MeshRules rules;
-  rules.memory = std::size_t(options.max_memory * bytes_per_mb);
-  auto solid = read_mesh_file(options.part, rules);
-  if (!solid) return complain("--part " + solid.error()), false;
-  for (const std::string& note : solid->notes) say(note + "\n");
-  part = std::move(solid->mesh);
-  return true;
-}
-
-/// Cells and bodies, within the memory that may be taken; complains.
-bool find_material(const CutOptions& options, const std::optional<Mesh>& part, CutJob& job) {
-  const double most = options.max_memory * bytes_per_mb;
-  job.blank = named_body("--stock", options.stock, most);
-  if (!job.blank) return false;
-  for (const std::string& text : options.fixtures)
-    if (!job.fixtures.emplace_back(named_body("--fixture", text, most))) return false;
-  if (!find_cells(options, most, job) || (part && !part_meets_window(job, *part))) return false;
-  const double bytes = bytes_of_material(job, nullptr), with_part = bytes_of_material(job, part ? &*part : nullptr);
-  if (with_part <= most) return true;
-  const std::string text = bytes > most ? told("at this resolution the material may take more than --max-memory",
-                                               "с таким шагом материал может занять больше, чем --max-memory")
-                                        : told("the material and the part that is wanted may take more than --max-memory",
-                                               "материал вместе с нужной деталью может занять больше, чем --max-memory");
-  complain(fmt::format("{}: {:.0f} MB", text, (bytes > most ? bytes : with_part) / bytes_per_mb));
-  return false;
-}
-
-class CutCommand {
- public:
-  CutCommand(const CutOptions& options, const Job& job, Session& session, const CutJob& cut)
-      : job_(job),
-        lang_(language(options.run)),
-        session_(session),
-        cutting_(cut, AxisRoles::of(session.control().axes(), session.control().rotary())),
-        progress_(options.run.quiet) {
-    cutting_.on_finding = [this](const CutFinding& f) { tell(session_.control().report_for(alarm_of(f), f.origin)); };
-  }
-
-  void run(Drive& drive, const StopToken& stop) {
-    const bool planned = session_.look_ahead().has_value();
-    const Channel& own = session_.channels()[session_.own()];
-    TimeEstimate clock(AxisRoles::of(own.control->axes(), own.control->rotary()), rates_of(job_.profile, own.setup, own.control->axes()));
-    const auto say_it = [this](const AlarmReport& report) { count(report), tell(report); };
-    Outlets& outlets = session_.outlets();
-    outlets.warning = say_it;
-    outlets.alarm = [say_it](const AlarmReport& report) { return say_it(report), false; };
-    outlets.onlooker = &progress_;
-    outlets.clock = &clock;
-    outlets.stop = stop;
-    outlets.works_long = true;
-    if (planned) outlets.timed = [this](const Step& step, double longer) { consume(step, longer); };
-    outlets.step = [this, planned](const Step& step) {
-      if (!planned) consume(step, 0);
-    };
-    session_.change_outlets();
-    drive.carry_out(session_);
-    if (!interrupted()) cutting_.finish();
-  }
-
-  const Cutting& cutting() const { return cutting_; }
-  PartResult part_result(const PartComparison& c) const {
-    const auto difference = [&](const PartOffence& o) { return PartDifference{o.volume, o.deepest, o.at, cutting_.line_of(o.sweep)}; };
-    return {difference(c.left_on), difference(c.gouged)};
-  }
-  std::size_t alarms() const { return alarms_; }
-  std::size_t warnings() const { return warnings_; }
-
- private:
-  /// After the first tool that cannot be cut with nothing more is.
-  void consume(const Step& step, double longer) {
-    if (failed_) return;
-    const Status taken = cutting_.consume(step, longer);
-    if (taken) return;
-    failed_ = true;
-    const AlarmReport report = session_.control().report_for(taken.error(), step.action.origin);
-    count(report);
-    tell(report);
-  }
-
-  void count(const AlarmReport& report) {
-    if (report.alarm.severity != Severity::note) ++(report.alarm.severity == Severity::alarm ? alarms_ : warnings_);
-  }
-  void tell(const AlarmReport& report) { say(alarm_text(report, job_.texts(), lang_, colours())); }
-
-  const Job& job_;
-  const Lang lang_;
-  Session& session_;
-  Cutting cutting_;
-  Progress progress_;
-  std::size_t alarms_ = 0, warnings_ = 0;
-  bool failed_ = false;
+/// What there is when the program has been carried out.
+struct Cut {
+  const Surface& surface;
+  const PartComparison& held;
+  const CutRun& run;
+  const Stock& stock;  // whose surface it is
 };
 
-PartColour colour_of(const std::string& word) {
-  return word == "age" ? PartColour::age : word == "deviation" ? PartColour::deviation : PartColour::tool;
-}
-
 /// The picture, if one is asked for. Returns an error sentence.
-tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Surface& surface,
-                                     const CutResult& result, const PartComparison& held, const Stock& stock) {
+tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Cut& cut,
+                                     const CutResult& result) {
   if (options.run.plot.empty()) return {};
   const Lang lang = language(options.run);
-  PartScene scene{surface, stock.blank().box(), colour_of(options.run.colour), {}, {}, {}};
-  if (result.part) scene.deviation = {held.deviation, result.part->allow};
+  const Stock& stock = cut.stock;
+  PartScene scene{cut.surface, stock.blank().box(), colour_of(options.run.colour), {}, {}, {}};
+  scene.load.rates = cut.run.cutting().rates();
+  for (const BlockLoad& load : result.heaviest) scene.load.heaviest.push_back(load.at);
+  for (const CutFinding& f : result.collisions) scene.collisions.push_back({f.at, f.origin.line});
+  if (result.part) scene.deviation = {cut.held.deviation, result.part->allow};
   scene.title = {job.file, lang == Lang::ru ? job.def->name.ru : job.def->name.en, lang, cut_caption(result, lang), {}};
   scene.colours.resize(stock.sweeps());
   for (std::size_t i = 0; i < scene.colours.size(); ++i) scene.colours[i] = std::uint8_t(stock.sweep(i).tool);
@@ -208,15 +76,13 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
   return draw_part_page(*outputs.file("--plot"), scene);
 }
 
-/// `stock`: whose surface it is.
-bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Surface& surface, CutResult& result,
-                   const PartComparison& held, const CutCommand& command, const Stock& stock) {
-  if (!write_meshes(options, outputs, surface, held, command.cutting(), result) || interrupted()) return false;
+bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Cut& cut, CutResult& result) {
+  if (!write_meshes(options, outputs, cut.surface, cut.held, cut.run.cutting(), result) || interrupted()) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
-    fmt::print(file, "{}", cut_json(result, command.alarms(), command.warnings()));
-  if (const auto drawn = draw(options, job, outputs, surface, result, held, stock); !drawn) return complain(drawn.error()), false;
-  if (!options.run.quiet && options.json != "-" && options.out != "-" && options.deviation != "-")
-    fmt::print("{}", cut_summary(result, language(options.run)));
+    fmt::print(file, "{}", cut_json(result, cut.run.alarms(), cut.run.warnings()));
+  if (const auto drawn = draw(options, job, outputs, cut, result); !drawn) return complain(drawn.error()), false;
+  const bool says = options.json != "-" && options.out != "-" && options.blocks != "-" && options.deviation != "-";
+  if (!options.run.quiet && says) fmt::print("{}", cut_summary(result, language(options.run)));
   return outputs.keep();
 }
 
@@ -228,61 +94,59 @@ bool can_write(const CutOptions& options) {
   return fault.empty();
 }
 
+/// Figures, part, files, once the program has been carried out. Returns the exit status.
+int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
+                 Outputs& outputs) {
+  const Stock* const window = run.cutting().window();
+  const Stock& stock = window != nullptr ? *window : run.cutting().stock();
+  Surface surface = surface_of(run.cutting().stock());
+  Surface of_window = window != nullptr ? surface_of(*window) : Surface();
+  CutResult result = run.named(cut_figures(run.cutting(), cut_job, surface, window != nullptr ? &of_window : nullptr));
+  if (window != nullptr) surface = std::move(of_window);
+  if (result.threads_left_out != 0)
+    say(told("threads of turning tools are not cut; passes left out: ", "резьба резцом не снимается; пропущено проходов: ") +
+        std::to_string(result.threads_left_out) + "\n");
+  PartComparison held;
+  if (part) {
+    held = hold_against(cut_job, stock, surface, *part);
+    result.part = run.part_result(held);
+    result.part->allow = options.allow >= 0 ? options.allow : allowed + allowed_of_cell * stock.lattice().cell();
+    if (options.allow_left >= 0) result.part->allow_left = options.allow_left;
+  }
+  if (interrupted()) return interrupted_status();
+  erase_bar();
+  if (!write_results(options, job, outputs, {surface, held, run, stock}, result)) return interrupted() ? interrupted_status() : wrong_usage;
+  const bool part_is_wrong = result.part && (result.part->is_gouged() || result.part->is_left_on());
+  return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
+}
+
 }  // namespace
 
 int cut(const CutOptions& given) {
   CutOptions options = given;
   CutJob cut_job;
-  const auto until = seconds_of(options.until, options.run.to);
-  if (!until)
-    return complain("--until " + options.until + told(": want a line, or seconds as in 35.5s", ": нужна строка или секунды, как 35.5s")),
-           wrong_usage;
-  cut_job.until = *until;
   std::optional<Mesh> part;
-  if (!can_write(options) || !find_part(options, part) || !find_material(options, part, cut_job)) return wrong_usage;
-  auto tools = load_tools(options.tools);
-  if (!tools) return complain(tools.error()), wrong_usage;
-  for (const std::string& note : tools->notes) say(note + "\n");
-  cut_job.tools = std::move(*tools);
+  if (!can_write(options) || !find_cut_job(options, cut_job, part)) return wrong_usage;
   auto job = make_job(options.run, options.run.programs.front());
-  if (!job || !find_system(options, *job, cut_job.system)) return wrong_usage;
-  cut_job.threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
-  cut_job.wants_coolant = options.coolant;
-  cut_job.tool = std::uint32_t(std::max(job->setup.tool, 0));
-  cut_job.starts_known = job->stated.count("start") != 0;
-  for (const auto& [number, offset] : job->setup.offsets)
-    if (number > 0 && offset.length != 0) cut_job.lengths[std::uint32_t(number)] = offset.length;
-  cut_job.stop = options.run.limits.stop;
+  if (!job || !take_setup(options, *job, cut_job)) return wrong_usage;
   Outputs outputs = outputs_of(options, *job);
   auto program = outputs.check() ? open_program(*job) : std::nullopt;
   const auto drive = program ? drive_of(options.run) : nullptr;
   if (!drive) return wrong_usage;
   const auto session = make_session(*job, std::move(*program), options.run.limits);
-  if (!session || !outputs.open()) return wrong_usage;
+  if (!session) return wrong_usage;
+  const std::vector<std::string>& axes = session->control().axes();
+  if (rapids_apart(*job->def, job->setup, axes)) cut_job.apart = rates_of(job->profile, job->setup, axes).rapid;
+  bool unwatched = false;
+  const auto watch = watch_of(options, *job, *session, cut_job, unwatched);
+  if (unwatched || !outputs.open()) return wrong_usage;
+  session->control().watch_calls();
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(drive.get(), [](Drive* left) { left->leave(); });
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
-  CutCommand command(options, *job, *session, cut_job);
-  command.run(*drive, options.run.limits.stop);
-  if (interrupted()) return interrupted_status();
-  const Stock* const window = command.cutting().window();
-  const Stock& shown = window != nullptr ? *window : command.cutting().stock();
-  Surface surface = surface_of(command.cutting().stock());
-  Surface of_window = window != nullptr ? surface_of(*window) : Surface();
-  CutResult result = cut_figures(command.cutting(), cut_job, surface, window != nullptr ? &of_window : nullptr);
-  if (window != nullptr) surface = std::move(of_window);
-  PartComparison held;
-  if (part) {
-    held = hold_against(cut_job, shown, surface, *part);
-    result.part = command.part_result(held);
-    result.part->allow = options.allow >= 0 ? options.allow : allowed + allowed_of_cell * shown.lattice().cell();
-    if (options.allow_left >= 0) result.part->allow_left = options.allow_left;
-  }
-  if (interrupted()) return interrupted_status();
-  erase_bar();
-  if (!write_results(options, *job, outputs, surface, result, held, command, shown))
-    return interrupted() ? interrupted_status() : wrong_usage;
-  const bool part_is_wrong = result.part && (result.part->is_gouged() || result.part->is_left_on());
-  return command.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
+  CutRun run(options, *job, *session, cut_job, watch.get());
+  run.write_blocks(outputs.stream("--blocks"));
+  run.carry_out(*drive, options.run.limits.stop);
+  return interrupted() ? interrupted_status() : tell_results(options, *job, cut_job, run, part, outputs);
 }
 
 }  // namespace kadr::cli

@@ -46,26 +46,38 @@ tl::expected<NamedBody, std::string> body_of_file(const std::string& path, doubl
 
 }  // namespace
 
-tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes) {
-  const std::string small = in_small_letters(text);
-  if (small.ends_with(".stl") || small.ends_with(".3mf")) return body_of_file(text, most_bytes);
+std::optional<BodyShape> shape_of_words(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);
   const auto n = colon == std::string::npos ? std::nullopt : numbers_of(std::string_view(text).substr(colon + 1));
-  if (kind == "box") {
-    if (n && n->size() == 6 && (*n)[0] < (*n)[3] && (*n)[1] < (*n)[4] && (*n)[2] < (*n)[5])
-      return NamedBody{box_blank({{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}}), {}};
+  BodyShape shape;
+  if (kind == "box" && n && n->size() == 6 && (*n)[0] < (*n)[3] && (*n)[1] < (*n)[4] && (*n)[2] < (*n)[5]) {
+    shape.least = {(*n)[0], (*n)[1], (*n)[2]};
+    shape.most = {(*n)[3], (*n)[4], (*n)[5]};
+    return shape;
+  }
+  if (kind != "cylinder" || !n || n->size() != 5 || !((*n)[2] < (*n)[3] && (*n)[4] > 0)) return std::nullopt;
+  shape.form = BodyShape::Form::cylinder;
+  shape.centre = {(*n)[0], (*n)[1]};
+  shape.bottom = (*n)[2], shape.top = (*n)[3], shape.diameter = (*n)[4];
+  return shape;
+}
+
+tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes) {
+  const std::string small = in_small_letters(text);
+  if (small.ends_with(".stl") || small.ends_with(".3mf")) return body_of_file(text, most_bytes);
+  if (const auto shape = shape_of_words(text)) {
+    if (shape->form == BodyShape::Form::box) return NamedBody{box_blank({shape->least, shape->most}), {}};
+    return NamedBody{cylinder_blank(shape->centre, shape->bottom, shape->top, shape->diameter), {}};
+  }
+  if (text.starts_with("box:"))
     return Failed(text + ": " +
                   told("want box:X0,Y0,Z0,X1,Y1,Z1, mm up to 100000, the first corner below the second in each axis",
                        "нужно box:X0,Y0,Z0,X1,Y1,Z1, мм до 100000, первый угол по каждой оси меньше второго"));
-  }
-  if (kind == "cylinder") {
-    if (n && n->size() == 5 && (*n)[2] < (*n)[3] && (*n)[4] > 0)
-      return NamedBody{cylinder_blank({(*n)[0], (*n)[1]}, (*n)[2], (*n)[3], (*n)[4]), {}};
+  if (text.starts_with("cylinder:"))
     return Failed(text + ": " +
                   told("want cylinder:X,Y,Z0,Z1,D, mm up to 100000: its axis, its bottom, its top above that, its diameter above 0",
                        "нужно cylinder:X,Y,Z0,Z1,D, мм до 100000: ось, низ, верх выше низа, диаметр больше 0"));
-  }
   return Failed(text + ": " +
                 told("want box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl, .3mf",
                      "нужно box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf"));
@@ -75,8 +87,9 @@ tl::expected<Box3, std::string> window_of(const std::string& text) {
   const auto n = numbers_of(text);
   if (n && n->size() == 6 && (*n)[0] < (*n)[3] && (*n)[1] < (*n)[4] && (*n)[2] < (*n)[5])
     return Box3{{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}};
-  return Failed(text + ": " + told("want X0,Y0,Z0,X1,Y1,Z1, mm up to 100000, the first corner below the second in each axis",
-                                   "нужно X0,Y0,Z0,X1,Y1,Z1, мм до 100000, первый угол по каждой оси меньше второго"));
+  return Failed(text + ": " +
+                told("want X0,Y0,Z0,X1,Y1,Z1, mm up to 100000, the first corner below the second in each axis",
+                     "нужно X0,Y0,Z0,X1,Y1,Z1, мм до 100000, первый угол по каждой оси меньше второго"));
 }
 
 }  // namespace kadr::cli

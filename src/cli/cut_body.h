@@ -2,10 +2,12 @@
 // Bodies that the command line names: blanks and fixtures.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "config/machine_bodies.h"
 #include "stock/blank/blank.h"
 
 namespace kadr::cli {
@@ -19,6 +21,9 @@ struct NamedBody {
 ///   most_bytes  that reading a file may take
 ///   returns     an error sentence
 tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes);
+
+/// The same words as a shape; nothing: they are none, or name a file.
+std::optional<BodyShape> shape_of_words(const std::string& text);
 
 /// X0,Y0,Z0,X1,Y1,Z1, mm.
 ///   returns  an error sentence

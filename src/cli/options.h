@@ -75,6 +75,7 @@ struct CutOptions {
   std::string deviation;     // a file .ply
   double simplify = 0;       // mm that the mesh of --out may be off; 0: it is exact
   std::string out, json;
+  std::string blocks;  // a table of what each block takes away
 };
 int cut(const CutOptions& options);
 
@@ -92,6 +93,7 @@ int list_machines(const std::string& id);
 struct SetupOptions {
   Options program;
   std::string output;  // empty: stdout
+  bool tools = false;  // a tools file for kadr cut is written, no set-up
 };
 int write_setup(const SetupOptions& options);
 

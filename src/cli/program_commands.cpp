@@ -210,6 +210,9 @@ void add_setup(CLI::App& app, Commands& c) {
   program_options(*setup, c.setup.program);
   takes_file(setup->add_option("--out", c.setup.output,
                                told("the new file (default: standard output)", "новый файл (по умолчанию стандартный вывод)")));
+  setup->add_flag("--tools", c.setup.tools,
+                  told("write a tools file for kadr cut instead, with what comments say of the tools",
+                       "записать вместо него файл инструментов для kadr cut с тем, что о них говорят комментарии"));
   setup->footer(setup_examples());
 }
 

@@ -7,13 +7,16 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "cli/job.h"
 #include "cli/stop.h"
+#include "cli/tool_proposals.h"
 #include "cli/unstated.h"
 #include "config/read_file.h"
 #include "lang/text/tool_comment.h"
 #include "out/program/setup_template.h"
+#include "out/program/tools_template.h"
 
 namespace kadr::cli {
 namespace {
@@ -22,19 +25,27 @@ constexpr std::uint32_t most_lines = 200'000;  // looked at for comments and bra
 constexpr std::size_t gives_up_at = 1000;
 constexpr std::size_t most_ranges = 20;  // of lines that were not carried out, told one by one
 
-using Lines = std::map<std::uint32_t, std::string>;
+ProgramLines lines_of(const Control& control) {
+  std::set<std::uint32_t> numbers;
+  const auto most = static_cast<std::uint32_t>(std::min<std::uint64_t>(control.bytes() + 1, most_lines));
+  for (std::uint32_t n = 1; n <= most; ++n) numbers.insert(numbers.end(), n);
+  return control.texts_of(numbers, 0);
+}
+
+bool ends_in_inches(const Control& control) {
+  const Ending ending = control.ending();
+  return std::any_of(ending.modal.begin(), ending.modal.end(), [](const std::string& word) { return word == "G20" || word == "G70"; });
+}
 
 class TemplateMaker {
  public:
   TemplateMaker(const Job& job, const Control& control, std::size_t faults)
-      : job_(job), control_(control), ru_(job.lang == Lang::ru), faults_(faults) {
-    std::set<std::uint32_t> numbers;
-    const auto most = static_cast<std::uint32_t>(std::min<std::uint64_t>(control.bytes() + 1, most_lines));
-    for (std::uint32_t n = 1; n <= most; ++n) numbers.insert(numbers.end(), n);
-    lines_ = control.texts_of(numbers, 0);
-    const Ending ending = control.ending();
-    inch_ = std::any_of(ending.modal.begin(), ending.modal.end(), [](const std::string& word) { return word == "G20" || word == "G70"; });
-  }
+      : job_(job),
+        control_(control),
+        ru_(job.lang == Lang::ru),
+        faults_(faults),
+        lines_(lines_of(control)),
+        proposals_(lines_, ends_in_inches(control)) {}
 
   SetupTemplate make() {
     for (const Use& use : control_.use().all()) take(use);
@@ -119,32 +130,9 @@ class TemplateMaker {
     say(fmt::format("{}: {}; fill in", used.key, place(use.origin)), fmt::format("{}: {}; впишите", used.key, place(use.origin)));
   }
 
-  struct Proposal {
-    ToolComment said;
-    std::uint32_t line = 0;
-    std::string text;
-  };
-
-  /// A comment that names the tool, anywhere; else one beside the block that calls it, which names no other tool.
-  std::optional<Proposal> proposal_for(std::uint32_t tool) const {
-    const auto in_line = [&](std::uint32_t number, bool by_name) -> std::optional<Proposal> {
-      const auto line = lines_.find(number);
-      if (line == lines_.end()) return std::nullopt;
-      for (const std::string& comment : comments_of(line->second)) {
-        const ToolComment said = read_tool_comment(comment, inch_);
-        const bool fits = by_name ? said.tool == tool : !said.tool || said.tool == tool;
-        if (fits && said.diameter) return Proposal{said, number, comment};
-      }
-      return std::nullopt;
-    };
-    for (const auto& [number, text] : lines_)
-      if (auto found = in_line(number, true)) return found;
+  std::optional<ToolProposal> proposal_for(std::uint32_t tool) const {
     const auto use = tools_.find(tool);
-    if (use == tools_.end() || use->second.origin.file != 0) return std::nullopt;
-    const std::uint32_t at = use->second.origin.line;
-    for (const std::uint32_t number : {at, at - 1, at + 1})
-      if (auto found = in_line(number, false)) return found;
-    return std::nullopt;
+    return proposals_.of(tool, use == tools_.end() || use->second.origin.file != 0 ? 0 : use->second.origin.line);
   }
 
   void tell_tool(std::uint32_t tool, const Use& use) {
@@ -194,12 +182,27 @@ class TemplateMaker {
   const Control& control_;
   const bool ru_;
   const std::size_t faults_;
-  bool inch_ = false;
-  Lines lines_;
+  const ProgramLines lines_;
+  const ToolProposals proposals_;
   std::map<std::uint32_t, Use> tools_;
   std::set<std::uint32_t> told_;
   SetupTemplate made_;
 };
+
+/// The tools that the program uses, as a tools file to be filled in.
+std::string tools_text(const Job& job, const Control& control) {
+  const ProgramLines lines = lines_of(control);
+  const ToolProposals proposals(lines, ends_in_inches(control));
+  ToolsTemplate made{std::filesystem::path(job.file).filename().string(), job.lang, {}};
+  for (const Use& use : control.use().all()) {
+    if (use.kind != UseKind::tool) continue;
+    ToolsTemplate::Row row{use.number, use.origin, {}, {}};
+    if (const auto proposal = proposals.of(use.number, use.origin.file == 0 ? use.origin.line : 0))
+      row.said = proposal->said, row.why = fmt::format("{} \"{}\"", proposal->line, proposal->text);
+    made.rows.push_back(std::move(row));
+  }
+  return tools_template_text(made);
+}
 
 /// Carries the program out past its faults, a limited number of blocks; returns how many faults there were.
 std::size_t carry_out_past_faults(Session& session) {
@@ -242,7 +245,9 @@ int write_setup(const SetupOptions& options) {
   session->control().watch_use();
   const std::size_t faults = carry_out_past_faults(*session);
   if (interrupted()) return interrupted_status();
-  return write_to(options.output, template_text(TemplateMaker(*job, session->control(), faults).make())) ? ok : wrong_usage;
+  const std::string text =
+      options.tools ? tools_text(*job, session->control()) : template_text(TemplateMaker(*job, session->control(), faults).make());
+  return write_to(options.output, text) ? ok : wrong_usage;
 }
 
 }  // namespace kadr::cli

@@ -222,6 +222,7 @@ struct Behaviour {
   bool last_word_counts = false;             // of two words of an address, two codes of a group the one written last (1.2, 2.1)
   bool arc_radius_first = false;             // R beside I J K: they are ignored (3.2)
   bool arc_without_centre_straight = false;  // neither R nor I J K: a line (3.2)
+  bool rapids_apart = false;                 // each axis of a rapid motion at its own rate, no line (3.1): config/rapid_way.h
   bool dwell_in_milliseconds = false;        // G4 P ms, X U s; alone an exact stop (4.1)
   bool repeats_in_program_number = false;    // M98 P51002: O1002 five times (9.1)
   bool later_argument_counts = false;        // of two arguments for one variable (9.3)

@@ -56,6 +56,7 @@ Done ControlLoader::behaviour() {
   flag("last_word_counts", b.last_word_counts);
   flag("arc_radius_first", b.arc_radius_first);
   flag("arc_without_centre_straight", b.arc_without_centre_straight);
+  flag("rapids_apart", b.rapids_apart);
   flag("dwell_in_milliseconds", b.dwell_in_milliseconds);
   flag("repeats_in_program_number", b.repeats_in_program_number);
   flag("later_argument_counts", b.later_argument_counts);

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "config/embedded.h"
+#include "config/machine_bodies_file.h"
 #include "config/nearest.h"
 #include "config/read_file.h"
 #include "config/told.h"
@@ -162,7 +163,8 @@ tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const st
 
 tl::expected<MachineProfile, std::string> profile_of(const std::string& file, const toml::table& table) {
   MachineProfile profile;
-  if (auto done = known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes", "kinematics"});
+  if (auto done =
+          known_keys(file, table, {"id", "name", "tool_change", "spindle_start", "tolerance", "planner", "axes", "kinematics", "bodies"});
       !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
@@ -186,6 +188,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
     profile.axes.emplace(name.str(), *axis);
   }
   if (auto done = kinematics_of(file, table, profile); !done) return Failed(done.error());
+  if (auto done = bodies_of(file, table, profile); !done) return Failed(done.error());
   return profile;
 }
 

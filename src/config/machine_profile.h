@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "config/machine_bodies.h"
 
 namespace kadr {
 
@@ -46,6 +47,7 @@ struct MachineProfile {
   std::string name_ru = "обобщённый фрезерный станок";
   std::map<std::string, AxisProfile> axes;  // by name; others: AxisProfile{}
   AxisChains chains;
+  std::vector<MachineBody> bodies;
   double tool_change_s = 10;
   double spindle_start_s = 0;
   double tolerance = 0.01;  // mm: how far a corner may be rounded where the program does not say

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/vec.h"
 #include "config/nearest.h"
 #include "config/told.h"
 
@@ -14,6 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr double assumed_length = 100;  // mm: a table of offsets says nothing of it
+constexpr double assumed_edge = 10;     // mm, of an insert
 
 bool ends_with_any(const std::string& path, std::initializer_list<std::string_view> endings) {
   const std::string small = in_small_letters(path);
@@ -39,6 +41,34 @@ ToolKind kind_in_words(std::string_view comment) {
   if (says("ball")) return ToolKind::ball;
   if (says("drill")) return ToolKind::drill;
   return ToolKind::flat;
+}
+
+/// Q: where the tip lies from the nose's centre, along x and z, as LinuxCNC's picture of the tool (rs274/glcanon.py) has it.
+constexpr struct { int x, z; } tips_by_q[] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 0}};
+
+/// From the feed along z that the tip points to, 0 to 360, of an edge whose direction is given from +z towards +x.
+double from_feed(double direction, int tip_x, int tip_z) {
+  const double turned = tip_x > 0 ? -direction : direction, angle = std::fmod(tip_z > 0 ? turned : 180 - turned, 360);
+  return angle < 0 ? angle + 360 : angle;
+}
+
+/// A tool with an orientation Q and both edges I, J is an insert; Q9 a round one. Q, I, J of another form: none.
+std::optional<ToolGeometry> insert_of_table(std::string_view line) {
+  const auto q = number_behind(line, 'Q'), front = number_behind(line, 'I'), back = number_behind(line, 'J');
+  if (!q || !front || !back || !(*q >= 1 && *q <= 9) || *q != std::floor(*q)) return std::nullopt;
+  ToolGeometry tool;
+  tool.kind = ToolKind::turning;
+  tool.corner = std::fabs(number_behind(line, 'D').value_or(0)) / 2;
+  tool.insert.tip_x = tips_by_q[int(*q)].x, tool.insert.tip_z = tips_by_q[int(*q)].z;
+  if (*q != 9) {
+    const double a = from_feed(*front, tool.insert.tip_x, tool.insert.tip_z), b = from_feed(*back, tool.insert.tip_x, tool.insert.tip_z);
+    tool.insert.lead = std::min(a, b);
+    tool.angle = std::fabs(a - b);
+    if (tool.angle > 180) tool.insert.lead = std::max(a, b), tool.angle = 360 - tool.angle;
+    tool.flutes = std::max(assumed_edge, 3 * tool.corner / std::sin(tool.angle * rad_per_deg));
+  }
+  complete(tool);
+  return told_fault(tool).empty() ? std::optional(tool) : std::nullopt;
 }
 
 }  // namespace
@@ -70,6 +100,12 @@ tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, 
     if (!number) continue;
     if (!(*number >= 0 && *number <= 99'999'999))
       return tl::unexpected(file + ":" + std::to_string(line_number) + told(": no tool number", ": не номер инструмента"));
+    if (auto insert = insert_of_table(line)) {
+      insert->number = std::uint32_t(*number);
+      insert->name = std::string(comment.substr(0, 80));
+      library.tools.push_back(std::move(*insert));
+      continue;
+    }
     if (!diameter || !(*diameter > 0)) {
       ++without;
       continue;
@@ -93,6 +129,10 @@ tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, 
            "and cut over 100 mm",
            "в таблице инструментов только диаметры, приняты за мм: фрезы считаются концевыми, если в комментарии нет "
            "ball или drill (118°), и режут на длине 100 мм"));
+  if (std::any_of(library.tools.begin(), library.tools.end(), [](const ToolGeometry& t) { return t.kind == ToolKind::turning; }))
+    library.notes.push_back(file + ": " +
+                            told("tools with Q1 to Q9, I and J are taken for turning tools with edges of 10 mm, without a holder",
+                                 "инструменты с Q1–Q9, I и J считаются резцами с кромками 10 мм, без державки"));
   if (without != 0)
     library.notes.push_back(file + ": " +
                             told(std::to_string(without) + " tools without a diameter left out",

@@ -69,6 +69,12 @@ tl::expected<ToolLibrary, std::string> not_empty(ToolLibrary library, const std:
   return Failed(library.notes.empty() ? file + ": " + told("no tools in it", "в нём нет инструментов") : library.notes.front());
 }
 
+/// Teeth, where it is a number of them that a tool may have: also as text, "2".
+int teeth_in(const json& value) {
+  const double teeth = amount(value, 1);
+  return teeth >= 1 && teeth <= limits::teeth && teeth == std::floor(teeth) ? int(teeth) : 0;
+}
+
 double degrees(double radians) { return radians / rad_per_deg; }
 
 /// Half of an ellipsoid as an outline.
@@ -200,6 +206,7 @@ tl::expected<ToolLibrary, std::string> tools_of_freecad(std::string_view text, c
   tool.diameter = amount(part(sizes, "Diameter"), 1);
   tool.flutes = amount(part(sizes, "CuttingEdgeHeight"), 1);
   tool.length = amount(part(sizes, "Length"), 1);
+  tool.teeth = teeth_in(part(sizes, "Flutes"));
   const std::string shape = in_small_letters(word_of(part(*root, "shape")));
   if (!freecad_shape(tool, shape, sizes)) {
     leave_out(library, 0, file, shape);
@@ -227,6 +234,7 @@ tl::expected<ToolLibrary, std::string> tools_of_fusion(std::string_view text, co
     const auto length = [&](const char* key) { return amount(part(sizes, key), unit); };
     tool.diameter = length("DC");
     tool.flutes = length("LCF");
+    tool.teeth = teeth_in(part(sizes, "NOF"));
     tool.length = length("LB") > 0 ? length("LB") : length("OAL");
     if (const double shaft = length("SFDM"); shaft > 0 && tool.flutes > 0 && tool.length > tool.flutes)
       tool.shank = {{shaft, tool.flutes}, {shaft, tool.length}};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "config/insert_keys.h"
 #include "config/nearest.h"
 #include "config/range.h"
 #include "config/read_file.h"
@@ -26,10 +27,10 @@ struct KindName {
 };
 constexpr KindName kind_names[] = {{"flat", ToolKind::flat},   {"ball", ToolKind::ball},   {"bull", ToolKind::bull},
                                    {"drill", ToolKind::drill}, {"taper", ToolKind::taper}, {"chamfer", ToolKind::chamfer},
-                                   {"tslot", ToolKind::tslot}, {"form", ToolKind::form}};
+                                   {"tslot", ToolKind::tslot}, {"form", ToolKind::form},   {"turning", ToolKind::turning}};
 
-constexpr std::string_view keys[] = {"number", "name",   "kind",    "diameter", "corner", "angle",  "tip",
-                                     "flutes", "length", "profile", "shank",    "holder", "plunges"};
+constexpr std::string_view keys[] = {"number",  "name",  "kind",   "diameter", "corner", "angle",  "tip",  "flutes", "length",
+                                     "profile", "shank", "holder", "plunges",  "teeth",  "points", "lead", "width"};
 
 constexpr NumberRange size_range = {0, 1e4, "mm", "мм"};
 constexpr NumberRange angle_range = {0, 180, "degrees", "градусов"};
@@ -55,12 +56,23 @@ Done number_of(const std::string& file, const toml::table& row, ToolGeometry& to
   return {};
 }
 
+Done teeth_of(const std::string& file, const toml::table& row, ToolGeometry& tool) {
+  const toml::node* const node = row.get("teeth");
+  if (node == nullptr) return {};
+  const auto teeth = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
+  if (!teeth || *teeth < 1 || *teeth > limits::teeth)
+    return Failed(place(file, *node) + told("teeth: how many cut, a whole number from 1 to ", "teeth: число зубьев, целое от 1 до ") +
+                  std::to_string(limits::teeth));
+  tool.teeth = int(*teeth);
+  return {};
+}
+
 Done kind_of(const std::string& file, const toml::table& row, ToolGeometry& tool) {
   const auto word = row["kind"].value<std::string_view>();
   for (const KindName& k : kind_names)
     if (word == k.name) return tool.kind = k.kind, Done();
-  return Failed(place(file, row, "kind") + told("kind must be flat, ball, bull, drill, taper, chamfer, tslot or form",
-                                                "kind: flat, ball, bull, drill, taper, chamfer, tslot или form"));
+  return Failed(place(file, row, "kind") + told("kind must be flat, ball, bull, drill, taper, chamfer, tslot, form or turning",
+                                                "kind: flat, ball, bull, drill, taper, chamfer, tslot, form или turning"));
 }
 
 /// [[diameter, height], …]
@@ -88,6 +100,7 @@ tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const t
   Done done = known_tool_keys(file, row);
   if (done) done = number_of(file, row, tool);
   if (done) done = kind_of(file, row, tool);
+  if (done) done = teeth_of(file, row, tool);
   const auto number = [&](std::string_view key, const NumberRange& range, double& to) {
     if (done) done = toml_tools::number(file, row, key, range, to);
   };
@@ -97,9 +110,11 @@ tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const t
   number("tip", size_range, tool.tip);
   number("flutes", size_range, tool.flutes);
   number("length", size_range, tool.length);
-  if (done) done = outline_of(file, row, "profile", tool.profile);
-  if (done) done = outline_of(file, row, "shank", tool.shank);
-  if (done) done = outline_of(file, row, "holder", tool.holder);
+  const bool turns = tool.kind == ToolKind::turning;
+  if (done && turns) done = insert_of(file, row, tool.insert);
+  if (done && !turns) done = outline_of(file, row, "profile", tool.profile);
+  if (done && !turns) done = outline_of(file, row, "shank", tool.shank);
+  if (done && !turns) done = outline_of(file, row, "holder", tool.holder);
   if (!done) return Failed(done.error());
   tool.name = toml_tools::value_or<std::string>(row, "name", "");
   tool.plunges = toml_tools::value_or(row, "plunges", true);
@@ -164,11 +179,13 @@ void complete(ToolGeometry& t) {
     if (t.flutes == 0) t.flutes = t.profile.back().height;
     for (const ProfilePoint& p : t.profile) t.diameter = std::max(t.diameter, p.diameter);
   }
+  if (t.kind == ToolKind::turning) complete_insert(t);
   if (t.length == 0) t.length = t.shank.empty() ? t.flutes : std::max(t.flutes, t.shank.back().height);
   if (t.flutes == 0) t.flutes = t.length;
 }
 
 std::string told_fault(const ToolGeometry& t) {
+  if (t.kind == ToolKind::turning) return told_insert_fault(t);
   if (t.kind == ToolKind::form && t.profile.empty())
     return told("profile is missing: [[diameter, height], …] from the tip upwards", "нет profile: [[диаметр, высота], …] от вершины вверх");
   for (const double size : {t.diameter, t.corner, t.tip, t.flutes, t.length})

@@ -13,6 +13,7 @@ namespace kadr {
 namespace limits {
 inline constexpr std::size_t tools = 10'000;          // in one file
 inline constexpr std::size_t outline_points = 1'000;  // of a profile, shank or holder
+inline constexpr int teeth = 1'000;                   // of a tool
 }  // namespace limits
 
 struct ToolLibrary {

@@ -85,13 +85,16 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
   if (origin.line == last.position.line && origin.file == interpreter_->flow.reader() && !interpreter_->flow.in_body()) {
     Alarm placed = alarm;  // the block is still the current one
     placed.where = last.where;
-    return interpreter_->report_of(placed, origin, last.text);
+    AlarmReport report = interpreter_->report_of(placed, origin, last.text);
+    if (interpreter_->watches_calls()) report.calls = calls_of(origin);
+    return report;
   }
   AlarmReport report = interpreter_->plain_report_of(alarm, origin, {});
   const AlarmReport::Line line = line_at(origin);
   report.file = line.file;
   report.line_text = line.text;
   if (!line.text.empty()) report.alarm.where = line.where;
+  if (interpreter_->watches_calls()) report.calls = calls_of(origin);
   if (interpreter_->dialect) interpreter_->dialect->reword(*interpreter_, report);
   return report;
 }
@@ -155,6 +158,8 @@ ToolPosition Control::tool_position() const { return {interpreter_->position.wor
 Ending Control::ending() const { return interpreter_->ending(); }
 void Control::watch_states() { interpreter_->watch_states(); }
 std::optional<BlockState> Control::state_of(const Origin& origin) const { return interpreter_->state_of(origin); }
+void Control::watch_calls() { interpreter_->watch_calls(); }
+std::vector<AlarmReport::Call> Control::calls_of(const Origin& origin) const { return interpreter_->calls_of(origin); }
 std::uint64_t Control::blocks() const { return interpreter_->flow.blocks(); }
 std::uint64_t Control::bytes_read() const { return interpreter_->flow.bytes_read(); }
 std::uint64_t Control::bytes() const { return interpreter_->flow.bytes(); }

@@ -177,6 +177,11 @@ class Control {
   /// What was in force when the block that an action comes from had been carried out: the control may be far ahead. Nothing where
   /// more than some thousand changes of modes lie in between, or nobody watches.
   std::optional<BlockState> state_of(const Origin& origin) const;
+  /// From now on calls_of() can tell, and reports of report_for() have the calls of their place.
+  void watch_calls();
+  /// By which calls and repetitions the block of an action came to be carried out, the outermost first; the control may be far ahead.
+  /// Not in snapshots: of actions that a control before this one has made it knows none.
+  std::vector<AlarmReport::Call> calls_of(const Origin& origin) const;
   std::uint64_t blocks() const;      // carried out
   std::uint64_t bytes_read() const;  // for progress
   std::uint64_t bytes() const;

@@ -17,6 +17,7 @@
 #include "control/cycles/cycle_run.h"
 #include "control/cycles/ellipse_run.h"
 #include "control/dialect.h"
+#include "control/flow/call_tree.h"
 #include "control/flow/flow.h"
 #include "control/state/block_states.h"
 #include "control/state/journal.h"
@@ -111,6 +112,10 @@ class Interpreter : public ControlState, public RunMemory {
   Result<double> value_of(std::string_view expression);
   /// Calls and repetitions that are open, the outermost first.
   std::vector<AlarmReport::Call> calls() const;
+  /// From now on ways of calls are kept: calls_of() tells them.
+  void watch_calls() { call_tree_ = std::make_unique<CallTree>(); }
+  bool watches_calls() const { return call_tree_ != nullptr; }
+  std::vector<AlarmReport::Call> calls_of(const Origin& at) const;
   BlockState state_now() const;
   std::vector<InForce> in_force();
   /// A cycle of the block is being carried out.
@@ -326,6 +331,7 @@ class Interpreter : public ControlState, public RunMemory {
   mutable std::shared_ptr<const Tables> last_tables_;  // of the last snapshot
   mutable std::shared_ptr<const Variables::Values> last_variables_;
   std::unique_ptr<BlockStates> block_states_;  // nullptr: nobody asks
+  std::unique_ptr<CallTree> call_tree_;        // the same
   ControlState before_;
   bool state_kept_ = false;
   std::string first_text_;  // of first_block

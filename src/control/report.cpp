@@ -86,6 +86,16 @@ std::vector<AlarmReport::Call> Interpreter::calls() const {
   return open;
 }
 
+std::vector<AlarmReport::Call> Interpreter::calls_of(const Origin& at) const {
+  std::vector<AlarmReport::Call> calls;
+  if (!call_tree_) return calls;
+  for (const CallTree::Call& c : call_tree_->calls(at.calls)) {
+    calls.push_back(c.call);
+    if (c.file > 1) calls.back().file = flow.file(c.file).path();
+  }
+  return calls;
+}
+
 Origin Interpreter::origin_of_block() const {
   Origin o;
   o.line = block->position.line;
@@ -97,6 +107,7 @@ Origin Interpreter::origin_of_block() const {
   o.file = flow.reader();
   o.number = static_cast<std::uint32_t>(flow.blocks());
   o.depth = static_cast<std::uint8_t>(std::min<std::size_t>(flow.depth(), 255));
+  if (call_tree_) o.calls = call_tree_->way_of(def, flow.frames());
   return o;
 }
 

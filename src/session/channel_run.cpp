@@ -106,7 +106,6 @@ Control::State ChannelRun::next_batch() {
   return state;
 }
 
-/// The control, to be asked for something.
 Control& ChannelRun::settled() {
   if (ahead_) ahead_->settle();
   return control_;

@@ -105,6 +105,8 @@ class ChannelRun {
   void finish();
   /// Blocks that the control has carried out, as far as the rooms after it have come.
   std::uint64_t blocks() const { return blocks_; }
+  /// The control, to be asked for something: it stands still, as far ahead as it goes.
+  Control& settled();
   /// Where the machine stands.
   const ToolPosition& position() const { return machine_.position(); }
   /// From here on the clock of the outlets counts; it goes on as the one before stood, but for the times spent so far.
@@ -146,7 +148,6 @@ class ChannelRun {
   bool beside_contour() const { return queued_ ? queued_->beside() : compensation_.beside(); }
   State take(Control::State state);
   void warn(const AlarmReport& warning);
-  Control& settled();
   void hand_out(ToolPosition from);
   void give(Steps& steps, const Action& action);
   bool is_suspect(const Action& action) const;

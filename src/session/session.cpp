@@ -132,6 +132,8 @@ void Session::enter(const std::string& line) {
   control().enter(line);
 }
 
+Control& Session::settled_control() { return alone_ ? alone_->settled() : control(); }
+
 ToolPosition Session::stand() const { return alone_ ? alone_->position() : control().tool_position(); }
 
 void Session::change_outlets() {

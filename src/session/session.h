@@ -62,6 +62,8 @@ class Session {
   std::size_t own() const { return own_; }
   Control& control() { return *channels_[own_].control; }
   const Control& control() const { return *channels_[own_].control; }
+  /// The same to be asked by an outlet in the middle of a step: the control may be ahead in a thread of its own, and stands still now.
+  Control& settled_control();
 
   // ---- who looks: before the first go_on()
   Outlets& outlets(std::size_t channel) { return outlets_.own[channel]; }

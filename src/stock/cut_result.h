@@ -1,12 +1,15 @@
 #pragma once
 // CutResult: what a cut came to, for whoever tells it. Lengths mm, volumes mm³, times s.
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "action/action.h"
 #include "base/alarm.h"
+#include "stock/cut_load.h"
 
 namespace kadr {
 
@@ -14,11 +17,15 @@ namespace kadr {
 struct CutFinding {
   AlarmId id = AlarmId::rapid_in_stock;
   Origin origin;
+  std::string program{};                   // as of BlockLoad
+  std::vector<AlarmReport::Call> calls{};  // by which its line came to be carried out, outermost first
   std::uint32_t tool = 0;
   Vec3 at;             // the middle of what was taken away, in the work system of the blank
   double depth = 0;    // least side of the box around it
   double volume = 0;   // of it
   double at_time = 0;  // s since the start
+  /// Of AlarmId::machine: the names of those that met.
+  std::array<std::string, 2> bodies{};
 };
 
 struct ToolRemoval {
@@ -34,6 +41,7 @@ struct PartDifference {
   double deepest = 0;      // mm from the part's surface
   Vec3 at;                 // there, in the work system of the blank
   std::uint32_t line = 0;  // of the motion that cut last next to it; 0: the blank's own surface
+  std::string program{};   // as of BlockLoad
 };
 
 struct PartResult {
@@ -67,10 +75,13 @@ struct CutResult {
   std::vector<ToolRemoval> tools;      // in the order of their first use
   std::vector<CutFinding> collisions;  // alarms
   std::vector<CutFinding> warnings;
-  std::optional<PartResult> part;  // if one was wanted; of a window what lies in it
+  std::vector<BlockLoad> heaviest;  // lines by removal rate, the greatest first
+  std::vector<AirCut> emptiest;     // lines by seconds in the air, the most first
+  std::optional<PartResult> part;   // if one was wanted; of a window what lies in it
   std::optional<WindowResult> window;
   std::optional<SimplifiedResult> simplified;
-  std::size_t not_told = 0;        // findings beyond those that are kept
+  std::size_t not_told = 0;          // findings beyond those that are kept
+  std::size_t threads_left_out = 0;  // passes of turning tools along a thread
 };
 
 }  // namespace kadr

@@ -49,6 +49,12 @@ bool is_empty(const Brick& brick) {
   return true;
 }
 
+void raise_to(std::atomic<float>& most, float value) {
+  float now = most.load(std::memory_order_relaxed);
+  while (now < value && !most.compare_exchange_weak(now, value, std::memory_order_relaxed)) {
+  }
+}
+
 /// Of all its bodies.
 AroundTip around_tip(const ToolShape& tool) {
   AroundTip all{0, 0, 0};
@@ -134,6 +140,7 @@ std::uint16_t Stock::add_tool(const ToolShape& shape) {
 }
 
 void Stock::add(const Sweep& sweep) {
+  if (tools_[sweep.tool].turns()) return void(sweeps_.push_back(kept_turned(sweep)));
   const Vec3 start = sweep.from - lattice_.origin(), way = sweep.to - sweep.from;
   const double edge = lattice_.edge();
   const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
@@ -150,6 +157,7 @@ void Stock::add(const Sweep& sweep) {
 void Stock::bin(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const KeptSweep& s = sweeps_[i];
+    if (tools_[s.tool].turns()) bin_turned(i);
     for (const ConvexBody& body : tools_[s.tool].bodies) {
       int low[3], high[3];
       for (int d = 0; d < 3; ++d) {
@@ -160,21 +168,23 @@ void Stock::bin(std::size_t first, std::size_t last) {
       }
       for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
-          for (int x = low[0]; x <= high[0]; ++x) {
-            const std::size_t b = lattice_.at({x, y, z});
-            if (states_[b] == State::empty) continue;
-            if (bins_[b].empty()) touched_.push_back(b);
-            if (bins_[b].empty() || bins_[b].back() != std::int32_t(i)) bins_[b].push_back(std::int32_t(i));
-          }
+          for (int x = low[0]; x <= high[0]; ++x) put_in_bin(lattice_.at({x, y, z}), i);
     }
   }
 }
 
-struct Stock::Worker {
-  std::vector<Touch> touches;
-  std::vector<std::atomic<std::int64_t>>* removed;
-  std::size_t first;  // of the sweeps in `removed`
-};
+void Stock::put_in_bin(std::size_t b, std::size_t sweep) {
+  if (states_[b] == State::empty) return;
+  if (bins_[b].empty()) touched_.push_back(b);
+  if (bins_[b].empty() || bins_[b].back() != std::int32_t(sweep)) bins_[b].push_back(std::int32_t(sweep));
+}
+
+void Stock::Worker::count(std::int32_t sweep, double length, float longest, float depth) {
+  Removed& of_sweep = (*removed)[std::size_t(sweep) - first];
+  of_sweep.length.fetch_add(std::llround(length / removed_unit), std::memory_order_relaxed);
+  raise_to(of_sweep.longest, longest);
+  raise_to(of_sweep.depth, depth);
+}
 
 /// One sweep in one brick. `worker`: who is told what it took away; nullptr: nobody.
 ///   returns  whether it changed anything
@@ -185,7 +195,7 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
   if (was_full) now.brick = whole_brick(scale_.edge);
   const Vec3 from{double(s.from[0]) - corner.x, double(s.from[1]) - corner.y, double(s.from[2]) - corner.z};
   const Vec3 to{double(s.to[0]) - corner.x, double(s.to[1]) - corner.y, double(s.to[2]) - corner.z};
-  bool changed = false;
+  bool changed = tools_[s.tool].turns() && turn(number, b, *now.brick, worker);
   for (std::size_t i = 0; i < swept_[s.tool].size(); ++i) {
     const ConvexBody& body = tools_[s.tool].bodies[i];
     const LocalSweep local = local_sweep(from, to, around_tip(body), lattice_.edge());
@@ -195,9 +205,8 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
     if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
     cut_brick(*now.brick, scale_, local, swept_[s.tool][i], number, outcome);
     changed = changed || outcome.changed;
-    if (worker != nullptr && outcome.length != 0)
-      (*worker->removed)[std::size_t(number) - worker->first].fetch_add(std::llround(outcome.length / removed_unit),
-                                                                        std::memory_order_relaxed);
+    if (worker != nullptr && outcome.changed)
+      worker->count(number, outcome.length, outcome.longest, body.part == ToolPart::cutting ? outcome.depth : 0.f);
     if (!told || !box.any()) continue;
     const Vec3 at = lattice_.corner(b);
     const Box3 around{at + Vec3{double(box.least[0]), double(box.least[1]), double(box.least[2])},
@@ -231,7 +240,7 @@ void Stock::cut_in(std::size_t b, Worker& worker) {
 
 std::vector<Touch> Stock::cut(const StopToken& stop) {
   first_ = done_;
-  removed_ = std::vector<std::atomic<std::int64_t>>(sweeps_.size() - first_);
+  removed_ = std::vector<Removed>(sweeps_.size() - first_);
   std::vector<Worker> workers(static_cast<std::size_t>(threads_), Worker{{}, &removed_, first_});
   while (done_ < sweeps_.size() && !stop.asked()) {
     const std::size_t last = past_ ? std::min(done_ + between_room, sweeps_.size()) : sweeps_.size();
@@ -248,7 +257,9 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
   done_ = sweeps_.size();
   std::vector<Touch> touches;
   for (Worker& w : workers) touches.insert(touches.end(), w.touches.begin(), w.touches.end());
-  const auto key = [](const Touch& t) { return std::tuple(t.sweep, t.part, t.around.least.z, t.around.least.y, t.around.least.x); };
+  const auto key = [](const Touch& t) {
+    return std::tuple(t.sweep, t.part, t.around.least.z, t.around.least.y, t.around.least.x, t.volume);
+  };
   std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
   std::vector<Touch> together;
   for (const Touch& t : touches) {
@@ -264,7 +275,13 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
 }
 
 double Stock::removed_by(std::size_t sweep) const {
-  return double(removed_[sweep - first_].load(std::memory_order_relaxed)) * removed_unit * lattice_.cell() * lattice_.cell();
+  return double(removed_[sweep - first_].length.load(std::memory_order_relaxed)) * removed_unit * lattice_.cell() * lattice_.cell();
+}
+
+double Stock::depth_of(std::size_t sweep) const { return double(removed_[sweep - first_].depth.load(std::memory_order_relaxed)); }
+
+bool Stock::cuts_anything(std::size_t sweep) const {
+  return double(removed_[sweep - first_].longest.load(std::memory_order_relaxed)) >= least_piece();
 }
 
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }

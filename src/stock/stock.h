@@ -29,14 +29,14 @@
 
 namespace kadr {
 
-/// A straight way of an upright tool.
+/// A straight way of an upright tool. Of a turning tool: in the half plane of a part that spins about X0 Y0, x the signed radius, y 0.
 struct Sweep {
   Vec3 from, to;           // of the tip
   std::uint16_t tool = 0;  // of Stock::add_tool
   bool watched = false;    // whatever its cutting part takes away is told: a rapid, a spindle that stands …
 };
 
-/// As it is kept: from the lattice's corner, so that single precision is some nanometres.
+/// As it is kept: from the lattice's corner, so that single precision is some nanometres; x of a turning tool from the axis.
 struct KeptSweep {
   float from[3], to[3];
   std::uint16_t tool;
@@ -47,8 +47,9 @@ struct KeptSweep {
 struct Touch {
   std::uint32_t sweep;
   ToolPart part;
-  Box3 around;    // what was taken
-  double volume;  // mm³
+  Box3 around;         // what was taken; rings: x radii, y 0
+  double volume;       // mm³
+  bool rings = false;  // by a turning tool
 };
 
 class Stock {
@@ -77,6 +78,10 @@ class Stock {
   std::size_t bytes_of_past() const;
   /// mm³ that a sweep of the last cut() took away, by the upright lines.
   double removed_by(std::size_t sweep) const;
+  /// … the greatest height above the tip of what its cutting part took off upright lines: of the tip as it stood lowest over the line, mm.
+  double depth_of(std::size_t sweep) const;
+  /// … whether it took away a piece of a line, in any direction, that is no touch.
+  bool cuts_anything(std::size_t sweep) const;
 
   // ---- what is left
   const Lattice& lattice() const { return lattice_; }
@@ -93,7 +98,19 @@ class Stock {
   double least_piece() const;
 
  private:
-  struct Worker;
+  /// What a sweep took away in all bricks: sums and maxima that the order does not change.
+  struct Removed {
+    std::atomic<std::int64_t> length{0};  // of upright lines, in units of `removed_unit`
+    std::atomic<float> depth{0}, longest{0};
+  };
+  struct Worker {
+    std::vector<Touch> touches;
+    std::vector<Removed>* removed;
+    std::size_t first;  // of the sweeps in `removed`
+
+    /// Of what a sweep took away: mm of upright lines, the longest piece of any line, the greatest height above the tip.
+    void count(std::int32_t sweep, double length, float longest, float depth);
+  };
   struct BrickNow {
     std::unique_ptr<Brick>& brick;
     State& state;
@@ -103,6 +120,11 @@ class Stock {
   void fill_in(std::size_t i);
   void fill_evenly(std::size_t i);
   void bin(std::size_t first, std::size_t last);
+  void put_in_bin(std::size_t brick, std::size_t sweep);
+  // Of turning tools: stock_turned.cpp.
+  KeptSweep kept_turned(const Sweep& sweep) const;
+  void bin_turned(std::size_t sweep);
+  bool turn(std::int32_t sweep, std::size_t brick, Brick& material, Worker* worker) const;
   void cut_in(std::size_t brick, Worker& worker);
   bool carry_out(std::int32_t sweep, std::size_t brick, BrickNow now, Worker* worker) const;
   void settle(BrickNow now) const;
@@ -122,7 +144,7 @@ class Stock {
   std::vector<std::vector<std::int32_t>> bins_;
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;
-  std::vector<std::atomic<std::int64_t>> removed_;  // in units of `removed_unit`: sums that the order does not change
+  std::vector<Removed> removed_;  // of the last cut()
 };
 
 /// Runs `work(thread)` on so many threads, this one among them.

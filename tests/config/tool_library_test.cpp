@@ -38,6 +38,7 @@ length = 60
 shank = [[8, 22], [8, 60]]
 holder = [[40, 0], [50, 30]]
 plunges = false
+teeth = 4
 )",
                                             "tools.toml"));
   EXPECT_EQ(t.number, 3u);
@@ -50,6 +51,7 @@ plunges = false
   EXPECT_EQ(t.shank, (std::vector<ProfilePoint>{{8, 22}, {8, 60}}));
   EXPECT_EQ(t.holder, (std::vector<ProfilePoint>{{40, 0}, {50, 30}}));
   EXPECT_FALSE(t.plunges);
+  EXPECT_EQ(t.teeth, 4);
 }
 
 TEST(ToolLibrary, FlutesAndLengthFollowFromEachOther) {
@@ -69,6 +71,8 @@ TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiametr = 6\n"), HasSubstr("'diameter'?"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"bull\"\ndiameter = 6\ncorner = 4\nflutes = 9\n"), HasSubstr("corner"));
   EXPECT_THAT(fault("[[tool]]\nnumber = -1\n"), HasSubstr("whole number"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflutes = 9\nteeth = 0\n"), HasSubstr("tools.toml:6:"));
+  EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflutes = 9\nteeth = 2.5\n"), HasSubstr("whole number"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = nan\nflutes = 9\n"), HasSubstr("diameter"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"form\"\nprofile = [[4, 5], [8, 2]]\n"), HasSubstr("must not fall"));
   EXPECT_THAT(fault("[[tool]]\nnumber = 1\nkind = \"form\"\nprofile = [[4, 5]]\n"), HasSubstr("two to 1000"));
@@ -76,6 +80,68 @@ TEST(ToolLibrary, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault(""), HasSubstr("[[tool]]"));
   const std::string one = "[[tool]]\nnumber = 1\nkind = \"flat\"\ndiameter = 6\nflutes = 9\n";
   EXPECT_THAT(fault(one + one), HasSubstr("twice"));
+}
+
+ToolGeometry turning(const std::string& keys) {
+  return only(tools_of_toml("tool = [{number = 1, kind = \"turning\", " + keys + "}]", "t"));
+}
+std::string turning_fault(const std::string& keys) { return fault("tool = [{number = 1, kind = \"turning\", " + keys + "}]"); }
+
+TEST(ToolLibrary, TurningToolsAreReadWithTheirTip) {
+  const ToolGeometry t = only(tools_of_toml(R"([[tool]]
+number = 7
+kind = "turning"
+points = "-x+z"
+angle = 55
+lead = 93
+corner = 0.4
+flutes = 9
+length = 11
+holder = [[8, 1], [28, 60]]
+)",
+                                            "tools.toml"));
+  EXPECT_EQ(t.kind, ToolKind::turning);
+  EXPECT_EQ(t.insert.tip_x, -1);
+  EXPECT_EQ(t.insert.tip_z, 1);
+  EXPECT_EQ(t.insert.lead, 93);
+  EXPECT_EQ(t.insert.holder, (std::vector<InsertPoint>{{8, 1}, {28, 60}}));
+  EXPECT_EQ(t.length, 11);
+}
+
+TEST(ToolLibrary, ATurningToolStandsStraightIfNothingElseIsSaid) {
+  EXPECT_EQ(turning("points = \"-x-z\", angle = 80, flutes = 9").insert.lead, 95);
+  EXPECT_EQ(turning("points = \"-x\", angle = 60, flutes = 9").insert.lead, 60);
+  EXPECT_EQ(turning("points = \"-z\", angle = 60, flutes = 9").insert.lead, 150);
+  EXPECT_EQ(turning("points = \"-x-z\", width = 3, flutes = 9").insert.lead, 90);
+  EXPECT_EQ(turning("points = \"-z\", width = 3, flutes = 9").insert.lead, 0);
+  EXPECT_EQ(turning("points = \"centre\", corner = 4").flutes, 8);
+  EXPECT_THAT(turning("profile = [[0, 0], [5, 1], [5, 6]]").insert.profile, SizeIs(3));
+}
+
+TEST(ToolLibrary, SaysWhatIsWrongWithATurningTool) {
+  EXPECT_THAT(turning_fault("angle = 80, flutes = 9"), HasSubstr("-x-z"));
+  EXPECT_THAT(turning_fault("points = \"3\", angle = 80, flutes = 9"), HasSubstr("points"));
+  EXPECT_THAT(turning_fault("points = \"-x\", flutes = 9"), HasSubstr("angle is missing"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60"), HasSubstr("flutes is missing"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60, flutes = 2, corner = 1"), HasSubstr("too short"));
+  EXPECT_THAT(turning_fault("points = \"-x\", width = 1, flutes = 5, corner = 1"), HasSubstr("half of the width"));
+  EXPECT_THAT(turning_fault("points = \"-x\", width = 1, flutes = 5, lead = 45"), HasSubstr("90"));
+  EXPECT_THAT(turning_fault("points = \"-x\", angle = 60, flutes = 9, holder = [[1, 2]]"), HasSubstr("2 (a rectangle"));
+  EXPECT_THAT(turning_fault("profile = [[0, 0], [5, 5], [5, 0], [0, 5]]"), HasSubstr("crosses itself"));
+  EXPECT_THAT(turning_fault("profile = [[0, 0], [5, 5], [9, 9]]"), HasSubstr("no area"));
+}
+
+TEST(ToolFormats, LinuxcncTableOfALathe) {
+  const auto library =
+      tools_of_linuxcnc("T1 P1 D0.8 I+85 J+25 Q2 ;rough\nT2 P2 D0.8 Q2\nT3 P3 D4 I0 J0 Q9\nT4 P4 I85 J25 Q2\n", "lathe.tbl");
+  ASSERT_TRUE(library);
+  ASSERT_THAT(library->tools, SizeIs(4));
+  EXPECT_EQ(library->tools[0].kind, ToolKind::turning);
+  EXPECT_EQ(library->tools[0].corner, 0.4);
+  EXPECT_EQ(library->tools[1].kind, ToolKind::flat);  // a table without I and J says no insert
+  EXPECT_EQ(library->tools[2].angle, 0);
+  EXPECT_EQ(library->tools[3].corner, 0);
+  EXPECT_THAT(library->notes, SizeIs(2));
 }
 
 TEST(ToolFormats, AreToldByNameAndText) {
@@ -115,11 +181,12 @@ TEST(ToolFormats, CamoticsProject) {
 
 TEST(ToolFormats, FreecadBitIsWhateverTheProgramCalls) {
   const auto library = tools_of_freecad(R"({"version": 2, "name": "5mm", "shape": "endmill.fcstd",
-    "parameter": {"CuttingEdgeHeight": "30.0000 mm", "Diameter": "0.2500 in", "Length": "50.0000 mm", "ShankDiameter": "3.0000 mm"}})",
+    "parameter": {"CuttingEdgeHeight": "30.0000 mm", "Diameter": "0.2500 in", "Length": "50.0000 mm", "ShankDiameter": "3.0000 mm", "Flutes": "2"}})",
                                         "5mm.fctb");
   ASSERT_TRUE(library);
   ASSERT_NE(library->find(7), nullptr);
   EXPECT_NEAR(library->find(7)->diameter, 6.35, 1e-12);
+  EXPECT_EQ(library->find(7)->teeth, 2);
   EXPECT_EQ(library->find(7)->shank, (std::vector<ProfilePoint>{{3, 30}, {3, 50}}));
 }
 
@@ -127,7 +194,7 @@ TEST(ToolFormats, FusionLibraryWithHolder) {
   const auto library = tools_of_fusion(R"({"version": 1, "data": [
     {"type": "holder", "segments": []},
     {"type": "bull nose end mill", "unit": "millimeters", "description": "x", "post-process": {"number": 4},
-     "geometry": {"DC": 10, "RE": 1, "LCF": 22, "LB": 40, "SFDM": 10},
+     "geometry": {"DC": 10, "RE": 1, "LCF": 22, "LB": 40, "SFDM": 10, "NOF": 3},
      "holder": {"segments": [{"height": 20, "lower-diameter": 30, "upper-diameter": 40}]}},
     {"type": "tap right hand", "unit": "millimeters", "post-process": {"number": 5}, "geometry": {"DC": 6}}]})",
                                        "lib.json");
@@ -136,6 +203,7 @@ TEST(ToolFormats, FusionLibraryWithHolder) {
   ASSERT_NE(t, nullptr);
   EXPECT_EQ(t->corner, 1);
   EXPECT_EQ(t->length, 40);
+  EXPECT_EQ(t->teeth, 3);
   EXPECT_EQ(t->holder, (std::vector<ProfilePoint>{{30, 0}, {40, 20}}));
   EXPECT_THAT(library->notes, SizeIs(1));
 }

@@ -42,9 +42,36 @@ TEST(tool_comment, as_written_in_programs) {
   }
 }
 
+TEST(tool_comment, kind_and_angle) {
+  const struct {
+    const char* text;
+    ToolWord kind;
+    double angle;
+  } rows[] = {
+      {"T1 D8 ENDMILL", ToolWord::mill, none},
+      {"T1 D=8. CR=0. - ZMIN=-5. - FLAT END MILL", ToolWord::mill, none},
+      {"6MM BALL END MILL", ToolWord::ball, none},
+      {"Т5 фреза шаровая ф6", ToolWord::ball, none},
+      {"T3 D=12. CR=0. TAPER=45DEG - ZMIN=-2. - CHAMFER MILL", ToolWord::chamfer, 90},
+      {"T4 D=8.5 CR=0. TAPER=118DEG - DRILL", ToolWord::drill, 118},
+      {"ЗЕНКОВКА D12 90°", ToolWord::chamfer, 90},
+      {"СВЕРЛО 8,5", ToolWord::drill, none},
+      {"T3 МЕТЧИК М8", ToolWord::tap, none},
+      {"T9 D10 H7 REAMER", ToolWord::reamer, none},
+      {"TURNED 45 DEG", ToolWord::none, 45},
+      {"T2", ToolWord::none, none},
+  };
+  for (const auto& row : rows) {
+    const ToolComment said = read_tool_comment(row.text, false);
+    EXPECT_EQ(said.kind, row.kind) << row.text;
+    EXPECT_EQ(said.angle.value_or(none), row.angle) << row.text;
+  }
+}
+
 TEST(tool_comment, inches) {
   EXPECT_DOUBLE_EQ(read_tool_comment("T1 D0.5 ENDMILL", true).diameter.value_or(0), 12.7);
   EXPECT_DOUBLE_EQ(read_tool_comment("T1 D8 MM ENDMILL", true).diameter.value_or(0), 8);
+  EXPECT_DOUBLE_EQ(read_tool_comment(".5 IN ENDMILL R.0625", true).diameter.value_or(0), 12.7);
   EXPECT_DOUBLE_EQ(read_tool_comment(".25\" DRILL, T4 D=.25 IN", false).diameter.value_or(0), 6.35);
 }
 

@@ -109,7 +109,11 @@ TEST(Cut, ThreadsChangeNoBit) {
     const Stock one = cut(job, 0.25, 1), two = cut(job, 0.25, 2), four = cut(job, 0.25, 4);
     EXPECT_TRUE(same(one, two));
     EXPECT_TRUE(same(one, four));
-    for (std::size_t i = 0; i < job.sweeps.size(); ++i) EXPECT_EQ(one.removed_by(i), four.removed_by(i));
+    for (std::size_t i = 0; i < job.sweeps.size(); ++i) {
+      EXPECT_EQ(one.removed_by(i), four.removed_by(i));
+      EXPECT_EQ(one.depth_of(i), four.depth_of(i));
+      EXPECT_EQ(one.cuts_anything(i), four.cuts_anything(i));
+    }
   }
 }
 
@@ -133,6 +137,8 @@ TEST(Cut, TheProcessorsVectorsChangeNoBit) {
         cut_brick(pair, scale, local, swept_body(body), i, by_pair, LaneWidth::pair);
         cut_brick(wide, scale, local, swept_body(body), i, by_wide, LaneWidth::wide);
         ASSERT_EQ(by_pair.length, by_wide.length);
+        ASSERT_EQ(by_pair.depth, by_wide.depth);
+        ASSERT_EQ(by_pair.longest, by_wide.longest);
         ASSERT_TRUE(same_brick(&pair, &wide)) << "round " << round << ", sweep " << i;
       }
     }

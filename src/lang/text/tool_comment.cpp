@@ -81,19 +81,51 @@ bool names_diameter(std::string_view w) {
 }
 /// A figure after such a word is its diameter.
 bool names_kind(std::string_view w) {
-  return is_among(w, {"ФРЕЗА", "СВЕРЛО", "МЕТЧИК", "ЗЕНКЕР", "РАЗВЕРТКА", "РАЗВЁРТКА", "ЦЕКОВКА", "FREZA", "SVERLO", "METCHIK", "ENDMILL",
-                      "MILL", "DRILL", "TAP", "REAMER", "CUTTER", "BALLNOSE", "BALL"});
+  return is_among(w, {"ФРЕЗА",   "СВЕРЛО", "МЕТЧИК", "ЗЕНКЕР", "РАЗВЕРТКА", "РАЗВЁРТКА", "ЦЕКОВКА",  "FREZA", "SVERLO",  "METCHIK",
+                      "ENDMILL", "MILL",   "DRILL",  "TAP",    "REAMER",    "CUTTER",    "BALLNOSE", "BALL",  "CHAMFER", "ФАСОЧНАЯ"});
 }
-bool names_ball(std::string_view w) { return is_among(w, {"BALL", "BALLNOSE", "ШАРОВАЯ", "СФЕРИЧЕСКАЯ", "СФЕР", "ШАР"}); }
+bool names_degrees(std::string_view w) { return is_among(w, {"°", "DEG", "DEGREE", "DEGREES", "ГРАД", "ГРАДУСОВ"}); }
 
-/// Factor of the unit that follows, or of the program's.
-double unit_behind(const std::vector<Piece>& pieces, std::size_t at, bool inch) {
-  if (at + 1 < pieces.size()) {
-    const std::string& unit = pieces[at + 1].word;
-    if (is_among(unit, {"MM", "ММ"})) return 1;
-    if (is_among(unit, {"IN", "INCH", "\"", "ДЮЙМ"})) return mm_per_inch;
+struct KindWord {
+  ToolWord kind;
+  std::initializer_list<std::string_view> words;
+};
+/// The first that is found counts: "BALL END MILL", "SPOT DRILL", "CHAMFER MILL".
+const KindWord kind_words[] = {
+    {ToolWord::ball, {"BALL", "BALLNOSE", "ШАРОВАЯ", "СФЕРИЧЕСКАЯ", "СФЕР", "ШАР"}},
+    {ToolWord::chamfer, {"CHAMFER", "CHAMF", "VBIT", "ФАСОЧНАЯ", "ЗЕНКОВКА", "COUNTERSINK"}},
+    {ToolWord::taper, {"TAPERED", "КОНИЧЕСКАЯ"}},
+    {ToolWord::tap, {"TAP", "TAPPING", "МЕТЧИК", "METCHIK"}},
+    {ToolWord::reamer, {"REAMER", "REAM", "РАЗВЕРТКА", "РАЗВЁРТКА"}},
+    {ToolWord::drill, {"DRILL", "DRILLING", "СВЕРЛО", "SVERLO", "ЦЕНТРОВКА"}},
+    {ToolWord::mill, {"MILL", "ENDMILL", "CUTTER", "ФРЕЗА", "FREZA", "КОНЦЕВАЯ", "SLOTDRILL"}},
+};
+
+ToolWord kind_of_pieces(const std::vector<Piece>& pieces) {
+  for (const KindWord& k : kind_words)
+    for (const Piece& p : pieces)
+      if (!p.word.empty() && is_among(p.word, k.words)) return k.kind;
+  return ToolWord::none;
+}
+
+/// Of the whole point: CAM systems write TAPER=45DEG of a chamfer mill for the half of it.
+std::optional<double> angle_of(const std::vector<Piece>& pieces, ToolWord kind) {
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    if (!pieces[i].word.empty() || !names_degrees(pieces[i + 1].word)) continue;
+    const bool is_half = i > 0 && pieces[i - 1].word == "TAPER" && kind != ToolWord::drill;
+    const double angle = pieces[i].number * (is_half ? 2 : 1);
+    if (angle > 0 && angle < 180) return angle;
   }
-  return inch ? mm_per_inch : 1;
+  return std::nullopt;
+}
+
+/// Factor of the unit that follows, if one does.
+std::optional<double> unit_behind(const std::vector<Piece>& pieces, std::size_t at) {
+  if (at + 1 >= pieces.size()) return std::nullopt;
+  const std::string& unit = pieces[at + 1].word;
+  if (is_among(unit, {"MM", "ММ"})) return 1;
+  if (is_among(unit, {"IN", "INCH", "\"", "ДЮЙМ"})) return mm_per_inch;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -101,12 +133,13 @@ double unit_behind(const std::vector<Piece>& pieces, std::size_t at, bool inch) 
 ToolComment read_tool_comment(std::string_view text, bool inch) {
   const std::vector<Piece> pieces = pieces_of(capitals(text));
   ToolComment found;
-  bool ball = false, has_h = false, diameter_is_number = false;
+  bool has_h = false, diameter_is_number = false;
+  found.kind = kind_of_pieces(pieces);
+  found.angle = angle_of(pieces, found.kind);
   std::optional<double> radius, of_kind, with_unit;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    ball = ball || names_ball(pieces[i].word);
     if (!pieces[i].word.empty()) continue;
-    const double value = pieces[i].number, mm = value * unit_behind(pieces, i, inch);
+    const double value = pieces[i].number, mm = value * unit_behind(pieces, i).value_or(inch ? mm_per_inch : 1);
     const std::string before = i == 0 ? "" : pieces[i - 1].word;  // ("10mm flat endmill")
     const bool whole = value == static_cast<double>(static_cast<std::uint32_t>(std::min(value, 1e8)));
     if (names_tool_number(before) && whole && !found.tool) found.tool = static_cast<std::uint32_t>(value);
@@ -116,13 +149,12 @@ ToolComment read_tool_comment(std::string_view text, bool inch) {
     } else if (before == "H") has_h = true;
     else if (is_among(before, {"R", "CR"}) && !radius) radius = mm;
     else if ((names_kind(before) || before == "M" || before == "М") && !of_kind) of_kind = mm;
-    else if (unit_behind(pieces, i, false) == 1 && i + 1 < pieces.size() && is_among(pieces[i + 1].word, {"MM", "ММ"}) && !with_unit)
-      with_unit = mm;
+    else if (unit_behind(pieces, i) && !with_unit) with_unit = mm;
   }
   // (T1 H1 D1): numbers of offsets
   if (diameter_is_number && has_h && found.tool && *found.diameter == *found.tool * (inch ? mm_per_inch : 1)) found.diameter.reset();
   if (!found.diameter) found.diameter = of_kind ? of_kind : with_unit;
-  if (!found.diameter && ball && radius) found.diameter = 2 * *radius;
+  if (!found.diameter && found.kind == ToolWord::ball && radius) found.diameter = 2 * *radius;
   if (radius && (found.diameter || found.tool)) found.corner = radius;
   if (found.diameter && !(*found.diameter > 0)) found.diameter.reset();
   return found;

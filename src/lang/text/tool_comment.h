@@ -9,10 +9,15 @@
 
 namespace kadr {
 
+/// What kind of tool a comment names; `mill` where it says no more than that.
+enum class ToolWord : std::uint8_t { none, mill, ball, drill, chamfer, taper, tap, reamer };
+
 struct ToolComment {
   std::optional<std::uint32_t> tool;  // T1
   std::optional<double> diameter;     // mm
   std::optional<double> corner;       // radius of the corner, mm
+  std::optional<double> angle;        // of the whole point, degrees
+  ToolWord kind = ToolWord::none;
   bool empty() const { return !tool && !diameter && !corner; }
 };
 

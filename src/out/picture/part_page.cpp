@@ -25,6 +25,7 @@ constexpr double room = 0.92;  // of a view that the part fills
 
 constexpr std::array<std::uint32_t, 8> tool_colours = {0x6FA8DC, 0xE69F56, 0x7BB661, 0xC27BA0, 0xD9C04F, 0x8E7CC3, 0x5FB8B0, 0xCC6666};
 constexpr std::uint32_t blank_colour = 0xC9CED6;
+constexpr std::uint32_t collision_colour = 0xC00000;
 constexpr std::uint32_t oldest = 0x3B5B92, newest = 0xF2A65A;
 
 struct PartWords {
@@ -49,16 +50,27 @@ ViewDirection isometric() {
   return {right, cross(towards, right), towards};
 }
 
+/// What colours are measured by.
+struct ColourScales {
+  DeviationScale deviation;
+  double rate = 0;
+};
+
+ColourScales scales_of(const PartScene& scene) {
+  return {deviation_scale(scene.deviation.of_point, scene.deviation.within), greatest_rate(scene.surface.made_by, scene.load.rates)};
+}
+
 /// Of a triangle: how far it is off, or that of the sweep that cut it last.
-std::uint32_t colour_of_triangle(const PartScene& scene, const DeviationScale& scale, std::size_t triangle) {
+std::uint32_t colour_of_triangle(const PartScene& scene, const ColourScales& scales, std::size_t triangle) {
   if (scene.colour == PartColour::deviation) {
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) sum += double(scene.deviation.of_point[scene.surface.triangles[triangle * 3 + k]]);
-    return deviation_colour(sum / 3, scale);
+    return deviation_colour(sum / 3, scales.deviation);
   }
   std::int32_t by = of_blank;
   for (std::size_t k = 0; k < 3; ++k) by = std::max(by, scene.surface.made_by[scene.surface.triangles[triangle * 3 + k]]);
   if (by == of_blank) return blank_colour;
+  if (scene.colour == PartColour::load) return load_colour(by, scene.load.rates, scales.rate);
   if (scene.colour == PartColour::age)
     return mixed_colour(oldest, newest, scene.colours.empty() ? 0 : double(by) / double(scene.colours.size()));
   return tool_colours[scene.colours[std::size_t(by)] % tool_colours.size()];
@@ -76,11 +88,28 @@ Area below_name(const Area& area) { return {area.x, area.y + name_height, area.w
 
 void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale, const char* name) {
   const Area inner = below_name(area);
-  const DeviationScale deviation = deviation_scale(scene.deviation.of_point, scene.deviation.within);
+  const ColourScales scales = scales_of(scene);
   const ViewFrame frame{0.5 * (scene.box.least + scene.box.most), scale, int(inner.width * sharpness), int(inner.height * sharpness)};
-  canvas.pixels(inner, part_view(scene.surface, view, frame, [&](std::size_t t) { return colour_of_triangle(scene, deviation, t); }));
+  canvas.pixels(inner, part_view(scene.surface, view, frame, [&](std::size_t t) { return colour_of_triangle(scene, scales, t); }));
   canvas.frame(area, colour(0xD5DAE1));
   canvas.text({area.x + 8, area.y + 18}, name, {13, colour(0x5B6775), Align::left, false});
+}
+
+/// Collisions by their lines, and by load the heaviest lines by their numbers.
+void draw_marks(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale) {
+  const Area inner = below_name(area);
+  const Vec3 centre = 0.5 * (scene.box.least + scene.box.most);
+  const auto place = [&](const Vec3& at) {
+    const Vec3 from = at - centre;
+    return Vec2{inner.x + inner.width / 2 + dot(from, view.right) * scale / sharpness,
+                inner.y + inner.height / 2 - dot(from, view.up) * scale / sharpness};
+  };
+  std::vector<LoadMark> marks;
+  for (const CollisionPlace& c : scene.collisions) marks.push_back({place(c.at), std::to_string(c.line), collision_colour});
+  std::size_t number = 0;
+  if (scene.colour == PartColour::load)
+    for (const Vec3& at : scene.load.heaviest) marks.push_back({place(at), std::to_string(++number)});
+  draw_load_marks(canvas, marks);
 }
 
 void draw_key(Canvas& canvas, const PartScene& scene, const PartWords& w) {
@@ -89,6 +118,8 @@ void draw_key(Canvas& canvas, const PartScene& scene, const PartWords& w) {
   if (scene.colour == PartColour::deviation)
     return draw_deviation_key(canvas, {x, y - 11, part_page_width / 2, 14},
                               deviation_scale(scene.deviation.of_point, scene.deviation.within), scene.title.lang);
+  if (scene.colour == PartColour::load)
+    return draw_load_key(canvas, {x, y - 11, part_page_width / 2, 14}, scales_of(scene).rate, scene.title.lang);
   const auto entry = [&](std::uint32_t rgb, const std::string& text) {
     canvas.fill({x, y - 11, 14, 14}, colour(rgb));
     canvas.text({x + 20, y + 1}, text, {13, colour(0x20262E), Align::left, false});
@@ -114,7 +145,9 @@ void draw_page(Canvas& canvas, const PartScene& scene) {
   const double bottom = part_page_height - caption_height;
   const Area large{part_margin, heading, large_width, bottom - heading};
   const ViewDirection view = isometric();
-  draw_view(canvas, scene, view, large, scale_for(scene.box, view, below_name(large)), "");
+  const double large_scale = scale_for(scene.box, view, below_name(large));
+  draw_view(canvas, scene, view, large, large_scale, "");
+  draw_marks(canvas, scene, view, large, large_scale);
   const double width = (part_page_width - 2 * part_margin - large_width - 2 * part_gap) / 2, height = (bottom - heading - 2 * part_gap) / 3;
   const auto directions = sides();
   double scale = 1e30;

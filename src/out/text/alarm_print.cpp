@@ -43,7 +43,8 @@ std::string marked(std::string_view line, Span place, Colours colours) {
 }
 
 std::string call_text(const AlarmReport::Call& call, Lang lang) {
-  const std::string block = call.has_block ? fmt::format(" N{}", call.block) : "";
+  std::string block = call.has_block ? fmt::format(" N{}", call.block) : "";
+  if (!call.file.empty()) block += (lang == Lang::ru ? " файла " : " of ") + call.file;
   return lang == Lang::ru ? fmt::format("вызов {} в строке {}{}", call.what, call.line, block)
                           : fmt::format("called {} in line {}{}", call.what, call.line, block);
 }

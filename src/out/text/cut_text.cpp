@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "out/text/cut_load_text.h"
 #include "out/text/summary.h"
 
 namespace kadr {
@@ -16,8 +17,8 @@ using nlohmann::ordered_json;
 
 /// The words of the summary; both languages in one row.
 struct CutWords {
-  const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line, *window,
-      *in_window, *simplified, *triangles;
+  const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line, *heaviest,
+      *in_air, *window, *in_window, *simplified, *triangles;
 };
 constexpr CutWords cut_english = {"cell",
                                   "blank",
@@ -32,6 +33,8 @@ constexpr CutWords cut_english = {"cell",
                                   "gouged",
                                   "{:.1f} {}, {:.3f} {} deep at X{:.2f} Y{:.2f} Z{:.2f}",
                                   ", line {}",
+                                  "heaviest",
+                                  "in the air",
                                   "window",
                                   "cell {:g} {}; of {:.1f} {} left {:.1f} ± {:.1f}, removed {:.1f} ± {:.1f}",
                                   "simplified",
@@ -49,10 +52,14 @@ constexpr CutWords cut_russian = {"шаг сетки",
                                   "зарез",
                                   "{:.1f} {}, {:.3f} {} в точке X{:.2f} Y{:.2f} Z{:.2f}",
                                   ", строка {}",
+                                  "нагрузка",
+                                  "в воздухе",
                                   "окно",
                                   "шаг {:g} {}; из {:.1f} {} осталось {:.1f} ± {:.1f}, снято {:.1f} ± {:.1f}",
                                   "упрощено",
                                   "{} треугольников из {}, отклонение не более {:.4f} {}"};
+
+constexpr double told_from = 0.05;  // s in the air: less is no tenth
 
 /// To thousandths of a mm, of a mm³: what stands behind is no more than noise.
 double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
@@ -60,13 +67,15 @@ double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
 std::string summary_row(std::string_view name, std::string_view text) { return fmt::format("{:<12} {}\n", name, text); }
 
 ordered_json finding_json(const CutFinding& f) {
-  ordered_json json{{"id", name_of(f.id)}, {"line", f.origin.line}};
-  if (f.origin.has_block) json["block"] = fmt::format("N{:0{}}", f.origin.block, int(f.origin.block_digits));
+  ordered_json json{{"id", name_of(f.id)}};
+  add_place(json, f.origin, f.program);
   json["tool"] = f.tool;
   json["at"] = {{"X", rounded(f.at.x)}, {"Y", rounded(f.at.y)}, {"Z", rounded(f.at.z)}};
   json["depth"] = rounded(f.depth);
   json["volume"] = rounded(f.volume);
   json["at_time"] = rounded(f.at_time);
+  if (!f.calls.empty()) json["calls"] = calls_json(f.calls);
+  if (!f.bodies[0].empty()) json["bodies"] = f.bodies;
   return json;
 }
 
@@ -77,10 +86,12 @@ ordered_json findings_json(const std::vector<CutFinding>& findings) {
 }
 
 ordered_json difference_json(const PartDifference& d) {
-  return {{"volume", rounded(d.volume)},
-          {"deepest", rounded(d.deepest)},
-          {"line", d.line},
-          {"at", {{"X", rounded(d.at.x)}, {"Y", rounded(d.at.y)}, {"Z", rounded(d.at.z)}}}};
+  ordered_json json{{"volume", rounded(d.volume)},
+                    {"deepest", rounded(d.deepest)},
+                    {"line", d.line},
+                    {"at", {{"X", rounded(d.at.x)}, {"Y", rounded(d.at.y)}, {"Z", rounded(d.at.z)}}}};
+  if (!d.program.empty()) json["program"] = d.program;
+  return json;
 }
 
 std::string difference_row(const CutWords& w, const char* name, const PartDifference& d, Lang lang) {
@@ -88,15 +99,18 @@ std::string difference_row(const CutWords& w, const char* name, const PartDiffer
   if (!(d.deepest > 0)) return summary_row(name, w.none);
   std::string text =
       fmt::format(fmt::runtime(w.deepest), d.volume, ru ? "мм³" : "mm³", d.deepest, ru ? "мм" : "mm", d.at.x, d.at.y, d.at.z);
-  if (d.line != 0) text += fmt::format(fmt::runtime(w.line), d.line);
+  if (d.line != 0) text += fmt::format(fmt::runtime(w.line), d.line) + (d.program.empty() ? "" : (ru ? " файла " : " of ") + d.program);
   return summary_row(name, text);
 }
 
 }  // namespace
 
+std::string names_of_bodies(const CutFinding& f) { return f.bodies[0].empty() ? std::string() : f.bodies[0] + ", " + f.bodies[1]; }
+
 Alarm alarm_of(const CutFinding& f) {
   const std::string place = fmt::format("X{:.2f} Y{:.2f} Z{:.2f}", f.at.x, f.at.y, f.at.z);
   const double tool = f.tool, depth = rounded(f.depth);
+  if (f.id == AlarmId::machine) return alarm(f.id, {}, place, names_of_bodies(f));
   return f.id == AlarmId::no_coolant ? warning(f.id, {}, tool, depth, place) : alarm(f.id, {}, tool, depth, place);
 }
 
@@ -124,6 +138,11 @@ std::string cut_summary(const CutResult& r, Lang lang) {
                                   fmt::format(fmt::runtime(w.rate), duration_text(t.seconds), t.greatest_rate));
     name = "";
   }
+  name = w.heaviest;
+  for (const BlockLoad& load : r.heaviest) text += summary_row(name, load_words(load, lang)), name = "";
+  name = w.in_air;
+  for (const AirCut& air : r.emptiest)
+    if (air.seconds >= told_from) text += summary_row(name, air_words(air, lang)), name = "";
   const std::size_t count = r.collisions.size() + r.not_told;
   if (r.part) text += difference_row(w, w.left_on, r.part->left_on, lang) + difference_row(w, w.gouged, r.part->gouged, lang);
   if (r.simplified)
@@ -151,7 +170,9 @@ std::string cut_json(const CutResult& r, std::size_t alarms, std::size_t warning
   for (const ToolRemoval& t : r.tools)
     json["tools"].push_back(
         {{"tool", t.tool}, {"removed", rounded(t.removed)}, {"seconds", rounded(t.seconds)}, {"greatest_rate", rounded(t.greatest_rate)}});
+  if (r.threads_left_out != 0) json["threads_left_out"] = r.threads_left_out;
   json["collisions"] = findings_json(r.collisions);
+  add_loads(json, r);
   if (r.part) json["part"] = {{"left_on", difference_json(r.part->left_on)}, {"gouged", difference_json(r.part->gouged)}};
   if (r.simplified)
     json["simplified"] = {{"exact", r.simplified->exact}, {"triangles", r.simplified->triangles}, {"off", r.simplified->off}};

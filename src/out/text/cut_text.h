@@ -16,6 +16,9 @@ std::string cut_summary(const CutResult& result, Lang lang);
 /// One object. `alarms`, `warnings`: of the program itself, the findings not among them.
 std::string cut_json(const CutResult& result, std::size_t alarms, std::size_t warnings);
 
+/// Of a finding of AlarmId::machine: those that met, in whole (an alarm cuts them short); else empty.
+std::string names_of_bodies(const CutFinding& finding);
+
 /// The finding as an alarm or warning, without its place.
 Alarm alarm_of(const CutFinding& finding);
 

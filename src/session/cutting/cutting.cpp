@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "session/cutting/turned_way.h"
 #include "session/cutting/window_touches.h"
 
 namespace kadr {
@@ -17,6 +18,8 @@ constexpr std::size_t most_findings = 1000;   // that are told one by one
 constexpr double sideways = 0.01;             // mm in the plane that a drill may be moved while it cuts
 constexpr double chord_of_cell = 1.0 / 2000;  // arcs as chords: far below the error of a cell …
 constexpr double greatest_chord = 2e-4;       // … and below the least increment of the controls, mm
+
+constexpr double seconds_a_minute = 60;
 
 double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
 
@@ -35,11 +38,21 @@ double least_side(const Box3& box) {
 
 Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     : job_(job),
-      way_(roles, chord_for(job.cell), job.system),
+      way_(roles, chord_for(job.cell), job.system, job.apart),
       stock_(job.blank, job.cell, job.threads),
       tool_(job.tool),
-      spindle_(job.spindle) {
+      spindle_(job.spindle),
+      spinning_(job.spindle == SpindleDir::cw || job.spindle == SpindleDir::ccw),
+      rpm_(job.rpm),
+      loads_(job.cell),
+      air_(job.cell) {
   if (job.window) window_ = std::make_unique<Stock>(job.window, job.window_cell, job.threads);
+  loads_.on_block = [this](const BlockLoad& load) { take_rate(load); };
+  if (job.keeps_rates)
+    loads_.on_rate = [this](std::size_t first, std::size_t end, double rate) {
+      rate_of_sweep_.resize(stock_.sweeps());
+      std::fill(rate_of_sweep_.begin() + std::ptrdiff_t(first), rate_of_sweep_.begin() + std::ptrdiff_t(end), float(rate));
+    };
   for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
   if (!job.starts_known)
     for (const int axis : roles.xyz)
@@ -50,9 +63,15 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
 
 /// What stands in the spindle and how it turns.
 void Cutting::note(const Action& action) {
+  if (const auto* const turned = std::get_if<Spindle>(&action.what); turned != nullptr && turned->number >= 1 && turned->number <= 32) {
+    const std::uint32_t bit = std::uint32_t{1} << (turned->number - 1);
+    spinning_ = turned->dir == SpindleDir::cw || turned->dir == SpindleDir::ccw ? spinning_ | bit : spinning_ & ~bit;
+  }
   if (const auto* const change = std::get_if<ToolChange>(&action.what)) tool_ = change->tool;
   else if (const auto* const spindle = std::get_if<Spindle>(&action.what); spindle != nullptr && spindle->number == 1)
-    spindle_ = spindle->dir;
+    spindle_ = spindle->dir, rpm_ = spindle->rpm;
+  else if (const auto* const speed = std::get_if<Speed>(&action.what); speed != nullptr && speed->number == 1)
+    rpm_ = speed->surface ? 0 : speed->value;
   else if (const auto* const coolant = std::get_if<CoolantSwitch>(&action.what)) coolant_ = coolant->what;
 }
 
@@ -78,18 +97,17 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
 }
 
 /// What is wrong if the cutting part takes anything away on this motion.
-AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pieces) const {
+AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const {
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return AlarmId::rapid_in_stock;
   if (motion.kind == MotionKind::thread) return AlarmId::count;  // the spindle is led by the control
+  if (tool.kind == ToolKind::turning) return spinning_ == 0 ? AlarmId::spindle_stopped : AlarmId::count;  // of the part
   if (spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) return AlarmId::spindle_stopped;
   if (spindle_ == SpindleDir::ccw) return AlarmId::spindle_wrong_way;
-  const ToolGeometry* const tool = job_.tools.find(tool_);
-  if (tool == nullptr) return AlarmId::count;
   double flat = 0;
   for (const WayPiece& p : pieces) flat += flat_length(p);
-  if (tool->kind == ToolKind::drill && flat > sideways) return AlarmId::drill_sideways;
+  if (tool.kind == ToolKind::drill && flat > sideways) return AlarmId::drill_sideways;
   const bool down = flat < sideways && pieces.back().to.z < pieces.front().from.z;
-  return down && !tool->plunges ? AlarmId::plunge : AlarmId::count;
+  return down && !tool.plunges ? AlarmId::plunge : AlarmId::count;
 }
 
 /// Whether it was known where the motion begins. What its words name is known from now on.
@@ -97,6 +115,15 @@ bool Cutting::place_known(const Motion& motion) {
   const bool known = unknown_ == 0;
   unknown_ &= ~motion.named;
   return known;
+}
+
+/// Passes of a thread are not cut by a turning tool: what they sweep is a helix and no ring. Nor is the rapid behind the last of them, out
+/// of the groove.
+bool Cutting::leaves_thread(const Motion& motion) {
+  const bool threads = motion.kind == MotionKind::thread, leaves = threads || (in_thread_ && motion.kind == MotionKind::rapid);
+  in_thread_ = threads;
+  result_.threads_left_out += threads;
+  return leaves;
 }
 
 /// The tip stands lower or higher than the control believes, where the length that it reckons with is not the tool's: a worn, a wrong or no
@@ -123,6 +150,7 @@ Status Cutting::consume(const Step& step, double longer) {
   if (!upright) return fail(alarm(AlarmId::tool_leans, {}));
   const auto shape = shape_of_tool();
   if (!shape) return is_cutting(motion->kind) ? Status(fail(alarm(AlarmId::tool_without_shape, {}, double(tool_)))) : Status();
+  if (stock_.tool(*shape).turns() && leaves_thread(*motion)) return {};
   const double seconds = step.time.seconds + longer, most = seconds > 0 ? (job_.until - step.begins) / seconds : 1;
   while (!pieces_.empty() && pieces_.back().begins >= most) pieces_.pop_back();
   if (pieces_.empty()) return {};
@@ -134,8 +162,11 @@ Status Cutting::consume(const Step& step, double longer) {
   moved.origin = step.action.origin;
   moved.tool = stock_.tool(*shape).geometry.number;
   moved.use = use_of(moved.tool);
-  moved.fault = fault_of(*motion, pieces_);
+  moved.fault = fault_of(*motion, pieces_, stock_.tool(*shape).geometry);
   moved.cuts = is_cutting(motion->kind);
+  moved.diameter = stock_.tool(*shape).geometry.diameter;
+  if (motion->kind != MotionKind::thread && spindle_ != SpindleDir::stop)
+    moved.teeth = stock_.tool(*shape).geometry.teeth * rpm_ / seconds_a_minute;
   moved.lacks_coolant = job_.wants_coolant && coolant_ == Coolant::off && moved.cuts;
   moved.begins = step.begins;
   moved.seconds = seconds * std::min(most, 1.0);
@@ -162,13 +193,23 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
   Moved& in_batch = batch_.back();
   in_batch.first_sweep = stock_.sweeps();
   const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
-  for (const WayPiece& p : pieces) {
-    stock_.add({p.from - zero_, p.to - zero_, shape, watched});
-    if (window_) window_->add({p.from - zero_, p.to - zero_, shape, watched});
-    line_of_sweep_.push_back(moved.origin.line);
-    for (const auto& fixture : fixtures_) fixture->add({p.from - zero_, p.to - zero_, shape, true});
-    in_batch.length += length(p.to - p.from);
+  const auto carry = [&](Vec3 from, Vec3 to) {
+    stock_.add({from, to, shape, watched});
+    if (window_) window_->add({from, to, shape, watched});
+    line_of_sweep_.push_back({moved.origin.line, moved.origin.file});
+    for (const auto& fixture : fixtures_) fixture->add({from, to, shape, true});
+    in_batch.length += length(to - from);
+  };
+  if (stock_.tool(shape).turns()) {
+    const Vec2 axis = radius_axis(pieces, zero_);
+    const Vec3 end = pieces.back().to - zero_;
+    in_batch.radius = std::copysign(1.0, dot(axis, Vec2{end.x, end.y})) * axis;
+    for (const WayPiece& p : pieces) each_turned(p, zero_, axis, chord_for(job_.cell), carry);
+  } else {
+    for (const WayPiece& p : pieces) carry(p.from - zero_, p.to - zero_), in_batch.flat += flat_length(p);
   }
+  const WayPiece& middle = pieces[pieces.size() / 2];
+  in_batch.at = 0.5 * (middle.from + middle.to) - zero_;
   if (stock_.sweeps() - batch_.front().first_sweep >= batch_sweeps) cut();
 }
 
@@ -180,26 +221,35 @@ void Cutting::cut() {
   for (const auto& fixture : fixtures_) tell(fixture->cut(job_.stop), true);
   count_removed();
   batch_.clear();
+  tell_others();
+}
+
+void Cutting::tell_others() {
+  for (const CutFinding& finding : others_) keep(finding);
+  others_.clear();
 }
 
 void Cutting::count_removed() {
   for (std::size_t i = 0; i < batch_.size(); ++i) {
     const Moved& m = batch_[i];
     const std::size_t end = i + 1 < batch_.size() ? batch_[i + 1].first_sweep : stock_.sweeps();
-    double volume = 0;
-    for (std::size_t s = m.first_sweep; s < end; ++s) volume += stock_.removed_by(s);
+    double volume = 0, depth = 0;
+    for (std::size_t s = m.first_sweep; s < end; ++s) volume += stock_.removed_by(s), depth = std::max(depth, stock_.depth_of(s));
     ToolRemoval& tool = result_.tools[m.use];
     tool.removed += volume;
     if (!m.cuts) continue;
     tool.seconds += m.seconds;
-    if (rate_.use != m.use) rate_ = {};
-    rate_.use = m.use;
-    rate_.volume += volume, rate_.seconds += m.seconds, rate_.length += m.length;
-    if (rate_.length < 2 * job_.cell || !(rate_.seconds > 0)) continue;
-    tool.greatest_rate = std::max(tool.greatest_rate, rate_.volume / rate_.seconds);
-    rate_ = {};
-    rate_.use = m.use;
+    loads_.add({m.origin, m.tool, m.diameter, m.teeth, m.begins, m.seconds, m.length, m.flat, volume, depth, m.first_sweep, end, m.at});
+    const double share = 1.0 / double(end - m.first_sweep);
+    for (std::size_t s = m.first_sweep; s < end; ++s)
+      air_.add({m.origin, m.tool, m.seconds * share, m.length * share, stock_.cuts_anything(s)});
   }
+}
+
+void Cutting::take_rate(const BlockLoad& load) {
+  ToolRemoval& tool = result_.tools[use_of(load.tool)];
+  tool.greatest_rate = std::max(tool.greatest_rate, load.rate.value_or(0));
+  if (on_block) on_block(load);
 }
 
 /// The touches of a motion are one finding a kind.
@@ -217,8 +267,11 @@ void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
   for (const auto& [what, taken] : around) {
     const Moved& m = batch_[what.first];
     const Box3& box = taken.first;
-    const CutFinding finding{what.second, m.origin, m.tool, 0.5 * (box.least + box.most), least_side(box), taken.second, m.begins};
-    if (finding.depth >= least_depth(box)) keep(finding);
+    const bool turned = m.radius != Vec2{};
+    const Vec3 middle = 0.5 * (box.least + box.most), at = turned ? Vec3{middle.x * m.radius.x, middle.x * m.radius.y, middle.z} : middle;
+    const double depth = turned ? std::min(box.most.x - box.least.x, box.most.z - box.least.z) : least_side(box);
+    const CutFinding finding{what.second, m.origin, {}, {}, m.tool, at, depth, taken.second, m.begins};
+    if (finding.depth >= (turned ? stock_.least_piece() : least_depth(box))) keep(finding);
   }
 }
 
@@ -248,6 +301,8 @@ void Cutting::keep(const CutFinding& finding) {
 void Cutting::finish() {
   if (!zero_known_) release_kept();
   cut();
+  loads_.finish();
+  tell_others();
 }
 
 CutResult Cutting::result(double left, double error_bound) const {
@@ -255,6 +310,8 @@ CutResult Cutting::result(double left, double error_bound) const {
   result.left = left;
   result.error_bound = error_bound;
   result.sweeps = stock_.sweeps();
+  result.heaviest = loads_.heaviest();
+  result.emptiest = air_.emptiest();
   return result;
 }
 

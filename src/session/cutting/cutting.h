@@ -17,6 +17,8 @@
 
 #include "base/result.h"
 #include "config/tool_library.h"
+#include "session/cutting/air_lines.h"
+#include "session/cutting/block_load.h"
 #include "session/cutting/tool_way.h"
 #include "stock/cut_result.h"
 #include "stock/stock.h"
@@ -34,9 +36,12 @@ struct CutJob {
   double window_cell = 0;               // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
+  std::optional<Axes> apart;           // of ToolWay
   bool wants_coolant = false;          // cutting without it is a warning
   std::uint32_t tool = 0;              // in the spindle at the start
   SpindleDir spindle = SpindleDir::stop;
+  double rpm = 0;             // at which it turns then
+  bool keeps_rates = false;   // Cutting::rates() is wanted
   bool starts_known = false;  // the set-up says where the tool stands at the start; else it is known when each of X, Y, Z has been named
   double until = 1e300;       // s of the program: what comes later is not cut
   StopToken stop;
@@ -48,16 +53,26 @@ class Cutting {
 
   /// Called with each finding of a batch, in the order of the program.
   std::function<void(const CutFinding&)> on_finding;
+  /// Called with what each block that moves at feed took away, in the order of the program: a batch later, and some blocks more.
+  std::function<void(const BlockLoad&)> on_block;
 
   /// `longer`: s that the machine takes beyond Step::time.
   ///   returns  alarms tool_without_shape, tool_leans: nothing of the step is cut
   Status consume(const Step& step, double longer);
+  /// What others found in a step that has come: told with what is found in cutting.
+  void also(const CutFinding& finding) { others_.push_back(finding); }
   /// All that has come is cut.
   void finish();
   /// After finish(), with the volume of the surface of what is left.
   CutResult result(double left, double error_bound) const;
-  /// Line of the program that a sweep of the stock comes from; 0 for of_blank.
-  std::uint32_t line_of(std::int32_t sweep) const { return sweep < 0 ? 0 : line_of_sweep_[std::size_t(sweep)]; }
+  /// Where a sweep of the stock comes from: line, and file as Origin::file; line 0 for of_blank.
+  struct Line {
+    std::uint32_t line = 0;
+    std::uint16_t file = 0;
+  };
+  Line line_of(std::int32_t sweep) const { return sweep < 0 ? Line() : line_of_sweep_[std::size_t(sweep)]; }
+  /// By sweep: mm³/s that its block took away; 0: at rapid, or none is told. Shorter than the sweeps where the last ones have none.
+  const std::vector<float>& rates() const { return rate_of_sweep_; }
   const Stock& stock() const { return stock_; }
   /// nullptr: there is none. Its sweeps have the same numbers.
   const Stock* window() const { return window_.get(); }
@@ -71,7 +86,10 @@ class Cutting {
     std::size_t use = 0;             // of result_.tools
     AlarmId fault = AlarmId::count;  // of its cutting part, if that takes anything away; count: none
     bool cuts = false, lacks_coolant = false;
-    double begins = 0, seconds = 0, length = 0;
+    double begins = 0, seconds = 0, length = 0, flat = 0;
+    double diameter = 0, teeth = 0;  // of CutMotion
+    Vec3 at;
+    Vec2 radius;  // of a turning tool: along its radius, towards it; else 0
   };
   struct Kept {
     Moved moved;
@@ -80,17 +98,20 @@ class Cutting {
   };
   void note(const Action& action);
   bool place_known(const Motion& motion);
+  bool leaves_thread(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
-  AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces) const;
+  AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const;
   void add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape);
   void shift_by_length();
   void release_kept();
   void cut();
   void count_removed();
+  void take_rate(const BlockLoad& load);
   void tell(const std::vector<Touch>& touches, bool of_fixture);
   double least_depth(const Box3& around) const;
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
+  void tell_others();
   std::size_t use_of(std::uint32_t tool);
 
   CutJob job_;
@@ -103,17 +124,20 @@ class Cutting {
   AxisMask unknown_ = 0;                                         // of X, Y, Z: where the tool stands along them nobody has said
   std::uint32_t tool_;
   SpindleDir spindle_;
+  std::uint32_t spinning_ = 0;  // spindles that turn, a bit each: any may turn the part
+  bool in_thread_ = false;      // the last motion of a turning tool was a pass of a thread
+  double rpm_;
   Coolant coolant_ = Coolant::off;
   std::vector<WayPiece> pieces_;
   std::vector<Kept> kept_;
   std::vector<Moved> batch_;
-  std::deque<std::uint32_t> line_of_sweep_;  // a million grow without being moved
+  std::vector<CutFinding> others_;
+  std::deque<Line> line_of_sweep_;  // a million grow without being moved
+  std::vector<float> rate_of_sweep_;
   Vec3 zero_;
   bool zero_known_ = false;
-  struct Rate {
-    double volume = 0, seconds = 0, length = 0;
-    std::size_t use = 0;
-  } rate_;
+  BlockLoads loads_;
+  AirLines air_;
   CutResult result_;
 };
 

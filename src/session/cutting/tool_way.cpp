@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "session/cutting/dog_leg.h"
+
 namespace kadr {
 namespace {
 
@@ -18,8 +20,8 @@ bool is_upright(Vec3 direction) { return std::hypot(direction.x, direction.y) < 
 
 bool is_cutting(MotionKind kind) { return kind != MotionKind::rapid && kind != MotionKind::home && kind != MotionKind::probe; }
 
-ToolWay::ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint8_t> system)
-    : chain_(roles), chord_(chord), system_(system) {}
+ToolWay::ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint8_t> system, const std::optional<Axes>& apart)
+    : chain_(roles), chord_(chord), system_(system), apart_(apart) {}
 
 /// Where rotary axes or a frame in space are, the work space knows the place in the part; else it is the sum of origin and coordinates.
 Vec3 ToolWay::tip_of(const Step& step, const Axes& work, double part) const {
@@ -32,12 +34,33 @@ Vec3 ToolWay::tip_of(const Step& step, const Axes& work, double part) const {
   return chain_.tip(tip);
 }
 
+/// A rapid motion whose axes go apart: pieces from bend to bend. Where rotary axes turn tool or part its way counts as a line.
+bool ToolWay::bent(const Step& step, std::vector<WayPiece>& pieces) const {
+  const auto leg = DogLeg::of(step, apart_);
+  if (!leg || (step.from.space && step.from.space->has_rotary())) return false;
+  const Vec3 start = tip_of(step, step.from.work, 0), way = tip_of(step, step.motion()->to, 1) - start;
+  const auto gone = [&](std::size_t letter, double part) {
+    const int axis = step.roles.xyz[letter];
+    return axis < 0 ? part : leg->gone(std::size_t(axis), part);
+  };
+  Vec3 from = start;
+  double begins = 0;
+  for (const double part : leg->corners()) {
+    const Vec3 to = start + Vec3{gone(0, part) * way.x, gone(1, part) * way.y, gone(2, part) * way.z};
+    if (length(to - from) > same_place) pieces.push_back({from, to, begins, part});
+    from = to;
+    begins = part;
+  }
+  return true;
+}
+
 bool ToolWay::take(const Step& step, std::vector<WayPiece>& pieces) {
   pieces.clear();
   if (const auto* const frame = std::get_if<FrameChange>(&step.action.what)) placement_ = frame->placement;
   const Motion* const motion = step.motion();
   if (motion == nullptr) return true;
   if (!zero_ && (system_ ? motion->system == *system_ : is_cutting(motion->kind))) zero_ = present_zero();
+  if (bent(step, pieces)) return true;
   const Curve& curve = step.curve();
   const WorkSpace* const space = step.from.space.get();
   const bool turns = space != nullptr && space->has_rotary();

@@ -20,7 +20,8 @@ class ToolWay {
  public:
   /// `chord`: mm by which a piece may miss an arc. `system`: row of the table of zeros whose work system is meant; nothing: that of the
   /// first motion at feed.
-  ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint8_t> system);
+  /// `apart`: rapid rates of the machine's axes where each goes at its own (DogLeg); nothing: rapid motions are lines.
+  ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint8_t> system, const std::optional<Axes>& apart = {});
 
   /// Takes the step.
   ///   pieces   of its motion; none where the tool stays
@@ -36,10 +37,12 @@ class ToolWay {
 
  private:
   Vec3 tip_of(const Step& step, const Axes& work, double part) const;
+  bool bent(const Step& step, std::vector<WayPiece>& pieces) const;
 
   Chain chain_;
   double chord_;
   std::optional<std::uint8_t> system_;
+  std::optional<Axes> apart_;
   Placement placement_;
   std::optional<Vec3> zero_;
 };

@@ -23,7 +23,7 @@ std::vector<Touch> finer_touches(const Box3& window, const std::vector<Touch>& w
   auto next = fine.begin();
   for (const Touch& of_whole : whole) {
     for (; next != fine.end() && sweep_and_part(*next) < sweep_and_part(of_whole); ++next) all.push_back(*next);
-    if (lies_within(of_whole.around, window)) continue;
+    if (!of_whole.rings && lies_within(of_whole.around, window)) continue;
     Touch& touch = all.emplace_back(of_whole);
     if (next != fine.end() && sweep_and_part(*next) == sweep_and_part(of_whole)) touch.around.include((next++)->around);
   }

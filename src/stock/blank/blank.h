@@ -13,6 +13,8 @@ struct LineRange {
   double from, to;
 };
 
+struct Mesh;
+
 class Blank {
  public:
   virtual ~Blank() = default;
@@ -30,6 +32,8 @@ class Blank {
   virtual std::size_t bytes() const { return 0; }
   /// Of each brick: may the surface go through it? Empty: through any. Of the others one line tells whether they are full.
   virtual std::vector<bool> bricks_at_surface(const Lattice&) const { return {}; }
+  /// Of which it is made; nullptr: of none.
+  virtual const Mesh* mesh() const { return nullptr; }
 };
 
 std::shared_ptr<const Blank> box_blank(const Box3& box);

@@ -25,6 +25,7 @@ class MeshBlank : public Blank {
 
   Box3 box() const override { return box_; }
   double volume() const override { return volume_; }
+  const Mesh* mesh() const override { return &mesh_; }
   double volume_within(const Box3& box) const override { return mesh_within(mesh_, box).volume; }
   std::size_t bytes() const override { return mesh_blank_bytes(mesh_.triangle_count()); }
   void cross(int family, double u, double v, std::vector<LineRange>& ranges) const override;

@@ -20,6 +20,8 @@ struct RemovedBox {
 struct CutOutcome {
   bool changed = false;
   double length = 0;              // of material on the upright lines, mm
+  float depth = 0;                // greatest height of that above the tip, as it stands lowest over the line, mm
+  float longest = 0;              // of the pieces taken off lines in any direction, mm
   RemovedBox* watched = nullptr;  // where it is asked for: pieces shorter than `least_piece` do not count
   float least_piece = 0;
 };

@@ -51,9 +51,15 @@ bool Cutter::takes_all() const {
 
 void Cutter::clear() {
   BrickLines& upright = brick_.family[2];
-  for (int i = 0; i < brick_lines; ++i)
-    if (upright.from[i] < upright.to[i]) outcome_.length += double(upright.to[i]) - double(upright.from[i]);
-  for (const FurtherInterval& f : upright.further) outcome_.length += double(f.to) - double(f.from);
+  for (int i = 0; i < brick_lines; ++i) {
+    if (!(upright.from[i] < upright.to[i])) continue;
+    outcome_.length += double(upright.to[i]) - double(upright.from[i]);
+    note_upright(upright.from[i], upright.to[i], tip_over(i));
+  }
+  for (const FurtherInterval& f : upright.further) {
+    outcome_.length += double(f.to) - double(f.from);
+    note_upright(f.from, f.to, tip_over(f.line));
+  }
   for (int family = 0; family < 3; ++family) {
     BrickLines& lines = brick_.family[std::size_t(family)];
     if (outcome_.watched != nullptr) {
@@ -71,6 +77,23 @@ void Cutter::clear() {
 
 void Cutter::end() {
   if (outcome_.changed && ++brick_.cuts_since >= cuts_between_tops) take_tops(brick_, scale_.cell);
+}
+
+/// Height of the tip where the body is lowest over an upright line: of a flat end; of others where they are nearest.
+float Cutter::tip_over(int line) const {
+  const LocalSweep& s = sweep_;
+  const float x = scale_.place[line % brick_edge] - s.from[0], y = scale_.place[line / brick_edge] - s.from[1];
+  const float nearest = (x * s.flat_way[0] + y * s.flat_way[1]) * (s.per_flat * s.per_flat);
+  const float beside = x * s.flat_way[1] - y * s.flat_way[0], apart = beside * s.per_flat;
+  const float half = std::sqrt(std::max(body_.flat * body_.flat - apart * apart, 0.f)) * s.per_flat;
+  const float lowest = s.way[2] > 0.f ? nearest - half : nearest + half;
+  return s.rise == 0.f ? s.from[2] : std::min(std::max(lowest, 0.f), s.length) * s.way[2] + s.from[2];
+}
+
+/// A piece is taken off an upright line.
+void Cutter::note_upright(float from, float to, float tip) {
+  outcome_.longest = std::max(outcome_.longest, to - from);
+  outcome_.depth = std::max(outcome_.depth, to - tip);
 }
 
 void Cutter::watch(int family, int line, float from, float to) const {
@@ -104,7 +127,7 @@ void Cutter::split(BrickLines& lines, int at, const float* from, const float* to
 }
 
 /// Takes the swept intervals off the further intervals.
-void Cutter::take_further(BrickLines& lines, int family, const float* from, const float* to) {
+void Cutter::take_further(BrickLines& lines, int family, const float* from, const float* to, const float* tips) {
   std::vector<FurtherInterval>& further = lines.further;
   const std::size_t count = further.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -113,6 +136,8 @@ void Cutter::take_further(BrickLines& lines, int family, const float* from, cons
     outcome_.changed = true;
     const float first = std::max(a, low), last = std::min(b, high);
     if (family == 2) outcome_.length += double(last) - double(first);
+    if (family == 2) note_upright(first, last, tips[further[k].line]);
+    outcome_.longest = std::max(outcome_.longest, last - first);
     if (outcome_.watched != nullptr) watch(family, further[k].line, first, last);
     if (a <= low && b >= high) {
       further[k].to = further[k].from;

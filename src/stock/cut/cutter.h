@@ -12,7 +12,10 @@ namespace kadr {
 namespace lanes {
 template <class V>
 struct Swept;
-}
+/// What is taken off the lines of one family, lane by lane: material in all; greatest height above the tip; longest piece. mm.
+template <class V>
+struct Taken;
+}  // namespace lanes
 
 /// Lattice points that a sweep can meet: from `first` up to before `last` along each axis.
 struct PointRange {
@@ -44,12 +47,14 @@ class Cutter {
   void cut_families(const PointRange& range);
   template <class V, BodyEnd end, int family>
   void cut_family(const PointRange& range);
-  template <class V>
-  void take(BrickLines& lines, int family, int at, const lanes::Swept<V>& swept, V& gone);
+  template <class V, int family>
+  void take(BrickLines& lines, int at, const lanes::Swept<V>& swept, lanes::Taken<V>& taken);
   void split(BrickLines& lines, int at, const float* from, const float* to);
   void watch_lanes(const BrickLines& lines, int family, int at, const float* from, const float* to) const;
-  void take_further(BrickLines& lines, int family, const float* from, const float* to);
+  void take_further(BrickLines& lines, int family, const float* from, const float* to, const float* tips);
   void watch(int family, int line, float from, float to) const;
+  float tip_over(int line) const;
+  void note_upright(float from, float to, float tip);
 
   Brick& brick_;
   const BrickScale& scale_;

@@ -8,6 +8,14 @@ namespace kadr {
 
 using namespace lanes;
 
+namespace lanes {
+template <class V>
+struct Taken {
+  V gone, depth, longest;
+  V tip;  // its height at the lines that are at hand
+};
+}  // namespace lanes
+
 /// The least height above the body's bottom at which it is as wide as `radius`.
 template <class V>
 KADR_IN_LANES V lowest_height(const SweptBody& b, const V& radius) {
@@ -102,9 +110,10 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
   const LocalSweep sweep = body_.turned ? upside_down(sweep_) : sweep_;
   const LevelWay way(sweep, family == 2 ? 0 : family);
   const bool several = !lines.further.empty();  // before this cut: what it splits off itself lies beside what it sweeps
-  alignas(32) float all_from[brick_lines], all_to[brick_lines];
+  alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
   if (several) std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);
-  V gone = spread<V>(0.f);
+  const V none = spread<V>(0.f);
+  Taken<V> taken{none, none, none, none};
   for (int row = range.first[v]; row < range.last[v]; ++row)
     for (int lane = range.first[u] / lane_count * lane_count; lane < range.last[u]; lane += lane_count) {
       const int at = row * brick_edge + lane;
@@ -113,26 +122,28 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
       const float row_place = scale_.place[row];
       Swept<V> swept;
       if constexpr (family == 2) {
-        swept = upright_lines<V, end>(sweep, body_, lane_places, row_place);
-        if (end == BodyEnd::cone && body_.turned) swept = {-swept.to, -swept.from};
+        swept = upright_lines<V, end>(sweep, body_, lane_places, row_place, taken.tip);
+        if (end == BodyEnd::cone && body_.turned) swept = {-swept.to, -swept.from}, taken.tip = -taken.tip;
+        if (several) store(all_tips + at, taken.tip);
       } else {
         const V z = family == 0 ? spread<V>(row_place) : lane_places;
         swept = level_lines<V, end>(sweep, way, body_, family == 0 ? lane_places : spread<V>(row_place), body_.turned ? -z : z);
       }
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
-      take(lines, family, at, swept, gone);
+      take<V, family>(lines, at, swept, taken);
     }
-  if (several) take_further(lines, family, all_from, all_to);
-  if constexpr (family == 2) {
-    alignas(32) float gone_of[lane_count];
-    store(gone_of, gone);
-    for (const float g : gone_of) outcome_.length += double(g);
+  if (several) take_further(lines, family, all_from, all_to, all_tips);
+  alignas(32) float gone_of[lane_count], depth_of[lane_count], longest_of[lane_count];
+  store(gone_of, taken.gone), store(depth_of, taken.depth), store(longest_of, taken.longest);
+  for (int i = 0; i < lane_count; ++i) {
+    outcome_.longest = std::max(outcome_.longest, longest_of[i]);
+    if (family == 2) outcome_.length += double(gone_of[i]), outcome_.depth = std::max(outcome_.depth, depth_of[i]);
   }
 }
 
 /// Takes the swept intervals off the first interval of each line.
-template <class V>
-KADR_IN_LANES void Cutter::take(BrickLines& lines, int family, int at, const Swept<V>& swept, V& gone) {
+template <class V, int family>
+KADR_IN_LANES void Cutter::take(BrickLines& lines, int at, const Swept<V>& swept, Taken<V>& taken) {
   using Marks = MarksOf<V>;
   const V low = lanes_at<V>(lines.from + at), high = lanes_at<V>(lines.to + at), none = spread<V>(-1.f), zero = spread<V>(0.f);
   const Marks meets = (low < high) & (swept.from < swept.to) & (swept.from < high) & (swept.to > low);
@@ -144,14 +155,17 @@ KADR_IN_LANES void Cutter::take(BrickLines& lines, int family, int at, const Swe
   const Marks takes_low = meets & (swept.from <= low), takes_high = meets & (swept.to >= high), takes_all = takes_low & takes_high;
   const V new_low = choose(takes_all, none, choose(takes_low, swept.to, low));
   const V new_high = choose(takes_all, none, choose(takes_high, swept.from, high));
-  gone = gone + (most(high - low, zero) - most(new_high - new_low, zero));
+  const V lost = most(high - low, zero) - most(new_high - new_low, zero);
+  taken.gone = taken.gone + lost, taken.longest = most(taken.longest, lost);
+  if constexpr (family == 2) taken.depth = most(taken.depth, choose(meets, least(swept.to, high) - taken.tip, zero));
   store(lines.from + at, new_low), store(lines.to + at, new_high);
   const Marks by = spread<Marks>(by_);
   store(lines.from_by + at, choose(takes_low, by, lanes_at<Marks>(lines.from_by + at)));
   store(lines.to_by + at, choose(takes_high, by, lanes_at<Marks>(lines.to_by + at)));
   const Marks splits = meets & (swept.from > low) & (swept.to < high);
   if (!any(splits)) return;
-  gone = gone + choose(splits, swept.to - swept.from, zero);
+  const V between = choose(splits, swept.to - swept.from, zero);
+  taken.gone = taken.gone + between, taken.longest = most(taken.longest, between);
   split(lines, at, from_of, to_of);
 }
 

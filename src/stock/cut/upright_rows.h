@@ -94,8 +94,9 @@ KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over
 }
 
 /// Lines at the places `x`, `y`.
+///   tip  its height where the body's end is lowest over the line
 template <class V, BodyEnd end>
-KADR_IN_LANES Swept<V> upright_lines(const LocalSweep& s, const SweptBody& b, const V& x, float y) {
+KADR_IN_LANES Swept<V> upright_lines(const LocalSweep& s, const SweptBody& b, const V& x, float y, V& tip) {
   const Over<V> over = over_line(s, x, y, b.radius);
   const V lowest = lowest_place<V, end>(s, b, over), q = lowest - over.nearest, square = over.apart + q * q * (s.flat * s.flat);
   const float base = s.from[2] + b.bottom;
@@ -103,6 +104,7 @@ KADR_IN_LANES Swept<V> upright_lines(const LocalSweep& s, const SweptBody& b, co
   if constexpr (end == BodyEnd::ball) height = spread<V>(b.corner) - root(spread<V>(b.corner * b.corner) - square);
   else if constexpr (end != BodyEnd::flat) height = end_height<V, end>(b, root(square));
   const V from = lowest * s.way[2] + height + base;
+  tip = lowest * s.way[2] + s.from[2];
   const V to = (s.way[2] > 0.f ? over.last : over.first) * s.way[2] + (s.from[2] + b.top);
   return where(over.meets, from, to);
 }

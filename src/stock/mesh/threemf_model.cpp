@@ -43,7 +43,7 @@ class ModelReader {
 
   XmlScan scan_;
   std::size_t most_triangles_, triangles_ = 0, items_ = 0;
-  std::string_view prefix_;  // of the core's elements: the root's
+  std::string prefix_;  // of the core's elements: the root's
   Model model_;
   ModelObject* object_ = nullptr;
   std::string fault_;
@@ -55,7 +55,7 @@ bool ModelReader::wrong(const std::string& en, const std::string& ru) {
 }
 
 bool ModelReader::wrong_attribute(std::string_view name) {
-  const std::string_view* const text = scan_.attribute(name);
+  const std::string* const text = scan_.attribute(name);
   const std::string key(name), element = shown(scan_.name());
   if (text == nullptr) return wrong("<" + element + "> has no " + key, "у <" + element + "> нет " + key);
   return wrong(key + "=\"" + shown(*text) + "\" of <" + element + "> is not what it must be",
@@ -63,19 +63,19 @@ bool ModelReader::wrong_attribute(std::string_view name) {
 }
 
 bool ModelReader::number(std::string_view name, double& value) {
-  const std::string_view* const text = scan_.attribute(name);
+  const std::string* const text = scan_.attribute(name);
   return (text != nullptr && number_of(*text, value)) || wrong_attribute(name);
 }
 
 bool ModelReader::count(std::string_view name, std::uint32_t& value) {
-  const std::string_view* const text = scan_.attribute(name);
+  const std::string* const text = scan_.attribute(name);
   if (text == nullptr) return wrong_attribute(name);
   const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
   return (error == std::errc() && end == text->data() + text->size() && !text->empty()) || wrong_attribute(name);
 }
 
 bool ModelReader::transform(ModelTransform& matrix) {
-  const std::string_view* const text = scan_.attribute("transform");
+  const std::string* const text = scan_.attribute("transform");
   if (text == nullptr) return true;
   MeshWordReader words(*text);
   for (double& m : matrix)
@@ -87,12 +87,12 @@ bool ModelReader::transform(ModelTransform& matrix) {
 bool ModelReader::take_root() {
   const std::string_view root = scan_.name();
   const std::size_t colon = root.find(':');
-  prefix_ = colon == std::string_view::npos ? std::string_view() : root.substr(0, colon + 1);
+  prefix_ = colon == std::string_view::npos ? "" : root.substr(0, colon + 1);
   if (root.substr(prefix_.size()) != "model") return wrong("the root is no <model>", "корень не <model>");
-  if (const std::string_view* const needs = scan_.attribute("requiredextensions"); needs != nullptr && MeshWordReader(*needs).more())
+  if (const std::string* const needs = scan_.attribute("requiredextensions"); needs != nullptr && MeshWordReader(*needs).more())
     return wrong("it needs an extension that is not known: " + shown(*needs),
                  "нужно расширение, которое не поддерживается: " + shown(*needs));
-  const std::string_view* const name = scan_.attribute("unit");
+  const std::string* const name = scan_.attribute("unit");
   if (name == nullptr) return true;
   for (const Unit& unit : units)
     if (unit.name == *name) {
@@ -109,7 +109,7 @@ bool ModelReader::take_object() {
   const auto [place, is_new] = model_.objects.try_emplace(id);
   if (!is_new) return wrong("a second object with the id " + std::to_string(id), "второй объект с id " + std::to_string(id));
   object_ = &place->second;
-  const std::string_view* const type = scan_.attribute("type");
+  const std::string* const type = scan_.attribute("type");
   object_->is_body = type == nullptr || *type == "model" || *type == "solidsupport";
   return true;
 }

@@ -36,8 +36,8 @@ std::string model_name(std::string_view archive, const std::vector<ZipEntry>& en
   if (!text) return std::string(usual_model);
   XmlScan scan(*text);
   for (XmlScan::Event event = scan.next(); event == XmlScan::Event::opens || event == XmlScan::Event::closes; event = scan.next()) {
-    const std::string_view *const type = scan.attribute("Type"), *const target = scan.attribute("Target");
-    if (event == XmlScan::Event::opens && type != nullptr && target != nullptr && *type == model_type) return std::string(*target);
+    const std::string *const type = scan.attribute("Type"), *const target = scan.attribute("Target");
+    if (event == XmlScan::Event::opens && type != nullptr && target != nullptr && *type == model_type) return *target;
   }
   return std::string(usual_model);
 }

@@ -1,130 +1,146 @@
-// Tags, attributes, and whether they fit into each other. For stock/mesh/threemf_read.
+// Elements by expat. For stock/mesh/threemf_read.
 
 #include "stock/mesh/xml_scan.h"
 
+#include <algorithm>
+#include <deque>
+#include <utility>
+#include <vector>
+
 #include "config/read_file.h"
 #include "config/told.h"
+#include "stock/mesh/expat_library.h"
 #include "stock/mesh/word_reader.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t deepest = 64;
+constexpr std::size_t piece = 1 << 16;    // bytes handed to expat at once: it keeps a copy of them
+constexpr std::size_t longest = 1 << 20;  // bytes of a tag or comment: expat looks at an unfinished one anew with each piece
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-bool ends_name(char c) { return is_space(c) || c == '/' || c == '>' || c == '=' || c == '<' || c == '"' || c == '\''; }
+std::string told_error(XML_Error error) {
+  switch (error) {
+    case XML_ERROR_TAG_MISMATCH: return told("a tag closes what is not open", "тег закрывает то, что не открыто");
+    case XML_ERROR_NO_ELEMENTS: return told("an element is not closed, or there is none", "элемент не закрыт, или нет ни одного");
+    case XML_ERROR_UNCLOSED_TOKEN:
+    case XML_ERROR_UNCLOSED_CDATA_SECTION: return told("a tag or a comment is not whole", "тег или примечание не закончены");
+    case XML_ERROR_DUPLICATE_ATTRIBUTE: return told("an attribute stands twice", "атрибут стоит дважды");
+    case XML_ERROR_JUNK_AFTER_DOC_ELEMENT: return told("a second root", "второй корень");
+    case XML_ERROR_NO_MEMORY: return told("memory runs out", "не хватает памяти");
+    default: return told("this is no XML", "это не XML");
+  }
+}
 
 }  // namespace
 
-XmlScan::Event XmlScan::failed(std::string what) {
-  fault_ = std::move(what);
-  return Event::fault;
-}
+/// Expat tells by calls; it is stopped at each, and goes on when the next is asked for.
+struct XmlScan::Parser {
+  struct Element {
+    Event event = Event::fault;
+    std::string name;
+    std::vector<std::pair<std::string, std::string>> attributes;
+    std::size_t at = 0, depth = 0;
+  };
 
-std::string XmlScan::told_here() const { return told_place("", text_, element_); }
+  explicit Parser(std::string_view from) : text(from) {
+    if (expat == nullptr || (parser = expat->XML_ParserCreate(nullptr)) == nullptr) return;
+    expat->XML_SetUserData(parser, this);
+    expat->XML_SetElementHandler(parser, &opens, &closes);
+    expat->XML_SetStartDoctypeDeclHandler(parser, &has_type);
+  }
+  ~Parser() {
+    if (parser != nullptr) expat->XML_ParserFree(parser);
+  }
+  Parser(const Parser&) = delete;
+  Parser& operator=(const Parser&) = delete;
 
-std::string XmlScan::fault() const { return told_here() + fault_; }
+  std::size_t place() const { return std::size_t(std::max<XML_Index>(expat->XML_GetCurrentByteIndex(parser), 0)); }
 
-const std::string_view* XmlScan::attribute(std::string_view name) const {
-  for (const auto& [key, value] : attributes_)
+  static void opens(void* self, const XML_Char* name, const XML_Char** attributes) {
+    Parser& p = *static_cast<Parser*>(self);
+    if (p.open >= deepest) return p.refuse(told("elements too deep in each other", "слишком глубокая вложенность"));
+    Element& e = p.waiting.emplace_back(Element{Event::opens, name, {}, p.place(), ++p.open});
+    for (; *attributes != nullptr; attributes += 2) e.attributes.emplace_back(attributes[0], attributes[1]);
+    p.expat->XML_StopParser(p.parser, XML_TRUE);
+  }
+  static void closes(void* self, const XML_Char* name) {
+    Parser& p = *static_cast<Parser*>(self);
+    p.waiting.push_back({Event::closes, name, {}, p.place(), --p.open});
+    p.expat->XML_StopParser(p.parser, XML_TRUE);
+  }
+  static void has_type(void* self, const XML_Char*, const XML_Char*, const XML_Char*, int) {
+    static_cast<Parser*>(self)->refuse(told("a document type is not taken: it could name other files",
+                                            "тип документа не принимается: он может ссылаться на другие файлы"));
+  }
+  void refuse(std::string why) {
+    fault = std::move(why), refused_at = place();
+    expat->XML_StopParser(parser, XML_FALSE);
+  }
+
+  XML_Status go_on() {
+    XML_ParsingStatus status;
+    expat->XML_GetParsingStatus(parser, &status);
+    if (status.parsing == XML_SUSPENDED) return expat->XML_ResumeParser(parser);
+    const std::string_view part = text.substr(handed, piece);
+    handed += part.size();
+    const XML_Status done = expat->XML_Parse(parser, part.data(), int(part.size()), handed == text.size());
+    if (done == XML_STATUS_OK && handed - std::min(place(), handed) > longest) {
+      refuse(told("a tag or a comment is too long", "слишком длинный тег или примечание"));
+      return XML_STATUS_ERROR;
+    }
+    return done;
+  }
+  bool is_done() const {
+    XML_ParsingStatus status;
+    expat->XML_GetParsingStatus(parser, &status);
+    return status.parsing == XML_FINISHED;
+  }
+
+  /// The next element, in `now`.
+  Event next() {
+    while (waiting.empty()) {
+      if (parser == nullptr) return failed(0, told("reading it needs the library libexpat", "для чтения нужна библиотека libexpat"));
+      if (is_done()) return Event::ends;
+      if (go_on() == XML_STATUS_ERROR) {
+        if (fault.empty()) return failed(place(), told_error(expat->XML_GetErrorCode(parser)));
+        return failed(refused_at, fault);
+      }
+    }
+    now = std::move(waiting.front());
+    waiting.pop_front();
+    return now.event;
+  }
+  Event failed(std::size_t at, std::string why) {
+    fault = std::move(why);
+    now = {Event::fault, {}, {}, at, open};
+    return Event::fault;
+  }
+
+  const Expat* const expat = expat_library();
+  XML_Parser parser = nullptr;
+  std::string_view text;
+  std::size_t handed = 0, open = 0, refused_at = 0;
+  std::deque<Element> waiting;  // an empty element's begin and end come at once
+  Element now;
+  std::string fault;
+};
+
+XmlScan::XmlScan(std::string_view text) : parser_(std::make_unique<Parser>(text)) {}
+XmlScan::~XmlScan() = default;
+
+XmlScan::Event XmlScan::next() { return parser_->next(); }
+std::string_view XmlScan::name() const { return parser_->now.name; }
+std::size_t XmlScan::depth() const { return parser_->now.depth; }
+
+const std::string* XmlScan::attribute(std::string_view name) const {
+  for (const auto& [key, value] : parser_->now.attributes)
     if (key == name) return &value;
   return nullptr;
 }
 
-bool XmlScan::skip_past(std::string_view mark) {
-  const std::size_t found = text_.find(mark, at_);
-  at_ = found == std::string_view::npos ? text_.size() : found + mark.size();
-  return found != std::string_view::npos;
-}
+std::string XmlScan::told_here() const { return told_place("", parser_->text, std::min(parser_->now.at, parser_->text.size())); }
 
-void XmlScan::skip_blanks() {
-  while (at_ < text_.size() && is_space(text_[at_])) ++at_;
-}
-
-std::string_view XmlScan::taken_name() {
-  const std::size_t begin = at_;
-  while (at_ < text_.size() && !ends_name(text_[at_])) ++at_;
-  return text_.substr(begin, at_ - begin);
-}
-
-/// Up to the end of the tag.
-bool XmlScan::attributes() {
-  attributes_.clear();
-  while (true) {
-    skip_blanks();
-    if (at_ >= text_.size() || text_[at_] == '>' || text_[at_] == '/') return at_ < text_.size();
-    const std::string_view key = taken_name();
-    skip_blanks();
-    if (key.empty() || at_ >= text_.size() || text_[at_] != '=') return false;
-    ++at_;
-    skip_blanks();
-    if (at_ >= text_.size() || (text_[at_] != '"' && text_[at_] != '\'')) return false;
-    const char quote = text_[at_++];
-    const std::size_t end = text_.find(quote, at_);
-    if (end == std::string_view::npos) return false;
-    const std::string_view value = text_.substr(at_, end - at_);
-    if (value.find('<') != std::string_view::npos) return false;
-    attributes_.emplace_back(key, value);
-    at_ = end + 1;
-  }
-}
-
-/// After its `<`.
-XmlScan::Event XmlScan::tag() {
-  const bool closing = at_ < text_.size() && text_[at_] == '/';
-  if (closing) ++at_;
-  name_ = taken_name();
-  const auto tag = [&] { return "<" + std::string(closing ? "/" : "") + shown(name_) + ">"; };
-  const auto not_whole = [&] { return failed(told("the tag " + tag() + " is not whole", "тег " + tag() + " не закончен")); };
-  if (name_.empty() || !attributes()) return not_whole();
-  const bool empty = text_[at_] == '/';
-  if (empty) ++at_;
-  if (at_ >= text_.size() || text_[at_] != '>') return not_whole();
-  ++at_;
-  if (closing) {
-    if (open_.empty() || open_.back() != name_)
-      return failed(told(tag() + " closes what is not open", tag() + " закрывает то, что не открыто"));
-    open_.pop_back();
-    return Event::closes;
-  }
-  if (open_.empty() && had_root_) return failed(told("a second root " + tag(), "второй корень " + tag()));
-  if (open_.size() >= deepest) return failed(told("elements too deep in each other", "слишком глубокая вложенность"));
-  had_root_ = true;
-  open_.push_back(name_);
-  closes_next_ = empty;
-  return Event::opens;
-}
-
-XmlScan::Event XmlScan::next() {
-  if (closes_next_) {
-    closes_next_ = false;
-    open_.pop_back();
-    return Event::closes;
-  }
-  while (true) {
-    const std::size_t found = text_.find('<', at_);
-    if (found == std::string_view::npos) {
-      element_ = text_.size();
-      if (!open_.empty()) return failed(told("<" + shown(open_.back()) + "> is not closed", "<" + shown(open_.back()) + "> не закрыт"));
-      return had_root_ ? Event::ends : failed(told("there is no element in it", "в нём нет ни одного элемента"));
-    }
-    element_ = found;
-    at_ = found + 1;
-    const std::string_view rest = text_.substr(at_);
-    const auto cut = [] { return told("a comment or an instruction is not closed", "примечание или указание не закрыто"); };
-    if (rest.starts_with("?")) {
-      if (!skip_past("?>")) return failed(cut());
-    } else if (rest.starts_with("!--")) {
-      if (!skip_past("-->")) return failed(cut());
-    } else if (rest.starts_with("![CDATA[")) {
-      if (!skip_past("]]>")) return failed(cut());
-    } else if (rest.starts_with("!")) {
-      return failed(told("a document type is not taken: it could name other files",
-                         "тип документа не принимается: он может ссылаться на другие файлы"));
-    } else {
-      return tag();
-    }
-  }
-}
+std::string XmlScan::fault() const { return told_here() + parser_->fault; }
 
 }  // namespace kadr

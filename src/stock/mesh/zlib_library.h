@@ -3,6 +3,8 @@
 
 #include <zlib.h>
 
+#include "stock/mesh/loaded_library.h"
+
 namespace kadr {
 
 // clang-format off
@@ -11,9 +13,7 @@ namespace kadr {
 
 /// The functions we call.
 struct Zlib {
-#define KADR_ZLIB_FUNCTION(name) decltype(&::name) name = nullptr;
-  KADR_ZLIB(KADR_ZLIB_FUNCTION)
-#undef KADR_ZLIB_FUNCTION
+  KADR_ZLIB(KADR_LIBRARY_FUNCTION)
 };
 
 /// The library; opened by the first call, it stays so.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stock/surface/turned_normal.h"
+
 namespace kadr {
 namespace {
 
@@ -166,7 +168,9 @@ Crossing Crossings::Finder::crossing_at(const LatticeEdge& e, bool leaves, const
     else normal = stock.blank().normal(at + corner, e.family, leaves);
   } else {
     const KeptSweep& sweep = stock.sweep(std::size_t(end.by));
-    normal = cut_normal(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves});
+    const CutPlace place{at + from_lattice, e.family, leaves};
+    const ToolShape& tool = stock.tool(sweep.tool);
+    normal = tool.turns() ? turned_normal(sweep, tool, place, stock.lattice().origin()) : cut_normal(sweep, tools[sweep.tool], place);
   }
   return {{float(at.x), float(at.y), float(at.z)}, {float(normal.x), float(normal.y), float(normal.z)}, end.by};
 }

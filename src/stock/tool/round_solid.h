@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/tool_geometry.h"
+#include "stock/tool/insert_body.h"
 
 namespace kadr {
 
@@ -41,6 +42,9 @@ struct ConvexBody {
 struct ToolShape {
   ToolGeometry geometry;
   std::vector<ConvexBody> bodies;  // the cutting part's first
+  std::vector<InsertBody> insert;  // of a turning tool, which has no others; the cutting part's first
+
+  bool turns() const { return !insert.empty(); }
 };
 
 /// By the kinds of design.md 10.

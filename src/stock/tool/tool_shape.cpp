@@ -63,7 +63,8 @@ std::vector<ConvexBody> cutting_part(const ToolGeometry& g) {
       return bodies;
     }
     case ToolKind::flat:
-    case ToolKind::tslot: break;
+    case ToolKind::tslot:
+    case ToolKind::turning: break;
   }
   return {{ToolPart::cutting, {cylinder(0, g.flutes, g.diameter / 2)}}};
 }
@@ -71,7 +72,8 @@ std::vector<ConvexBody> cutting_part(const ToolGeometry& g) {
 }  // namespace
 
 ToolShape shape_of(const ToolGeometry& g) {
-  ToolShape shape{g, cutting_part(g)};
+  if (g.kind == ToolKind::turning) return {g, {}, insert_bodies(g)};
+  ToolShape shape{g, cutting_part(g), {}};
   if (!g.shank.empty()) add_outline(shape.bodies, ToolPart::shank, g.shank, 0);
   else if (g.length > g.flutes && g.kind != ToolKind::form)
     shape.bodies.push_back({ToolPart::beyond_flutes, {cylinder(g.flutes, g.length, g.diameter / 2)}});

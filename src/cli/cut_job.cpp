@@ -1,0 +1,128 @@
+// Blank, fixtures, tools, part. For cli/cut.
+
+#include "cli/cut_job.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <thread>
+
+#include "cli/cut_body.h"
+#include "cli/cut_window.h"
+#include "cli/terminal.h"
+#include "config/setup_names.h"
+#include "config/told.h"
+#include "stock/mesh/mesh_file.h"
+
+namespace kadr::cli {
+namespace {
+
+constexpr double bytes_per_mb = 1 << 20;
+
+/// --until: seconds, or a line in `line`.
+std::optional<double> seconds_of(const std::string& text, std::string& line) {
+  if (text.empty()) return 1e300;
+  if (!text.ends_with('s')) {
+    const bool is_line = text.find_first_not_of("0123456789") == std::string::npos && text.size() < 10;
+    return is_line ? (line = text, std::optional(1e300)) : std::nullopt;
+  }
+  double seconds = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size() - 1, seconds);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() - 1 || !(seconds >= 0)) return std::nullopt;
+  return seconds;
+}
+
+/// The row of the work system that --stock-zero names; complains.
+bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint8_t>& system) {
+  if (options.stock_zero.empty()) return true;
+  const std::vector<std::string> names = system_names(*job.def);
+  const auto found = std::find(names.begin(), names.end(), options.stock_zero);
+  if (found == names.end() || found == names.begin())
+    return complain(fmt::format("--stock-zero {}: {}", options.stock_zero,
+                                told("this control has no such work system", "у этого УЧПУ нет такой системы координат"))),
+           false;
+  system = std::uint8_t(found - names.begin());
+  return true;
+}
+
+/// A body of the command line; complains.
+std::shared_ptr<const Blank> named_body(const char* option, const std::string& text, double most) {
+  const auto named = body_of(text, most);
+  if (!named) return complain(fmt::format("{} {}", option, named.error())), nullptr;
+  for (const std::string& note : named->notes) say(note + "\n");
+  return named->body;
+}
+
+/// The part that is wanted, if one is; complains.
+bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
+  if (options.part.empty()) {
+    const char* const lonely = options.allow >= 0                  ? "--allow"
+                               : options.allow_left >= 0           ? "--allow-left"
+                               : !options.deviation.empty()        ? "--deviation"
+                               : options.run.colour == "deviation" ? "--colour deviation"
+                                                                   : nullptr;
+    if (lonely != nullptr)
+      complain(lonely + std::string(told(": of --part FILE, which is missing", ": нужна --part ФАЙЛ, а она не указана")));
+    return lonely == nullptr;
+  }
+  MeshRules rules;
+  rules.memory = std::size_t(options.max_memory * bytes_per_mb);
+  auto solid = read_mesh_file(options.part, rules);
+  if (!solid) return complain("--part " + solid.error()), false;
+  for (const std::string& note : solid->notes) say(note + "\n");
+  part = std::move(solid->mesh);
+  return true;
+}
+
+/// Cells and bodies, within the memory that may be taken; complains.
+bool find_material(const CutOptions& options, const std::optional<Mesh>& part, CutJob& job) {
+  const double most = options.max_memory * bytes_per_mb;
+  job.blank = named_body("--stock", options.stock, most);
+  if (!job.blank) return false;
+  for (const std::string& text : options.fixtures)
+    if (!job.fixtures.emplace_back(named_body("--fixture", text, most))) return false;
+  if (!find_cells(options, most, job) || (part && !part_meets_window(job, *part))) return false;
+  const double bytes = bytes_of_material(job, nullptr), with_part = bytes_of_material(job, part ? &*part : nullptr);
+  if (with_part <= most) return true;
+  const std::string text = bytes > most ? told("at this resolution the material may take more than --max-memory",
+                                               "с таким шагом материал может занять больше, чем --max-memory")
+                                        : told("the material and the part that is wanted may take more than --max-memory",
+                                               "материал вместе с нужной деталью может занять больше, чем --max-memory");
+  complain(fmt::format("{}: {:.0f} MB", text, (bytes > most ? bytes : with_part) / bytes_per_mb));
+  return false;
+}
+
+}  // namespace
+
+bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
+  const auto until = seconds_of(options.until, options.run.to);
+  if (!until)
+    return complain("--until " + options.until + told(": want a line, or seconds as in 35.5s", ": нужна строка или секунды, как 35.5s")),
+           false;
+  job.until = *until;
+  if (!find_part(options, part) || !find_material(options, part, job)) return false;
+  auto tools = load_tools(options.tools);
+  if (!tools) return complain(tools.error()), false;
+  for (const std::string& note : tools->notes) say(note + "\n");
+  job.tools = std::move(*tools);
+  job.threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
+  job.wants_coolant = options.coolant;
+  job.keeps_rates = options.run.colour == "load";
+  job.stop = options.run.limits.stop;
+  return true;
+}
+
+bool take_setup(const CutOptions& options, const Job& job, CutJob& cut) {
+  if (!find_system(options, job, cut.system)) return false;
+  cut.tool = std::uint32_t(std::max(job.setup.tool, 0));
+  cut.rpm = job.setup.spindle().rpm;
+  const std::string& dir = job.setup.spindle().dir;
+  cut.spindle = dir == "cw" ? SpindleDir::cw : dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
+  cut.starts_known = job.stated.count("start") != 0;
+  for (const auto& [number, offset] : job.setup.offsets)
+    if (number > 0 && offset.length != 0) cut.lengths[std::uint32_t(number)] = offset.length;
+  return true;
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,21 @@
+#pragma once
+// What kadr cut works with: blank, fixtures, tools, part, from its options. For cli/cut.
+
+#include <optional>
+
+#include "cli/job.h"
+#include "cli/options.h"
+#include "session/cutting/cutting.h"
+#include "stock/mesh/mesh.h"
+
+namespace kadr::cli {
+
+/// All of it but what the program and its set-up say; complains.
+///   options  gets the line of --until as that of --to
+///   part     the one that is wanted, if one is
+bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
+
+/// What the set-up says: the tool in the spindle, lengths, the work system of the blank; complains.
+bool take_setup(const CutOptions& options, const Job& job, CutJob& cut);
+
+}  // namespace kadr::cli

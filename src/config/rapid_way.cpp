@@ -1,0 +1,26 @@
+// Whether rapid motions are lines. For cli/cut; tested by tests/config/rapid_way_test.cpp.
+
+#include "config/rapid_way.h"
+
+#include "config/setup_parameters.h"
+
+namespace kadr {
+namespace {
+
+/// What the engine calls a parameter by which the control moves along a line.
+constexpr std::string_view straight = "rapids_straight";
+
+}  // namespace
+
+bool rapids_apart(const ControlDef& def, const Setup& setup, const std::vector<std::string>& axes) {
+  const SetupParameters given(setup, axes);
+  for (const ParameterRow& row : def.parameters)
+    for (std::size_t k = 0; k < row.means.size(); ++k) {
+      if (row.means[k] != straight) continue;
+      const bool bits = row.type == ParameterType::bits;
+      if (bits ? given.of_channel(row.name.c_str(), {int(k), row.bits[k].c_str()}) : given.of_channel(row.name.c_str()) != 0) return false;
+    }
+  return def.behaviour.rapids_apart || given.of_channel("0421", {0, "ROL"});  // nct 4.1.2; its number INFERRED (4.1.1)
+}
+
+}  // namespace kadr

@@ -1,0 +1,71 @@
+// Pieces of the axes' way. For session/cutting/machine_watch; tested by tests/run_cut.py.
+
+#include "session/cutting/axes_way.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+constexpr int most_pieces_of_turn = 4096;
+constexpr int least_led = 8;       // pieces of a motion that leads the tip
+constexpr int most_halvings = 10;  // of each of them
+
+/// The axes' own way between two parts, where it is no line.
+class LedWay {
+ public:
+  LedWay(const Step& step, double chord, const AxesPiece& visit) : step_(step), chord_(chord), visit_(visit) {}
+  Axes at(double part) const {
+    const Motion& motion = *step_.motion();
+    return machine_along(step_.roles, step_.from, motion, part < 1 ? step_.curve().at(part) : motion.to, part);
+  }
+  void go(const Axes& from, double begins, const Axes& to, double ends, int halvings) const {
+    const double part = 0.5 * (begins + ends);
+    const Axes middle = at(part);
+    bool even = true;
+    for (std::size_t i = 0; i < step_.roles.count; ++i) even = even && std::fabs(middle[i] - 0.5 * (from[i] + to[i])) <= chord_;
+    if (even || halvings == 0) return visit_(to, ends);
+    go(from, begins, middle, part, halvings - 1);
+    go(middle, part, to, ends, halvings - 1);
+  }
+
+ private:
+  const Step& step_;
+  double chord_;
+  const AxesPiece& visit_;
+};
+
+}  // namespace
+
+void along_axes_way(const Step& step, double chord, const std::optional<Axes>& apart, const AxesPiece& visit) {
+  const Motion& motion = *step.motion();
+  const Curve& curve = step.curve();
+  const bool led = leads_tip(step.from, motion);
+  Axes end = motion.machine;
+  if (motion.detail)
+    for (std::size_t i = 0; i < step.roles.count; ++i)
+      if ((motion.detail->rolled >> i & 1U) != 0) end[i] = step.from.machine[i] + motion.detail->travel[i];
+  if (const auto leg = DogLeg::of(step, apart)) {
+    for (const double part : leg->corners()) {
+      Axes to = step.from.machine;
+      for (std::size_t i = 0; i < step.roles.count; ++i) to[i] += leg->gone(i, part) * (end[i] - to[i]);
+      visit(to, part);
+    }
+    return;
+  }
+  if (curve.straight() && !led) return visit(end, 1);
+  const int most = most_pieces_of_turn * (1 + int(std::min(motion.turns, 1e4)));
+  const int count = std::clamp(curve.straight() ? 1 : curve.pieces(chord), led ? least_led : 1, most);
+  const LedWay way(step, chord, visit);
+  Axes from = step.from.machine;
+  for (int i = 1; i <= count; ++i) {
+    const double part = double(i) / count;
+    const Axes to = i == count ? end : way.at(part);
+    if (led) way.go(from, double(i - 1) / count, to, part, most_halvings);
+    else visit(to, part);
+    from = to;
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,254 @@
+// The bodies of a machine, in motion. For cli/cut; tested by tests/run_cut.py.
+
+#include "session/cutting/machine_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/told.h"
+#include "kinematics/part_space.h"
+#include "session/cutting/axes_way.h"
+
+namespace kadr {
+namespace {
+
+constexpr double chord_of_axes = 0.002;          // mm, degrees: a fifth of what counts as a meeting
+constexpr std::size_t most_kept_steps = 10'000;  // before the work system of the blank is known
+constexpr double same_length = 1e-9;             // mm
+
+/// Without [kinematics] X, Y and Z carry the tool, in this order.
+MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes) {
+  if (!machine.chains.given()) {
+    machine.chains.tool = {"X", "Y", "Z"};
+    for (int i = 0; i < 3; ++i) {
+      AxisJoint& moves = machine.axes[machine.chains.tool[std::size_t(i)]].joint;
+      if (!(length(moves.direction) > 0)) moves.direction = {i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0.};
+    }
+  }
+  return {machine, axes};
+}
+
+/// Of the tool's coordinates, its axis along Z, as it stands in the spindle.
+Mat3 turn_of_tool(Vec3 direction) {
+  const Vec3 z{0, 0, 1}, axis = cross(z, direction);
+  if (length(axis) > 0) return Mat3::about(unit(axis), std::atan2(length(axis), dot(z, direction)) / rad_per_deg);
+  return direction.z < 0 ? Mat3::about({1, 0, 0}, 180) : Mat3{};
+}
+
+std::string told_tool(ToolPart part, std::uint32_t tool) {
+  const std::string number = std::to_string(tool);
+  if (part == ToolPart::holder) return told("holder of tool ", "патрон инструмента ") + number;
+  if (part == ToolPart::shank) return told("shank of tool ", "хвостовик инструмента ") + number;
+  return told("tool ", "инструмент ") + number;
+}
+
+std::string no_memory() { return told("the bodies of the machine need more memory than there is", "телам станка не хватает памяти"); }
+
+}  // namespace
+
+MachineWatch::MachineWatch(const MachineTree& tree, BodyWorld world, const MachineProfile& machine, const AxisRoles& roles,
+                           const CutJob& job)
+    : job_(job),
+      roles_(roles),
+      chain_(roles),
+      tree_(tree),
+      bodies_(MachineLinks(tree), std::move(world)),
+      tool_direction_(machine.chains.tool_direction),
+      tool_(job.tool) {
+  if (!job.starts_known)
+    for (const int axis : roles.xyz)
+      if (axis >= 0) unknown_ |= AxisMask{1} << axis;
+}
+
+tl::expected<std::unique_ptr<MachineWatch>, std::string> MachineWatch::of(const MachineProfile& machine,
+                                                                          const std::vector<std::string>& axes, const AxisRoles& roles,
+                                                                          const CutJob& job, const std::vector<WorkBody>& work,
+                                                                          const ReadMesh& read) {
+  const KadrBodiesDoor* const door = bodies_library();
+  if (door == nullptr)
+    return tl::unexpected(
+        told("this machine has [[bodies]], and kadr-bodies.so, which finds what they hit, is not there: it is installed with "
+             "Kadr as lib/kadr/kadr-bodies.so and needs the package libfcl0.7",
+             "у станка есть [[bodies]], но нет kadr-bodies.so, который находит их столкновения: он ставится вместе с Kadr "
+             "как lib/kadr/kadr-bodies.so, ему нужен пакет libfcl0.7"));
+  std::unique_ptr<MachineWatch> watch(new MachineWatch(tree_of(machine, axes), BodyWorld(*door), machine, roles, job));
+  if (const auto fault = watch->add_bodies(machine, work, read)) return tl::unexpected(*fault);
+  return watch;
+}
+
+std::optional<std::string> MachineWatch::add_bodies(const MachineProfile& machine, const std::vector<WorkBody>& work,
+                                                    const ReadMesh& read) {
+  BodyWorld& world = bodies_.world();
+  const MachineLinks& links = bodies_.links();
+  for (const MachineBody& body : machine.bodies) {
+    std::optional<SolidBody> solid;
+    if (body.shape.form == BodyShape::Form::file) {
+      const auto mesh = read(body.shape.file);
+      if (!mesh) return mesh.error();
+      solid = world.add(*mesh);
+    } else {
+      solid = world.add(body.shape);
+    }
+    if (!solid) return no_memory();
+    bodies_.add(*solid, links.moved_by(body.on), BodyKind::machine, names_.size());
+    names_.push_back(body.name);
+  }
+  for (const auto& [first, second] : bodies_.take_as_built())
+    as_built_.push_back(told("built so, not looked at: ", "собрано так, не проверяется: ") + names_[first] + ", " + names_[second] +
+                        told(" (they touch where all axes stand at 0)", " (касаются там, где все оси стоят в 0)"));
+  for (const WorkBody& body : work) {
+    const auto solid = body.mesh != nullptr ? world.add(*body.mesh) : world.add(body.shape);
+    if (!solid) return no_memory();
+    work_.push_back(bodies_.add(*solid, links.part(), BodyKind::work, names_.size()));
+    bodies_.show(work_.back(), false);
+    names_.push_back(body.name);
+  }
+  return std::nullopt;
+}
+
+/// The bodies of the tool, made when it is first in the spindle; nullptr: the tools file has none of that number.
+const MachineWatch::ToolBodies* MachineWatch::bodies_of_tool(std::uint32_t tool) {
+  for (const ToolBodies& made : tools_)
+    if (made.tool == tool) return &made;
+  const ToolGeometry* geometry = job_.tools.find(tool);
+  if (geometry == nullptr && tool == 0 && job_.tools.tools.size() == 1) geometry = &job_.tools.tools.front();
+  if (geometry == nullptr) return nullptr;
+  ToolBodies made{tool, {}, geometry->length + (geometry->holder.empty() ? 0 : geometry->holder.back().height)};
+  const std::size_t group = names_.size();
+  for (const ConvexBody& body : shape_of(*geometry).bodies) {
+    const auto solid = bodies_.world().add(body);
+    if (!solid) continue;  // FCL has no body of no width
+    made.sticks_out = std::max(made.sticks_out, body.top());
+    made.bodies.push_back(bodies_.add(*solid, bodies_.links().tool(), BodyKind::tool, group));
+    names_.push_back(told_tool(body.part, geometry->number));
+  }
+  return &tools_.emplace_back(std::move(made));
+}
+
+/// How far the tip is below the gauge point: by the set-up, else as the control reckons with it, now or when it last did. Where nobody has
+/// said, the work zero counts as set with the tip, and the tool is as long as its file says.
+void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& notes) {
+  if (std::fabs(in_force.length) > same_length) lengths_in_force_[in_force.tool] = in_force.length;
+  const auto real = job_.lengths.find(in_force.tool), reckoned = lengths_in_force_.find(in_force.tool);
+  const ToolBodies* const tool = bodies_of_tool(in_force.tool);
+  const bool is_known = real != job_.lengths.end() || reckoned != lengths_in_force_.end();
+  const double length = real != job_.lengths.end()            ? real->second
+                        : reckoned != lengths_in_force_.end() ? reckoned->second
+                        : tool != nullptr                     ? tool->sticks_out
+                                                              : 0;
+  if (now_ && now_->first == in_force.tool && now_->second == length) return;
+  now_ = {in_force.tool, length};
+  for (const ToolBodies& other : tools_)
+    for (const std::size_t body : other.bodies) bodies_.show(body, other.tool == in_force.tool);
+  if (tool != nullptr)
+    for (const std::size_t body : tool->bodies) bodies_.put(body, {turn_of_tool(tool_direction_), -length * tool_direction_});
+  (void)bodies_.take_as_built();
+  place_work(is_known ? 0 : length);
+  if (is_known || tool == nullptr || told_length_) return;
+  told_length_ = true;
+  notes.push_back(told("the length of tool ", "длина инструмента ") + std::to_string(in_force.tool) +
+                  told(" is not stated: the work zero counts as set with its tip, the machine's bodies as above it by its stick-out",
+                       " не указана: считается, что нуль детали задан по его вершине, а станок выше неё на вылет инструмента"));
+}
+
+/// Blank and fixtures onto their link. `reference`: mm that the place with which the zero was set is below the gauge point.
+void MachineWatch::place_work(double reference) {
+  if (!zero_) return;
+  std::vector<LinkPose>& poses = poses_;
+  bodies_.links().poses(*zero_, poses);
+  const Vec3 at = poses[bodies_.links().tool()].of(-reference * tool_direction_);
+  work_on_link_ = poses[bodies_.links().part()].inverse().after({{}, at});
+  for (const std::size_t body : work_) bodies_.put(body, work_on_link_), bodies_.show(body, true);
+}
+
+/// The axes at the zero in force: X, Y, Z there, those that turn the part as it lay when the zero was measured.
+void MachineWatch::find_zero() {
+  Axes axes{};
+  const Vec3 zero = zero_of(chain_, placement_);
+  const double main[] = {zero.x, zero.y, zero.z};
+  for (const MachineJoint& joint : tree_.part())
+    if (joint.axis >= 0) axes[std::size_t(joint.axis)] = placement_.origin[std::size_t(joint.axis)];
+  if (const auto* const space = dynamic_cast<const PartSpace*>(placement_.space.get()); space != nullptr && space->has_rotary()) {
+    const PartSpaceData& data = space->data();
+    if (data.machine.first.axis >= 0 && data.machine.first_on_table()) axes[std::size_t(data.machine.first.axis)] = data.measured.first;
+    if (data.machine.second.axis >= 0 && data.machine.second_on_table()) axes[std::size_t(data.machine.second.axis)] = data.measured.second;
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (roles_.xyz[i] >= 0) axes[std::size_t(roles_.xyz[i])] = main[i];
+  zero_ = axes;
+  now_.reset();
+}
+
+void MachineWatch::take(const Step& step, double longer, std::vector<CutFinding>& found, std::vector<std::string>& notes) {
+  notes.insert(notes.end(), as_built_.begin(), as_built_.end());
+  as_built_.clear();
+  if (const auto* const change = std::get_if<ToolChange>(&step.action.what)) tool_ = change->tool;
+  if (const auto* const frame = std::get_if<FrameChange>(&step.action.what)) placement_ = frame->placement;
+  const Motion* const motion = step.motion();
+  if (motion == nullptr || step.begins >= job_.until) return;
+  const InForce in_force{tool_, chain_.tip(placement_.length).z, longer, unknown_ == 0};
+  unknown_ &= ~motion->named;
+  if (unknown_ != 0) return;
+  if (!zero_ && (job_.system ? motion->system == *job_.system : is_cutting(motion->kind))) release_kept(found, notes);
+  if (zero_) return carry_out(step, in_force, found, notes);
+  kept_.push_back({KeptStep(step), in_force});
+  if (kept_.size() >= most_kept_steps) release_kept(found, notes);
+}
+
+void MachineWatch::release_kept(std::vector<CutFinding>& found, std::vector<std::string>& notes) {
+  find_zero();
+  for (const KeptMotion& kept : kept_) carry_out(kept.step.step(), kept.in_force, found, notes);
+  kept_ = {};
+}
+
+void MachineWatch::finish(std::vector<CutFinding>& found, std::vector<std::string>& notes) {
+  if (!zero_) release_kept(found, notes);
+}
+
+void MachineWatch::carry_out(const Step& step, const InForce& in_force, std::vector<CutFinding>& found, std::vector<std::string>& notes) {
+  take_tool(in_force, notes);
+  const Motion& motion = *step.motion();
+  const Axes from = in_force.known ? step.from.machine : motion.machine;
+  if (!bodies_.links().same_place(from, stand_)) bodies_.jump();
+  Axes at = from;
+  double begins = 0;
+  const std::size_t first_new = found.size();
+  std::vector<std::pair<std::size_t, std::size_t>> new_ones;
+  const auto go = [&](const Axes& to, double ends) {
+    met_.clear();
+    bodies_.move(at, to, met_);
+    for (const BodyMeeting& meeting : met_) {
+      Axes there = at;
+      for (std::size_t i = 0; i < max_axes; ++i) there[i] += meeting.part * (to[i] - at[i]);
+      CutFinding finding = finding_of(meeting, there);
+      finding.origin = step.action.origin;
+      finding.tool = in_force.tool;
+      const double part = begins + meeting.part * (ends - begins);
+      finding.at_time = step.begins + part * (step.time.seconds + in_force.longer);
+      if (finding.at_time > job_.until) continue;
+      found.push_back(finding);
+      new_ones.emplace_back(meeting.first, meeting.second);
+    }
+    at = to;
+    begins = ends;
+  };
+  if (in_force.known) along_axes_way(step, chord_of_axes, job_.apart, go);
+  else go(motion.machine, 1);
+  for (std::size_t i = 0; i < new_ones.size(); ++i) {  // of a motion in many pieces what came after the one where they met
+    double& depth = found[first_new + i].depth;
+    depth = std::max(depth, bodies_.depth(new_ones[i].first, new_ones[i].second, at));
+  }
+  stand_ = motion.machine;
+}
+
+CutFinding MachineWatch::finding_of(const BodyMeeting& meeting, const Axes& axes) {
+  bodies_.links().poses(axes, poses_);
+  CutFinding finding;
+  finding.id = AlarmId::machine;
+  finding.at = work_on_link_.back(poses_[bodies_.links().part()].back(meeting.at));
+  finding.depth = meeting.depth;
+  finding.bodies = {names_[meeting.first], names_[meeting.second]};
+  return finding;
+}
+
+}  // namespace kadr

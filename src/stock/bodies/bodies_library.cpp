@@ -1,0 +1,53 @@
+// The module of bodies, opened at need. For stock/bodies/body_world.
+
+#include "stock/bodies/bodies_library.h"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace kadr {
+namespace {
+
+constexpr const char* bodies_file = "kadr-bodies.so";
+// From that of the program; the next two: of libkadr.so; the last: of the tests of a build.
+constexpr const char* bodies_folders[] = {"", "../lib/kadr/", "kadr/", "../kadr/", "../"};
+
+/// With the `/` at its end; empty: it is not known.
+std::string folder_of_this() {
+  static const char here = 0;
+  Dl_info info{};
+  if (dladdr(&here, &info) == 0 || info.dli_fname == nullptr) return "";
+  // The program's own name may be as it was called; its file is /proc/self/exe then.
+  const char* const name = std::string_view(info.dli_fname).find('/') == std::string_view::npos ? "/proc/self/exe" : info.dli_fname;
+  const std::unique_ptr<char, void (*)(void*)> whole(realpath(name, nullptr), std::free);
+  if (!whole) return "";
+  const std::string path = whole.get();
+  return path.substr(0, path.rfind('/') + 1);
+}
+
+const KadrBodiesDoor* opened_bodies() {
+  const std::string folder = folder_of_this();
+  if (folder.empty()) return nullptr;
+  for (const char* const under : bodies_folders) {
+    void* const library = dlopen((folder + under + bodies_file).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) continue;
+    const auto entry = reinterpret_cast<KadrBodiesEntry>(dlsym(library, kadr_bodies_entry));
+    const KadrBodiesDoor* const door = entry == nullptr ? nullptr : entry();
+    if (door != nullptr && door->version == kadr_bodies_version) return door;
+    dlclose(library);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const KadrBodiesDoor* bodies_library() {
+  static const KadrBodiesDoor* const door = opened_bodies();
+  return door;
+}
+
+}  // namespace kadr

@@ -1,0 +1,57 @@
+// Bodies of revolution as circles. For stock/bodies/body_world; tested by tests/stock/body_world_test.cpp.
+
+#include <algorithm>
+#include <cmath>
+
+#include "stock/bodies/body_world.h"
+
+namespace kadr {
+namespace {
+
+constexpr double same_circle = 1e-9;  // mm
+
+/// A quarter circle about (x, y), from straight below it to beside it, by lines that touch it.
+void add_arc(std::vector<Vec2>& profile, double x, double y, double r, double chord) {
+  const double half = std::acos(1 / (1 + std::max(chord, 1e-9) / r));  // lines about the circle by `chord`
+  const int count = std::clamp(int(std::ceil(pi / 4 / half)), 2, 64);
+  const double step = pi / 2 / count, about = r / std::cos(step / 2);
+  profile.push_back({x, y - r});
+  for (int i = 0; i < count; ++i) {
+    const double angle = (i + 0.5) * step;
+    profile.push_back({x + about * std::sin(angle), y - about * std::cos(angle)});
+  }
+  profile.push_back({x + r, y});
+}
+
+void add_solid(std::vector<Vec2>& profile, const RoundSolid& s, double chord) {
+  switch (s.form) {
+    case RoundSolid::Form::cylinder: profile.push_back({s.top_radius, s.bottom}); break;
+    case RoundSolid::Form::cone: profile.push_back({s.bottom_radius, s.bottom}); break;
+    case RoundSolid::Form::ball: add_arc(profile, 0, s.top, s.top_radius, chord); break;
+    case RoundSolid::Form::torus: add_arc(profile, s.bottom_radius, s.top, s.top_radius - s.bottom_radius, chord); break;
+  }
+  profile.push_back({s.top_radius, s.top});
+}
+
+}  // namespace
+
+/// The outer side of the points' hull, upwards (Andrew's monotone chain), with its ends: where the radius at an end is 0, a point.
+std::vector<Vec2> circles_of(const ConvexBody& body, double chord) {
+  std::vector<Vec2> profile;
+  for (const RoundSolid& s : body.solids) add_solid(profile, s, chord);
+  std::sort(profile.begin(), profile.end(), [](Vec2 a, Vec2 b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+  std::vector<Vec2> hull;
+  for (const Vec2& p : profile) {
+    while (hull.size() >= 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= same_circle * same_circle) hull.pop_back();
+    hull.push_back(p);
+  }
+  // At one height the widest counts.
+  std::vector<Vec2> circles;
+  for (const Vec2& p : hull) {
+    if (!circles.empty() && p.y - circles.back().y < same_circle) circles.back().x = std::max(circles.back().x, p.x);
+    else circles.push_back(p);
+  }
+  return circles;
+}
+
+}  // namespace kadr

@@ -1,0 +1,13 @@
+// expat, opened at need. For stock/mesh/xml_scan.
+
+#include "stock/mesh/expat_library.h"
+
+namespace kadr {
+
+const Expat* expat_library() {
+  static const std::optional<Expat> opened =
+      opened_library<Expat>("libexpat.so.1", [](Expat& library, const auto& find) { KADR_EXPAT(KADR_LIBRARY_FIND) });
+  return opened ? &*opened : nullptr;
+}
+
+}  // namespace kadr

@@ -1,0 +1,99 @@
+#pragma once
+// Random inserts and ways for the tests of turning, and the distance of a place from the rings that they sweep.
+
+#include "config/tool_library.h"
+#include "stock/some_tools.h"
+
+namespace kadr {
+
+inline ToolGeometry insert(int tip_x, int tip_z, double angle, double corner, double edge) {
+  ToolGeometry g;
+  g.kind = ToolKind::turning;
+  g.angle = angle, g.corner = corner, g.flutes = edge;
+  g.insert.tip_x = tip_x, g.insert.tip_z = tip_z;
+  complete(g);
+  return g;
+}
+
+/// Of every form; the profile is a star about a place, and mostly not convex.
+inline ToolShape some_insert(Chance& chance) {
+  ToolGeometry g;
+  g.kind = ToolKind::turning;
+  g.insert.tip_x = chance.below(3) - 1, g.insert.tip_z = chance.below(3) - 1;
+  g.corner = chance.below(4) == 0 ? 0 : chance.between(0.05, 1.2);
+  g.flutes = chance.between(4, 9);
+  switch (chance.below(4)) {
+    case 0:
+      g.angle = chance.between(35, 120);
+      if (chance.below(2) == 0) g.insert.lead = chance.between(-40, 160);
+      break;
+    case 1: g.insert.width = 2 * g.corner + (chance.below(4) == 0 ? 0 : chance.between(0.2, 3)) + 1e-3; break;
+    case 2: g.corner = chance.between(0.2, 4); break;
+    default: {
+      const int points = 3 + chance.below(5);
+      const InsertPoint middle{chance.between(-3, 3), chance.between(-3, 3)};
+      for (int i = 0; i < points; ++i) {
+        const double angle = (i + chance.between(0, 0.8)) * 2 * pi / points, far = chance.between(0.3, 4);
+        g.insert.profile.push_back({middle.x + far * std::cos(angle), middle.z + far * std::sin(angle)});
+      }
+    }
+  }
+  if (chance.below(3) == 0 && g.insert.profile.empty()) g.length = g.flutes + 2;
+  if (chance.below(3) == 0) g.insert.holder = {{5, -2}, {9, 3}};
+  complete(g);
+  return told_fault(g).empty() ? shape_of(g) : shape_of(insert(-1, -1, 80, 0.4, 5));
+}
+
+/// Along the axes, at any slant, standing, from far away, and across the axis.
+inline Sweep some_way(Chance& chance) {
+  const Vec3 through{chance.between(-12, 12), 0, chance.between(-4, 12)};
+  const double far = std::pow(10, chance.between(-3, chance.below(8) == 0 ? 4 : 1.3)), angle = chance.between(0, 2 * pi);
+  Vec3 way{far * std::cos(angle), 0, far * std::sin(angle)};
+  switch (chance.below(7)) {
+    case 0: way.x = 0; break;
+    case 1: way.z = 0; break;
+    case 2: way.x *= 1e-5; break;
+    case 3: way.z *= 1e-5; break;
+    case 4: way = {}; break;
+    default: break;
+  }
+  const Vec3 from = through - chance.between(0, 1) * way;
+  return {from, from + way, 0, false};
+}
+
+/// The greatest of distances in all directions from the planes that the hull of the corners, swept, lies behind: looked for in steps, then
+/// by golden sections.
+inline double from_hull(const InsertBody& body, const Sweep& sweep, double x, double z) {
+  constexpr int steps = 720;
+  constexpr double golden = 0.6180339887498949;
+  const auto beyond = [&](double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    double most = -1e30;
+    for (const InsertCorner& corner : body.corners) most = std::max(most, corner.centre.x * c + corner.centre.z * s + corner.radius);
+    most += std::max(sweep.from.x * c + sweep.from.z * s, sweep.to.x * c + sweep.to.z * s);
+    return x * c + z * s - most;
+  };
+  double best = -1e30, at = 0;
+  const auto see = [&](double angle) {
+    if (const double d = beyond(angle); d > best) best = d, at = angle;
+  };
+  for (int i = 0; i < steps; ++i) see(i * 2 * pi / steps);
+  const double across = std::atan2(sweep.to.z - sweep.from.z, sweep.to.x - sweep.from.x) + pi / 2;  // steep where the way is long
+  see(across), see(across + pi);
+  double low = at - 2 * pi / steps, high = at + 2 * pi / steps;
+  for (int i = 0; i < 60; ++i) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    (beyond(a) > beyond(b) ? high : low) = beyond(a) > beyond(b) ? b : a;
+  }
+  return std::max(best, beyond(0.5 * (low + high)));
+}
+
+/// Of a place from the rings; below 0: within one.
+inline double from_rings(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
+  double nearest = 1e30;
+  for (const InsertBody& body : tool.insert)
+    for (const double side : {1.0, -1.0}) nearest = std::min(nearest, from_hull(body, sweep, side * std::hypot(at.x, at.y), at.z));
+  return nearest;
+}
+
+}  // namespace kadr
