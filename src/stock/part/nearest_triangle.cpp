@@ -137,13 +137,16 @@ double NearestTriangle::distance(const Vec3& point, std::uint32_t& hint) const {
       off = off > none ? off : none;
       sum += off * off;
     }
+    // Whether a box is near enough cannot be foreseen: so all are put down, and those that are too far written over.
     const int first = waiting;
     for (int i = 0; i < width; ++i) {
-      if (sum[i] > limit) continue;
-      int to = waiting++;  // the nearest on top
-      for (; to > first && stack[to - 1].square < sum[i]; --to) stack[to] = stack[to - 1];
-      stack[to] = {sum[i], node.child[i]};
+      stack[waiting] = {sum[i], node.child[i]};
+      waiting += int(sum[i] <= limit);
     }
+    if (waiting < first + 2) continue;
+    int nearest = first;
+    for (int i = first + 1; i < waiting; ++i) nearest = stack[i].square < stack[nearest].square ? i : nearest;
+    std::swap(stack[nearest], stack[waiting - 1]);  // on top
   }
   return std::sqrt(best);
 }

@@ -131,7 +131,7 @@ void Crossings::Finder::find_sweeps_near() {
   for (std::size_t i = 0; i < stock.sweeps(); ++i) {
     const KeptSweep& s = stock.sweep(i);
     const ToolExtent& tool = extents[s.tool];
-    bool near = true;
+    bool near = !stock.tool(s.tool).turns();  // rings are not searched: their seams stay the blank's
     for (int d = 0; d < 3 && near; ++d) {
       const double least = double(std::min(s.from[d], s.to[d])) + (d == 2 ? tool.bottom : -tool.widest);
       const double most = double(std::max(s.from[d], s.to[d])) + (d == 2 ? tool.top : tool.widest);
