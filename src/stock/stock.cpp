@@ -129,11 +129,13 @@ void Stock::fill_in(std::size_t i) {
 std::uint16_t Stock::add_tool(const ToolShape& shape) {
   tools_.push_back(shape);
   std::vector<SweptBody>& swept = swept_.emplace_back();
-  for (const ConvexBody& body : shape.bodies) swept.push_back(swept_body(body));
+  std::vector<LeanBody>& leaning = leaning_.emplace_back();
+  for (const ConvexBody& body : shape.bodies) swept.push_back(swept_body(body)), leaning.push_back(lean_body(body));
   return std::uint16_t(tools_.size() - 1);
 }
 
 void Stock::add(const Sweep& sweep) {
+  if (!is_upright(sweep.from_direction) || !is_upright(sweep.to_direction)) return add_leaning(sweep);
   const Vec3 start = sweep.from - lattice_.origin(), way = sweep.to - sweep.from;
   const double edge = lattice_.edge();
   const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
@@ -150,6 +152,10 @@ void Stock::add(const Sweep& sweep) {
 void Stock::bin(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const KeptSweep& s = sweeps_[i];
+    if (s.leans) {
+      bin_leaning(i);
+      continue;
+    }
     for (const ConvexBody& body : tools_[s.tool].bodies) {
       int low[3], high[3];
       for (int d = 0; d < 3; ++d) {
@@ -160,14 +166,15 @@ void Stock::bin(std::size_t first, std::size_t last) {
       }
       for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
-          for (int x = low[0]; x <= high[0]; ++x) {
-            const std::size_t b = lattice_.at({x, y, z});
-            if (states_[b] == State::empty) continue;
-            if (bins_[b].empty()) touched_.push_back(b);
-            if (bins_[b].empty() || bins_[b].back() != std::int32_t(i)) bins_[b].push_back(std::int32_t(i));
-          }
+          for (int x = low[0]; x <= high[0]; ++x) put_in_bin(lattice_.at({x, y, z}), i);
     }
   }
+}
+
+void Stock::put_in_bin(std::size_t b, std::size_t sweep) {
+  if (states_[b] == State::empty) return;
+  if (bins_[b].empty()) touched_.push_back(b);
+  if (bins_[b].empty() || bins_[b].back() != std::int32_t(sweep)) bins_[b].push_back(std::int32_t(sweep));
 }
 
 struct Stock::Worker {
@@ -188,12 +195,12 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
   bool changed = false;
   for (std::size_t i = 0; i < swept_[s.tool].size(); ++i) {
     const ConvexBody& body = tools_[s.tool].bodies[i];
-    const LocalSweep local = local_sweep(from, to, around_tip(body), lattice_.edge());
     RemovedBox box;
     CutOutcome outcome;
     const bool told = worker != nullptr && (s.watched || body.part != ToolPart::cutting);
     if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
-    cut_brick(*now.brick, scale_, local, swept_[s.tool][i], number, outcome);
+    if (s.leans) cut_leaning(std::size_t(number), i, b, *now.brick, outcome);
+    else cut_brick(*now.brick, scale_, local_sweep(from, to, around_tip(body), lattice_.edge()), swept_[s.tool][i], number, outcome);
     changed = changed || outcome.changed;
     if (worker != nullptr && outcome.length != 0)
       (*worker->removed)[std::size_t(number) - worker->first].fetch_add(std::llround(outcome.length / removed_unit),
@@ -270,7 +277,8 @@ double Stock::removed_by(std::size_t sweep) const {
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }
 
 std::size_t Stock::bytes() const {
-  std::size_t sum = sweeps_.size() * sizeof(KeptSweep) + bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
+  std::size_t sum = sweeps_.size() * sizeof(KeptSweep) + lean_ends_.size() * sizeof(LeanEnds) +
+                    bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
   for (const auto& b : bricks_)
     if (b) sum += bytes_of(*b);
   return sum;

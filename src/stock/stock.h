@@ -24,16 +24,19 @@
 #include "stock/brick/brick_past.h"
 #include "stock/brick/lattice.h"
 #include "stock/cut/brick_cut.h"
+#include "stock/cut/lean_body.h"
+#include "stock/cut/lean_way.h"
 #include "stock/cut/swept_body.h"
 #include "stock/tool/round_solid.h"
 
 namespace kadr {
 
-/// A straight way of an upright tool.
+/// A straight way of a tool. One that leans turns evenly from one direction to the other, the shortest way.
 struct Sweep {
-  Vec3 from, to;           // of the tip
-  std::uint16_t tool = 0;  // of Stock::add_tool
-  bool watched = false;    // whatever its cutting part takes away is told: a rapid, a spindle that stands …
+  Vec3 from, to;                                        // of the tip
+  std::uint16_t tool = 0;                               // of Stock::add_tool
+  bool watched = false;                                 // whatever its cutting part takes away is told: a rapid, a spindle that stands …
+  Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // from the tip into the tool, of length 1
 };
 
 /// As it is kept: from the lattice's corner, so that single precision is some nanometres.
@@ -41,7 +44,17 @@ struct KeptSweep {
   float from[3], to[3];
   std::uint16_t tool;
   bool watched;
+  bool leans;  // its directions stand beside: Stock::lean_ends()
 };
+
+/// Directions of a tool that leans, at both ends of a sweep.
+struct LeanEnds {
+  std::uint32_t sweep;
+  float from[3], to[3];
+};
+
+/// From the lattice's corner.
+LeanWay lean_way_of(const KeptSweep& sweep, const LeanEnds& ends);
 
 /// A part of the tool took material away that is to be told.
 struct Touch {
@@ -59,8 +72,7 @@ class Stock {
   Stock(std::shared_ptr<const Blank> blank, double cell, int threads);
 
   std::uint16_t add_tool(const ToolShape& shape);
-  /// Carried out by the next cut().
-  ///   returns  its number: sweeps that reach no brick have none of their own
+  /// Carried out by the next cut(). A tool that turns much on its way is kept as several sweeps.
   void add(const Sweep& sweep);
   /// Sweeps that have been added.
   std::size_t sweeps() const { return sweeps_.size(); }
@@ -85,6 +97,10 @@ class Stock {
   /// nullptr: it is empty or full.
   const Brick* brick(std::size_t i) const { return bricks_[i].get(); }
   const KeptSweep& sweep(std::size_t i) const { return sweeps_[i]; }
+  /// Of a sweep that leans.
+  const LeanEnds& lean_ends(std::size_t sweep) const;
+  /// mm by which lines of the three directions may put the same surface apart.
+  float families_agree() const;
   const ToolShape& tool(std::size_t i) const { return tools_[i]; }
   std::size_t tools() const { return tools_.size(); }
   int threads() const { return threads_; }
@@ -103,6 +119,12 @@ class Stock {
   void fill_in(std::size_t i);
   void fill_evenly(std::size_t i);
   void bin(std::size_t first, std::size_t last);
+  // Of tools that lean: stock_leaning.cpp.
+  double most_bend() const;
+  void add_leaning(const Sweep& sweep);
+  void bin_leaning(std::size_t sweep);
+  void cut_leaning(std::size_t sweep, std::size_t body, std::size_t brick, Brick& material, CutOutcome& outcome) const;
+  void put_in_bin(std::size_t brick, std::size_t sweep);
   void cut_in(std::size_t brick, Worker& worker);
   bool carry_out(std::int32_t sweep, std::size_t brick, BrickNow now, Worker* worker) const;
   void settle(BrickNow now) const;
@@ -116,9 +138,11 @@ class Stock {
   std::vector<State> states_;
   std::vector<ToolShape> tools_;
   std::vector<std::vector<SweptBody>> swept_;  // for each body of each tool
-  std::deque<KeptSweep> sweeps_;               // a million grow without being moved
-  std::size_t done_ = 0;                       // of sweeps_
-  std::size_t first_ = 0;                      // of the last cut()
+  std::vector<std::vector<LeanBody>> leaning_;
+  std::deque<KeptSweep> sweeps_;    // a million grow without being moved
+  std::deque<LeanEnds> lean_ends_;  // in the order of the sweeps
+  std::size_t done_ = 0;            // of sweeps_
+  std::size_t first_ = 0;           // of the last cut()
   std::vector<std::vector<std::int32_t>> bins_;
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;

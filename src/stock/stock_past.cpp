@@ -22,7 +22,9 @@ Stock::Stock(const Stock& later, std::size_t count)
       states_(later.states_),
       tools_(later.tools_),
       swept_(later.swept_),
+      leaning_(later.leaning_),
       sweeps_(later.sweeps_.begin(), later.sweeps_.begin() + std::ptrdiff_t(count)),
+      lean_ends_(later.lean_ends_),
       done_(count),
       first_(count),
       bins_(later.bins_.size()) {}

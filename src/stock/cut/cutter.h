@@ -32,7 +32,7 @@ class Cutter {
   void cut();
   void end();
 
- private:
+ protected:
   /// What is left out for certain: whatever the bounds are at the time, the same bits are left.
   float margin() const { return scale_.cell * 1e-3f; }
   float lowest_over_brick() const;

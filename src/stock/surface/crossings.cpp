@@ -8,9 +8,6 @@
 namespace kadr {
 namespace {
 
-/// Families agree to this about where a surface lies, mm: twice the law of stock/cut/sweep_rows.h.
-constexpr float families_agree = 5e-4f;
-
 struct LineEnd {
   float at;
   std::int32_t by;
@@ -51,7 +48,7 @@ struct Crossings::Finder {
   const std::vector<ToolFaces>& tools;
   const BricksAround& around;
   Vec3 corner, from_lattice;  // of the brick, in the work system and from the lattice's corner
-  float cell, edge;
+  float cell, edge, families_agree;
   std::array<std::array<FurtherByLine, 3>, 8> further{};
 
   LineEnd end_on(const LatticeEdge& e, bool leaves);
@@ -120,7 +117,8 @@ Crossing Crossings::Finder::crossing_at(const LatticeEdge& e, bool leaves, const
     normal = blank_normal(at + corner, e.family, leaves, end.seam);
   } else {
     const KeptSweep& sweep = stock.sweep(std::size_t(end.by));
-    normal = cut_normal(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves});
+    const LeanEnds* const ends = sweep.leans ? &stock.lean_ends(std::size_t(end.by)) : nullptr;
+    normal = cut_normal(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves}, ends);
   }
   return {{float(at.x), float(at.y), float(at.z)}, {float(normal.x), float(normal.y), float(normal.z)}, end.by};
 }
@@ -133,7 +131,8 @@ void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, st
   all_.clear();
   lost_.clear();
   const Vec3 corner = lattice.corner(brick);
-  Finder finder{stock, tools, around, corner, corner - lattice.origin(), float(lattice.cell()), float(lattice.edge())};
+  Finder finder{
+      stock, tools, around, corner, corner - lattice.origin(), float(lattice.cell()), float(lattice.edge()), stock.families_agree()};
   each_unlike_edge(signs, brick_edge, [&](const LatticeEdge& e, bool leaves) {
     LineEnd end = finder.end_on(e, leaves);
     if (!end.found) {

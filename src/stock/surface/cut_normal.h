@@ -40,6 +40,7 @@ struct CutPlace {
 };
 
 /// Outward, of what is left.
-Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place);
+///   ends  of a sweep that leans
+Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
 
 }  // namespace kadr
