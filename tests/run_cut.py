@@ -11,7 +11,7 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     stops     id of the alarm that ends the run
     part_program   the wanted part is what this program cuts of the same blank; part: an STL text
     left_on, gouged   [deepest, LINE], mm within a tenth of the cell; 0: no deeper than that; too_deep: the exit status is 1 because of it
-    args      further words of the command line; setup: a set-up
+    args      further words of the command line; setup: a set-up; machine: the id of one, or the text of its file
 Every case is cut with one and with two threads: the same JSON. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
 it writes for: nothing is found in it, and what is removed is the zone. Prints a line per failure, then `N passed, N failed`.
 Exit status: 0 all passed, 1 some failed, 2 wrong usage.
@@ -51,6 +51,8 @@ def cut(kadr, folder, case, tools, threads):
     elif 'part' in case:
         words += ['--part', str(write(folder / 'wanted.stl', case['part']))]
     words += case.get('args', [])
+    if 'machine' in case:
+        words += ['--machine', str(write(folder / 'machine.toml', case['machine'])) if '\n' in case['machine'] else case['machine']]
     if 'setup' in case:
         (folder / 'setup.json').write_text(case['setup'])
         words += ['--setup', str(folder / 'setup.json')]

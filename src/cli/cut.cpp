@@ -124,13 +124,18 @@ bool find_material(const CutOptions& options, CutJob& job) {
   return false;
 }
 
+CutJob on_machine(CutJob cut, const MachineProfile& profile, const std::vector<std::string>& axes) {
+  cut.machine = std::make_shared<MachineTree>(profile, axes);
+  return cut;
+}
+
 class CutCommand {
  public:
   CutCommand(const CutOptions& options, const Job& job, Session& session, const CutJob& cut)
       : job_(job),
         lang_(language(options.run)),
         session_(session),
-        cutting_(cut, AxisRoles::of(session.control().axes(), session.control().rotary())),
+        cutting_(on_machine(cut, job.profile, session.control().axes()), AxisRoles::of(session.control().axes(), session.control().rotary())),
         progress_(options.run.quiet) {
     cutting_.on_finding = [this](const CutFinding& f) { tell(session_.control().report_for(alarm_of(f), f.origin)); };
   }

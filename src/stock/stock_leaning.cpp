@@ -57,16 +57,17 @@ float Stock::families_agree() const {
   return lean_ends_.empty() ? upright_agree : upright_agree + float(2 * most_bend()) + leaning_agree_cell * scale_.cell;
 }
 
+/// In how many parts does not depend on where the bricks are: bodies of one cell keep the same sweeps.
 void Stock::add_leaning(const Sweep& sweep) {
   const ToolShape& tool = tools_[sweep.tool];
-  LeanWay way{sweep.from - lattice_.origin(), sweep.to - lattice_.origin(), sweep.from_direction, sweep.to_direction};
+  const LeanWay way{sweep.from - lattice_.origin(), sweep.to - lattice_.origin(), sweep.from_direction, sweep.to_direction};
   const double edge = lattice_.edge();
   const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
-  const WayPart part = part_that_reaches(way.from, way.to - way.from, around_all(tool, way), most);
-  way = way.between(part.first, part.last);
   const int count = parts_of(way, reach_of(tool), most_bend());
   for (int i = 0; i < count; ++i) {
-    const LeanWay one = way.between(double(i) / count, double(i + 1) / count);
+    const LeanWay all = way.between(double(i) / count, double(i + 1) / count);
+    const WayPart part = part_that_reaches(all.from, all.to - all.from, around_all(tool, all), most);
+    const LeanWay one = all.between(part.first, part.last);
     KeptSweep kept{};
     LeanEnds ends{std::uint32_t(sweeps_.size()), {}, {}};
     for (int d = 0; d < 3; ++d) {

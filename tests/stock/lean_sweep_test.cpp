@@ -15,8 +15,9 @@ namespace kadr {
 namespace {
 
 constexpr double cell = 0.5;
-/// The law of the rows, and the bound of what a way is taken straight by: docs/stock.md.
-constexpr double law = 1e-3, bend = 2.5e-3;
+/// The law of the rows, and the bound of what a way is taken straight by; more where a line all but lies in a flat face that turns, from
+/// one side of it to the other: docs/stock.md.
+constexpr double law = 1e-3, bend = 2.5e-3, in_face = cell * brick_edge * most_turn / 4;
 const Box3 block{{-1, -1, -1}, {9, 9, 9}};
 
 Vec3 some_direction(Chance& chance) {
@@ -90,6 +91,13 @@ double from_leaning(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
   return best;
 }
 
+bool lies_in_face(const std::vector<Sweep>& sweeps, int family) {
+  return std::any_of(sweeps.begin(), sweeps.end(), [&](const Sweep& s) {
+    const double a = along(s.from_direction, family), b = along(s.to_direction, family);
+    return s.from_direction != s.to_direction && (a * b <= 0 || std::min(std::fabs(a), std::fabs(b)) < 2 * most_turn);
+  });
+}
+
 std::string told(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePlace& p) {
   char text[600];
   std::snprintf(text, sizeof text, "family %d place (%.9g %.9g %.9g)%s", p.family, p.at.x, p.at.y, p.at.z, p.is_end ? ", an end" : "");
@@ -114,7 +122,7 @@ TEST(LeanSweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
   constexpr int places_of_a_sweep = 60;
   const std::uint64_t points = asked("STOCK_POINTS", 40000), seed = asked("STOCK_SEED", seed_of_properties());
   Chance chance(seed);
-  std::array<double, some_tools> worst{};
+  std::array<double, some_tools> worst{}, worst_in_face{};
   std::uint64_t looked_at = 0, ends = 0;
   int shown = 0;
   for (int round = 0; looked_at < points; ++round) {
@@ -133,15 +141,18 @@ TEST(LeanSweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
       double distance = std::numeric_limits<double>::infinity();
       for (const Sweep& s : sweeps) distance = std::min(distance, from_leaning(tool, s, p.at));
       if (!p.is_end && (distance > 0) == is_material(stock, p)) continue;
-      double& most = worst[std::size_t(which)];
+      const bool faces = lies_in_face(sweeps, p.family);
+      double& most = (faces ? worst_in_face : worst)[std::size_t(which)];
       most = std::max(most, std::fabs(distance));
-      if (std::fabs(distance) > law + bend && ++shown <= 8)
+      if (std::fabs(distance) > law + bend + (faces ? in_face : 0) && ++shown <= 8)
         ADD_FAILURE() << name_of(which) << ", seed " << seed << ": wrong by " << distance << " mm; " << told(tool, sweeps, p);
     }
   }
   for (int i = 0; i < some_tools; ++i) {
     EXPECT_LE(worst[std::size_t(i)], law + bend) << name_of(SomeTool(i)) << ", seed " << seed;
-    std::printf("%-22s greatest error %.6f mm\n", name_of(SomeTool(i)), worst[std::size_t(i)]);
+    EXPECT_LE(worst_in_face[std::size_t(i)], law + bend + in_face) << name_of(SomeTool(i)) << ", seed " << seed;
+    std::printf("%-22s greatest error %.6f mm, %.6f mm along flat faces\n", name_of(SomeTool(i)), worst[std::size_t(i)],
+                worst_in_face[std::size_t(i)]);
   }
   std::printf("%llu places, %llu of them ends\n", static_cast<unsigned long long>(looked_at), static_cast<unsigned long long>(ends));
 }

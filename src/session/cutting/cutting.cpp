@@ -18,7 +18,15 @@ constexpr double greatest_chord = 2e-4;       // … and below the least increme
 
 double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
 
-double flat_length(const WayPiece& p) { return length(Vec2{p.to.x - p.from.x, p.to.y - p.from.y}); }
+/// How far it goes along the tool, and across it.
+double climb_of(const WayPiece& p) {
+  const Vec3 way = p.to - p.from, k = p.from_direction;
+  return way.x * k.x + way.y * k.y + way.z * k.z;
+}
+double flat_length(const WayPiece& p) {
+  if (is_upright(p.from_direction)) return length(Vec2{p.to.x - p.from.x, p.to.y - p.from.y});
+  return length(p.to - p.from - climb_of(p) * p.from_direction);
+}
 
 AlarmId fault_of_part(ToolPart part) {
   return part == ToolPart::holder ? AlarmId::holder_in_stock : part == ToolPart::shank ? AlarmId::shank_in_stock : AlarmId::beyond_flutes;
@@ -33,7 +41,7 @@ double least_side(const Box3& box) {
 
 Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     : job_(job),
-      way_(roles, chord_for(job.cell), job.system),
+      way_(roles, chord_for(job.cell), job.system, job.machine),
       stock_(job.blank, job.cell, job.threads),
       tool_(job.tool),
       spindle_(job.spindle) {
@@ -81,10 +89,10 @@ AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pie
   if (spindle_ == SpindleDir::ccw) return AlarmId::spindle_wrong_way;
   const ToolGeometry* const tool = job_.tools.find(tool_);
   if (tool == nullptr) return AlarmId::count;
-  double flat = 0;
-  for (const WayPiece& p : pieces) flat += flat_length(p);
+  double flat = 0, climb = 0;
+  for (const WayPiece& p : pieces) flat += flat_length(p), climb += climb_of(p);
   if (tool->kind == ToolKind::drill && flat > sideways) return AlarmId::drill_sideways;
-  const bool down = flat < sideways && pieces.back().to.z < pieces.front().from.z;
+  const bool down = flat < sideways && climb < 0;
   return down && !tool->plunges ? AlarmId::plunge : AlarmId::count;
 }
 
@@ -101,29 +109,30 @@ void Cutting::shift_by_length() {
   const auto real = job_.lengths.find(tool_);
   if (real == job_.lengths.end()) return;
   const double shift = way_.length_in_force() - real->second;
-  for (WayPiece& p : pieces_) p.from.z += shift, p.to.z += shift;
+  for (WayPiece& p : pieces_) p.from = p.from + shift * p.from_direction, p.to = p.to + shift * p.to_direction;
 }
 
 Status Cutting::consume(const Step& step, double longer) {
   note(step.action);
   const Motion* const motion = step.motion();
   result_.seconds = std::max(result_.seconds, step.begins + step.time.seconds + longer + step.pause);
-  const bool upright = way_.take(step, pieces_);
+  way_.take(step, pieces_);
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || step.begins >= job_.until) return {};
   shift_by_length();
   if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the way there only its end is certain
     if (unknown_ != 0) return {};
-    const Vec3 there = pieces_.back().to;
-    pieces_.assign(1, {there, there, 0, 1});
+    const WayPiece last = pieces_.back();
+    pieces_.assign(1, {last.to, last.to, 0, 1, last.to_direction, last.to_direction});
   }
-  if (!upright) return fail(alarm(AlarmId::tool_leans, {}));
   const auto shape = shape_of_tool();
   if (!shape) return is_cutting(motion->kind) ? Status(fail(alarm(AlarmId::tool_without_shape, {}, double(tool_)))) : Status();
   const double seconds = step.time.seconds + longer, most = seconds > 0 ? (job_.until - step.begins) / seconds : 1;
   while (!pieces_.empty() && pieces_.back().begins >= most) pieces_.pop_back();
   if (pieces_.empty()) return {};
   if (WayPiece& last = pieces_.back(); last.ends > most) {
-    last.to = last.from + (most - last.begins) / (last.ends - last.begins) * (last.to - last.from);
+    const double part = (most - last.begins) / (last.ends - last.begins);
+    const LeanWay shorter = LeanWay{last.from, last.to, last.from_direction, last.to_direction}.between(0, part);
+    last.to = shorter.to, last.to_direction = shorter.to_direction;
     last.ends = most;
   }
   Moved moved;
@@ -159,9 +168,9 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
   in_batch.first_sweep = stock_.sweeps();
   const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
   for (const WayPiece& p : pieces) {
-    stock_.add({p.from - zero_, p.to - zero_, shape, watched});
-    line_of_sweep_.push_back(moved.origin.line);
-    for (const auto& fixture : fixtures_) fixture->add({p.from - zero_, p.to - zero_, shape, true});
+    stock_.add({p.from - zero_, p.to - zero_, shape, watched, p.from_direction, p.to_direction});
+    line_of_sweep_.resize(stock_.sweeps(), moved.origin.line);
+    for (const auto& fixture : fixtures_) fixture->add({p.from - zero_, p.to - zero_, shape, true, p.from_direction, p.to_direction});
     in_batch.length += length(p.to - p.from);
   }
   if (stock_.sweeps() - batch_.front().first_sweep >= batch_sweeps) cut();

@@ -29,7 +29,8 @@ struct CutJob {
   ToolLibrary tools;
   /// By tool: how long it really is, where the control's table says so under its own number. Others are as long as the control believes.
   std::map<std::uint32_t, double> lengths;
-  double cell = 0.5;  // mm
+  std::shared_ptr<const MachineTree> machine;  // as its file describes it; nullptr: it does not
+  double cell = 0.5;                           // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
   bool wants_coolant = false;          // cutting without it is a warning
@@ -48,7 +49,7 @@ class Cutting {
   std::function<void(const CutFinding&)> on_finding;
 
   /// `longer`: s that the machine takes beyond Step::time.
-  ///   returns  alarms tool_without_shape, tool_leans: nothing of the step is cut
+  ///   returns  alarm tool_without_shape: nothing of the step is cut
   Status consume(const Step& step, double longer);
   /// All that has come is cut.
   void finish();
