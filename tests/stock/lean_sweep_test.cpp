@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "stock/line_places.h"
+#include "stock/some_leaning.h"
 #include "stock/some_tools.h"
 
 namespace kadr {
@@ -19,34 +20,6 @@ constexpr double cell = 0.5;
 /// one side of it to the other: docs/stock.md.
 constexpr double law = 1e-3, bend = 2.5e-3, in_face = cell * brick_edge * most_turn / 4;
 const Box3 block{{-1, -1, -1}, {9, 9, 9}};
-
-Vec3 some_direction(Chance& chance) {
-  const double lean = chance.below(3) == 0 ? 180 : 60, a = chance.between(0, lean) * rad_per_deg, b = chance.between(0, 360) * rad_per_deg;
-  switch (chance.below(8)) {
-    case 0: return {1, 0, 0};
-    case 1: return {0, -1, 0};
-    case 2: return {std::sin(a), 0, std::cos(a)};
-    case 3: return {0, 1e-5, std::sqrt(1 - 1e-10)};
-    default: return {std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)};
-  }
-}
-
-/// From a tenth of the least turn to a right angle; or none.
-Vec3 some_turn(Vec3 direction, Chance& chance) {
-  if (chance.below(4) == 0) return direction;
-  const Vec3 away{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
-  const Vec3 turned = direction + std::pow(10, chance.between(-4, 0)) * away;
-  return (1 / length(turned)) * turned;
-}
-
-Sweep some_leaning_move(Chance& chance) {
-  Sweep sweep = some_move(chance);
-  const double far = length(sweep.to - sweep.from);
-  if (far > 60) sweep.to = sweep.from + (60 / far) * (sweep.to - sweep.from);
-  if (chance.below(12) == 0) sweep.to = sweep.from;
-  sweep.from_direction = some_direction(chance), sweep.to_direction = some_turn(sweep.from_direction, chance);
-  return sweep;
-}
 
 Vec3 direction_between(Vec3 a, Vec3 b, double part) {
   const double size = std::min(length(b - a) / 2, 1.0), angle = 2 * std::asin(size);
