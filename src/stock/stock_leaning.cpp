@@ -81,6 +81,9 @@ void Stock::add_leaning(const Sweep& sweep) {
 }
 
 const LeanEnds& Stock::lean_ends(std::size_t sweep) const {
+  // Mostly all sweeps from the first one on lean.
+  const std::size_t guess = sweep - lean_ends_.front().sweep;
+  if (guess < lean_ends_.size() && lean_ends_[guess].sweep == sweep) return lean_ends_[guess];
   const auto found =
       std::lower_bound(lean_ends_.begin(), lean_ends_.end(), sweep, [](const LeanEnds& e, std::size_t s) { return e.sweep < s; });
   assert(found != lean_ends_.end() && found->sweep == sweep);
