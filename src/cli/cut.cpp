@@ -135,7 +135,8 @@ class CutCommand {
       : job_(job),
         lang_(language(options.run)),
         session_(session),
-        cutting_(on_machine(cut, job.profile, session.control().axes()), AxisRoles::of(session.control().axes(), session.control().rotary())),
+        cutting_(on_machine(cut, job.profile, session.control().axes()),
+                 AxisRoles::of(session.control().axes(), session.control().rotary())),
         progress_(options.run.quiet) {
     cutting_.on_finding = [this](const CutFinding& f) { tell(session_.control().report_for(alarm_of(f), f.origin)); };
   }
