@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/part_space.h"
+
 namespace kadr {
 namespace {
 
@@ -48,6 +50,16 @@ bool ToolWay::turns(const Step& step) const {
   return tree_ != nullptr || (space != nullptr && space->has_rotary());
 }
 
+/// A tool that is led by its tip has its length in the work space alone.
+double ToolWay::length_on(const Step& step) const {
+  const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
+  if (space != nullptr && space->has_rotary()) {
+    const Vec3 along = space->data().length, tool = space->data().machine.tool;
+    return along.x * tool.x + along.y * tool.y + along.z * tool.z;
+  }
+  return chain_.tip(placement_.length).z;
+}
+
 /// Where rotary axes or a frame in space are, the work space knows the place in the part, or the machine's file; else it is the sum of
 /// origin and coordinates.
 Pose ToolWay::pose_of(const Step& step, const Axes& work, double part) const {
@@ -88,6 +100,7 @@ void ToolWay::take(const Step& step, std::vector<WayPiece>& pieces) {
   if (const auto* const frame = std::get_if<FrameChange>(&step.action.what)) placement_ = frame->placement;
   const Motion* const motion = step.motion();
   if (motion == nullptr) return;
+  length_ = length_on(step);
   if (!zero_ && (system_ ? motion->system == *system_ : is_cutting(motion->kind))) zero_ = present_zero();
   const Curve& curve = step.curve();
   const double turn = turns(step) ? rotary_way(step) : 0;

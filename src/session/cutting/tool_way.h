@@ -32,13 +32,14 @@ class ToolWay {
 
   /// Zero of the work system, in the coordinates of the pieces; nothing before it is in force.
   const std::optional<Vec3>& zero() const { return zero_; }
-  /// Of the tool along Z, as the control reckons with it, mm.
-  double length_in_force() const { return chain_.tip(placement_.length).z; }
+  /// Of the tool along itself, as the control reckons with it on the last motion, mm.
+  double length_in_force() const { return length_; }
   /// What is in force now, where no zero was named.
   Vec3 present_zero() const { return zero_of(chain_, placement_); }
 
  private:
   bool turns(const Step& step) const;
+  double length_on(const Step& step) const;
   Pose pose_of(const Step& step, const Axes& work, double part) const;
   Pose pose_at(const Step& step, double part) const;
   void divide(const Step& step, const WayPiece& piece, int depth, std::vector<WayPiece>& pieces) const;
@@ -48,6 +49,7 @@ class ToolWay {
   double chord_;
   std::optional<std::uint8_t> system_;
   Placement placement_;
+  double length_ = 0;
   std::optional<Vec3> zero_;
 };
 
