@@ -19,7 +19,7 @@ tests/cut_cases/*.toml: [[case]] with name, program, stock, and tools where it i
     simplified   {off: mm at most; share of the triangles that are left at most}: of part.stl, which is whole
     deviation the greatest number in off.ply, mm within a hundredth
     refused   the beginning of the complaint; nothing is cut, the exit status is 2
-    args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines]
+    args      further words of the command line, files in a folder of the case; setup: a set-up; machine: one of the file's [machines], the id of one, or the text of its file
     bodies    names of those that the first collision is between, in any order; place: where, mm within 0.02
 Every case is cut with one and with two threads: the same JSON, the same --blocks, whose volumes are in sum those of the tools. The keys of
 `heaviest` and `emptiest` are those that docs/commands/cut.md names. Then what `kadr mill` makes of examples/mill by every scheme, for every control that
@@ -74,7 +74,8 @@ def cut(kadr, folder, case, tools, threads, machines={}):
         words += ['--part', str(write(folder / 'wanted.stl', case['part']))]
     words += [str(folder / word) if word.endswith(('.stl', '.ply')) else word for word in case.get('args', [])]
     if 'machine' in case:
-        words += ['--machine', str(write(folder / 'machine.toml', machines[case['machine']]))]
+        machine = machines.get(case['machine'], case['machine'])
+        words += ['--machine', str(write(folder / 'machine.toml', machine)) if '\n' in machine else machine]
     if 'setup' in case:
         (folder / 'setup.json').write_text(case['setup'])
         words += ['--setup', str(folder / 'setup.json')]

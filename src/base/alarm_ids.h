@@ -97,7 +97,7 @@
   X(intersection_needs_side) X(angle_meets_not) X(angle_alone)                              \
   /* contours and area milling (spec/correctors 4) */                                        \
   X(rapid_in_stock) X(holder_in_stock) X(shank_in_stock) X(beyond_flutes) X(spindle_stopped) X(spindle_wrong_way) \
-  X(fixture) X(machine) X(drill_sideways) X(plunge) X(no_coolant) X(tool_without_shape) X(tool_leans) \
+  X(fixture) X(machine) X(drill_sideways) X(plunge) X(no_coolant) X(tool_without_shape) \
   X(contour_syntax) X(contour_word_missing) X(contour_unit) X(contour_radius)                \
   X(contour_empty) X(contour_too_large) X(contour_reach) X(contour_open_end)                 \
   X(contour_branch) X(contour_crosses) X(mill_value) X(mill_hole)         \

@@ -136,6 +136,7 @@ int cut(const CutOptions& given) {
   const auto session = make_session(*job, std::move(*program), options.run.limits);
   if (!session) return wrong_usage;
   const std::vector<std::string>& axes = session->control().axes();
+  cut_job.machine = std::make_shared<MachineTree>(job->profile, axes);
   if (rapids_apart(*job->def, job->setup, axes)) cut_job.apart = rates_of(job->profile, job->setup, axes).rapid;
   bool unwatched = false;
   const auto watch = watch_of(options, *job, *session, cut_job, unwatched);

@@ -75,7 +75,7 @@ void side_by_side(int threads, const std::function<void(int)>& work) {
 }
 
 Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
-    : blank_(std::move(blank)), lattice_(blank_->box(), cell), scale_(cell), threads_(std::max(threads, 1)) {
+    : blank_(std::move(blank)), lattice_(blank_->box(), cell), scale_(cell), bend_cell_(cell), threads_(std::max(threads, 1)) {
   bricks_.resize(lattice_.size());
   states_.resize(lattice_.size());
   bins_.resize(lattice_.size());
@@ -135,12 +135,14 @@ void Stock::fill_in(std::size_t i) {
 std::uint16_t Stock::add_tool(const ToolShape& shape) {
   tools_.push_back(shape);
   std::vector<SweptBody>& swept = swept_.emplace_back();
-  for (const ConvexBody& body : shape.bodies) swept.push_back(swept_body(body));
+  std::vector<LeanBody>& leaning = leaning_.emplace_back();
+  for (const ConvexBody& body : shape.bodies) swept.push_back(swept_body(body)), leaning.push_back(lean_body(body));
   return std::uint16_t(tools_.size() - 1);
 }
 
 void Stock::add(const Sweep& sweep) {
   if (tools_[sweep.tool].turns()) return void(sweeps_.push_back(kept_turned(sweep)));
+  if (!is_upright(sweep.from_direction) || !is_upright(sweep.to_direction)) return add_leaning(sweep);
   const Vec3 start = sweep.from - lattice_.origin(), way = sweep.to - sweep.from;
   const double edge = lattice_.edge();
   const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
@@ -157,7 +159,10 @@ void Stock::add(const Sweep& sweep) {
 void Stock::bin(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const KeptSweep& s = sweeps_[i];
-    if (tools_[s.tool].turns()) bin_turned(i);
+    if (s.leans || tools_[s.tool].turns()) {
+      s.leans ? bin_leaning(i) : bin_turned(i);
+      continue;
+    }
     for (const ConvexBody& body : tools_[s.tool].bodies) {
       int low[3], high[3];
       for (int d = 0; d < 3; ++d) {
@@ -198,12 +203,12 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
   bool changed = tools_[s.tool].turns() && turn(number, b, *now.brick, worker);
   for (std::size_t i = 0; i < swept_[s.tool].size(); ++i) {
     const ConvexBody& body = tools_[s.tool].bodies[i];
-    const LocalSweep local = local_sweep(from, to, around_tip(body), lattice_.edge());
     RemovedBox box;
     CutOutcome outcome;
     const bool told = worker != nullptr && (s.watched || body.part != ToolPart::cutting);
     if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
-    cut_brick(*now.brick, scale_, local, swept_[s.tool][i], number, outcome);
+    if (s.leans) cut_leaning(std::size_t(number), i, b, *now.brick, outcome);
+    else cut_brick(*now.brick, scale_, local_sweep(from, to, around_tip(body), lattice_.edge()), swept_[s.tool][i], number, outcome);
     changed = changed || outcome.changed;
     if (worker != nullptr && outcome.changed)
       worker->count(number, outcome.length, outcome.longest, body.part == ToolPart::cutting ? outcome.depth : 0.f);
@@ -287,7 +292,8 @@ bool Stock::cuts_anything(std::size_t sweep) const {
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }
 
 std::size_t Stock::bytes() const {
-  std::size_t sum = sweeps_.size() * sizeof(KeptSweep) + bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
+  std::size_t sum = sweeps_.size() * sizeof(KeptSweep) + lean_ends_.size() * sizeof(LeanEnds) +
+                    bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
   for (const auto& b : bricks_)
     if (b) sum += bytes_of(*b);
   return sum;

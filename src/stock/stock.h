@@ -24,16 +24,20 @@
 #include "stock/brick/brick_past.h"
 #include "stock/brick/lattice.h"
 #include "stock/cut/brick_cut.h"
+#include "stock/cut/lean_body.h"
+#include "stock/cut/lean_way.h"
 #include "stock/cut/swept_body.h"
 #include "stock/tool/round_solid.h"
 
 namespace kadr {
 
-/// A straight way of an upright tool. Of a turning tool: in the half plane of a part that spins about X0 Y0, x the signed radius, y 0.
+/// A straight way of a tool. One that leans turns evenly from one direction to the other, the shortest way. Of a turning tool: in the half
+/// plane of a part that spins about X0 Y0, x the signed radius, y 0.
 struct Sweep {
-  Vec3 from, to;           // of the tip
-  std::uint16_t tool = 0;  // of Stock::add_tool
-  bool watched = false;    // whatever its cutting part takes away is told: a rapid, a spindle that stands …
+  Vec3 from, to;                                        // of the tip
+  std::uint16_t tool = 0;                               // of Stock::add_tool
+  bool watched = false;                                 // whatever its cutting part takes away is told: a rapid, a spindle that stands …
+  Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // from the tip into the tool, of length 1
 };
 
 /// As it is kept: from the lattice's corner, so that single precision is some nanometres; x of a turning tool from the axis.
@@ -41,7 +45,17 @@ struct KeptSweep {
   float from[3], to[3];
   std::uint16_t tool;
   bool watched;
+  bool leans;  // its directions stand beside: Stock::lean_ends()
 };
+
+/// Directions of a tool that leans, at both ends of a sweep.
+struct LeanEnds {
+  std::uint32_t sweep;
+  float from[3], to[3];
+};
+
+/// From the lattice's corner.
+LeanWay lean_way_of(const KeptSweep& sweep, const LeanEnds& ends);
 
 /// A part of the tool took material away that is to be told.
 struct Touch {
@@ -60,14 +74,15 @@ class Stock {
   Stock(std::shared_ptr<const Blank> blank, double cell, int threads);
 
   std::uint16_t add_tool(const ToolShape& shape);
-  /// Carried out by the next cut().
-  ///   returns  its number: sweeps that reach no brick have none of their own
+  /// Carried out by the next cut(). A tool that turns much on its way is kept as several sweeps.
   void add(const Sweep& sweep);
   /// Sweeps that have been added.
   std::size_t sweeps() const { return sweeps_.size(); }
   /// What was added since the last time. `least_piece`: shorter pieces on a line are no touch, mm.
   ///   returns  what is to be told, in the order of the sweeps
   std::vector<Touch> cut(const StopToken& stop = {});
+  /// Ways of tools that lean are divided as in a stock of this cell, so that several keep the same sweeps. Before the first add().
+  void divide_as(double cell) { bend_cell_ = cell; }
   /// From now on each brick's past is kept, so that at() can be asked. Before the first cut().
   ///   most_bytes  of copies of bricks: the fewer, the longer at() takes. The list of what cut each brick comes on top, 4 bytes a cut
   void keep_past(std::size_t most_bytes);
@@ -90,6 +105,10 @@ class Stock {
   /// nullptr: it is empty or full.
   const Brick* brick(std::size_t i) const { return bricks_[i].get(); }
   const KeptSweep& sweep(std::size_t i) const { return sweeps_[i]; }
+  /// Of a sweep that leans.
+  const LeanEnds& lean_ends(std::size_t sweep) const;
+  /// mm by which lines of the three directions may put the same surface apart.
+  float families_agree() const;
   const ToolShape& tool(std::size_t i) const { return tools_[i]; }
   std::size_t tools() const { return tools_.size(); }
   int threads() const { return threads_; }
@@ -121,6 +140,11 @@ class Stock {
   void fill_evenly(std::size_t i);
   void bin(std::size_t first, std::size_t last);
   void put_in_bin(std::size_t brick, std::size_t sweep);
+  // Of tools that lean: stock_leaning.cpp.
+  double most_bend() const;
+  void add_leaning(const Sweep& sweep);
+  void bin_leaning(std::size_t sweep);
+  void cut_leaning(std::size_t sweep, std::size_t body, std::size_t brick, Brick& material, CutOutcome& outcome) const;
   // Of turning tools: stock_turned.cpp.
   KeptSweep kept_turned(const Sweep& sweep) const;
   void bin_turned(std::size_t sweep);
@@ -133,14 +157,17 @@ class Stock {
   std::shared_ptr<const Blank> blank_;
   Lattice lattice_;
   BrickScale scale_;
+  double bend_cell_;  // mm: of divide_as()
   int threads_;
   std::vector<std::unique_ptr<Brick>> bricks_;
   std::vector<State> states_;
   std::vector<ToolShape> tools_;
   std::vector<std::vector<SweptBody>> swept_;  // for each body of each tool
-  std::deque<KeptSweep> sweeps_;               // a million grow without being moved
-  std::size_t done_ = 0;                       // of sweeps_
-  std::size_t first_ = 0;                      // of the last cut()
+  std::vector<std::vector<LeanBody>> leaning_;
+  std::deque<KeptSweep> sweeps_;    // a million grow without being moved
+  std::deque<LeanEnds> lean_ends_;  // in the order of the sweeps
+  std::size_t done_ = 0;            // of sweeps_
+  std::size_t first_ = 0;           // of the last cut()
   std::vector<std::vector<std::int32_t>> bins_;
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;

@@ -14,7 +14,7 @@ constexpr double room = 1;  // mm around what an insert can reach
 InsertPoint point_of(const float (&at)[3]) { return {double(at[0]), double(at[2])}; }
 
 /// From its programmed point, along x or z.
-double reach_of(const ToolShape& tool) {
+double insert_reach(const ToolShape& tool) {
   double most = 0;
   for (const InsertBody& body : tool.insert)
     for (const InsertCorner& c : body.corners) most = std::max({most, std::fabs(c.centre.x) + c.radius, std::fabs(c.centre.z) + c.radius});
@@ -32,7 +32,7 @@ WayPart part_between(double from, double to, double low, double high) {
 
 /// What of the way can reach nothing is left out: single precision has seven digits. A way that reaches nothing is where it begins.
 KeptSweep Stock::kept_turned(const Sweep& sweep) const {
-  const double reach = reach_of(tools_[sweep.tool]) + room, edge = lattice_.edge();
+  const double reach = insert_reach(tools_[sweep.tool]) + room, edge = lattice_.edge();
   const Vec3 least = lattice_.origin(),
              most = least + edge * Vec3{double(lattice_.bricks(0)), double(lattice_.bricks(1)), double(lattice_.bricks(2))};
   const double farthest =
@@ -43,7 +43,7 @@ KeptSweep Stock::kept_turned(const Sweep& sweep) const {
   if (part.first > part.last) part = {0, 0};
   const Vec3 way = sweep.to - sweep.from, from = sweep.from + part.first * way,
              to = part.last == 1 ? sweep.to : sweep.from + part.last * way;
-  return {{float(from.x), 0, float(from.z - least.z)}, {float(to.x), 0, float(to.z - least.z)}, sweep.tool, sweep.watched};
+  return {{float(from.x), 0, float(from.z - least.z)}, {float(to.x), 0, float(to.z - least.z)}, sweep.tool, sweep.watched, false};
 }
 
 /// Into the bins of the bricks that its rings may reach.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 
+#include "stock/line_places.h"
 #include "stock/some_tools.h"
 
 namespace kadr {
@@ -14,52 +15,6 @@ namespace {
 
 constexpr double permitted = 1e-3;  // mm
 const Box3 block{{-1, -1, -1}, {9, 9, 9}};
-
-/// A place on a lattice line.
-struct LinePlace {
-  std::size_t brick;
-  int family, line;
-  Vec3 corner, at;      // of the brick; the place
-  bool is_end = false;  // that the sweep has made: on the surface of what it sweeps
-};
-
-bool is_material(const Stock& stock, const LinePlace& p) {
-  if (stock.brick(p.brick) == nullptr) return stock.state(p.brick) == Stock::State::full;
-  const BrickLines& lines = stock.brick(p.brick)->family[std::size_t(p.family)];
-  const double along_line = along(p.at, p.family) - along(p.corner, p.family);
-  bool within = lines.from[p.line] < lines.to[p.line] && along_line >= double(lines.from[p.line]) && along_line <= double(lines.to[p.line]);
-  for (const FurtherInterval& f : lines.further)
-    within = within || (f.line == p.line && along_line >= double(f.from) && along_line <= double(f.to));
-  return within;
-}
-
-/// Most lie at an end that the sweep has made or close to it, if there is one on the line.
-LinePlace some_place(const Stock& stock, Chance& chance) {
-  const Lattice& lattice = stock.lattice();
-  const std::size_t brick = std::size_t(chance.below(int(lattice.size())));
-  LinePlace p{brick, chance.below(3), chance.below(brick_lines), lattice.corner(brick), {}};
-  p.at = p.corner;
-  along(p.at, (p.family + 1) % 3) += (p.line % brick_edge + 0.5) * lattice.cell();
-  along(p.at, (p.family + 2) % 3) += (p.line / brick_edge + 0.5) * lattice.cell();
-  double from_corner = chance.between(0, lattice.edge());
-  const double beside = chance.between(-0.01, 0.01);
-  const int wanted = chance.below(3);
-  if (const Brick* b = stock.brick(brick); b != nullptr && wanted != 0) {
-    const BrickLines& lines = b->family[std::size_t(p.family)];
-    const bool any = lines.from[p.line] < lines.to[p.line], from = any && lines.from_by[p.line] != of_blank,
-               to = any && lines.to_by[p.line] != of_blank;
-    p.is_end = wanted == 1 && (from || to);
-    if (from || to) from_corner = double(from ? lines.from[p.line] : lines.to[p.line]) + (p.is_end ? 0 : beside);
-  }
-  along(p.at, p.family) += std::clamp(from_corner, 0.0, lattice.edge());
-  return p;
-}
-
-bool within(const Box3& box, Vec3 at) {
-  bool inside = true;
-  for (int d = 0; d < 3; ++d) inside = inside && along(at, d) > along(box.least, d) && along(at, d) < along(box.most, d);
-  return inside;
-}
 
 std::string told(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePlace& p) {
   const ToolGeometry& g = tool.geometry;

@@ -20,10 +20,19 @@ constexpr double chord_of_cell = 1.0 / 2000;  // arcs as chords: far below the e
 constexpr double greatest_chord = 2e-4;       // … and below the least increment of the controls, mm
 
 constexpr double seconds_a_minute = 60;
+constexpr Vec3 upright{0, 0, 1};
 
 double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
 
-double flat_length(const WayPiece& p) { return length(Vec2{p.to.x - p.from.x, p.to.y - p.from.y}); }
+/// How far it goes along the tool, and across it.
+double climb_of(const WayPiece& p) {
+  const Vec3 way = p.to - p.from, k = p.from_direction;
+  return way.x * k.x + way.y * k.y + way.z * k.z;
+}
+double flat_length(const WayPiece& p) {
+  if (is_upright(p.from_direction)) return length(Vec2{p.to.x - p.from.x, p.to.y - p.from.y});
+  return length(p.to - p.from - climb_of(p) * p.from_direction);
+}
 
 AlarmId fault_of_part(ToolPart part) {
   return part == ToolPart::holder ? AlarmId::holder_in_stock : part == ToolPart::shank ? AlarmId::shank_in_stock : AlarmId::beyond_flutes;
@@ -38,7 +47,7 @@ double least_side(const Box3& box) {
 
 Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     : job_(job),
-      way_(roles, chord_for(job.cell), job.system, job.apart),
+      way_(roles, chord_for(job.cell), job.system, job.machine, job.apart),
       stock_(job.blank, job.cell, job.threads),
       tool_(job.tool),
       spindle_(job.spindle),
@@ -56,6 +65,11 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
       std::fill(rate_of_sweep_.begin() + std::ptrdiff_t(first), rate_of_sweep_.begin() + std::ptrdiff_t(end), float(rate));
     };
   for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
+  if (window_) {  // a sweep has the same number in all of them
+    const double finer = std::min(job.cell, job.window_cell);
+    stock_.divide_as(finer), window_->divide_as(finer);
+    for (const auto& fixture : fixtures_) fixture->divide_as(finer);
+  }
   if (!job.starts_known)
     for (const int axis : roles.xyz)
       if (axis >= 0) unknown_ |= AxisMask{1} << axis;
@@ -107,10 +121,10 @@ AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pie
   if (tool.kind == ToolKind::turning) return spinning_ == 0 ? AlarmId::spindle_stopped : AlarmId::count;  // of the part
   if (spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) return AlarmId::spindle_stopped;
   if (spindle_ == SpindleDir::ccw) return AlarmId::spindle_wrong_way;
-  double flat = 0;
-  for (const WayPiece& p : pieces) flat += flat_length(p);
+  double flat = 0, climb = 0;
+  for (const WayPiece& p : pieces) flat += flat_length(p), climb += climb_of(p);
   if (tool.kind == ToolKind::drill && flat > sideways) return AlarmId::drill_sideways;
-  const bool down = flat < sideways && pieces.back().to.z < pieces.front().from.z;
+  const bool down = flat < sideways && climb < 0;
   return down && !tool.plunges ? AlarmId::plunge : AlarmId::count;
 }
 
@@ -143,23 +157,22 @@ void Cutting::shift_by_length() {
   const auto real = job_.lengths.find(tool_);
   if (real == job_.lengths.end()) return;
   const double shift = way_.length_in_force() - real->second;
-  for (WayPiece& p : pieces_) p.from.z += shift, p.to.z += shift;
+  for (WayPiece& p : pieces_) p.from = p.from + shift * p.from_direction, p.to = p.to + shift * p.to_direction;
 }
 
 Status Cutting::consume(const Step& step, double longer) {
   note(step.action);
   const Motion* const motion = step.motion();
   result_.seconds = std::max(result_.seconds, step.begins + step.time.seconds + longer + step.pause);
-  const bool upright = way_.take(step, pieces_);
+  way_.take(step, pieces_);
   if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // named, and it stood there already
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || step.begins >= job_.until) return {};
   shift_by_length();
   if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the way there only its end is certain
     if (unknown_now() != 0) return {};
-    const Vec3 there = pieces_.back().to;
-    pieces_.assign(1, {there, there, 0, 1});
+    const WayPiece last = pieces_.back();
+    pieces_.assign(1, {last.to, last.to, 0, 1, last.to_direction, last.to_direction});
   }
-  if (!upright) return fail(alarm(AlarmId::tool_leans, {}));
   const auto shape = shape_of_tool();
   if (!shape) return is_cutting(motion->kind) ? Status(fail(alarm(AlarmId::tool_without_shape, {}, double(tool_)))) : Status();
   if (stock_.tool(*shape).turns() && leaves_thread(*motion)) return {};
@@ -167,7 +180,9 @@ Status Cutting::consume(const Step& step, double longer) {
   while (!pieces_.empty() && pieces_.back().begins >= most) pieces_.pop_back();
   if (pieces_.empty()) return {};
   if (WayPiece& last = pieces_.back(); last.ends > most) {
-    last.to = last.from + (most - last.begins) / (last.ends - last.begins) * (last.to - last.from);
+    const double part = (most - last.begins) / (last.ends - last.begins);
+    const LeanWay shorter = LeanWay{last.from, last.to, last.from_direction, last.to_direction}.between(0, part);
+    last.to = shorter.to, last.to_direction = shorter.to_direction;
     last.ends = most;
   }
   Moved moved;
@@ -205,11 +220,12 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
   Moved& in_batch = batch_.back();
   in_batch.first_sweep = stock_.sweeps();
   const bool watched = moved.fault != AlarmId::count || moved.lacks_coolant;
-  const auto carry = [&](Vec3 from, Vec3 to) {
-    stock_.add({from, to, shape, watched});
-    if (window_) window_->add({from, to, shape, watched});
-    line_of_sweep_.push_back({moved.origin.line, moved.origin.file});
-    for (const auto& fixture : fixtures_) fixture->add({from, to, shape, true});
+  const auto carry = [&](Vec3 from, Vec3 to, Vec3 from_direction = upright, Vec3 to_direction = upright) {
+    const Sweep sweep{from, to, shape, watched, from_direction, to_direction};
+    stock_.add(sweep);
+    if (window_) window_->add(sweep);
+    line_of_sweep_.resize(stock_.sweeps(), {moved.origin.line, moved.origin.file});
+    for (const auto& fixture : fixtures_) fixture->add({from, to, shape, true, from_direction, to_direction});
     in_batch.length += length(to - from);
   };
   if (stock_.tool(shape).turns()) {
@@ -218,7 +234,10 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
     in_batch.radius = std::copysign(1.0, dot(axis, Vec2{end.x, end.y})) * axis;
     for (const WayPiece& p : pieces) each_turned(p, zero_, axis, chord_for(job_.cell), carry);
   } else {
-    for (const WayPiece& p : pieces) carry(p.from - zero_, p.to - zero_), in_batch.flat += flat_length(p);
+    for (const WayPiece& p : pieces) {
+      carry(p.from - zero_, p.to - zero_, p.from_direction, p.to_direction);
+      if (is_upright(p.from_direction)) in_batch.flat += flat_length(p);
+    }
   }
   const WayPiece& middle = pieces[pieces.size() / 2];
   in_batch.at = 0.5 * (middle.from + middle.to) - zero_;

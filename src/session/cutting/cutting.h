@@ -31,9 +31,10 @@ struct CutJob {
   ToolLibrary tools;
   /// By tool: how long it really is, where the control's table says so under its own number. Others are as long as the control believes.
   std::map<std::uint32_t, double> lengths;
-  double cell = 0.5;                    // mm
-  std::shared_ptr<const Blank> window;  // blank_within() of what is cut once more, finer; nullptr: nothing
-  double window_cell = 0;               // mm
+  std::shared_ptr<const MachineTree> machine;  // as its file describes it; nullptr: it does not
+  double cell = 0.5;                           // mm
+  std::shared_ptr<const Blank> window;         // blank_within() of what is cut once more, finer; nullptr: nothing
+  double window_cell = 0;                      // mm
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
   std::optional<Axes> apart;           // of ToolWay
@@ -57,7 +58,7 @@ class Cutting {
   std::function<void(const BlockLoad&)> on_block;
 
   /// `longer`: s that the machine takes beyond Step::time.
-  ///   returns  alarms tool_without_shape, tool_leans: nothing of the step is cut
+  ///   returns  alarm tool_without_shape: nothing of the step is cut
   Status consume(const Step& step, double longer);
   /// What others found in a step that has come: told with what is found in cutting.
   void also(const CutFinding& finding) { others_.push_back(finding); }

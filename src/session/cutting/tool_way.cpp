@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/part_space.h"
 #include "session/cutting/dog_leg.h"
 
 namespace kadr {
@@ -12,33 +13,95 @@ namespace {
 
 constexpr int most_pieces = 4096;    // of one turn: chords of 0.1 µm on a radius of 100 m
 constexpr double same_place = 1e-9;  // mm
-constexpr double leans = 1e-9;       // of the tool's direction, sine
+constexpr double reach = 100;        // of a tool, mm: how far a wrong direction is felt
+constexpr double turn_of_chord = 5;  // chords that its end may be off
+constexpr double undivided = 45;     // degrees: what turns farther may come back to where it began
+constexpr int most_depth = 16;
 
-bool is_upright(Vec3 direction) { return std::hypot(direction.x, direction.y) < leans && direction.z > 0; }
+bool has_rotary_axis(const MachineTree& tree) {
+  const auto turns = [](const MachineJoint& j) { return j.moves.turns && j.axis >= 0; };
+  return std::any_of(tree.tool().begin(), tree.tool().end(), turns) || std::any_of(tree.part().begin(), tree.part().end(), turns);
+}
+
+/// Degrees that a rotary axis turns at most.
+double rotary_way(const Step& step) {
+  const Motion& motion = *step.motion();
+  double most = 0;
+  for (std::size_t i = 0; i < step.roles.count; ++i) {
+    if (!step.roles.is_rotary(i)) continue;
+    const bool rolls = motion.detail && (motion.detail->rolled >> i & 1U) != 0;
+    most = std::max(most, std::fabs(rolls ? motion.detail->travel[i] : motion.machine[i] - step.from.machine[i]));
+  }
+  return most;
+}
+
+bool is_nowhere(const WayPiece& p) { return length(p.to - p.from) <= same_place && p.from_direction == p.to_direction; }
 
 }  // namespace
 
 bool is_cutting(MotionKind kind) { return kind != MotionKind::rapid && kind != MotionKind::home && kind != MotionKind::probe; }
 
-ToolWay::ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint8_t> system, const std::optional<Axes>& apart)
-    : chain_(roles), chord_(chord), system_(system), apart_(apart) {}
+ToolWay::ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint8_t> system, std::shared_ptr<const MachineTree> tree,
+                 const std::optional<Axes>& apart)
+    : chain_(roles), chord_(chord), system_(system), apart_(apart) {
+  if (tree != nullptr && has_rotary_axis(*tree)) tree_ = std::move(tree);
+}
 
-/// Where rotary axes or a frame in space are, the work space knows the place in the part; else it is the sum of origin and coordinates.
-Vec3 ToolWay::tip_of(const Step& step, const Axes& work, double part) const {
+bool ToolWay::turns(const Step& step) const {
   const WorkSpace* const space = step.from.space.get();
-  if (space != nullptr && space->has_rotary())
-    return space->pose(machine_along(step.roles, step.from, *step.motion(), work, part)).tip + space->zero();
-  if (!placement_.is_plain() && space != nullptr) return chain_.tip(space, work) + zero_of(chain_, placement_);
+  return tree_ != nullptr || (space != nullptr && space->has_rotary());
+}
+
+/// A tool that is led by its tip has its length in the work space alone.
+double ToolWay::length_on(const Step& step) const {
+  const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
+  if (space != nullptr && space->has_rotary()) {
+    const Vec3 along = space->data().length, tool = space->data().machine.tool;
+    return along.x * tool.x + along.y * tool.y + along.z * tool.z;
+  }
+  return chain_.tip(placement_.length).z;
+}
+
+/// Where rotary axes or a frame in space are, the work space knows the place in the part, or the machine's file; else it is the sum of
+/// origin and coordinates.
+Pose ToolWay::pose_of(const Step& step, const Axes& work, double part) const {
+  const WorkSpace* const space = step.from.space.get();
+  if (space != nullptr && space->has_rotary()) {
+    Pose pose = space->pose(machine_along(step.roles, step.from, *step.motion(), work, part));
+    pose.tip = pose.tip + space->zero();
+    return pose;
+  }
+  if (tree_ != nullptr) return tree_->forward(machine_along(step.roles, step.from, *step.motion(), work, part), length_in_force());
+  if (!placement_.is_plain() && space != nullptr) return {chain_.tip(space, work) + zero_of(chain_, placement_), {0, 0, 1}};
   Axes tip = placement_.machine_of(work);
   for (std::size_t i = 0; i < max_axes; ++i) tip[i] -= placement_.length[i];
-  return chain_.tip(tip);
+  return {chain_.tip(tip), {0, 0, 1}};
+}
+
+Pose ToolWay::pose_at(const Step& step, double part) const {
+  return pose_of(step, part >= 1 ? step.motion()->to : part <= 0 ? step.from.work : step.curve().at(part), part);
+}
+
+/// Halves it until the tool, straight and evenly turned from end to end, is where it ought to be in the middle.
+void ToolWay::divide(const Step& step, const WayPiece& p, int depth, std::vector<WayPiece>& pieces) const {
+  const double part = (p.begins + p.ends) / 2;
+  const Pose middle = pose_at(step, part);
+  const Vec3 between = p.from_direction + p.to_direction;
+  const double size = length(between), off = size > 0 ? length((1 / size) * between - middle.direction) : 2;
+  const bool straight = length(0.5 * (p.from + p.to) - middle.tip) <= chord_ && off * reach <= turn_of_chord * chord_;
+  if (depth >= most_depth || straight) {
+    if (!is_nowhere(p)) pieces.push_back(p);
+    return;
+  }
+  divide(step, {p.from, middle.tip, p.begins, part, p.from_direction, middle.direction}, depth + 1, pieces);
+  divide(step, {middle.tip, p.to, part, p.ends, middle.direction, p.to_direction}, depth + 1, pieces);
 }
 
 /// A rapid motion whose axes go apart: pieces from bend to bend. Where rotary axes turn tool or part its way counts as a line.
 bool ToolWay::bent(const Step& step, std::vector<WayPiece>& pieces) const {
   const auto leg = DogLeg::of(step, apart_);
-  if (!leg || (step.from.space && step.from.space->has_rotary())) return false;
-  const Vec3 start = tip_of(step, step.from.work, 0), way = tip_of(step, step.motion()->to, 1) - start;
+  if (!leg || turns(step)) return false;
+  const Vec3 start = pose_at(step, 0).tip, way = pose_at(step, 1).tip - start;
   const auto gone = [&](std::size_t letter, double part) {
     const int axis = step.roles.xyz[letter];
     return axis < 0 ? part : leg->gone(std::size_t(axis), part);
@@ -54,26 +117,27 @@ bool ToolWay::bent(const Step& step, std::vector<WayPiece>& pieces) const {
   return true;
 }
 
-bool ToolWay::take(const Step& step, std::vector<WayPiece>& pieces) {
+void ToolWay::take(const Step& step, std::vector<WayPiece>& pieces) {
   pieces.clear();
   if (const auto* const frame = std::get_if<FrameChange>(&step.action.what)) placement_ = frame->placement;
   const Motion* const motion = step.motion();
-  if (motion == nullptr) return true;
+  if (motion == nullptr) return;
+  length_ = length_on(step);
   if (!zero_ && (system_ ? motion->system == *system_ : is_cutting(motion->kind))) zero_ = present_zero();
-  if (bent(step, pieces)) return true;
+  if (bent(step, pieces)) return;
   const Curve& curve = step.curve();
-  const WorkSpace* const space = step.from.space.get();
-  const bool turns = space != nullptr && space->has_rotary();
-  if (turns && !(is_upright(space->pose(step.from.machine).direction) && is_upright(space->pose(motion->machine).direction))) return false;
-  const int count = curve.straight() && !turns ? 1 : std::min(curve.pieces(chord_), most_pieces * (1 + int(std::min(motion->turns, 1e4))));
-  Vec3 from = tip_of(step, step.from.work, 0);
+  const double turn = turns(step) ? rotary_way(step) : 0;
+  int count = curve.straight() ? 1 : std::min(curve.pieces(chord_), most_pieces * (1 + int(std::min(motion->turns, 1e4))));
+  count = std::max(count, int(std::min(std::ceil(turn / undivided), 1e5)));
+  Pose from = pose_at(step, 0);
   for (int i = 1; i <= count; ++i) {
     const double part = double(i) / count;
-    const Vec3 to = tip_of(step, i == count ? motion->to : curve.at(part), part);
-    if (length(to - from) > same_place) pieces.push_back({from, to, double(i - 1) / count, part});
+    const Pose to = pose_at(step, part);
+    const WayPiece piece{from.tip, to.tip, double(i - 1) / count, part, from.direction, to.direction};
+    if (turn > 0) divide(step, piece, 0, pieces);
+    else if (!is_nowhere(piece)) pieces.push_back(piece);
     from = to;
   }
-  return true;
 }
 
 }  // namespace kadr

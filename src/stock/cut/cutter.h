@@ -35,7 +35,7 @@ class Cutter {
   void cut();
   void end();
 
- private:
+ protected:
   /// What is left out for certain: whatever the bounds are at the time, the same bits are left.
   float margin() const { return scale_.cell * 1e-3f; }
   float lowest_over_brick() const;
@@ -49,6 +49,8 @@ class Cutter {
   void cut_family(const PointRange& range);
   template <class V, int family>
   void take(BrickLines& lines, int at, const lanes::Swept<V>& swept, lanes::Taken<V>& taken);
+  template <class V, int family>
+  void add_taken(const lanes::Taken<V>& taken);
   void split(BrickLines& lines, int at, const float* from, const float* to);
   void watch_lanes(const BrickLines& lines, int family, int at, const float* from, const float* to) const;
   void take_further(BrickLines& lines, int family, const float* from, const float* to, const float* tips);

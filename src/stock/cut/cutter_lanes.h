@@ -133,6 +133,11 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
       take<V, family>(lines, at, swept, taken);
     }
   if (several) take_further(lines, family, all_from, all_to, all_tips);
+  add_taken<V, family>(taken);
+}
+
+template <class V, int family>
+KADR_IN_LANES void Cutter::add_taken(const Taken<V>& taken) {
   alignas(32) float gone_of[lane_count], depth_of[lane_count], longest_of[lane_count];
   store(gone_of, taken.gone), store(depth_of, taken.depth), store(longest_of, taken.longest);
   for (int i = 0; i < lane_count; ++i) {

@@ -10,9 +10,6 @@
 namespace kadr {
 namespace {
 
-/// Families agree to this about where a surface lies, mm: twice the law of stock/cut/sweep_rows.h.
-constexpr float families_agree = 5e-4f;
-
 struct LineEnd {
   float at;
   std::int32_t by;
@@ -65,12 +62,16 @@ struct Crossings::Finder {
   const std::vector<ToolFaces>& tools;
   const BricksAround& around;
   Vec3 corner, from_lattice;  // of the brick, in the work system and from the lattice's corner
-  float cell, edge;
+  float cell, edge, families_agree;
   std::array<std::array<FurtherByLine, 3>, 8> further{};
 
   std::vector<std::uint32_t> sweeps_near{};  // that may have cut at the brick's seams, found when the first is asked for
   bool near_known = false;
 
+  /// Of a sweep that leans, else nullptr.
+  const LeanEnds* ends_of(std::int32_t by) const {
+    return stock.sweep(std::size_t(by)).leans ? &stock.lean_ends(std::size_t(by)) : nullptr;
+  }
   LineEnd end_on(const LatticeEdge& e, bool leaves);
   Vec3 place_of(const LatticeEdge& e, const LineEnd& end) const;
   void find_cut(const LatticeEdge& e, bool leaves, LineEnd& end);
@@ -132,9 +133,10 @@ void Crossings::Finder::find_sweeps_near() {
     const KeptSweep& s = stock.sweep(i);
     const ToolExtent& tool = extents[s.tool];
     bool near = !stock.tool(s.tool).turns();  // rings are not searched: their seams stay the blank's
+    const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;  // however it leans
     for (int d = 0; d < 3 && near; ++d) {
-      const double least = double(std::min(s.from[d], s.to[d])) + (d == 2 ? tool.bottom : -tool.widest);
-      const double most = double(std::max(s.from[d], s.to[d])) + (d == 2 ? tool.top : tool.widest);
+      const double least = double(std::min(s.from[d], s.to[d])) + (s.leans ? -anywhere : d == 2 ? tool.bottom : -tool.widest);
+      const double most = double(std::max(s.from[d], s.to[d])) + (s.leans ? anywhere : d == 2 ? tool.top : tool.widest);
       near = least <= along(from_lattice, d) + reach && most >= along(from_lattice, d) - room;
     }
     if (near) sweeps_near.push_back(std::uint32_t(i));
@@ -154,7 +156,7 @@ void Crossings::Finder::find_cut(const LatticeEdge& e, bool leaves, LineEnd& end
   if (!near_known) find_sweeps_near();
   for (const std::uint32_t i : sweeps_near) {
     const KeptSweep& sweep = stock.sweep(i);
-    if (!cut_at(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves})) continue;
+    if (!cut_at(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves}, ends_of(std::int32_t(i)))) continue;
     end.by = std::int32_t(i);
     return;
   }
@@ -170,7 +172,8 @@ Crossing Crossings::Finder::crossing_at(const LatticeEdge& e, bool leaves, const
     const KeptSweep& sweep = stock.sweep(std::size_t(end.by));
     const CutPlace place{at + from_lattice, e.family, leaves};
     const ToolShape& tool = stock.tool(sweep.tool);
-    normal = tool.turns() ? turned_normal(sweep, tool, place, stock.lattice().origin()) : cut_normal(sweep, tools[sweep.tool], place);
+    normal = tool.turns() ? turned_normal(sweep, tool, place, stock.lattice().origin())
+                          : cut_normal(sweep, tools[sweep.tool], place, ends_of(end.by));
   }
   return {{float(at.x), float(at.y), float(at.z)}, {float(normal.x), float(normal.y), float(normal.z)}, end.by};
 }
@@ -183,7 +186,8 @@ void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, st
   all_.clear();
   lost_.clear();
   const Vec3 corner = lattice.corner(brick);
-  Finder finder{stock, tools, around, corner, corner - lattice.origin(), float(lattice.cell()), float(lattice.edge())};
+  Finder finder{
+      stock, tools, around, corner, corner - lattice.origin(), float(lattice.cell()), float(lattice.edge()), stock.families_agree()};
   each_unlike_edge(signs, brick_edge, [&](const LatticeEdge& e, bool leaves) {
     LineEnd end = finder.end_on(e, leaves);
     if (!end.found) {

@@ -72,6 +72,13 @@ Vec3 in_space(const Near& face, const Seen& seen) {
   return seen.radius > on_axis ? Vec3{seen.x * per, seen.y * per, face.up} : Vec3{face.radial, 0, face.up};
 }
 
+/// A place, and the direction out of the material on its line, as the tool sees them.
+struct PlaceSeen {
+  Vec3 at, outward;
+};
+
+double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
 struct Touching {
   double distance;
   Vec3 normal;  // of the tool
@@ -79,9 +86,9 @@ struct Touching {
 
 /// A line in a plane does not cross it: where the farthest face lies along the line, that one counts of those that cannot be told apart
 /// from it which the line goes through most squarely.
-Touching at_part(const BodyFaces& body, const Way& way, const CutPlace& place, double part) {
+Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, double part) {
   const Seen seen = way.seen(place.at, part);
-  const auto square_to = [&](const Vec3& normal) { return place.leaves ? -along(normal, place.family) : along(normal, place.family); };
+  const auto square_to = [&](const Vec3& normal) { return -dot(normal, place.outward); };
   const Near face = farthest(body, seen);
   Touching best{face.distance, in_space(face, seen)};
   double squarest = square_to(best.normal);
@@ -114,7 +121,7 @@ std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const 
 /// How the distance grows along the way.
 double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
 
-Touching touching(const BodyFaces& body, const Way& way, const CutPlace& place) {
+Touching touching(const BodyFaces& body, const Way& way, const PlaceSeen& place) {
   if (const auto part = part_at_once(body, way, place.at)) return at_part(body, way, place, *part);
   double low = 0, high = 1;
   Vec3 before, after;
@@ -145,6 +152,20 @@ Vec3 as_unit(const Vec3& v, const Vec3& otherwise) {
   return size > on_axis ? (1 / size) * v : otherwise;
 }
 
+/// Outward, as the tool sees it.
+Vec3 normal_seen(const Way& way, const ToolFaces& tool, const PlaceSeen& place) {
+  double nearest = 1e30;
+  Vec3 best = place.outward;
+  for (const BodyFaces& body : tool) {
+    const Touching t = touching(body, way, place);
+    if (std::fabs(t.distance) >= nearest) continue;
+    nearest = std::fabs(t.distance);
+    best = as_unit({-t.normal.x, -t.normal.y, -t.normal.z}, place.outward);
+    if (nearest < same_place && dot(best, place.outward) > 0) break;
+  }
+  return best;
+}
+
 }  // namespace
 
 BodyFaces::BodyFaces(const ConvexBody& body) : bottom(body.bottom()), top(body.top()), widest(body.widest()) {
@@ -164,29 +185,43 @@ BodyFaces::BodyFaces(const ConvexBody& body) : bottom(body.bottom()), top(body.t
 
 ToolFaces faces_of(const ToolShape& tool) { return {tool.bodies.begin(), tool.bodies.end()}; }
 
-bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place) {
-  const Way way = way_of(sweep);
+namespace {
+
+/// A place and the way past it, as the tool sees them; of one that leans with the axes of space as it stands in the middle.
+struct AsSeen {
+  Way way;
+  PlaceSeen place;
+  std::optional<ToolAxes> axes;
+};
+
+AsSeen as_seen(const KeptSweep& sweep, const CutPlace& place, const LeanEnds* ends) {
+  Vec3 along_line;
+  along(along_line, place.family) = place.leaves ? 1 : -1;
+  if (ends == nullptr) return {way_of(sweep), {place.at, along_line}, std::nullopt};
+  const ToolEnds seen(lean_way_of(sweep, *ends));
+  const Vec3 first = seen.first(place.at), last = seen.last(place.at);
+  const auto middle = [](Vec3 a, Vec3 b) { return as_unit(a + b, a); };
+  const ToolAxes axes{middle(seen.axes_first[0], seen.axes_last[0]), middle(seen.axes_first[1], seen.axes_last[1]),
+                      middle(seen.axes_first[2], seen.axes_last[2])};
+  return {{{}, first - last}, {first, ToolEnds::in(axes, along_line)}, axes};
+}
+
+}  // namespace
+
+bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends) {
+  const AsSeen seen = as_seen(sweep, place, ends);
   return std::any_of(tool.begin(), tool.end(), [&](const BodyFaces& body) {
-    const Touching t = touching(body, way, place);
-    const double inwards = along(t.normal, place.family);
-    return std::fabs(t.distance) < same_place && (place.leaves ? -inwards : inwards) > along_the_line;
+    const Touching t = touching(body, seen.way, seen.place);
+    return std::fabs(t.distance) < same_place && -dot(t.normal, seen.place.outward) > along_the_line;
   });
 }
 
-Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place) {
-  const Way way = way_of(sweep);
-  Vec3 along_line;
-  along(along_line, place.family) = place.leaves ? 1 : -1;
-  double nearest = 1e30;
-  Vec3 best = along_line;
-  for (const BodyFaces& body : tool) {
-    const Touching t = touching(body, way, place);
-    if (std::fabs(t.distance) >= nearest) continue;
-    nearest = std::fabs(t.distance);
-    best = as_unit({-t.normal.x, -t.normal.y, -t.normal.z}, along_line);
-    if (nearest < same_place && along(best, place.family) * along(along_line, place.family) > 0) break;
-  }
-  return best;
+Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends) {
+  const AsSeen seen = as_seen(sweep, place, ends);
+  const Vec3 normal = normal_seen(seen.way, tool, seen.place);
+  if (!seen.axes) return normal;
+  const ToolAxes& axes = *seen.axes;
+  return normal.x * axes[0] + normal.y * axes[1] + normal.z * axes[2];
 }
 
 }  // namespace kadr

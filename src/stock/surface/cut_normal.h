@@ -40,9 +40,10 @@ struct CutPlace {
 };
 
 /// Whether the sweep has cut a surface there that the line goes through.
-bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place);
+///   ends  of a sweep that leans
+bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
 
 /// Outward, of what is left.
-Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place);
+Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
 
 }  // namespace kadr

@@ -1,0 +1,54 @@
+// What rows of a leaning tool need of a body. For stock/stock.
+
+#include "stock/cut/lean_body.h"
+
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+constexpr double lean_error_by_place = 4e-5;  // mm, of what is found
+
+Frustum larger_frustum(Frustum f, float by) {
+  const float tall = f.high - f.low, widens = tall > 0 ? (f.high_radius - f.low_radius) / tall : 0.f;
+  const float beside = by * std::sqrt(1 + widens * widens);  // of a cone's side, at the same height
+  return {f.low - by, f.high + by, std::max(f.low_radius - by * widens, 0.f) + beside, std::max(f.high_radius + by * widens, 0.f) + beside};
+}
+
+}  // namespace
+
+LeanBody LeanBody::larger(float by) const {
+  LeanBody body = *this;
+  if (kind == Kind::cone) body.end = larger_frustum(end, by);
+  if (shaft.high > shaft.low) body.shaft = larger_frustum(shaft, by);
+  body.corner += corner > 0 ? by : 0.f;
+  return body;
+}
+
+LeanBody lean_body(const ConvexBody& convex) {
+  using Form = RoundSolid::Form;
+  const RoundSolid& first = convex.solids.front();
+  LeanBody body;
+  const auto frustum = [](const RoundSolid& s) {
+    return Frustum{float(s.bottom), float(s.top), float(s.form == Form::cylinder ? s.top_radius : s.bottom_radius), float(s.top_radius)};
+  };
+  body.shaft = convex.solids.size() > 1 ? frustum(convex.solids[1]) : Frustum{float(first.top), float(first.top), 0, 0};
+  if (first.form == Form::cylinder) {
+    body.shaft = frustum(first);
+    return body;
+  }
+  if (first.form == Form::cone) {
+    body.kind = LeanBody::Kind::cone;
+    body.end = frustum(first);
+    return body;
+  }
+  body.flat = float(first.form == Form::ball ? 0 : first.bottom_radius);
+  body.middle = float(first.top), body.corner = float(first.top - first.bottom);
+  body.shaft.low_radius = body.shaft.high_radius = float(first.top_radius);
+  const bool holds_all = convex.top() - first.top >= first.top_radius;
+  body.kind = body.flat == 0 && holds_all ? LeanBody::Kind::ball : LeanBody::Kind::rounded;
+  body.place_error = float(std::sqrt(2 * lean_error_by_place * double(body.corner)));
+  return body;
+}
+
+}  // namespace kadr

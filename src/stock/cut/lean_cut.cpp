@@ -1,0 +1,100 @@
+// A tool that leans in a brick: what needs no lanes, and the choice of the processor's vectors. For stock/stock.
+
+#include "stock/cut/lean_cut.h"
+
+#include "stock/cut/lean_cutter.h"
+
+namespace kadr {
+namespace {
+
+#if defined(__x86_64__) && defined(__GNUC__)
+__attribute__((target("avx2"), flatten)) void cut_leaning_wide(LeanCutter& cutter) { cutter.cut<Wide>(); }
+#else
+void cut_leaning_wide(LeanCutter& cutter) { cutter.cut<Pair>(); }
+#endif
+__attribute__((flatten)) void cut_leaning_pair(LeanCutter& cutter) { cutter.cut<Pair>(); }
+
+/// Rounded edges are taken for square ones.
+LeanBody around_squares(const LeanBody& body, float by) {
+  LeanBody around = body.larger(by);
+  if (around.kind != LeanBody::Kind::rounded) return around;
+  around.kind = LeanBody::Kind::cylinder;
+  around.shaft.low = around.middle - around.corner, around.shaft.low_radius = around.shaft.high_radius = around.flat + around.corner;
+  return around;
+}
+
+/// A ball stays one; others are taken for cylinders.
+LeanBody bounds_of(const LeanBody& body, float by) {
+  LeanBody bounds = body.larger(by);
+  if (body.kind != LeanBody::Kind::ball) bounds.shaft = {body.low() - by, body.high() + by, body.widest() + by, body.widest() + by};
+  return bounds;
+}
+
+float half_shift(const LeanSweep& s) {
+  const float length = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1] + s.shift[2] * s.shift[2]);
+  return length / 2 + s.guess_error() + 1e-4f;
+}
+
+constexpr float square_reach = 2 * 1.41422f;  // cells from its middle to its corners
+
+}  // namespace
+
+LeanSweep::LeanSweep(const LeanWay& way, Vec3 corner, double edge) {
+  const ToolEnds ends(way);
+  const Vec3 centre = corner + edge / 2 * Vec3{1, 1, 1}, first = ends.first(centre), last = ends.last(centre);
+  half_turn = float(way.turn() / 2);
+  reach = float(edge / 2 * std::sqrt(3.0));
+  for (int d = 0; d < 3; ++d) {
+    middle[d] = float((along(first, d) + along(last, d)) / 2);
+    shift[d] = float(along(last, d) - along(first, d));
+    Vec3 axis;
+    along(axis, d) = 1;
+    const Vec3 a = ToolEnds::in(ends.axes_first, axis), b = ToolEnds::in(ends.axes_last, axis);
+    const double per = 1 / length(a + b);  // of length 1: shorter by turn² / 8 but for this
+    for (int i = 0; i < 3; ++i) {
+      axes[d][i] = float(per * (along(a, i) + along(b, i)));
+      axes_first[d][i] = float(along(a, i)), axes_last[d][i] = float(along(b, i));
+      shift_grows[d][i] = float(along(b, i) - along(a, i));
+    }
+  }
+}
+
+LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome)
+    : Cutter(brick, scale, cut.tip, cut.upright_body, by, outcome),
+      lean_(cut.sweep),
+      body_leaning_(cut.body),
+      outer_(cut.sweep.half_turn > 0 ? cut.body.larger(cut.sweep.guess_error()) : cut.body),
+      around_square_(around_squares(cut.body, cut.sweep.guess_error() + square_reach * scale.cell + margin())),
+      half_(scale.edge / 2),
+      spare_(half_shift(cut.sweep)),
+      around_(bounds_of(cut.body, spare_)),
+      near_(faces_near()) {}
+
+/// With room for what is larger.
+FacesNear LeanCutter::faces_near() const {
+  float reach = std::fabs(lean_.shift[2]) * 1.5f + lean_.guess_error() + 4 * scale_.cell;
+  for (int d = 0; d < 3; ++d) reach += std::fabs(lean_.axes[d][2]) * half_;
+  const float low = lean_.middle[2] - reach, high = lean_.middle[2] + reach;
+  const auto in = [&](float height) { return height >= low && height <= high; };
+  FacesNear near;
+  near.low = in(body_leaning_.shaft.low), near.high = in(body_leaning_.shaft.high);
+  return near;
+}
+
+/// The brick lies within the shaft as it stands in the middle of its way.
+bool LeanCutter::takes_all() const {
+  const Frustum& f = body_leaning_.shaft;
+  const float reach = lean_.reach + lean_.guess_error(), height = lean_.middle[2];
+  if (!(f.high > f.low) || height - reach < f.low || height + reach > f.high) return false;
+  const float radius = std::sqrt(lean_.middle[0] * lean_.middle[0] + lean_.middle[1] * lean_.middle[1]) + reach;
+  return radius < std::min(f.low_radius, f.high_radius);
+}
+
+void cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome, LaneWidth width) {
+  LeanCutter cutter(brick, scale, cut, by, outcome);
+  if (cutter.takes_all()) return cutter.clear();
+  width == LaneWidth::wide ? cut_leaning_wide(cutter) : cut_leaning_pair(cutter);
+  cutter.end();
+}
+
+}  // namespace kadr

@@ -1,0 +1,38 @@
+#pragma once
+// One sweep of a tool that leans in one brick.
+
+#include "stock/cut/brick_cut.h"
+#include "stock/cut/lean_body.h"
+#include "stock/cut/lean_way.h"
+
+namespace kadr {
+
+/// A way that turns little, seen from one brick. A place of the brick lies, seen from the tool, at
+///   middle + sum of axes[d] * place[d] -+ half of (shift + sum of shift_grows[d] * place[d])
+/// at the beginning and at the end of the way; place: from the brick's middle. mm, x and y beside the tool's axis, z above its tip.
+struct LeanSweep {
+  /// `corner`: of the brick, in the way's coordinates; `edge`: of it.
+  LeanSweep(const LeanWay& way, Vec3 corner, double edge);
+
+  float middle[3], shift[3];
+  float axes[3][3], shift_grows[3][3];
+  float axes_first[3][3], axes_last[3][3];  // as they are at the beginning and the end
+  float half_turn;                          // radians
+  float reach;                              // from the brick's middle to its corners
+  /// By which the sweep of a guessed place may be wrong anywhere in the brick, mm.
+  float guess_error() const { return half_turn * reach; }
+};
+
+/// A sweep of a body.
+struct LeanCut {
+  const LeanSweep& sweep;
+  const LeanBody& body;
+  const LocalSweep& tip;          // the way of the tip
+  const SweptBody& upright_body;  // the same body
+};
+
+/// Takes away what the body sweeps.
+void cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome,
+                       LaneWidth width = widest_lanes());
+
+}  // namespace kadr

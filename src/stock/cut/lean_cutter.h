@@ -1,0 +1,257 @@
+#pragma once
+// LeanCutter: one sweep of a body of a tool that leans, in one brick. For stock/cut/lean_cut alone, which compiles it for each kind of
+// processor.
+//
+// Which squares of columns it reaches; which lines, by the tool as it stands in the middle of its way, larger by as much as it shifts from
+// there; which of these, by a shift that is that of the middle of the brick everywhere, and a body larger by what this may be wrong; then
+// the ends, with the shift that the tool has at the very place where it leaves the line.
+
+#include "stock/cut/cutter_lanes.h"
+#include "stock/cut/lean_cut.h"
+#include "stock/cut/lean_rows.h"
+
+namespace kadr {
+
+class LeanCutter : public Cutter {
+ public:
+  LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome);
+
+  bool takes_all() const;
+  template <class V>
+  void cut();
+
+ private:
+  static constexpr int squares_along = 4;
+  /// What is reached of the material.
+  struct Reached {
+    std::uint32_t squares = 0;                         // a bit each
+    float top_x[squares_along], top_y[squares_along];  // of material over reached squares, by their column and row; below 0: none
+    float lowest;
+  };
+  template <class V>
+  Reached reached() const;
+  template <class V>
+  LeanLines<V> evenly_shifted(int family) const;
+  template <class V>
+  LeanPlace<V> evenly_shifted_place(const LeanLines<V>& lines, const Vec3Of<V>& at) const;
+  template <class V>
+  Vec3Of<V> line_value(const float (&middle)[3], const float (&grows)[3][3], int family, const V& lanes, float row) const;
+  template <class V, LeanBody::Kind kind>
+  void cut_kind(const Reached& reached);
+  template <class V, LeanBody::Kind kind, int family>
+  void cut_family(const Reached& reached);
+  template <class V, LeanBody::Kind kind, int family>
+  Swept<V> ends_in(int row, int lane, const Swept<V>& guess, const Swept<V>& material) const;
+  template <class V, LeanBody::Kind kind>
+  Swept<V> nearly(const Vec3Of<V>& at, const Vec3Of<V>& axis, const Slant<V>& rise) const;
+  template <class V, LeanBody::Kind kind, int family>
+  Swept<V> by_end(int row, int lane, const Swept<V>& guess, const MarksOf<V>& by_from, const MarksOf<V>& wanted,
+                  const Swept<V>& material) const;
+  static bool is_reached(const Reached& reached, int family, int row, int lane, const BrickScale& scale);
+  FacesNear faces_near() const;
+
+  const LeanSweep& lean_;
+  const LeanBody& body_leaning_;
+  LeanBody outer_, around_square_;
+  float half_;
+  float spare_;  // by which the tool shifts at most from the middle of its way
+  LeanBody around_;
+  FacesNear near_;
+};
+
+/// A place changes what is found by the turn times so much: mm that are let pass.
+inline constexpr float let_pass = 4e-4f;
+inline constexpr int quick_steps = 2, most_refined = 16;
+
+template <class V>
+KADR_IN_LANES MarksOf<V> meet(const Swept<V>& a, const Swept<V>& b) {
+  return (b.from < b.to) & (a.from < b.to) & (a.to > b.from);
+}
+
+template <class V>
+KADR_IN_LANES Vec3Of<V> vector_of(const float (&v)[3]) {
+  return {spread<V>(v[0]), spread<V>(v[1]), spread<V>(v[2])};
+}
+
+template <class V>
+KADR_IN_LANES Vec3Of<V> LeanCutter::line_value(const float (&middle)[3], const float (&grows)[3][3], int family, const V& lanes,
+                                               float row) const {
+  const auto& u = grows[(family + 1) % 3];
+  const auto& v = grows[(family + 2) % 3];
+  return {lanes * u[0] + (row * v[0] + middle[0]), lanes * u[1] + (row * v[1] + middle[1]), lanes * u[2] + (row * v[2] + middle[2])};
+}
+
+/// Lines as the tool sees them that shifts in the whole brick as in its middle.
+template <class V>
+KADR_IN_LANES LeanLines<V> LeanCutter::evenly_shifted(int family) const {
+  const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
+  return lean_lines(axis, axis, axis, vector_of<V>({-lean_.shift[0], -lean_.shift[1], -lean_.shift[2]}));
+}
+template <class V>
+KADR_IN_LANES LeanPlace<V> LeanCutter::evenly_shifted_place(const LeanLines<V>& l, const Vec3Of<V>& at) const {
+  const Vec3Of<V> first = plus(at, spread<V>(0.5f), l.way), last = plus(at, spread<V>(-0.5f), l.way);
+  return {first, first, last};
+}
+
+/// By the columns through the middles of squares, and a body as much larger as the squares reach from there.
+template <class V>
+KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
+  static constexpr float middles[16] = {2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14};
+  Reached r;
+  std::fill(r.top_x, r.top_x + squares_along, -1.f), std::fill(r.top_y, r.top_y + squares_along, -1.f);
+  r.lowest = scale_.edge;
+  for (int part = 0; part < 16; part += lane_count) {
+    alignas(32) float x_of[lane_count], y_of[lane_count], low_of[lane_count], high_of[lane_count];
+    for (int i = 0; i < lane_count; ++i)
+      x_of[i] = middles[part + i] * scale_.cell - half_, y_of[i] = float((part + i) / 4 * 4 + 2) * scale_.cell - half_;
+    const V x = lanes_at<V>(x_of), y = lanes_at<V>(y_of);
+    Vec3Of<V> at;
+    const auto& a = lean_.axes;
+    at = {x * a[0][0] + y * a[1][0] + lean_.middle[0], x * a[0][1] + y * a[1][1] + lean_.middle[1],
+          x * a[0][2] + y * a[1][2] + lean_.middle[2]};
+    const LeanLines<V> lines = evenly_shifted<V>(2);
+    const LeanPlace<V> start = evenly_shifted_place(lines, at);
+    Swept<V> s{};
+    switch (around_square_.kind) {
+      case LeanBody::Kind::ball: s = lean_swept<V, LeanBody::Kind::ball>(lines, around_square_, start, near_); break;
+      case LeanBody::Kind::cone: s = lean_swept<V, LeanBody::Kind::cone>(lines, around_square_, start, near_); break;
+      case LeanBody::Kind::cylinder:
+      case LeanBody::Kind::rounded: s = lean_swept<V, LeanBody::Kind::cylinder>(lines, around_square_, start, near_); break;
+    }
+    store(low_of, s.from), store(high_of, s.to);
+    for (int i = 0; i < lane_count; ++i) {
+      const int square = part + i;
+      const float top = std::min(brick_.top_of_square[std::size_t(square)], high_of[i] + half_), low = low_of[i] + half_;
+      if (low_of[i] > high_of[i] || low >= brick_.top_of_square[std::size_t(square)] || top < 0) continue;
+      r.squares |= 1u << square;
+      r.top_x[square % squares_along] = std::max(r.top_x[square % squares_along], top);
+      r.top_y[square / squares_along] = std::max(r.top_y[square / squares_along], top);
+      r.lowest = std::min(r.lowest, low);
+    }
+  }
+  return r;
+}
+
+/// Any of the lines of a row from `lane` on.
+inline bool LeanCutter::is_reached(const Reached& r, int family, int row, int lane, const BrickScale& scale) {
+  constexpr int square = brick_edge / squares_along;
+  if (family == 2) return (r.squares >> (row / square * squares_along + lane / square) & 3) != 0;
+  if (family == 0) return scale.place[row] <= std::max(r.top_y[lane / square], r.top_y[lane / square + 1]) && scale.place[row] >= r.lowest;
+  return scale.place[lane] <= r.top_x[row / square] && scale.place[lane + lane_count - 1] >= r.lowest;
+}
+
+template <class V>
+KADR_IN_LANES void LeanCutter::cut() {
+  const Reached r = reached<V>();
+  if (r.squares == 0) return;
+  switch (body_leaning_.kind) {
+    case LeanBody::Kind::cylinder: return cut_kind<V, LeanBody::Kind::cylinder>(r);
+    case LeanBody::Kind::cone: return cut_kind<V, LeanBody::Kind::cone>(r);
+    case LeanBody::Kind::ball: return cut_kind<V, LeanBody::Kind::ball>(r);
+    case LeanBody::Kind::rounded: return cut_kind<V, LeanBody::Kind::rounded>(r);
+  }
+}
+
+template <class V, LeanBody::Kind kind>
+KADR_IN_LANES void LeanCutter::cut_kind(const Reached& r) {
+  cut_family<V, kind, 2>(r);
+  cut_family<V, kind, 1>(r);
+  cut_family<V, kind, 0>(r);
+}
+
+/// One end of each line that is wanted: `by_from` that where the tool enters it, else where it leaves it. A place is within what the tool
+/// sweeps if it is so with the shift that it has itself: that is asked of the place that was found last, then of places between those that
+/// were within and without.
+template <class V, LeanBody::Kind kind, int family>
+KADR_IN_LANES Swept<V> LeanCutter::by_end(int row, int lane, const Swept<V>& guess, const MarksOf<V>& by_from, const MarksOf<V>& wanted,
+                                          const Swept<V>& material) const {
+  const V lanes = lanes_at<V>(scale_.place + lane) - half_, half = spread<V>(half_);
+  const float row_place = scale_.place[row] - half_;
+  const Vec3Of<V> at = line_value(lean_.middle, lean_.axes, family, lanes, row_place);
+  const Vec3Of<V> shift = line_value(lean_.shift, lean_.shift_grows, family, lanes, row_place);
+  const Vec3Of<V> grows = vector_of<V>(lean_.shift_grows[family]), axis = vector_of<V>(lean_.axes[family]);
+  const Vec3Of<V> first_axis = vector_of<V>(lean_.axes_first[family]), last_axis = vector_of<V>(lean_.axes_last[family]);
+  const Vec3Of<V> first = plus(at, spread<V>(-0.5f), shift), last = plus(at, spread<V>(0.5f), shift);
+  V low = -half, high = half, place = within(choose(by_from, guess.from, guess.to) - half, low, high);
+  Swept<V> found;
+  for (int i = 0;; ++i) {
+    const Vec3Of<V> here = plus(shift, place, grows);
+    const LeanLines<V> lines = lean_lines(axis, first_axis, last_axis, {-here.x, -here.y, -here.z});
+    found = lean_swept<V, kind>(lines, body_leaning_, {plus(at, spread<V>(-0.5f), here), first, last}, near_);
+    const V end = choose(by_from, found.from, found.to), moved = most(end - place, place - end);
+    const MarksOf<V> missed_it = found.from > found.to, above = choose(missed_it, by_from, end > place);
+    low = choose(above, place, low), high = choose(above, high, place);
+    const V next = choose(missed_it | (spread<V>(float(i)) > float(quick_steps)), 0.5f * (low + high), within(end, low, high));
+    const V step = choose(missed_it, high - low, least(moved, high - low)), room = 0.1f * step;
+    const MarksOf<V> open = missed_it | meet(found, {material.from - room - half_, material.to + room - half_});
+    if (i + 1 == most_refined || !any(wanted & open & (step * lean_.half_turn > let_pass))) break;
+    place = next;
+  }
+  // An end beyond the brick is as good as any other there.
+  const MarksOf<V> misses = found.from > found.to, in_brick = (low > -half) & (high < half);
+  const V from = choose(in_brick, within(found.from, low, high), found.from), to = choose(in_brick, within(found.to, low, high), found.to);
+  const Swept<V> end{choose(by_from, from, found.from) + half_, choose(by_from, found.to, to) + half_};
+  return where(~misses, end.from, end.to);
+}
+
+/// What the tool sweeps of lines; beyond `material` no end is of account.
+template <class V, LeanBody::Kind kind, int family>
+KADR_IN_LANES Swept<V> LeanCutter::ends_in(int row, int lane, const Swept<V>& guess, const Swept<V>& material) const {
+  const float room = scale_.cell / 8;
+  const MarksOf<V> reached = meet(guess, material);
+  const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
+  const Swept<V> one = by_end<V, kind, family>(row, lane, guess, by_from, reached, material);
+  const MarksOf<V> other_to = by_from & (one.to < material.to + room), other_from = ~by_from & (one.from > material.from - room);
+  const MarksOf<V> wanted = meet(one, material) & (other_to | other_from);
+  if (!any(wanted)) return one;
+  const Swept<V> two = by_end<V, kind, family>(row, lane, one, ~by_from, wanted, material);
+  return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
+}
+
+/// In the middle of the way, of a body as much larger as it shifts from there.
+template <class V, LeanBody::Kind kind>
+KADR_IN_LANES Swept<V> LeanCutter::nearly(const Vec3Of<V>& at, const Vec3Of<V>& axis, const Slant<V>& rise) const {
+  const Swept<V> shaft = in_frustum(at, axis, rise, around_.shaft, 0.f);
+  if constexpr (kind != LeanBody::Kind::ball) return {shaft.from + half_, shaft.to + half_};
+  Vec3Of<V> from_ball = at;
+  from_ball.z = at.z - around_.middle;
+  const Swept<V> all = either(in_ball(from_ball, axis, around_.corner), shaft);
+  return {all.from + half_, all.to + half_};
+}
+
+template <class V, LeanBody::Kind kind, int family>
+KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
+  BrickLines& lines = brick_.family[std::size_t(family)];
+  const bool several = !lines.further.empty();
+  alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
+  if (several) {
+    std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);
+    std::fill(all_tips, all_tips + brick_lines, missed);
+  }
+  const V none = spread<V>(0.f);
+  Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
+  const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
+  const Slant<V> rise = slant(axis.z);
+  const LeanLines<V> all_lines = evenly_shifted<V>(family);
+  for (int row = 0; row < brick_edge; ++row)
+    for (int lane = 0; lane < brick_edge; lane += lane_count) {
+      if (!is_reached(reached, family, row, lane, scale_)) continue;
+      const int at = row * brick_edge + lane;
+      Swept<V> material{lanes_at<V>(lines.from + at), lanes_at<V>(lines.to + at)};
+      if (several) material = {spread<V>(0.f), spread<V>(scale_.edge)};
+      if (!any(material.from < material.to)) continue;
+      const V places = lanes_at<V>(scale_.place + lane) - half_;
+      const Vec3Of<V> middle = line_value(lean_.middle, lean_.axes, family, places, scale_.place[row] - half_);
+      if (!any(meet(nearly<V, kind>(middle, axis, rise), material))) continue;
+      const Swept<V> even = lean_swept<V, kind>(all_lines, outer_, evenly_shifted_place(all_lines, middle), near_);
+      const Swept<V> guess{even.from + half_, even.to + half_};
+      if (!any(meet(guess, material))) continue;
+      const Swept<V> swept = lean_.half_turn > 0 ? ends_in<V, kind, family>(row, lane, guess, material) : guess;
+      if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
+      take<V, family>(lines, at, swept, taken);
+    }
+  if (several) take_further(lines, family, all_from, all_to, all_tips);
+  add_taken<V, family>(taken);
+}
+
+}  // namespace kadr

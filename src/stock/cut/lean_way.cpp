@@ -1,0 +1,101 @@
+// Ways of tools that lean. For stock/stock and stock/surface.
+
+#include "stock/cut/lean_way.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+constexpr int most_parts = 1 << 16;
+constexpr double same_direction = 1e-12;  // length of what is between them
+constexpr double opposite = 1e-9;         // of half the sum of both
+constexpr double small_chord = 0.02;      // evenly along it turns evenly, to 1e-6 of it
+
+Vec3 across(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+
+Vec3 unit(Vec3 v) { return (1 / length(v)) * v; }
+
+/// Of length 1, upright to `direction`.
+Vec3 beside(Vec3 direction) {
+  const Vec3 away = std::fabs(direction.x) <= std::fabs(direction.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  return unit(across(away, direction));
+}
+
+/// By the shortest turn that takes one direction to the other.
+Vec3 carried(Vec3 v, Vec3 from, Vec3 to) {
+  const Vec3 middle = from + to;
+  const double size = ToolEnds::dot(middle, middle);
+  const Vec3 mirrored = v - 2 * ToolEnds::dot(v, from) * from;
+  return mirrored - (2 * ToolEnds::dot(mirrored, middle) / size) * middle;
+}
+
+}  // namespace
+
+/// By the series of 2 asin(chord / 2) where the chord is short, else not below it.
+double LeanWay::turn() const {
+  const double chord = length(to_direction - from_direction), square = chord * chord;
+  return chord < 0.5 ? chord * (1 + square * (1 / 24.0 + square * (3 / 640.0 + square * 5 / 7168.0))) : chord * pi / 2;
+}
+
+/// Halves of turns by nothing but roots, which every processor gives alike.
+Vec3 LeanWay::direction(double part) const {
+  if (part <= 0 || from_direction == to_direction) return from_direction;
+  if (part >= 1) return to_direction;
+  Vec3 a = from_direction, b = to_direction;
+  double first = 0, last = 1;
+  // Opposite directions have no shortest turn: any will do.
+  const auto middle = [](Vec3 c, Vec3 d) { return length(c + d) < 2 * opposite ? beside(c) : unit(c + d); };
+  while (length(b - a) > small_chord) {
+    const double half = (first + last) / 2;
+    (part < half ? b : a) = middle(a, b);
+    (part < half ? last : first) = half;
+  }
+  if (length(b - a) < same_direction) return a;
+  return unit(a + ((part - first) / (last - first)) * (b - a));
+}
+
+int parts_of(const LeanWay& way, double reach, double bend) {
+  const double turn = way.turn(), all = length(way.to - way.from) * turn / 4 + reach * turn * turn / 8;
+  return int(std::clamp(std::ceil(std::max(turn / most_turn, std::sqrt(all / bend)) - 1e-9), 1.0, double(most_parts)));
+}
+
+double reach_of(const ToolShape& tool) {
+  double most = 0;
+  for (const ConvexBody& body : tool.bodies) most = std::max(most, length(Vec2{body.widest(), std::max(body.top(), -body.bottom())}));
+  return most;
+}
+
+ToolEnds::ToolEnds(const LeanWay& way) : from(way.from), to(way.to) {
+  const Vec3 z = unit(way.from_direction + way.to_direction), x = beside(z), y = across(z, x);
+  axes_first = {carried(x, z, way.from_direction), carried(y, z, way.from_direction), way.from_direction};
+  axes_last = {carried(x, z, way.to_direction), carried(y, z, way.to_direction), way.to_direction};
+}
+
+Box3 box_around(const LeanWay& way, double low, double high, double radius) {
+  Box3 box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+  const double bent = high * way.turn() * way.turn() / 8;  // of a height's way, away from its chord
+  for (const bool end : {false, true}) {
+    const Vec3 tip = end ? way.to : way.from, direction = end ? way.to_direction : way.from_direction;
+    for (const double height : {low, high})
+      for (int d = 0; d < 3; ++d) {
+        const double slope = along(direction, d), at = along(tip, d) + height * slope;
+        const double room = radius * std::min(std::sqrt(std::max(1 - slope * slope, 0.0)) + way.turn(), 1.0) + bent;
+        along(box.least, d) = std::min(along(box.least, d), at - room);
+        along(box.most, d) = std::max(along(box.most, d), at + room);
+      }
+  }
+  return box;
+}
+
+AroundTip around_leaning_tip(const LeanWay& way, double low, double high, double radius) {
+  if (way.turn() > most_turn) {
+    const double reach = length(Vec2{std::max(high, -low), radius});
+    return {reach, reach, reach};
+  }
+  const Box3 box = box_around({{}, {}, way.from_direction, way.to_direction}, low, high, radius);
+  return {std::max({-box.least.x, -box.least.y, box.most.x, box.most.y}), -box.least.z, box.most.z};
+}
+
+}  // namespace kadr

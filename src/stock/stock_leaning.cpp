@@ -1,0 +1,140 @@
+// Sweeps of tools that lean: as they are kept, in which bricks, each in one of them.
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "stock/cut/lean_cut.h"
+#include "stock/stock.h"
+
+namespace kadr {
+namespace {
+
+constexpr double bend_of_cell = 1.0 / 100;
+constexpr double greatest_bend = 2.5e-3;     // mm
+constexpr float upright_agree = 5e-4f;       // mm: twice the law of stock/cut/sweep_rows.h
+constexpr float leaning_agree_cell = 2e-3f;  // of the cell: what a bend and a guessed place may add
+
+struct BodyHeights {
+  double low, high, radius;
+
+  /// Of a place seen from the tool.
+  double distance(Vec3 at) const {
+    const double beside = std::max(length(Vec2{at.x, at.y}) - radius, 0.0), beyond = std::max({low - at.z, at.z - high, 0.0});
+    return length(Vec2{beside, beyond});
+  }
+  /// The least on a straight way: it is convex there.
+  double distance(Vec3 first, Vec3 last, double enough) const {
+    double begin = 0, end = 1;
+    const auto at = [&](double part) { return distance(first + part * (last - first)); };
+    const double size = length(last - first);
+    while ((end - begin) * size > enough) {
+      const double a = begin + (end - begin) * 0.45, b = begin + (end - begin) * 0.55;
+      if (at(a) < at(b)) end = b;
+      else begin = a;
+    }
+    return at((begin + end) / 2) - (end - begin) * size / 2;
+  }
+};
+
+BodyHeights heights_of(const ConvexBody& body) { return {body.bottom(), body.top(), body.widest()}; }
+
+AroundTip around_all(const ToolShape& tool, const LeanWay& way) {
+  AroundTip all{0, 0, 0};
+  for (const ConvexBody& body : tool.bodies) {
+    const AroundTip one = around_leaning_tip(way, body.bottom(), body.top(), body.widest());
+    all = {std::max(all.beside, one.beside), std::max(all.below, one.below), std::max(all.above, one.above)};
+  }
+  return all;
+}
+
+}  // namespace
+
+/// A place of the material is taken to be off its way past the tool by no more, mm.
+double Stock::most_bend() const { return std::min(bend_cell_ * bend_of_cell, greatest_bend); }
+
+float Stock::families_agree() const {
+  return lean_ends_.empty() ? upright_agree : upright_agree + float(2 * most_bend()) + leaning_agree_cell * scale_.cell;
+}
+
+/// In how many parts does not depend on where the bricks are: bodies of one cell keep the same sweeps.
+void Stock::add_leaning(const Sweep& sweep) {
+  const ToolShape& tool = tools_[sweep.tool];
+  const LeanWay way{sweep.from - lattice_.origin(), sweep.to - lattice_.origin(), sweep.from_direction, sweep.to_direction};
+  const double edge = lattice_.edge();
+  const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
+  const int count = parts_of(way, reach_of(tool), most_bend());
+  for (int i = 0; i < count; ++i) {
+    const LeanWay all = way.between(double(i) / count, double(i + 1) / count);
+    const WayPart part = part_that_reaches(all.from, all.to - all.from, around_all(tool, all), most);
+    const LeanWay one = all.between(part.first, part.last);
+    KeptSweep kept{};
+    LeanEnds ends{std::uint32_t(sweeps_.size()), {}, {}};
+    for (int d = 0; d < 3; ++d) {
+      kept.from[d] = float(along(one.from, d)), kept.to[d] = float(along(one.to, d));
+      ends.from[d] = float(along(one.from_direction, d)), ends.to[d] = float(along(one.to_direction, d));
+    }
+    kept.tool = sweep.tool, kept.watched = sweep.watched, kept.leans = true;
+    sweeps_.push_back(kept);
+    lean_ends_.push_back(ends);
+  }
+}
+
+const LeanEnds& Stock::lean_ends(std::size_t sweep) const {
+  // Mostly all sweeps from the first one on lean.
+  const std::size_t guess = sweep - lean_ends_.front().sweep;
+  if (guess < lean_ends_.size() && lean_ends_[guess].sweep == sweep) return lean_ends_[guess];
+  const auto found =
+      std::lower_bound(lean_ends_.begin(), lean_ends_.end(), sweep, [](const LeanEnds& e, std::size_t s) { return e.sweep < s; });
+  assert(found != lean_ends_.end() && found->sweep == sweep);
+  return *found;
+}
+
+LeanWay lean_way_of(const KeptSweep& s, const LeanEnds& ends) {
+  const auto vec = [](const float(&v)[3]) { return Vec3{double(v[0]), double(v[1]), double(v[2])}; };
+  const auto direction = [&](const float(&v)[3]) { return (1 / length(vec(v))) * vec(v); };
+  return {vec(s.from), vec(s.to), direction(ends.from), direction(ends.to)};
+}
+
+void Stock::bin_leaning(std::size_t i) {
+  const LeanWay way = lean_way_of(sweeps_[i], lean_ends(i));
+  const ToolEnds ends(way);
+  const double edge = lattice_.edge(), half_diagonal = edge / 2 * std::sqrt(3.0) * (1 + way.turn()) + lattice_.cell() / 100;
+  for (const ConvexBody& body : tools_[sweeps_[i].tool].bodies) {
+    const BodyHeights heights = heights_of(body);
+    const Box3 box = box_around(way, heights.low, heights.high, heights.radius);
+    int low[3], high[3];
+    for (int d = 0; d < 3; ++d) {
+      low[d] = int(std::floor(std::max(along(box.least, d) / edge, 0.0)));
+      high[d] = int(std::floor(std::min(along(box.most, d) / edge, double(lattice_.bricks(d) - 1))));
+    }
+    for (int z = low[2]; z <= high[2]; ++z)
+      for (int y = low[1]; y <= high[1]; ++y)
+        for (int x = low[0]; x <= high[0]; ++x) {
+          const std::size_t b = lattice_.at({x, y, z});
+          if (states_[b] == State::empty) continue;
+          const Vec3 middle = edge * Vec3{x + 0.5, y + 0.5, z + 0.5};
+          if (heights.distance(ends.first(middle), ends.last(middle), edge / 4) < half_diagonal) put_in_bin(b, i);
+        }
+  }
+}
+
+/// One body in one brick. A way that is much longer than what reaches the brick is shortened.
+void Stock::cut_leaning(std::size_t number, std::size_t i, std::size_t b, Brick& material, CutOutcome& outcome) const {
+  const KeptSweep& s = sweeps_[number];
+  const ConvexBody& body = tools_[s.tool].bodies[i];
+  const Vec3 corner = lattice_.corner(b) - lattice_.origin();
+  const double edge = lattice_.edge();
+  LeanWay way = lean_way_of(s, lean_ends(number));
+  way.from = way.from - corner, way.to = way.to - corner;
+  const AroundTip around = around_leaning_tip(way, body.bottom(), body.top(), body.widest());
+  if (length(way.to - way.from) > clipped_above * (edge + 2 * around.beside)) {
+    const WayPart part = part_that_reaches(way.from, way.to - way.from, around, {edge, edge, edge});
+    way = way.between(part.first, part.last);
+  }
+  const LeanSweep sweep(way, {}, edge);
+  const LocalSweep tip = local_sweep(way.from, way.to, around, edge);
+  cut_brick_leaning(material, scale_, {sweep, leaning_[s.tool][i], tip, swept_[s.tool][i]}, std::int32_t(number), outcome);
+}
+
+}  // namespace kadr

@@ -1,0 +1,173 @@
+// What sweeps of tools that lean leave: whatever the threads and the processor's vectors, at any moment; what they touch; their surface.
+
+#include "stock/cut/lean_cut.h"
+
+#include <gtest/gtest.h>
+
+#include "stock/same_stock.h"
+#include "stock/some_leaning.h"
+#include "stock/stock_samples.h"
+#include "stock/surface/surface.h"
+
+namespace kadr {
+namespace {
+
+const Box3 block{{-10, -10, -10}, {10, 10, 10}};
+const Vec3 leaning{0, -0.5, 0.86602540378443865};  // by 30 degrees
+
+struct LeanJob {
+  std::vector<ToolShape> tools;
+  std::vector<Sweep> sweeps;
+};
+
+LeanJob some_lean_job(Chance& chance, int sweeps) {
+  LeanJob job;
+  for (int i = 0; i < 3; ++i) job.tools.push_back(some_tool(chance, SomeTool(chance.below(some_tools))));
+  for (int i = 0; i < sweeps; ++i) {
+    Sweep s = chance.below(3) == 0 ? some_move(chance) : some_leaning_move(chance);
+    s.from = s.from - Vec3{3, 3, 0}, s.to = s.to - Vec3{3, 3, 0};
+    s.tool = std::uint16_t(chance.below(3));
+    job.sweeps.push_back(s);
+  }
+  return job;
+}
+
+Stock uncut(const LeanJob& job, double cell, int threads) {
+  Stock stock(box_blank(block), cell, threads);
+  for (const ToolShape& t : job.tools) stock.add_tool(t);
+  return stock;
+}
+
+Stock cut(const LeanJob& job, double cell, int threads) {
+  Stock stock = uncut(job, cell, threads);
+  for (const Sweep& s : job.sweeps) stock.add(s);
+  stock.cut();
+  return stock;
+}
+
+TEST(LeanCut, ThreadsChangeNoBit) {
+  Chance chance(1);
+  for (int round = 0; round < 3; ++round) {
+    const LeanJob job = some_lean_job(chance, 25);
+    const Stock one = cut(job, 0.4, 1), two = cut(job, 0.4, 2), four = cut(job, 0.4, 4);
+    EXPECT_TRUE(same(one, two));
+    EXPECT_TRUE(same(one, four));
+    for (std::size_t i = 0; i < one.sweeps(); ++i) ASSERT_EQ(one.removed_by(i), four.removed_by(i));
+  }
+}
+
+TEST(LeanCut, TheProcessorsVectorsChangeNoBit) {
+  if (widest_lanes() == LaneWidth::pair) GTEST_SKIP() << "this processor has no wider vectors";
+  Chance chance(2);
+  const BrickScale scale(0.75);
+  const double edge = double(scale.edge);
+  for (int round = 0; round < 100; ++round) {
+    Brick pair, wide;
+    for (Brick* brick : {&pair, &wide}) {
+      for (BrickLines& lines : brick->family)
+        for (int i = 0; i < brick_lines; ++i) lines.from[i] = 0, lines.to[i] = scale.edge, lines.from_by[i] = lines.to_by[i] = of_blank;
+      take_tops(*brick, scale.cell);
+    }
+    for (int i = 0; i < 5; ++i) {
+      const ToolShape tool = some_tool(chance, SomeTool(chance.below(some_tools)));
+      const Sweep s = some_leaning_move(chance);
+      const LeanWay way = LeanWay{s.from, s.to, s.from_direction, s.to_direction}.between(0.5, 0.51);
+      const LeanSweep sweep(way, {}, edge);
+      for (const ConvexBody& body : tool.bodies) {
+        const LeanBody lean = lean_body(body);
+        const LocalSweep tip = local_sweep(way.from, way.to, {1, 1, 1}, edge);
+        const SweptBody upright = swept_body(body);
+        const LeanCut one{sweep, lean, tip, upright};
+        CutOutcome by_pair, by_wide;
+        cut_brick_leaning(pair, scale, one, i, by_pair, LaneWidth::pair);
+        cut_brick_leaning(wide, scale, one, i, by_wide, LaneWidth::wide);
+        ASSERT_EQ(by_pair.length, by_wide.length);
+        ASSERT_TRUE(same_brick(&pair, &wide)) << "round " << round << ", sweep " << i;
+      }
+    }
+  }
+}
+
+TEST(LeanCut, AnyMomentIsAsIfCutSoFar) {
+  Chance chance(3);
+  const LeanJob job = some_lean_job(chance, 16);
+  Stock all = uncut(job, 0.5, 2);
+  all.keep_past(1 << 24);
+  std::vector<std::size_t> so_far;
+  for (const Sweep& s : job.sweeps) all.add(s), so_far.push_back(all.sweeps());
+  all.cut();
+  for (std::size_t i = 0; i < job.sweeps.size(); i += 5) {
+    const LeanJob part{job.tools, {job.sweeps.begin(), job.sweeps.begin() + std::ptrdiff_t(i) + 1}};
+    EXPECT_TRUE(same(all.at(so_far[i]), cut(part, 0.5, 1))) << "after " << i;
+  }
+}
+
+/// What a flat end of 10 mm cuts of a block of 20 along X, its tip in the middle of the top face and 5 below: a trapezoid.
+TEST(LeanCut, ASlotHasItsSection) {
+  for (const ToolKind kind : {ToolKind::flat, ToolKind::bull, ToolKind::taper}) {
+    Stock stock(box_blank(block), 0.25, 2);
+    stock.add_tool(test::tool_of(kind, 10, 40));
+    stock.add({{-30, 0, 5}, {30, 0, 5}, 0, false, leaning, leaning});
+    stock.cut();
+    const Surface surface = surface_of(stock);
+    EXPECT_LT(volume_of(surface), 8000);
+    if (kind != ToolKind::flat) continue;
+    EXPECT_NEAR(8000 - volume_of(surface), 20 * 50 / leaning.z, 0.3);
+  }
+}
+
+/// The tool's end is a plane and so are its sides: each point of the cut lies in one of them, edges stay sharp.
+TEST(LeanCut, PointsLieInTheFaces) {
+  Stock stock(box_blank(block), 0.5, 2);
+  stock.add_tool(test::tool_of(ToolKind::flat, 10, 40));
+  stock.add({{-30, 0, 5}, {30, 0, 5}, 0, false, leaning, leaning});
+  stock.cut();
+  const Surface surface = surface_of(stock);
+  double worst = 0, all = 0, count = 0;
+  for (std::size_t i = 0; i < surface.made_by.size(); ++i) {
+    if (surface.made_by[i] == of_blank) continue;
+    const double y = double(surface.points[3 * i + 1]), z = double(surface.points[3 * i + 2]) - 5;
+    const double across = y * leaning.z - z * leaning.y, along_tool = y * leaning.y + z * leaning.z;
+    const double off = std::min(std::fabs(along_tool), std::fabs(std::fabs(across) - 5));
+    worst = std::max(worst, off), all += off, ++count;
+  }
+  EXPECT_LT(worst, 0.05);  // of a cell that the edge leaves again next to its side
+  EXPECT_LT(all / count, 0.002);
+}
+
+TEST(LeanCut, AHolderThatLeansIsToldOf) {
+  ToolGeometry g;
+  g.kind = ToolKind::flat, g.diameter = 4, g.flutes = 4, g.length = 4;
+  g.holder = {{20, 0}, {20, 20}};
+  Stock stock(box_blank(block), 0.5, 2);
+  stock.add_tool(shape_of(g));
+  const Vec3 flat{0, -std::sqrt(0.96), 0.2};
+  stock.add({{-30, 0, 9}, {30, 0, 9}, 0, false, flat, flat});
+  stock.add({{-30, 0, 30}, {30, 0, 30}, 0, false, flat, flat});
+  const std::vector<Touch> touches = stock.cut();
+  ASSERT_FALSE(touches.empty());
+  EXPECT_EQ(touches.back().sweep, 0u);
+  EXPECT_EQ(touches.back().part, ToolPart::holder);
+}
+
+TEST(LeanCut, HalvedPartsTakeTheSame) {
+  for (const ToolKind kind : {ToolKind::flat, ToolKind::ball}) {
+    double removed[2] = {};
+    for (const int halves : {1, 2}) {
+      Stock stock(box_blank(block), 0.25, 2);
+      stock.add_tool(test::tool_of(kind, 6, 40));
+      const LeanWay all{{-12, -2, 6}, {12, 2, 6}, {0.3, 0, std::sqrt(0.91)}, {-0.2, 0.3, std::sqrt(0.87)}};
+      const int count = 100 * halves;
+      for (int i = 0; i < count; ++i) {
+        const LeanWay w = all.between(double(i) / count, double(i + 1) / count);
+        stock.add({w.from, w.to, 0, false, w.from_direction, w.to_direction});
+      }
+      stock.cut();
+      for (std::size_t i = 0; i < stock.sweeps(); ++i) removed[halves - 1] += stock.removed_by(i);
+    }
+    EXPECT_NEAR(removed[0] / removed[1], 1, 5e-5);
+  }
+}
+
+}  // namespace
+}  // namespace kadr

@@ -1,0 +1,134 @@
+// What sweeps of any tool that leans leave: a point of a lattice line is material exactly where it lies outside of what the tool sweeps.
+//
+// The twin is slow and obvious: distance from the tool as it stands at many moments, the least of them sought for between neighbours.
+// STOCK_POINTS and STOCK_SEED as in sweep_test.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+
+#include "stock/line_places.h"
+#include "stock/some_leaning.h"
+#include "stock/some_tools.h"
+
+namespace kadr {
+namespace {
+
+constexpr double cell = 0.5;
+/// The law of the rows, and the bound of what a way is taken straight by; more where a line all but lies in a flat face that turns, from
+/// one side of it to the other: docs/stock.md.
+constexpr double law = 1e-3, bend = 2.5e-3, in_face = cell * brick_edge * most_turn / 4;
+const Box3 block{{-1, -1, -1}, {9, 9, 9}};
+
+Vec3 direction_between(Vec3 a, Vec3 b, double part) {
+  const double size = std::min(length(b - a) / 2, 1.0), angle = 2 * std::asin(size);
+  if (angle < 1e-9) return a;
+  return (std::sin((1 - part) * angle) / std::sin(angle)) * a + (std::sin(part * angle) / std::sin(angle)) * b;
+}
+
+double dot_of(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+double from_leaning(const ToolShape& tool, const Sweep& sweep, Vec3 at) {
+  double best = std::numeric_limits<double>::infinity();
+  const double size = length(sweep.to - sweep.from) + 20 * length(sweep.to_direction - sweep.from_direction);
+  const int poses = std::clamp(int(size * 2), 8, 60);
+  for (const ConvexBody& body : tool.bodies)
+    for (const RoundSolid& solid : body.solids) {
+      const auto away = [&](double part) {
+        const Vec3 q = at - (sweep.from + part * (sweep.to - sweep.from)),
+                   k = direction_between(sweep.from_direction, sweep.to_direction, part);
+        const double height = dot_of(q, k);
+        return away_from(solid, length(q - height * k), height).distance;
+      };
+      std::array<double, 61> at_pose{};
+      for (int i = 0; i <= poses; ++i) at_pose[std::size_t(i)] = away(double(i) / poses), best = std::min(best, at_pose[std::size_t(i)]);
+      for (int i = 0; i <= poses; ++i) {
+        const std::size_t p = std::size_t(i);
+        if ((i > 0 && at_pose[p - 1] < at_pose[p]) || (i < poses && at_pose[p + 1] < at_pose[p])) continue;
+        constexpr double golden = 0.6180339887498949;
+        double low = std::max(i - 1.0, 0.0) / poses, high = std::min(i + 1.0, double(poses)) / poses;
+        double a = high - golden * (high - low), b = low + golden * (high - low), at_a = away(a), at_b = away(b);
+        for (int step = 0; step < 32; ++step) {
+          const bool left = at_a < at_b;
+          (left ? high : low) = left ? b : a;
+          (left ? b : a) = left ? a : b;
+          (left ? at_b : at_a) = left ? at_a : at_b;
+          const double next = left ? high - golden * (high - low) : low + golden * (high - low);
+          (left ? a : b) = next;
+          (left ? at_a : at_b) = away(next);
+        }
+        best = std::min({best, at_a, at_b});
+      }
+    }
+  return best;
+}
+
+bool lies_in_face(const std::vector<Sweep>& sweeps, int family) {
+  return std::any_of(sweeps.begin(), sweeps.end(), [&](const Sweep& s) {
+    const double a = along(s.from_direction, family), b = along(s.to_direction, family);
+    return s.from_direction != s.to_direction && (a * b <= 0 || std::min(std::fabs(a), std::fabs(b)) < 2 * most_turn);
+  });
+}
+
+std::string told(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePlace& p) {
+  char text[600];
+  std::snprintf(text, sizeof text, "family %d place (%.9g %.9g %.9g)%s", p.family, p.at.x, p.at.y, p.at.z, p.is_end ? ", an end" : "");
+  std::string all = text;
+  for (const ConvexBody& body : tool.bodies)
+    for (const RoundSolid& r : body.solids) {
+      std::snprintf(text, sizeof text, "\n  form %d from %.9g to %.9g radius %.9g to %.9g", int(r.form), r.bottom, r.top, r.bottom_radius,
+                    r.top_radius);
+      all += text;
+    }
+  for (const Sweep& s : sweeps) {
+    std::snprintf(text, sizeof text, "\n  from (%.9g %.9g %.9g) way (%.9g %.9g %.9g) direction (%.9g %.9g %.9g) turn %.4g", s.from.x,
+                  s.from.y, s.from.z, s.to.x - s.from.x, s.to.y - s.from.y, s.to.z - s.from.z, s.from_direction.x, s.from_direction.y,
+                  s.from_direction.z, length(s.to_direction - s.from_direction));
+    all += text;
+  }
+  return all;
+}
+
+// Every fourth tool makes several sweeps.
+TEST(LeanSweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
+  constexpr int places_of_a_sweep = 60;
+  const std::uint64_t points = asked("STOCK_POINTS", 40000), seed = asked("STOCK_SEED", seed_of_properties());
+  Chance chance(seed);
+  std::array<double, some_tools> worst{}, worst_in_face{};
+  std::uint64_t looked_at = 0, ends = 0;
+  int shown = 0;
+  for (int round = 0; looked_at < points; ++round) {
+    const auto which = SomeTool(round % some_tools);
+    const ToolShape tool = some_tool(chance, which);
+    std::vector<Sweep> sweeps{some_leaning_move(chance)};
+    while (round / some_tools % 4 == 3 && sweeps.size() < 3) sweeps.push_back(some_leaning_move(chance));
+    Stock stock(box_blank(block), cell, 1);
+    stock.add_tool(tool);
+    for (const Sweep& s : sweeps) stock.add(s);
+    stock.cut();
+    for (int i = 0; i < places_of_a_sweep; ++i) {
+      const LinePlace p = some_place(stock, chance);
+      if (!within(block, p.at)) continue;
+      ++looked_at, ends += p.is_end;
+      double distance = std::numeric_limits<double>::infinity();
+      for (const Sweep& s : sweeps) distance = std::min(distance, from_leaning(tool, s, p.at));
+      if (!p.is_end && (distance > 0) == is_material(stock, p)) continue;
+      const bool faces = lies_in_face(sweeps, p.family);
+      double& most = (faces ? worst_in_face : worst)[std::size_t(which)];
+      most = std::max(most, std::fabs(distance));
+      if (std::fabs(distance) > law + bend + (faces ? in_face : 0) && ++shown <= 8)
+        ADD_FAILURE() << name_of(which) << ", seed " << seed << ": wrong by " << distance << " mm; " << told(tool, sweeps, p);
+    }
+  }
+  for (int i = 0; i < some_tools; ++i) {
+    EXPECT_LE(worst[std::size_t(i)], law + bend) << name_of(SomeTool(i)) << ", seed " << seed;
+    EXPECT_LE(worst_in_face[std::size_t(i)], law + bend + in_face) << name_of(SomeTool(i)) << ", seed " << seed;
+    std::printf("%-22s greatest error %.6f mm, %.6f mm along flat faces\n", name_of(SomeTool(i)), worst[std::size_t(i)],
+                worst_in_face[std::size_t(i)]);
+  }
+  std::printf("%llu places, %llu of them ends\n", static_cast<unsigned long long>(looked_at), static_cast<unsigned long long>(ends));
+}
+
+}  // namespace
+}  // namespace kadr
