@@ -266,7 +266,7 @@ TEST(calls_of, the_way_of_calls_long_after) {
     ways.push_back(way);
   }
   EXPECT_EQ(ways, (std::vector<std::string>{"1:", "7: O100@2", "11: O100@2 O200@8", "7: O100@2", "11: O100@2 O200@8", "11: O200@3", "4:"}));
-  const AlarmReport report = session->settled_control().report_for(alarm(AlarmId::tool_leans, {}), origins[2]);
+  const AlarmReport report = session->settled_control().report_for(alarm(AlarmId::plunge, {}, 1.0, 1.0, std::string("X0")), origins[2]);
   EXPECT_EQ(report.calls.size(), 2U);
   EXPECT_EQ(report.line_text, "G0 X2");
 }

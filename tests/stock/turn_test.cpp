@@ -127,7 +127,7 @@ TEST(TurnProperty, NormalIsTheGradientOfTheDistance) {
     const ToolShape tool = some_insert(chance);
     Sweep sweep = some_way(chance);
     if (length(sweep.to - sweep.from) > 50) continue;
-    KeptSweep kept{{float(sweep.from.x), 0, float(sweep.from.z)}, {float(sweep.to.x), 0, float(sweep.to.z)}, 0, false};
+    KeptSweep kept{{float(sweep.from.x), 0, float(sweep.from.z)}, {float(sweep.to.x), 0, float(sweep.to.z)}, 0, false, false};
     sweep.from = {double(kept.from[0]), 0, double(kept.from[2])}, sweep.to = {double(kept.to[0]), 0, double(kept.to[2])};
     const int family = chance.below(3);
     Vec3 inside = 0.5 * (sweep.from + sweep.to) + Vec3{chance.between(-4, 4), 0, chance.between(-4, 4)};
