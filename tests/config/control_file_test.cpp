@@ -9,6 +9,7 @@
 #include <set>
 
 #include "control/interpreter.h"
+#include "own_place.h"
 
 namespace kadr {
 namespace {
@@ -288,7 +289,7 @@ TEST(errors, of_what_is_missing) {
 }
 
 TEST(errors, of_a_file_that_extends_itself) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "kadr_control_file_test";
+  const std::filesystem::path folder = own_place("control_file");
   std::filesystem::create_directories(folder);
   const auto write = [&](const char* name, const char* base) {
     std::ofstream(folder / name) << "id = \"a\"\nextends = \"" << base << "\"\n";

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "config/machine_profile.h"
+#include "own_place.h"
 
 namespace kadr {
 namespace {
@@ -23,11 +24,13 @@ const std::string chains =
     "tool = ['X', 'Y', 'Z']\n"
     "part = ['C']\n";
 
-std::filesystem::path a_file() { return std::filesystem::temp_directory_path() / "kadr_machine_bodies_test.toml"; }
+std::filesystem::path a_file() { return own_place("bodies.toml"); }
 
 tl::expected<MachineProfile, std::string> loaded(const std::string& toml) {
   std::ofstream(a_file()) << toml;
-  return load_machine(a_file().string());
+  auto profile = load_machine(a_file().string());
+  std::filesystem::remove(a_file());
+  return profile;
 }
 
 std::string refusal(const std::string& body) {

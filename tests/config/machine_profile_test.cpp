@@ -7,13 +7,16 @@
 #include <filesystem>
 #include <fstream>
 
+#include "own_place.h"
+
 namespace kadr {
 namespace {
 
 std::string refusal(const std::string& toml) {
-  const auto file = std::filesystem::temp_directory_path() / "kadr_machine_profile_test.toml";
+  const auto file = own_place("profile.toml");
   std::ofstream(file) << toml;
   const auto profile = load_machine(file.string());
+  std::filesystem::remove(file);
   EXPECT_FALSE(profile);
   return profile ? "" : profile.error().substr(file.string().size());
 }
@@ -64,9 +67,10 @@ TEST(machine_profile, numbers_beyond_every_machine) {
 TEST(machine_profile, the_programmed_speed_counts_if_nobody_says_whose) {
   EXPECT_EQ(load_machine("generic")->planner, PlannerMode::programmed);
   EXPECT_EQ(load_machine("nct-vmc")->planner, PlannerMode::control);
-  const auto file = std::filesystem::temp_directory_path() / "kadr_machine_profile_planner_test.toml";
+  const auto file = own_place("planner.toml");
   std::ofstream(file) << "id = 'a'\nplanner = 'optimal'\n[axes]";
   EXPECT_EQ(load_machine(file.string())->planner, PlannerMode::optimal);
+  std::filesystem::remove(file);
 }
 
 TEST(machine_profile, chains_of_axes) {
