@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "base/ascii.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
+#include "lang/text/encoding.h"
 
 namespace kadr::linuxcnc {
 namespace {
@@ -50,7 +52,8 @@ Words no_value(const AlarmReport& report) {
   const std::string letter = argument(report, 0);
   if (letter == "N") return {AlarmId::rs274_form, "Bad format unsigned integer"};
   const std::string_view at = there(report);
-  const std::size_t behind = at.find_first_not_of(" \t", 1);
+  const std::size_t letter_bytes = std::max<std::size_t>(first_character(at).size, 1);  // a Russian look-alike has two
+  const std::size_t behind = at.find_first_not_of(" \t", letter_bytes);
   if (behind == std::string_view::npos || at[behind] == '(' || at[behind] == ';')
     return {AlarmId::rs274_form, "No characters found in reading real value"};
   return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(behind))};
