@@ -14,6 +14,7 @@ namespace {
 constexpr int most_pieces = 4096;    // of one turn: chords of 0.1 µm on a radius of 100 m
 constexpr double same_place = 1e-9;  // mm
 constexpr double reach = 100;        // of a tool, mm: how far a wrong direction is felt
+constexpr double lean_chord = 5e-4;  // mm: of a tool that leans, whose sweeps are good to 2.5 µm (docs/stock.md)
 constexpr double turn_of_chord = 5;  // chords that its end may be off
 constexpr double undivided = 45;     // degrees: what turns farther may come back to where it began
 constexpr int most_depth = 16;
@@ -88,7 +89,8 @@ void ToolWay::divide(const Step& step, const WayPiece& p, int depth, std::vector
   const Pose middle = pose_at(step, part);
   const Vec3 between = p.from_direction + p.to_direction;
   const double size = length(between), off = size > 0 ? length((1 / size) * between - middle.direction) : 2;
-  const bool straight = length(0.5 * (p.from + p.to) - middle.tip) <= chord_ && off * reach <= turn_of_chord * chord_;
+  const double allowed = std::max(chord_, lean_chord);
+  const bool straight = length(0.5 * (p.from + p.to) - middle.tip) <= allowed && off * reach <= turn_of_chord * allowed;
   if (depth >= most_depth || straight) {
     if (!is_nowhere(p)) pieces.push_back(p);
     return;
