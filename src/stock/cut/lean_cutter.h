@@ -7,10 +7,13 @@
 // the ends, with the shift that the tool has at the very place where it leaves the line.
 
 #include "stock/cut/cutter_lanes.h"
+#include "stock/cut/lean_ball.h"
 #include "stock/cut/lean_cut.h"
-#include "stock/cut/lean_rows.h"
 
 namespace kadr {
+
+template <class V>
+struct LeanFamily;
 
 class LeanCutter : public Cutter {
  public:
@@ -42,13 +45,17 @@ class LeanCutter : public Cutter {
   void cut_family(const Reached& reached);
   template <class V, LeanBody::Kind kind, int family>
   Swept<V> ends_in(int row, int lane, const Swept<V>& guess, const Swept<V>& material) const;
-  template <class V, LeanBody::Kind kind>
-  Swept<V> nearly(const Vec3Of<V>& at, const Vec3Of<V>& axis, const Slant<V>& rise) const;
+  template <class V, LeanBody::Kind kind, int family>
+  bool sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
+  template <class V, int family>
+  bool sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
   template <class V, LeanBody::Kind kind, int family>
   Swept<V> by_end(int row, int lane, const Swept<V>& guess, const MarksOf<V>& by_from, const MarksOf<V>& wanted,
                   const Swept<V>& material) const;
   static bool is_reached(const Reached& reached, int family, int row, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
+  BallWay ball_way() const;
+  bool is_below_shaft() const;
 
   const LeanSweep& lean_;
   const LeanBody& body_leaning_;
@@ -57,6 +64,8 @@ class LeanCutter : public Cutter {
   float spare_;  // by which the tool shifts at most from the middle of its way
   LeanBody around_;
   FacesNear near_;
+  BallWay ball_;  // of a ball end
+  bool below_shaft_;
 };
 
 /// A place changes what is found by the turn times so much: mm that are let pass.
@@ -208,15 +217,51 @@ KADR_IN_LANES Swept<V> LeanCutter::ends_in(int row, int lane, const Swept<V>& gu
   return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
 }
 
-/// In the middle of the way, of a body as much larger as it shifts from there.
-template <class V, LeanBody::Kind kind>
-KADR_IN_LANES Swept<V> LeanCutter::nearly(const Vec3Of<V>& at, const Vec3Of<V>& axis, const Slant<V>& rise) const {
-  const Swept<V> shaft = in_frustum(at, axis, rise, around_.shaft, 0.f);
-  if constexpr (kind != LeanBody::Kind::ball) return {shaft.from + half_, shaft.to + half_};
-  Vec3Of<V> from_ball = at;
-  from_ball.z = at.z - around_.middle;
-  const Swept<V> all = either(in_ball(from_ball, axis, around_.corner), shaft);
-  return {all.from + half_, all.to + half_};
+/// The lines of a family, seen from the tool in the middle of its way, and as it shifts in the middle of the brick.
+template <class V>
+struct LeanFamily {
+  Vec3Of<V> axis;
+  Slant<V> rise;
+  LeanLines<V> lines;
+};
+
+/// What the tool, or but its shaft, sweeps of lines.
+///   returns  false: none of the material
+template <class V, LeanBody::Kind kind, int family>
+KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const {
+  const V places = lanes_at<V>(scale_.place + lane) - half_;
+  const Vec3Of<V> middle = line_value(lean_.middle, lean_.axes, family, places, scale_.place[row] - half_);
+  // In the middle of the way, of a body as much larger as it shifts from there.
+  const Swept<V> nearly = in_frustum(middle, all.axis, all.rise, around_.shaft, 0.f);
+  if (!any(meet({nearly.from + half_, nearly.to + half_}, material))) return false;
+  const Swept<V> even = lean_swept<V, kind>(all.lines, outer_, evenly_shifted_place(all.lines, middle), near_);
+  const Swept<V> guess{even.from + half_, even.to + half_};
+  if (!any(meet(guess, material))) return false;
+  swept = lean_.half_turn > 0 ? ends_in<V, kind, family>(row, lane, guess, material) : guess;
+  return true;
+}
+
+/// What the ball leaves of the material where the shaft may yet take something.
+template <class V>
+KADR_IN_LANES Swept<V> left_by(const Swept<V>& ball, const Swept<V>& material) {
+  const MarksOf<V> takes_from = ball.from <= material.from, takes_to = ball.to >= material.to;
+  const V from = choose(takes_from & (ball.to > material.from), ball.to, material.from);
+  return {from, choose(takes_to & (ball.from < material.to), ball.from, material.to)};
+}
+
+template <class V, int family>
+KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material,
+                                           Swept<V>& swept) const {
+  swept = in_ball_tube(tube, lanes_at<V>(scale_.place + lane) - half_, scale_.place[row] - half_);
+  swept = {swept.from + half_, swept.to + half_};
+  const bool meets = any(meet(swept, material));
+  if (below_shaft_) return meets;
+  const Swept<V> left = left_by(swept, material);
+  if (!any(left.from < left.to)) return meets;
+  Swept<V> shaft;
+  if (!sweeps<V, LeanBody::Kind::cylinder, family>(all, row, lane, left, shaft)) return meets;
+  swept = either(swept, where(meet(shaft, left), shaft.from, shaft.to));
+  return true;
 }
 
 template <class V, LeanBody::Kind kind, int family>
@@ -231,8 +276,8 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
   const V none = spread<V>(0.f);
   Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
   const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
-  const Slant<V> rise = slant(axis.z);
-  const LeanLines<V> all_lines = evenly_shifted<V>(family);
+  const LeanFamily<V> all{axis, slant(axis.z), evenly_shifted<V>(family)};
+  const BallTube tube(ball_, family);
   for (int row = 0; row < brick_edge; ++row)
     for (int lane = 0; lane < brick_edge; lane += lane_count) {
       if (!is_reached(reached, family, row, lane, scale_)) continue;
@@ -240,13 +285,12 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
       Swept<V> material{lanes_at<V>(lines.from + at), lanes_at<V>(lines.to + at)};
       if (several) material = {spread<V>(0.f), spread<V>(scale_.edge)};
       if (!any(material.from < material.to)) continue;
-      const V places = lanes_at<V>(scale_.place + lane) - half_;
-      const Vec3Of<V> middle = line_value(lean_.middle, lean_.axes, family, places, scale_.place[row] - half_);
-      if (!any(meet(nearly<V, kind>(middle, axis, rise), material))) continue;
-      const Swept<V> even = lean_swept<V, kind>(all_lines, outer_, evenly_shifted_place(all_lines, middle), near_);
-      const Swept<V> guess{even.from + half_, even.to + half_};
-      if (!any(meet(guess, material))) continue;
-      const Swept<V> swept = lean_.half_turn > 0 ? ends_in<V, kind, family>(row, lane, guess, material) : guess;
+      Swept<V> swept;
+      if constexpr (kind == LeanBody::Kind::ball) {
+        if (!sweeps_ball<V, family>(all, tube, row, lane, material, swept)) continue;
+      } else {
+        if (!sweeps<V, kind, family>(all, row, lane, material, swept)) continue;
+      }
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
       take<V, family>(lines, at, swept, taken);
     }
