@@ -71,12 +71,13 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       spare_(half_shift(cut.sweep)),
       around_(bounds_of(cut.body, spare_)),
       near_(faces_near()),
-      ball_(ball_way()),
+      widest_(cut.body.widest() + 2 * cut.sweep.guess_error() + margin()),
+      ball_(ball_way(cut.body.corner)),
       below_shaft_(is_below_shaft()) {}
 
 /// Of a ball end.
-BallWay LeanCutter::ball_way() const {
-  BallWay way{{}, {}, body_leaning_.corner};
+BallWay LeanCutter::ball_way(float radius) const {
+  BallWay way{{}, {}, radius};
   for (int d = 0; d < 3; ++d) {
     way.from[d] = lean_.tips[0][d] + body_leaning_.middle * lean_.directions[0][d];
     way.to[d] = lean_.tips[1][d] + body_leaning_.middle * lean_.directions[1][d];
