@@ -127,7 +127,8 @@ void Stock::cut_leaning(std::size_t number, std::size_t i, std::size_t b, Brick&
   const double edge = lattice_.edge();
   LeanWay way = lean_way_of(s, lean_ends(number));
   way.from = way.from - corner, way.to = way.to - corner;
-  const AroundTip around = around_leaning_tip(way, body.bottom(), body.top(), body.widest());
+  AroundTip around{0, 0, 0};
+  if (length(way.to - way.from) > clipped_above * edge) around = around_leaning_tip(way, body.bottom(), body.top(), body.widest());
   if (length(way.to - way.from) > clipped_above * (edge + 2 * around.beside)) {
     const WayPart part = part_that_reaches(way.from, way.to - way.from, around, {edge, edge, edge});
     way = way.between(part.first, part.last);

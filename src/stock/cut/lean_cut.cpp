@@ -45,6 +45,8 @@ LeanSweep::LeanSweep(const LeanWay& way, Vec3 corner, double edge) {
   half_turn = float(way.turn() / 2);
   reach = float(edge / 2 * std::sqrt(3.0));
   for (int d = 0; d < 3; ++d) {
+    tips[0][d] = float(along(way.from - centre, d)), tips[1][d] = float(along(way.to - centre, d));
+    directions[0][d] = float(along(way.from_direction, d)), directions[1][d] = float(along(way.to_direction, d));
     middle[d] = float((along(first, d) + along(last, d)) / 2);
     shift[d] = float(along(last, d) - along(first, d));
     Vec3 axis;
@@ -68,7 +70,27 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       half_(scale.edge / 2),
       spare_(half_shift(cut.sweep)),
       around_(bounds_of(cut.body, spare_)),
-      near_(faces_near()) {}
+      near_(faces_near()),
+      widest_(cut.body.widest() + 2 * cut.sweep.guess_error() + margin()),
+      ball_(ball_way(cut.body.corner)),
+      below_shaft_(is_below_shaft()) {}
+
+/// Of a ball end.
+BallWay LeanCutter::ball_way(float radius) const {
+  BallWay way{{}, {}, radius};
+  for (int d = 0; d < 3; ++d) {
+    way.from[d] = lean_.tips[0][d] + body_leaning_.middle * lean_.directions[0][d];
+    way.to[d] = lean_.tips[1][d] + body_leaning_.middle * lean_.directions[1][d];
+  }
+  return way;
+}
+
+/// No place of the brick is above the lower face of the shaft, which is within the ball.
+bool LeanCutter::is_below_shaft() const {
+  float high = lean_.middle[2] + std::fabs(lean_.shift[2]) / 2 + lean_.guess_error() + margin();
+  for (int d = 0; d < 3; ++d) high += std::fabs(lean_.axes[d][2]) * half_;
+  return high < body_leaning_.shaft.low;
+}
 
 /// With room for what is larger.
 FacesNear LeanCutter::faces_near() const {
@@ -77,7 +99,7 @@ FacesNear LeanCutter::faces_near() const {
   const float low = lean_.middle[2] - reach, high = lean_.middle[2] + reach;
   const auto in = [&](float height) { return height >= low && height <= high; };
   FacesNear near;
-  near.low = in(body_leaning_.shaft.low), near.high = in(body_leaning_.shaft.high);
+  near.low = body_leaning_.kind != LeanBody::Kind::ball && in(body_leaning_.shaft.low), near.high = in(body_leaning_.shaft.high);
   return near;
 }
 

@@ -17,6 +17,7 @@ struct LeanSweep {
   float middle[3], shift[3];
   float axes[3][3], shift_grows[3][3];
   float axes_first[3][3], axes_last[3][3];  // as they are at the beginning and the end
+  float tips[2][3], directions[2][3];       // of the tool at the beginning and the end, from the brick's middle
   float half_turn;                          // radians
   float reach;                              // from the brick's middle to its corners
   /// By which the sweep of a guessed place may be wrong anywhere in the brick, mm.

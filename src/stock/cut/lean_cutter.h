@@ -4,13 +4,30 @@
 //
 // Which squares of columns it reaches; which lines, by the tool as it stands in the middle of its way, larger by as much as it shifts from
 // there; which of these, by a shift that is that of the middle of the brick everywhere, and a body larger by what this may be wrong; then
-// the ends, with the shift that the tool has at the very place where it leaves the line.
+// the ends, from without, with the shift that the tool has at the very place where it leaves the line. Of a ball end, what it sweeps itself
+// first; its shaft is asked only for what that leaves.
 
 #include "stock/cut/cutter_lanes.h"
+#include "stock/cut/lean_ball.h"
 #include "stock/cut/lean_cut.h"
-#include "stock/cut/lean_rows.h"
 
 namespace kadr {
+
+/// The lines of a family, seen from the tool in the middle of its way.
+template <class V>
+struct LeanFamily {
+  Vec3Of<V> axis;
+  Slant<V> rise;
+  LeanLines<V> even;   // as it shifts in the middle of the brick
+  LeanLines<V> exact;  // with their directions at the ends of the way
+};
+/// Eight of them.
+template <class V>
+struct LeanRow {
+  Vec3Of<V> at, shift;    // of their middles
+  Vec3Of<V> first, last;  // where these are at the ends of the way
+  Swept<V> at_ends;       // by the tool as it stands there
+};
 
 class LeanCutter : public Cutter {
  public:
@@ -41,14 +58,18 @@ class LeanCutter : public Cutter {
   template <class V, LeanBody::Kind kind, int family>
   void cut_family(const Reached& reached);
   template <class V, LeanBody::Kind kind, int family>
-  Swept<V> ends_in(int row, int lane, const Swept<V>& guess, const Swept<V>& material) const;
-  template <class V, LeanBody::Kind kind>
-  Swept<V> nearly(const Vec3Of<V>& at, const Vec3Of<V>& axis, const Slant<V>& rise) const;
+  Swept<V> ends_in(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const Swept<V>& material) const;
   template <class V, LeanBody::Kind kind, int family>
-  Swept<V> by_end(int row, int lane, const Swept<V>& guess, const MarksOf<V>& by_from, const MarksOf<V>& wanted,
-                  const Swept<V>& material) const;
+  bool sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
+  template <class V, int family>
+  bool sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
+  template <class V, LeanBody::Kind kind, int family>
+  Swept<V> by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
+                  const MarksOf<V>& wanted, const Swept<V>& material) const;
   static bool is_reached(const Reached& reached, int family, int row, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
+  BallWay ball_way(float radius) const;
+  bool is_below_shaft() const;
 
   const LeanSweep& lean_;
   const LeanBody& body_leaning_;
@@ -57,6 +78,9 @@ class LeanCutter : public Cutter {
   float spare_;  // by which the tool shifts at most from the middle of its way
   LeanBody around_;
   FacesNear near_;
+  float widest_;  // of the body, with room for the same
+  BallWay ball_;  // of a ball end
+  bool below_shaft_;
 };
 
 /// A place changes what is found by the turn times so much: mm that are let pass.
@@ -113,7 +137,10 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
     const LeanPlace<V> start = evenly_shifted_place(lines, at);
     Swept<V> s{};
     switch (around_square_.kind) {
-      case LeanBody::Kind::ball: s = lean_swept<V, LeanBody::Kind::ball>(lines, around_square_, start, near_); break;
+      case LeanBody::Kind::ball:
+        s = in_ball_tube(BallTube(ball_way(around_square_.corner), 2), x, y);
+        if (!below_shaft_) s = either(s, in_shifted_frustum(lines, start, around_square_.shaft, near_));
+        break;
       case LeanBody::Kind::cone: s = lean_swept<V, LeanBody::Kind::cone>(lines, around_square_, start, near_); break;
       case LeanBody::Kind::cylinder:
       case LeanBody::Kind::rounded: s = lean_swept<V, LeanBody::Kind::cylinder>(lines, around_square_, start, near_); break;
@@ -163,21 +190,18 @@ KADR_IN_LANES void LeanCutter::cut_kind(const Reached& r) {
 /// sweeps if it is so with the shift that it has itself: that is asked of the place that was found last, then of places between those that
 /// were within and without.
 template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES Swept<V> LeanCutter::by_end(int row, int lane, const Swept<V>& guess, const MarksOf<V>& by_from, const MarksOf<V>& wanted,
-                                          const Swept<V>& material) const {
-  const V lanes = lanes_at<V>(scale_.place + lane) - half_, half = spread<V>(half_);
-  const float row_place = scale_.place[row] - half_;
-  const Vec3Of<V> at = line_value(lean_.middle, lean_.axes, family, lanes, row_place);
-  const Vec3Of<V> shift = line_value(lean_.shift, lean_.shift_grows, family, lanes, row_place);
-  const Vec3Of<V> grows = vector_of<V>(lean_.shift_grows[family]), axis = vector_of<V>(lean_.axes[family]);
-  const Vec3Of<V> first_axis = vector_of<V>(lean_.axes_first[family]), last_axis = vector_of<V>(lean_.axes_last[family]);
-  const Vec3Of<V> first = plus(at, spread<V>(-0.5f), shift), last = plus(at, spread<V>(0.5f), shift);
+KADR_IN_LANES Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess,
+                                          const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
+  const V half = spread<V>(half_);
+  const Vec3Of<V> grows = vector_of<V>(lean_.shift_grows[family]);
+  LeanLines<V> lines = all.exact;
   V low = -half, high = half, place = within(choose(by_from, guess.from, guess.to) - half, low, high);
   Swept<V> found;
   for (int i = 0;; ++i) {
-    const Vec3Of<V> here = plus(shift, place, grows);
-    const LeanLines<V> lines = lean_lines(axis, first_axis, last_axis, {-here.x, -here.y, -here.z});
-    found = lean_swept<V, kind>(lines, body_leaning_, {plus(at, spread<V>(-0.5f), here), first, last}, near_);
+    const Vec3Of<V> here = plus(line.shift, place, grows);
+    set_way(lines, {-here.x, -here.y, -here.z});
+    found = either(line.at_ends,
+                   lean_between<V, kind>(lines, body_leaning_, {plus(line.at, spread<V>(-0.5f), here), line.first, line.last}, near_));
     const V end = choose(by_from, found.from, found.to), moved = most(end - place, place - end);
     const MarksOf<V> missed_it = found.from > found.to, above = choose(missed_it, by_from, end > place);
     low = choose(above, place, low), high = choose(above, high, place);
@@ -196,27 +220,68 @@ KADR_IN_LANES Swept<V> LeanCutter::by_end(int row, int lane, const Swept<V>& gue
 
 /// What the tool sweeps of lines; beyond `material` no end is of account.
 template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES Swept<V> LeanCutter::ends_in(int row, int lane, const Swept<V>& guess, const Swept<V>& material) const {
+KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess,
+                                           const Swept<V>& material) const {
   const float room = scale_.cell / 8;
   const MarksOf<V> reached = meet(guess, material);
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
-  const Swept<V> one = by_end<V, kind, family>(row, lane, guess, by_from, reached, material);
+  const Swept<V> one = by_end<V, kind, family>(all, line, guess, by_from, reached, material);
   const MarksOf<V> other_to = by_from & (one.to < material.to + room), other_from = ~by_from & (one.from > material.from - room);
   const MarksOf<V> wanted = meet(one, material) & (other_to | other_from);
   if (!any(wanted)) return one;
-  const Swept<V> two = by_end<V, kind, family>(row, lane, one, ~by_from, wanted, material);
+  const Swept<V> two = by_end<V, kind, family>(all, line, one, ~by_from, wanted, material);
   return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
 }
 
-/// In the middle of the way, of a body as much larger as it shifts from there.
-template <class V, LeanBody::Kind kind>
-KADR_IN_LANES Swept<V> LeanCutter::nearly(const Vec3Of<V>& at, const Vec3Of<V>& axis, const Slant<V>& rise) const {
-  const Swept<V> shaft = in_frustum(at, axis, rise, around_.shaft, 0.f);
-  if constexpr (kind != LeanBody::Kind::ball) return {shaft.from + half_, shaft.to + half_};
-  Vec3Of<V> from_ball = at;
-  from_ball.z = at.z - around_.middle;
-  const Swept<V> all = either(in_ball(from_ball, axis, around_.corner), shaft);
-  return {all.from + half_, all.to + half_};
+/// What the tool, or but its shaft, sweeps of lines.
+///   returns  false: none of the material
+template <class V, LeanBody::Kind kind, int family>
+KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const {
+  const V places = lanes_at<V>(scale_.place + lane) - half_;
+  const float row_place = scale_.place[row] - half_;
+  LeanRow<V> line;
+  line.at = line_value(lean_.middle, lean_.axes, family, places, row_place);
+  // In the middle of the way, of a body as much larger as it shifts from there.
+  const Swept<V> nearly = in_frustum(line.at, all.axis, all.rise, around_.shaft, 0.f);
+  const LeanPlace<V> even_place = evenly_shifted_place(all.even, line.at);
+  const MarksOf<V> near = meet({nearly.from + half_, nearly.to + half_}, material) & come_near(all.even, even_place.at, widest_);
+  if (!any(near)) return false;
+  const Swept<V> even = lean_swept<V, kind>(all.even, outer_, even_place, near_);
+  const Swept<V> guess{even.from + half_, even.to + half_};
+  const MarksOf<V> reached = meet(guess, material);
+  if (!any(reached)) return false;
+  swept = guess;
+  if (lean_.half_turn == 0) return true;
+  line.shift = line_value(lean_.shift, lean_.shift_grows, family, places, row_place);
+  line.first = plus(line.at, spread<V>(-0.5f), line.shift), line.last = plus(line.at, spread<V>(0.5f), line.shift);
+  line.at_ends = lean_at_ends<V, kind>(all.exact, body_leaning_, {line.first, line.first, line.last});
+  swept = {line.at_ends.from + half_, line.at_ends.to + half_};
+  if (any(reached & ((swept.from > material.from) | (swept.to < material.to))))
+    swept = ends_in<V, kind, family>(all, line, guess, material);
+  return true;
+}
+
+/// What the ball leaves of the material where the shaft may yet take something.
+template <class V>
+KADR_IN_LANES Swept<V> left_by(const Swept<V>& ball, const Swept<V>& material) {
+  const MarksOf<V> takes_from = ball.from <= material.from, takes_to = ball.to >= material.to;
+  const V from = choose(takes_from & (ball.to > material.from), ball.to, material.from);
+  return {from, choose(takes_to & (ball.from < material.to), ball.from, material.to)};
+}
+
+template <class V, int family>
+KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material,
+                                           Swept<V>& swept) const {
+  swept = in_ball_tube(tube, lanes_at<V>(scale_.place + lane) - half_, scale_.place[row] - half_);
+  swept = {swept.from + half_, swept.to + half_};
+  const bool meets = any(meet(swept, material));
+  if (below_shaft_) return meets;
+  const Swept<V> left = left_by(swept, material);
+  if (!any(left.from < left.to)) return meets;
+  Swept<V> shaft;
+  if (!sweeps<V, LeanBody::Kind::cylinder, family>(all, row, lane, left, shaft)) return meets;
+  swept = either(swept, where(meet(shaft, left), shaft.from, shaft.to));
+  return true;
 }
 
 template <class V, LeanBody::Kind kind, int family>
@@ -231,8 +296,9 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
   const V none = spread<V>(0.f);
   Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
   const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
-  const Slant<V> rise = slant(axis.z);
-  const LeanLines<V> all_lines = evenly_shifted<V>(family);
+  const LeanFamily<V> all{axis, slant(axis.z), evenly_shifted<V>(family),
+                          lean_lines(axis, vector_of<V>(lean_.axes_first[family]), vector_of<V>(lean_.axes_last[family]), axis)};
+  const BallTube tube(ball_, family);
   for (int row = 0; row < brick_edge; ++row)
     for (int lane = 0; lane < brick_edge; lane += lane_count) {
       if (!is_reached(reached, family, row, lane, scale_)) continue;
@@ -240,13 +306,12 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
       Swept<V> material{lanes_at<V>(lines.from + at), lanes_at<V>(lines.to + at)};
       if (several) material = {spread<V>(0.f), spread<V>(scale_.edge)};
       if (!any(material.from < material.to)) continue;
-      const V places = lanes_at<V>(scale_.place + lane) - half_;
-      const Vec3Of<V> middle = line_value(lean_.middle, lean_.axes, family, places, scale_.place[row] - half_);
-      if (!any(meet(nearly<V, kind>(middle, axis, rise), material))) continue;
-      const Swept<V> even = lean_swept<V, kind>(all_lines, outer_, evenly_shifted_place(all_lines, middle), near_);
-      const Swept<V> guess{even.from + half_, even.to + half_};
-      if (!any(meet(guess, material))) continue;
-      const Swept<V> swept = lean_.half_turn > 0 ? ends_in<V, kind, family>(row, lane, guess, material) : guess;
+      Swept<V> swept;
+      if constexpr (kind == LeanBody::Kind::ball) {
+        if (!sweeps_ball<V, family>(all, tube, row, lane, material, swept)) continue;
+      } else {
+        if (!sweeps<V, kind, family>(all, row, lane, material, swept)) continue;
+      }
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
       take<V, family>(lines, at, swept, taken);
     }

@@ -63,16 +63,20 @@ struct LeanLines {
   MarksOf<V> moves, moves_flat;
 };
 template <class V>
-KADR_IN_LANES LeanLines<V> lean_lines(const Vec3Of<V>& direction, const Vec3Of<V>& first_direction, const Vec3Of<V>& last_direction,
-                                      const Vec3Of<V>& way) {
-  LeanLines<V> l;
-  l.direction = direction, l.first_direction = first_direction, l.last_direction = last_direction;
-  l.first_rise = slant(first_direction.z), l.last_rise = slant(last_direction.z);
+KADR_IN_LANES void set_way(LeanLines<V>& l, const Vec3Of<V>& way) {
   l.way = way, l.length = square_root(dot(way, way)), l.flat = square_root(way.x * way.x + way.y * way.y);
   const V per = 1.f / most(l.length, spread<V>(shortest_way));
   l.forth = {way.x * per, way.y * per, way.z * per};
   l.per_flat = 1.f / most(l.flat, spread<V>(shortest_way));
   l.moves = l.length > shortest_way, l.moves_flat = l.flat > shortest_way;
+}
+template <class V>
+KADR_IN_LANES LeanLines<V> lean_lines(const Vec3Of<V>& direction, const Vec3Of<V>& first_direction, const Vec3Of<V>& last_direction,
+                                      const Vec3Of<V>& way) {
+  LeanLines<V> l;
+  l.direction = direction, l.first_direction = first_direction, l.last_direction = last_direction;
+  l.first_rise = slant(first_direction.z), l.last_rise = slant(last_direction.z);
+  set_way(l, way);
   return l;
 }
 
@@ -182,13 +186,13 @@ KADR_IN_LANES Swept<V> in_shifted_outline(const LeanLines<V>& l, const Vec3Of<V>
   return where((s.from <= s.to) & l.moves_flat & (beside_square > shortest_way), s.from, s.to);
 }
 
-/// All lines are farther from the axis than this, on one side of it, on all of the way.
+/// Lines that are not farther from the axis than this, on one side of it, on all of the way.
 template <class V>
-KADR_IN_LANES bool passes_by(const LeanLines<V>& l, const LeanPlace<V>& place, float radius) {
+KADR_IN_LANES MarksOf<V> come_near(const LeanLines<V>& l, const Vec3Of<V>& at, float radius) {
   const Vec3Of<V>& e = l.direction;
-  const V first = place.at.x * e.y - place.at.y * e.x, last = first - (l.way.x * e.y - l.way.y * e.x);
+  const V first = at.x * e.y - at.y * e.x, last = first - (l.way.x * e.y - l.way.y * e.x);
   const V reach = radius * square_root(e.x * e.x + e.y * e.y) + shortest_way;
-  return !any((least(first, last) <= reach) & (most(first, last) >= -reach));
+  return (least(first, last) <= reach) & (most(first, last) >= -reach);
 }
 
 /// Which faces can lie in the brick.
@@ -196,17 +200,27 @@ struct FacesNear {
   bool low = true, high = true;
 };
 
+inline float widens(const Frustum& f) { return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low); }
+
+template <class V>
+KADR_IN_LANES Swept<V> in_frustum_at_ends(const LeanLines<V>& l, const LeanPlace<V>& place, const Frustum& f) {
+  const Swept<V> first = in_frustum(place.first, l.first_direction, l.first_rise, f, widens(f));
+  return either(where(first.from <= first.to, first.from, first.to), in_frustum(place.last, l.last_direction, l.last_rise, f, widens(f)));
+}
+
+/// What else it sweeps between the ends of its way.
+template <class V>
+KADR_IN_LANES Swept<V> in_frustum_between(const LeanLines<V>& l, const Vec3Of<V>& at, const Frustum& f, FacesNear near) {
+  Swept<V> s = in_shifted_outline(l, at, f, widens(f));
+  if (near.low) s = either(s, in_shifted_disc(l, at, f.low, f.low_radius));
+  if (near.high) s = either(s, in_shifted_disc(l, at, f.high, f.high_radius));
+  return s;
+}
+
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_frustum(const LeanLines<V>& l, const LeanPlace<V>& place, const Frustum& f, FacesNear near) {
-  const float tall = f.high - f.low, widens = f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / tall;
-  Swept<V> s{spread<V>(missed), spread<V>(-missed)};
-  if (passes_by(l, place, std::max(f.low_radius, f.high_radius))) return s;
-  s = either(s, in_frustum(place.first, l.first_direction, l.first_rise, f, widens));
-  s = either(s, in_frustum(place.last, l.last_direction, l.last_rise, f, widens));
-  s = either(s, in_shifted_outline(l, place.at, f, widens));
-  if (near.low) s = either(s, in_shifted_disc(l, place.at, f.low, f.low_radius));
-  if (near.high) s = either(s, in_shifted_disc(l, place.at, f.high, f.high_radius));
-  return s;
+  if (!any(come_near(l, place.at, std::max(f.low_radius, f.high_radius)))) return {spread<V>(missed), spread<V>(-missed)};
+  return either(in_frustum_at_ends(l, place, f), in_frustum_between(l, place.at, f, near));
 }
 
 template <class V>
@@ -317,6 +331,22 @@ KADR_IN_LANES Swept<V> lean_swept(const LeanLines<V>& l, const LeanBody& b, cons
   Swept<V> s = in_shifted_frustum(l, at, b.end, {});
   if (b.shaft.high > b.shaft.low) s = either(s, in_shifted_frustum(l, at, b.shaft, {false, near.high}));
   return s;
+}
+
+/// The same in two parts: as the tool stands at the ends of its way, which does not depend on how it shifts, and between them.
+template <class V, LeanBody::Kind kind>
+KADR_IN_LANES Swept<V> lean_at_ends(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at) {
+  if constexpr (kind == LeanBody::Kind::cylinder) return in_frustum_at_ends(l, at, b.shaft);
+  if constexpr (kind == LeanBody::Kind::rounded) return {spread<V>(missed), spread<V>(-missed)};
+  const Swept<V> end = in_frustum_at_ends(l, at, b.end);
+  return b.shaft.high > b.shaft.low ? either(end, in_frustum_at_ends(l, at, b.shaft)) : end;
+}
+template <class V, LeanBody::Kind kind>
+KADR_IN_LANES Swept<V> lean_between(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at, FacesNear near) {
+  if constexpr (kind == LeanBody::Kind::cylinder) return in_frustum_between(l, at.at, b.shaft, near);
+  if constexpr (kind == LeanBody::Kind::rounded) return in_shifted_rounded(l, b, at);
+  const Swept<V> end = in_frustum_between(l, at.at, b.end, {});
+  return b.shaft.high > b.shaft.low ? either(end, in_frustum_between(l, at.at, b.shaft, {false, near.high})) : end;
 }
 
 }  // namespace kadr::lanes

@@ -1,0 +1,63 @@
+#pragma once
+// Where lattice lines lie within what a ball sweeps along a straight way. Single precision, lengths mm, from the brick's middle.
+//
+// A ball does not know how the tool leans: its middle goes along a way that is straight but for less than the bend that every part of a way
+// is allowed. What it sweeps is a ball at either end and a tube between them.
+
+#include "stock/cut/lean_rows.h"
+
+namespace kadr::lanes {
+
+struct BallWay {
+  float from[3], to[3];  // of the middle
+  float radius;
+};
+
+/// A way as the lines of one family see it: along the axes that lines, lanes and rows go.
+struct BallTube {
+  BallTube(const BallWay& way, int family) {
+    const int axes[3] = {family, (family + 1) % 3, (family + 2) % 3};
+    float* const of_axis[3] = {line, lane, row};
+    float forth[3];
+    for (int i = 0; i < 3; ++i)
+      of_axis[i][0] = way.from[axes[i]], of_axis[i][1] = way.to[axes[i]], forth[i] = of_axis[i][1] - of_axis[i][0];
+    length = std::sqrt(forth[0] * forth[0] + forth[1] * forth[1] + forth[2] * forth[2]);
+    const float per = 1 / std::max(length, shortest_way);
+    along_line = forth[0] * per, along_lane = forth[1] * per, along_row = forth[2] * per;
+    square = along_lane * along_lane + along_row * along_row;
+    per_square = 1 / std::max(square, nearly_along);
+    per_line = 1 / (std::fabs(along_line) < nearly_none ? nearly_none : along_line);
+    is_there = length > shortest_way && square >= nearly_along;
+    radius_square = way.radius * way.radius;
+  }
+
+  float line[2], lane[2], row[2];           // of the ball's middle, at the beginning and the end
+  float along_line, along_lane, along_row;  // of length 1
+  float length;                             // of the way
+  float square, per_square, per_line;       // of the sine between way and lines; of along_line
+  float radius_square;
+  bool is_there;  // else the balls at both ends hold all
+};
+
+template <class V>
+KADR_IN_LANES Swept<V> in_ball_of(const BallTube& b, int end, const V& lanes, const auto& row) {
+  const V x = lanes - b.lane[end], room = (b.radius_square - (row - b.row[end]) * (row - b.row[end])) - x * x, half = root(room);
+  return where(room > 0.f, b.line[end] - half, b.line[end] + half);
+}
+
+/// Lines at the places `lanes` of a row, or of rows of their own.
+template <class V>
+KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const auto& row) {
+  const Swept<V> ends = either(in_ball_of(b, 0, lanes, row), in_ball_of(b, 1, lanes, row));
+  if (!b.is_there) return ends;
+  const V x = lanes - b.lane[0];
+  const auto y = row - b.row[0];
+  const V apart = y * b.along_lane - x * b.along_row, gone = x * b.along_lane + y * b.along_row;
+  const V room = b.radius_square * b.square - apart * apart, half = root(room) * b.per_square;
+  const V nearest = gone * (b.along_line * b.per_square);
+  Swept<V> tube{nearest - half, nearest + half};
+  clip_between(tube, gone, spread<V>(b.length), Slant<V>{spread<V>(b.along_line), spread<V>(b.per_line)});
+  return either(ends, where((room > 0.f) & (tube.from <= tube.to), tube.from + b.line[0], tube.to + b.line[0]));
+}
+
+}  // namespace kadr::lanes
