@@ -112,6 +112,27 @@ bool LeanCutter::takes_all() const {
   return radius < std::min(f.low_radius, f.high_radius);
 }
 
+bool may_reach(const LeanSweep& s, const LeanBody& body, const BrickScale& scale, float top) {
+  const float half = scale.edge / 2, tall = top / 2, room = half_shift(s) + scale.cell * 1e-3f;
+  float at[3], size[3][3];  // of the box, seen from the tool in the middle of its way
+  for (int i = 0; i < 3; ++i) {
+    at[i] = s.middle[i] + s.axes[2][i] * (tall - half);
+    size[0][i] = s.axes[0][i] * half, size[1][i] = s.axes[1][i] * half, size[2][i] = s.axes[2][i] * tall;
+  }
+  /// The least on the box along a direction, times its length.
+  const auto least = [&](float x, float y, float z) {
+    float sum = at[0] * x + at[1] * y + at[2] * z;
+    for (const auto& d : size) sum -= std::fabs(d[0] * x + d[1] * y + d[2] * z);
+    return sum;
+  };
+  if (least(0, 0, 1) > body.high() + room || least(0, 0, -1) > -body.low() + room) return false;
+  const float square = at[0] * at[0] + at[1] * at[1];
+  if (least(at[0], at[1], 0) > std::sqrt(square) * (body.widest() + room)) return false;
+  const float below = at[2] - body.middle;
+  if (body.kind != LeanBody::Kind::ball || below >= 0) return true;
+  return least(at[0], at[1], below) - body.middle * below <= std::sqrt(square + below * below) * (body.corner + room);
+}
+
 void cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome, LaneWidth width) {
   LeanCutter cutter(brick, scale, cut, by, outcome);
   if (cutter.takes_all()) return cutter.clear();

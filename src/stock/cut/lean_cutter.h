@@ -10,6 +10,7 @@
 #include "stock/cut/cutter_lanes.h"
 #include "stock/cut/lean_ball.h"
 #include "stock/cut/lean_cut.h"
+#include "stock/cut/lean_pose.h"
 
 namespace kadr {
 
@@ -61,6 +62,8 @@ class LeanCutter : public Cutter {
   Swept<V> ends_in(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const Swept<V>& material) const;
   template <class V, LeanBody::Kind kind, int family>
   bool sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
+  template <class V, int family>
+  bool sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near, const Swept<V>& material, Swept<V>& swept) const;
   template <class V, int family>
   bool sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
   template <class V, LeanBody::Kind kind, int family>
@@ -246,18 +249,44 @@ KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lan
   const LeanPlace<V> even_place = evenly_shifted_place(all.even, line.at);
   const MarksOf<V> near = meet({nearly.from + half_, nearly.to + half_}, material) & come_near(all.even, even_place.at, widest_);
   if (!any(near)) return false;
-  const Swept<V> even = lean_swept<V, kind>(all.even, outer_, even_place, near_);
-  const Swept<V> guess{even.from + half_, even.to + half_};
-  const MarksOf<V> reached = meet(guess, material);
-  if (!any(reached)) return false;
-  swept = guess;
-  if (lean_.half_turn == 0) return true;
   line.shift = line_value(lean_.shift, lean_.shift_grows, family, places, row_place);
   line.first = plus(line.at, spread<V>(-0.5f), line.shift), line.last = plus(line.at, spread<V>(0.5f), line.shift);
-  line.at_ends = lean_at_ends<V, kind>(all.exact, body_leaning_, {line.first, line.first, line.last});
+  if constexpr (kind == LeanBody::Kind::cylinder) {
+    return sweeps_cylinder<V, family>(all, line, near, material, swept);
+  } else {
+    const Swept<V> even = lean_swept<V, kind>(all.even, outer_, even_place, near_);
+    const Swept<V> guess{even.from + half_, even.to + half_};
+    const MarksOf<V> reached = meet(guess, material);
+    if (!any(reached)) return false;
+    swept = guess;
+    if (lean_.half_turn == 0) return true;
+    line.at_ends = lean_at_ends<V, kind>(all.exact, body_leaning_, {line.first, line.first, line.last});
+    swept = {line.at_ends.from + half_, line.at_ends.to + half_};
+    if (any(reached & ((swept.from > material.from) | (swept.to < material.to))))
+      swept = ends_in<V, kind, family>(all, line, guess, material);
+    return true;
+  }
+}
+
+/// By the tool as it stands at the ends of its way; what it sweeps between is asked for where it may reach more of the material.
+template <class V, int family>
+KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near,
+                                               const Swept<V>& material, Swept<V>& swept) const {
+  constexpr auto cylinder = LeanBody::Kind::cylinder;
+  const PastTool<V> past{line.shift, vector_of<V>(lean_.shift_grows[family]), 4 * lean_.half_turn};
+  const InPose<V> poses = in_poses(all.exact, line.first, line.last, body_leaning_.shaft, past);
+  line.at_ends = poses.in;
   swept = {line.at_ends.from + half_, line.at_ends.to + half_};
-  if (any(reached & ((swept.from > material.from) | (swept.to < material.to))))
-    swept = ends_in<V, kind, family>(all, line, guess, material);
+  const MarksOf<V> open_from = near & ~poses.from_is_first & (swept.from > material.from),
+                   open_to = near & ~poses.to_is_last & (swept.to < material.to);
+  if (!any(open_from | open_to)) return any(meet(swept, material));
+  const Swept<V> even = lean_swept<V, cylinder>(all.even, outer_, evenly_shifted_place(all.even, line.at), near_);
+  const Swept<V> guess{even.from + half_, even.to + half_};
+  const MarksOf<V> reached = (open_from | open_to) & meet(guess, material);
+  if (!any(reached)) return any(meet(swept, material));
+  Swept<V> between = guess;
+  if (lean_.half_turn > 0) between = ends_in<V, cylinder, family>(all, line, guess, material);
+  swept = {choose(reached & open_from, between.from, swept.from), choose(reached & open_to, between.to, swept.to)};
   return true;
 }
 
