@@ -21,6 +21,9 @@ struct LeanFamily {
   Slant<V> rise;
   LeanLines<V> even;   // as it shifts in the middle of the brick
   LeanLines<V> exact;  // with their directions at the ends of the way
+  /// How far a line goes past the tool's axis, to one side of it, times the sine of the angle between them: of the brick's middle, for each
+  /// mm of lane and of row; `reach`: of lines that come near.
+  float aside, aside_lane, aside_row, reach;
 };
 /// Eight of them.
 template <class V>
@@ -43,11 +46,15 @@ class LeanCutter : public Cutter {
   /// What is reached of the material.
   struct Reached {
     std::uint32_t squares = 0;                         // a bit each
-    float top_x[squares_along], top_y[squares_along];  // of material over reached squares, by their column and row; below 0: none
-    float lowest;
+    // Material over reached squares, by their column and row: its top and where the body begins; none of it above the other: none.
+    float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
+    bool holds_x(int square, float low, float high) const { return low <= top_x[square] && high >= low_x[square]; }
+    bool holds_y(int square, float height) const { return height <= top_y[square] && height >= low_y[square]; }
   };
   template <class V>
   Reached reached() const;
+  template <class V>
+  LeanFamily<V> lines_of(int family) const;
   template <class V>
   LeanLines<V> evenly_shifted(int family) const;
   template <class V>
@@ -115,6 +122,21 @@ KADR_IN_LANES LeanLines<V> LeanCutter::evenly_shifted(int family) const {
   return lean_lines(axis, axis, axis, vector_of<V>({-lean_.shift[0], -lean_.shift[1], -lean_.shift[2]}));
 }
 template <class V>
+KADR_IN_LANES LeanFamily<V> LeanCutter::lines_of(int family) const {
+  const float* const e = lean_.axes[family];
+  const auto aside = [&](const float* v) { return v[0] * e[1] - v[1] * e[0]; };
+  const float sine = std::sqrt(e[0] * e[0] + e[1] * e[1]), reach = widest_ * sine + std::fabs(aside(lean_.shift)) / 2 + shortest_way;
+  const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
+  return {axis,
+          slant(axis.z),
+          evenly_shifted<V>(family),
+          lean_lines(axis, vector_of<V>(lean_.axes_first[family]), vector_of<V>(lean_.axes_last[family]), axis),
+          aside(lean_.middle),
+          aside(lean_.axes[(family + 1) % 3]),
+          aside(lean_.axes[(family + 2) % 3]),
+          reach};
+}
+template <class V>
 KADR_IN_LANES LeanPlace<V> LeanCutter::evenly_shifted_place(const LeanLines<V>& l, const Vec3Of<V>& at) const {
   const Vec3Of<V> first = plus(at, spread<V>(0.5f), l.way), last = plus(at, spread<V>(-0.5f), l.way);
   return {first, first, last};
@@ -126,7 +148,7 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
   static constexpr float middles[16] = {2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14};
   Reached r;
   std::fill(r.top_x, r.top_x + squares_along, -1.f), std::fill(r.top_y, r.top_y + squares_along, -1.f);
-  r.lowest = scale_.edge;
+  std::fill(r.low_x, r.low_x + squares_along, missed), std::fill(r.low_y, r.low_y + squares_along, missed);
   for (int part = 0; part < 16; part += lane_count) {
     alignas(32) float x_of[lane_count], y_of[lane_count], low_of[lane_count], high_of[lane_count];
     for (int i = 0; i < lane_count; ++i)
@@ -154,9 +176,9 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
       const float top = std::min(brick_.top_of_square[std::size_t(square)], high_of[i] + half_), low = low_of[i] + half_;
       if (low_of[i] > high_of[i] || low >= brick_.top_of_square[std::size_t(square)] || top < 0) continue;
       r.squares |= 1u << square;
-      r.top_x[square % squares_along] = std::max(r.top_x[square % squares_along], top);
-      r.top_y[square / squares_along] = std::max(r.top_y[square / squares_along], top);
-      r.lowest = std::min(r.lowest, low);
+      const int column = square % squares_along, row = square / squares_along;
+      r.top_x[column] = std::max(r.top_x[column], top), r.top_y[row] = std::max(r.top_y[row], top);
+      r.low_x[column] = std::min(r.low_x[column], low), r.low_y[row] = std::min(r.low_y[row], low);
     }
   }
   return r;
@@ -166,8 +188,8 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
 inline bool LeanCutter::is_reached(const Reached& r, int family, int row, int lane, const BrickScale& scale) {
   constexpr int square = brick_edge / squares_along;
   if (family == 2) return (r.squares >> (row / square * squares_along + lane / square) & 3) != 0;
-  if (family == 0) return scale.place[row] <= std::max(r.top_y[lane / square], r.top_y[lane / square + 1]) && scale.place[row] >= r.lowest;
-  return scale.place[lane] <= r.top_x[row / square] && scale.place[lane + lane_count - 1] >= r.lowest;
+  if (family == 0) return r.holds_y(lane / square, scale.place[row]) || r.holds_y(lane / square + 1, scale.place[row]);
+  return r.holds_x(row / square, scale.place[lane], scale.place[lane + lane_count - 1]);
 }
 
 template <class V>
@@ -242,19 +264,21 @@ template <class V, LeanBody::Kind kind, int family>
 KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const {
   const V places = lanes_at<V>(scale_.place + lane) - half_;
   const float row_place = scale_.place[row] - half_;
+  const V aside = places * all.aside_lane + (row_place * all.aside_row + all.aside);
+  const MarksOf<V> beside = (material.from < material.to) & (aside <= all.reach) & (aside >= -all.reach);
+  if (!any(beside)) return false;
   LeanRow<V> line;
   line.at = line_value(lean_.middle, lean_.axes, family, places, row_place);
   // In the middle of the way, of a body as much larger as it shifts from there.
   const Swept<V> nearly = in_frustum(line.at, all.axis, all.rise, around_.shaft, 0.f);
-  const LeanPlace<V> even_place = evenly_shifted_place(all.even, line.at);
-  const MarksOf<V> near = meet({nearly.from + half_, nearly.to + half_}, material) & come_near(all.even, even_place.at, widest_);
+  const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
   line.shift = line_value(lean_.shift, lean_.shift_grows, family, places, row_place);
   line.first = plus(line.at, spread<V>(-0.5f), line.shift), line.last = plus(line.at, spread<V>(0.5f), line.shift);
   if constexpr (kind == LeanBody::Kind::cylinder) {
     return sweeps_cylinder<V, family>(all, line, near, material, swept);
   } else {
-    const Swept<V> even = lean_swept<V, kind>(all.even, outer_, even_place, near_);
+    const Swept<V> even = lean_swept<V, kind>(all.even, outer_, evenly_shifted_place(all.even, line.at), near_);
     const Swept<V> guess{even.from + half_, even.to + half_};
     const MarksOf<V> reached = meet(guess, material);
     if (!any(reached)) return false;
@@ -324,9 +348,7 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
   }
   const V none = spread<V>(0.f);
   Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
-  const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
-  const LeanFamily<V> all{axis, slant(axis.z), evenly_shifted<V>(family),
-                          lean_lines(axis, vector_of<V>(lean_.axes_first[family]), vector_of<V>(lean_.axes_last[family]), axis)};
+  const LeanFamily<V> all = lines_of<V>(family);
   const BallTube tube(ball_, family);
   for (int row = 0; row < brick_edge; ++row)
     for (int lane = 0; lane < brick_edge; lane += lane_count) {
