@@ -23,16 +23,17 @@ LeanBody around_squares(const LeanBody& body, float by) {
   return around;
 }
 
-/// A ball stays one; others are taken for cylinders.
-LeanBody bounds_of(const LeanBody& body, float by) {
-  LeanBody bounds = body.larger(by);
-  if (body.kind != LeanBody::Kind::ball) bounds.shaft = {body.low() - by, body.high() + by, body.widest() + by, body.widest() + by};
-  return bounds;
-}
-
 float half_shift(const LeanSweep& s) {
   const float length = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1] + s.shift[2] * s.shift[2]);
   return length / 2 + s.guess_error() + 1e-4f;
+}
+
+/// Holds all that the body, or but the shaft of a ball end, sweeps: a cylinder that stands in the middle of the way.
+Frustum bounds_of(const LeanBody& body, const LeanSweep& s) {
+  const float room = s.guess_error() + 1e-4f, rise = std::fabs(s.shift[2]) / 2 + room,
+              beside = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1]) / 2 + room;
+  const float low = body.kind == LeanBody::Kind::ball ? body.shaft.low : body.low(), widest = body.widest() + beside;
+  return {low - rise, body.high() + rise, widest, widest};
 }
 
 constexpr float square_reach = 2 * 1.41422f;  // cells from its middle to its corners
@@ -68,8 +69,7 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       outer_(cut.sweep.half_turn > 0 ? cut.body.larger(cut.sweep.guess_error()) : cut.body),
       around_square_(around_squares(cut.body, cut.sweep.guess_error() + square_reach * scale.cell + margin())),
       half_(scale.edge / 2),
-      spare_(half_shift(cut.sweep)),
-      around_(bounds_of(cut.body, spare_)),
+      around_(bounds_of(cut.body, cut.sweep)),
       near_(faces_near()),
       widest_(cut.body.widest() + 2 * cut.sweep.guess_error() + margin()),
       ball_(ball_way(cut.body.corner)),

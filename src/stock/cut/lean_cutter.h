@@ -85,8 +85,7 @@ class LeanCutter : public Cutter {
   const LeanBody& body_leaning_;
   LeanBody outer_, around_square_;
   float half_;
-  float spare_;  // by which the tool shifts at most from the middle of its way
-  LeanBody around_;
+  Frustum around_;
   FacesNear near_;
   float widest_;  // of the body, with room for the same
   BallWay ball_;  // of a ball end
@@ -270,7 +269,7 @@ KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lan
   LeanRow<V> line;
   line.at = line_value(lean_.middle, lean_.axes, family, places, row_place);
   // In the middle of the way, of a body as much larger as it shifts from there.
-  const Swept<V> nearly = in_frustum(line.at, all.axis, all.rise, around_.shaft, 0.f);
+  const Swept<V> nearly = in_frustum(line.at, all.axis, all.rise, around_, 0.f);
   const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
   line.shift = line_value(lean_.shift, lean_.shift_grows, family, places, row_place);
@@ -309,7 +308,11 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow
   const MarksOf<V> reached = (open_from | open_to) & meet(guess, material);
   if (!any(reached)) return any(meet(swept, material));
   Swept<V> between = guess;
-  if (lean_.half_turn > 0) between = ends_in<V, cylinder, family>(all, line, guess, material);
+  if (lean_.half_turn > 0) {
+    between = by_end<V, cylinder, family>(all, line, guess, open_from, reached, material);
+    const MarksOf<V> other = open_from & open_to & reached & meet(between, material);
+    if (any(other)) between.to = choose(other, by_end<V, cylinder, family>(all, line, between, ~open_from, other, material).to, between.to);
+  }
   swept = {choose(reached & open_from, between.from, swept.from), choose(reached & open_to, between.to, swept.to)};
   return true;
 }
