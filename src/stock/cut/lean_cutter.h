@@ -76,6 +76,7 @@ class LeanCutter : public Cutter {
   template <class V, LeanBody::Kind kind, int family>
   Swept<V> by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
                   const MarksOf<V>& wanted, const Swept<V>& material) const;
+  static void material_of_all(const BrickLines& lines, float* from, float* to);
   static bool is_reached(const Reached& reached, int family, int row, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
   BallWay ball_way(float radius) const;
@@ -340,14 +341,24 @@ KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallT
   return true;
 }
 
+/// From the first of its intervals to the last.
+inline void LeanCutter::material_of_all(const BrickLines& lines, float* from, float* to) {
+  std::copy(lines.from, lines.from + brick_lines, from), std::copy(lines.to, lines.to + brick_lines, to);
+  for (const FurtherInterval& f : lines.further) {
+    const bool any = from[f.line] < to[f.line];
+    from[f.line] = any ? std::min(from[f.line], f.from) : f.from, to[f.line] = any ? std::max(to[f.line], f.to) : f.to;
+  }
+}
+
 template <class V, LeanBody::Kind kind, int family>
 KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const bool several = !lines.further.empty();
-  alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
+  alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines], first[brick_lines], last[brick_lines];
   if (several) {
     std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);
     std::fill(all_tips, all_tips + brick_lines, missed);
+    material_of_all(lines, first, last);
   }
   const V none = spread<V>(0.f);
   Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
@@ -357,8 +368,7 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
     for (int lane = 0; lane < brick_edge; lane += lane_count) {
       if (!is_reached(reached, family, row, lane, scale_)) continue;
       const int at = row * brick_edge + lane;
-      Swept<V> material{lanes_at<V>(lines.from + at), lanes_at<V>(lines.to + at)};
-      if (several) material = {spread<V>(0.f), spread<V>(scale_.edge)};
+      const Swept<V> material{lanes_at<V>((several ? first : lines.from) + at), lanes_at<V>((several ? last : lines.to) + at)};
       if (!any(material.from < material.to)) continue;
       Swept<V> swept;
       if constexpr (kind == LeanBody::Kind::ball) {
