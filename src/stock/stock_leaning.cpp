@@ -92,7 +92,10 @@ const LeanEnds& Stock::lean_ends(std::size_t sweep) const {
 
 LeanWay lean_way_of(const KeptSweep& s, const LeanEnds& ends) {
   const auto vec = [](const float(&v)[3]) { return Vec3{double(v[0]), double(v[1]), double(v[2])}; };
-  const auto direction = [&](const float(&v)[3]) { return (1 / length(vec(v))) * vec(v); };
+  const auto direction = [&](const float(&v)[3]) {
+    const Vec3 d = vec(v);
+    return (1 / std::sqrt(ToolEnds::dot(d, d))) * d;
+  };
   return {vec(s.from), vec(s.to), direction(ends.from), direction(ends.to)};
 }
 
@@ -127,9 +130,11 @@ LeanHere Stock::lean_here(std::size_t number, std::size_t b) const {
   LeanWay way = lean_way_of(s, lean_ends(number));
   way.from = way.from - corner, way.to = way.to - corner;
   AroundTip around{0, 0, 0};
-  if (length(way.to - way.from) > clipped_above * edge) around = around_all(tools_[s.tool], way);
-  if (length(way.to - way.from) > clipped_above * (edge + 2 * around.beside)) {
-    const WayPart part = part_that_reaches(way.from, way.to - way.from, around, {edge, edge, edge});
+  const Vec3 forth = way.to - way.from;
+  const double far = std::sqrt(ToolEnds::dot(forth, forth));
+  if (far > clipped_above * edge) around = around_all(tools_[s.tool], way);
+  if (far > clipped_above * (edge + 2 * around.beside)) {
+    const WayPart part = part_that_reaches(way.from, forth, around, {edge, edge, edge});
     way = way.between(part.first, part.last);
   }
   return {LeanSweep(way, {}, edge), local_sweep(way.from, way.to, around, edge)};

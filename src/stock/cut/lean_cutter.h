@@ -48,8 +48,6 @@ class LeanCutter : public Cutter {
     std::uint32_t squares = 0;                         // a bit each
     // Material over reached squares, by their column and row: its top and where the body begins; none of it above the other: none.
     float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
-    bool holds_x(int square, float low, float high) const { return low <= top_x[square] && high >= low_x[square]; }
-    bool holds_y(int square, float height) const { return height <= top_y[square] && height >= low_y[square]; }
   };
   template <class V>
   Reached reached() const;
@@ -77,7 +75,10 @@ class LeanCutter : public Cutter {
   Swept<V> by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
                   const MarksOf<V>& wanted, const Swept<V>& material) const;
   static void material_of_all(const BrickLines& lines, float* from, float* to);
-  static bool is_reached(const Reached& reached, int family, int row, int lane, const BrickScale& scale);
+  struct RowRange {
+    int first, last;  // up to before it
+  };
+  static RowRange rows_of(const Reached& reached, int family, int square, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
   BallWay ball_way(float radius) const;
   bool is_below_shaft() const;
@@ -184,12 +185,17 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
   return r;
 }
 
-/// Any of the lines of a row from `lane` on.
-inline bool LeanCutter::is_reached(const Reached& r, int family, int row, int lane, const BrickScale& scale) {
-  constexpr int square = brick_edge / squares_along;
-  if (family == 2) return (r.squares >> (row / square * squares_along + lane / square) & 3) != 0;
-  if (family == 0) return r.holds_y(lane / square, scale.place[row]) || r.holds_y(lane / square + 1, scale.place[row]);
-  return r.holds_x(row / square, scale.place[lane], scale.place[lane + lane_count - 1]);
+/// Of the four rows over a square, those of whose lines from `lane` on any is reached.
+inline LeanCutter::RowRange LeanCutter::rows_of(const Reached& r, int family, int square, int lane, const BrickScale& scale) {
+  constexpr int wide = brick_edge / squares_along;
+  const RowRange all{square * wide, square * wide + wide}, none{0, 0};
+  if (family == 2) return (r.squares >> (square * squares_along + lane / wide) & 3) != 0 ? all : none;
+  if (family == 1) return scale.place[lane] <= r.top_x[square] && scale.place[lane + lane_count - 1] >= r.low_x[square] ? all : none;
+  const float low = std::min(r.low_y[lane / wide], r.low_y[lane / wide + 1]), top = std::max(r.top_y[lane / wide], r.top_y[lane / wide + 1]);
+  RowRange rows = all;
+  while (rows.first < rows.last && scale.place[rows.first] < low) ++rows.first;
+  while (rows.first < rows.last && scale.place[rows.last - 1] > top) --rows.last;
+  return rows;
 }
 
 template <class V>
@@ -364,9 +370,10 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
   Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
   const LeanFamily<V> all = lines_of<V>(family);
   const BallTube tube(ball_, family);
-  for (int row = 0; row < brick_edge; ++row)
-    for (int lane = 0; lane < brick_edge; lane += lane_count) {
-      if (!is_reached(reached, family, row, lane, scale_)) continue;
+  for (int part = 0; part < squares_along * brick_edge / lane_count; ++part) {
+    const int lane = part % (brick_edge / lane_count) * lane_count;
+    const RowRange rows = rows_of(reached, family, part * lane_count / brick_edge, lane, scale_);
+    for (int row = rows.first; row < rows.last; ++row) {
       const int at = row * brick_edge + lane;
       const Swept<V> material{lanes_at<V>((several ? first : lines.from) + at), lanes_at<V>((several ? last : lines.to) + at)};
       if (!any(material.from < material.to)) continue;
@@ -379,6 +386,7 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
       take<V, family>(lines, at, swept, taken);
     }
+  }
   if (several) take_further(lines, family, all_from, all_to, all_tips);
   add_taken<V, family>(taken);
 }
