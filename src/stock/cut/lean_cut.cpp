@@ -14,12 +14,18 @@ void cut_leaning_wide(LeanCutter& cutter) { cutter.cut<Pair>(); }
 #endif
 __attribute__((flatten)) void cut_leaning_pair(LeanCutter& cutter) { cutter.cut<Pair>(); }
 
-/// Rounded edges are taken for square ones.
-LeanBody around_squares(const LeanBody& body, float by) {
-  LeanBody around = body.larger(by);
-  if (around.kind != LeanBody::Kind::rounded) return around;
-  around.kind = LeanBody::Kind::cylinder;
-  around.shaft.low = around.middle - around.corner, around.shaft.low_radius = around.shaft.high_radius = around.flat + around.corner;
+constexpr float square_reach = 2 * 1.41422f;  // cells from its middle to its corners
+
+/// For columns through the middles of squares: larger by as much as the squares reach to the side, and up and down by what that is of a
+/// height. Rounded edges are taken for square ones.
+LeanBody around_squares(const LeanBody& body, const LeanSweep& s, const BrickScale& scale) {
+  const float aside = square_reach * scale.cell, room = s.guess_error() + scale.cell * 1e-3f;
+  LeanBody around = body.larger(aside + room);
+  if (body.kind == LeanBody::Kind::cone) return around;
+  const float rise = aside * std::sqrt(s.axes[0][2] * s.axes[0][2] + s.axes[1][2] * s.axes[1][2]) + room;
+  if (body.kind == LeanBody::Kind::rounded) around.kind = LeanBody::Kind::cylinder;
+  const float low = body.kind == LeanBody::Kind::ball ? body.shaft.low : body.low(), widest = body.widest() + aside + room;
+  around.shaft = {low - rise, body.shaft.high + rise, widest, widest};
   return around;
 }
 
@@ -35,8 +41,6 @@ Frustum bounds_of(const LeanBody& body, const LeanSweep& s) {
   const float low = body.kind == LeanBody::Kind::ball ? body.shaft.low : body.low(), widest = body.widest() + beside;
   return {low - rise, body.high() + rise, widest, widest};
 }
-
-constexpr float square_reach = 2 * 1.41422f;  // cells from its middle to its corners
 
 }  // namespace
 
@@ -67,7 +71,7 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       lean_(cut.sweep),
       body_leaning_(cut.body),
       outer_(cut.sweep.half_turn > 0 ? cut.body.larger(cut.sweep.guess_error()) : cut.body),
-      around_square_(around_squares(cut.body, cut.sweep.guess_error() + square_reach * scale.cell + margin())),
+      around_square_(around_squares(cut.body, cut.sweep, scale)),
       half_(scale.edge / 2),
       around_(bounds_of(cut.body, cut.sweep)),
       near_(faces_near()),
