@@ -303,17 +303,26 @@ template <class V, int family>
 KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near,
                                                const Swept<V>& material, Swept<V>& swept) const {
   constexpr auto cylinder = LeanBody::Kind::cylinder;
-  const PastTool<V> past{line.shift, vector_of<V>(lean_.shift_grows[family]), 4 * lean_.half_turn};
-  const InPose<V> poses = in_poses(all.exact, line.first, line.last, body_leaning_.shaft, past);
-  line.at_ends = poses.in;
+  const Frustum& f = body_leaning_.shaft;
+  const Pose<V> first = in_pose(line.first, all.exact.first_direction, all.exact.first_rise, f),
+                last = in_pose(line.last, all.exact.last_direction, all.exact.last_rise, f);
+  line.at_ends = either(where(first.in.from <= first.in.to, first.in.from, first.in.to), last.in);
   swept = {line.at_ends.from + half_, line.at_ends.to + half_};
-  const MarksOf<V> open_from = near & ~poses.from_is_first & (swept.from > material.from),
-                   open_to = near & ~poses.to_is_last & (swept.to < material.to);
+  const PastTool<V> past{line.shift, vector_of<V>(lean_.shift_grows[family]), f.low_radius, 4 * lean_.half_turn};
+  MarksOf<V> open_from = near & (swept.from > material.from), open_to = near & (swept.to < material.to);
+  if (any(open_from)) open_from = open_from & ~is_farthest_back(first, last, past);
+  if (any(open_to)) open_to = open_to & ~is_farthest_on(first, last, past);
   if (!any(open_from | open_to)) return any(meet(swept, material));
-  const Swept<V> even = lean_swept<V, cylinder>(all.even, outer_, evenly_shifted_place(all.even, line.at), near_);
-  const Swept<V> guess{even.from + half_, even.to + half_};
-  const MarksOf<V> reached = (open_from | open_to) & meet(guess, material);
-  if (!any(reached)) return any(meet(swept, material));
+  // Of lines that the cylinder misses at both ends most are missed all the way.
+  const MarksOf<V> misses = swept.from > swept.to;
+  MarksOf<V> reached = open_from | open_to;
+  Swept<V> guess = swept;
+  if (lean_.half_turn == 0 || any(reached & misses)) {
+    const Swept<V> even = lean_swept<V, cylinder>(all.even, outer_, evenly_shifted_place(all.even, line.at), near_);
+    guess = {even.from + half_, even.to + half_};
+    reached = reached & meet(guess, material);
+    if (!any(reached)) return any(meet(swept, material));
+  }
   Swept<V> between = guess;
   if (lean_.half_turn > 0) {
     between = by_end<V, cylinder, family>(all, line, guess, open_from, reached, material);
