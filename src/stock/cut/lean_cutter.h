@@ -258,7 +258,8 @@ KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, const LeanR
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
   const Swept<V> one = by_end<V, kind, family>(all, line, guess, by_from, reached, material);
   const MarksOf<V> other_to = by_from & (one.to < material.to + room), other_from = ~by_from & (one.from > material.from - room);
-  const MarksOf<V> wanted = meet(one, material) & (other_to | other_from);
+  // Whatever it meets of the material with the shift at this end: that may be another at the other.
+  const MarksOf<V> wanted = reached & (one.from <= one.to) & (other_to | other_from);
   if (!any(wanted)) return one;
   const Swept<V> two = by_end<V, kind, family>(all, line, one, ~by_from, wanted, material);
   return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
@@ -326,7 +327,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow
   Swept<V> between = guess;
   if (lean_.half_turn > 0) {
     between = by_end<V, cylinder, family>(all, line, guess, open_from, reached, material);
-    const MarksOf<V> other = open_from & open_to & reached & meet(between, material);
+    const MarksOf<V> other = open_from & open_to & reached & (between.from <= between.to);
     if (any(other)) between.to = choose(other, by_end<V, cylinder, family>(all, line, between, ~open_from, other, material).to, between.to);
   }
   swept = {choose(reached & open_from, between.from, swept.from), choose(reached & open_to, between.to, swept.to)};
