@@ -25,6 +25,7 @@
 #include "stock/brick/lattice.h"
 #include "stock/cut/brick_cut.h"
 #include "stock/cut/lean_body.h"
+#include "stock/cut/lean_cut.h"
 #include "stock/cut/lean_way.h"
 #include "stock/cut/swept_body.h"
 #include "stock/tool/round_solid.h"
@@ -56,6 +57,12 @@ struct LeanEnds {
 
 /// From the lattice's corner.
 LeanWay lean_way_of(const KeptSweep& sweep, const LeanEnds& ends);
+
+/// A sweep of a tool that leans as a brick sees it.
+struct LeanHere {
+  LeanSweep sweep;
+  LocalSweep tip;
+};
 
 /// A part of the tool took material away that is to be told.
 struct Touch {
@@ -144,7 +151,9 @@ class Stock {
   double most_bend() const;
   void add_leaning(const Sweep& sweep);
   void bin_leaning(std::size_t sweep);
-  void cut_leaning(std::size_t sweep, std::size_t body, std::size_t brick, Brick& material, CutOutcome& outcome) const;
+  LeanHere lean_here(std::size_t sweep, std::size_t brick) const;
+  bool may_reach(std::size_t sweep, const LeanHere& here, float top) const;
+  void cut_leaning(std::size_t sweep, std::size_t body, const LeanHere& here, Brick& material, CutOutcome& outcome) const;
   // Of turning tools: stock_turned.cpp.
   KeptSweep kept_turned(const Sweep& sweep) const;
   void bin_turned(std::size_t sweep);
