@@ -121,7 +121,7 @@ void Stock::bin_leaning(std::size_t i) {
 
 /// One body in one brick. A way that is much longer than what reaches the brick is shortened.
 void Stock::cut_leaning(std::size_t number, std::size_t i, std::size_t b, Brick& material, CutOutcome& outcome) const {
-  const KeptSweep& s = sweeps_[number];
+  const KeptSweep s = sweeps_[number];
   const ConvexBody& body = tools_[s.tool].bodies[i];
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
   const double edge = lattice_.edge();
