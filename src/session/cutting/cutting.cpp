@@ -212,7 +212,7 @@ void Cutting::release_kept() {
   zero_ = way_.zero().value_or(way_.present_zero());
   zero_known_ = true;
   for (const Kept& k : kept_) add(k.moved, k.pieces, k.shape);
-  kept_ = {};
+  kept_ = std::vector<Kept>();
 }
 
 void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape) {
@@ -336,7 +336,7 @@ void Cutting::finish() {
   cut();
   loads_.finish();
   tell_others();
-  batch_ = {}, pieces_ = {};  // what comes now has the memory
+  batch_ = std::vector<Moved>();  // what comes now has the memory
 }
 
 CutResult Cutting::result(double left, double error_bound) const {

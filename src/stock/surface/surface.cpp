@@ -70,7 +70,7 @@ void take_points(SurfacePart& part, Surface& surface) {
   part.base = std::uint32_t(surface.made_by.size());
   surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
   surface.made_by.insert(surface.made_by.end(), part.made_by.begin(), part.made_by.end());
-  part.points = {}, part.made_by = {};
+  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // and their memory
 }
 
 /// With all points; a part's own do not wait for those of the last part.
