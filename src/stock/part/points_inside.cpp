@@ -62,10 +62,13 @@ PointSquares::PointSquares(const std::vector<float>& places) {
 }
 
 void PointSquares::hold(const TriangleAcross& triangle, HeldPoint* from, HeldPoint* to) {
+  const double low_x = triangle.least_u(), high_x = triangle.most_u(), low_y = triangle.least_v(), high_y = triangle.most_v();
   TriangleRow across;
   for (HeldPoint* p = from; p != to; ++p) {
-    if (!triangle.row(double(p->y), across) || !across.holds(double(p->x))) continue;
-    const double place = across.place(double(p->x)), z = double(p->z);
+    const double x = double(p->x), y = double(p->y);
+    if (x < low_x || x >= high_x || y < low_y || y >= high_y) continue;
+    if (!triangle.row(y, across) || !across.holds(x)) continue;
+    const double place = across.place(x), z = double(p->z);
     if (place > z) continue;
     std::atomic_ref<std::int32_t>(place < z ? p->below : p->at).fetch_add(across.turn, std::memory_order_relaxed);
   }
