@@ -46,7 +46,7 @@ void expect_same(const KeptSweeps& kept, const std::vector<KeptSweep>& wanted) {
 
 TEST(kept_sweeps, are_as_they_were_added) {
   for (const unsigned seldom : {1U, 3U, 40U, 100'000U})
-    for (const std::size_t count : {0, 1, 1023, 1024, 1025, 5000}) {
+    for (const std::size_t count : {0U, 1U, 1023U, 1024U, 1025U, 5000U}) {
       const std::vector<KeptSweep> wanted = some_sweeps(count, seldom);
       KeptSweeps kept;
       for (const KeptSweep& s : wanted) kept.push_back(s);

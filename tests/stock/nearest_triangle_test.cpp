@@ -53,7 +53,7 @@ TEST(nearest_triangle, of_triangles_without_area) { expect_nearest(sphere_mesh(1
 
 /// Fewer triangles than a node has room for, and one more than fills some nodes.
 TEST(nearest_triangle, of_any_number_of_triangles) {
-  for (const std::size_t count : {1, 2, 3, 4, 5, 31, 32, 33, 255, 256, 257}) {
+  for (const std::size_t count : {1U, 2U, 3U, 4U, 5U, 31U, 32U, 33U, 255U, 256U, 257U}) {
     Mesh mesh = torus_mesh(12, 10, 4);
     mesh.triangles.resize(3 * count);
     expect_nearest(mesh);

@@ -16,7 +16,6 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t of_blocks = std::uint32_t{1} << 31;
-constexpr std::uint32_t no_triangle = ~std::uint32_t{0};
 constexpr float nowhere = 1e30f;
 constexpr float rounding_of_places = 0x1p-21f;   // of the farthest place: the point's, the box's and their difference's
 constexpr double more_than_rounding = 1 + 4e-6;  // of a square of a distance, in single precision
@@ -83,7 +82,7 @@ NearestTriangle::NearestTriangle(const Mesh& mesh, int threads) {
   }
 }
 
-/// One question. Triangles are asked two at a time: one may wait for another.
+/// One question. Triangles are asked four at a time: up to three wait for others.
 class NearestTriangle::Search {
  public:
   Search(const NearestTriangle& tree, const Vec3& point, std::uint32_t hint) : tree_(tree), point_(point), nearest_(hint) {
@@ -112,8 +111,8 @@ class NearestTriangle::Search {
   Quad place_[3];
   double square_ = 1e300;
   float limit_ = 0;
-  std::uint32_t nearest_, began_ = no_triangle;
-  std::uint32_t asked_for_[3 + in_block + 1];
+  std::uint32_t nearest_, began_ = 0;
+  std::uint32_t asked_for_[3 + in_block];
   int count_ = 0;  // of these
   int waiting_ = 0;
   Waiting stack_[128];  // eighths of 2³¹ triangles lie no deeper than 11, seven wait at each
@@ -187,8 +186,7 @@ void NearestTriangle::Search::all() {
   open(tree_.nodes_.back());
   while (waiting_ > 0) {
     const Waiting next = stack_[--waiting_];
-    if (next.square > limit_) continue;
-    if (next.child == began_) continue;
+    if (next.square > limit_ || next.child == began_) continue;
     if ((next.child & of_blocks) != 0) look_at(next.child & ~of_blocks);
     else open(tree_.nodes_[next.child]);
   }

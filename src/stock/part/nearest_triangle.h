@@ -1,6 +1,6 @@
 #pragma once
 // NearestTriangle: how far points are from the triangles of a mesh. A tree of boxes, each around its triangles, halved three times along
-// its longest sides; eight boxes are held against a point at a time, below them those of four triangles, and then four triangles.
+// its longest sides; eight boxes are held against a point at a time, below them those of four triangles, then four triangles.
 //
 // The answer is the least of the distances to all triangles, to the bit: boxes are left out only where they are farther by more than
 // rounding. So neither the order of the questions nor the hint changes it.

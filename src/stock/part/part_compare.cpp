@@ -226,7 +226,7 @@ PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& p
 double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, HeldPart held) {
   const Lattice own(stock, cell);
   const Lattice lattice = held == HeldPart::window ? own : wider_lattice(own, stock, box_of(part)).lattice;
-  return double(part.triangle_count()) * bytes_of_triangle + PartLines::bytes(part, cell) +
+  return double(part.triangle_count()) * bytes_of_triangle + PartLines::bytes(part, lattice) +
          double(lattice.size()) * double(sizeof(BrickVolumes) + 1);
 }
 

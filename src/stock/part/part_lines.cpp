@@ -111,10 +111,24 @@ std::span<const LineRange> PartLines::of(BrickPlace brick, int family, int line)
   return {all.ranges.data() + all.first[number], all.ranges.data() + all.first[number + 1]};
 }
 
-/// Lines meet a triangle as often as it has cells of area, seen along them; of the three directions at most √3 times its area is seen.
-double PartLines::bytes(const Mesh& solid, double cell) {
+/// Lines meet a triangle as often as it has cells of area, seen along them; of one that reaches out of the lattice the rectangle around it
+/// is taken, as far as that lies within.
+double PartLines::bytes(const Mesh& solid, const Lattice& lattice) {
   constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));  // vectors grow to twice what is there
-  return area_of(solid) / (cell * cell) * std::sqrt(3.0) * bytes_of_hit;
+  double hits = 0;
+  for (std::size_t t = 0; t < solid.triangle_count(); ++t) {
+    const Vec3 a = solid.corner(t, 0), b = solid.corner(t, 1), c = solid.corner(t, 2), normal = cross(b - a, c - a);
+    double within[3];  // mm
+    bool reaches_out = false;
+    for (int d = 0; d < 3; ++d) {
+      const double least = std::min({along(a, d), along(b, d), along(c, d)}), most = std::max({along(a, d), along(b, d), along(c, d)});
+      const double begin = along(lattice.origin(), d), end = begin + lattice.bricks(d) * lattice.edge();
+      reaches_out = reaches_out || least < begin || most > end;
+      within[d] = std::max(std::min(most, end) - std::max(least, begin), 0.0);
+    }
+    for (int d = 0; d < 3; ++d) hits += reaches_out ? within[(d + 1) % 3] * within[(d + 2) % 3] : std::fabs(along(normal, d)) / 2;
+  }
+  return hits / (lattice.cell() * lattice.cell()) * bytes_of_hit;
 }
 
 }  // namespace kadr

@@ -25,7 +25,7 @@ class PartLines {
   std::span<const LineRange> of(BrickPlace brick, int family, int line) const;
 
   /// At most, while it is made.
-  static double bytes(const Mesh& solid, double cell);
+  static double bytes(const Mesh& solid, const Lattice& lattice);
 
  private:
   struct Hit {
