@@ -159,7 +159,7 @@ void Stock::add(const Sweep& sweep) {
 /// Puts the sweeps from `first` up to before `last` into the bins of the bricks that they may reach.
 void Stock::bin(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
-    const KeptSweep& s = sweeps_[i];
+    const KeptSweep s = sweeps_[i];
     if (s.leans || tools_[s.tool].turns()) {
       s.leans ? bin_leaning(i) : bin_turned(i);
       continue;
@@ -196,7 +196,7 @@ void Stock::Worker::count(std::int32_t sweep, double length, float longest, floa
 ///   returns  whether it changed anything
 bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* worker) const {
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
-  const KeptSweep& s = sweeps_[std::size_t(number)];
+  const KeptSweep s = sweeps_[std::size_t(number)];
   const bool was_full = now.state == State::full;
   std::optional<LeanHere> lean;
   if (s.leans) lean = lean_here(std::size_t(number), b);
@@ -296,8 +296,8 @@ bool Stock::cuts_anything(std::size_t sweep) const {
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }
 
 std::size_t Stock::bytes() const {
-  std::size_t sum = sweeps_.size() * sizeof(KeptSweep) + lean_ends_.size() * sizeof(LeanEnds) +
-                    bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
+  std::size_t sum =
+      sweeps_.bytes() + lean_ends_.size() * sizeof(LeanEnds) + bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
   for (const auto& b : bricks_)
     if (b) sum += bytes_of(*b);
   return sum;

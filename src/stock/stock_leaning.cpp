@@ -124,7 +124,7 @@ void Stock::bin_leaning(std::size_t i) {
 
 /// A way that is much longer than what reaches the brick is shortened.
 LeanHere Stock::lean_here(std::size_t number, std::size_t b) const {
-  const KeptSweep& s = sweeps_[number];
+  const KeptSweep s = sweeps_[number];
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
   const double edge = lattice_.edge();
   LeanWay way = lean_way_of(s, lean_ends(number));
