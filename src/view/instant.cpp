@@ -10,7 +10,7 @@ namespace kadr {
 namespace {
 
 /// Where the tool is at an instant on its way to the vertex.
-Vec3 place_at(const PathPiece& piece, std::size_t i, double instant) {
+Vec3 place_at(const ViewPiece& piece, std::size_t i, double instant) {
   const auto vec = [](const PathVertex& v) { return Vec3{double(v.at[0]), double(v.at[1]), double(v.at[2])}; };
   const PathVertex& to = piece.vertices[i];
   if (i == 0) return vec(to);
@@ -65,7 +65,7 @@ tl::expected<InstantState, std::string> Instants::at(double instant, const StopT
   InstantState state;
   state.at = instant;
   const auto& pieces = run_.path().pieces();
-  const auto ends_before = [&](const PathPiece& p) { return PathRecord::time_of(p, p.vertices.back()) < instant; };
+  const auto ends_before = [&](const ViewPiece& p) { return PathRecord::time_of(p, p.vertices.back()) < instant; };
   auto piece = std::partition_point(pieces.begin(), pieces.end(), ends_before);
   if (pieces.empty()) return state;
   state.moves = piece != pieces.end();
@@ -91,7 +91,7 @@ std::vector<Instants::Pass> Instants::passes(std::uint32_t line, std::uint16_t f
   count = 0;
   std::uint32_t last = ~std::uint32_t{0};
   double before = 0;
-  for (const PathPiece& piece : run_.path().pieces())
+  for (const ViewPiece& piece : run_.path().pieces())
     for (const PathVertex& v : piece.vertices) {
       const double time = PathRecord::time_of(piece, v);
       if (v.line == line && v.file == file) {

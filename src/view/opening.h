@@ -8,6 +8,7 @@
 
 #include "config/alarm_texts.h"
 #include "config/guess.h"
+#include "lang/text/utf16.h"
 #include "session/session.h"
 
 namespace kadr {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/matrix.h"
 #include "view/frame_bytes.h"
 
 namespace kadr {
@@ -16,6 +17,8 @@ constexpr double finest = 0.001;        // mm: what level 0 may leave out is not
 constexpr std::size_t run_length = 256;  // vertices that are looked at together: the work is some eight times their number
 
 Vec3 place(const PathVertex& v) { return {double(v.at[0]), double(v.at[1]), double(v.at[2])}; }
+
+
 
 double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {
   const Vec3 way = to - from;
@@ -52,14 +55,14 @@ void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, dou
   }
 }
 
-std::array<std::uint16_t, levels> kept_at(const PathPiece& piece) {
+std::array<std::uint16_t, levels> kept_at(const ViewPiece& piece) {
   std::array<std::uint16_t, levels> kept{};
   for (const PathVertex& v : piece.vertices)
     for (std::size_t l = 0; l <= v.level; ++l) ++kept[l];
   return kept;
 }
 
-void put_head(FrameBytes& frame, const PathPiece& piece) {
+void put_head(FrameBytes& frame, const ViewPiece& piece) {
   constexpr float big = std::numeric_limits<float>::max();
   std::array<float, 3> least{big, big, big}, greatest{-big, -big, -big};
   for (const PathVertex& v : piece.vertices)
@@ -75,7 +78,7 @@ void put_head(FrameBytes& frame, const PathPiece& piece) {
 
 }  // namespace
 
-void set_levels(PathPiece& piece) {
+void set_levels(ViewPiece& piece) {
   std::vector<PathVertex>& v = piece.vertices;
   if (v.empty()) return;
   v.front().level = v.back().level = levels - 1;
@@ -88,7 +91,7 @@ void set_levels(PathPiece& piece) {
   }
 }
 
-std::string path_frame(const PathPiece& piece, std::uint32_t which, std::uint32_t channel) {
+std::string path_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel) {
   const std::vector<PathVertex>& v = piece.vertices;
   FrameBytes frame(1, which, std::uint32_t(v.size()), channel);
   constexpr std::size_t head = 96, row = 36;
@@ -105,7 +108,7 @@ std::string path_frame(const PathPiece& piece, std::uint32_t which, std::uint32_
   return frame.take();
 }
 
-std::string directions_frame(const PathPiece& piece, std::uint32_t which, std::uint32_t channel) {
+std::string directions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel) {
   FrameBytes frame(2, which, std::uint32_t(piece.directions.size()), channel);
   frame.put_all(piece.directions.data(), piece.directions.size());
   return frame.take();

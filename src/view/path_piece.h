@@ -1,5 +1,5 @@
 #pragma once
-// PathPiece: some thousand vertices of a path as the page gets them (docs/panel-protocol.md, frames of kind 1 and 2).
+// ViewPiece: some thousand vertices of a path as the page gets them (docs/panel-protocol.md, frames of kind 1 and 2).
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@ enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, 
 /// What it says holds for the way that ends there.
 struct PathVertex {
   std::array<float, 3> at{};  // mm
-  float time = 0;             // s since PathPiece::begins
+  float time = 0;             // s since ViewPiece::begins
   std::uint32_t line = 0;
   std::uint32_t number = 0;  // Origin::number
   float feed = 0;            // as programmed, mm/min; 0 at rapid
@@ -26,7 +26,7 @@ struct PathVertex {
   std::uint8_t level = 0;
 };
 
-struct PathPiece {
+struct ViewPiece {
   static constexpr std::size_t most = 8192;  // vertices
 
   double begins = 0;                             // s: of its first vertex
@@ -38,12 +38,12 @@ struct PathPiece {
 /// Says at which level each vertex may go: leaving out those below level L the path is off by at most 0.001 · 2^L mm. Vertices where tool,
 /// kind, feed or file change stay at every level.
 ///   law  the first and the last are kept at all levels
-void set_levels(PathPiece& piece);
+void set_levels(ViewPiece& piece);
 
 /// A frame of kind 1.
 ///   which  0: the program, 1: what it is compared with; plus 2: as programmed
-std::string path_frame(const PathPiece& piece, std::uint32_t which, std::uint32_t channel);
+std::string path_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
 /// A frame of kind 2.
-std::string directions_frame(const PathPiece& piece, std::uint32_t which, std::uint32_t channel);
+std::string directions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
 
 }  // namespace kadr

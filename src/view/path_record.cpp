@@ -32,16 +32,16 @@ PathRecord::PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree
     : roles_(roles), way_(roles, chord, {}, std::move(tree), apart), tool_(tool) {}
 
 void PathRecord::begin_piece() {
-  PathPiece& piece = pieces_.emplace_back();
+  ViewPiece& piece = pieces_.emplace_back();
   open_ = true;
   piece.begins = last_time_;
   piece.first = std::uint32_t(vertices_);
-  piece.vertices.reserve(pieces_.size() > 1 ? PathPiece::most : 64);
+  piece.vertices.reserve(pieces_.size() > 1 ? ViewPiece::most : 64);
 }
 
 void PathRecord::add(const PathVertex& vertex, Vec3 at, Vec3 direction, double time) {
   if (is_full()) return;
-  if (open_ && pieces_.back().vertices.size() >= PathPiece::most) flush();
+  if (open_ && pieces_.back().vertices.size() >= ViewPiece::most) flush();
   if (!open_) {
     const PathVertex before = pieces_.empty() ? PathVertex() : pieces_.back().vertices.back();
     const bool leant = !pieces_.empty() && !pieces_.back().directions.empty();
@@ -53,7 +53,7 @@ void PathRecord::add(const PathVertex& vertex, Vec3 at, Vec3 direction, double t
       if (leant) pieces_.back().directions.push_back(single(last_direction_));
     }
   }
-  PathPiece& piece = pieces_.back();
+  ViewPiece& piece = pieces_.back();
   if (piece.vertices.empty()) piece.begins = time;
   if (piece.directions.empty() && direction != Vec3{0, 0, 1}) piece.directions.assign(piece.vertices.size(), {0, 0, 1});
   const bool leans = !piece.directions.empty() || direction != Vec3{0, 0, 1};
@@ -100,8 +100,8 @@ void PathRecord::flush() {
 }
 
 const PathVertex* PathRecord::at(double instant) const {
-  const auto ends_before = [](const PathPiece& p, double t) { return p.vertices.empty() || time_of(p, p.vertices.back()) < t; };
-  const auto piece = std::partition_point(pieces_.begin(), pieces_.end(), [&](const PathPiece& p) { return ends_before(p, instant); });
+  const auto ends_before = [](const ViewPiece& p, double t) { return p.vertices.empty() || time_of(p, p.vertices.back()) < t; };
+  const auto piece = std::partition_point(pieces_.begin(), pieces_.end(), [&](const ViewPiece& p) { return ends_before(p, instant); });
   if (piece == pieces_.end()) return nullptr;
   const auto vertex = std::partition_point(piece->vertices.begin(), piece->vertices.end(),
                                            [&](const PathVertex& v) { return time_of(*piece, v) < instant; });

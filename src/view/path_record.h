@@ -17,7 +17,7 @@ class PathRecord {
   PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool);
 
   /// Gets each piece when it is complete; the reference holds until the record goes.
-  std::function<void(const PathPiece&)> on_piece;
+  std::function<void(const ViewPiece&)> on_piece;
 
   ///   later, longer  s that the step begins later and takes longer on the machine than it was timed
   void consume(const Step& step, double later, double longer);
@@ -26,14 +26,14 @@ class PathRecord {
   /// A vertex more would be too many: nothing more is kept.
   bool is_full() const { return vertices_ >= most_vertices; }
 
-  const std::deque<PathPiece>& pieces() const { return pieces_; }
+  const std::deque<ViewPiece>& pieces() const { return pieces_; }
   std::size_t vertices() const { return vertices_; }
   /// Where the picture's zero is, machine coordinates.
   Vec3 zero() const { return way_.zero().value_or(way_.present_zero()); }
   /// The vertex at which the tool arrives at or after an instant; nullptr: the path is over before.
   const PathVertex* at(double instant) const;
   /// Its time, s.
-  static double time_of(const PathPiece& piece, const PathVertex& vertex) { return piece.begins + double(vertex.time); }
+  static double time_of(const ViewPiece& piece, const PathVertex& vertex) { return piece.begins + double(vertex.time); }
 
  private:
   static constexpr std::size_t most_vertices = 20'000'000;
@@ -44,7 +44,7 @@ class PathRecord {
   ToolWay way_;
   std::uint32_t tool_;
   std::vector<WayPiece> ways_;
-  std::deque<PathPiece> pieces_;  // the last one is being filled, unless flushed
+  std::deque<ViewPiece> pieces_;  // the last one is being filled, unless flushed
   bool open_ = false;
   std::size_t vertices_ = 0;
   double last_time_ = 0;

@@ -7,6 +7,7 @@
 
 #include "config/rapid_way.h"
 #include "config/told.h"
+#include "out/text/alarm_print.h"
 
 namespace kadr {
 namespace {
@@ -49,7 +50,7 @@ void ProgramRun::attach() {
   const AxisRoles roles = AxisRoles::of(control.axes(), control.rotary());
   const auto tool = std::uint32_t(std::max(own.setup.tool, 0));
   record_ = std::make_unique<PathRecord>(roles, tree_of(opened_, control), apart_of(opened_, control), tool);
-  record_->on_piece = [this](const PathPiece& piece) {
+  record_->on_piece = [this](const ViewPiece& piece) {
     if (on_piece) on_piece(piece);
   };
   statistics_ = std::make_unique<Statistics>(control.axes(), control.rotary(), rates_of(opened_.machine, own.setup, control.axes()));

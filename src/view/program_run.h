@@ -33,7 +33,7 @@ class ProgramRun {
   /// returns  an error sentence: the set-up names what the control has not
   static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
 
-  std::function<void(const PathPiece&)> on_piece;
+  std::function<void(const ViewPiece&)> on_piece;
   std::function<void(const AlarmReport&, double at)> on_alarm;
   /// Some times a second: how far it has come.
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;

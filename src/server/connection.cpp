@@ -1,0 +1,137 @@
+// The WebSocket of a page. For server/http_server; tested by tests/serve.py.
+
+#include "server/connection.h"
+
+#include <thread>
+
+namespace kadr {
+namespace {
+
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+
+constexpr std::size_t most_unsent = std::size_t{8} << 20;           // bytes that wait for the page
+constexpr std::size_t most_questions = 256;                         // that wait for their answers
+constexpr std::size_t most_question_bytes = std::size_t{48} << 20;  //
+
+}  // namespace
+
+Connection::Connection(beast::tcp_stream stream, const PageServer& page, std::shared_ptr<std::atomic<int>> sessions)
+    : socket_(std::move(stream)), sessions_(std::move(sessions)), session_(page, *this) {}
+
+Connection::~Connection() { --*sessions_; }
+
+void Connection::accept(const PageRequest& request) {
+  beast::get_lowest_layer(socket_).expires_never();
+  socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
+  socket_.read_message_max(PageSession::most_message);
+  socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
+    if (error) return self->lost();
+    std::thread([self] { self->answer_all(); }).detach();
+    self->read();
+  });
+}
+
+void Connection::read() {
+  socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+    if (error) return self->lost();
+    self->take_message();
+  });
+}
+
+/// What asks to stop acts at once, also on what waits before it.
+void Connection::take_message() {
+  std::string text = beast::buffers_to_string(buffer_.data());
+  buffer_.consume(buffer_.size());
+  bool flood = false;
+  {
+    const std::lock_guard hold(lock_);
+    if (PageSession::asks_to_stop(text)) {
+      for (Question& q : questions_) q.stopped = true;
+      session_.stop();
+    }
+    question_bytes_ += text.size();
+    questions_.push_back({std::move(text)});
+    flood = questions_.size() > most_questions || question_bytes_ > most_question_bytes;
+  }
+  news_.notify_all();
+  if (flood) return close(websocket::close_code::policy_error);
+  read();
+}
+
+void Connection::answer_all() {
+  while (true) {
+    Question question;
+    {
+      std::unique_lock hold(lock_);
+      news_.wait(hold, [this] { return over_ || !questions_.empty(); });
+      if (over_) return;
+      question = std::move(questions_.front());
+      questions_.pop_front();
+      question_bytes_ -= question.text.size();
+      session_.begin(question.stopped);
+    }
+    bool goes_on = false;
+    try {
+      goes_on = session_.take(question.text);
+    } catch (const std::exception&) {  // memory: this page's session is over, the others go on
+    }
+    if (goes_on) continue;
+    boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close(websocket::close_code::policy_error); });
+    return;
+  }
+}
+
+bool Connection::send(Outgoing out) {
+  {
+    std::unique_lock hold(lock_);
+    news_.wait(hold, [this] { return over_ || unsent_ < most_unsent; });
+    if (over_) return false;
+    unsent_ += out.bytes.size();
+    out_.push_back(std::move(out));
+    if (out_.size() > 1) return true;
+  }
+  boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->write_next(); });
+  return true;
+}
+
+void Connection::write_next() {
+  Outgoing* out = nullptr;
+  {
+    const std::lock_guard hold(lock_);
+    if (over_ || out_.empty()) return;
+    out = &out_.front();  // stays where it is until it has gone
+  }
+  socket_.binary(out->binary);
+  socket_.async_write(boost::asio::buffer(out->bytes), [self = shared_from_this()](beast::error_code error, std::size_t) {
+    if (error) return self->lost();
+    bool more = false;
+    {
+      const std::lock_guard hold(self->lock_);
+      self->unsent_ -= self->out_.front().bytes.size();
+      self->out_.pop_front();
+      more = !self->out_.empty();
+    }
+    self->news_.notify_all();
+    if (more) self->write_next();
+  });
+}
+
+void Connection::close(websocket::close_code code) {
+  {
+    const std::lock_guard hold(lock_);
+    if (over_) return;
+  }
+  socket_.async_close(code, [self = shared_from_this()](beast::error_code) { self->lost(); });
+}
+
+void Connection::lost() {
+  {
+    const std::lock_guard hold(lock_);
+    over_ = true;
+    session_.stop();
+  }
+  news_.notify_all();
+}
+
+}  // namespace kadr

@@ -1,0 +1,195 @@
+// Who asks for what over HTTP. For cli/serve; tested by tests/serve.py.
+
+#include "server/http_server.h"
+
+#include <boost/asio/ip/tcp.hpp>
+#include <chrono>
+#include <optional>
+
+#include "config/told.h"
+#include "server/connection.h"
+#include "server/page_files.h"
+
+namespace kadr {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+using tcp = asio::ip::tcp;
+using Response = http::response<http::string_body>;
+
+constexpr std::uint32_t most_header = 16 << 10, most_body = 1 << 10;  // bytes
+constexpr auto patience = std::chrono::seconds(30);
+constexpr int most_requests = 128;  // connections at a time that have not become sessions
+
+constexpr const char* policy =
+    "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob:; connect-src 'self'; "
+    "font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+const EmbeddedFile* file_of(std::string_view target) {
+  target = target.substr(0, target.find('?'));
+  const std::string_view name = target == "/" ? std::string_view("index.html") : target.substr(1);
+  for (const EmbeddedFile& file : page_files())
+    if (file.name == name) return &file;
+  return nullptr;
+}
+
+Response answer(const PageRequest& request, http::status status, std::string_view type, std::string body) {
+  Response response{status, request.version()};
+  response.set(http::field::content_type, beast::string_view(type.data(), type.size()));
+  response.set(http::field::cache_control, "no-cache");
+  response.set("Content-Security-Policy", policy);
+  response.set("X-Content-Type-Options", "nosniff");
+  response.set("Referrer-Policy", "no-referrer");
+  response.set("Cross-Origin-Resource-Policy", "same-origin");
+  response.set("Cross-Origin-Opener-Policy", "same-origin");
+  response.keep_alive(request.keep_alive());
+  response.body() = std::move(body);
+  response.prepare_payload();
+  return response;
+}
+
+std::string_view view_of(beast::string_view text) { return {text.data(), text.size()}; }
+
+constexpr std::string_view plain = "text/plain; charset=utf-8";
+
+/// Of a request that is no WebSocket.
+Response answer_to(const PageRequest& request) {
+  if (request.method() != http::verb::get && request.method() != http::verb::head) {
+    Response refused = answer(request, http::status::method_not_allowed, plain, "GET, HEAD\n");
+    refused.set(http::field::allow, "GET, HEAD");
+    return refused;
+  }
+  const std::string_view target = view_of(request.target());
+  if (target == "/health") return answer(request, http::status::ok, plain, "ok\n");
+  if (!target.starts_with('/')) return answer(request, http::status::bad_request, plain, "bad request\n");
+  const EmbeddedFile* const file = file_of(target);
+  if (file != nullptr) return answer(request, http::status::ok, content_type(file->name), std::string(file->text));
+  if (page_files().empty() && target == "/")
+    return answer(request, http::status::service_unavailable, plain,
+                  told("This kadr was built without its page: there was no npm. Install nodejs and npm (dev/setup does) and build again.\n",
+                       "Этот kadr собран без страницы: не было npm. Поставьте nodejs и npm (dev/setup) и соберите снова.\n"));
+  return answer(request, http::status::not_found, plain, "not found\n");
+}
+
+}  // namespace
+
+struct HttpServer::Inside : std::enable_shared_from_this<Inside> {
+  Inside(ServedAddress its_address, const PageServer& its_page) : address(std::move(its_address)), page(its_page), acceptor(network) {}
+  void accept();
+
+  ServedAddress address;
+  const PageServer& page;
+  asio::io_context network{1};
+  tcp::acceptor acceptor;
+  asio::steady_timer rest{network};
+  std::shared_ptr<std::atomic<int>> sessions = std::make_shared<std::atomic<int>>(0);
+  std::atomic<int> requests{0};
+};
+
+namespace {
+
+/// One connection until it has become a session or is over.
+class Request : public std::enable_shared_from_this<Request> {
+ public:
+  struct Shared {
+    const ServedAddress& address;
+    const PageServer& page;
+    std::shared_ptr<std::atomic<int>> sessions;
+    std::atomic<int>& requests;
+  };
+  Request(tcp::socket socket, const Shared& shared) : stream_(std::move(socket)), shared_(shared) { ++shared_.requests; }
+  ~Request() { --shared_.requests; }
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(most_header);
+    parser_->body_limit(most_body);
+    stream_.expires_after(patience);
+    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (!error) self->take(self->parser_->release());
+    });
+  }
+
+ private:
+  void take(PageRequest request) {
+    const std::string host(view_of(request[http::field::host])), origin(view_of(request[http::field::origin]));
+    if (!is_own_host(shared_.address, host) || !is_own_origin(origin, host))
+      return write(answer(request, http::status::forbidden, plain, "forbidden\n"), false, false);
+    if (!beast::websocket::is_upgrade(request)) return write(answer_to(request), request.keep_alive(), request.method() == http::verb::head);
+    if (view_of(request.target()) != "/session") return write(answer(request, http::status::not_found, plain, "not found\n"), false, false);
+    if (++*shared_.sessions > HttpServer::most_sessions) {
+      --*shared_.sessions;
+      return write(answer(request, http::status::service_unavailable, plain, "too many sessions\n"), false, false);
+    }
+    std::make_shared<Connection>(std::move(stream_), shared_.page, shared_.sessions)->accept(request);
+  }
+
+  void write(Response response, bool keeps, bool head_only) {
+    response.keep_alive(keeps);
+    response_ = std::move(response);
+    const auto written = [self = shared_from_this(), keeps](beast::error_code error, std::size_t) {
+      if (error || !keeps) return self->end();
+      self->read();
+    };
+    if (!head_only) return http::async_write(stream_, response_, written);
+    serializer_.emplace(response_);
+    http::async_write_header(stream_, *serializer_, written);
+  }
+
+  void end() {
+    beast::error_code ignored;
+    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+  }
+
+  beast::tcp_stream stream_;
+  Shared shared_;
+  beast::flat_buffer buffer_{std::size_t{64} << 10};
+  std::optional<http::request_parser<http::string_body>> parser_;
+  Response response_;
+  std::optional<http::response_serializer<http::string_body>> serializer_;
+};
+
+}  // namespace
+
+void HttpServer::Inside::accept() {
+  acceptor.async_accept([self = shared_from_this()](beast::error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    if (!error && self->requests < most_requests)
+      std::make_shared<Request>(std::move(socket), Request::Shared{self->address, self->page, self->sessions, self->requests})->read();
+    if (!error) return self->accept();
+    self->rest.expires_after(std::chrono::milliseconds(50));  // no more descriptors: some will come back
+    self->rest.async_wait([self](beast::error_code stopped) {
+      if (!stopped) self->accept();
+    });
+  });
+}
+
+tl::expected<std::unique_ptr<HttpServer>, std::string> HttpServer::listen(const ServedAddress& address, const PageServer& page) {
+  auto inside = std::make_shared<Inside>(address, page);
+  beast::error_code error;
+  const auto place = asio::ip::make_address(address.host == "localhost" ? "127.0.0.1" : address.host, error);
+  const auto fault = [&] { return tl::unexpected(address.host + ":" + std::to_string(address.port) + ": " + error.message()); };
+  if (error) return fault();
+  const tcp::endpoint end(place, address.port);
+  tcp::acceptor& acceptor = inside->acceptor;
+  if (acceptor.open(end.protocol(), error)) return fault();
+  acceptor.set_option(asio::socket_base::reuse_address(true), error);
+  if (error || acceptor.bind(end, error) || acceptor.listen(asio::socket_base::max_listen_connections, error)) return fault();
+  inside->address.port = acceptor.local_endpoint().port();
+  return std::unique_ptr<HttpServer>(new HttpServer(std::move(inside)));
+}
+
+HttpServer::~HttpServer() = default;
+
+const ServedAddress& HttpServer::address() const { return inside_->address; }
+
+void HttpServer::run() {
+  inside_->accept();
+  inside_->network.run();
+}
+
+void HttpServer::stop() { inside_->network.stop(); }
+
+}  // namespace kadr
