@@ -13,7 +13,8 @@ namespace {
 
 using Parts = std::vector<std::unique_ptr<SurfacePart>>;
 
-constexpr std::size_t bricks_at_once = 512;  // until their points are put together
+constexpr std::size_t bricks_at_once = 512;                   // until their points are put together
+constexpr std::size_t points_expected = brick_lines / 2 * 3;  // of a brick that is cut
 
 /// Each index once, by any of the threads.
 template <class Work>
@@ -78,6 +79,10 @@ Parts parts_of(const Stock& stock, Surface& surface) {
   std::vector<ToolFaces> tools;
   for (std::size_t i = 0; i < stock.tools(); ++i) tools.push_back(faces_of(stock.tool(i)));
   Parts parts(stock.lattice().size());
+  std::size_t cut = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) cut += stock.state(i) == Stock::State::mixed;
+  // Room that is not used takes no memory, but what grows leaves room behind.
+  surface.points.reserve(3 * cut * points_expected), surface.made_by.reserve(cut * points_expected);
   std::vector<PartWork> works(std::size_t(stock.threads()));
   for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {
     const std::size_t count = std::min(bricks_at_once, parts.size() - first);
@@ -95,7 +100,6 @@ Parts parts_of(const Stock& stock, Surface& surface) {
 Surface surface_of(const Stock& stock) {
   Surface surface;
   const Parts parts = parts_of(stock, surface);
-  surface.points.shrink_to_fit(), surface.made_by.shrink_to_fit();
   std::vector<std::size_t> first_face(parts.size());
   std::size_t faces = 0;
   for (std::size_t i = 0; i < parts.size(); ++i)
