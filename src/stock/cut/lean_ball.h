@@ -60,4 +60,12 @@ KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const aut
   return either(ends, where((room > 0.f) & (tube.from <= tube.to), tube.from + b.line[0], tube.to + b.line[0]));
 }
 
+/// What the ball leaves of the material where the shaft may yet take something.
+template <class V>
+KADR_IN_LANES Swept<V> left_by(const Swept<V>& ball, const Swept<V>& material) {
+  const MarksOf<V> takes_from = ball.from <= material.from, takes_to = ball.to >= material.to;
+  const V from = choose(takes_from & (ball.to > material.from), ball.to, material.from);
+  return {from, choose(takes_to & (ball.from < material.to), ball.from, material.to)};
+}
+
 }  // namespace kadr::lanes

@@ -2,10 +2,11 @@
 // LeanCutter: one sweep of a body of a tool that leans, in one brick. For stock/cut/lean_cut alone, which compiles it for each kind of
 // processor.
 //
-// Which squares of columns it reaches; which lines, by the tool as it stands in the middle of its way, larger by as much as it shifts from
-// there; which of these, by a shift that is that of the middle of the brick everywhere, and a body larger by what this may be wrong; then
-// the ends, from without, with the shift that the tool has at the very place where it leaves the line. Of a ball end, what it sweeps itself
-// first; its shaft is asked only for what that leaves.
+// Which squares of columns it reaches; which lines, by how far aside of the tool they go, and by a cylinder in the middle of its way,
+// larger by as much as it shifts from there; of a cylinder, which of them are taken farthest as it stands at an end of its way
+// (lean_pose.h). Of the others, which it may reach by a shift that is that of the middle of the brick everywhere, and a body larger by what
+// this may be wrong; then the ends, from without, with the shift that the tool has at the very place where it leaves the line. Of a ball
+// end, what it sweeps itself first; its shaft is asked only for what that leaves.
 
 #include "stock/cut/cutter_lanes.h"
 #include "stock/cut/lean_ball.h"
@@ -45,7 +46,7 @@ class LeanCutter : public Cutter {
   static constexpr int squares_along = 4;
   /// What is reached of the material.
   struct Reached {
-    std::uint32_t squares = 0;                         // a bit each
+    std::uint32_t squares = 0;  // a bit each
     // Material over reached squares, by their column and row: its top and where the body begins; none of it above the other: none.
     float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
   };
@@ -191,7 +192,8 @@ inline LeanCutter::RowRange LeanCutter::rows_of(const Reached& r, int family, in
   const RowRange all{square * wide, square * wide + wide}, none{0, 0};
   if (family == 2) return (r.squares >> (square * squares_along + lane / wide) & 3) != 0 ? all : none;
   if (family == 1) return scale.place[lane] <= r.top_x[square] && scale.place[lane + lane_count - 1] >= r.low_x[square] ? all : none;
-  const float low = std::min(r.low_y[lane / wide], r.low_y[lane / wide + 1]), top = std::max(r.top_y[lane / wide], r.top_y[lane / wide + 1]);
+  const float low = std::min(r.low_y[lane / wide], r.low_y[lane / wide + 1]),
+              top = std::max(r.top_y[lane / wide], r.top_y[lane / wide + 1]);
   RowRange rows = all;
   while (rows.first < rows.last && scale.place[rows.first] < low) ++rows.first;
   while (rows.first < rows.last && scale.place[rows.last - 1] > top) --rows.last;
@@ -301,8 +303,8 @@ KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lan
 
 /// By the tool as it stands at the ends of its way; what it sweeps between is asked for where it may reach more of the material.
 template <class V, int family>
-KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near,
-                                               const Swept<V>& material, Swept<V>& swept) const {
+KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near, const Swept<V>& material,
+                                               Swept<V>& swept) const {
   constexpr auto cylinder = LeanBody::Kind::cylinder;
   const Frustum& f = body_leaning_.shaft;
   const Pose<V> first = in_pose(line.first, all.exact.first_direction, all.exact.first_rise, f),
@@ -332,14 +334,6 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow
   }
   swept = {choose(reached & open_from, between.from, swept.from), choose(reached & open_to, between.to, swept.to)};
   return true;
-}
-
-/// What the ball leaves of the material where the shaft may yet take something.
-template <class V>
-KADR_IN_LANES Swept<V> left_by(const Swept<V>& ball, const Swept<V>& material) {
-  const MarksOf<V> takes_from = ball.from <= material.from, takes_to = ball.to >= material.to;
-  const V from = choose(takes_from & (ball.to > material.from), ball.to, material.from);
-  return {from, choose(takes_to & (ball.from < material.to), ball.from, material.to)};
 }
 
 template <class V, int family>

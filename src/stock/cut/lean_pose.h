@@ -55,7 +55,7 @@ KADR_IN_LANES MarksOf<V> is_farthest_back(const Pose<V>& first, const Pose<V>& l
 template <class V>
 KADR_IN_LANES MarksOf<V> is_farthest_on(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
   const auto at = [&](const Pose<V>& p, float forth) {
-    return (p.in.from <= p.in.to) & moves_out(p, p.in.to, past, forth, p.in.to < p.side.to, p.direction.z > 0.f);
+    return (p.in.from <= p.in.to) & moves_out(p, p.in.to, past, forth, p.in.to<p.side.to, p.direction.z> 0.f);
   };
   return at(first, 1.f) | at(last, -1.f);
 }
