@@ -1,0 +1,29 @@
+// Only the newest wish counts: one is under way, at most one waits, what came between is dropped.
+export class Latest<T> {
+  private busy = false;
+  private next: T | undefined;
+  constructor(private work: (wish: T) => Promise<void>) {}
+
+  want(wish: T): void {
+    this.next = wish;
+    if (!this.busy) void this.run();
+  }
+  /// A newer wish waits, so what is being fetched is already old.
+  get stale(): boolean { return this.next !== undefined; }
+
+  private async run(): Promise<void> {
+    this.busy = true;
+    while (this.next !== undefined) {
+      const wish = this.next;
+      this.next = undefined;
+      try { await this.work(wish); } catch { /* lost or refused: the next wish asks anew */ }
+    }
+    this.busy = false;
+  }
+}
+
+/// Calls `f` once, `ms` after the last call.
+export function debounce<A extends unknown[]>(ms: number, f: (...a: A) => void): (...a: A) => void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  return (...a) => { clearTimeout(timer); timer = setTimeout(() => f(...a), ms); };
+}

@@ -1,0 +1,65 @@
+// The editor of a program that is held here: undo, search, problems, the line that runs.
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
+import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
+import { EditorState, StateEffect, StateField, RangeSet } from "@codemirror/state";
+import { Decoration, EditorView, GutterMarker, drawSelection, gutterLineClass, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+import type { App } from "../model/app";
+import { t } from "../texts/texts";
+import { explain } from "./explain";
+import { gcode } from "./gcode";
+import { problem_marks, watch_problems } from "./problems";
+
+export interface SourceView { show_line(line: number): void; focus(): void; close(): void; readonly editor?: EditorView }
+
+const set_running = StateEffect.define<number>();
+const running_line = Decoration.line({ class: "cm-running" });
+const running_gutter = new (class extends GutterMarker { override elementClass = "cm-running-number"; })();
+
+const running = StateField.define<number>({
+  create: () => 0,
+  update(line, tr) {
+    for (const e of tr.effects) if (e.is(set_running)) return e.value;
+    return line;
+  },
+  provide: (f) => [
+    EditorView.decorations.compute([f, "doc"], (s) => { const at = start_of(s, s.field(f)); return at < 0 ? Decoration.none : Decoration.set(running_line.range(at)); }),
+    gutterLineClass.compute([f, "doc"], (s) => { const at = start_of(s, s.field(f)); return at < 0 ? RangeSet.empty : RangeSet.of(running_gutter.range(at)); }),
+  ],
+});
+const start_of = (s: EditorState, line: number): number => (line >= 1 && line <= s.doc.lines ? s.doc.line(line).from : -1);
+
+export function editor_view(app: App, host: HTMLElement, text: string, picked: (line: number) => void, save: () => void): SourceView {
+  let watch: ReturnType<typeof watch_problems> | undefined;
+  const view = new EditorView({
+    parent: host,
+    state: EditorState.create({ doc: text, extensions: [
+      lineNumbers(), history(), drawSelection(), highlightActiveLine(), search({ top: true }), highlightSelectionMatches(),
+      gcode, problem_marks, explain(app), running,
+      EditorState.readOnly.of(!app.opened?.editable),
+      EditorView.contentAttributes.of({ "aria-label": t("source"), spellcheck: "false", autocapitalize: "characters" }),
+      keymap.of([{ key: "Mod-s", preventDefault: true, run: () => { save(); return true; } }, ...defaultKeymap, ...historyKeymap, ...searchKeymap]),
+      EditorView.updateListener.of((u) => {
+        if (u.docChanged) { app.set_text(u.state.doc.toString()); watch?.changed(); }
+        else if (u.selectionSet && u.transactions.some((tr) => tr.isUserEvent("select"))) picked(u.state.doc.lineAt(u.state.selection.main.head).number);
+      }),
+    ] }),
+  });
+  watch = watch_problems(app, view);
+  return {
+    editor: view,
+    show_line(line) {
+      const at = start_of(view.state, line);
+      const effects: StateEffect<unknown>[] = [set_running.of(line)];
+      if (at >= 0 && !seen(view, at)) effects.push(EditorView.scrollIntoView(at, { y: "center" }));
+      view.dispatch({ effects });
+    },
+    focus: () => view.focus(),
+    close: () => { watch?.close(); view.destroy(); },
+  };
+}
+
+/// The line is seen, so that the text does not jump while the slider moves.
+function seen(view: EditorView, at: number): boolean {
+  const block = view.lineBlockAt(at), box = view.scrollDOM;
+  return block.top >= box.scrollTop && block.bottom <= box.scrollTop + box.clientHeight;
+}

@@ -1,0 +1,49 @@
+// Two versions of a program: their texts side by side, their paths one over the other in the view.
+import { MergeView } from "@codemirror/merge";
+import { EditorState } from "@codemirror/state";
+import { EditorView, lineNumbers } from "@codemirror/view";
+import type { App } from "../model/app";
+import { gcode } from "../source/gcode";
+import { t } from "../texts/texts";
+import { open_dialog } from "./dialog";
+import { button, fill, h } from "./dom";
+import { coordinate } from "./figures";
+
+/// `begin` is called before the other path comes, `show` when it is to be seen alone with this one.
+export function show_compare(app: App, begin: () => void): void {
+  const file = h("select", { "aria-label": t("other_version") }), told = h("p", { class: "note", "aria-live": "polite" }), host = h("div", { class: "merge" });
+  let merge: MergeView | null = null;
+  const here = app.opened!.file, folder = here.includes("/") ? here.slice(0, here.lastIndexOf("/")) : "";
+  const go = async (): Promise<void> => {
+    if (!file.value) return;
+    const wanted = file.value;
+    begin();
+    told.textContent = t("comparing");
+    try {
+      const c = await app.client.ask("compare", wanted === here ? { text: app.saved_text ?? "" } : { file: wanted });
+      const first = c.first?.[0];
+      const place = first ? ` ${t("first_difference")} ${first.line ? t("line_n", { line: first.line }) : ""} ${first.place ? first.place.map(coordinate).join("  ") : ""}` : "";
+      told.textContent = c.same ? t("same_path") : t("deviates", { by: coordinate(c.deviation) }) + place;
+    } catch (e) { told.textContent = ""; app.tell(e); }
+    merge?.destroy();
+    const other = wanted === here ? app.saved_text : await text_of(app, wanted);
+    if (other !== null && app.text !== null) merge = new MergeView({ a: side(other), b: side(app.text), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
+  };
+  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), host), { wide: true, closed: () => merge?.destroy() });
+  void fill_files(app, folder, here, file);
+}
+
+const side = (doc: string) => ({ doc, extensions: [lineNumbers(), gcode, EditorState.readOnly.of(true), EditorView.editable.of(false)] });
+
+async function fill_files(app: App, folder: string, here: string, select: HTMLSelectElement): Promise<void> {
+  try {
+    const { entries } = await app.client.ask("files", { folder });
+    const names = entries.filter((e) => e.kind === "program").map((e) => (folder ? `${folder}/${e.name}` : e.name)).filter((n) => n !== here);
+    fill(select, app.dirty && h("option", { value: here }, t("as_saved", { file: here })), ...names.map((n) => h("option", { value: n }, n)));
+  } catch (e) { app.tell(e); }
+}
+
+/// The session holds one program: the text of another is not asked for by `source`. It comes from a second, short session.
+async function text_of(app: App, file: string): Promise<string | null> {
+  try { return await app.other_text(file); } catch (e) { app.tell(e); return null; }
+}
