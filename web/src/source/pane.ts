@@ -65,7 +65,6 @@ export class SourcePane {
     fill(this.tools,
       this.shown_file !== 0 && button(t("back_to_program"), () => { this.show_file(0, ""); }),
       app.opened && !app.opened.editable && h("span", { class: "note" }, t("read_only")),
-      app.opened?.editable && button(t("run_edited"), () => void app.run_again(), { disabled: !app.dirty, title: t("run_edited_long") }),
       app.opened?.editable && button(t("save"), () => void save(app), { disabled: !app.dirty || !app.hello?.may_change, title: app.hello?.may_change ? "Ctrl+S" : t("may_not_change") }));
   }
 }

@@ -27,7 +27,8 @@ export function show_compare(app: App, begin: () => void): void {
     } catch (e) { told.textContent = ""; app.tell(e); }
     merge?.destroy();
     const other = wanted === here ? app.saved_text : await text_of(app, wanted);
-    if (other !== null && app.text !== null) merge = new MergeView({ a: side(other), b: side(app.text), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
+    if (other === null || app.text === null) told.textContent += ` ${t("no_text_here")}`;
+    else merge = new MergeView({ a: side(other), b: side(app.text), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
   };
   open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), host), { wide: true, closed: () => merge?.destroy() });
   void fill_files(app, folder, here, file);

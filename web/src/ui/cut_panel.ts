@@ -6,6 +6,7 @@ import type { Box, PartAnswer, Tool } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { clock, short } from "./figures";
+import { icon } from "./icons";
 import { tool_picture } from "./outline";
 import { fact } from "./summary";
 
@@ -97,7 +98,7 @@ export class CutPanel {
       this.part && h("p", { class: "note" }, t("part_told", { left: short(this.part.left, 1), triangles: short(this.part.triangles) })),
       c && !app.findings.length && h("p", { class: "good" }, t("nothing_hit")),
       ...app.findings.slice(0, 500).map((f) => h("div", { class: "problem alarm" }, h("button", { type: "button", class: "problem-go", onclick: () => { app.seek(f.at); this.jump(f.line); } },
-        h("span", { class: "sign", "aria-hidden": "true" }, "⛔"), h("span", { class: "problem-text" }, f.text), h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`)))),
+        icon("alarm", t("alarm")), h("span", { class: "problem-text" }, f.text), h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`)))),
       app.findings.length > 500 && h("p", { class: "note" }, `… +${app.findings.length - 500}`));
   }
 }

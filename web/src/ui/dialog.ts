@@ -1,11 +1,12 @@
 // Dialogues on the browser's own <dialog>: it keeps the focus inside, closes by Escape, and is known to screen readers.
 import { t } from "../texts/texts";
 import { button, h } from "./dom";
+import { icon } from "./icons";
 
 export function open_dialog(title: string, content: Node, options: { wide?: boolean; closed?: () => void; tools?: Node } = {}): HTMLDialogElement {
   const close = (): void => dialog.close();
   const dialog = h("dialog", { class: options.wide ? "dialog wide" : "dialog", "aria-label": title },
-    h("header", { class: "dialog-head" }, h("h2", null, title), options.tools, button("✕", close, { "aria-label": t("close"), title: t("close"), class: "icon" })),
+    h("header", { class: "dialog-head" }, h("h2", null, title), options.tools, button(icon("close"), close, { "aria-label": t("close"), title: t("close"), class: "icon" })),
     h("div", { class: "dialog-body" }, content));
   dialog.addEventListener("close", () => { dialog.remove(); options.closed?.(); });
   document.body.append(dialog);

@@ -24,9 +24,9 @@ export function fill(e: Element, ...children: Child[]): void {
 
 function set_attributes(e: Element, attributes?: Attributes | null): void {
   for (const [name, value] of Object.entries(attributes ?? {})) {
-    if (value === false || value === null || value === undefined) continue;
+    if (value === null || value === undefined || (value === false && !name.startsWith("aria-"))) continue; // aria-pressed="false" says something
     if (typeof value === "function") e.addEventListener(name.slice(2), value as EventListener);
-    else e.setAttribute(name, value === true ? "" : String(value));
+    else e.setAttribute(name, value === true && !name.startsWith("aria-") ? "" : String(value));
   }
 }
 
@@ -34,7 +34,7 @@ function add(e: Element, children: Child[]): void {
   for (const c of children) if (c !== null && c !== undefined && c !== false) e.append(c instanceof Node ? c : String(c));
 }
 
-export function button(text: string, action: () => void, attributes?: Attributes): HTMLButtonElement {
+export function button(text: string | Node, action: () => void, attributes?: Attributes): HTMLButtonElement {
   return h("button", { type: "button", onclick: action, ...attributes }, text);
 }
 

@@ -4,9 +4,8 @@ import type { FileEntry } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { bytes } from "./figures";
+import { icon } from "./icons";
 import { ask } from "./dialog";
-
-const signs: Record<FileEntry["kind"], string> = { folder: "▸", program: "▤", setup: "⌖", tools: "⚒", other: "·" };
 
 export class FilesDrawer {
   readonly element = h("nav", { class: "pane files", "aria-label": "" });
@@ -42,7 +41,7 @@ export class FilesDrawer {
     const path = this.folder ? `${this.folder}/${e.name}` : e.name;
     const can = e.kind === "folder" || e.kind === "program" || (e.kind === "setup" && this.app.opened !== null);
     return h("li", null, h("button", { type: "button", class: `file-row ${e.kind}`, disabled: !can, "data-path": path, title: e.kind === "setup" ? t("use_setup") : path, onclick: () => void this.choose(e, path) },
-      h("span", { class: "file-sign", "aria-hidden": "true" }, signs[e.kind] ?? "·"), h("span", { class: "file-name" }, e.name),
+      icon(e.kind), h("span", { class: "file-name" }, e.name),
       e.kind !== "folder" && h("span", { class: "file-size" }, bytes(e.size))));
   }
 

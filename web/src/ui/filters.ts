@@ -3,6 +3,7 @@ import type { App } from "../model/app";
 import type { SceneFilter } from "../scene/scene";
 import { t } from "../texts/texts";
 import { button, h } from "./dom";
+import { icon } from "./icons";
 
 export function filter_form(app: App, now: SceneFilter, change: (f: Partial<SceneFilter>) => void): HTMLElement {
   const tick = (key: "rapids" | "hideDone" | "programmed" | "other"): HTMLElement => {
@@ -33,5 +34,5 @@ function tools(app: App, now: SceneFilter, change: (f: Partial<SceneFilter>) => 
   });
   const go = (): void => { const on = boxes.filter((b) => b.box.checked).map((b) => b.n); change({ tools: on.length === all.length ? null : on }); };
   return h("div", { class: "filter-tools" }, ...boxes.map(({ n, box }) => h("div", { class: "row" }, h("label", { class: "tick" }, box, `T${n} ${app.done?.tools.find((x) => x.tool === n)?.name ?? ""}`),
-    button("→", () => app.seek(app.done?.tools.find((x) => x.tool === n)?.from ?? 0), { class: "icon", title: t("go_to_start"), "aria-label": t("go_to_start") }))));
+    button(icon("go"), () => app.seek(app.done?.tools.find((x) => x.tool === n)?.from ?? 0), { class: "icon", title: t("go_to_start"), "aria-label": t("go_to_start") }))));
 }

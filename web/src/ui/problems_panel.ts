@@ -3,9 +3,9 @@ import type { App } from "../model/app";
 import type { Fix, Problem } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
+import { icon } from "./icons";
 
 const grave = { alarm: 0, warning: 1, note: 2 } as const;
-const signs = { alarm: "⛔", warning: "⚠", note: "ℹ" } as const;
 
 export interface Group { id: string; severity: Problem["severity"]; problems: Problem[] }
 
@@ -45,7 +45,7 @@ export class ProblemsPanel {
     const key = `${g.severity}:${g.id}`, first = g.problems[0]!;
     if (g.problems.length === 1) return this.row(first, true);
     const e = h("details", { class: `problem-group ${g.severity}`, open: this.open.has(key), ontoggle: () => { if (e.open) this.open.add(key); else this.open.delete(key); } },
-      h("summary", null, h("span", { class: "sign", role: "img", "aria-label": t(g.severity) }, signs[g.severity]), h("span", { class: "problem-text" }, first.text), h("span", { class: "count" }, String(g.problems.length))),
+      h("summary", null, icon(g.severity, t(g.severity)), h("span", { class: "problem-text" }, first.text), h("span", { class: "count" }, String(g.problems.length))),
       first.hint && h("div", { class: "hint" }, first.hint), ...g.problems.slice(0, 500).map((p) => this.row(p, false)), g.problems.length > 500 && h("p", { class: "note" }, `… +${g.problems.length - 500}`));
     return e;
   }
@@ -53,7 +53,7 @@ export class ProblemsPanel {
   private row(p: Problem, alone: boolean): HTMLElement {
     return h("div", { class: `problem ${p.severity}` },
       h("button", { type: "button", class: "problem-go", onclick: () => this.jump(p) },
-        alone && h("span", { class: "sign", role: "img", "aria-label": t(p.severity) }, signs[p.severity]),
+        alone && icon(p.severity, t(p.severity)),
         h("span", { class: "problem-text" }, p.text), h("span", { class: "dim" }, `${p.number ? `${p.number} · ` : ""}${t("line_n", { line: p.line })}`)),
       alone && p.hint && h("div", { class: "hint" }, p.hint),
       p.fix && this.app.opened?.editable && button(p.fix.text, () => this.fix(p.fix!), { class: "fix" }));

@@ -6,6 +6,7 @@ import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { filter_form } from "./filters";
 import { coordinate, short } from "./figures";
+import { icon } from "./icons";
 import { toast } from "./toast";
 
 const colours: ColourBy[] = ["kind", "tool", "feed", "speed", "time", "depth"];
@@ -90,7 +91,7 @@ export class ScenePane {
     const axis = h("select", { "aria-label": t("section"), title: t("section"), onchange: () => { section.axis = axis.value === "" ? null : (Number(axis.value) as 0 | 1 | 2); change(); this.draw_section(); } },
       option("", t("section_none"), section.axis === null), ...[0, 1, 2].map((i) => option(String(i), `${t("section")} ${"XYZ"[i]}`, section.axis === i)));
     const at = h("input", { type: "range", min: "0", max: "1", step: "0.002", value: String(section.part), "aria-label": t("section_at"), oninput: () => { section.part = Number(at.value); change(); } });
-    fill(this.below, axis, section.axis !== null && box && at, section.axis !== null && button("⇄", () => { section.flip = !section.flip; change(); }, { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") }), section.axis !== null && h("span", { class: "section-told" }));
+    fill(this.below, axis, section.axis !== null && box && at, section.axis !== null && button(icon("flip"), () => { section.flip = !section.flip; change(); }, { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") }), section.axis !== null && h("span", { class: "section-told" }));
     change();
   }
 

@@ -33,7 +33,7 @@ export function sheet_element(s: Sheet, image: string, shapes: Shape[]): HTMLEle
 
 function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
   const head = ["", t("tool"), t("name"), "R", "L", t("corrector"), t("time"), t("lines"), t("comment")];
-  return h("table", { class: "list sheet-tools" }, h("thead", null, h("tr", null, ...head.map((x) => h("th", { scope: "col" }, x)))),
+  return h("table", { class: "list sheet-tools" }, h("thead", null, h("tr", null, ...head.map((x, i) => h("th", { scope: "col", class: [2, 7, 8].includes(i) ? "text" : "" }, x)))),
     h("tbody", null, ...tools.map((x) => {
       const shape = shapes.find((y) => y.number === x.number) ?? { number: x.number, cutting: x.outline ?? [], shank: [], holder: [] };
       return h("tr", null, h("td", null, tool_picture(shape, `T${x.number}`, 48, 72)), h("td", null, `T${x.number}`), h("td", { class: "text" }, x.name ?? ""), h("td", null, coordinate(x.radius)), h("td", null, coordinate(x.length)),
@@ -42,7 +42,7 @@ function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
 }
 
 function zeros(s: Sheet): HTMLElement {
-  return h("table", { class: "list" }, h("tbody", null, ...s.zeros.map((z) => h("tr", null, h("th", { scope: "row" }, z.name), h("td", { class: "text" }, Object.entries(z.values).map(([a, v]) => `${a} ${coordinate(v)}`).join("   "))))));
+  return h("table", { class: "list" }, h("tbody", null, ...s.zeros.map((z) => h("tr", null, h("th", { scope: "row" }, z.name), h("td", { class: "text" }, Object.entries(z.values).map(([a, v]) => `${a} ${coordinate(v)}`).join(", "))))));
 }
 
 const notes = (rows: [number, string][]): HTMLElement => h("table", { class: "list" }, h("tbody", null, ...rows.map(([line, text]) => h("tr", null, h("td", { class: "note-line" }, String(line)), h("td", { class: "text" }, text)))));

@@ -6,7 +6,7 @@ import { on_language, t, type TextKey } from "../texts/texts";
 import { fill, h } from "./dom";
 import { clock } from "./figures";
 
-const signs: Partial<Record<Mark["kind"], string>> = { tool: "T", alarm: "!", warning: "!", stop: "■", optional_stop: "□", zero: "⌖", message: "✉", end: "▮" };
+const signs: Partial<Record<Mark["kind"], string>> = { tool: "T", alarm: "!", warning: "!", stop: "■", optional_stop: "□", zero: "0", message: "i", end: "■" };
 
 export class TimeSlider {
   readonly element = h("div", { class: "slider", role: "slider", tabindex: "0", "aria-valuemin": "0" });

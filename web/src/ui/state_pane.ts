@@ -4,6 +4,7 @@ import type { Axes, Passes, State } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { clock, coordinate, short } from "./figures";
+import { icon } from "./icons";
 import { Latest } from "../model/latest";
 
 export class StatePane {
@@ -52,8 +53,8 @@ export class StatePane {
     const here = p.passes.findIndex((x) => x.number >= s.number), n = here < 0 ? p.passes.length - 1 : here;
     const go = (i: number): void => { const to = p.passes[i]; if (to) this.app.seek_block(to.number); };
     return h("div", { class: "row pass" }, h("span", null, t("pass_of", { n: (s.pass || n + 1), m: p.count })), h("span", { class: "grow" }),
-      button("‹", () => go(n - 1), { class: "icon", disabled: n <= 0, "aria-label": t("pass_before"), title: t("pass_before") }),
-      button("›", () => go(n + 1), { class: "icon", disabled: n >= p.passes.length - 1, "aria-label": t("pass_after"), title: t("pass_after") }));
+      button(icon("less"), () => go(n - 1), { class: "icon", disabled: n <= 0, "aria-label": t("pass_before"), title: t("pass_before") }),
+      button(icon("more"), () => go(n + 1), { class: "icon", disabled: n >= p.passes.length - 1, "aria-label": t("pass_after"), title: t("pass_after") }));
   }
 
   private positions(s: State): HTMLElement {

@@ -41,7 +41,7 @@ export class SpeedStrip {
         draw: [(u) => this.draw_place(u)],
         ready: [(u) => u.over.addEventListener("click", () => { if (u.select.width <= 3 && u.cursor.left !== undefined && u.cursor.left >= 0) { this.selected(null); this.app.seek(u.posToVal(u.cursor.left, "x")); } })],
       },
-    }, [b.at, b.greatest, b.least, b.feed] as unknown as uPlot.AlignedData, this.element);
+    }, [[...b.at], gaps(b.greatest), gaps(b.least), gaps(b.feed)], this.element);
   }
 
   private series(label: string, stroke: string, fill?: string, dash?: number[]): uPlot.Series {
@@ -58,3 +58,6 @@ export class SpeedStrip {
     u.ctx.restore();
   }
 }
+
+/// Where nothing moves there is no speed: a gap, which uPlot knows as null.
+const gaps = (v: Float64Array): (number | null)[] => Array.from(v, (x) => (Number.isNaN(x) ? null : x));

@@ -4,6 +4,7 @@ import { slider_of, times_of } from "../model/time";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h } from "./dom";
 import { clock } from "./figures";
+import { icon, type IconName } from "./icons";
 import type { Player } from "./player";
 import { TimeSlider } from "./slider";
 import { SpeedStrip } from "./strip";
@@ -21,13 +22,13 @@ export function timeline(app: App, player: Player, step_tool: (way: 1 | -1) => v
     pace.setAttribute("aria-label", t("pace"));
     pace.title = t("pace");
     pace_told.textContent = `${player.times}×`;
-    const b = (text: string, title: string, f: () => void): HTMLElement => button(text, f, { class: "icon", title, "aria-label": title, disabled: !app.done });
+    const b = (sign: IconName, title: string, f: () => void): HTMLElement => button(icon(sign), f, { class: "icon", title, "aria-label": title, disabled: !app.done });
     fill(controls,
-      b("⏮", t("tool_before"), () => step_tool(-1)), b("◀", t("block_before"), () => app.step(-1)),
-      b(player.playing ? "⏸" : "▶", player.playing ? t("pause") : t("play"), () => player.toggle()),
-      b("▶|", t("block_after"), () => app.step(1)), b("⏭", t("tool_after"), () => step_tool(1)),
+      b("tool_back", t("tool_before"), () => step_tool(-1)), b("back", t("block_before"), () => app.step(-1)),
+      b(player.playing ? "pause" : "play", player.playing ? t("pause") : t("play"), () => player.toggle()),
+      b("on", t("block_after"), () => app.step(1)), b("tool_on", t("tool_after"), () => step_tool(1)),
       pace, pace_told, told,
-      player.loop && button(`⟲ ${clock(player.loop[0])}–${clock(player.loop[1])} ✕`, () => player.set_loop(null), { title: t("loop_off") }),
+      player.loop && button(`${clock(player.loop[0])}–${clock(player.loop[1])} ×`, () => player.set_loop(null), { title: t("loop_off") }),
       h("span", { class: "grow" }), hint);
     slider.show_loop(player.loop);
     tell();

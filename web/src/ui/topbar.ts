@@ -4,6 +4,7 @@ import { remember, remembered } from "../model/memory";
 import { language, on_language, set_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { clock, short } from "./figures";
+import { icon } from "./icons";
 
 export interface TopbarVerbs { files(): void; sheet(): void; compare(): void; help(): void; theme(dark: boolean): void }
 
@@ -26,17 +27,17 @@ export class Topbar {
   private draw(): void {
     const { app, verbs } = this, o = app.opened;
     fill(this.element,
-      button("☰", verbs.files, { class: "icon", title: t("files"), "aria-label": t("files") }),
+      button(icon("menu"), verbs.files, { class: "icon", title: t("files"), "aria-label": t("files") }),
       h("span", { class: "brand" }, "Kadr"),
       h("span", { class: "file", title: o?.file ?? "" }, o?.file ?? t("no_program")),
       o && this.choices(),
-      o && (app.running ? button(t("stop"), () => app.stop(), { class: "stop" }) : button(t("run"), () => void app.run_again(), { class: "main" })),
+      o && (app.running ? button(t("stop"), () => app.stop(), { class: "stop" }) : button(t("run"), () => void app.run_again(), { class: "main", title: t("run_long") })),
       this.told,
       h("span", { class: "grow" }),
       button(t("sheet"), verbs.sheet, { disabled: !app.done }),
       button(t("compare"), verbs.compare, { disabled: !app.done }),
       button("?", verbs.help, { class: "icon", title: t("keys"), "aria-label": t("keys") }),
-      button(this.dark ? "☀" : "☾", () => { this.dark = !this.dark; this.apply(); this.draw(); }, { class: "icon", title: t("theme"), "aria-label": t("theme") }),
+      button(icon(this.dark ? "sun" : "moon"), () => { this.dark = !this.dark; this.apply(); this.draw(); }, { class: "icon", title: t("theme"), "aria-label": t("theme") }),
       button(t("shop"), () => { this.shop = !this.shop; this.apply(); this.draw(); }, { "aria-pressed": this.shop, title: t("shop_long") }),
       this.languages(), this.bar);
     this.draw_progress();
@@ -44,13 +45,12 @@ export class Topbar {
 
   private choices(): HTMLElement {
     const { app } = this, o = app.opened!;
-    const control = o.control.name + (o.control.guessed ? ` · ${t("guessed")}` : "");
     const controls = h("select", { "aria-label": t("control"), title: o.control.why ?? t("control"), onchange: () => void app.run_again({ ...app.choice, control: controls.value || undefined }) },
-      option("", t("guess"), false), ...(app.hello?.controls ?? []).map((c) => option(c.id, c.id === o.control.id ? control : c.name, c.id === o.control.id)));
+      option("", t("guess"), false), ...(app.hello?.controls ?? []).map((c) => option(c.id, c.name, c.id === o.control.id)));
     const machines = h("select", { "aria-label": t("machine"), title: t("machine"), onchange: () => void app.run_again({ ...app.choice, machine: machines.value || undefined }) },
       option("", t("no_machine"), !o.machine), ...[...new Set([...(app.hello?.machines ?? []), ...(o.machine ? [o.machine] : [])])].map((m) => option(m, m, m === o.machine)));
-    const setup = h("input", { value: o.setup ?? "", placeholder: t("no_setup"), "aria-label": t("setup"), title: t("setup"), size: "14", onchange: () => void app.run_again({ ...app.choice, setup: setup.value || undefined }) });
-    return h("span", { class: "choices" }, controls, machines, setup);
+    const setup = h("input", { value: o.setup ?? "", placeholder: t("no_setup"), "aria-label": t("setup"), title: t("setup"), size: "9", onchange: () => void app.run_again({ ...app.choice, setup: setup.value || undefined }) });
+    return h("span", { class: "choices" }, controls, o.control.guessed && h("span", { class: "guessed", title: o.control.why ?? "" }, t("guessed")), machines, setup);
   }
 
   private languages(): HTMLElement {
