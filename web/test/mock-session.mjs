@@ -44,7 +44,7 @@ export function session(send) {
     open: (q) => { open = q.file; text = q.text ?? program; path = path_frame(); setTimeout(run, 10); const long = open === "long.nc"; return { file: q.file, size: text.length, digest: "d1", encoding: "utf-8", control: { id: q.control ?? "mach3", name: "Mach3", guessed: !q.control, why: "%" }, machine: q.machine ?? null, setup: q.setup ?? null, editable: !long, lines: long ? long_lines : text.split("\n").length, ...(long ? {} : { text }) }; },
     source: (q) => ({ lines: Array.from({ length: Math.min(q.count, long_lines - q.from + 1) }, (_, i) => `N${q.from + i} G1 X${((q.from + i) % 80) - 40}.5 Y${(q.from + i) % 60} F800`) }),
     state: (q) => state_at(q),
-    passes: (q) => { const numbers = q.line === 10 ? [8, 10, 12, 14, 16] : [state_of_line(q.line)]; return { passes: numbers.filter(Boolean).map((number) => { const at = state_at({ number }).at; return { from: at, to: at + 1, number }; }), count: numbers.length }; },
+    passes: (q) => { const numbers = q.line === 10 ? [9, 11, 13, 15, 17] : [state_of_line(q.line)]; return { passes: numbers.filter(Boolean).map((number) => { const at = state_at({ number }).at; return { from: at, to: at + 1, number }; }), count: numbers.length }; },
     check: (q) => ({ problems: check(q.text) }),
     explain: (q) => ({ words: [...(q.text ?? "").matchAll(/[A-Z]\s*-?[\d.]+/g)].map((m) => ({ from: m.index + 1, to: m.index + 1 + m[0].length, code: m[0], title: lang === "ru" ? "слово" : "word", text: lang === "ru" ? "Что оно значит на этом УЧПУ" : "What it means on this control" })) }),
     cut: () => { void cut(); return {}; },

@@ -4,12 +4,14 @@ import { head_of, frame_part, frame_path } from "../protocol/frames";
 import { token } from "../protocol/token";
 import type { CutQuestion, CutResult, Done, Finding, Hello, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
 import { language } from "../texts/texts";
-import { Latest, debounce } from "./latest";
+import { Latest, debounce, spaced } from "./latest";
 import { other_text } from "./other_text";
 import { remember, remembered } from "./memory";
 import { PathIndex } from "./path_index";
 import { Signal } from "./signal";
 import { clamp } from "./time";
+
+const most_problems = 10_000; // more than anybody reads; the rest is the same again
 
 export type Choice = { control?: string; machine?: string; setup?: string };
 
@@ -54,6 +56,9 @@ export class App {
   private states = new Latest<{ at: number } | { number: number }>((w) => this.fetch_state(w));
   private parts = new Latest<number>((at) => this.fetch_part(at));
   private want_part = debounce(120, () => { if (this.cut_ready) this.parts.want(this.instant); });
+  // A program may meet thousands of warnings in a second: the panes draw a few times a second at most.
+  private tell_problems = spaced(100, () => this.on_problems.emit());
+  private tell_findings = spaced(100, () => this.on_cut.emit(null));
   private keep = debounce(300, () => this.keep_place());
   private recut = false;               // a part that was there before the line was lost is cut once more
   private target = 0;                  // the block that stepping aims at, while answers are under way
@@ -64,10 +69,10 @@ export class App {
     this.client.frame.on((f) => this.take_frame(f));
     this.client.event.on((e) => {
       if (e.name === "progress") { this.progress = e.body; this.on_run.emit(); }
-      else if (e.name === "alarm") { this.problems.push({ ...e.body.problem, at: e.body.at }); this.on_problems.emit(); }
+      else if (e.name === "alarm") { if (this.problems.push({ ...e.body.problem, at: e.body.at }) > most_problems) this.problems.pop(); this.tell_problems(); }
       else if (e.name === "done") this.take_done(e.body);
       else if (e.name === "cutting") this.on_cut.emit(e.body.part);
-      else if (e.name === "finding") { this.findings.push(e.body); this.on_cut.emit(null); }
+      else if (e.name === "finding") { if (this.findings.push(e.body) > most_problems) this.findings.pop(); this.tell_findings(); }
       else if (e.name === "cut") this.take_cut(e.body);
       else if (e.name === "closed") this.on_error.emit(e.body.text);
     });
@@ -156,7 +161,9 @@ export class App {
   async speak(lang: Language): Promise<void> {
     try {
       await this.client.ask("language", { lang });
-      if (this.opened) await this.run_again(); // texts of alarms and marks come from the run
+      if (!this.opened) return;
+      this.recut = this.cut_ready;
+      await this.run_again(); // texts of alarms and marks come from the run
     } catch (e) { this.tell(e); }
   }
 

@@ -27,3 +27,13 @@ export function debounce<A extends unknown[]>(ms: number, f: (...a: A) => void):
   let timer: ReturnType<typeof setTimeout> | undefined;
   return (...a) => { clearTimeout(timer); timer = setTimeout(() => f(...a), ms); };
 }
+
+/// Calls `f` at most once in `ms`, and always after the last call.
+export function spaced(ms: number, f: () => void): () => void {
+  let waiting = false;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    setTimeout(() => { waiting = false; f(); }, ms);
+  };
+}

@@ -4,9 +4,10 @@ import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/sea
 import { EditorState, StateEffect, StateField, RangeSet } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, drawSelection, gutterLineClass, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import type { App } from "../model/app";
-import { t } from "../texts/texts";
+import { on_language, t } from "../texts/texts";
 import { explain } from "./explain";
 import { gcode } from "./gcode";
+import { phrases, phrases_now } from "./phrases";
 import { problem_marks, watch_problems } from "./problems";
 
 export interface SourceView { show_line(line: number): void; focus(): void; close(): void; readonly editor?: EditorView }
@@ -34,7 +35,7 @@ export function editor_view(app: App, host: HTMLElement, text: string, picked: (
     parent: host,
     state: EditorState.create({ doc: text, extensions: [
       lineNumbers(), history(), drawSelection(), highlightActiveLine(), search({ top: true }), highlightSelectionMatches(),
-      gcode, problem_marks, explain(app), running,
+      gcode, problem_marks, explain(app), running, phrases.of(phrases_now()),
       EditorState.readOnly.of(!app.opened?.editable),
       EditorView.contentAttributes.of({ "aria-label": t("source"), spellcheck: "false", autocapitalize: "characters" }),
       keymap.of([{ key: "Mod-s", preventDefault: true, run: () => { save(); return true; } }, ...defaultKeymap, ...historyKeymap, ...searchKeymap]),
@@ -45,6 +46,7 @@ export function editor_view(app: App, host: HTMLElement, text: string, picked: (
     ] }),
   });
   watch = watch_problems(app, view);
+  const off = on_language(() => view.dispatch({ effects: phrases.reconfigure(phrases_now()) }));
   return {
     editor: view,
     show_line(line) {
@@ -54,7 +56,7 @@ export function editor_view(app: App, host: HTMLElement, text: string, picked: (
       view.dispatch({ effects });
     },
     focus: () => view.focus(),
-    close: () => { watch?.close(); view.destroy(); },
+    close: () => { off(); watch?.close(); view.destroy(); },
   };
 }
 

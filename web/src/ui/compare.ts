@@ -4,6 +4,7 @@ import { EditorState } from "@codemirror/state";
 import { EditorView, lineNumbers } from "@codemirror/view";
 import type { App } from "../model/app";
 import { gcode } from "../source/gcode";
+import { phrases_now } from "../source/phrases";
 import { t } from "../texts/texts";
 import { open_dialog } from "./dialog";
 import { button, fill, h } from "./dom";
@@ -34,7 +35,7 @@ export function show_compare(app: App, begin: () => void): void {
   void fill_files(app, folder, here, file);
 }
 
-const side = (doc: string) => ({ doc, extensions: [lineNumbers(), gcode, EditorState.readOnly.of(true), EditorView.editable.of(false)] });
+const side = (doc: string) => ({ doc, extensions: [lineNumbers(), gcode, phrases_now(), EditorState.readOnly.of(true), EditorView.editable.of(false)] });
 
 async function fill_files(app: App, folder: string, here: string, select: HTMLSelectElement): Promise<void> {
   try {

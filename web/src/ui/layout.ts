@@ -3,7 +3,7 @@ import { remember, remembered } from "../model/memory";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { fill, h } from "./dom";
 
-const sizes: Record<string, [number, number, number]> = { left: [380, 200, 900], right: [340, 260, 800], bottom: [150, 110, 400], lower: [300, 80, 900] }; // px: at first, least, most
+const sizes: Record<string, [number, number, number]> = { left: [380, 200, 900], right: [340, 260, 800], bottom: [150, 110, 400], lower: [260, 80, 900] }; // px: at first, least, most
 
 export interface Panes { top: HTMLElement; banner: HTMLElement; files: HTMLElement; source: HTMLElement; scene: HTMLElement; state: HTMLElement; tabs: HTMLElement; bottom: HTMLElement }
 
