@@ -10,6 +10,7 @@ import { remember, remembered } from "./model/memory";
 import type { Socket } from "./protocol/client";
 import type { Problem } from "./protocol/types";
 import type { SceneBox } from "./scene/scene";
+import { of_program } from "./source/problems";
 import { SourcePane } from "./source/pane";
 import { language, set_language, t } from "./texts/texts";
 import { banner } from "./ui/banner";
@@ -88,7 +89,7 @@ async function go_to_line(line: number, file: number): Promise<void> {
 
 function jump_to(p: Problem): void {
   if (p.at !== undefined) app.seek(p.at);
-  source.show(p.line);
+  if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
 }
 
 function show_boxes(): void {

@@ -61,6 +61,7 @@ export class App {
   private tell_findings = spaced(100, () => this.on_cut.emit(null));
   private keep = debounce(300, () => this.keep_place());
   private recut = false;               // a part that was there before the line was lost is cut once more
+  private opening = 0;                 // questions `open` without an answer: what comes meanwhile belongs to an older program
   private target = 0;                  // the block that stepping aims at, while answers are under way
 
   constructor(private make: () => Socket) {
@@ -68,13 +69,14 @@ export class App {
     this.client.line.on((l) => void this.line_changed(l));
     this.client.frame.on((f) => this.take_frame(f));
     this.client.event.on((e) => {
+      if (e.name === "closed") return this.on_error.emit(e.body.text);
+      if (this.opening) return;
       if (e.name === "progress") { this.progress = e.body; this.on_run.emit(); }
       else if (e.name === "alarm") { if (this.problems.push({ ...e.body.problem, at: e.body.at }) > most_problems) this.problems.pop(); this.tell_problems(); }
       else if (e.name === "done") this.take_done(e.body);
       else if (e.name === "cutting") this.on_cut.emit(e.body.part);
       else if (e.name === "finding") { if (this.findings.push(e.body) > most_problems) this.findings.pop(); this.tell_findings(); }
       else if (e.name === "cut") this.take_cut(e.body);
-      else if (e.name === "closed") this.on_error.emit(e.body.text);
     });
   }
 
@@ -89,8 +91,10 @@ export class App {
     this.wanted = { question, at };
     this.running = true;
     this.on_run.emit();
+    this.opening++;
     try {
-      const opened = await this.client.ask("open", question);
+      const opened = await this.client.ask("open", question).finally(() => { this.opening--; });
+      if (this.opening) return; // another was asked for meanwhile
       this.choice = { control: question.control, machine: question.machine, setup: question.setup };
       this.opened = opened;
       if (question.text === undefined) this.saved_text = opened.text ?? null;
@@ -99,6 +103,7 @@ export class App {
       this.on_opened.emit(opened);
       this.on_dirty.emit(this.dirty);
     } catch (e) {
+      if (this.opening) return;
       this.running = false;
       this.on_run.emit();
       this.tell(e);
@@ -220,6 +225,7 @@ export class App {
   }
 
   private take_frame(frame: ArrayBuffer): void {
+    if (this.opening) return;
     const kind = head_of(frame)?.kind;
     if (kind === frame_part) { if (!this.parts.stale) this.on_part.emit(frame); return; }
     if (kind === frame_path) this.path.add(frame);

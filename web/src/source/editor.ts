@@ -2,31 +2,46 @@
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { EditorState, StateEffect, StateField, RangeSet } from "@codemirror/state";
-import { Decoration, EditorView, GutterMarker, drawSelection, gutterLineClass, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+import { Decoration, EditorView, GutterMarker, WidgetType, type DecorationSet, drawSelection, gutterLineClass, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import type { App } from "../model/app";
 import { on_language, t } from "../texts/texts";
+import { h } from "../ui/dom";
 import { explain } from "./explain";
 import { gcode } from "./gcode";
 import { phrases, phrases_now } from "./phrases";
 import { problem_marks, watch_problems } from "./problems";
 
-export interface SourceView { show_line(line: number): void; focus(): void; close(): void; readonly editor?: EditorView }
+export interface SourceView { show_line(line: number, beside?: string): void; focus(): void; close(): void; readonly editor?: EditorView }
 
-const set_running = StateEffect.define<number>();
+interface Running { line: number; beside: string }
+const set_running = StateEffect.define<Running>();
 const running_line = Decoration.line({ class: "cm-running" });
 const running_gutter = new (class extends GutterMarker { override elementClass = "cm-running-number"; })();
 
-const running = StateField.define<number>({
-  create: () => 0,
-  update(line, tr) {
+/// Values of the variables that the running line uses, behind its end.
+class Beside extends WidgetType {
+  constructor(private text: string) { super(); }
+  override eq(other: Beside): boolean { return other.text === this.text; }
+  toDOM(): HTMLElement { return h("span", { class: "cm-beside" }, this.text); }
+}
+
+const running = StateField.define<Running>({
+  create: () => ({ line: 0, beside: "" }),
+  update(now, tr) {
     for (const e of tr.effects) if (e.is(set_running)) return e.value;
-    return line;
+    return now;
   },
   provide: (f) => [
-    EditorView.decorations.compute([f, "doc"], (s) => { const at = start_of(s, s.field(f)); return at < 0 ? Decoration.none : Decoration.set(running_line.range(at)); }),
-    gutterLineClass.compute([f, "doc"], (s) => { const at = start_of(s, s.field(f)); return at < 0 ? RangeSet.empty : RangeSet.of(running_gutter.range(at)); }),
+    EditorView.decorations.compute([f, "doc"], (s) => running_marks(s, s.field(f))),
+    gutterLineClass.compute([f, "doc"], (s) => { const at = start_of(s, s.field(f).line); return at < 0 ? RangeSet.empty : RangeSet.of(running_gutter.range(at)); }),
   ],
 });
+function running_marks(s: EditorState, now: Running): DecorationSet {
+  const at = start_of(s, now.line);
+  if (at < 0) return Decoration.none;
+  const line = running_line.range(at);
+  return now.beside ? Decoration.set([line, Decoration.widget({ widget: new Beside(now.beside), side: 1 }).range(s.doc.lineAt(at).to)]) : Decoration.set(line);
+}
 const start_of = (s: EditorState, line: number): number => (line >= 1 && line <= s.doc.lines ? s.doc.line(line).from : -1);
 
 export function editor_view(app: App, host: HTMLElement, text: string, picked: (line: number) => void, save: () => void): SourceView {
@@ -49,9 +64,9 @@ export function editor_view(app: App, host: HTMLElement, text: string, picked: (
   const off = on_language(() => view.dispatch({ effects: phrases.reconfigure(phrases_now()) }));
   return {
     editor: view,
-    show_line(line) {
+    show_line(line, beside = "") {
       const at = start_of(view.state, line);
-      const effects: StateEffect<unknown>[] = [set_running.of(line)];
+      const effects: StateEffect<unknown>[] = [set_running.of({ line, beside })];
       if (at >= 0 && !seen(view, at)) effects.push(EditorView.scrollIntoView(at, { y: "center" }));
       view.dispatch({ effects });
     },

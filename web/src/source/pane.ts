@@ -6,7 +6,7 @@ import { save } from "../ui/save";
 import { editor_view, type SourceView } from "./editor";
 import { virtual_view } from "./virtual";
 import { apply_fix } from "./problems";
-import type { Fix } from "../protocol/types";
+import type { Fix, State } from "../protocol/types";
 
 const called_lines = 10_000_000; // of a called file nobody tells how long it is; beyond its end `source` gives nothing
 
@@ -27,7 +27,7 @@ export class SourcePane {
       if (!s) return;
       const file = s.file ?? 0;
       if (file !== this.shown_file) this.show_file(file, s.file_name ?? "");
-      this.view?.show_line(s.line);
+      this.view?.show_line(s.line, beside(s));
     });
     on_language(() => this.head());
     this.head();
@@ -67,4 +67,11 @@ export class SourcePane {
       app.opened && !app.opened.editable && h("span", { class: "note" }, t("read_only")),
       app.opened?.editable && button(t("save"), () => void save(app), { disabled: !app.dirty || !app.hello?.may_change, title: app.hello?.may_change ? "Ctrl+S" : t("may_not_change") }));
   }
+}
+
+/// The variables that this line names or has changed, with their values.
+function beside(s: State): string {
+  const text = s.text ?? "";
+  const named = (name: string): boolean => new RegExp(`${name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}(?!\\d)`).test(text);
+  return (s.variables ?? []).filter((v) => v.changed || named(v.name)).slice(0, 6).map((v) => `${v.name} = ${typeof v.value === "number" ? Number(v.value.toPrecision(7)) : v.value ?? "–"}`).join("  ");
 }

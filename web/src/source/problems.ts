@@ -12,7 +12,7 @@ export const problem_marks = [linter(null, { delay: 0 }), lintGutter()];
 
 export function watch_problems(app: App, view: EditorView): { changed: () => void; close: () => void } {
   let asked = 0;
-  const show = (): void => { view.dispatch(setDiagnostics(view.state, diagnostics(view.state, app.checked ?? app.problems.filter(of_program), view))); };
+  const show = (): void => { view.dispatch(setDiagnostics(view.state, diagnostics(view.state, app.checked ?? app.problems.filter((p) => of_program(p, app.opened?.file ?? "")), view))); };
   const check = debounce(quiet, async () => {
     const mine = ++asked;
     try {
@@ -27,8 +27,12 @@ export function watch_problems(app: App, view: EditorView): { changed: () => voi
   return { changed: () => { asked++; check(); }, close: () => { asked++; off(); } };
 }
 
-/// Problems of called files have their own text, which the editor does not show.
-export function of_program(p: Problem): boolean { return p.file === undefined || p.file === 0 || !(p.calls?.length); }
+/// Problems of called files have their own text, which the editor does not show. `opened` is the program's own name.
+export function of_program(p: Problem, opened: string): boolean {
+  if (typeof p.file !== "string") return !p.file;
+  const name = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
+  return p.file === "" || name(p.file) === name(opened);
+}
 
 function diagnostics(state: EditorState, problems: Problem[], view: EditorView): Diagnostic[] {
   const severities = { alarm: "error", warning: "warning", note: "info" } as const;

@@ -184,7 +184,6 @@ export const en = {
   // Cut
   cut_tab: "Cut",
   cut: "Cut",
-  run_cut: "Cutting",
   cutting: "Cutting…",
   stock: "Blank",
   stock_as_text: "as text",

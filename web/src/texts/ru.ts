@@ -186,7 +186,6 @@ export const ru: Record<TextKey, string> = {
   // Cut
   cut_tab: "Обработка",
   cut: "Обработать",
-  run_cut: "Обработка",
   cutting: "Идёт обработка…",
   stock: "Заготовка",
   stock_as_text: "текстом",

@@ -20,12 +20,13 @@ export class CutPanel {
   private tools: Tool[] = [];
   private resolution = "";
   private known = false;
+  private start = h("div", { class: "row cut-start" });
   private form = h("div");
   private told = h("div", { "aria-live": "polite" });
   private part: PartAnswer | null = null;
 
   constructor(private app: App, private shown: (stock: Box | null, tools: Tool[]) => void, private jump: (line: number) => void) {
-    this.element.append(this.form, this.told);
+    this.element.append(this.start, this.told, this.form);
     app.on_opening.on(() => { this.known = false; this.part = null; this.draw(); });
     app.on_done.on(() => void this.propose());
     app.on_cut.on((part) => { if (part === null) this.part = app.cut_ready ? this.part : null; this.draw_told(part); if (part === null || part === 0) this.draw_run(); });
@@ -47,17 +48,15 @@ export class CutPanel {
   private draw(): void {
     if (!this.known) fill(this.form, h("p", { class: "note" }, this.app.opened ? t("running") : t("open_a_program")));
     else fill(this.form, h("h3", null, t("stock")), this.stock_form(), h("h3", null, t("tools")), ...this.tools.map((x) => this.tool_form(x)),
-      button(t("add_tool"), () => { this.tools.push({ number: Math.max(0, ...this.tools.map((x) => x.number)) + 1, kind: "flat", diameter: 10, flutes: 20, length: 50 }); this.draw(); }),
-      h("h3", null, t("run_cut")),
-      h("label", { class: "field" }, h("span", null, t("resolution")), this.input(this.resolution, (v) => { this.resolution = v; }, { placeholder: t("auto"), inputmode: "decimal" }), h("span", { class: "dim" }, t("mm"))),
-      h("div", { class: "row cut-run" }));
+      button(t("add_tool"), () => { this.tools.push({ number: Math.max(0, ...this.tools.map((x) => x.number)) + 1, kind: "flat", diameter: 10, flutes: 20, length: 50 }); this.draw(); }));
+    fill(this.start, this.known && h("div", { class: "cut-run" }), this.known && h("label", { class: "field" }, h("span", null, t("resolution")), this.input(this.resolution, (v) => { this.resolution = v; }, { placeholder: t("auto"), inputmode: "decimal" }), h("span", { class: "dim" }, t("mm"))));
     this.draw_run();
     this.draw_told(null);
     if (this.known) this.shown(box_of(this.stock), this.tools);
   }
 
   private draw_run(): void {
-    const e = this.form.querySelector(".cut-run");
+    const e = this.start.querySelector(".cut-run");
     if (e) fill(e, this.app.cutting ? button(t("stop"), () => this.app.stop(), { class: "stop" }) : button(t("cut"), () => this.run(), { class: "main", disabled: !this.app.done }));
   }
 

@@ -79,9 +79,7 @@ export class ScenePane {
       ...colours.map((c) => option(c, t(`colour_${c}`), c === this.colour)));
     fill(this.bar, ...views.map((v) => button(t(`view_${v}`), () => this.scene?.view(v), { title: t(`view_${v}_long`) })), look,
       button(t(this.flat ? "orthographic" : "perspective"), () => { this.flat = !this.flat; remember("orthographic", this.flat); this.scene?.setProjection(this.flat); this.draw(); }, { title: t("projection") }),
-      button(t("measure"), () => this.toggle_measure(), { "aria-pressed": this.measuring, title: `${t("measure")} (M)` }),
-      filter_form(this.app, this.filter, (f) => this.set_filter(f)),
-      button("PNG", () => void this.save_picture(), { title: t("save_picture") }));
+      filter_form(this.app, this.filter, (f) => this.set_filter(f)));
     this.draw_section();
   }
 
@@ -91,7 +89,8 @@ export class ScenePane {
     const axis = h("select", { "aria-label": t("section"), title: t("section"), onchange: () => { section.axis = axis.value === "" ? null : (Number(axis.value) as 0 | 1 | 2); change(); this.draw_section(); } },
       option("", t("section_none"), section.axis === null), ...[0, 1, 2].map((i) => option(String(i), `${t("section")} ${"XYZ"[i]}`, section.axis === i)));
     const at = h("input", { type: "range", min: "0", max: "1", step: "0.002", value: String(section.part), "aria-label": t("section_at"), oninput: () => { section.part = Number(at.value); change(); } });
-    fill(this.below, axis, section.axis !== null && box && at, section.axis !== null && button(icon("flip"), () => { section.flip = !section.flip; change(); }, { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") }), section.axis !== null && h("span", { class: "section-told" }));
+    fill(this.below, axis, section.axis !== null && box && at, section.axis !== null && button(icon("flip"), () => { section.flip = !section.flip; change(); }, { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") }), section.axis !== null && h("span", { class: "section-told" }),
+      button(t("measure"), () => this.toggle_measure(), { "aria-pressed": this.measuring, title: `${t("measure")} (M)` }), button("PNG", () => void this.save_picture(), { title: t("save_picture") }));
     change();
   }
 

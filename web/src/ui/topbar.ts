@@ -45,7 +45,7 @@ export class Topbar {
 
   private choices(): HTMLElement {
     const { app } = this, o = app.opened!;
-    const controls = h("select", { "aria-label": t("control"), title: o.control.why ?? t("control"), onchange: () => void app.run_again({ ...app.choice, control: controls.value || undefined }) },
+    const controls = h("select", { class: o.control.guessed ? "is-guess" : "", "aria-label": t("control"), title: o.control.guessed ? `${t("guessed")}: ${o.control.why ?? ""}` : t("control"), onchange: () => void app.run_again({ ...app.choice, control: controls.value || undefined }) },
       option("", t("guess"), false), ...(app.hello?.controls ?? []).map((c) => option(c.id, c.name, c.id === o.control.id)));
     const machines = h("select", { "aria-label": t("machine"), title: t("machine"), onchange: () => void app.run_again({ ...app.choice, machine: machines.value || undefined }) },
       option("", t("no_machine"), !o.machine), ...[...new Set([...(app.hello?.machines ?? []), ...(o.machine ? [o.machine] : [])])].map((m) => option(m, m, m === o.machine)));
@@ -64,6 +64,7 @@ export class Topbar {
     this.bar.setAttribute("aria-valuenow", String(Math.round(part * 100)));
     this.bar.setAttribute("aria-label", t("running"));
     const d = app.done;
+    this.told.title = d ? this.told.textContent ?? "" : "";
     this.told.className = `run-told ${app.running ? "running" : d?.state ?? ""}`;
     this.told.textContent = app.running ? t("running_at", { blocks: short(app.progress?.blocks ?? 0), time: clock(app.progress?.seconds ?? 0) })
       : d ? `${t(d.state === "ended" ? "state_ended" : d.state === "stopped" ? "state_stopped" : "state_cancelled")} · ${clock(d.seconds)}` : "";
