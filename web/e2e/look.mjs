@@ -46,8 +46,8 @@ try {
   await page.click(".compare button.main");
   await page.waitForTimeout(600);
   await shot("compare");
-  await page.keyboard.press("Escape");
-  await page.click("text=long.nc");
+  await page.click("dialog.docked button.icon");
+  await page.click(".file-row:has-text('long.nc')");
   await until("long lines", async () => /N1 G1/.test((await page.locator(".virtual-row").first().textContent()) ?? ""));
   await until("its end", () => page.locator(".run-told.ended").count());
   await page.waitForTimeout(300);

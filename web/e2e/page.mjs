@@ -142,6 +142,27 @@ const steps = {
     await ended();
     await until("the same instant", async () => Math.abs((await now()) - stood) < 0.2);
   },
+  async "two versions side by side"() {
+    await page.click(".topbar button:has-text('Compare')");
+    await until("the other programs", () => count(".compare option"));
+    await page.selectOption(".compare select", { index: 0 });
+    await page.click(".compare button.main");
+    await until("what differs", async () => /path/i.test((await text(".compare .note")) ?? ""), 30000);
+    await page.screenshot({ path: join(pictures, "compare.png") });
+    await page.click("dialog.docked .dialog-head button");
+    await until("it closes", async () => !(await count("dialog")));
+  },
+  async "shop mode: targets of 44 pixels, everything has a name"() {
+    await page.click(".topbar button:has-text('Shop')");
+    await page.waitForTimeout(200);
+    const bad = await page.evaluate(() => [...document.querySelectorAll("button, select, input:not([type=checkbox]), summary")].filter((e) => e.checkVisibility() && !e.closest(".cm-editor")).flatMap((e) => {
+      const box = e.getBoundingClientRect(), name = (e.getAttribute("aria-label") ?? e.textContent ?? "").trim() || e.closest("label")?.textContent?.trim() || e.title;
+      return [...(box.height < 43.5 ? [`${Math.round(box.height)} px: ${e.className} ${name}`] : []), ...(name ? [] : [`no name: ${e.outerHTML.slice(0, 80)}`])];
+    }));
+    await page.screenshot({ path: join(pictures, "shop.png") });
+    await page.click(".topbar button:has-text('Shop')");
+    must(!bad.length, bad.slice(0, 5).join("; "));
+  },
   async "help, set-up sheet, keys of panes"() {
     await page.locator(".slider").focus();
     await page.keyboard.press("Shift+Slash");

@@ -56,7 +56,7 @@ const files = new FilesDrawer(app);
 const top = new Topbar(app, {
   files: () => { files.element.hidden = !files.element.hidden; remember("files_hidden", files.element.hidden); },
   sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
-  compare: () => show_compare(app, () => scene?.clearPath(1)),
+  compare: () => show_compare(app, { begin: () => scene?.clearPath(1), line: (n) => void go_to_line(n, 0) }),
   help: show_help,
   theme: (dark) => scene?.setTheme(dark),
 });

@@ -54,8 +54,13 @@ export class SourcePane {
     this.shown_file = file;
     const picked = (line: number): void => this.picked(line, file);
     if (file === 0 && app.text !== null) this.view = editor_view(app, this.host, app.text, picked, () => void save(app));
-    else this.view = virtual_view(this.host, file === 0 ? app.opened?.lines ?? 0 : called_lines, async (from, count) => (await app.client.ask("source", file ? { from, count, file } : { from, count })).lines, picked);
+    else this.view = virtual_view(this.host, file === 0 ? app.opened?.lines ?? 0 : called_lines, async (from, count) => (await app.client.ask("source", file ? { from, count, file } : { from, count })).lines, picked, (line, text) => this.explained(line, text));
     this.head(name);
+  }
+
+  private async explained(line: number, text: string): Promise<string> {
+    const { words } = await this.app.client.ask("explain", { line, text });
+    return words.map((w) => `${w.code}  ${w.title}`).join("\n");
   }
 
   private head(called = ""): void {

@@ -9,7 +9,7 @@ import { ScrollMap } from "./virtual_map";
 export type Fetch = (from: number, count: number) => Promise<string[]>;
 const window_lines = 500, windows_kept = 40; // 20,000 lines are kept, some 1 MB
 
-export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, picked: (line: number) => void): SourceView {
+export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, picked: (line: number) => void, hover?: (line: number, text: string) => Promise<string>): SourceView {
   const rows = h("div", { class: "virtual-rows" });
   const space = h("div", { class: "virtual-space" });
   const box = h("div", { class: "virtual", tabindex: "0", role: "listbox", "aria-label": t("source"), "aria-readonly": "true" }, space, rows);
@@ -76,6 +76,15 @@ export function virtual_view(host: HTMLElement, lines: number, fetch: Fetch, pic
     const page = Math.max(1, Math.floor(map.view / map.row) - 1);
     const to = { ArrowDown: cursor + 1, ArrowUp: cursor - 1, PageDown: cursor + page, PageUp: cursor - page, Home: 1, End: lines }[e.key];
     if (to !== undefined) { e.preventDefault(); e.stopPropagation(); move(to); }
+  });
+  box.addEventListener("mouseover", (e) => {
+    const row = (e.target as Element).closest<HTMLElement>(".virtual-row");
+    if (row && hover) explain(row);
+  });
+  const explain = debounce(350, async (row: HTMLElement) => {
+    const line = row.dataset.line, said = await hover!(Number(line), row.children[1]!.textContent ?? "").catch(() => "");
+    for (const r of rows.children) r.removeAttribute("title");
+    if (row.dataset.line === line && said) row.title = said;
   });
   const watch = new ResizeObserver(measure);
   watch.observe(box);

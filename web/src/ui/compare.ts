@@ -10,15 +10,18 @@ import { open_dialog } from "./dialog";
 import { button, fill, h } from "./dom";
 import { coordinate } from "./figures";
 
-/// `begin` is called before the other path comes, `show` when it is to be seen alone with this one.
-export function show_compare(app: App, begin: () => void): void {
+export interface CompareVerbs { begin(): void; line(line: number): void }
+
+/// `begin`: the other path that is drawn goes; `line`: a line of this program was clicked.
+export function show_compare(app: App, verbs: CompareVerbs): void {
+  if (document.querySelector("dialog.docked")) return;
   const file = h("select", { "aria-label": t("other_version") }), told = h("p", { class: "note", "aria-live": "polite" }), host = h("div", { class: "merge" });
   let merge: MergeView | null = null;
   const here = app.opened!.file, folder = here.includes("/") ? here.slice(0, here.lastIndexOf("/")) : "";
   const go = async (): Promise<void> => {
     if (!file.value) return;
     const wanted = file.value;
-    begin();
+    verbs.begin();
     told.textContent = t("comparing");
     try {
       const c = await app.client.ask("compare", wanted === here ? { text: app.saved_text ?? "" } : { file: wanted });
@@ -29,13 +32,13 @@ export function show_compare(app: App, begin: () => void): void {
     merge?.destroy();
     const other = wanted === here ? app.saved_text : await text_of(app, wanted);
     if (other === null || app.text === null) told.textContent += ` ${t("no_text_here")}`;
-    else merge = new MergeView({ a: side(other), b: side(app.text), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
+    else merge = new MergeView({ a: side(other), b: side(app.text, (n) => verbs.line(n)), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
   };
-  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), host), { wide: true, closed: () => merge?.destroy() });
+  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), host), { docked: true, closed: () => { merge?.destroy(); verbs.begin(); } });
   void fill_files(app, folder, here, file);
 }
 
-const side = (doc: string) => ({ doc, extensions: [lineNumbers(), gcode, phrases_now(), EditorState.readOnly.of(true), EditorView.editable.of(false)] });
+const side = (doc: string, clicked?: (line: number) => void) => ({ doc, extensions: [EditorView.updateListener.of((u) => { if (u.selectionSet) clicked?.(u.state.doc.lineAt(u.state.selection.main.head).number); }), lineNumbers(), gcode, phrases_now(), EditorState.readOnly.of(true), EditorView.editable.of(false)] });
 
 async function fill_files(app: App, folder: string, here: string, select: HTMLSelectElement): Promise<void> {
   try {

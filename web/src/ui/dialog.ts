@@ -3,14 +3,17 @@ import { t } from "../texts/texts";
 import { button, h } from "./dom";
 import { icon } from "./icons";
 
-export function open_dialog(title: string, content: Node, options: { wide?: boolean; closed?: () => void; tools?: Node } = {}): HTMLDialogElement {
+export function open_dialog(title: string, content: Node, options: { wide?: boolean; docked?: boolean; closed?: () => void; tools?: Node } = {}): HTMLDialogElement {
   const close = (): void => dialog.close();
-  const dialog = h("dialog", { class: options.wide ? "dialog wide" : "dialog", "aria-label": title },
+  const dialog = h("dialog", { class: `dialog${options.wide ? " wide" : ""}${options.docked ? " docked" : ""}`, "aria-label": title },
     h("header", { class: "dialog-head" }, h("h2", null, title), options.tools, button(icon("close"), close, { "aria-label": t("close"), title: t("close"), class: "icon" })),
     h("div", { class: "dialog-body" }, content));
   dialog.addEventListener("close", () => { dialog.remove(); options.closed?.(); });
   document.body.append(dialog);
-  dialog.showModal();
+  if (options.docked) {
+    dialog.addEventListener("keydown", (e) => { if (e.key === "Escape") close(); });
+    dialog.show(); // beside it the view is still to be used
+  } else dialog.showModal();
   return dialog;
 }
 

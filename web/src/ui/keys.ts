@@ -15,7 +15,7 @@ export function listen_keys(app: App, player: Player, verbs: KeyVerbs): void {
   const views = ["top", "front", "left", "right", "back", "iso"] as const;
   window.addEventListener("keydown", (e) => {
     if (e.key === "F6") { e.preventDefault(); return verbs.next_pane(e.shiftKey ? -1 : 1); }
-    if (document.querySelector("dialog[open]") || typing(e.target) || e.altKey || e.metaKey) return;
+    if (document.querySelector("dialog[open]:not(.docked)") || typing(e.target) || e.altKey || e.metaKey) return;
     const act = step_of(e) ?? other(e);
     if (!act) return;
     e.preventDefault();
