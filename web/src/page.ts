@@ -23,6 +23,7 @@ import { layout, Tabs } from "./ui/layout";
 import { Player } from "./ui/player";
 import { ProblemsPanel } from "./ui/problems_panel";
 import { ScenePane } from "./ui/scene_pane";
+import { save } from "./ui/save";
 import { show_sheet } from "./ui/sheet";
 import { StatePane } from "./ui/state_pane";
 import { SummaryPanel } from "./ui/summary";
@@ -73,6 +74,7 @@ app.on_done.on((done) => { scene?.setZero(done.zero); show_boxes(); scene?.view(
 app.on_instant.on((at) => scene?.setInstant(at));
 app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
 for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
+app.on_opened.on((o) => { document.title = `${o.file} · Kadr`; });
 app.on_error.on((text) => toast(text, true));
 
 /// To the pass of a line that is nearest to where the slider stands.
@@ -102,6 +104,7 @@ listen_keys(app, player, {
   measure: () => scene_pane.toggle_measure(),
   rapids: () => scene_pane.toggle_rapids(),
   help: show_help,
+  save: () => void save(app),
   leave: () => scene_pane.leave(),
   next_pane(way) {
     const panes = [...document.querySelectorAll<HTMLElement>(".files, .source, .scene, .state, .tabs, .timeline")].filter((e) => !e.hidden);

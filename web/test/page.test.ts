@@ -1,11 +1,11 @@
 // Texts, problems, shapes of tools, the path's columns: what has a right answer without a browser.
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { en } from "../src/texts/en";
 import { ru } from "../src/texts/ru";
 import { PathIndex } from "../src/model/path_index";
 import { shape_of } from "../src/model/tool_shape";
 import { box_of, proper, stock_of } from "../src/model/stock";
-import { Latest } from "../src/model/latest";
+import { debounce, Latest } from "../src/model/latest";
 import { head_of, path_columns } from "../src/protocol/frames";
 import { grouped_problems } from "../src/ui/problems_panel";
 import type { Problem } from "../src/protocol/types";
@@ -69,4 +69,15 @@ test("only the newest wish is carried out while one is under way", async () => {
   open[0]!();
   await new Promise((r) => setTimeout(r));
   expect(done).toEqual([1, 3]);
+});
+
+test("what never ceases is still carried out now and then", () => {
+  vi.useFakeTimers();
+  let n = 0;
+  const f = debounce(100, () => n++, 1000);
+  for (let i = 0; i < 30; i++) { f(); vi.advanceTimersByTime(50); }
+  expect(n).toBe(1);
+  vi.advanceTimersByTime(200);
+  expect(n).toBe(2);
+  vi.useRealTimers();
 });

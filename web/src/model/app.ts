@@ -11,6 +11,7 @@ import { PathIndex } from "./path_index";
 import { Signal } from "./signal";
 import { clamp } from "./time";
 
+const longest_without_part = 1500; // ms while it plays: a part may take a second, and states wait behind it
 const most_problems = 10_000; // more than anybody reads; the rest is the same again
 
 export type Choice = { control?: string; machine?: string; setup?: string };
@@ -22,6 +23,7 @@ export class App {
   choice: Choice = {};
   text: string | null = null;          // as edited; null where the file is not held here
   saved_text: string | null = null;
+  digest: string | null = null;        // of what lies on the disk: saving names what it replaces
   running = false;
   progress: Progress | null = null;
   done: Done | null = null;
@@ -55,7 +57,7 @@ export class App {
   private last_cut: CutQuestion | null = null;
   private states = new Latest<{ at: number } | { number: number }>((w) => this.fetch_state(w));
   private parts = new Latest<number>((at) => this.fetch_part(at));
-  private want_part = debounce(120, () => { if (this.cut_ready) this.parts.want(this.instant); });
+  private want_part = debounce(120, () => { if (this.cut_ready) this.parts.want(this.instant); }, longest_without_part);
   // A program may meet thousands of warnings in a second: the panes draw a few times a second at most.
   private tell_problems = spaced(100, () => this.on_problems.emit());
   private tell_findings = spaced(100, () => this.on_cut.emit(null));
@@ -97,7 +99,7 @@ export class App {
       if (this.opening) return; // another was asked for meanwhile
       this.choice = { control: question.control, machine: question.machine, setup: question.setup };
       this.opened = opened;
-      if (question.text === undefined) this.saved_text = opened.text ?? null;
+      if (question.text === undefined) this.found_on_disk(opened);
       this.text = question.text ?? opened.text ?? null;
       this.keep_place();
       this.on_opened.emit(opened);
@@ -158,7 +160,7 @@ export class App {
   }
   /// `digest` of the file as it lies on the disk now.
   saved(text: string, digest: string): void {
-    if (this.opened) this.opened.digest = digest;
+    this.digest = digest;
     this.saved_text = text;
     this.on_dirty.emit(this.dirty);
   }
@@ -207,8 +209,13 @@ export class App {
   /// The edited text is run, but what lies on the disk is asked first, so that saving still knows what it replaces.
   private async reopen_unsaved(question: OpenQuestion, text: string, at: number): Promise<void> {
     delete question.text;
-    try { this.saved_text = (await this.client.ask("open", question)).text ?? null; } catch (e) { return this.tell(e); }
+    try { this.found_on_disk(await this.client.ask("open", question)); } catch (e) { return this.tell(e); }
     await this.open({ ...question, text }, at);
+  }
+
+  private found_on_disk(opened: Opened): void {
+    this.saved_text = opened.text ?? null;
+    this.digest = opened.digest;
   }
 
   private forget_run(): void {
@@ -227,7 +234,7 @@ export class App {
   private take_frame(frame: ArrayBuffer): void {
     if (this.opening) return;
     const kind = head_of(frame)?.kind;
-    if (kind === frame_part) { if (!this.parts.stale) this.on_part.emit(frame); return; }
+    if (kind === frame_part) return this.on_part.emit(frame);
     if (kind === frame_path) this.path.add(frame);
     this.on_path.emit(frame);
   }

@@ -22,10 +22,15 @@ export class Latest<T> {
   }
 }
 
-/// Calls `f` once, `ms` after the last call.
-export function debounce<A extends unknown[]>(ms: number, f: (...a: A) => void): (...a: A) => void {
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  return (...a) => { clearTimeout(timer); timer = setTimeout(() => f(...a), ms); };
+/// Calls `f` once, `ms` after the last call; while calls never cease, every `longest` ms.
+export function debounce<A extends unknown[]>(ms: number, f: (...a: A) => void, longest = Infinity): (...a: A) => void {
+  let timer: ReturnType<typeof setTimeout> | undefined, since = 0;
+  return (...a) => {
+    const now = Date.now();
+    if (timer === undefined) since = now;
+    else clearTimeout(timer);
+    timer = setTimeout(() => { timer = undefined; f(...a); }, Math.max(0, Math.min(ms, since + longest - now)));
+  };
 }
 
 /// Calls `f` at most once in `ms`, and always after the last call.

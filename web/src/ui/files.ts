@@ -10,13 +10,19 @@ import { ask } from "./dialog";
 export class FilesDrawer {
   readonly element = h("nav", { class: "pane files", "aria-label": "" });
   private folder = "";
+  private fresh = true;
   private list = h("ul", { class: "file-list" });
   private crumbs = h("span", { class: "pane-title crumbs" });
 
   constructor(private app: App) {
     this.element.append(h("header", { class: "pane-head" }, this.crumbs), this.list);
     app.on_line.on((l) => { if (l === "open") void this.go(this.folder); });
-    app.on_opened.on(() => this.mark());
+    app.on_opened.on((o) => {
+      const folder = o.file.includes("/") ? o.file.slice(0, o.file.lastIndexOf("/")) : "";
+      if (this.fresh && folder !== this.folder) void this.go(folder); // what was open before a reload is shown where it lies
+      this.fresh = false;
+      this.mark();
+    });
     on_language(() => void this.go(this.folder));
   }
 

@@ -3,7 +3,7 @@ import type { App } from "../model/app";
 import { next_mark, slider_of, times_of } from "../model/time";
 import type { Player } from "./player";
 
-export interface KeyVerbs { view(name: "top" | "front" | "left" | "right" | "back" | "iso" | "fit"): void; measure(): void; rapids(): void; help(): void; leave(): void; next_pane(way: 1 | -1): void }
+export interface KeyVerbs { view(name: "top" | "front" | "left" | "right" | "back" | "iso" | "fit"): void; measure(): void; rapids(): void; help(): void; save(): void; leave(): void; next_pane(way: 1 | -1): void }
 
 export function step_mark(app: App, kinds: string[], way: 1 | -1): void {
   const m = next_mark(app.marks, kinds, app.instant, way);
@@ -15,6 +15,8 @@ export function listen_keys(app: App, player: Player, verbs: KeyVerbs): void {
   const views = ["top", "front", "left", "right", "back", "iso"] as const;
   window.addEventListener("keydown", (e) => {
     if (e.key === "F6") { e.preventDefault(); return verbs.next_pane(e.shiftKey ? -1 : 1); }
+    if (e.defaultPrevented) return;
+    if ((e.ctrlKey || e.metaKey) && e.code === "KeyS") { e.preventDefault(); return verbs.save(); }
     if (document.querySelector("dialog[open]:not(.docked)") || typing(e.target) || e.altKey || e.metaKey) return;
     const act = step_of(e) ?? other(e);
     if (!act) return;

@@ -7,7 +7,7 @@ import { toast } from "./toast";
 
 export async function save(app: App): Promise<void> {
   if (!app.opened?.editable || app.text === null || !app.hello?.may_change) return;
-  await save_over(app, app.opened.digest);
+  await save_over(app, app.digest);
 }
 
 async function save_over(app: App, digest: string | null): Promise<void> {

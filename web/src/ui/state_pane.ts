@@ -58,8 +58,8 @@ export class StatePane {
   }
 
   private positions(s: State): HTMLElement {
-    const names = [...new Set([...Object.keys(s.position), ...Object.keys(s.machine)])];
-    const cell = (axes: Axes, name: string): HTMLElement => h("td", null, coordinate(axes[name]));
+    const names = [...new Set([...Object.keys(s.position ?? {}), ...Object.keys(s.machine ?? {})])];
+    const cell = (axes: Axes | undefined, name: string): HTMLElement => h("td", null, coordinate(axes?.[name]));
     return h("table", { class: "positions" },
       h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("work")), h("th", { scope: "col" }, t("machine_position")), h("th", { scope: "col" }, t("to_go")))),
       h("tbody", null, ...names.map((n) => h("tr", null, h("th", { scope: "row" }, n), cell(s.position, n), cell(s.machine, n), cell(s.togo, n)))));
@@ -79,7 +79,7 @@ export class StatePane {
   }
 
   private modal(s: State): HTMLElement {
-    return h("div", { class: "modal", role: "list", "aria-label": t("modal") }, ...s.modal.map((m) =>
+    return h("div", { class: "modal", role: "list", "aria-label": t("modal") }, ...(s.modal ?? []).map((m) =>
       h("span", { class: m.changed ? "code changed" : "code", role: "listitem", title: m.changed ? `${m.group} · ${t("changed_here")}` : m.group }, m.code)));
   }
 
