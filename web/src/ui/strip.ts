@@ -8,11 +8,13 @@ import { short } from "./figures";
 
 export class SpeedStrip {
   readonly element = h("div", { class: "strip" });
+  private here = h("div", { class: "strip-here", hidden: true });
   private plot: uPlot | null = null;
   private redraw = debounce(150, () => this.draw());
 
   /// `selected`: a stretch of time was drawn with the mouse; `hint` names what is under it.
   constructor(private app: App, private selected: (loop: [number, number] | null) => void, private hint: (text: string) => void) {
+    this.element.append(this.here);
     for (const s of [app.on_done, app.on_opening]) s.on(() => this.draw());
     app.on_path.on(() => this.redraw());
     app.on_instant.on(() => this.place());
@@ -24,6 +26,7 @@ export class SpeedStrip {
   private draw(): void {
     this.plot?.destroy();
     this.plot = null;
+    this.here.hidden = true;
     const width = this.element.clientWidth, height = this.element.clientHeight, seconds = this.app.seconds;
     if (!this.app.path.vertices || width < 50 || height < 20 || !(seconds > 0)) return;
     const b = this.app.path.bins(0, seconds, Math.max(50, Math.floor(width)));
@@ -38,24 +41,21 @@ export class SpeedStrip {
       hooks: {
         setSelect: [(u) => { if (u.select.width > 3) this.selected([u.posToVal(u.select.left, "x"), u.posToVal(u.select.left + u.select.width, "x")]); }],
         setCursor: [(u) => { const i = u.cursor.idx; this.hint(i === null || i === undefined ? "" : t("strip_at", { speed: short(b.greatest[i]), feed: short(b.feed[i]) })); }],
-        draw: [(u) => this.draw_place(u)],
         ready: [(u) => u.over.addEventListener("click", () => { if (u.select.width <= 3 && u.cursor.left !== undefined && u.cursor.left >= 0) { this.selected(null); this.app.seek(u.posToVal(u.cursor.left, "x")); } })],
       },
     }, [[...b.at], gaps(b.greatest), gaps(b.least), gaps(b.feed)], this.element);
+    this.place();
   }
 
   private series(label: string, stroke: string, fill?: string, dash?: number[]): uPlot.Series {
     return { label, stroke, fill, dash, width: 1, points: { show: false }, spanGaps: false, value: (_u, v) => short(v) };
   }
 
-  private place(): void { this.plot?.redraw(false, false); }
-
-  private draw_place(u: uPlot): void {
-    const x = u.valToPos(this.app.instant, "x", true);
-    u.ctx.save();
-    u.ctx.fillStyle = getComputedStyle(this.element).getPropertyValue("--accent").trim();
-    u.ctx.fillRect(x - devicePixelRatio, u.bbox.top, 2 * devicePixelRatio, u.bbox.height);
-    u.ctx.restore();
+  /// An element of its own: the plot is not drawn anew for every instant.
+  private place(): void {
+    const { instant, seconds } = this.app;
+    this.here.style.transform = `translateX(${seconds > 0 ? (instant / seconds) * this.element.clientWidth : 0}px)`;
+    this.here.hidden = !this.plot;
   }
 }
 
