@@ -78,7 +78,7 @@ CutResult CutRun::named(CutResult result) const {
 
 PartResult CutRun::part_result(const PartComparison& c) const {
   const auto difference = [&](const PartOffence& o) {
-    const Cutting::Line line = cutting_.line_of(o.sweep);
+    const SweepLines::Line line = cutting_.line_of(o.sweep);
     return PartDifference{o.volume, o.deepest, o.at, line.line, program_of(line.file)};
   };
   return {difference(c.left_on), difference(c.gouged)};

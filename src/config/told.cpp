@@ -3,17 +3,23 @@
 #include "config/told.h"
 
 #include <atomic>
+#include <optional>
 
 namespace kadr {
 namespace {
 
 std::atomic<Lang> spoken = Lang::en;
+thread_local std::optional<Lang> spoken_here;
 
 }  // namespace
 
 void tell_in(Lang lang) { spoken = lang; }
 
-std::string told(std::string en, std::string ru) { return spoken == Lang::ru ? std::move(ru) : std::move(en); }
+void tell_here_in(Lang lang) { spoken_here = lang; }
+
+Lang told_lang() { return spoken_here.value_or(spoken.load()); }
+
+std::string told(std::string en, std::string ru) { return told_lang() == Lang::ru ? std::move(ru) : std::move(en); }
 
 std::string told_count(std::uint64_t n, const char* one, const char* few, const char* many) {
   const std::uint64_t ten = n % 10, hundred = n % 100;

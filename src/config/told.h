@@ -11,6 +11,11 @@ namespace kadr {
 
 /// English until somebody says otherwise.
 void tell_in(Lang lang);
+/// From here on in this thread, whatever the others are told: of a page with a language of its own.
+void tell_here_in(Lang lang);
+
+/// That of this thread.
+Lang told_lang();
 
 /// One of two sentences that say the same.
 std::string told(std::string en, std::string ru);

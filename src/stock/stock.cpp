@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <thread>
 #include <tuple>
 
@@ -158,7 +159,7 @@ void Stock::add(const Sweep& sweep) {
 /// Puts the sweeps from `first` up to before `last` into the bins of the bricks that they may reach.
 void Stock::bin(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
-    const KeptSweep& s = sweeps_[i];
+    const KeptSweep s = sweeps_[i];
     if (s.leans || tools_[s.tool].turns()) {
       s.leans ? bin_leaning(i) : bin_turned(i);
       continue;
@@ -195,8 +196,11 @@ void Stock::Worker::count(std::int32_t sweep, double length, float longest, floa
 ///   returns  whether it changed anything
 bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* worker) const {
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
-  const KeptSweep& s = sweeps_[std::size_t(number)];
+  const KeptSweep s = sweeps_[std::size_t(number)];
   const bool was_full = now.state == State::full;
+  std::optional<LeanHere> lean;
+  if (s.leans) lean = lean_here(std::size_t(number), b);
+  if (lean && !may_reach(std::size_t(number), *lean, was_full ? scale_.edge : now.brick->top)) return false;
   if (was_full) now.brick = whole_brick(scale_.edge);
   const Vec3 from{double(s.from[0]) - corner.x, double(s.from[1]) - corner.y, double(s.from[2]) - corner.z};
   const Vec3 to{double(s.to[0]) - corner.x, double(s.to[1]) - corner.y, double(s.to[2]) - corner.z};
@@ -207,7 +211,7 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
     CutOutcome outcome;
     const bool told = worker != nullptr && (s.watched || body.part != ToolPart::cutting);
     if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
-    if (s.leans) cut_leaning(std::size_t(number), i, b, *now.brick, outcome);
+    if (lean) cut_leaning(std::size_t(number), i, *lean, *now.brick, outcome);
     else cut_brick(*now.brick, scale_, local_sweep(from, to, around_tip(body), lattice_.edge()), swept_[s.tool][i], number, outcome);
     changed = changed || outcome.changed;
     if (worker != nullptr && outcome.changed)
@@ -292,8 +296,8 @@ bool Stock::cuts_anything(std::size_t sweep) const {
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }
 
 std::size_t Stock::bytes() const {
-  std::size_t sum = sweeps_.size() * sizeof(KeptSweep) + lean_ends_.size() * sizeof(LeanEnds) +
-                    bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
+  std::size_t sum =
+      sweeps_.bytes() + lean_ends_.size() * sizeof(LeanEnds) + bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
   for (const auto& b : bricks_)
     if (b) sum += bytes_of(*b);
   return sum;

@@ -25,8 +25,10 @@
 #include "stock/brick/lattice.h"
 #include "stock/cut/brick_cut.h"
 #include "stock/cut/lean_body.h"
+#include "stock/cut/lean_cut.h"
 #include "stock/cut/lean_way.h"
 #include "stock/cut/swept_body.h"
+#include "stock/kept_sweeps.h"
 #include "stock/tool/round_solid.h"
 
 namespace kadr {
@@ -40,14 +42,6 @@ struct Sweep {
   Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // from the tip into the tool, of length 1
 };
 
-/// As it is kept: from the lattice's corner, so that single precision is some nanometres; x of a turning tool from the axis.
-struct KeptSweep {
-  float from[3], to[3];
-  std::uint16_t tool;
-  bool watched;
-  bool leans;  // its directions stand beside: Stock::lean_ends()
-};
-
 /// Directions of a tool that leans, at both ends of a sweep.
 struct LeanEnds {
   std::uint32_t sweep;
@@ -56,6 +50,12 @@ struct LeanEnds {
 
 /// From the lattice's corner.
 LeanWay lean_way_of(const KeptSweep& sweep, const LeanEnds& ends);
+
+/// A sweep of a tool that leans as a brick sees it.
+struct LeanHere {
+  LeanSweep sweep;
+  LocalSweep tip;
+};
 
 /// A part of the tool took material away that is to be told.
 struct Touch {
@@ -104,7 +104,12 @@ class Stock {
   State state(std::size_t brick) const { return states_[brick]; }
   /// nullptr: it is empty or full.
   const Brick* brick(std::size_t i) const { return bricks_[i].get(); }
-  const KeptSweep& sweep(std::size_t i) const { return sweeps_[i]; }
+  KeptSweep sweep(std::size_t i) const { return sweeps_[i]; }
+  /// Visits (number, sweep) of all.
+  template <class Visit>
+  void each_sweep(const Visit& visit) const {
+    sweeps_.each(0, sweeps_.size(), visit);
+  }
   /// Of a sweep that leans.
   const LeanEnds& lean_ends(std::size_t sweep) const;
   /// mm by which lines of the three directions may put the same surface apart.
@@ -144,7 +149,9 @@ class Stock {
   double most_bend() const;
   void add_leaning(const Sweep& sweep);
   void bin_leaning(std::size_t sweep);
-  void cut_leaning(std::size_t sweep, std::size_t body, std::size_t brick, Brick& material, CutOutcome& outcome) const;
+  LeanHere lean_here(std::size_t sweep, std::size_t brick) const;
+  bool may_reach(std::size_t sweep, const LeanHere& here, float top) const;
+  void cut_leaning(std::size_t sweep, std::size_t body, const LeanHere& here, Brick& material, CutOutcome& outcome) const;
   // Of turning tools: stock_turned.cpp.
   KeptSweep kept_turned(const Sweep& sweep) const;
   void bin_turned(std::size_t sweep);
@@ -164,8 +171,8 @@ class Stock {
   std::vector<ToolShape> tools_;
   std::vector<std::vector<SweptBody>> swept_;  // for each body of each tool
   std::vector<std::vector<LeanBody>> leaning_;
-  std::deque<KeptSweep> sweeps_;    // a million grow without being moved
-  std::deque<LeanEnds> lean_ends_;  // in the order of the sweeps
+  KeptSweeps sweeps_;
+  std::deque<LeanEnds> lean_ends_;  // in the order of the sweeps; a million grow without being moved
   std::size_t done_ = 0;            // of sweeps_
   std::size_t first_ = 0;           // of the last cut()
   std::vector<std::vector<std::int32_t>> bins_;

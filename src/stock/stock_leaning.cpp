@@ -92,7 +92,10 @@ const LeanEnds& Stock::lean_ends(std::size_t sweep) const {
 
 LeanWay lean_way_of(const KeptSweep& s, const LeanEnds& ends) {
   const auto vec = [](const float(&v)[3]) { return Vec3{double(v[0]), double(v[1]), double(v[2])}; };
-  const auto direction = [&](const float(&v)[3]) { return (1 / length(vec(v))) * vec(v); };
+  const auto direction = [&](const float(&v)[3]) {
+    const Vec3 d = vec(v);
+    return (1 / std::sqrt(ToolEnds::dot(d, d))) * d;
+  };
   return {vec(s.from), vec(s.to), direction(ends.from), direction(ends.to)};
 }
 
@@ -119,23 +122,34 @@ void Stock::bin_leaning(std::size_t i) {
   }
 }
 
-/// One body in one brick. A way that is much longer than what reaches the brick is shortened.
-void Stock::cut_leaning(std::size_t number, std::size_t i, std::size_t b, Brick& material, CutOutcome& outcome) const {
-  const KeptSweep& s = sweeps_[number];
-  const ConvexBody& body = tools_[s.tool].bodies[i];
+/// A way that is much longer than what reaches the brick is shortened.
+LeanHere Stock::lean_here(std::size_t number, std::size_t b) const {
+  const KeptSweep s = sweeps_[number];
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
   const double edge = lattice_.edge();
   LeanWay way = lean_way_of(s, lean_ends(number));
   way.from = way.from - corner, way.to = way.to - corner;
   AroundTip around{0, 0, 0};
-  if (length(way.to - way.from) > clipped_above * edge) around = around_leaning_tip(way, body.bottom(), body.top(), body.widest());
-  if (length(way.to - way.from) > clipped_above * (edge + 2 * around.beside)) {
-    const WayPart part = part_that_reaches(way.from, way.to - way.from, around, {edge, edge, edge});
+  const Vec3 forth = way.to - way.from;
+  const double far = std::sqrt(ToolEnds::dot(forth, forth));
+  if (far > clipped_above * edge) around = around_all(tools_[s.tool], way);
+  if (far > clipped_above * (edge + 2 * around.beside)) {
+    const WayPart part = part_that_reaches(way.from, forth, around, {edge, edge, edge});
     way = way.between(part.first, part.last);
   }
-  const LeanSweep sweep(way, {}, edge);
-  const LocalSweep tip = local_sweep(way.from, way.to, around, edge);
-  cut_brick_leaning(material, scale_, {sweep, leaning_[s.tool][i], tip, swept_[s.tool][i]}, std::int32_t(number), outcome);
+  return {LeanSweep(way, {}, edge), local_sweep(way.from, way.to, around, edge)};
+}
+
+bool Stock::may_reach(std::size_t sweep, const LeanHere& here, float top) const {
+  const std::vector<LeanBody>& bodies = leaning_[sweeps_[sweep].tool];
+  return std::any_of(bodies.begin(), bodies.end(), [&](const LeanBody& b) { return kadr::may_reach(here.sweep, b, scale_, top); });
+}
+
+/// One body in one brick.
+void Stock::cut_leaning(std::size_t number, std::size_t i, const LeanHere& here, Brick& material, CutOutcome& outcome) const {
+  const std::uint16_t tool = sweeps_[number].tool;
+  if (!kadr::may_reach(here.sweep, leaning_[tool][i], scale_, material.top)) return;
+  cut_brick_leaning(material, scale_, {here.sweep, leaning_[tool][i], here.tip, swept_[tool][i]}, std::int32_t(number), outcome);
 }
 
 }  // namespace kadr

@@ -24,7 +24,7 @@ Stock::Stock(const Stock& later, std::size_t count)
       tools_(later.tools_),
       swept_(later.swept_),
       leaning_(later.leaning_),
-      sweeps_(later.sweeps_.begin(), later.sweeps_.begin() + std::ptrdiff_t(count)),
+      sweeps_(later.sweeps_.first(count)),
       lean_ends_(later.lean_ends_),
       done_(count),
       first_(count),

@@ -48,7 +48,7 @@ KeptSweep Stock::kept_turned(const Sweep& sweep) const {
 
 /// Into the bins of the bricks that its rings may reach.
 void Stock::bin_turned(std::size_t sweep) {
-  const KeptSweep& s = sweeps_[sweep];
+  const KeptSweep s = sweeps_[sweep];
   const double edge = lattice_.edge();
   for (const InsertBody& body : tools_[s.tool].insert) {
     const RingSweep ring(body, point_of(s.from), point_of(s.to));
@@ -70,7 +70,7 @@ void Stock::bin_turned(std::size_t sweep) {
 /// One sweep in one brick.
 ///   returns  whether it changed anything
 bool Stock::turn(std::int32_t number, std::size_t b, Brick& material, Worker* worker) const {
-  const KeptSweep& s = sweeps_[std::size_t(number)];
+  const KeptSweep s = sweeps_[std::size_t(number)];
   Vec3 corner = lattice_.corner(b);
   corner.z -= lattice_.origin().z;
   bool changed = false;

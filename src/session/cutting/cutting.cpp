@@ -212,7 +212,7 @@ void Cutting::release_kept() {
   zero_ = way_.zero().value_or(way_.present_zero());
   zero_known_ = true;
   for (const Kept& k : kept_) add(k.moved, k.pieces, k.shape);
-  kept_ = {};
+  kept_ = std::vector<Kept>();
 }
 
 void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape) {
@@ -224,7 +224,7 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
     const Sweep sweep{from, to, shape, watched, from_direction, to_direction};
     stock_.add(sweep);
     if (window_) window_->add(sweep);
-    line_of_sweep_.resize(stock_.sweeps(), {moved.origin.line, moved.origin.file});
+    lines_.fill(stock_.sweeps(), {moved.origin.line, moved.origin.file});
     for (const auto& fixture : fixtures_) fixture->add({from, to, shape, true, from_direction, to_direction});
     in_batch.length += length(to - from);
   };
@@ -336,6 +336,7 @@ void Cutting::finish() {
   cut();
   loads_.finish();
   tell_others();
+  batch_ = std::vector<Moved>();  // what comes now has the memory
 }
 
 CutResult Cutting::result(double left, double error_bound) const {

@@ -6,7 +6,6 @@
 // Pieces are cut in batches: findings come when their batch is done. Until the work system of the blank is known (the first motion at feed)
 // pieces are kept.
 
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,6 +18,7 @@
 #include "config/tool_library.h"
 #include "session/cutting/air_lines.h"
 #include "session/cutting/block_load.h"
+#include "session/cutting/sweep_lines.h"
 #include "session/cutting/tool_way.h"
 #include "stock/cut_result.h"
 #include "stock/stock.h"
@@ -67,11 +67,7 @@ class Cutting {
   /// After finish(), with the volume of the surface of what is left.
   CutResult result(double left, double error_bound) const;
   /// Where a sweep of the stock comes from: line, and file as Origin::file; line 0 for of_blank.
-  struct Line {
-    std::uint32_t line = 0;
-    std::uint16_t file = 0;
-  };
-  Line line_of(std::int32_t sweep) const { return sweep < 0 ? Line() : line_of_sweep_[std::size_t(sweep)]; }
+  SweepLines::Line line_of(std::int32_t sweep) const { return sweep < 0 ? SweepLines::Line() : lines_.of(std::size_t(sweep)); }
   /// By sweep: mm³/s that its block took away; 0: at rapid, or none is told. Shorter than the sweeps where the last ones have none.
   const std::vector<float>& rates() const { return rate_of_sweep_; }
   const Stock& stock() const { return stock_; }
@@ -134,7 +130,7 @@ class Cutting {
   std::vector<Kept> kept_;
   std::vector<Moved> batch_;
   std::vector<CutFinding> others_;
-  std::deque<Line> line_of_sweep_;  // a million grow without being moved
+  SweepLines lines_;
   std::vector<float> rate_of_sweep_;
   Vec3 zero_;
   bool zero_known_ = false;

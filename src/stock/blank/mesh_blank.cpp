@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 
 #include "stock/mesh/mesh_index.h"
 #include "stock/mesh/mesh_within.h"
@@ -15,11 +17,7 @@ constexpr double same_hit = 1e-3;  // mm: places come back in single precision
 
 class MeshBlank : public Blank {
  public:
-  explicit MeshBlank(Mesh mesh)
-      : mesh_(std::move(mesh)),
-        box_(box_of(mesh_)),
-        volume_(volume_of(mesh_)),
-        along_{MeshIndex(mesh_, 0), MeshIndex(mesh_, 1), MeshIndex(mesh_, 2)} {}
+  explicit MeshBlank(Mesh mesh) : mesh_(std::move(mesh)), box_(box_of(mesh_)), volume_(volume_of(mesh_)) {}
   MeshBlank(const MeshBlank&) = delete;
   MeshBlank& operator=(const MeshBlank&) = delete;
 
@@ -34,12 +32,20 @@ class MeshBlank : public Blank {
 
  private:
   Vec3 normal_of(std::size_t triangle, const Vec3& otherwise) const;
+  const MeshIndex& index(int family) const;
 
   Mesh mesh_;
   Box3 box_;
   double volume_;
-  MeshIndex along_[3];
+  // Made when they are first asked for: who only asks for box and bricks does without.
+  mutable std::once_flag made_[3];
+  mutable std::unique_ptr<const MeshIndex> along_[3];
 };
+
+const MeshIndex& MeshBlank::index(int family) const {
+  std::call_once(made_[family], [&] { along_[family] = std::make_unique<const MeshIndex>(mesh_, family); });
+  return *along_[family];
+}
 
 /// Where two bodies touch, the one begins before the other ends.
 bool before(const MeshHit& a, const MeshHit& b) {
@@ -50,16 +56,8 @@ bool before(const MeshHit& a, const MeshHit& b) {
 void MeshBlank::cross(int family, double u, double v, std::vector<LineRange>& ranges) const {
   static thread_local std::vector<MeshHit> hits;
   hits.clear();
-  along_[family].hits(u, v, hits);
-  std::sort(hits.begin(), hits.end(), before);
-  int depth = 0;
-  double from = 0;
-  for (const MeshHit& hit : hits) {
-    const int next = depth + hit.turn;
-    if (depth <= 0 && next > 0) from = hit.place;
-    if (depth > 0 && next <= 0 && hit.place > from) ranges.push_back({from, hit.place});
-    depth = next;
-  }
+  index(family).hits(u, v, hits);
+  take_ranges(hits.data(), hits.data() + hits.size(), ranges);
 }
 
 Vec3 MeshBlank::normal_of(std::size_t triangle, const Vec3& otherwise) const {
@@ -72,7 +70,7 @@ Vec3 MeshBlank::normal_of(std::size_t triangle, const Vec3& otherwise) const {
 Vec3 MeshBlank::normal(Vec3 at, int family, bool out) const {
   static thread_local std::vector<MeshHit> hits;
   hits.clear();
-  along_[family].hits(along(at, (family + 1) % 3), along(at, (family + 2) % 3), hits);
+  index(family).hits(along(at, (family + 1) % 3), along(at, (family + 2) % 3), hits);
   const MeshHit* best = nullptr;
   double nearest = same_hit;
   for (const MeshHit& hit : hits) {
@@ -106,6 +104,18 @@ std::vector<bool> MeshBlank::bricks_at_surface(const Lattice& lattice) const {
 }
 
 }  // namespace
+
+void take_ranges(MeshHit* first, MeshHit* last, std::vector<LineRange>& ranges) {
+  std::sort(first, last, before);
+  int depth = 0;
+  double from = 0;
+  for (const MeshHit* hit = first; hit != last; ++hit) {
+    const int next = depth + hit->turn;
+    if (depth <= 0 && next > 0) from = hit->place;
+    if (depth > 0 && next <= 0 && hit->place > from) ranges.push_back({from, hit->place});
+    depth = next;
+  }
+}
 
 std::shared_ptr<const Blank> mesh_blank(Mesh mesh) { return std::make_shared<MeshBlank>(std::move(mesh)); }
 

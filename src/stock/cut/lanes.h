@@ -28,7 +28,8 @@ KADR_IN_LANES Wide most(const Wide& a, const Wide& b) { return a > b ? a : b; }
 KADR_IN_LANES bool any(const WideMarks& m) {
   using Words = long long __attribute__((vector_size(32)));
   const Words w = (Words)m;
-  return (w[0] | w[1] | w[2] | w[3]) != 0;
+  const auto both = __builtin_shufflevector(w, w, 0, 1) | __builtin_shufflevector(w, w, 2, 3);
+  return (both[0] | both[1]) != 0;
 }
 KADR_IN_LANES Wide square_root(const Wide& v) {
   return Wide{__builtin_sqrtf(v[0]), __builtin_sqrtf(v[1]), __builtin_sqrtf(v[2]), __builtin_sqrtf(v[3]),

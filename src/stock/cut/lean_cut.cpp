@@ -14,20 +14,19 @@ void cut_leaning_wide(LeanCutter& cutter) { cutter.cut<Pair>(); }
 #endif
 __attribute__((flatten)) void cut_leaning_pair(LeanCutter& cutter) { cutter.cut<Pair>(); }
 
-/// Rounded edges are taken for square ones.
-LeanBody around_squares(const LeanBody& body, float by) {
-  LeanBody around = body.larger(by);
-  if (around.kind != LeanBody::Kind::rounded) return around;
-  around.kind = LeanBody::Kind::cylinder;
-  around.shaft.low = around.middle - around.corner, around.shaft.low_radius = around.shaft.high_radius = around.flat + around.corner;
-  return around;
-}
+constexpr float square_reach = 2 * 1.41422f;  // cells from its middle to its corners
 
-/// A ball stays one; others are taken for cylinders.
-LeanBody bounds_of(const LeanBody& body, float by) {
-  LeanBody bounds = body.larger(by);
-  if (body.kind != LeanBody::Kind::ball) bounds.shaft = {body.low() - by, body.high() + by, body.widest() + by, body.widest() + by};
-  return bounds;
+/// For columns through the middles of squares: larger by as much as the squares reach to the side, and up and down by what that is of a
+/// height. Rounded edges are taken for square ones.
+LeanBody around_squares(const LeanBody& body, const LeanSweep& s, const BrickScale& scale) {
+  const float aside = square_reach * scale.cell, room = s.guess_error() + scale.cell * 1e-3f;
+  LeanBody around = body.larger(aside + room);
+  if (body.kind == LeanBody::Kind::cone) return around;
+  const float rise = aside * std::sqrt(s.axes[0][2] * s.axes[0][2] + s.axes[1][2] * s.axes[1][2]) + room;
+  if (body.kind == LeanBody::Kind::rounded) around.kind = LeanBody::Kind::cylinder;
+  const float low = body.kind == LeanBody::Kind::ball ? body.shaft.low : body.low(), widest = body.widest() + aside + room;
+  around.shaft = {low - rise, body.shaft.high + rise, widest, widest};
+  return around;
 }
 
 float half_shift(const LeanSweep& s) {
@@ -35,7 +34,13 @@ float half_shift(const LeanSweep& s) {
   return length / 2 + s.guess_error() + 1e-4f;
 }
 
-constexpr float square_reach = 2 * 1.41422f;  // cells from its middle to its corners
+/// Holds all that the body, or but the shaft of a ball end, sweeps: a cylinder that stands in the middle of the way.
+Frustum bounds_of(const LeanBody& body, const LeanSweep& s) {
+  const float room = s.guess_error() + 1e-4f, rise = std::fabs(s.shift[2]) / 2 + room,
+              beside = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1]) / 2 + room;
+  const float low = body.kind == LeanBody::Kind::ball ? body.shaft.low : body.low(), widest = body.widest() + beside;
+  return {low - rise, body.high() + rise, widest, widest};
+}
 
 }  // namespace
 
@@ -66,10 +71,9 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       lean_(cut.sweep),
       body_leaning_(cut.body),
       outer_(cut.sweep.half_turn > 0 ? cut.body.larger(cut.sweep.guess_error()) : cut.body),
-      around_square_(around_squares(cut.body, cut.sweep.guess_error() + square_reach * scale.cell + margin())),
+      around_square_(around_squares(cut.body, cut.sweep, scale)),
       half_(scale.edge / 2),
-      spare_(half_shift(cut.sweep)),
-      around_(bounds_of(cut.body, spare_)),
+      around_(bounds_of(cut.body, cut.sweep)),
       near_(faces_near()),
       widest_(cut.body.widest() + 2 * cut.sweep.guess_error() + margin()),
       ball_(ball_way(cut.body.corner)),
@@ -110,6 +114,27 @@ bool LeanCutter::takes_all() const {
   if (!(f.high > f.low) || height - reach < f.low || height + reach > f.high) return false;
   const float radius = std::sqrt(lean_.middle[0] * lean_.middle[0] + lean_.middle[1] * lean_.middle[1]) + reach;
   return radius < std::min(f.low_radius, f.high_radius);
+}
+
+bool may_reach(const LeanSweep& s, const LeanBody& body, const BrickScale& scale, float top) {
+  const float half = scale.edge / 2, tall = top / 2, room = half_shift(s) + scale.cell * 1e-3f;
+  float at[3], size[3][3];  // of the box, seen from the tool in the middle of its way
+  for (int i = 0; i < 3; ++i) {
+    at[i] = s.middle[i] + s.axes[2][i] * (tall - half);
+    size[0][i] = s.axes[0][i] * half, size[1][i] = s.axes[1][i] * half, size[2][i] = s.axes[2][i] * tall;
+  }
+  /// The least on the box along a direction, times its length.
+  const auto least = [&](float x, float y, float z) {
+    float sum = at[0] * x + at[1] * y + at[2] * z;
+    for (const auto& d : size) sum -= std::fabs(d[0] * x + d[1] * y + d[2] * z);
+    return sum;
+  };
+  if (least(0, 0, 1) > body.high() + room || least(0, 0, -1) > -body.low() + room) return false;
+  const float square = at[0] * at[0] + at[1] * at[1];
+  if (least(at[0], at[1], 0) > std::sqrt(square) * (body.widest() + room)) return false;
+  const float below = at[2] - body.middle;
+  if (body.kind != LeanBody::Kind::ball || below >= 0) return true;
+  return least(at[0], at[1], below) - body.middle * below <= std::sqrt(square + below * below) * (body.corner + room);
 }
 
 void cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome, LaneWidth width) {

@@ -32,6 +32,9 @@ struct LeanCut {
   const SweptBody& upright_body;  // the same body
 };
 
+/// Whether the body may reach a brick whose material ends at `top` above its lower side: as a box, by the planes of faces, side and ball.
+bool may_reach(const LeanSweep& sweep, const LeanBody& body, const BrickScale& scale, float top);
+
 /// Takes away what the body sweeps.
 void cut_brick_leaning(Brick& brick, const BrickScale& scale, const LeanCut& cut, std::int32_t by, CutOutcome& outcome,
                        LaneWidth width = widest_lanes());

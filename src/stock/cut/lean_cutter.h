@@ -10,6 +10,7 @@
 #include "stock/cut/cutter_lanes.h"
 #include "stock/cut/lean_ball.h"
 #include "stock/cut/lean_cut.h"
+#include "stock/cut/lean_pose.h"
 
 namespace kadr {
 
@@ -20,6 +21,9 @@ struct LeanFamily {
   Slant<V> rise;
   LeanLines<V> even;   // as it shifts in the middle of the brick
   LeanLines<V> exact;  // with their directions at the ends of the way
+  /// How far a line goes past the tool's axis, to one side of it, times the sine of the angle between them: of the brick's middle, for each
+  /// mm of lane and of row; `reach`: of lines that come near.
+  float aside, aside_lane, aside_row, reach;
 };
 /// Eight of them.
 template <class V>
@@ -42,11 +46,13 @@ class LeanCutter : public Cutter {
   /// What is reached of the material.
   struct Reached {
     std::uint32_t squares = 0;                         // a bit each
-    float top_x[squares_along], top_y[squares_along];  // of material over reached squares, by their column and row; below 0: none
-    float lowest;
+    // Material over reached squares, by their column and row: its top and where the body begins; none of it above the other: none.
+    float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
   };
   template <class V>
   Reached reached() const;
+  template <class V>
+  LeanFamily<V> lines_of(int family) const;
   template <class V>
   LeanLines<V> evenly_shifted(int family) const;
   template <class V>
@@ -62,11 +68,17 @@ class LeanCutter : public Cutter {
   template <class V, LeanBody::Kind kind, int family>
   bool sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
   template <class V, int family>
+  bool sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near, const Swept<V>& material, Swept<V>& swept) const;
+  template <class V, int family>
   bool sweeps_ball(const LeanFamily<V>& all, const BallTube& tube, int row, int lane, const Swept<V>& material, Swept<V>& swept) const;
   template <class V, LeanBody::Kind kind, int family>
   Swept<V> by_end(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const MarksOf<V>& by_from,
                   const MarksOf<V>& wanted, const Swept<V>& material) const;
-  static bool is_reached(const Reached& reached, int family, int row, int lane, const BrickScale& scale);
+  static void material_of_all(const BrickLines& lines, float* from, float* to);
+  struct RowRange {
+    int first, last;  // up to before it
+  };
+  static RowRange rows_of(const Reached& reached, int family, int square, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
   BallWay ball_way(float radius) const;
   bool is_below_shaft() const;
@@ -75,8 +87,7 @@ class LeanCutter : public Cutter {
   const LeanBody& body_leaning_;
   LeanBody outer_, around_square_;
   float half_;
-  float spare_;  // by which the tool shifts at most from the middle of its way
-  LeanBody around_;
+  Frustum around_;
   FacesNear near_;
   float widest_;  // of the body, with room for the same
   BallWay ball_;  // of a ball end
@@ -112,6 +123,21 @@ KADR_IN_LANES LeanLines<V> LeanCutter::evenly_shifted(int family) const {
   return lean_lines(axis, axis, axis, vector_of<V>({-lean_.shift[0], -lean_.shift[1], -lean_.shift[2]}));
 }
 template <class V>
+KADR_IN_LANES LeanFamily<V> LeanCutter::lines_of(int family) const {
+  const float* const e = lean_.axes[family];
+  const auto aside = [&](const float* v) { return v[0] * e[1] - v[1] * e[0]; };
+  const float sine = std::sqrt(e[0] * e[0] + e[1] * e[1]), reach = widest_ * sine + std::fabs(aside(lean_.shift)) / 2 + shortest_way;
+  const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
+  return {axis,
+          slant(axis.z),
+          evenly_shifted<V>(family),
+          lean_lines(axis, vector_of<V>(lean_.axes_first[family]), vector_of<V>(lean_.axes_last[family]), axis),
+          aside(lean_.middle),
+          aside(lean_.axes[(family + 1) % 3]),
+          aside(lean_.axes[(family + 2) % 3]),
+          reach};
+}
+template <class V>
 KADR_IN_LANES LeanPlace<V> LeanCutter::evenly_shifted_place(const LeanLines<V>& l, const Vec3Of<V>& at) const {
   const Vec3Of<V> first = plus(at, spread<V>(0.5f), l.way), last = plus(at, spread<V>(-0.5f), l.way);
   return {first, first, last};
@@ -123,7 +149,7 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
   static constexpr float middles[16] = {2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14};
   Reached r;
   std::fill(r.top_x, r.top_x + squares_along, -1.f), std::fill(r.top_y, r.top_y + squares_along, -1.f);
-  r.lowest = scale_.edge;
+  std::fill(r.low_x, r.low_x + squares_along, missed), std::fill(r.low_y, r.low_y + squares_along, missed);
   for (int part = 0; part < 16; part += lane_count) {
     alignas(32) float x_of[lane_count], y_of[lane_count], low_of[lane_count], high_of[lane_count];
     for (int i = 0; i < lane_count; ++i)
@@ -151,20 +177,25 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
       const float top = std::min(brick_.top_of_square[std::size_t(square)], high_of[i] + half_), low = low_of[i] + half_;
       if (low_of[i] > high_of[i] || low >= brick_.top_of_square[std::size_t(square)] || top < 0) continue;
       r.squares |= 1u << square;
-      r.top_x[square % squares_along] = std::max(r.top_x[square % squares_along], top);
-      r.top_y[square / squares_along] = std::max(r.top_y[square / squares_along], top);
-      r.lowest = std::min(r.lowest, low);
+      const int column = square % squares_along, row = square / squares_along;
+      r.top_x[column] = std::max(r.top_x[column], top), r.top_y[row] = std::max(r.top_y[row], top);
+      r.low_x[column] = std::min(r.low_x[column], low), r.low_y[row] = std::min(r.low_y[row], low);
     }
   }
   return r;
 }
 
-/// Any of the lines of a row from `lane` on.
-inline bool LeanCutter::is_reached(const Reached& r, int family, int row, int lane, const BrickScale& scale) {
-  constexpr int square = brick_edge / squares_along;
-  if (family == 2) return (r.squares >> (row / square * squares_along + lane / square) & 3) != 0;
-  if (family == 0) return scale.place[row] <= std::max(r.top_y[lane / square], r.top_y[lane / square + 1]) && scale.place[row] >= r.lowest;
-  return scale.place[lane] <= r.top_x[row / square] && scale.place[lane + lane_count - 1] >= r.lowest;
+/// Of the four rows over a square, those of whose lines from `lane` on any is reached.
+inline LeanCutter::RowRange LeanCutter::rows_of(const Reached& r, int family, int square, int lane, const BrickScale& scale) {
+  constexpr int wide = brick_edge / squares_along;
+  const RowRange all{square * wide, square * wide + wide}, none{0, 0};
+  if (family == 2) return (r.squares >> (square * squares_along + lane / wide) & 3) != 0 ? all : none;
+  if (family == 1) return scale.place[lane] <= r.top_x[square] && scale.place[lane + lane_count - 1] >= r.low_x[square] ? all : none;
+  const float low = std::min(r.low_y[lane / wide], r.low_y[lane / wide + 1]), top = std::max(r.top_y[lane / wide], r.top_y[lane / wide + 1]);
+  RowRange rows = all;
+  while (rows.first < rows.last && scale.place[rows.first] < low) ++rows.first;
+  while (rows.first < rows.last && scale.place[rows.last - 1] > top) --rows.last;
+  return rows;
 }
 
 template <class V>
@@ -227,7 +258,8 @@ KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, const LeanR
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
   const Swept<V> one = by_end<V, kind, family>(all, line, guess, by_from, reached, material);
   const MarksOf<V> other_to = by_from & (one.to < material.to + room), other_from = ~by_from & (one.from > material.from - room);
-  const MarksOf<V> wanted = meet(one, material) & (other_to | other_from);
+  // Whatever it meets of the material with the shift at this end: that may be another at the other.
+  const MarksOf<V> wanted = reached & (one.from <= one.to) & (other_to | other_from);
   if (!any(wanted)) return one;
   const Swept<V> two = by_end<V, kind, family>(all, line, one, ~by_from, wanted, material);
   return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
@@ -239,25 +271,66 @@ template <class V, LeanBody::Kind kind, int family>
 KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lane, const Swept<V>& material, Swept<V>& swept) const {
   const V places = lanes_at<V>(scale_.place + lane) - half_;
   const float row_place = scale_.place[row] - half_;
+  const V aside = places * all.aside_lane + (row_place * all.aside_row + all.aside);
+  const MarksOf<V> beside = (material.from < material.to) & (aside <= all.reach) & (aside >= -all.reach);
+  if (!any(beside)) return false;
   LeanRow<V> line;
   line.at = line_value(lean_.middle, lean_.axes, family, places, row_place);
   // In the middle of the way, of a body as much larger as it shifts from there.
-  const Swept<V> nearly = in_frustum(line.at, all.axis, all.rise, around_.shaft, 0.f);
-  const LeanPlace<V> even_place = evenly_shifted_place(all.even, line.at);
-  const MarksOf<V> near = meet({nearly.from + half_, nearly.to + half_}, material) & come_near(all.even, even_place.at, widest_);
+  const Swept<V> nearly = in_frustum(line.at, all.axis, all.rise, around_, 0.f);
+  const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
-  const Swept<V> even = lean_swept<V, kind>(all.even, outer_, even_place, near_);
-  const Swept<V> guess{even.from + half_, even.to + half_};
-  const MarksOf<V> reached = meet(guess, material);
-  if (!any(reached)) return false;
-  swept = guess;
-  if (lean_.half_turn == 0) return true;
   line.shift = line_value(lean_.shift, lean_.shift_grows, family, places, row_place);
   line.first = plus(line.at, spread<V>(-0.5f), line.shift), line.last = plus(line.at, spread<V>(0.5f), line.shift);
-  line.at_ends = lean_at_ends<V, kind>(all.exact, body_leaning_, {line.first, line.first, line.last});
+  if constexpr (kind == LeanBody::Kind::cylinder) {
+    return sweeps_cylinder<V, family>(all, line, near, material, swept);
+  } else {
+    const Swept<V> even = lean_swept<V, kind>(all.even, outer_, evenly_shifted_place(all.even, line.at), near_);
+    const Swept<V> guess{even.from + half_, even.to + half_};
+    const MarksOf<V> reached = meet(guess, material);
+    if (!any(reached)) return false;
+    swept = guess;
+    if (lean_.half_turn == 0) return true;
+    line.at_ends = lean_at_ends<V, kind>(all.exact, body_leaning_, {line.first, line.first, line.last});
+    swept = {line.at_ends.from + half_, line.at_ends.to + half_};
+    if (any(reached & ((swept.from > material.from) | (swept.to < material.to))))
+      swept = ends_in<V, kind, family>(all, line, guess, material);
+    return true;
+  }
+}
+
+/// By the tool as it stands at the ends of its way; what it sweeps between is asked for where it may reach more of the material.
+template <class V, int family>
+KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow<V>& line, const MarksOf<V>& near,
+                                               const Swept<V>& material, Swept<V>& swept) const {
+  constexpr auto cylinder = LeanBody::Kind::cylinder;
+  const Frustum& f = body_leaning_.shaft;
+  const Pose<V> first = in_pose(line.first, all.exact.first_direction, all.exact.first_rise, f),
+                last = in_pose(line.last, all.exact.last_direction, all.exact.last_rise, f);
+  line.at_ends = either(where(first.in.from <= first.in.to, first.in.from, first.in.to), last.in);
   swept = {line.at_ends.from + half_, line.at_ends.to + half_};
-  if (any(reached & ((swept.from > material.from) | (swept.to < material.to))))
-    swept = ends_in<V, kind, family>(all, line, guess, material);
+  const PastTool<V> past{line.shift, vector_of<V>(lean_.shift_grows[family]), f.low_radius, 4 * lean_.half_turn};
+  MarksOf<V> open_from = near & (swept.from > material.from), open_to = near & (swept.to < material.to);
+  if (any(open_from)) open_from = open_from & ~is_farthest_back(first, last, past);
+  if (any(open_to)) open_to = open_to & ~is_farthest_on(first, last, past);
+  if (!any(open_from | open_to)) return any(meet(swept, material));
+  // Of lines that the cylinder misses at both ends most are missed all the way.
+  const MarksOf<V> misses = swept.from > swept.to;
+  MarksOf<V> reached = open_from | open_to;
+  Swept<V> guess = swept;
+  if (lean_.half_turn == 0 || any(reached & misses)) {
+    const Swept<V> even = lean_swept<V, cylinder>(all.even, outer_, evenly_shifted_place(all.even, line.at), near_);
+    guess = {even.from + half_, even.to + half_};
+    reached = reached & meet(guess, material);
+    if (!any(reached)) return any(meet(swept, material));
+  }
+  Swept<V> between = guess;
+  if (lean_.half_turn > 0) {
+    between = by_end<V, cylinder, family>(all, line, guess, open_from, reached, material);
+    const MarksOf<V> other = open_from & open_to & reached & (between.from <= between.to);
+    if (any(other)) between.to = choose(other, by_end<V, cylinder, family>(all, line, between, ~open_from, other, material).to, between.to);
+  }
+  swept = {choose(reached & open_from, between.from, swept.from), choose(reached & open_to, between.to, swept.to)};
   return true;
 }
 
@@ -284,27 +357,35 @@ KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, const BallT
   return true;
 }
 
+/// From the first of its intervals to the last.
+inline void LeanCutter::material_of_all(const BrickLines& lines, float* from, float* to) {
+  std::copy(lines.from, lines.from + brick_lines, from), std::copy(lines.to, lines.to + brick_lines, to);
+  for (const FurtherInterval& f : lines.further) {
+    const bool any = from[f.line] < to[f.line];
+    from[f.line] = any ? std::min(from[f.line], f.from) : f.from, to[f.line] = any ? std::max(to[f.line], f.to) : f.to;
+  }
+}
+
 template <class V, LeanBody::Kind kind, int family>
 KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const bool several = !lines.further.empty();
-  alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
+  alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines], first[brick_lines], last[brick_lines];
   if (several) {
     std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);
     std::fill(all_tips, all_tips + brick_lines, missed);
+    material_of_all(lines, first, last);
   }
   const V none = spread<V>(0.f);
   Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
-  const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
-  const LeanFamily<V> all{axis, slant(axis.z), evenly_shifted<V>(family),
-                          lean_lines(axis, vector_of<V>(lean_.axes_first[family]), vector_of<V>(lean_.axes_last[family]), axis)};
+  const LeanFamily<V> all = lines_of<V>(family);
   const BallTube tube(ball_, family);
-  for (int row = 0; row < brick_edge; ++row)
-    for (int lane = 0; lane < brick_edge; lane += lane_count) {
-      if (!is_reached(reached, family, row, lane, scale_)) continue;
+  for (int part = 0; part < squares_along * brick_edge / lane_count; ++part) {
+    const int lane = part % (brick_edge / lane_count) * lane_count;
+    const RowRange rows = rows_of(reached, family, part * lane_count / brick_edge, lane, scale_);
+    for (int row = rows.first; row < rows.last; ++row) {
       const int at = row * brick_edge + lane;
-      Swept<V> material{lanes_at<V>(lines.from + at), lanes_at<V>(lines.to + at)};
-      if (several) material = {spread<V>(0.f), spread<V>(scale_.edge)};
+      const Swept<V> material{lanes_at<V>((several ? first : lines.from) + at), lanes_at<V>((several ? last : lines.to) + at)};
       if (!any(material.from < material.to)) continue;
       Swept<V> swept;
       if constexpr (kind == LeanBody::Kind::ball) {
@@ -315,6 +396,7 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
       take<V, family>(lines, at, swept, taken);
     }
+  }
   if (several) take_further(lines, family, all_from, all_to, all_tips);
   add_taken<V, family>(taken);
 }

@@ -337,7 +337,13 @@ KADR_IN_LANES Swept<V> lean_swept(const LeanLines<V>& l, const LeanBody& b, cons
 template <class V, LeanBody::Kind kind>
 KADR_IN_LANES Swept<V> lean_at_ends(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at) {
   if constexpr (kind == LeanBody::Kind::cylinder) return in_frustum_at_ends(l, at, b.shaft);
-  if constexpr (kind == LeanBody::Kind::rounded) return {spread<V>(missed), spread<V>(-missed)};
+  if constexpr (kind == LeanBody::Kind::rounded) {
+    // Cylinders within it: a line that all but lies in its side or its flat face may leave that the other way where the tool does not turn.
+    const Frustum core{b.middle - b.corner, b.shaft.high, b.flat, b.flat};
+    Swept<V> s{spread<V>(missed), spread<V>(-missed)};
+    if (b.flat > 0) s = either(s, in_frustum_at_ends(l, at, core));
+    return b.shaft.high > b.shaft.low ? either(s, in_frustum_at_ends(l, at, b.shaft)) : s;
+  }
   const Swept<V> end = in_frustum_at_ends(l, at, b.end);
   return b.shaft.high > b.shaft.low ? either(end, in_frustum_at_ends(l, at, b.shaft)) : end;
 }

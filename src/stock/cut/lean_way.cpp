@@ -15,7 +15,9 @@ constexpr double small_chord = 0.02;      // evenly along it turns evenly, to 1e
 
 Vec3 across(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 
-Vec3 unit(Vec3 v) { return (1 / length(v)) * v; }
+/// By a root, which every library gives alike.
+double size_of(Vec3 v) { return std::sqrt(ToolEnds::dot(v, v)); }
+Vec3 unit(Vec3 v) { return (1 / size_of(v)) * v; }
 
 /// Of length 1, upright to `direction`.
 Vec3 beside(Vec3 direction) {
@@ -35,7 +37,7 @@ Vec3 carried(Vec3 v, Vec3 from, Vec3 to) {
 
 /// By the series of 2 asin(chord / 2) where the chord is short, else not below it.
 double LeanWay::turn() const {
-  const double chord = length(to_direction - from_direction), square = chord * chord;
+  const double chord = size_of(to_direction - from_direction), square = chord * chord;
   return chord < 0.5 ? chord * (1 + square * (1 / 24.0 + square * (3 / 640.0 + square * 5 / 7168.0))) : chord * pi / 2;
 }
 
@@ -46,18 +48,18 @@ Vec3 LeanWay::direction(double part) const {
   Vec3 a = from_direction, b = to_direction;
   double first = 0, last = 1;
   // Opposite directions have no shortest turn: any will do.
-  const auto middle = [](Vec3 c, Vec3 d) { return length(c + d) < 2 * opposite ? beside(c) : unit(c + d); };
-  while (length(b - a) > small_chord) {
+  const auto middle = [](Vec3 c, Vec3 d) { return size_of(c + d) < 2 * opposite ? beside(c) : unit(c + d); };
+  while (size_of(b - a) > small_chord) {
     const double half = (first + last) / 2;
     (part < half ? b : a) = middle(a, b);
     (part < half ? last : first) = half;
   }
-  if (length(b - a) < same_direction) return a;
+  if (size_of(b - a) < same_direction) return a;
   return unit(a + ((part - first) / (last - first)) * (b - a));
 }
 
 int parts_of(const LeanWay& way, double reach, double bend) {
-  const double turn = way.turn(), all = length(way.to - way.from) * turn / 4 + reach * turn * turn / 8;
+  const double turn = way.turn(), all = size_of(way.to - way.from) * turn / 4 + reach * turn * turn / 8;
   return int(std::clamp(std::ceil(std::max(turn / most_turn, std::sqrt(all / bend)) - 1e-9), 1.0, double(most_parts)));
 }
 

@@ -1,4 +1,4 @@
-// Edges sorted by their ends. For stock/mesh/mesh_repair and tests.
+// Edges put in order by their ends. For stock/mesh/mesh_repair and tests.
 
 #include "stock/mesh/mesh_edges.h"
 
@@ -7,15 +7,21 @@
 namespace kadr {
 
 std::vector<EdgeWay> edge_ways(const Mesh& mesh) {
-  std::vector<EdgeWay> ways;
-  ways.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = mesh.triangles[3 * t + k], b = mesh.triangles[3 * t + (k + 1) % 3];
-      ways.push_back({std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), std::uint32_t(t), a < b});
-    }
-  std::sort(ways.begin(), ways.end(),
-            [](const EdgeWay& a, const EdgeWay& b) { return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle; });
+  const auto each = [&](const auto& visit) {
+    for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+      for (std::size_t k = 0; k < 3; ++k) visit(t, mesh.triangles[3 * t + k], mesh.triangles[3 * t + (k + 1) % 3]);
+  };
+  // By their lower points first: each has a few.
+  std::vector<std::size_t> next(mesh.point_count() + 1, 0);
+  each([&](std::size_t, std::uint32_t a, std::uint32_t b) { ++next[std::size_t(std::min(a, b)) + 1]; });
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  std::vector<EdgeWay> ways(mesh.triangles.size());
+  each([&](std::size_t t, std::uint32_t a, std::uint32_t b) {
+    ways[next[std::min(a, b)]++] = {std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), std::uint32_t(t), a < b};
+  });
+  for (std::size_t point = 0; point + 1 < next.size(); ++point)
+    std::sort(ways.begin() + std::ptrdiff_t(point == 0 ? 0 : next[point - 1]), ways.begin() + std::ptrdiff_t(next[point]),
+              [](const EdgeWay& a, const EdgeWay& b) { return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle; });
   return ways;
 }
 

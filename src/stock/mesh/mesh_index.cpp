@@ -10,48 +10,6 @@ namespace {
 
 constexpr double most_entries = 6;  // of a triangle, on average: long ones across many squares make the grid coarser
 
-/// A corner as it lies to the lines: in the plane across them, and along them.
-struct Corner {
-  double u, v, w;
-};
-
-/// Where an edge is at a place `v` of the plane. By the lower end first, whichever way the triangle goes: two triangles get the same bits.
-struct EdgePlace {
-  double u, w;
-};
-EdgePlace edge_place(const Corner& low, const Corner& high, double v) {
-  const double share = (v - low.v) / (high.v - low.v);
-  const auto between = [&](double a, double b) { return std::clamp(a + share * (b - a), std::min(a, b), std::max(a, b)); };
-  return {between(low.u, high.u), between(low.w, high.w)};
-}
-
-/// Two edges of a triangle reach over `v`, one upwards and one downwards, or none does.
-bool hit_of(const Mesh& mesh, std::size_t triangle, int family, double u, double v, MeshHit& hit) {
-  const std::size_t axis_u = std::size_t(family + 1) % 3, axis_v = std::size_t(family + 2) % 3, axis_w = std::size_t(family);
-  const float* corner[3];
-  int below = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    corner[k] = &mesh.points[3 * std::size_t(mesh.triangles[3 * triangle + k])];
-    below += double(corner[k][axis_v]) <= v;
-  }
-  if (below == 0 || below == 3) return false;
-  EdgePlace left{}, right{};
-  int turns = 0, right_of_it = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const float *const p = corner[k], *const q = corner[(k + 1) % 3];
-    const Corner a{double(p[axis_u]), double(p[axis_v]), double(p[axis_w])}, b{double(q[axis_u]), double(q[axis_v]), double(q[axis_w])};
-    const bool upwards = a.v <= v;
-    if (upwards == (b.v <= v)) continue;
-    const EdgePlace place = upwards ? edge_place(a, b, v) : edge_place(b, a, v);
-    if (u < place.u) right = place, turns += upwards ? 1 : -1, ++right_of_it;
-    else left = place;
-  }
-  if (right_of_it != 1) return false;
-  const double share = (u - left.u) / (right.u - left.u);
-  hit = {left.w + share * (right.w - left.w), -turns, std::uint32_t(triangle)};
-  return true;
-}
-
 }  // namespace
 
 std::uint32_t MeshIndex::at(double place, double least, double per, std::uint32_t count) {
@@ -115,9 +73,10 @@ MeshIndex::MeshIndex(const Mesh& mesh, int family) : mesh_(&mesh), family_(famil
 
 void MeshIndex::hits(double u, double v, std::vector<MeshHit>& hits) const {
   const std::size_t square = std::size_t(row(v)) * columns_ + column(u);
-  MeshHit hit{};
+  TriangleRow across;
   for (std::uint32_t i = first_[square]; i < first_[square + 1]; ++i)
-    if (hit_of(*mesh_, triangles_[i], family_, u, v, hit)) hits.push_back(hit);
+    if (TriangleAcross(*mesh_, triangles_[i], family_).row(v, across) && across.holds(u))
+      hits.push_back({across.place(u), across.turn, triangles_[i]});
 }
 
 }  // namespace kadr

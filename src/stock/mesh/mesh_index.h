@@ -1,24 +1,17 @@
 #pragma once
 // MeshIndex: where lines along one axis meet the triangles of a mesh.
 //
-// Seen along the lines a triangle counts where a ray of the plane crosses its edges; each edge lies on the side that a sum of its two
-// ends alone tells, so triangles that share an edge agree about it to the bit. So on a line as many triangles are gone through inwards
-// as outwards, also where it meets an edge or a point of a closed mesh.
+// Triangles that share an edge agree about it to the bit (stock/mesh/triangle_across). So on a line as many triangles are gone through
+// inwards as outwards, also where it meets an edge or a point of a closed mesh.
 //
 //   law  the turns of a closed mesh's hits add up to 0 on every line   (tests/stock/mesh_blank_test)
 
 #include <cstdint>
 #include <vector>
 
-#include "stock/mesh/mesh.h"
+#include "stock/mesh/triangle_across.h"
 
 namespace kadr {
-
-struct MeshHit {
-  double place;  // along the axis, mm
-  int turn;      // 1: the line goes in; -1: out
-  std::uint32_t triangle;
-};
 
 class MeshIndex {
  public:

@@ -29,6 +29,7 @@ struct Repair {
   const MeshRules& rules;
   std::vector<std::uint32_t> numbers{};  // of the triangles, in the file
   std::vector<std::string> notes{};
+  MeshEdges edges{};  // of close()
 
   std::string told_points() const;
   void close();
@@ -98,9 +99,10 @@ bool Repair::turn_to_fit() {
 
 /// Joins what lies within the tolerance, then turns what does not fit, each only if edges are open.
 void Repair::close() {
-  if (edges_of(mesh).open == 0) return;
-  if (rules.weld > 0) join_near();
-  if (edges_of(mesh).open != 0) (void)turn_to_fit();
+  edges = edges_of(mesh);
+  if (edges.open == 0) return;
+  if (rules.weld > 0) join_near(), edges = edges_of(mesh);
+  if (edges.open != 0 && turn_to_fit()) edges = edges_of(mesh);
 }
 
 /// Points of edges that an odd number of triangles have.
@@ -122,7 +124,6 @@ void Repair::join_near() {
 
 std::string Repair::told_open() const {
   if (mesh.triangles.empty()) return told("there is no triangle in it", "в нём нет ни одного треугольника");
-  const MeshEdges edges = edges_of(mesh);
   if (edges.open == 0) return {};
   const std::string number = std::to_string(numbers[edges.open_triangle] + 1), place = at_point(mesh.corner(edges.open_triangle, 0));
   return told("not closed: " + std::to_string(edges.open) + " edges are open, the first at triangle " + number + ", " + place,

@@ -39,7 +39,8 @@ void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRa
 }
 
 /// The part without material: a gap's ends are those of the material beside it.
-void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::int32_t line, std::vector<Stretch>& gouged) {
+void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::int32_t line,
+                 std::vector<Stretch>& gouged) {
   for (const LineRange& p : part) {
     Stretch rest{line, p.from, p.to, of_blank, of_blank};
     for (const Stretch& m : material) {
@@ -62,20 +63,17 @@ void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRan
 
 }  // namespace
 
-void take_difference(const Brick* brick, bool is_full, const Blank& part, const Vec3& corner, double cell, BrickDifference& difference) {
-  const double edge = cell * brick_edge;
+void take_difference(const Brick* brick, bool is_full, const PartLines& part, const BrickAt& at, BrickDifference& difference) {
+  const double edge = at.cell * brick_edge;
   for (int family = 0; family < 3; ++family) {
     LineDifference& found = difference.family[std::size_t(family)];
     found.left_on.clear(), found.gouged.clear();
     for (std::int32_t line = 0; line < brick_lines; ++line) {
       difference.part.clear();
-      part.cross(family, along(corner, (family + 1) % 3) + (line % brick_edge + 0.5) * cell,
-                 along(corner, (family + 2) % 3) + (line / brick_edge + 0.5) * cell, difference.part);
-      for (LineRange& r : difference.part) {
-        r.from = std::max(r.from - along(corner, family), 0.0);
-        r.to = std::min(r.to - along(corner, family), edge);
+      for (const LineRange& r : part.of(at.place, family, line)) {
+        const LineRange within{std::max(r.from - along(at.corner, family), 0.0), std::min(r.to - along(at.corner, family), edge)};
+        if (within.from < within.to) difference.part.push_back(within);
       }
-      std::erase_if(difference.part, [](const LineRange& r) { return r.from >= r.to; });
       if (brick != nullptr) take_material(brick->family[std::size_t(family)], line, difference.material);
       else difference.material.assign(is_full ? 1 : 0, {line, 0, edge, of_blank, of_blank});
       take_left_on(difference.material, difference.part, found.left_on);

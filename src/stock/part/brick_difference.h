@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "stock/blank/blank.h"
+#include "stock/part/part_lines.h"
 #include "stock/stock.h"
 
 namespace kadr {
@@ -28,7 +28,14 @@ struct BrickDifference {
   std::vector<Stretch> material;
 };
 
-/// `brick`: of the stock; nullptr: it is all material, or none. `corner`: in the work system.
-void take_difference(const Brick* brick, bool is_full, const Blank& part, const Vec3& corner, double cell, BrickDifference& difference);
+/// Where it is, in the lattice of the part's lines.
+struct BrickAt {
+  BrickPlace place;
+  Vec3 corner;  // in the work system
+  double cell;
+};
+
+/// `brick`: of the stock; nullptr: it is all material, or none.
+void take_difference(const Brick* brick, bool is_full, const PartLines& part, const BrickAt& at, BrickDifference& difference);
 
 }  // namespace kadr

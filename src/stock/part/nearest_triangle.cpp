@@ -1,154 +1,205 @@
-// A tree of boxes over triangles. For stock/part/part_compare.
+// Blocks of four triangles, eight boxes around as many of them, boxes around these. For stock/part/part_compare.
 
 #include "stock/part/nearest_triangle.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 
 #include "stock/cut/lanes.h"
-#include "stock/part/triangle_distance.h"
+#include "stock/part/four_triangles.h"
+#include "stock/part/near_groups.h"
+#include "stock/stock.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t of_triangles = std::uint32_t{1} << 31;
+constexpr std::uint32_t of_blocks = std::uint32_t{1} << 31;
 constexpr float nowhere = 1e30f;
 constexpr float rounding_of_places = 0x1p-21f;   // of the farthest place: the point's, the box's and their difference's
 constexpr double more_than_rounding = 1 + 4e-6;  // of a square of a distance, in single precision
 constexpr double hair_squared = 1e-18;           // mm²
+constexpr std::size_t nodes_at_once = 1024;
 
 /// Boxes that are farther hold nothing nearer.
-float limit_of(double square) { return float(square * more_than_rounding + hair_squared); }
-
-/// Half of them, by the middles along the longest side; whole nodes, so that few have room left.
-template <class Placed>
-Placed* halved(Placed* first, Placed* last) {
-  const std::ptrdiff_t count = last - first, nodeful = 4;
-  if (count <= 1) return last;
-  Placed* const middle = first + (count <= nodeful ? count : (count / 2 + nodeful - 1) / nodeful * nodeful);
-  if (middle == last) return last;
-  float least[3] = {nowhere, nowhere, nowhere}, most[3] = {-nowhere, -nowhere, -nowhere};
-  for (const Placed* p = first; p != last; ++p)
-    for (int d = 0; d < 3; ++d) least[d] = std::min(least[d], p->middle[d]), most[d] = std::max(most[d], p->middle[d]);
-  int axis = 0;
-  for (int d = 1; d < 3; ++d)
-    if (most[d] - least[d] > most[axis] - least[axis]) axis = d;
-  std::nth_element(first, middle, last, [axis](const Placed& a, const Placed& b) {
-    return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.triangle < b.triangle;
-  });
-  return middle;
-}
+double limit_of(double square) { return square * more_than_rounding + hair_squared; }
 
 }  // namespace
 
-double NearestTriangle::square_to(const Triangle& t, const Vec3& p) {
-  Vec3 corner[3];
-  for (int k = 0; k < 3; ++k) corner[k] = Vec3{double(t.corner[k][0]), double(t.corner[k][1]), double(t.corner[k][2])} - p;
-  return square_to_triangle(corner);
-}
-
-std::uint32_t NearestTriangle::put_triangle(const Mesh& mesh, std::uint32_t number, Node& node, int child) {
-  Triangle triangle;
-  for (std::size_t d = 0; d < 3; ++d) {
-    float least = nowhere, most = -nowhere;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float place = mesh.points[3 * std::size_t(mesh.triangles[3 * std::size_t(number) + k]) + d];
-      triangle.corner[k][d] = place, least = std::min(least, place), most = std::max(most, place);
+/// A node above blocks, and they themselves.
+void NearestTriangle::put_blocks(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size_t number) {
+  Node& node = nodes_[number];
+  node.first_child = of_blocks | std::uint32_t(number * width);
+  for (std::size_t c = 0; c < width; ++c) {
+    const std::size_t b = number * width + c;
+    float least[3] = {nowhere, nowhere, nowhere}, most[3] = {-nowhere, -nowhere, -nowhere};
+    for (std::size_t lane = 0; b < blocks_.size() && lane < in_block; ++lane) {
+      const std::size_t t = order[std::min(b * in_block + lane, order.size() - 1)];
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t d = 0; d < 3; ++d) {
+          const float place = mesh.points[3 * std::size_t(mesh.triangles[3 * t + k]) + d];
+          blocks_[b].corner[k][d][lane] = place;
+          least[d] = std::min(least[d], place - pad_), most[d] = std::max(most[d], place + pad_);
+        }
     }
-    node.least[d][child] = least - pad_, node.most[d][child] = most + pad_;
+    for (std::size_t d = 0; d < 3; ++d) node.least[d][c] = least[d], node.most[d][c] = most[d];
   }
-  triangles_.push_back(triangle);
-  return of_triangles | std::uint32_t(triangles_.size() - 1);
 }
 
-/// Four triangles or fewer are children themselves.
-std::uint32_t NearestTriangle::build(const Mesh& mesh, Placed* first, Placed* last) {
-  const auto at = std::uint32_t(nodes_.size());
-  nodes_.emplace_back();
-  Node node;
-  std::fill(&node.least[0][0], &node.least[0][0] + 3 * width, nowhere);
-  std::fill(&node.most[0][0], &node.most[0][0] + 3 * width, -nowhere);
-  std::fill(node.child, node.child + width, of_triangles);
-  if (last - first <= width) {
-    for (int i = 0; first + i != last; ++i) node.child[i] = put_triangle(mesh, first[i].triangle, node, i);
-    return nodes_[at] = node, at;
-  }
-  Placed* const half = halved(first, last);
-  Placed* const parts[width + 1] = {first, halved(first, half), half, halved(half, last), last};
-  for (int i = 0; i < width; ++i) {
-    if (parts[i] == parts[i + 1]) continue;
-    const std::uint32_t child = node.child[i] = build(mesh, parts[i], parts[i + 1]);
-    for (int d = 0; d < 3; ++d) {
-      const Node& below = nodes_[child];
-      node.least[d][i] = *std::min_element(below.least[d], below.least[d] + width);
-      node.most[d][i] = *std::max_element(below.most[d], below.most[d] + width);
+/// A node above others.
+void NearestTriangle::put_boxes(std::size_t number, std::size_t first_child, std::size_t last_child) {
+  Node& node = nodes_[number];
+  node.first_child = std::uint32_t(first_child);
+  for (std::size_t c = 0; c < width; ++c)
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Node* const below = first_child + c < last_child ? &nodes_[first_child + c] : nullptr;
+      node.least[d][c] = below == nullptr ? nowhere : *std::min_element(below->least[d], below->least[d] + width);
+      node.most[d][c] = below == nullptr ? -nowhere : *std::max_element(below->most[d], below->most[d] + width);
     }
-  }
-  return nodes_[at] = node, at;
 }
 
-NearestTriangle::NearestTriangle(const Mesh& mesh) {
+NearestTriangle::NearestTriangle(const Mesh& mesh, int threads) {
   float farthest = 0;
   for (const float place : mesh.points) farthest = std::max(farthest, std::fabs(place));
   pad_ = farthest * rounding_of_places;
-  std::vector<Placed> order(mesh.triangle_count());
-  for (std::size_t t = 0; t < order.size(); ++t) {
-    order[t].triangle = std::uint32_t(t);
-    for (std::size_t d = 0; d < 3; ++d) {
-      float sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) sum += mesh.points[3 * std::size_t(mesh.triangles[3 * t + k]) + d];
-      order[t].middle[d] = sum;
-    }
+  const std::vector<std::uint32_t> order = near_groups(mesh, {in_block, width}, threads);
+  const auto groups = [](std::size_t count) { return (count + width - 1) / width; };
+  blocks_.resize((order.size() + in_block - 1) / in_block);
+  std::size_t level = groups(blocks_.size()), all = level;
+  for (std::size_t above = level; above > 1;) all += above = groups(above);
+  nodes_.resize(all);
+  std::atomic<std::size_t> next{0};
+  side_by_side(threads, [&](int) {
+    for (std::size_t first; (first = nodes_at_once * next++) < level;)
+      for (std::size_t i = first; i < std::min(first + nodes_at_once, level); ++i) put_blocks(mesh, order, i);
+  });
+  for (std::size_t first = 0; level > 1;) {
+    const std::size_t last = first + level;
+    level = groups(level);
+    for (std::size_t i = 0; i < level; ++i) put_boxes(last + i, first + i * width, last);
+    first = last;
   }
-  triangles_.reserve(order.size());
-  nodes_.reserve(order.size() / 5 * 2 + 2);
-  build(mesh, order.data(), order.data() + order.size());
 }
 
-double NearestTriangle::distance(const Vec3& point, std::uint32_t& hint) const {
-  using lanes::Quad;
+/// One question. Triangles are asked four at a time: up to three wait for others.
+class NearestTriangle::Search {
+ public:
+  Search(const NearestTriangle& tree, const Vec3& point, std::uint32_t hint) : tree_(tree), point_(point), nearest_(hint) {
+    for (int d = 0; d < 3; ++d) place_[d] = Quad{} + float(along(point, d));
+    const std::uint32_t first = hint / in_block * in_block;
+    ask({first, first + 1, first + 2, first + 3});
+    began_ = of_blocks | std::uint32_t(hint / in_block);
+  }
+  void all();
+  double square() const { return square_; }
+  std::uint32_t nearest() const { return nearest_; }
+
+ private:
+  using Quad = lanes::Quad;
   struct Waiting {
     float square;
     std::uint32_t child;
   };
-  const std::uint32_t began = hint;
-  double best = square_to(triangles_[began], point);
-  float limit = limit_of(best);
-  const Quad none{}, place[3] = {none + float(point.x), none + float(point.y), none + float(point.z)};
-  Waiting stack[64];  // quarters of 2³¹ triangles lie no deeper than 16
-  int waiting = 0;
-  stack[waiting++] = {0, 0};
-  while (waiting > 0) {
-    const Waiting next = stack[--waiting];
-    if (next.square > limit) continue;
-    if ((next.child & of_triangles) != 0) {
-      const std::uint32_t t = next.child & ~of_triangles;
-      if (t == began) continue;
-      const double square = square_to(triangles_[t], point);
-      if (square < best) best = square, limit = limit_of(best), hint = t;
-      continue;
-    }
-    const Node& node = nodes_[next.child];
-    Quad sum{};
-    for (int d = 0; d < 3; ++d) {
-      const Quad below = *reinterpret_cast<const Quad*>(node.least[d]) - place[d],
-                 above = place[d] - *reinterpret_cast<const Quad*>(node.most[d]);
-      Quad off = below > above ? below : above;
-      off = off > none ? off : none;
-      sum += off * off;
-    }
-    // Whether a box is near enough cannot be foreseen: so all are put down, and those that are too far written over.
-    const int first = waiting;
-    for (int i = 0; i < width; ++i) {
-      stack[waiting] = {sum[i], node.child[i]};
-      waiting += int(sum[i] <= limit);
-    }
-    if (waiting < first + 2) continue;
-    int nearest = first;
-    for (int i = first + 1; i < waiting; ++i) nearest = stack[i].square < stack[nearest].square ? i : nearest;
-    std::swap(stack[nearest], stack[waiting - 1]);  // on top
+  Quad squares_to(const Quad (&least)[3], const Quad (&most)[3]) const;
+  void open(const Node& node);
+  void look_at(std::uint32_t block);
+  void ask(const std::uint32_t (&triangle)[4]);
+
+  const NearestTriangle& tree_;
+  Vec3 point_;
+  Quad place_[3];
+  double square_ = 1e300;
+  float limit_ = 0;
+  std::uint32_t nearest_, began_ = 0;
+  std::uint32_t asked_for_[3 + in_block];
+  int count_ = 0;  // of these
+  int waiting_ = 0;
+  Waiting stack_[128];  // eighths of 2³¹ triangles lie no deeper than 11, seven wait at each
+};
+
+/// Four boxes: how far the place is from each.
+inline lanes::Quad NearestTriangle::Search::squares_to(const Quad (&least)[3], const Quad (&most)[3]) const {
+  const Quad none{};
+  Quad sum{};
+  for (int d = 0; d < 3; ++d) {
+    const Quad below = least[d] - place_[d], above = place_[d] - most[d];
+    Quad off = below > above ? below : above;
+    off = off > none ? off : none;
+    sum += off * off;
   }
-  return std::sqrt(best);
+  return sum;
+}
+
+/// Four triangles, by their numbers in the blocks.
+inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[4]) {
+  OneOfFour all[4];
+  for (int i = 0; i < 4; ++i) all[i] = {&tree_.blocks_[triangle[i] / in_block], triangle[i] % in_block};
+  double square[4];
+  squares_to_triangles(all, point_, square);
+  for (int i = 0; i < 4; ++i)
+    if (square[i] < square_) square_ = square[i], nearest_ = triangle[i];
+  limit_ = float(limit_of(square_));
+}
+
+/// Those of its triangles are asked whose boxes are near enough.
+inline void NearestTriangle::Search::look_at(std::uint32_t block) {
+  const auto& corner = tree_.blocks_[block].corner;
+  Quad least[3], most[3];
+  for (int d = 0; d < 3; ++d) {
+    const auto at = [&](int k) { return *reinterpret_cast<const Quad*>(corner[k][d]); };
+    const Quad a = at(0), b = at(1), c = at(2), low = a < b ? a : b, high = a < b ? b : a;
+    least[d] = (low < c ? low : c) - tree_.pad_, most[d] = (high < c ? c : high) + tree_.pad_;
+  }
+  const Quad sum = squares_to(least, most);
+  for (std::uint32_t i = 0; i < in_block; ++i) {
+    const std::uint32_t triangle = block * in_block + i;
+    asked_for_[count_] = triangle;
+    count_ += int(sum[i] <= limit_);
+  }
+  if (count_ < 4) return;
+  count_ -= 4;
+  const std::uint32_t* const last = asked_for_ + count_;
+  ask({last[0], last[1], last[2], last[3]});
+}
+
+/// Whether a box is near enough cannot be foreseen: so all are put down, and those that are too far written over.
+inline void NearestTriangle::Search::open(const Node& node) {
+  const int first = waiting_;
+  for (std::size_t half = 0; half < width; half += 4) {
+    Quad least[3], most[3];
+    for (int d = 0; d < 3; ++d)
+      least[d] = *reinterpret_cast<const Quad*>(node.least[d] + half), most[d] = *reinterpret_cast<const Quad*>(node.most[d] + half);
+    const Quad sum = squares_to(least, most);
+    for (std::size_t i = 0; i < 4; ++i) {
+      stack_[waiting_] = {sum[i], node.first_child + std::uint32_t(half + i)};
+      waiting_ += int(sum[i] <= limit_);
+    }
+  }
+  if (waiting_ < first + 2) return;
+  int nearest = first;
+  for (int i = first + 1; i < waiting_; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
+  std::swap(stack_[nearest], stack_[waiting_ - 1]);  // on top
+}
+
+void NearestTriangle::Search::all() {
+  open(tree_.nodes_.back());
+  while (waiting_ > 0) {
+    const Waiting next = stack_[--waiting_];
+    if (next.square > limit_ || next.child == began_) continue;
+    if ((next.child & of_blocks) != 0) look_at(next.child & ~of_blocks);
+    else open(tree_.nodes_[next.child]);
+  }
+  if (count_ == 0) return;
+  for (int i = count_; i < 4; ++i) asked_for_[i] = asked_for_[0];
+  ask({asked_for_[0], asked_for_[1], asked_for_[2], asked_for_[3]});
+}
+
+double NearestTriangle::distance(const Vec3& point, std::uint32_t& hint) const {
+  Search search(*this, point, hint);
+  search.all();
+  hint = search.nearest();
+  return std::sqrt(search.square());
 }
 
 }  // namespace kadr

@@ -11,6 +11,8 @@
 #include "stock/blank/mesh_blank.h"
 #include "stock/part/brick_difference.h"
 #include "stock/part/nearest_triangle.h"
+#include "stock/part/part_lines.h"
+#include "stock/part/points_inside.h"
 
 namespace kadr {
 namespace {
@@ -19,7 +21,7 @@ constexpr std::size_t points_at_once = 1024;
 constexpr double same_place = 2e-3;   // mm: a stretch that is nowhere farther from the part's surface is rounding along a wall
 constexpr double step_of_cell = 0.5;  // between places of a stretch whose depth is asked
 
-constexpr double bytes_of_triangle = 200;  // tree, lines, and the triangle itself, twice
+constexpr double bytes_of_triangle = 130;  // tree, and the triangle itself, twice
 
 /// The deepest place of one kind; `order` decides between equals, whichever thread came first.
 struct Deepest {
@@ -70,11 +72,13 @@ class PartHeld {
       : stock_(stock),
         surface_(surface),
         faces_(faces),
-        nearest_(part),
+        nearest_(part, stock.threads()),
         body_(faces == nullptr ? mesh_blank(part) : blank_within(mesh_blank(part), stock.blank().box())),
         wider_(wider_lattice(stock.lattice(), stock.blank().box(), body_->box())),
+        lines_(part, wider_.lattice, faces == nullptr ? std::nullopt : std::optional(body_->box()), stock.threads()),
         part_at_(body_->bricks_at_surface(wider_.lattice)),
-        volumes_(wider_.lattice.size()) {}
+        volumes_(wider_.lattice.size()),
+        inside_(points_inside(part, surface.points, stock.threads())) {}
 
   PartComparison held();
 
@@ -82,10 +86,9 @@ class PartHeld {
   struct Work {
     BrickDifference difference;
     Offences found;
-    std::vector<LineRange> ranges;
     std::uint32_t hint = 0;
   };
-  bool is_inside(const Vec3& at, Work& work) const;
+  bool is_inside(std::size_t point, const Vec3& at) const;
   void hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const;
   void hold_brick(std::size_t brick, Work& work);
   void hold_evenly(std::size_t brick, bool material, Work& work);
@@ -99,14 +102,19 @@ class PartHeld {
   NearestTriangle nearest_;
   std::shared_ptr<const Blank> body_;
   WiderLattice wider_;
+  PartLines lines_;
   std::vector<bool> part_at_;
   std::vector<BrickVolumes> volumes_;
+  std::vector<std::uint8_t> inside_;  // of each point
 };
 
-bool PartHeld::is_inside(const Vec3& at, Work& work) const {
-  work.ranges.clear();
-  body_->cross(2, at.x, at.y, work.ranges);
-  return std::any_of(work.ranges.begin(), work.ranges.end(), [&](const LineRange& r) { return r.from < at.z && at.z < r.to; });
+/// A window's body ends at its faces.
+bool PartHeld::is_inside(std::size_t point, const Vec3& at) const {
+  if (inside_[point] == 0 || faces_ == nullptr) return inside_[point] != 0;
+  const Box3 box = body_->box();
+  for (int d = 0; d < 3; ++d)
+    if (!(along(at, d) > along(box.least, d) && along(at, d) < along(box.most, d))) return false;
+  return true;
 }
 
 void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const {
@@ -115,7 +123,7 @@ void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Wor
     const Vec3 at = surface_.point(i);
     if (faces_ != nullptr && faces_->hold(at)) continue;
     const double depth = nearest_.distance(at, work.hint);
-    const bool inside = is_inside(at, work);
+    const bool inside = is_inside(i, at);
     deviation[i] = float(inside ? -depth : depth);
     (inside ? work.found.gouged : work.found.left_on).take({depth, at, surface_.made_by[i], i});
   }
@@ -132,16 +140,16 @@ void PartHeld::hold_brick(std::size_t brick, Work& work) {
   const auto own = of_stock(brick);
   const Stock::State state = own ? stock_.state(*own) : Stock::State::empty;
   if (state != Stock::State::mixed && !part_at_[brick]) return hold_evenly(brick, state == Stock::State::full, work);
-  take_difference(own ? stock_.brick(*own) : nullptr, state == Stock::State::full, *body_, wider_.lattice.corner(brick),
-                  wider_.lattice.cell(), work.difference);
+  take_difference(own ? stock_.brick(*own) : nullptr, state == Stock::State::full, lines_,
+                  {wider_.lattice.place(brick), wider_.lattice.corner(brick), wider_.lattice.cell()}, work.difference);
   volumes_[brick] = {hold_stretches(brick, false, work), hold_stretches(brick, true, work)};
 }
 
-/// All material or none, all part or none.
+/// All material or none, all part or none: one of its lines tells.
 void PartHeld::hold_evenly(std::size_t brick, bool material, Work& work) {
-  const Vec3 corner = wider_.lattice.corner(brick);
-  const double edge = wider_.lattice.edge();
-  const bool part = is_inside(corner + 0.5 * edge * Vec3{1, 1, 1}, work);
+  const double edge = wider_.lattice.edge(), middle = wider_.lattice.corner(brick).z + 0.5 * edge;
+  const auto stretches = lines_.of(wider_.lattice.place(brick), 2, brick_lines / 2 + brick_edge / 2);
+  const bool part = std::any_of(stretches.begin(), stretches.end(), [&](const LineRange& r) { return r.from < middle && middle < r.to; });
   if (part == material) return;
   (part ? volumes_[brick].gouged : volumes_[brick].left_on) = float(edge * edge * edge);
   Deepest& deepest = part ? work.found.gouged : work.found.left_on;
@@ -218,7 +226,8 @@ PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& p
 double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, HeldPart held) {
   const Lattice own(stock, cell);
   const Lattice lattice = held == HeldPart::window ? own : wider_lattice(own, stock, box_of(part)).lattice;
-  return double(part.triangle_count()) * bytes_of_triangle + double(lattice.size()) * double(sizeof(BrickVolumes) + 1);
+  return double(part.triangle_count()) * bytes_of_triangle + PartLines::bytes(part, lattice) +
+         double(lattice.size()) * double(sizeof(BrickVolumes) + 1);
 }
 
 }  // namespace kadr

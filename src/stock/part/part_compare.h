@@ -30,7 +30,7 @@ struct PartComparison {
 ///   law     the same bits for any number of threads
 ///   faces   of a stock that is a window (blank_within()): only what of the part lies in it counts, and points on its faces have no
 ///           deviation; nullptr: it is the whole
-///   memory  4 bytes a point of the surface, and bytes_of_comparison()
+///   memory  4 bytes a point of the surface, 25 more while points are looked for inside it, and bytes_of_comparison()
 PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces = nullptr);
 
 /// For a stock of that box, all but the stock itself and its surface; the part's own triangles are among them.

@@ -129,8 +129,7 @@ void Crossings::Finder::find_sweeps_near() {
   std::vector<ToolExtent> extents;
   for (const ToolFaces& tool : tools) extents.push_back(extent_of(tool));
   const double room = double(cell), reach = double(edge) + room;
-  for (std::size_t i = 0; i < stock.sweeps(); ++i) {
-    const KeptSweep& s = stock.sweep(i);
+  stock.each_sweep([&](std::size_t i, const KeptSweep& s) {
     const ToolExtent& tool = extents[s.tool];
     bool near = !stock.tool(s.tool).turns();  // rings are not searched: their seams stay the blank's
     const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;  // however it leans
@@ -140,7 +139,7 @@ void Crossings::Finder::find_sweeps_near() {
       near = least <= along(from_lattice, d) + reach && most >= along(from_lattice, d) - room;
     }
     if (near) sweeps_near.push_back(std::uint32_t(i));
-  }
+  });
 }
 
 /// An end where bricks meet is the blank's only if that ends there. Else a sweep made it that the brick beyond knows nothing of any more:
@@ -155,7 +154,7 @@ void Crossings::Finder::find_cut(const LatticeEdge& e, bool leaves, LineEnd& end
   if (!end.seam) return;
   if (!near_known) find_sweeps_near();
   for (const std::uint32_t i : sweeps_near) {
-    const KeptSweep& sweep = stock.sweep(i);
+    const KeptSweep sweep = stock.sweep(i);
     if (!cut_at(sweep, tools[sweep.tool], {at + from_lattice, e.family, leaves}, ends_of(std::int32_t(i)))) continue;
     end.by = std::int32_t(i);
     return;
@@ -169,7 +168,7 @@ Crossing Crossings::Finder::crossing_at(const LatticeEdge& e, bool leaves, const
     if (end.seam) along(normal, e.family) = leaves ? 1 : -1;
     else normal = stock.blank().normal(at + corner, e.family, leaves);
   } else {
-    const KeptSweep& sweep = stock.sweep(std::size_t(end.by));
+    const KeptSweep sweep = stock.sweep(std::size_t(end.by));
     const CutPlace place{at + from_lattice, e.family, leaves};
     const ToolShape& tool = stock.tool(sweep.tool);
     normal = tool.turns() ? turned_normal(sweep, tool, place, stock.lattice().origin())

@@ -39,7 +39,7 @@ void each_place(const Mesh& mesh, std::size_t triangle, double step, const Visit
 }  // namespace
 
 double farthest_off(const Mesh& from, const Mesh& to, double step, const SimplifyRules& rules) {
-  const NearestTriangle nearest(to);
+  const NearestTriangle nearest(to, rules.threads);
   std::vector<double> most(std::size_t(rules.threads), 0);
   std::atomic<std::size_t> next{0};
   side_by_side(rules.threads, [&](int thread) {

@@ -2,6 +2,7 @@
 
 #include "stock/surface/surface.h"
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 
@@ -11,6 +12,8 @@ namespace kadr {
 namespace {
 
 using Parts = std::vector<std::unique_ptr<SurfacePart>>;
+
+constexpr std::size_t bricks_at_once = 512;  // until their points are put together
 
 /// Each index once, by any of the threads.
 template <class Work>
@@ -62,35 +65,44 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   std::copy(corners.begin(), corners.end(), to);
 }
 
+/// Moves the points of a part behind those that are there.
+void take_points(SurfacePart& part, Surface& surface) {
+  part.base = std::uint32_t(surface.made_by.size());
+  surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
+  surface.made_by.insert(surface.made_by.end(), part.made_by.begin(), part.made_by.end());
+  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // and their memory
+}
+
+/// With all points; a part's own do not wait for those of the last part.
+Parts parts_of(const Stock& stock, Surface& surface) {
+  std::vector<ToolFaces> tools;
+  for (std::size_t i = 0; i < stock.tools(); ++i) tools.push_back(faces_of(stock.tool(i)));
+  Parts parts(stock.lattice().size());
+  std::vector<PartWork> works(std::size_t(stock.threads()));
+  for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {
+    const std::size_t count = std::min(bricks_at_once, parts.size() - first);
+    each_side_by_side(stock.threads(), count, [&](std::size_t i, int thread) {
+      parts[first + i] = surface_part(stock, tools, first + i, works[std::size_t(thread)]);
+    });
+    for (std::size_t i = first; i < first + count; ++i)
+      if (parts[i]) take_points(*parts[i], surface);
+  }
+  return parts;
+}
+
 }  // namespace
 
 Surface surface_of(const Stock& stock) {
-  const std::size_t count = stock.lattice().size();
-  std::vector<ToolFaces> tools;
-  for (std::size_t i = 0; i < stock.tools(); ++i) tools.push_back(faces_of(stock.tool(i)));
-  Parts parts(count);
-  std::vector<PartWork> works(std::size_t(stock.threads()));
-  each_side_by_side(stock.threads(), count,
-                    [&](std::size_t i, int thread) { parts[i] = surface_part(stock, tools, i, works[std::size_t(thread)]); });
-
-  std::vector<std::size_t> first_face(count);
-  std::size_t points = 0, faces = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!parts[i]) continue;
-    parts[i]->base = std::uint32_t(points), first_face[i] = faces;
-    points += parts[i]->made_by.size(), faces += parts[i]->edges.size();
-  }
   Surface surface;
-  surface.points.reserve(3 * points), surface.made_by.reserve(points);
-  for (const auto& part : parts) {
-    if (!part) continue;
-    surface.points.insert(surface.points.end(), part->points.begin(), part->points.end());
-    surface.made_by.insert(surface.made_by.end(), part->made_by.begin(), part->made_by.end());
-    part->points = {}, part->made_by = {};
-  }
+  const Parts parts = parts_of(stock, surface);
+  surface.points.shrink_to_fit(), surface.made_by.shrink_to_fit();
+  std::vector<std::size_t> first_face(parts.size());
+  std::size_t faces = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i]) first_face[i] = faces, faces += parts[i]->edges.size();
   surface.triangles.resize(6 * faces);
   const Joiner joiner{stock.lattice(), parts, surface};
-  each_side_by_side(stock.threads(), count, [&](std::size_t i, int) {
+  each_side_by_side(stock.threads(), parts.size(), [&](std::size_t i, int) {
     if (!parts[i]) return;
     std::uint32_t* to = surface.triangles.data() + 6 * first_face[i];
     for (const CrossedEdge& e : parts[i]->edges) joiner.put_face(i, e, to), to += 6;

@@ -1,0 +1,50 @@
+#pragma once
+// SweepLines: of which line of the program each sweep of the stock is. For session/cutting/cutting.
+//
+// Lines mostly come one after the other, a sweep each, or a line has many sweeps: what goes on with the same step is kept as one run.
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+
+namespace kadr {
+
+class SweepLines {
+ public:
+  struct Line {
+    std::uint32_t line = 0;
+    std::uint16_t file = 0;  // as Origin::file
+    bool operator==(const Line&) const = default;
+  };
+
+  /// The sweeps up to before `end` that have no line yet have this one.
+  void fill(std::size_t end, Line line) {
+    for (; size_ < end; ++size_) add(line);
+  }
+  /// pre  fill() has given it one
+  Line of(std::size_t sweep) const {
+    const auto later = std::upper_bound(runs_.begin(), runs_.end(), sweep, [](std::size_t s, const Run& r) { return s < r.first; });
+    return at(*(later - 1), sweep);
+  }
+  std::size_t runs() const { return runs_.size(); }
+
+ private:
+  struct Run {
+    std::uint32_t first, line, step;  // of sweeps; of the first of them; from each to the next, round 2³²
+    std::uint16_t file;
+  };
+  static Line at(const Run& run, std::size_t sweep) { return {run.line + run.step * std::uint32_t(sweep - run.first), run.file}; }
+  void add(Line line) {
+    if (!runs_.empty() && line.file == runs_.back().file) {
+      Run& last = runs_.back();
+      if (size_ == last.first + std::size_t{1}) last.step = line.line - last.line;
+      if (at(last, size_) == line) return;
+    }
+    runs_.push_back({std::uint32_t(size_), line.line, 0, line.file});
+  }
+
+  std::size_t size_ = 0;
+  std::deque<Run> runs_;  // ascending
+};
+
+}  // namespace kadr

@@ -1,0 +1,63 @@
+#pragma once
+// A cylinder of a tool that leans as it stands at both ends of its way, and whether it reaches farther on a line in between.
+//
+// Of a convex body that shifts, the places (on the line, on the way) at which it holds the line are a convex set: where the line enters it
+// is a convex function of the way. So if the place where it enters moves out of the face or the side on which it lies there, the body
+// reaches it farthest there and then. Where the line all but lies in that face a turn may turn this over: there nothing is told.
+
+#include "stock/cut/lean_rows.h"
+
+namespace kadr::lanes {
+
+template <class V>
+struct Pose {
+  Vec3Of<V> at, direction;  // of a line
+  Swept<V> side, in;        // by the side alone, were it endless; by the cylinder
+};
+
+template <class V>
+KADR_IN_LANES Pose<V> in_pose(const Vec3Of<V>& at, const Vec3Of<V>& e, const Slant<V>& rise, const Frustum& f) {
+  const Swept<V> side = in_circle(at.x, at.y, e.x, e.y, e.x * e.x + e.y * e.y, spread<V>(f.low_radius));
+  Swept<V> in = side;
+  clip_between(in, at.z - f.low, spread<V>(f.high - f.low), rise);
+  return {at, e, side, in};
+}
+
+/// How the places of a line move past the tool on its way.
+template <class V>
+struct PastTool {
+  Vec3Of<V> shift, grows;  // of the line's middle; for each mm of line
+  float radius;            // of the cylinder
+  float steep;             // sine of the angle to a face or a side from which on a turn does not count
+};
+
+/// The place where a line enters or leaves the cylinder moves out of it; `by_face`: it lies in a flat face, which is the upper one or not.
+template <class V>
+KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const PastTool<V>& past, float forth, const MarksOf<V>& by_face,
+                                   const MarksOf<V>& face_is_upper) {
+  const Vec3Of<V>& e = pose.direction;
+  const V up = forth * (past.shift.z + place * past.grows.z);
+  const V x = pose.at.x + place * e.x, y = pose.at.y + place * e.y, through = x * e.x + y * e.y;
+  const V beside = forth * (x * (past.shift.x + place * past.grows.x) + y * (past.shift.y + place * past.grows.y));
+  const MarksOf<V> side = (beside >= 0.f) & (most(through, -through) >= past.steep * past.radius);
+  const MarksOf<V> face = (choose(face_is_upper, up, -up) >= 0.f) & (most(e.z, -e.z) >= past.steep);
+  return choose(by_face, face, side);
+}
+
+/// Where the cylinder reaches farthest at one end of its way, backwards on the line or onwards.
+template <class V>
+KADR_IN_LANES MarksOf<V> is_farthest_back(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
+  const auto at = [&](const Pose<V>& p, float forth) {
+    return (p.in.from <= p.in.to) & moves_out(p, p.in.from, past, forth, p.in.from > p.side.from, p.direction.z < 0.f);
+  };
+  return at(first, 1.f) | at(last, -1.f);
+}
+template <class V>
+KADR_IN_LANES MarksOf<V> is_farthest_on(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
+  const auto at = [&](const Pose<V>& p, float forth) {
+    return (p.in.from <= p.in.to) & moves_out(p, p.in.to, past, forth, p.in.to < p.side.to, p.direction.z > 0.f);
+  };
+  return at(first, 1.f) | at(last, -1.f);
+}
+
+}  // namespace kadr::lanes

@@ -1,0 +1,93 @@
+#pragma once
+// TriangleAcross: a triangle of a mesh as lines along one axis see it. For stock/mesh/mesh_index and stock/part.
+//
+// It counts where a ray of the plane across the lines crosses its edges; each edge lies on the side that a sum of its two ends alone tells,
+// so triangles that share an edge agree about it to the bit.
+
+#include <algorithm>
+#include <array>
+
+#include "stock/mesh/mesh.h"
+
+namespace kadr {
+
+struct MeshHit {
+  double place;  // along the axis, mm
+  int turn;      // 1: the line goes in; -1: out
+  std::uint32_t triangle;
+};
+
+/// What of a triangle has one place `v`: from an edge to another one.
+struct TriangleRow {
+  struct EdgePlace {
+    double u, w;
+  };
+  EdgePlace left, right;
+  int turn;
+
+  bool holds(double u) const { return left.u <= u && u < right.u; }
+  /// pre  holds(u)
+  double place(double u) const { return left.w + (u - left.u) / (right.u - left.u) * (right.w - left.w); }
+};
+
+/// u, v, w: places along the axes (family + 1) % 3, (family + 2) % 3 and family.
+class TriangleAcross {
+ public:
+  TriangleAcross(const Mesh& mesh, std::size_t triangle, int family) {
+    const std::size_t u = std::size_t(family + 1) % 3, v = std::size_t(family + 2) % 3, w = std::size_t(family);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float* const p = &mesh.points[3 * std::size_t(mesh.triangles[3 * triangle + k])];
+      corner_[k] = {double(p[u]), double(p[v]), double(p[w])};
+    }
+  }
+
+  double least_u() const { return std::min({corner_[0].u, corner_[1].u, corner_[2].u}); }
+  double most_u() const { return std::max({corner_[0].u, corner_[1].u, corner_[2].u}); }
+  double least_v() const { return std::min({corner_[0].v, corner_[1].v, corner_[2].v}); }
+  double most_v() const { return std::max({corner_[0].v, corner_[1].v, corner_[2].v}); }
+
+  /// Two edges reach over `v`, one upwards and one downwards, or none does.
+  bool row(double v, TriangleRow& row) const {
+    TriangleRow::EdgePlace place[2];
+    bool upwards[2];
+    int found = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner &a = corner_[k], &b = corner_[(k + 1) % 3];
+      const bool up = a.v <= v;
+      if (up == (b.v <= v)) continue;
+      place[found] = up ? edge_place(a, b, v) : edge_place(b, a, v);
+      upwards[found++] = up;
+    }
+    if (found != 2) return false;
+    const bool first_is_right = place[1].u < place[0].u;
+    row = {place[first_is_right], place[!first_is_right], upwards[!first_is_right] ? -1 : 1};
+    return true;
+  }
+  /// The least and greatest u of what lies between two places of v.
+  std::array<double, 2> between(double low, double high) const {
+    std::array<double, 2> extent{most_u(), least_u()};
+    const auto include = [&](double u) { extent = {std::min(extent[0], u), std::max(extent[1], u)}; };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner &a = corner_[k], &b = corner_[(k + 1) % 3];
+      if (a.v >= low && a.v <= high) include(a.u);
+      for (const double v : {low, high})
+        if ((a.v < v) != (b.v < v)) include(edge_place(a, b, v).u);
+    }
+    return extent;
+  }
+
+ private:
+  struct Corner {
+    double u, v, w;
+  };
+  /// By the lower end first, whichever way the triangle goes: two triangles get the same bits.
+  static TriangleRow::EdgePlace edge_place(const Corner& low, const Corner& high, double v) {
+    const double share = (v - low.v) / (high.v - low.v);
+    const auto between = [&](double a, double b) { return std::clamp(a + share * (b - a), std::min(a, b), std::max(a, b)); };
+    return {between(low.u, high.u), between(low.w, high.w)};
+  }
+
+  std::array<Corner, 3> corner_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,83 @@
+#pragma once
+// How far a point is from four triangles: stock/part/triangle_distance step by step, two at a time. For stock/part/nearest_triangle.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/matrix.h"
+
+namespace kadr {
+
+/// Triangles; the same place of each stand side by side.
+struct FourTriangles {
+  alignas(16) float corner[3][3][4];  // corner, axis, triangle
+};
+
+/// A triangle among others.
+struct OneOfFour {
+  const FourTriangles* four;
+  std::uint32_t lane;
+};
+
+namespace lanes {
+
+using Two = double __attribute__((vector_size(16), may_alias));
+
+/// Of two triangles.
+struct TwoPlaces {
+  Two x, y, z;
+};
+
+inline TwoPlaces operator-(const TwoPlaces& a, const TwoPlaces& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Two dot(const TwoPlaces& a, const TwoPlaces& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline TwoPlaces cross(const TwoPlaces& a, const TwoPlaces& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline Two square_to_stretch(const TwoPlaces& from, const TwoPlaces& way) {
+  const Two none{}, one = none + 1.0, length_squared = dot(way, way);
+  Two share = -dot(from, way) / length_squared;
+  share = share < none ? none : share;
+  share = one < share ? one : share;
+  share = length_squared > none ? share : none;
+  const TwoPlaces nearest{from.x + share * way.x, from.y + share * way.y, from.z + share * way.z};
+  return dot(nearest, nearest);
+}
+
+/// Corners as seen from the point.
+inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
+  const Two none{};
+  TwoPlaces side[3];
+  for (int k = 0; k < 3; ++k) side[k] = corner[(k + 1) % 3] - corner[k];
+  const TwoPlaces normal = cross(side[0], side[1]);
+  const Two size = dot(normal, normal), off = dot(corner[0], normal);
+  auto over = size > none;
+  for (int k = 0; k < 3; ++k) over &= dot(cross(corner[k], corner[(k + 1) % 3]), normal) >= none;
+  Two least = square_to_stretch(corner[0], side[0]);
+  for (int k = 1; k < 3; ++k) {
+    const Two square = square_to_stretch(corner[k], side[k]);
+    least = square < least ? square : least;
+  }
+  const Two to_plane = off * off / size;
+  return over ? to_plane : least;
+}
+
+}  // namespace lanes
+
+/// mm² from the point to each of four.
+///   law  to the bit kadr::square_to_triangle()   (tests/stock/nearest_triangle_test)
+inline void squares_to_triangles(const OneOfFour (&one)[4], const Vec3& point, double (&squares)[4]) {
+  for (int i = 0; i < 4; i += 2) {
+    lanes::TwoPlaces seen[3];
+    for (int k = 0; k < 3; ++k) {
+      const auto both = [&](int d, double from) {
+        return lanes::Two{double(one[i].four->corner[k][d][one[i].lane]), double(one[i + 1].four->corner[k][d][one[i + 1].lane])} - from;
+      };
+      seen[k] = {both(0, point.x), both(1, point.y), both(2, point.z)};
+    }
+    const lanes::Two square = lanes::square_to_triangle(seen);
+    squares[i] = square[0], squares[i + 1] = square[1];
+  }
+}
+
+}  // namespace kadr

@@ -1,0 +1,108 @@
+// Points in squares of the plane; triangle by triangle those are looked at that it lies over or under. For stock/part/part_compare.
+
+#include "stock/part/points_inside.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "stock/mesh/triangle_across.h"
+#include "stock/stock.h"
+
+namespace kadr {
+namespace {
+
+constexpr double points_of_square = 2;
+constexpr std::size_t triangles_at_once = 4096;
+
+/// Turns of the triangles that its line meets below it, and at it: sums, so that their order does not matter.
+struct HeldPoint {
+  float x, y, z;
+  std::uint32_t number;
+  std::int32_t below = 0, at = 0;
+};
+
+/// Squares in rows along X.
+struct PointSquares {
+  double least_x = 0, least_y = 0, most_x = 0, most_y = 0, per_mm = 0;
+  std::size_t columns = 1, rows = 1;
+  std::vector<std::uint32_t> first;  // of each square; one more at the end
+  std::vector<HeldPoint> points;
+
+  explicit PointSquares(const std::vector<float>& places);
+  static std::size_t at(double place, double least, double per, std::size_t count) {
+    return std::size_t(std::clamp((place - least) * per, 0.0, double(count - 1)));
+  }
+  std::size_t column(double x) const { return at(x, least_x, per_mm, columns); }
+  std::size_t row(double y) const { return at(y, least_y, per_mm, rows); }
+  void hold(const Mesh& solid, std::size_t triangle);
+  void hold(const TriangleAcross& triangle, HeldPoint* from, HeldPoint* to);
+};
+
+PointSquares::PointSquares(const std::vector<float>& places) {
+  const std::size_t count = places.size() / 3;
+  float low[2] = {places[0], places[1]}, high[2] = {places[0], places[1]};
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], places[3 * i + d]), high[d] = std::max(high[d], places[3 * i + d]);
+  least_x = double(low[0]), least_y = double(low[1]), most_x = double(high[0]), most_y = double(high[1]);
+  const double wide = most_x - least_x, deep = most_y - least_y, squares = double(count) / points_of_square;
+  // A narrow strip has no more squares along it than points.
+  const double edge = std::max({std::sqrt(wide * deep / squares), wide / squares, deep / squares, 1e-6});
+  per_mm = 1 / edge;
+  columns = std::size_t(wide * per_mm) + 1, rows = std::size_t(deep * per_mm) + 1;
+  first.assign(columns * rows + 1, 0);
+  const auto square = [&](std::size_t i) { return row(double(places[3 * i + 1])) * columns + column(double(places[3 * i])); };
+  for (std::size_t i = 0; i < count; ++i) ++first[square(i) + 1];
+  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+  points.resize(count);
+  for (std::size_t i = count; i-- > 0;)
+    points[--first[square(i) + 1]] = {places[3 * i], places[3 * i + 1], places[3 * i + 2], std::uint32_t(i)};
+  first.erase(first.begin());  // each has gone back to where its square begins
+  first.push_back(std::uint32_t(count));
+}
+
+void PointSquares::hold(const TriangleAcross& triangle, HeldPoint* from, HeldPoint* to) {
+  const double low_x = triangle.least_u(), high_x = triangle.most_u(), low_y = triangle.least_v(), high_y = triangle.most_v();
+  TriangleRow across;
+  for (HeldPoint* p = from; p != to; ++p) {
+    const double x = double(p->x), y = double(p->y);
+    if (x < low_x || x >= high_x || y < low_y || y >= high_y) continue;
+    if (!triangle.row(y, across) || !across.holds(x)) continue;
+    const double place = across.place(x), z = double(p->z);
+    if (place > z) continue;
+    std::atomic_ref<std::int32_t>(place < z ? p->below : p->at).fetch_add(across.turn, std::memory_order_relaxed);
+  }
+}
+
+void PointSquares::hold(const Mesh& solid, std::size_t number) {
+  const TriangleAcross triangle(solid, number, 2);
+  if (triangle.most_u() < least_x || triangle.least_u() > most_x || triangle.most_v() < least_y || triangle.least_v() > most_y) return;
+  const std::size_t low = row(triangle.least_v()), high = row(triangle.most_v());
+  for (std::size_t r = low; r <= high; ++r) {
+    double left = triangle.least_u(), right = triangle.most_u();
+    if (low < high && right - left > 1 / per_mm) {  // long and slanted: what of it lies over this row, and a hair more
+      const double hair = 1e-3 / per_mm, begin = least_y + double(r) / per_mm, end = begin + 1 / per_mm;
+      const auto extent = triangle.between(r == low ? triangle.least_v() : begin - hair, r == high ? triangle.most_v() : end + hair);
+      left = extent[0] - hair, right = extent[1] + hair;
+    }
+    const std::size_t square = r * columns, a = column(left), b = column(right);
+    hold(triangle, points.data() + first[square + a], points.data() + first[square + b + 1]);
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> points_inside(const Mesh& solid, const std::vector<float>& places, int threads) {
+  std::vector<std::uint8_t> inside(places.size() / 3);
+  if (places.empty()) return inside;
+  PointSquares squares(places);
+  std::atomic<std::size_t> next{0};
+  side_by_side(threads, [&](int) {
+    for (std::size_t i; (i = triangles_at_once * next++) < solid.triangle_count();)
+      for (std::size_t t = i; t < std::min(i + triangles_at_once, solid.triangle_count()); ++t) squares.hold(solid, t);
+  });
+  for (const HeldPoint& p : squares.points) inside[p.number] = p.below > 0 && p.below + p.at > 0;
+  return inside;
+}
+
+}  // namespace kadr

@@ -1,0 +1,110 @@
+// Any instant of a run. For view/page_session; tested by tests/view/instant_test.cpp.
+
+#include "view/instant.h"
+
+#include <algorithm>
+
+#include "config/told.h"
+
+namespace kadr {
+namespace {
+
+/// Where the tool is at an instant on its way to the vertex.
+Vec3 place_at(const PathPiece& piece, std::size_t i, double instant) {
+  const auto vec = [](const PathVertex& v) { return Vec3{double(v.at[0]), double(v.at[1]), double(v.at[2])}; };
+  const PathVertex& to = piece.vertices[i];
+  if (i == 0) return vec(to);
+  const PathVertex& from = piece.vertices[i - 1];
+  const double begins = PathRecord::time_of(piece, from), ends = PathRecord::time_of(piece, to);
+  const double part = ends > begins ? std::clamp((instant - begins) / (ends - begins), 0.0, 1.0) : 1;
+  return vec(from) + part * (vec(to) - vec(from));
+}
+
+}  // namespace
+
+tl::expected<Session*, std::string> Instants::session(const StopToken& stop) {
+  if (session_) return session_.get();
+  auto program = run_.opened().program();
+  if (!program) return tl::unexpected(program.error());
+  auto made = Session::open(run_.opened().spec(std::move(*program), stop));
+  if (!made) return tl::unexpected(told(made.error().fault.en, made.error().fault.ru));
+  session_ = std::move(*made);
+  session_->control().holds_before = [this](const Origin& origin) { return origin.number >= limit_; };
+  Outlets& outlets = session_->outlets();
+  outlets.silent = true;
+  outlets.warning = [](const AlarmReport&) {};
+  outlets.alarm = [](const AlarmReport&) { return false; };
+  outlets.stop = stop;
+  return session_.get();
+}
+
+Session::State Instants::run(const StopToken& stop) {
+  Session::State state = Session::State::running;
+  while (state == Session::State::running && !stop.asked()) state = session_->go_on();
+  return state;
+}
+
+/// To before the block of that number, and past it.
+Status Instants::reach(std::uint32_t number, InstantState& state, const StopToken& stop) {
+  const auto& all = run_.checkpoints();
+  auto from = std::partition_point(all.begin(), all.end(), [&](const RunCheckpoint& c) { return c.blocks <= number; });
+  if (from != all.begin()) --from;
+  KADR_TRY(session_->restore(from->snapshot));
+  limit_ = number;
+  (void)run(stop);
+  const Control& control = session_->settled_control();
+  state.before = control.in_force();
+  state.calls = control.calls();
+  limit_ = number + 1;
+  (void)run(stop);
+  state.after = session_->settled_control().in_force();
+  return {};
+}
+
+tl::expected<InstantState, std::string> Instants::at(double instant, const StopToken& stop) {
+  InstantState state;
+  state.at = instant;
+  const auto& pieces = run_.path().pieces();
+  const auto ends_before = [&](const PathPiece& p) { return PathRecord::time_of(p, p.vertices.back()) < instant; };
+  auto piece = std::partition_point(pieces.begin(), pieces.end(), ends_before);
+  if (pieces.empty()) return state;
+  state.moves = piece != pieces.end();
+  if (!state.moves) --piece;
+  auto vertex = std::partition_point(piece->vertices.begin(), piece->vertices.end(),
+                                     [&](const PathVertex& v) { return PathRecord::time_of(*piece, v) < instant; });
+  if (vertex == piece->vertices.end()) --vertex;
+  state.vertex = *vertex;
+  state.place = place_at(*piece, std::size_t(vertex - piece->vertices.begin()), instant);
+  state.origin.line = vertex->line;
+  state.origin.file = vertex->file;
+  state.origin.number = vertex->number;
+  state.line = run_.control().line_at(state.origin);
+  if (run_.checkpoints().empty()) return state;
+  const auto made = session(stop);
+  if (!made) return tl::unexpected(made.error());
+  if (const Status reached = reach(vertex->number, state, stop); !reached) return tl::unexpected(std::string(name_of(reached.error().id)));
+  return state;
+}
+
+std::vector<Instants::Pass> Instants::passes(std::uint32_t line, std::uint16_t file, std::size_t most, std::size_t& count) const {
+  std::vector<Pass> passes;
+  count = 0;
+  std::uint32_t last = ~std::uint32_t{0};
+  double before = 0;
+  for (const PathPiece& piece : run_.path().pieces())
+    for (const PathVertex& v : piece.vertices) {
+      const double time = PathRecord::time_of(piece, v);
+      if (v.line == line && v.file == file) {
+        if (v.number != last) {
+          if (++count <= most) passes.push_back({before, time, v.number});
+        } else if (count <= most && !passes.empty()) {
+          passes.back().to = time;
+        }
+        last = v.number;
+      }
+      before = time;
+    }
+  return passes;
+}
+
+}  // namespace kadr

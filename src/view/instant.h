@@ -1,0 +1,49 @@
+#pragma once
+// Instants: any instant of a program that has been carried out: the nearest snapshot before it, then block by block.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "view/program_run.h"
+
+namespace kadr {
+
+/// What a person sees of the control at an instant.
+struct InstantState {
+  double at = 0;
+  PathVertex vertex;  // under way to it
+  Vec3 place;         // of the tip, in the picture
+  bool moves = false;  // false: the path is over, or has none
+  AlarmReport::Line line;
+  Origin origin;
+  std::uint32_t pass = 0;
+  std::vector<AlarmReport::Call> calls;
+  std::vector<InForce> before, after;  // the block
+};
+
+class Instants {
+ public:
+  /// Of a run that is over and outlives this.
+  explicit Instants(const ProgramRun& run) : run_(run) {}
+
+  /// returns  an error sentence; nothing of the state but the path for a program of several channels
+  tl::expected<InstantState, std::string> at(double instant, const StopToken& stop);
+  /// When the line was carried out with a motion: instants and block numbers, up to `most`.
+  struct Pass {
+    double from, to;
+    std::uint32_t number;
+  };
+  std::vector<Pass> passes(std::uint32_t line, std::uint16_t file, std::size_t most, std::size_t& count) const;
+
+ private:
+  Session::State run(const StopToken& stop);
+  Status reach(std::uint32_t number, InstantState& state, const StopToken& stop);
+  tl::expected<Session*, std::string> session(const StopToken& stop);
+
+  const ProgramRun& run_;
+  std::unique_ptr<Session> session_;  // made when the first instant is asked for
+  std::uint32_t limit_ = 0;           // it is held before the block of this number
+};
+
+}  // namespace kadr

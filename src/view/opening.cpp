@@ -1,0 +1,101 @@
+// A program, its control, its machine. For view/page_session; tested by tests/serve.py.
+
+#include "view/opening.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+
+#include "config/control_file.h"
+#include "config/read_file.h"
+#include "config/told.h"
+#include "lang/text/several_programs.h"
+#include "machine/plc.h"
+
+namespace kadr {
+namespace {
+
+OpenedText text_of(const OpenedProgram& opened) {
+  if (opened.text) return {text_source(*opened.text), Encoding::utf8};
+  return open_text(opened.path, opened.encoding);
+}
+
+/// What the control is guessed from.
+std::optional<std::string> beginning_of(const OpenedProgram& opened) {
+  OpenedText text = text_of(opened);
+  if (!text.source) return std::nullopt;
+  LineReader reader(std::move(text.source));
+  const std::string_view sample = reader.sample();
+  const auto encoding = text.encoding ? text.encoding : detect_encoding(sample);
+  if (!encoding) return std::string(sample);
+  std::string utf8;
+  (void)append_utf8(sample, *encoding, utf8);
+  return utf8;
+}
+
+tl::unexpected<std::string> wrong(std::string text) { return tl::unexpected(std::move(text)); }
+
+tl::expected<Program, std::string> program_in(const OpenedProgram& opened, OpenedText text) {
+  if (!text.source) return wrong(fmt::format("{}: {}", opened.path, told_errno(errno)));
+  Program program{opened.path, {}, text.encoding};
+  const std::shared_ptr<ByteSource> source = std::move(text.source);
+  program.source = whole_file(source);
+  if (!opened.def->grammar.percent_number) return program;
+  const auto encoding = text.encoding ? text.encoding : detect_encoding(LineReader(source).sample());
+  if (count_program_signs(*source, encoding) < 2) return program;
+  const TapeContents contents = contents_of(source, opened.def->grammar, encoding);
+  if (contents.programs.size() > 1) program.source = only_program(source, contents, 0, encoding);
+  return program;
+}
+
+}  // namespace
+
+tl::expected<Program, std::string> OpenedProgram::program() const { return program_in(*this, text_of(*this)); }
+
+tl::expected<Program, std::string> OpenedProgram::program_of(const std::string& other) const {
+  return program_in(*this, {text_source(other), Encoding::utf8});
+}
+
+SessionSpec OpenedProgram::spec(Program program, const StopToken& stop) const {
+  RunLimits limits;  // nothing is written
+  limits.stop = stop;
+  return {def, machine, setup, std::move(program), limits};
+}
+
+tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) {
+  OpenedProgram opened;
+  opened.path = wish.path;
+  opened.text = wish.text;
+  if (!read_encoding(wish.encoding, opened.encoding)) return wrong(fmt::format("encoding: {}", wish.encoding));
+  const auto beginning = beginning_of(opened);
+  if (!beginning) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
+  std::string control = wish.control;
+  if (control.empty()) {
+    opened.guess = guess_control(*beginning);
+    control = opened.guess->control;
+    if (control.empty())
+      return wrong(fmt::format("{}: {}", told("no program of a control that Kadr knows; name the control to open it all the same",
+                                              "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
+                               wish.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
+  }
+  auto def = load_control(control);
+  if (!def) return wrong(def.error());
+  opened.def = std::make_shared<const ControlDef>(std::move(*def));
+  auto texts = AlarmTexts::load(opened.def.get());
+  if (!texts) return wrong(texts.error());
+  opened.texts = std::make_shared<const AlarmTexts>(std::move(*texts));
+  auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine);
+  if (!machine) return wrong(machine.error());
+  opened.machine = std::move(*machine);
+  if (wish.setup.empty()) return opened;
+  auto file = setup_source(wish.setup);
+  if (!file) return wrong(file.error());
+  auto setup = read_setup({std::move(*file)}, opened.def.get(), wish.lang);
+  if (!setup) return wrong(setup.error());
+  opened.setup = std::move(setup->setup);
+  opened.stated = std::move(setup->stated);
+  if (const std::string error = Plc(opened.setup.events).error(); !error.empty()) return wrong(error);
+  return opened;
+}
+
+}  // namespace kadr

@@ -1,0 +1,45 @@
+#pragma once
+// Opening: a program of the folder with all that is needed to run it, as the page asks for it.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "config/alarm_texts.h"
+#include "config/guess.h"
+#include "session/session.h"
+
+namespace kadr {
+
+/// Places in the file system; empty where nothing is said.
+struct OpeningWish {
+  std::string path;
+  std::string control, machine, setup, encoding;
+  std::optional<std::string> text;  // UTF-8, run in the place of what the file holds
+  Lang lang = Lang::en;
+};
+
+struct OpenedProgram {
+  std::string path;
+  std::shared_ptr<const ControlDef> def;
+  std::shared_ptr<const AlarmTexts> texts;
+  MachineProfile machine;
+  Setup setup;
+  std::set<std::string> stated;  // PlacedSetup::stated
+  SaidEncoding encoding;
+  std::optional<Guess> guess;  // nothing: the control was named
+  std::optional<std::string> text;
+
+  /// Its text, the first program of a tape with several.
+  ///   returns  an error sentence
+  tl::expected<Program, std::string> program() const;
+  /// The same of another text.
+  tl::expected<Program, std::string> program_of(const std::string& other) const;
+  SessionSpec spec(Program program, const StopToken& stop) const;
+};
+
+/// returns  an error sentence: it cannot be read, is no program of a control that Kadr knows, the set-up is wrong
+tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish);
+
+}  // namespace kadr

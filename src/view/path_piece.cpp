@@ -1,0 +1,114 @@
+// Levels of detail and frames of a piece of path. For view/path_record; tested by tests/view/path_piece_test.cpp.
+
+#include "view/path_piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "view/frame_bytes.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t levels = 16;
+constexpr double finest = 0.001;        // mm: what level 0 may leave out is nothing, level 1 twice this
+constexpr std::size_t run_length = 256;  // vertices that are looked at together: the work is some eight times their number
+
+Vec3 place(const PathVertex& v) { return {double(v.at[0]), double(v.at[1]), double(v.at[2])}; }
+
+double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {
+  const Vec3 way = to - from;
+  const double square = dot(way, way);
+  const double along = square > 0 ? std::clamp(dot(p - from, way) / square, 0.0, 1.0) : 0;
+  return length(p - (from + along * way));
+}
+
+std::uint8_t level_of(double off) {
+  if (!(off > finest)) return 0;
+  return std::uint8_t(std::min(double(levels - 1), std::floor(std::log2(off / finest))));
+}
+
+/// What is drawn of it would change with the vertex.
+bool is_boundary(const PathVertex& a, const PathVertex& b) {
+  return a.kind != b.kind || a.tool != b.tool || a.file != b.file || a.feed != b.feed || b.kind == PathKind::jump;
+}
+
+/// Douglas and Peucker's division, each vertex no more important than the one that divided its stretch: so levels are nested.
+void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, double most) {
+  while (last - first > 1) {
+    const Vec3 from = place(v[first]), to = place(v[last]);
+    double farthest = -1;
+    std::size_t at = first + 1;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = distance_to_chord(place(v[i]), from, to);
+      if (off > farthest) farthest = off, at = i;
+    }
+    const double off = std::min(farthest, most);
+    v[at].level = level_of(off);
+    if (at - first < last - at) divide(v, first, at, off), first = at;  // the longer stretch in this loop: no deeper than log2
+    else divide(v, at, last, off), last = at;
+    most = off;
+  }
+}
+
+std::array<std::uint16_t, levels> kept_at(const PathPiece& piece) {
+  std::array<std::uint16_t, levels> kept{};
+  for (const PathVertex& v : piece.vertices)
+    for (std::size_t l = 0; l <= v.level; ++l) ++kept[l];
+  return kept;
+}
+
+void put_head(FrameBytes& frame, const PathPiece& piece) {
+  constexpr float big = std::numeric_limits<float>::max();
+  std::array<float, 3> least{big, big, big}, greatest{-big, -big, -big};
+  for (const PathVertex& v : piece.vertices)
+    for (std::size_t i = 0; i < 3; ++i) least[i] = std::min(least[i], v.at[i]), greatest[i] = std::max(greatest[i], v.at[i]);
+  frame.put(piece.begins);
+  frame.put(least);
+  frame.put(greatest);
+  frame.put(piece.first);
+  frame.put(piece.vertices.front().number);
+  frame.put(kept_at(piece));
+  frame.put(std::uint64_t{0});
+}
+
+}  // namespace
+
+void set_levels(PathPiece& piece) {
+  std::vector<PathVertex>& v = piece.vertices;
+  if (v.empty()) return;
+  v.front().level = v.back().level = levels - 1;
+  for (std::size_t first = 0; first + 1 < v.size();) {
+    std::size_t last = first + 1;
+    while (last + 1 < v.size() && last - first < run_length && !is_boundary(v[last], v[last + 1])) ++last;
+    v[last].level = levels - 1;
+    divide(v, first, last, std::numeric_limits<double>::infinity());
+    first = last;
+  }
+}
+
+std::string path_frame(const PathPiece& piece, std::uint32_t which, std::uint32_t channel) {
+  const std::vector<PathVertex>& v = piece.vertices;
+  FrameBytes frame(1, which, std::uint32_t(v.size()), channel);
+  constexpr std::size_t head = 96, row = 36;
+  frame.reserve(head + row * v.size());
+  put_head(frame, piece);
+  for (const PathVertex& x : v) frame.put(x.at);
+  for (const PathVertex& x : v) frame.put(x.time);
+  for (const PathVertex& x : v) frame.put(x.line);
+  for (const PathVertex& x : v) frame.put(x.number);
+  for (const PathVertex& x : v) frame.put(x.feed);
+  for (const PathVertex& x : v) frame.put(x.speed);
+  for (const PathVertex& x : v) frame.put(x.tool), frame.put(x.file);
+  for (const PathVertex& x : v) frame.put(x.kind), frame.put(x.level), frame.put(std::uint16_t{0});
+  return frame.take();
+}
+
+std::string directions_frame(const PathPiece& piece, std::uint32_t which, std::uint32_t channel) {
+  FrameBytes frame(2, which, std::uint32_t(piece.directions.size()), channel);
+  frame.put_all(piece.directions.data(), piece.directions.size());
+  return frame.take();
+}
+
+}  // namespace kadr

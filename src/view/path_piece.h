@@ -1,0 +1,49 @@
+#pragma once
+// PathPiece: some thousand vertices of a path as the page gets them (docs/panel-protocol.md, frames of kind 1 and 2).
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace kadr {
+
+enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
+
+/// What it says holds for the way that ends there.
+struct PathVertex {
+  std::array<float, 3> at{};  // mm
+  float time = 0;             // s since PathPiece::begins
+  std::uint32_t line = 0;
+  std::uint32_t number = 0;  // Origin::number
+  float feed = 0;            // as programmed, mm/min; 0 at rapid
+  float speed = 0;           // mean over the motion, mm/min
+  std::uint16_t tool = 0;    // in the spindle
+  std::uint16_t file = 0;    // Origin::file
+  PathKind kind = PathKind::jump;
+  std::uint8_t level = 0;
+};
+
+struct PathPiece {
+  static constexpr std::size_t most = 8192;  // vertices
+
+  double begins = 0;                             // s: of its first vertex
+  std::uint32_t first = 0;                       // number of its first vertex in the path
+  std::vector<PathVertex> vertices;              // the first is the last one of the piece before
+  std::vector<std::array<float, 3>> directions;  // of the tool at each; empty: it stands upright all along
+};
+
+/// Says at which level each vertex may go: leaving out those below level L the path is off by at most 0.001 · 2^L mm. Vertices where tool,
+/// kind, feed or file change stay at every level.
+///   law  the first and the last are kept at all levels
+void set_levels(PathPiece& piece);
+
+/// A frame of kind 1.
+///   which  0: the program, 1: what it is compared with; plus 2: as programmed
+std::string path_frame(const PathPiece& piece, std::uint32_t which, std::uint32_t channel);
+/// A frame of kind 2.
+std::string directions_frame(const PathPiece& piece, std::uint32_t which, std::uint32_t channel);
+
+}  // namespace kadr

@@ -1,0 +1,111 @@
+// Steps → vertices. For view/program_run; tested by tests/view/path_record_test.cpp.
+
+#include "view/path_record.h"
+
+#include <algorithm>
+
+namespace kadr {
+namespace {
+
+constexpr double chord = 0.002;      // mm that a chord may miss an arc
+constexpr double same_place = 1e-6;  // mm
+constexpr double seconds_a_minute = 60;
+
+PathKind kind_of(MotionKind kind) {
+  switch (kind) {
+    case MotionKind::rapid: return PathKind::rapid;
+    case MotionKind::feed: return PathKind::feed;
+    case MotionKind::arc_cw: return PathKind::arc_cw;
+    case MotionKind::arc_ccw: return PathKind::arc_ccw;
+    case MotionKind::probe: return PathKind::probe;
+    case MotionKind::home: return PathKind::home;
+    case MotionKind::thread: return PathKind::thread;
+    default: return PathKind::spline;
+  }
+}
+
+std::array<float, 3> single(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
+
+}  // namespace
+
+PathRecord::PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool)
+    : roles_(roles), way_(roles, chord, {}, std::move(tree), apart), tool_(tool) {}
+
+void PathRecord::begin_piece() {
+  PathPiece& piece = pieces_.emplace_back();
+  open_ = true;
+  piece.begins = last_time_;
+  piece.first = std::uint32_t(vertices_);
+  piece.vertices.reserve(pieces_.size() > 1 ? PathPiece::most : 64);
+}
+
+void PathRecord::add(const PathVertex& vertex, Vec3 at, Vec3 direction, double time) {
+  if (is_full()) return;
+  if (open_ && pieces_.back().vertices.size() >= PathPiece::most) flush();
+  if (!open_) {
+    const PathVertex before = pieces_.empty() ? PathVertex() : pieces_.back().vertices.back();
+    const bool leant = !pieces_.empty() && !pieces_.back().directions.empty();
+    const bool first = pieces_.empty();
+    begin_piece();
+    if (!first) {
+      pieces_.back().vertices.push_back(before);
+      pieces_.back().vertices.back().time = 0;
+      if (leant) pieces_.back().directions.push_back(single(last_direction_));
+    }
+  }
+  PathPiece& piece = pieces_.back();
+  if (piece.vertices.empty()) piece.begins = time;
+  if (piece.directions.empty() && direction != Vec3{0, 0, 1}) piece.directions.assign(piece.vertices.size(), {0, 0, 1});
+  const bool leans = !piece.directions.empty() || direction != Vec3{0, 0, 1};
+  piece.vertices.push_back(vertex);
+  piece.vertices.back().at = single(at);
+  piece.vertices.back().time = float(time - piece.begins);
+  if (leans) piece.directions.push_back(single(direction));
+  ++vertices_;
+  last_time_ = time;
+  last_ = at;
+  last_direction_ = direction;
+}
+
+void PathRecord::consume(const Step& step, double later, double longer) {
+  if (const auto* const change = std::get_if<ToolChange>(&step.action.what)) tool_ = change->tool;
+  way_.take(step, ways_);
+  const Motion* const motion = step.motion();
+  if (motion == nullptr || ways_.empty()) return;
+  const double begins = step.begins + later, seconds = step.time.seconds + longer;
+  PathVertex vertex;
+  vertex.line = step.action.origin.line;
+  vertex.number = step.action.origin.number;
+  vertex.file = step.action.origin.file;
+  vertex.tool = std::uint16_t(std::min<std::uint32_t>(tool_, 65535));
+  vertex.kind = kind_of(motion->kind);
+  const bool rapid = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home;
+  vertex.feed = rapid ? 0 : float(step.time.feed);
+  vertex.speed = seconds > 0 ? float(step.time.length / seconds * seconds_a_minute) : 0;
+  const WayPiece& start = ways_.front();
+  if (!begun_ || length(start.from - last_) > same_place) {
+    PathVertex there = vertex;
+    there.kind = PathKind::jump;
+    add(there, start.from, start.from_direction, begins);
+    begun_ = true;
+  }
+  for (const WayPiece& w : ways_) add(vertex, w.to, w.to_direction, begins + seconds * w.ends);
+}
+
+void PathRecord::flush() {
+  if (!open_) return;
+  open_ = false;
+  set_levels(pieces_.back());
+  if (on_piece) on_piece(pieces_.back());
+}
+
+const PathVertex* PathRecord::at(double instant) const {
+  const auto ends_before = [](const PathPiece& p, double t) { return p.vertices.empty() || time_of(p, p.vertices.back()) < t; };
+  const auto piece = std::partition_point(pieces_.begin(), pieces_.end(), [&](const PathPiece& p) { return ends_before(p, instant); });
+  if (piece == pieces_.end()) return nullptr;
+  const auto vertex = std::partition_point(piece->vertices.begin(), piece->vertices.end(),
+                                           [&](const PathVertex& v) { return time_of(*piece, v) < instant; });
+  return vertex == piece->vertices.end() ? nullptr : &*vertex;
+}
+
+}  // namespace kadr

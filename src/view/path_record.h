@@ -1,0 +1,55 @@
+#pragma once
+// PathRecord: the way of the tool over the part, kept for the page: from Steps to pieces of vertices.
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "session/cutting/tool_way.h"
+#include "view/path_piece.h"
+
+namespace kadr {
+
+class PathRecord {
+ public:
+  /// `tool`: in the spindle at the start. The rest as of ToolWay.
+  PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool);
+
+  /// Gets each piece when it is complete; the reference holds until the record goes.
+  std::function<void(const PathPiece&)> on_piece;
+
+  ///   later, longer  s that the step begins later and takes longer on the machine than it was timed
+  void consume(const Step& step, double later, double longer);
+  /// What has come so far is a piece.
+  void flush();
+  /// A vertex more would be too many: nothing more is kept.
+  bool is_full() const { return vertices_ >= most_vertices; }
+
+  const std::deque<PathPiece>& pieces() const { return pieces_; }
+  std::size_t vertices() const { return vertices_; }
+  /// Where the picture's zero is, machine coordinates.
+  Vec3 zero() const { return way_.zero().value_or(way_.present_zero()); }
+  /// The vertex at which the tool arrives at or after an instant; nullptr: the path is over before.
+  const PathVertex* at(double instant) const;
+  /// Its time, s.
+  static double time_of(const PathPiece& piece, const PathVertex& vertex) { return piece.begins + double(vertex.time); }
+
+ private:
+  static constexpr std::size_t most_vertices = 20'000'000;
+  void add(const PathVertex& vertex, Vec3 at, Vec3 direction, double time);
+  void begin_piece();
+
+  AxisRoles roles_;
+  ToolWay way_;
+  std::uint32_t tool_;
+  std::vector<WayPiece> ways_;
+  std::deque<PathPiece> pieces_;  // the last one is being filled, unless flushed
+  bool open_ = false;
+  std::size_t vertices_ = 0;
+  double last_time_ = 0;
+  Vec3 last_, last_direction_{0, 0, 1};
+  bool begun_ = false;
+};
+
+}  // namespace kadr

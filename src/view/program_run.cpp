@@ -1,0 +1,144 @@
+// A program carried out for the page. For view/page_session; tested by tests/view/program_run_test.cpp, tests/serve.py.
+
+#include "view/program_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "config/rapid_way.h"
+#include "config/told.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t most_marks = 10'000;
+constexpr std::size_t most_checkpoints = 128;  // each some 100 KB
+constexpr std::int64_t told_every = 100;       // ms
+constexpr double short_dwell = 0.05;           // s: no mark
+
+std::int64_t now_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+std::shared_ptr<const MachineTree> tree_of(const OpenedProgram& opened, const Control& control) {
+  return std::make_shared<MachineTree>(opened.machine, control.axes());
+}
+
+std::optional<Axes> apart_of(const OpenedProgram& opened, const Control& control) {
+  if (!rapids_apart(*opened.def, opened.setup, control.axes())) return std::nullopt;
+  return rates_of(opened.machine, opened.setup, control.axes()).rapid;
+}
+
+tl::expected<std::unique_ptr<ProgramRun>, std::string> ProgramRun::make(const OpenedProgram& opened, const StopToken& stop) {
+  std::unique_ptr<ProgramRun> run(new ProgramRun(opened, stop));
+  auto program = opened.program();
+  if (!program) return tl::unexpected(program.error());
+  auto session = Session::open(opened.spec(std::move(*program), stop));
+  if (!session) return tl::unexpected(told(session.error().fault.en, session.error().fault.ru));
+  run->session_ = std::move(*session);
+  run->attach();
+  return run;
+}
+
+void ProgramRun::attach() {
+  const Channel& own = session_->channels()[session_->own()];
+  const Control& control = *own.control;
+  const AxisRoles roles = AxisRoles::of(control.axes(), control.rotary());
+  const auto tool = std::uint32_t(std::max(own.setup.tool, 0));
+  record_ = std::make_unique<PathRecord>(roles, tree_of(opened_, control), apart_of(opened_, control), tool);
+  record_->on_piece = [this](const PathPiece& piece) {
+    if (on_piece) on_piece(piece);
+  };
+  statistics_ = std::make_unique<Statistics>(control.axes(), control.rotary(), rates_of(opened_.machine, own.setup, control.axes()));
+  statistics_->start_with(own.setup.spindle().rpm, tool);
+  const auto rules = session_->look_ahead();
+  if (rules) statistics_->count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
+  Outlets& outlets = session_->outlets();
+  const auto tell = [this](const AlarmReport& report) {
+    statistics_->count(report.alarm.severity);
+    const bool stands = report.alarm.severity == Severity::alarm;
+    add_mark({seconds_, stands ? TimeMark::Kind::alarm : TimeMark::Kind::warning, report.origin.line,
+              sentence_of(report, *opened_.texts, told_lang())});
+    if (on_alarm) on_alarm(report, seconds_);
+  };
+  outlets.warning = tell;
+  outlets.alarm = [tell](const AlarmReport& report) { return tell(report), false; };
+  outlets.clock = &statistics_->clock();
+  outlets.stop = stop_;
+  outlets.works_long = true;
+  const bool planned = rules.has_value();
+  outlets.step = [this, planned](const Step& step) {
+    statistics_->consume(step);
+    if (!planned) take(step, 0);
+  };
+  if (planned)
+    outlets.timed = [this](const Step& step, double longer) {
+      if (const Motion* const motion = step.motion(); motion != nullptr && longer != 0) statistics_->lengthen(*motion, longer);
+      take(step, longer);
+    };
+}
+
+void ProgramRun::take(const Step& step, double longer) {
+  mark(step, step.begins + later_);
+  record_->consume(step, later_, longer);
+  later_ += longer;
+  seconds_ = step.begins + step.time.seconds + step.pause + later_;
+}
+
+void ProgramRun::add_mark(TimeMark mark) {
+  if (marks_.size() < most_marks) marks_.push_back(std::move(mark));
+}
+
+void ProgramRun::mark(const Step& step, double at) {
+  const auto& what = step.action.what;
+  const std::uint32_t line = step.action.origin.line;
+  using Kind = TimeMark::Kind;
+  if (const auto* const change = std::get_if<ToolChange>(&what)) add_mark({at, Kind::tool, line, "T" + std::to_string(change->tool)});
+  else if (const auto* const stop = std::get_if<Stop>(&what)) add_mark({at, stop->optional ? Kind::optional_stop : Kind::stop, line, {}});
+  else if (const auto* const message = std::get_if<Message>(&what)) add_mark({at, Kind::message, line, message->text});
+  else if (const auto* const dwell = std::get_if<Dwell>(&what); dwell != nullptr && dwell->seconds > short_dwell)
+    add_mark({at, Kind::dwell, line, {}});
+}
+
+/// Where there are too many every second one goes.
+void ProgramRun::keep_checkpoint() {
+  auto now = session_->snapshot();
+  if (!now) return;
+  if (checkpoints_.size() >= most_checkpoints) {
+    std::vector<RunCheckpoint> half;
+    for (std::size_t i = 0; i < checkpoints_.size(); i += 2) half.push_back(std::move(checkpoints_[i]));
+    checkpoints_ = std::move(half);
+    apart_ *= 2;
+  }
+  checkpoints_.push_back({session_->control().blocks(), std::move(*now)});
+}
+
+void ProgramRun::tell_progress() {
+  const std::int64_t now = now_ms();
+  if (!on_progress || now - told_at_ < told_every) return;
+  told_at_ = now;
+  const Control& control = session_->settled_control();
+  const double bytes = double(control.bytes());
+  on_progress(bytes > 0 ? std::min(double(control.bytes_read()) / bytes, 1.0) : 0, session_->blocks(), seconds_);
+}
+
+void ProgramRun::carry_out() {
+  const bool alone = session_->channels().size() == 1;
+  std::uint64_t kept = 0;
+  if (alone) keep_checkpoint();
+  Session::State state = Session::State::running;
+  while (state == Session::State::running && !stop_.asked()) {
+    state = session_->go_on();
+    if (!alone) continue;
+    if (session_->blocks() - kept >= apart_ && state == Session::State::running) kept = session_->blocks(), keep_checkpoint();
+    tell_progress();
+  }
+  end_ = stop_.asked() ? End::cancelled : state == Session::State::stopped ? End::stopped : End::ended;
+  record_->flush();
+  add_mark({seconds_, TimeMark::Kind::end, 0, {}});
+}
+
+}  // namespace kadr

@@ -1,0 +1,83 @@
+#pragma once
+// ProgramRun: a program carried out for the page, once, from its beginning: its path, its marks, its figures, and snapshots from which any
+// instant is reached again.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "out/text/summary.h"
+#include "view/opening.h"
+#include "view/path_record.h"
+
+namespace kadr {
+
+/// Something on the time line.
+struct TimeMark {
+  enum class Kind : std::uint8_t { tool, alarm, warning, stop, optional_stop, message, dwell, end };
+  double at = 0;
+  Kind kind = Kind::tool;
+  std::uint32_t line = 0;
+  std::string text;  // of the program: to be escaped where it is shown
+};
+
+/// From where the session goes on, and which block comes then.
+struct RunCheckpoint {
+  std::uint64_t blocks;
+  SessionSnapshot snapshot;
+};
+
+class ProgramRun {
+ public:
+  /// returns  an error sentence: the set-up names what the control has not
+  static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
+
+  std::function<void(const PathPiece&)> on_piece;
+  std::function<void(const AlarmReport&, double at)> on_alarm;
+  /// Some times a second: how far it has come.
+  std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
+
+  /// To the end, an alarm or a stop.
+  void carry_out();
+
+  enum class End : std::uint8_t { ended, stopped, cancelled };
+  End end() const { return end_; }
+  const PathRecord& path() const { return *record_; }
+  const Statistics& statistics() const { return *statistics_; }
+  const std::vector<TimeMark>& marks() const { return marks_; }
+  const std::vector<RunCheckpoint>& checkpoints() const { return checkpoints_; }
+  const OpenedProgram& opened() const { return opened_; }
+  Session& session() { return *session_; }
+  const Control& control() const { return session_->control(); }
+  double seconds() const { return seconds_; }
+  std::uint64_t blocks() const { return session_->blocks(); }
+
+ private:
+  ProgramRun(const OpenedProgram& opened, const StopToken& stop) : opened_(opened), stop_(stop) {}
+  void attach();
+  void take(const Step& step, double longer);
+  void mark(const Step& step, double at);
+  void add_mark(TimeMark mark);
+  void keep_checkpoint();
+  void tell_progress();
+
+  OpenedProgram opened_;
+  StopToken stop_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<PathRecord> record_;
+  std::unique_ptr<Statistics> statistics_;
+  std::vector<TimeMark> marks_;
+  std::vector<RunCheckpoint> checkpoints_;
+  std::uint64_t apart_ = 4096;  // blocks between two of them
+  double later_ = 0;            // s by which the machine is behind the programmed time
+  double seconds_ = 0;
+  std::int64_t told_at_ = 0;  // ms of the steady clock
+  End end_ = End::ended;
+};
+
+/// What the machine of a program is for whoever follows its tool.
+std::shared_ptr<const MachineTree> tree_of(const OpenedProgram& opened, const Control& control);
+std::optional<Axes> apart_of(const OpenedProgram& opened, const Control& control);
+
+}  // namespace kadr

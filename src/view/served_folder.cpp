@@ -1,0 +1,246 @@
+// A folder and nothing beyond it. For view/page_session; tested by tests/view/served_folder_test.cpp.
+
+#include "view/served_folder.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <linux/openat2.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "base/ascii.h"
+#include "config/read_file.h"
+#include "config/told.h"
+
+namespace kadr {
+namespace {
+
+class OpenFile {
+ public:
+  explicit OpenFile(int fd) : fd_(fd) {}
+  OpenFile(OpenFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  OpenFile& operator=(OpenFile&&) = delete;
+  ~OpenFile() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  int fd() const { return fd_; }
+  bool is_open() const { return fd_ >= 0; }
+
+ private:
+  int fd_;
+};
+
+/// Beneath a folder; no link is followed.
+OpenFile open_beneath(int folder, const std::string& name, int flags, mode_t mode = 0) {
+  open_how how{};
+  how.flags = std::uint64_t(flags) | O_CLOEXEC | O_NONBLOCK;
+  how.mode = mode;
+  how.resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS | RESOLVE_NO_MAGICLINKS;
+  return OpenFile(int(::syscall(SYS_openat2, folder, name.empty() ? "." : name.c_str(), &how, sizeof how)));
+}
+
+/// A part of it is hidden, or none at all.
+bool is_hidden(std::string_view name) {
+  if (name.empty() || name.find('\0') != std::string_view::npos || name.front() == '/') return true;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('/', begin), name.size());
+    if (end == begin || name[begin] == '.') return true;
+    begin = end + 1;
+  }
+  return false;
+}
+
+std::string refusal(const std::string& file) {
+  return fmt::format("{}: {}", file, told("not a file of this folder", "такого файла в этой папке нет"));
+}
+std::string of_errno(const std::string& file, int error) {
+  if (error == EXDEV || error == ELOOP) return refusal(file);
+  return fmt::format("{}: {}", file, told_errno(error));
+}
+
+std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a, 64 bits: a change is to be seen, nobody is to be kept from making one
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+FileDigest digest_of(const struct stat& stat, std::string_view bytes) {
+  return fmt::format("{}-{}.{:09}-{:016x}", stat.st_size, stat.st_mtim.tv_sec, stat.st_mtim.tv_nsec, hash_of(bytes));
+}
+
+struct Opened {
+  OpenFile file;
+  struct stat stat;
+};
+tl::expected<Opened, std::string> open_regular(int folder, const std::string& name) {
+  if (is_hidden(name)) return tl::unexpected(refusal(name));
+  Opened opened{open_beneath(folder, name, O_RDONLY), {}};
+  if (!opened.file.is_open()) return tl::unexpected(of_errno(name, errno));
+  if (::fstat(opened.file.fd(), &opened.stat) != 0) return tl::unexpected(of_errno(name, errno));
+  if (!S_ISREG(opened.stat.st_mode)) return tl::unexpected(refusal(name));
+  return opened;
+}
+
+tl::expected<std::string, int> all_of(int fd, std::size_t size) {
+  std::string bytes(size, '\0');
+  std::size_t got = 0;
+  while (got < size) {
+    const ssize_t n = ::read(fd, bytes.data() + got, size - got);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return tl::unexpected(errno);
+    if (n == 0) break;
+    got += std::size_t(n);
+  }
+  bytes.resize(got);
+  return bytes;
+}
+
+bool write_all(int fd, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(fd, text.data(), text.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    text.remove_prefix(std::size_t(n));
+  }
+  return ::fsync(fd) == 0;
+}
+
+std::string folder_part(const std::string& file) {
+  const std::size_t slash = file.rfind('/');
+  return slash == std::string::npos ? std::string() : file.substr(0, slash);
+}
+
+constexpr std::size_t most_hashed = std::size_t{64} << 20;
+
+}  // namespace
+
+FolderEntry::Kind kind_of_file(std::string_view name) {
+  using Kind = FolderEntry::Kind;
+  const std::size_t dot = name.rfind('.');
+  std::string ending;
+  if (dot != std::string_view::npos)
+    for (const char c : name.substr(dot + 1)) ending += (c >= 'A' && c <= 'Z') ? char(c - 'A' + 'a') : c;
+  constexpr std::array no_programs = {"png", "svg",  "jpg", "jpeg", "gif", "pdf", "stl", "3mf", "zip", "gz",  "html", "htm", "md",  "csv",
+                                      "xml", "docx", "doc", "xls",  "exe", "dll", "so",  "o",   "py",  "db", "sqlite", "dxf", "ply", "log"};
+  if (ending == "json") return Kind::setup;
+  if (ending == "toml" || ending == "tbl" || ending == "fctb") return Kind::tools;
+  return std::find(no_programs.begin(), no_programs.end(), ending) == no_programs.end() ? Kind::program : Kind::other;
+}
+
+tl::expected<ServedFolder, std::string> ServedFolder::open(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::canonical(path, error);
+  if (error) return tl::unexpected(fmt::format("{}: {}", path, told_errno(error.value())));
+  const int fd = ::open(real.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return tl::unexpected(fmt::format("{}: {}", path, told_errno(errno)));
+  return ServedFolder(fd, real.string(), real.filename().string());
+}
+
+ServedFolder::ServedFolder(ServedFolder&& other) noexcept
+    : fd_(std::exchange(other.fd_, -1)), path_(std::move(other.path_)), name_(std::move(other.name_)) {}
+
+ServedFolder::~ServedFolder() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+tl::expected<FolderList, std::string> ServedFolder::list(const std::string& folder) const {
+  if (!folder.empty() && is_hidden(folder)) return tl::unexpected(refusal(folder));
+  OpenFile opened = open_beneath(fd_, folder, O_RDONLY | O_DIRECTORY);
+  if (!opened.is_open()) return tl::unexpected(of_errno(folder, errno));
+  const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(::dup(opened.fd())), ::closedir);
+  if (!rows) return tl::unexpected(of_errno(folder, errno));
+  FolderList list;
+  while (const dirent* const row = ::readdir(rows.get())) {
+    const std::string name = row->d_name;
+    struct stat stat;
+    if (is_hidden(name) || ::fstatat(opened.fd(), name.c_str(), &stat, AT_SYMLINK_NOFOLLOW) != 0) continue;
+    const bool is_folder = S_ISDIR(stat.st_mode);
+    if (!is_folder && !S_ISREG(stat.st_mode)) continue;
+    if (list.entries.size() >= most_entries) {
+      list.more = true;
+      break;
+    }
+    list.entries.push_back({name, is_folder ? FolderEntry::Kind::folder : kind_of_file(name), std::uint64_t(stat.st_size), stat.st_mtim.tv_sec});
+  }
+  std::sort(list.entries.begin(), list.entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
+    const bool af = a.kind == FolderEntry::Kind::folder, bf = b.kind == FolderEntry::Kind::folder;
+    return af != bf ? af : a.name < b.name;
+  });
+  return list;
+}
+
+tl::expected<std::string, std::string> ServedFolder::path_of(const std::string& file) const {
+  const auto opened = open_regular(fd_, file);
+  if (!opened) return tl::unexpected(opened.error());
+  return path_ + "/" + file;
+}
+
+tl::expected<FileText, std::string> ServedFolder::read(const std::string& file, std::size_t most) const {
+  const auto opened = open_regular(fd_, file);
+  if (!opened) return tl::unexpected(opened.error());
+  const auto size = std::size_t(opened->stat.st_size);
+  if (size > most)
+    return tl::unexpected(fmt::format("{}: {}", file, fmt::format(fmt::runtime(told("longer than {} MiB", "длиннее {} МиБ")), most >> 20)));
+  auto bytes = all_of(opened->file.fd(), size);
+  if (!bytes) return tl::unexpected(of_errno(file, bytes.error()));
+  FileDigest digest = digest_of(opened->stat, *bytes);
+  return FileText{std::move(*bytes), std::move(digest)};
+}
+
+tl::expected<FileDigest, std::string> ServedFolder::digest(const std::string& file) const {
+  const auto opened = open_regular(fd_, file);
+  if (!opened) return tl::unexpected(opened.error());
+  if (std::size_t(opened->stat.st_size) > most_hashed) return digest_of(opened->stat, "");
+  const auto text = read(file, most_hashed);
+  if (!text) return tl::unexpected(text.error());
+  return text->digest;
+}
+
+tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::string& file, std::string_view text,
+                                                                   const std::optional<FileDigest>& replaces) const {
+  const FolderEntry::Kind kind = kind_of_file(file);
+  if (is_hidden(file) || kind == FolderEntry::Kind::other) return tl::unexpected(Refused{refusal(file)});
+  if (text.size() > most_saved)
+    return tl::unexpected(Refused{fmt::format("{}: {}", file, told("too long to be saved here", "слишком длинный, чтобы сохранить его здесь"))});
+  const auto now = digest(file);
+  if (now ? !replaces || *now != *replaces : replaces.has_value())
+    return tl::unexpected(Refused{fmt::format("{}: {}", file, told("has been changed since it was read", "изменён с тех пор, как был прочитан")), true});
+  if (!now && open_beneath(fd_, file, O_PATH | O_NOFOLLOW).is_open()) return tl::unexpected(Refused{refusal(file)});  // a link, a device
+  const std::string folder = folder_part(file), last = file.substr(folder.empty() ? 0 : folder.size() + 1);
+  const OpenFile beside = open_beneath(fd_, folder, O_RDONLY | O_DIRECTORY);
+  if (!beside.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
+  static std::atomic<unsigned> count{0};
+  const std::string unfinished = fmt::format(".{}.{}.{}.kadr", last, ::getpid(), ++count);
+  mode_t mode = 0644;
+  if (struct stat stat; now && ::fstatat(beside.fd(), last.c_str(), &stat, AT_SYMLINK_NOFOLLOW) == 0) mode = stat.st_mode & 0777;
+  const OpenFile made = open_beneath(beside.fd(), unfinished, O_WRONLY | O_CREAT | O_EXCL, mode);
+  if (!made.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
+  const auto give_up = [&](int error) {
+    ::unlinkat(beside.fd(), unfinished.c_str(), 0);
+    return tl::unexpected(Refused{of_errno(file, error)});
+  };
+  if (!write_all(made.fd(), text)) return give_up(errno);
+  // What is not to be replaced must not be there by now either: a link in its place fails where there is something.
+  if (!now) {
+    if (::linkat(beside.fd(), unfinished.c_str(), beside.fd(), last.c_str(), 0) != 0) return give_up(errno);
+    ::unlinkat(beside.fd(), unfinished.c_str(), 0);
+  } else if (::renameat(beside.fd(), unfinished.c_str(), beside.fd(), last.c_str()) != 0) {
+    return give_up(errno);
+  }
+  (void)::fsync(beside.fd());
+  const auto saved = digest(file);
+  if (!saved) return tl::unexpected(Refused{saved.error()});
+  return *saved;
+}
+
+}  // namespace kadr
