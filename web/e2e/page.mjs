@@ -142,6 +142,25 @@ const steps = {
     await ended();
     await until("the same instant", async () => Math.abs((await now()) - stood) < 0.2);
   },
+  async "saves, but not over what somebody else has changed"() {
+    const add = async (comment) => {
+      await page.locator(".cm-content").focus();
+      await page.keyboard.press("Control+End");
+      await page.keyboard.insertText(`\n${comment}`);
+      await until("unsaved", () => count(".dirty"));
+      await page.keyboard.press("Control+s");
+    };
+    await add("(MINE)");
+    await until("saved", async () => !(await count(".dirty")));
+    await ended();
+    kadr.change();
+    await add("(CONFLICT)");
+    await until("the question", () => count("dialog button.main"));
+    await page.screenshot({ path: join(pictures, "conflict.png") });
+    await page.click("dialog button.main");
+    await until("the one on the disk", async () => !(await count(".dirty")) && !(await page.locator(".cm-content").textContent()).includes("CONFLICT"));
+    await ended();
+  },
   async "two versions side by side"() {
     await page.click(".topbar button:has-text('Compare')");
     await until("the other programs", () => count(".compare option"));

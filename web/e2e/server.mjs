@@ -1,6 +1,6 @@
 // The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers.
 import { spawn } from "node:child_process";
-import { cpSync, mkdtempSync, rmSync } from "node:fs";
+import { appendFileSync, cpSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -30,7 +30,7 @@ async function real(kadr, examples) {
   address = first;
   return {
     address: () => address, prepare: async () => {}, path: ["cut", "plate.nc"], line: "N60 G1 Z0", before: "N60 G1 Z0 F400",
-    lose: stop, regain: async () => { address = (await start(Number(port)))[1]; },
+    change: () => appendFileSync(join(folder, "cut", "plate.nc"), "(somebody else)\n"), lose: stop, regain: async () => { address = (await start(Number(port)))[1]; },
     close: async () => { await stop(); rmSync(folder, { recursive: true, force: true }); },
   };
 }
@@ -45,6 +45,7 @@ async function made_up() {
       open.push(ws);
       ws.onMessage(session((m) => { try { ws.send(typeof m === "string" ? m : Buffer.from(m)); } catch { /* the page has gone */ } }));
     }),
+    change: () => {}, // the made-up session refuses a text that says CONFLICT
     lose: async () => { lost = true; for (const ws of open.splice(0)) await ws.close(); },
     regain: async () => { lost = false; },
     close: async () => files.close(),

@@ -37,7 +37,11 @@ const app = new App(() => new WebSocket(address) as unknown as Socket);
 const player = new Player(app);
 let shapes: Shape[] = [], stock: SceneBox[] = [];
 
-const scene_pane = new ScenePane(app, (v) => { app.seek(v.time); source.show(v.line); });
+const scene_pane = new ScenePane(app, (v) => {
+  if (v.which & 1) return; // the other version's path has no place on this program's slider
+  app.seek(v.time);
+  if (v.file === 0) source.show(v.line);
+});
 const scene = scene_pane.scene;
 const source = new SourcePane(app, (line, file) => void go_to_line(line, file));
 const state = new StatePane(app, (line, file) => void go_to_line(line, file));
