@@ -161,6 +161,21 @@ const steps = {
     await until("the one on the disk", async () => !(await count(".dirty")) && !(await page.locator(".cm-content").textContent()).includes("CONFLICT"));
     await ended();
   },
+  async "a reload keeps what was not saved"() {
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+End");
+    await page.keyboard.insertText("\n(NOT SAVED)");
+    await until("unsaved", () => count(".dirty"));
+    await page.waitForTimeout(600); // it is kept a little after the last key
+    await page.reload();
+    await ended();
+    await until("the text and its mark", async () => (await page.locator(".cm-content").textContent()).includes("NOT SAVED") && (await count(".dirty")));
+    await page.locator(".cm-line", { hasText: "NOT SAVED" }).click();
+    await page.keyboard.press("Shift+Home");
+    await page.keyboard.press("Backspace");
+    await page.keyboard.press("Backspace");
+    await until("the saved text again", async () => !(await count(".dirty")));
+  },
   async "two versions side by side"() {
     await page.click(".topbar button:has-text('Compare')");
     await until("the other programs", () => count(".compare option"));
