@@ -1,0 +1,226 @@
+// What a user does, in a real browser: node e2e/page.mjs [EXAMPLES] [PICTURES]; KADR=…/kadr for the real server. Exit status 1 when a step fails.
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { browser, until } from "./browser.mjs";
+import { server } from "./server.mjs";
+
+const examples = process.argv[2] ?? fileURLToPath(new URL("../../examples", import.meta.url));
+const pictures = process.argv[3] ?? "/tmp/kadr-page";
+mkdirSync(pictures, { recursive: true });
+const kadr = await server(examples);
+const { page, errors, close } = await browser();
+await kadr.prepare(page);
+const count = (what) => page.locator(what).count();
+const text = (what) => page.locator(what).first().textContent();
+const now = async () => Number(await page.locator(".slider").getAttribute("aria-valuenow"));
+const ended = () => until("the run's end", () => count(".run-told.ended, .run-told.stopped"), 30000);
+const line = () => text(".state .block-told .dim");
+const must = (yes, what) => { if (!yes) throw new Error(what); };
+
+const steps = {
+  async "opens, and takes the token out of the address"() {
+    await page.goto(kadr.address());
+    await until("files", () => count(".file-row"));
+    must(!page.url().includes("token"), "the token is still in the address");
+  },
+  async "runs an example to its end"() {
+    for (const name of kadr.path) {
+      const row = page.locator(".file-row", { has: page.locator(`.file-name:text-is("${name}")`) });
+      await row.click();
+    }
+    await ended();
+    must((await text(".state .positions")).length > 20, "no positions");
+    must(await count(".strip canvas"), "no speed strip");
+  },
+  async "a click on a line goes to its pass"() {
+    const before = await now();
+    await page.locator(".cm-line", { hasText: "N60" }).first().click({ position: { x: 30, y: 8 } });
+    await until("another instant", async () => (await now()) !== before);
+    await until("the block", async () => (await text(".block-text")).includes("N60"));
+  },
+  async "a click on a segment goes to its line"() {
+    const canvas = page.locator(".scene-host canvas").first();
+    if (!(await count(".scene-host canvas"))) return "no canvas";
+    const box = await canvas.boundingBox();
+    await page.locator(".slider").focus();
+    await page.keyboard.press("Home");
+    await until("the start", async () => (await now()) === 0);
+    for (let y = 0.25; y < 0.8; y += 0.02) for (let x = 0.2; x < 0.8; x += 0.02) {
+      const at = [box.x + x * box.width, box.y + y * box.height];
+      await page.mouse.move(...at);
+      if (await page.locator(".scene-tip").isHidden()) continue;
+      await page.mouse.click(...at);
+      await until("the clicked segment's instant", async () => (await now()) > 0, 3000);
+      return;
+    }
+    throw new Error("no segment found under the mouse");
+  },
+  async "the slider goes back and forth by keys and mouse"() {
+    const slider = page.locator(".slider");
+    await slider.focus();
+    await page.keyboard.press("End");
+    await until("the end", async () => (await now()) > 1);
+    const end = await now(), last = await text(".block-text");
+    await page.keyboard.press("Home");
+    await until("the start", async () => (await now()) === 0);
+    await page.keyboard.press("Shift+ArrowRight");
+    await until("ten blocks on", async () => (await text(".block-text")) !== last);
+    const box = await slider.boundingBox();
+    await page.mouse.click(box.x + box.width * 0.5, box.y + box.height - 9);
+    await until("the middle", async () => Math.abs((await now()) - end / 2) < end * 0.02);
+    await page.keyboard.press("ArrowLeft");
+    await until("a block back", async () => (await now()) <= end / 2);
+  },
+  async "plays and pauses"() {
+    const before = await now();
+    await page.keyboard.press("Space");
+    await until("it plays", async () => (await now()) > before);
+    await page.keyboard.press("Space");
+    const stands = await now();
+    await page.waitForTimeout(300);
+    must((await now()) === stands, "it does not stand");
+  },
+  async "a line edited into an alarm is told with its hint, and undone"() {
+    await page.locator(".cm-line", { hasText: "N60" }).first().click({ position: { x: 30, y: 8 } });
+    await page.keyboard.press("Home");
+    await page.keyboard.press("Shift+End");
+    await page.keyboard.insertText(kadr.line);
+    await page.click("[data-tab=problems]");
+    await until("the alarm", () => count(".problems .alarm"));
+    if (await count("details.problem-group.alarm:not([open])")) await page.click("details.problem-group.alarm summary");
+    await until("its hint", async () => (await text(".problems .alarm .hint")).length > 5);
+    await page.screenshot({ path: join(pictures, "alarm.png") });
+    for (let i = 0; i < 5 && (await count(".dirty")); i++) { await page.locator(".cm-content").focus(); await page.keyboard.press("Control+z"); }
+    await until("the old text", async () => !(await count(".dirty")));
+    await until("no alarm any more", async () => !(await count(".problems .alarm")));
+  },
+  async "cuts, shows the part at an instant"() {
+    await page.click("[data-tab=cut_tab]");
+    await until("the form", () => count(".cut-run button"));
+    await page.click(".cut-run button");
+    await until("what is left", () => count(".cut .facts"), 60000);
+    await until("the part", async () => (await page.locator(".cut .note").count()) > 0, 20000);
+    await page.screenshot({ path: join(pictures, "cut.png") });
+  },
+  async "section and measuring"() {
+    await page.selectOption(".scene-bar.below select", "0");
+    await until("the place of the section", async () => /X/.test(await text(".section-told")));
+    await page.selectOption(".scene-bar.below select", "");
+    await page.locator(".slider").focus();
+    await page.keyboard.press("m");
+    must((await text(".scene-told")).length > 5, "measuring does not say how");
+    await page.keyboard.press("Escape");
+    must((await text(".scene-told")) === "", "measuring does not end");
+  },
+  async "two languages"() {
+    await page.click(".switch [lang=ru]");
+    await until("Russian", async () => (await text("[data-tab=summary]")) === "Сводка");
+    await ended();
+    await page.screenshot({ path: join(pictures, "ru.png") });
+    must((await page.getAttribute("html", "lang")) === "ru", "html lang");
+    await page.click(".switch [lang=en]");
+    await until("English", async () => (await text("[data-tab=summary]")) === "Summary");
+    await ended();
+  },
+  async "loses the connection and comes back to the same instant"() {
+    await page.locator(".slider").focus();
+    await page.keyboard.press("End");
+    await until("the end", async () => (await now()) > 1);
+    await page.waitForTimeout(500);
+    const stood = await now(), where = await line();
+    await kadr.lose();
+    await until("the banner", () => page.locator(".banner").isVisible());
+    await kadr.regain();
+    await until("no banner", async () => !(await page.locator(".banner").isVisible()));
+    await ended();
+    await until("the same instant", async () => Math.abs((await now()) - stood) < 0.2 && (await line()) === where);
+  },
+  async "a reload keeps file and instant"() {
+    const stood = await now();
+    await page.reload();
+    await ended();
+    await until("the same instant", async () => Math.abs((await now()) - stood) < 0.2);
+  },
+  async "saves, but not over what somebody else has changed"() {
+    const add = async (comment) => {
+      await page.locator(".cm-content").focus();
+      await page.keyboard.press("Control+End");
+      await page.keyboard.insertText(`\n${comment}`);
+      await until("unsaved", () => count(".dirty"));
+      await page.keyboard.press("Control+s");
+    };
+    await add("(MINE)");
+    await until("saved", async () => !(await count(".dirty")));
+    await ended();
+    kadr.change();
+    await add("(CONFLICT)");
+    await until("the question", () => count("dialog button.main"));
+    await page.screenshot({ path: join(pictures, "conflict.png") });
+    await page.click("dialog button.main");
+    await until("the one on the disk", async () => !(await count(".dirty")) && !(await page.locator(".cm-content").textContent()).includes("CONFLICT"));
+    await ended();
+  },
+  async "a reload keeps what was not saved"() {
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+End");
+    await page.keyboard.insertText("\n(NOT SAVED)");
+    await until("unsaved", () => count(".dirty"));
+    await page.waitForTimeout(600); // it is kept a little after the last key
+    await page.reload();
+    await ended();
+    await until("the text and its mark", async () => (await page.locator(".cm-content").textContent()).includes("NOT SAVED") && (await count(".dirty")));
+    await page.locator(".cm-line", { hasText: "NOT SAVED" }).click();
+    await page.keyboard.press("Shift+Home");
+    await page.keyboard.press("Backspace");
+    await page.keyboard.press("Backspace");
+    await until("the saved text again", async () => !(await count(".dirty")));
+  },
+  async "two versions side by side"() {
+    await page.click(".topbar button:has-text('Compare')");
+    await until("the other programs", () => count(".compare option"));
+    await page.selectOption(".compare select", { index: 0 });
+    await page.click(".compare button.main");
+    await until("what differs", async () => /path/i.test((await text(".compare .note")) ?? ""), 30000);
+    await page.screenshot({ path: join(pictures, "compare.png") });
+    await page.click("dialog.docked .dialog-head button");
+    await until("it closes", async () => !(await count("dialog")));
+  },
+  async "shop mode: targets of 44 pixels, everything has a name"() {
+    await page.click(".topbar button:has-text('Shop')");
+    await page.waitForTimeout(200);
+    const bad = await page.evaluate(() => [...document.querySelectorAll("button, select, input:not([type=checkbox]), summary")].filter((e) => e.checkVisibility() && !e.closest(".cm-editor")).flatMap((e) => {
+      const box = e.getBoundingClientRect(), name = (e.getAttribute("aria-label") ?? e.textContent ?? "").trim() || e.closest("label")?.textContent?.trim() || e.title;
+      return [...(box.height < 43.5 ? [`${Math.round(box.height)} px: ${e.className} ${name}`] : []), ...(name ? [] : [`no name: ${e.outerHTML.slice(0, 80)}`])];
+    }));
+    await page.screenshot({ path: join(pictures, "shop.png") });
+    await page.click(".topbar button:has-text('Shop')");
+    must(!bad.length, bad.slice(0, 5).join("; "));
+  },
+  async "help, set-up sheet, keys of panes"() {
+    await page.locator(".slider").focus();
+    await page.keyboard.press("Shift+Slash");
+    await until("help", () => count("dialog .keys"));
+    await page.keyboard.press("Escape");
+    await page.click(".topbar button:has-text('Set-up sheet')");
+    await until("the sheet", () => count("dialog .sheet"));
+    await page.screenshot({ path: join(pictures, "sheet.png") });
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("F6");
+  },
+};
+
+let failed = 0;
+for (const [name, step] of Object.entries(steps)) {
+  const begin = Date.now();
+  try { const note = await step(); console.log(`ok    ${name}${note ? ` (${note})` : ""}  ${Date.now() - begin} ms`); }
+  catch (e) {
+    failed++;
+    console.log(`FAIL  ${name}: ${e.message.split("\n")[0]}`);
+    await page.screenshot({ path: join(pictures, `fail_${failed}.png`) });
+  }
+}
+if (errors.length) { failed++; console.log("errors on the page:", errors); }
+await close();
+await kadr.close();
+process.exit(failed ? 1 : 0);

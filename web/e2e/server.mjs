@@ -1,0 +1,53 @@
+// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers.
+import { spawn } from "node:child_process";
+import { appendFileSync, cpSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { serve_page } from "../test/mock-server.mjs";
+import { session } from "../test/mock-session.mjs";
+
+export async function server(examples) {
+  return process.env.KADR ? real(process.env.KADR, examples) : made_up();
+}
+
+async function real(kadr, examples) {
+  const folder = mkdtempSync(join(tmpdir(), "kadr-examples-"));
+  cpSync(examples, folder, { recursive: true });
+  let child, address = "";
+  const start = (port) => new Promise((yes, no) => {
+    child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });
+    let said = "";
+    child.stdout.on("data", (d) => {
+      said += d;
+      const found = /kadr serve: (http:\/\/127\.0\.0\.1:(\d+)\/\S*)/.exec(said);
+      if (found) yes(found);
+    });
+    child.once("exit", (code) => no(new Error(`kadr serve ended with ${code}: ${said}`)));
+  });
+  const stop = () => new Promise((yes) => { if (child.exitCode !== null) return yes(); child.once("exit", yes); child.kill("SIGKILL"); });
+  const [, first, port] = await start(0);
+  address = first;
+  return {
+    address: () => address, prepare: async () => {}, path: ["cut", "plate.nc"], line: "N60 G1 Z0", before: "N60 G1 Z0 F400",
+    change: () => appendFileSync(join(folder, "cut", "plate.nc"), "(somebody else)\n"), lose: stop, regain: async () => { address = (await start(Number(port)))[1]; },
+    close: async () => { await stop(); rmSync(folder, { recursive: true, force: true }); },
+  };
+}
+
+async function made_up() {
+  const files = await serve_page(fileURLToPath(new URL("../dist", import.meta.url)));
+  let lost = false, open = [];
+  return {
+    address: () => `${files.address}#token=abc`, path: ["plate.nc"], line: "N60 G1 Z-1", before: "N60 G1 Z-[6-#1] F400",
+    prepare: (page) => page.routeWebSocket(/\/session$/, (ws) => {
+      if (lost) return void ws.close();
+      open.push(ws);
+      ws.onMessage(session((m) => { try { ws.send(typeof m === "string" ? m : Buffer.from(m)); } catch { /* the page has gone */ } }));
+    }),
+    change: () => {}, // the made-up session refuses a text that says CONFLICT
+    lose: async () => { lost = true; for (const ws of open.splice(0)) await ws.close(); },
+    regain: async () => { lost = false; },
+    close: async () => files.close(),
+  };
+}

@@ -1,0 +1,287 @@
+// The page's one state: what is open, what the run said, where the slider stands. Panes listen to its signals and call its verbs.
+import { Client, Lost, type LineState, type Socket } from "../protocol/client";
+import { head_of, frame_part, frame_path } from "../protocol/frames";
+import { token } from "../protocol/token";
+import type { CutQuestion, CutResult, Done, Finding, Hello, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
+import { language } from "../texts/texts";
+import { Latest, debounce, spaced } from "./latest";
+import { other_text } from "./other_text";
+import { remember, remembered } from "./memory";
+import { PathIndex } from "./path_index";
+import { Signal } from "./signal";
+import { clamp } from "./time";
+
+const longest_without_part = 1500; // ms while it plays: a part may take a second, and states wait behind it
+const most_problems = 10_000; // more than anybody reads; the rest is the same again
+
+export type Choice = { control?: string; machine?: string; setup?: string };
+
+export class App {
+  readonly client: Client;
+  hello: Hello | null = null;
+  opened: Opened | null = null;
+  choice: Choice = {};
+  text: string | null = null;          // as edited; null where the file is not held here
+  saved_text: string | null = null;
+  digest: string | null = null;        // of what lies on the disk: saving names what it replaces
+  running = false;
+  progress: Progress | null = null;
+  done: Done | null = null;
+  instant = 0;
+  state: State | null = null;
+  problems: Problem[] = [];            // of the run
+  checked: Problem[] | null = null;    // of the text as it stands in the editor
+  findings: Finding[] = [];
+  cut: CutResult | null = null;
+  cutting = false;
+  cut_ready = false;
+  path = new PathIndex();
+
+  readonly on_line = new Signal<LineState>();
+  readonly on_opening = new Signal<void>();
+  readonly on_opened = new Signal<Opened>();
+  readonly on_run = new Signal<void>();       // progress, done, running
+  readonly on_done = new Signal<Done>();
+  readonly on_instant = new Signal<number>();
+  readonly on_state = new Signal<State | null>();
+  readonly on_problems = new Signal<void>();
+  readonly on_path = new Signal<ArrayBuffer>();
+  readonly on_part = new Signal<ArrayBuffer | null>();
+  readonly on_part_told = new Signal<PartAnswer | null>();
+  readonly on_cut = new Signal<number | null>(); // part done, null: something else of the cut changed
+  readonly on_text = new Signal<void>();
+  readonly on_error = new Signal<string>();
+  readonly on_dirty = new Signal<boolean>();
+
+  private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
+  private last_cut: CutQuestion | null = null;
+  private states = new Latest<{ at: number } | { number: number }>((w) => this.fetch_state(w));
+  private parts = new Latest<number>((at) => this.fetch_part(at));
+  private want_part = debounce(120, () => { if (this.cut_ready) this.parts.want(this.instant); }, longest_without_part);
+  // A program may meet thousands of warnings in a second: the panes draw a few times a second at most.
+  private tell_problems = spaced(100, () => this.on_problems.emit());
+  private tell_findings = spaced(100, () => this.on_cut.emit(null));
+  private keep = debounce(300, () => this.keep_place());
+  private recut = false;               // a part that was there before the line was lost is cut once more
+  private opening = 0;                 // questions `open` without an answer: what comes meanwhile belongs to an older program
+  private target = 0;                  // the block that stepping aims at, while answers are under way
+
+  constructor(private make: () => Socket) {
+    this.client = new Client(make, (c) => this.greet(c));
+    this.client.line.on((l) => void this.line_changed(l));
+    this.client.frame.on((f) => this.take_frame(f));
+    this.client.event.on((e) => {
+      if (e.name === "closed") return this.on_error.emit(e.body.text);
+      if (this.opening) return;
+      if (e.name === "progress") { this.progress = e.body; this.on_run.emit(); }
+      else if (e.name === "alarm") { if (this.problems.push({ ...e.body.problem, at: e.body.at }) > most_problems) this.problems.pop(); this.tell_problems(); }
+      else if (e.name === "done") this.take_done(e.body);
+      else if (e.name === "cutting") this.on_cut.emit(e.body.part);
+      else if (e.name === "finding") { if (this.findings.push(e.body) > most_problems) this.findings.pop(); this.tell_findings(); }
+      else if (e.name === "cut") this.take_cut(e.body);
+    });
+  }
+
+  get seconds(): number { return this.done?.seconds ?? Math.max(this.progress?.seconds ?? 0, this.path.seconds); }
+  get marks(): Mark[] { return [...(this.done?.marks ?? []), ...(this.cut?.marks ?? [])]; }
+  get dirty(): boolean { return this.text !== null && this.text !== this.saved_text; }
+
+  async open(question: OpenQuestion, at = 0): Promise<void> {
+    this.forget_run();
+    this.opened = null;
+    this.on_opening.emit();
+    this.wanted = { question, at };
+    this.running = true;
+    this.on_run.emit();
+    this.opening++;
+    try {
+      const opened = await this.client.ask("open", question).finally(() => { this.opening--; });
+      if (this.opening) return; // another was asked for meanwhile
+      this.choice = { control: question.control, machine: question.machine, setup: question.setup };
+      this.opened = opened;
+      if (question.text === undefined) this.found_on_disk(opened);
+      this.text = question.text ?? opened.text ?? null;
+      this.keep_place();
+      this.on_opened.emit(opened);
+      this.on_dirty.emit(this.dirty);
+    } catch (e) {
+      if (this.opening) return;
+      this.running = false;
+      this.on_run.emit();
+      this.tell(e);
+    }
+  }
+
+  /// Runs what stands in the editor, saved or not, with these choices.
+  async run_again(choice: Choice = this.choice): Promise<void> {
+    if (!this.opened) return;
+    const question: OpenQuestion = { file: this.opened.file, ...choice };
+    if (this.dirty && this.text !== null) question.text = this.text;
+    await this.open(question, this.instant);
+  }
+
+  stop(): void { this.client.ask("stop", {}).catch((e) => this.tell(e)); }
+
+  seek(at: number): void {
+    this.target = 0;
+    this.move_to(clamp(at, 0, this.seconds));
+    this.states.want({ at: this.instant });
+  }
+
+  /// To a block by its number in the run; the instant comes with the answer.
+  seek_block(number: number): void {
+    const last = this.done?.blocks ?? Infinity;
+    this.target = clamp(number, 1, last);
+    this.states.want({ number: this.target });
+  }
+  step(blocks: number): void {
+    const here = this.target || this.state?.number || this.path.number_at(this.instant);
+    this.seek_block(here + blocks);
+  }
+
+  async run_cut(question: CutQuestion): Promise<void> {
+    this.last_cut = question;
+    this.findings = [];
+    this.cut = null;
+    this.cut_ready = false;
+    this.cutting = true;
+    this.on_part.emit(null);
+    this.on_cut.emit(0);
+    try { await this.client.ask("cut", question); }
+    catch (e) { this.cutting = false; this.on_cut.emit(null); this.tell(e); }
+  }
+
+  set_text(text: string): void {
+    const before = this.dirty;
+    this.text = text;
+    this.on_text.emit();
+    this.keep();
+    if (before !== this.dirty) this.on_dirty.emit(this.dirty);
+  }
+  /// `digest` of the file as it lies on the disk now.
+  saved(text: string, digest: string): void {
+    this.digest = digest;
+    this.saved_text = text;
+    this.on_dirty.emit(this.dirty);
+  }
+
+  async speak(lang: Language): Promise<void> {
+    try {
+      await this.client.ask("language", { lang });
+      if (!this.opened) return;
+      this.recut = this.cut_ready;
+      await this.run_again(); // texts of alarms and marks come from the run
+    } catch (e) { this.tell(e); }
+  }
+
+  other_text(file: string): Promise<string | null> { return other_text(this.make, this.greeting(), file); }
+
+  tell(e: unknown): void {
+    if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e)); // a lost line has its own banner
+  }
+
+  private async greet(client: Client): Promise<void> {
+    this.hello = await client.ask("hello", this.greeting());
+  }
+  private greeting(): { token?: string; lang: Language } {
+    const t = token();
+    return t ? { token: t, lang: language() } : { lang: language() };
+  }
+
+  private async line_changed(line: LineState): Promise<void> {
+    if (line === "lost") {
+      this.recut ||= this.cut_ready || this.cutting;
+      this.running = this.cutting = this.cut_ready = false;
+      this.on_run.emit();
+    }
+    this.on_line.emit(line);
+    if (line !== "open") return;
+    const again = this.wanted;
+    const file = again?.question.file ?? this.hello?.last;
+    if (!file) return;
+    const question: OpenQuestion = again ? { ...again.question } : { file };
+    const unsaved = remembered<{ file: string; text: string } | null>("unsaved", null, "tab");
+    if (unsaved?.file === file) { await this.reopen_unsaved(question, unsaved.text, again?.at ?? 0); return; }
+    delete question.text;
+    await this.open(question, again?.at ?? 0);
+  }
+
+  /// The edited text is run, but what lies on the disk is asked first, so that saving still knows what it replaces.
+  private async reopen_unsaved(question: OpenQuestion, text: string, at: number): Promise<void> {
+    delete question.text;
+    try { this.found_on_disk(await this.client.ask("open", question)); } catch (e) { return this.tell(e); }
+    await this.open({ ...question, text }, at);
+  }
+
+  private found_on_disk(opened: Opened): void {
+    this.saved_text = opened.text ?? null;
+    this.digest = opened.digest;
+  }
+
+  private forget_run(): void {
+    this.path.clear();
+    this.progress = this.done = this.state = this.cut = this.checked = null;
+    this.problems = [];
+    this.findings = [];
+    this.cutting = this.cut_ready = false;
+    this.instant = 0;
+    this.on_part.emit(null);
+    this.on_state.emit(null);
+    this.on_problems.emit();
+    this.on_cut.emit(null);
+  }
+
+  private take_frame(frame: ArrayBuffer): void {
+    if (this.opening) return;
+    const kind = head_of(frame)?.kind;
+    if (kind === frame_part) return this.on_part.emit(frame);
+    if (kind === frame_path) this.path.add(frame);
+    this.on_path.emit(frame);
+  }
+
+  private take_done(done: Done): void {
+    this.done = done;
+    this.running = false;
+    this.on_done.emit(done);
+    this.on_run.emit();
+    this.seek(this.wanted?.at ?? 0);
+    if (this.last_cut && this.opened && this.recut) void this.run_cut(this.last_cut);
+    this.recut = false;
+  }
+
+  private take_cut(result: CutResult): void {
+    this.cut = result;
+    this.cutting = false;
+    this.cut_ready = !result.error;
+    if (result.error) this.on_error.emit(result.error.text);
+    this.on_cut.emit(null);
+    this.want_part();
+  }
+
+  private move_to(at: number): void {
+    this.instant = at;
+    this.on_instant.emit(at);
+    this.want_part();
+    this.keep();
+  }
+
+  private async fetch_state(wish: { at: number } | { number: number }): Promise<void> {
+    const state = await this.client.ask("state", wish);
+    if (this.states.stale) { if ("number" in wish) this.move_to(state.at); return; }
+    this.state = state;
+    if ("number" in wish) this.move_to(state.at);
+    this.on_state.emit(state);
+  }
+
+  private async fetch_part(at: number): Promise<void> {
+    try { this.on_part_told.emit(await this.client.ask("part", { at })); } catch (e) { this.tell(e); }
+  }
+
+  private keep_place(): void {
+    if (!this.opened || !this.wanted) return;
+    const { text: _, ...question } = this.wanted.question;
+    this.wanted = { question, at: this.done ? this.instant : this.wanted.at }; // until the run is over the old place is still to be gone to
+    remember("open", this.wanted, "tab");
+    remember("unsaved", this.dirty ? { file: this.opened.file, text: this.text } : null, "tab");
+  }
+}

@@ -1,0 +1,121 @@
+// The page put together: one app, its panes, and how they lead each other.
+import "uplot/dist/uPlot.min.css";
+import "./style/base.css";
+import "./style/panes.css";
+import "./style/code.css";
+import "./style/print.css";
+import { App } from "./model/app";
+import { shape_of, type Shape } from "./model/tool_shape";
+import { remember, remembered } from "./model/memory";
+import type { Socket } from "./protocol/client";
+import type { Problem } from "./protocol/types";
+import type { SceneBox } from "./scene/scene";
+import { of_program } from "./source/problems";
+import { SourcePane } from "./source/pane";
+import { language, set_language, t } from "./texts/texts";
+import { banner } from "./ui/banner";
+import { show_compare } from "./ui/compare";
+import { CutPanel } from "./ui/cut_panel";
+import { FilesDrawer } from "./ui/files";
+import { show_help } from "./ui/help";
+import { listen_keys, step_mark } from "./ui/keys";
+import { layout, Tabs } from "./ui/layout";
+import { Player } from "./ui/player";
+import { ProblemsPanel } from "./ui/problems_panel";
+import { ScenePane } from "./ui/scene_pane";
+import { save } from "./ui/save";
+import { show_sheet } from "./ui/sheet";
+import { StatePane } from "./ui/state_pane";
+import { SummaryPanel } from "./ui/summary";
+import { timeline } from "./ui/timeline";
+import { toast } from "./ui/toast";
+import { Topbar } from "./ui/topbar";
+
+set_language(language());
+const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
+const app = new App(() => new WebSocket(address) as unknown as Socket);
+const player = new Player(app);
+let shapes: Shape[] = [], stock: SceneBox[] = [];
+
+const scene_pane = new ScenePane(app, (v) => {
+  if (v.which & 1) return; // the other version's path has no place on this program's slider
+  app.seek(v.time);
+  if (v.file === 0) source.show(v.line);
+});
+const scene = scene_pane.scene;
+const source = new SourcePane(app, (line, file) => void go_to_line(line, file));
+const state = new StatePane(app, (line, file) => void go_to_line(line, file));
+const problems = new ProblemsPanel(app, jump_to, (fix) => source.fix(fix));
+const cut = new CutPanel(app, (box, tools) => {
+  shapes = tools.map(shape_of);
+  scene?.setTools(shapes);
+  stock = box ? [{ name: t("stock"), kind: "stock", box }] : [];
+  show_boxes();
+}, (line) => source.show(line));
+const tabs = new Tabs([
+  { name: "problems", element: problems.element, badge: () => String(ProblemsPanel.all(app).length || "") },
+  { name: "summary", element: new SummaryPanel(app).element },
+  { name: "cut_tab", element: cut.element, badge: () => String(app.findings.length || "") },
+]);
+const files = new FilesDrawer(app);
+const top = new Topbar(app, {
+  files: () => { files.element.hidden = !files.element.hidden; remember("files_hidden", files.element.hidden); },
+  sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
+  compare: () => show_compare(app, { begin: () => scene?.clearPath(1), line: (n) => void go_to_line(n, 0) }),
+  help: show_help,
+  theme: (dark) => scene?.setTheme(dark),
+});
+files.element.hidden = remembered("files_hidden", false);
+document.body.append(layout({
+  top: top.element, banner: banner(app), files: files.element, source: source.element, scene: scene_pane.element, state: state.element, tabs: tabs.element,
+  bottom: timeline(app, player, (way) => step_mark(app, ["tool"], way)),
+}));
+
+app.on_path.on((frame) => scene?.addPath(frame));
+app.on_part.on((frame) => scene?.setPart(frame));
+app.on_opening.on(() => { scene?.clearPath(); scene?.setPart(null); scene?.setBoxes([]); });
+app.on_done.on((done) => { scene?.setZero(done.zero); show_boxes(); scene?.view("fit"); });
+app.on_instant.on((at) => scene?.setInstant(at));
+app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
+for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
+app.on_opened.on((o) => { document.title = `${o.file} · Kadr`; });
+app.on_error.on((text) => toast(text, true));
+
+/// To the pass of a line that is nearest to where the slider stands.
+async function go_to_line(line: number, file: number): Promise<void> {
+  scene?.highlight(line, file);
+  if (!app.done) return;
+  try {
+    const { passes } = await app.client.ask("passes", file ? { line, file } : { line });
+    const off = (p: { from: number; to: number }): number => (app.instant < p.from ? p.from - app.instant : app.instant > p.to ? app.instant - p.to : 0);
+    const nearest = passes.reduce<(typeof passes)[0] | null>((best, p) => (!best || off(p) < off(best) ? p : best), null);
+    if (nearest) app.seek_block(nearest.number);
+  } catch (e) { app.tell(e); }
+}
+
+function jump_to(p: Problem): void {
+  if (p.at !== undefined) app.seek(p.at);
+  if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
+}
+
+function show_boxes(): void {
+  const all = app.done?.extents.cutting;
+  scene?.setBoxes([...stock, ...(all ? [{ name: t("extents"), kind: "extents" as const, box: all }] : [])]);
+}
+
+listen_keys(app, player, {
+  view: (name) => scene?.view(name),
+  measure: () => scene_pane.toggle_measure(),
+  rapids: () => scene_pane.toggle_rapids(),
+  help: show_help,
+  save: () => void save(app),
+  leave: () => scene_pane.leave(),
+  next_pane(way) {
+    const panes = [...document.querySelectorAll<HTMLElement>(".files, .source, .scene, .state, .tabs, .timeline")].filter((e) => !e.hidden);
+    const here = panes.findIndex((e) => e.contains(document.activeElement));
+    const next = panes[(here + way + panes.length) % panes.length]!;
+    (next.querySelector<HTMLElement>("[contenteditable=true], [tabindex='0'], button:not(:disabled), select, input, canvas") ?? next).focus();
+  },
+});
+window.addEventListener("beforeunload", (e) => { if (app.dirty && !remembered("unsaved", null, "tab")) e.preventDefault(); });
+app.client.connect();

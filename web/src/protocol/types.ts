@@ -1,0 +1,98 @@
+// Every message of docs/panel-protocol.md. Units: mm, degrees, seconds, mm/min, rev/min; lines and columns from 1.
+export type Language = "en" | "ru";
+export type Box = [number[], number[]];
+export type Axes = Record<string, number>;
+
+export interface Hello { version: string; folder: string; may_change: boolean; last: string | null; controls: { id: string; name: string }[]; machines: string[] }
+export interface FileEntry { name: string; kind: "folder" | "program" | "setup" | "tools" | "other"; size: number; modified: number | string }
+export interface Files { entries: FileEntry[]; more?: boolean }
+
+export interface OpenQuestion { file: string; control?: string; machine?: string; setup?: string; encoding?: string; text?: string }
+export interface Opened {
+  file: string; size: number; digest: string; encoding: string;
+  control: { id: string; name: string; guessed: boolean; decisive?: boolean | string; why?: string };
+  machine: string | null; setup: string | null; editable: boolean; lines: number; text?: string;
+}
+
+export type Severity = "alarm" | "warning" | "note";
+export interface Fix { text: string; line: number; from: number; to: number; insert: string }
+export interface Problem {
+  id: string; severity: Severity; number?: number | string; text: string; hint?: string; file?: string | number; line: number; column?: number;
+  end_column?: number; block?: string; calls?: string[]; fix?: Fix; at?: number;
+}
+export interface Checked { problems: Problem[] }
+export interface Word { from: number; to: number; code: string; title: string; text: string }
+export interface Explained { words: Word[] }
+
+export interface Call { what: string; line: number; block?: string; file?: number | string }
+export interface Modal { group: string; code: string; changed?: boolean }
+export interface Variable { name: string; value: number | string | null; changed?: boolean }
+export interface State {
+  at: number; number: number; line: number; column?: number; file?: number; file_name?: string; block?: string; text?: string; pass?: number; depth?: number;
+  calls?: Call[]; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; rpm: number; tool: number; modal: Modal[];
+  offsets: { T?: number; D?: number; H?: number; radius?: number; length?: Axes }; zero: Axes; variables: Variable[]; limits?: string | null;
+  seconds: number; left: number;
+}
+export interface Pass { from: number; to: number; number: number }
+export interface Passes { passes: Pass[]; count: number }
+
+export type MarkKind = "tool" | "alarm" | "warning" | "stop" | "optional_stop" | "message" | "zero" | "dwell" | "end";
+export interface Mark { at: number; kind: MarkKind; line: number; text: string }
+export interface ToolTime { tool: number; from: number; seconds: number; name?: string; radius?: number; length?: number }
+export interface Done {
+  state: "ended" | "stopped" | "cancelled"; seconds: number; blocks: number; vertices: number; zero: [number, number, number];
+  extents: { cutting: Box | null; all: Box | null }; distances: { cutting: number; rapid: number };
+  times: { cutting: number; rapid: number; dwell: number; tools: number }; tools: ToolTime[]; marks: Mark[]; axes: string[]; units: "mm" | "inch"; unstated?: string;
+}
+export interface Progress { part: number; blocks: number; seconds: number }
+
+export interface Tool {
+  number: number; kind: string; diameter?: number; corner?: number; angle?: number; tip?: number; flutes?: number; length?: number;
+  profile?: [number, number][]; shank?: unknown; holder?: unknown; name?: string; from?: string; known?: boolean;
+}
+export interface CutQuestion { stock: string; tools: string | Tool[]; resolution?: number }
+export interface Finding {
+  id: string; text: string; line: number; block?: string; file?: number | string; calls?: string[]; at: number; place?: number[]; depth?: number; tool?: number;
+}
+export interface CutResult {
+  stock: number; left: number; removed: number; error_bound?: number; resolution?: number; seconds?: number; alarms?: number; warnings?: number;
+  tools?: { tool: number; removed: number; seconds: number; greatest_rate: number }[]; marks?: Mark[]; error?: { text: string };
+}
+export interface Proposals { stock: string; tools: Tool[] }
+export interface PartAnswer { stock: number; left: number; triangles: number; seconds: number; cell: number }
+export interface SheetTool { number: number; name?: string; radius?: number; length?: number; corrector?: string | number; seconds?: number; lines?: number[]; outline?: [number, number][]; comment?: string }
+export interface Sheet {
+  program: string; control: string; machine: string | null; date: string; zeros: { name: string; values: Axes }[]; tools: SheetTool[];
+  extents: { cutting: Box | null; all: Box | null }; seconds: number; comments: { line: number; text: string }[]; stops: { line: number; text: string; at: number }[];
+}
+export interface Compared { same: boolean; deviation: number; first?: { line?: number; at?: number; place?: number[] }[] | null }
+
+/// Each question, with what goes along and what comes back.
+export interface Questions {
+  hello: [{ token?: string; lang: Language }, Hello];
+  language: [{ lang: Language }, object];
+  files: [{ folder: string }, Files];
+  open: [OpenQuestion, Opened];
+  source: [{ from: number; count: number; file?: number }, { lines: string[] }];
+  state: [{ at: number } | { number: number }, State];
+  passes: [{ line: number; file?: number }, Passes];
+  check: [{ text: string }, Checked];
+  explain: [{ line: number; text?: string }, Explained];
+  cut: [CutQuestion, object];
+  part: [{ at: number }, PartAnswer];
+  proposals: [object, Proposals];
+  sheet: [object, Sheet];
+  compare: [{ file: string } | { text: string }, Compared];
+  save: [{ file: string; text: string; digest: string | null }, { digest: string }];
+  stop: [object, object];
+}
+
+export interface Events {
+  progress: Progress;
+  alarm: { problem: Problem; at: number };
+  done: Done;
+  cutting: { part: number };
+  finding: Finding;
+  cut: CutResult;
+  closed: { text: string };
+}

@@ -1,0 +1,82 @@
+// The source pane: the editor, or the virtual view of a long file or of a file that was called; line and slider lead each other.
+import type { App } from "../model/app";
+import { t, on_language } from "../texts/texts";
+import { button, fill, h } from "../ui/dom";
+import { save } from "../ui/save";
+import { editor_view, type SourceView } from "./editor";
+import { virtual_view } from "./virtual";
+import { apply_fix } from "./problems";
+import type { Fix, State } from "../protocol/types";
+
+const called_lines = 10_000_000; // of a called file nobody tells how long it is; beyond its end `source` gives nothing
+
+export class SourcePane {
+  readonly element = h("section", { class: "pane source", "aria-label": "" });
+  private title = h("span", { class: "pane-title" });
+  private tools = h("span", { class: "pane-tools" });
+  private host = h("div", { class: "source-host" });
+  private view: SourceView | null = null;
+  private shown_file = 0;
+  private name = "";
+
+  constructor(private app: App, private picked: (line: number, file: number) => void) {
+    this.element.append(h("header", { class: "pane-head" }, this.title, this.tools), this.host);
+    app.on_opened.on(() => this.show_program());
+    app.on_dirty.on(() => this.head());
+    app.on_state.on((s) => {
+      if (!s) return;
+      const file = s.file ?? 0;
+      if (file !== this.shown_file) this.show_file(file, s.file_name ?? "");
+      this.view?.show_line(s.line, beside(s));
+    });
+    on_language(() => this.head());
+    this.head();
+  }
+
+  show(line: number): void {
+    if (this.shown_file !== 0) this.show_file(0, "");
+    this.view?.show_line(line);
+  }
+  fix(fix: Fix): void { if (this.view?.editor) { apply_fix(this.view.editor, fix); this.view.focus(); } }
+
+  private show_program(): void {
+    const { app } = this;
+    // The editor keeps its undo and its cursor while the same text is run again.
+    if (this.view?.editor && this.shown_file === 0 && this.name === app.opened?.file && this.view.editor.state.doc.toString() === app.text) return this.head();
+    this.name = app.opened?.file ?? "";
+    this.show_file(0, "");
+  }
+
+  private show_file(file: number, name: string): void {
+    const { app } = this;
+    this.view?.close();
+    this.host.replaceChildren();
+    this.shown_file = file;
+    const picked = (line: number): void => this.picked(line, file);
+    if (file === 0 && app.text !== null) this.view = editor_view(app, this.host, app.text, picked, () => void save(app));
+    else this.view = virtual_view(this.host, file === 0 ? app.opened?.lines ?? 0 : called_lines, async (from, count) => (await app.client.ask("source", file ? { from, count, file } : { from, count })).lines, picked, (line, text) => this.explained(line, text));
+    this.head(name);
+  }
+
+  private async explained(line: number, text: string): Promise<string> {
+    const { words } = await this.app.client.ask("explain", { line, text });
+    return words.map((w) => `${w.code}  ${w.title}`).join("\n");
+  }
+
+  private head(called = ""): void {
+    const { app } = this;
+    this.element.setAttribute("aria-label", t("source"));
+    fill(this.title, called || app.opened?.file || t("source"), app.dirty && h("span", { class: "dirty", title: t("unsaved") }, " ●"));
+    fill(this.tools,
+      this.shown_file !== 0 && button(t("back_to_program"), () => { this.show_file(0, ""); }),
+      app.opened && !app.opened.editable && h("span", { class: "note" }, t("read_only")),
+      app.opened?.editable && button(t("save"), () => void save(app), { disabled: !app.dirty || !app.hello?.may_change, title: app.hello?.may_change ? "Ctrl+S" : t("may_not_change") }));
+  }
+}
+
+/// The variables that this line names or has changed, with their values.
+function beside(s: State): string {
+  const text = s.text ?? "";
+  const named = (name: string): boolean => new RegExp(`${name.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}(?!\\d)`).test(text);
+  return (s.variables ?? []).filter((v) => v.changed || named(v.name)).slice(0, 6).map((v) => `${v.name} = ${typeof v.value === "number" ? Number(v.value.toPrecision(7)) : v.value ?? "–"}`).join("  ");
+}

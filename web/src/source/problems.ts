@@ -1,0 +1,71 @@
+// Problems in the editor: underlined, a mark in the margin, the hint and the quick fix in the tooltip; live while somebody types.
+import { linter, lintGutter, setDiagnostics, type Diagnostic } from "@codemirror/lint";
+import type { EditorState, Text } from "@codemirror/state";
+import type { EditorView } from "@codemirror/view";
+import type { Fix, Problem } from "../protocol/types";
+import { debounce } from "../model/latest";
+import type { App } from "../model/app";
+
+const quiet = 300; // ms without a key before the text is checked
+
+export const problem_marks = [linter(null, { delay: 0 }), lintGutter()];
+
+export function watch_problems(app: App, view: EditorView): { changed: () => void; close: () => void } {
+  let asked = 0;
+  const show = (): void => { view.dispatch(setDiagnostics(view.state, diagnostics(view.state, app.checked ?? app.problems.filter((p) => of_program(p, app.opened?.file ?? "")), view))); };
+  const check = debounce(quiet, async () => {
+    const mine = ++asked;
+    try {
+      const { problems } = await app.client.ask("check", { text: view.state.doc.toString() });
+      if (mine !== asked) return; // a newer text is under way, this answer speaks of an old one
+      app.checked = problems;
+      app.on_problems.emit();
+    } catch (e) { app.tell(e); }
+  });
+  const off = app.on_problems.on(show);
+  show();
+  return { changed: () => { asked++; check(); }, close: () => { asked++; off(); } };
+}
+
+/// Problems of called files have their own text, which the editor does not show. `opened` is the program's own name.
+export function of_program(p: Problem, opened: string): boolean {
+  if (typeof p.file !== "string") return !p.file;
+  const name = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
+  return p.file === "" || name(p.file) === name(opened);
+}
+
+function diagnostics(state: EditorState, problems: Problem[], view: EditorView): Diagnostic[] {
+  const severities = { alarm: "error", warning: "warning", note: "info" } as const;
+  return problems.filter((p) => p.line >= 1 && p.line <= state.doc.lines).slice(0, 2000).map((p) => {
+    const [from, to] = span(state.doc, p);
+    return {
+      from, to, severity: severities[p.severity] ?? "info",
+      message: "", renderMessage: () => message(p),
+      actions: p.fix ? [{ name: p.fix.text, apply: () => apply_fix(view, p.fix!) }] : [],
+    };
+  }).sort((a, b) => a.from - b.from);
+}
+
+function span(doc: Text, p: Problem): [number, number] {
+  const line = doc.line(p.line);
+  const from = Math.min(line.to, line.from + Math.max(0, (p.column ?? 1) - 1));
+  const to = Math.min(line.to, line.from + Math.max(0, (p.end_column ?? (p.column ?? 1) + 1) - 1));
+  return [from, Math.max(from, to)];
+}
+
+function message(p: Problem): HTMLElement {
+  const e = document.createElement("div");
+  const text = document.createElement("strong");
+  text.textContent = p.text;
+  e.append(text);
+  if (p.hint) { const hint = document.createElement("div"); hint.className = "hint"; hint.textContent = p.hint; e.append(hint); }
+  return e;
+}
+
+export function apply_fix(view: EditorView, fix: Fix): void {
+  if (fix.line < 1 || fix.line > view.state.doc.lines) return;
+  const line = view.state.doc.line(fix.line);
+  const at = (column: number): number => Math.min(line.to, line.from + Math.max(0, column - 1));
+  const from = at(fix.from);
+  view.dispatch({ changes: { from, to: Math.max(from, at(fix.to)), insert: fix.insert }, userEvent: "input.fix" });
+}

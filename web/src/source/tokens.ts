@@ -1,0 +1,33 @@
+// The words of a line of G-code, for colouring only: comments, N, G, M, axes, variables, O words. What a word means the control knows, not this table.
+export type TokenKind = "comment" | "label" | "motion" | "function" | "axis" | "feed" | "variable" | "program" | "keyword" | "number" | "";
+
+const rules: [TokenKind, RegExp][] = [
+  ["comment", /^\([^)]*\)?/],
+  ["comment", /^;.*/],
+  ["variable", /^#(?:<[^>]*>?|\[|\d+)?/],
+  ["keyword", /^(?:IF|THEN|ELSE|GOTO|WHILE|DO|END|ELSEIF|ENDIF|ENDWHILE|SUB|ENDSUB|CALL|RETURN|REPEAT|ENDREPEAT|EQ|NE|GT|GE|LT|LE|AND|OR|XOR|MOD|SIN|COS|TAN|ATAN|ASIN|ACOS|SQRT|ABS|FIX|FUP|ROUND|LN|EXP)(?![A-Z])\d*/i],
+  ["program", /^[O:](?:<[^>]*>|\d+)?/i],
+  ["label", /^N\s*\d+/i],
+  ["motion", /^G\s*\d+(?:\.\d+)?/i],
+  ["function", /^M\s*\d+/i],
+  ["feed", /^[FST]\s*[-+]?[\d.]*/i],
+  ["axis", /^[XYZABCUVWIJKRDHPQLE]\s*[-+]?[\d.]*/i],
+  ["number", /^[-+]?(?:\d+\.?\d*|\.\d+)/],
+];
+
+/// The token that begins at `from`; white space and all else is a token of one character without a kind.
+export function token_at(line: string, from: number): { kind: TokenKind; length: number } {
+  const rest = line.slice(from, from + 400);
+  for (const [kind, rule] of rules) {
+    const found = rule.exec(rest);
+    if (found && found[0].length > 0) return { kind, length: kind === "comment" ? comment_length(line, from, found[0].length) : found[0].length };
+  }
+  return { kind: "", length: 1 };
+}
+
+/// A comment may be longer than the window that the rules look at.
+function comment_length(line: string, from: number, found: number): number {
+  if (found < 400) return found;
+  const end = line[from] === "(" ? line.indexOf(")", from) : -1;
+  return (end < 0 ? line.length : end + 1) - from;
+}

@@ -1,0 +1,33 @@
+// From the place of a scroll bar to lines and back, where all lines together are higher than a browser lets an element be.
+export const greatest_height = 8_000_000; // px: Firefox stops at some 17.9 million, Chromium at 33.5; both halved by zooming in
+
+export class ScrollMap {
+  constructor(readonly lines: number, readonly row: number, readonly view: number) {}
+
+  /// px of all lines, as if there were no bound.
+  get whole(): number { return this.lines * this.row; }
+  /// px that the scrolled element is given.
+  get height(): number { return Math.min(Math.max(this.whole, this.view), greatest_height); }
+  get scaled(): boolean { return this.whole > greatest_height; }
+
+  /// The px of the whole that are at the upper edge, for a place of the scroll bar; and the other way round.
+  top_of(scroll: number): number { return this.scaled ? scroll * this.ratio : scroll; }
+  scroll_of(top: number): number { return this.scaled ? top / this.ratio : top; }
+  bounded(top: number): number { return Math.min(Math.max(top, 0), Math.max(0, this.whole - this.view)); }
+
+  /// First line (from 1) and number of lines that are seen, even in part.
+  seen(top: number): { first: number; count: number } {
+    const first = Math.floor(top / this.row) + 1;
+    const last = Math.min(this.lines, Math.ceil((top + this.view) / this.row));
+    return { first, count: Math.max(0, last - first + 1) };
+  }
+
+  /// Where `top` must be so that a line is seen: unchanged where it is seen already, else in the middle.
+  top_showing(line: number, top: number): number {
+    const y = (line - 1) * this.row;
+    if (y >= top && y + this.row <= top + this.view) return top;
+    return this.bounded(y - (this.view - this.row) / 2);
+  }
+
+  private get ratio(): number { return (this.whole - this.view) / Math.max(1, this.height - this.view); }
+}

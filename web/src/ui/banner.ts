@@ -1,0 +1,20 @@
+// Says that the line to the session is lost, and that it is being sought.
+import type { App } from "../model/app";
+import { on_language, t } from "../texts/texts";
+import { h } from "./dom";
+
+export function banner(app: App): HTMLElement {
+  const e = h("div", { class: "banner", role: "alert", hidden: true });
+  let line = "connecting", ever = false;
+  const draw = (): void => {
+    e.hidden = line === "open" || (!ever && line === "connecting");
+    e.textContent = line === "refused" ? t("refused") : ever ? t("lost") : t("no_server");
+  };
+  app.on_line.on((l) => {
+    if (l === "open") ever = true;
+    if (l !== "connecting" || line === "open") line = l; // a try in between is no news
+    draw();
+  });
+  on_language(draw);
+  return e;
+}

@@ -1,0 +1,54 @@
+// Two versions of a program: their texts side by side, their paths one over the other in the view.
+import { MergeView } from "@codemirror/merge";
+import { EditorState } from "@codemirror/state";
+import { EditorView, lineNumbers } from "@codemirror/view";
+import type { App } from "../model/app";
+import { gcode } from "../source/gcode";
+import { phrases_now } from "../source/phrases";
+import { t } from "../texts/texts";
+import { open_dialog } from "./dialog";
+import { button, fill, h } from "./dom";
+import { coordinate } from "./figures";
+
+export interface CompareVerbs { begin(): void; line(line: number): void }
+
+/// `begin`: the other path that is drawn goes; `line`: a line of this program was clicked.
+export function show_compare(app: App, verbs: CompareVerbs): void {
+  if (document.querySelector("dialog.docked")) return;
+  const file = h("select", { "aria-label": t("other_version") }), told = h("p", { class: "note", "aria-live": "polite" }), host = h("div", { class: "merge" });
+  let merge: MergeView | null = null;
+  const here = app.opened!.file, folder = here.includes("/") ? here.slice(0, here.lastIndexOf("/")) : "";
+  const go = async (): Promise<void> => {
+    if (!file.value) return;
+    const wanted = file.value;
+    verbs.begin();
+    told.textContent = t("comparing");
+    try {
+      const c = await app.client.ask("compare", wanted === here ? { text: app.saved_text ?? "" } : { file: wanted });
+      const first = c.first?.[0];
+      const place = first ? ` ${t("first_difference")} ${first.line ? t("line_n", { line: first.line }) : ""} ${first.place ? first.place.map(coordinate).join("  ") : ""}` : "";
+      told.textContent = c.same ? t("same_path") : t("deviates", { by: coordinate(c.deviation) }) + place;
+    } catch (e) { told.textContent = ""; app.tell(e); }
+    merge?.destroy();
+    const other = wanted === here ? app.saved_text : await text_of(app, wanted);
+    if (other === null || app.text === null) told.textContent += ` ${t("no_text_here")}`;
+    else merge = new MergeView({ a: side(other), b: side(app.text, (n) => verbs.line(n)), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
+  };
+  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), host), { docked: true, closed: () => { merge?.destroy(); verbs.begin(); } });
+  void fill_files(app, folder, here, file);
+}
+
+const side = (doc: string, clicked?: (line: number) => void) => ({ doc, extensions: [EditorView.updateListener.of((u) => { if (u.selectionSet) clicked?.(u.state.doc.lineAt(u.state.selection.main.head).number); }), lineNumbers(), gcode, phrases_now(), EditorState.readOnly.of(true), EditorView.editable.of(false)] });
+
+async function fill_files(app: App, folder: string, here: string, select: HTMLSelectElement): Promise<void> {
+  try {
+    const { entries } = await app.client.ask("files", { folder });
+    const names = entries.filter((e) => e.kind === "program").map((e) => (folder ? `${folder}/${e.name}` : e.name)).filter((n) => n !== here);
+    fill(select, app.dirty && h("option", { value: here }, t("as_saved", { file: here })), ...names.map((n) => h("option", { value: n }, n)));
+  } catch (e) { app.tell(e); }
+}
+
+/// The session holds one program: the text of another is not asked for by `source`. It comes from a second, short session.
+async function text_of(app: App, file: string): Promise<string | null> {
+  try { return await app.other_text(file); } catch (e) { app.tell(e); return null; }
+}

@@ -1,0 +1,27 @@
+// Dialogues on the browser's own <dialog>: it keeps the focus inside, closes by Escape, and is known to screen readers.
+import { t } from "../texts/texts";
+import { button, h } from "./dom";
+import { icon } from "./icons";
+
+export function open_dialog(title: string, content: Node, options: { wide?: boolean; docked?: boolean; closed?: () => void; tools?: Node } = {}): HTMLDialogElement {
+  const close = (): void => dialog.close();
+  const dialog = h("dialog", { class: `dialog${options.wide ? " wide" : ""}${options.docked ? " docked" : ""}`, "aria-label": title },
+    h("header", { class: "dialog-head" }, h("h2", null, title), options.tools, button(icon("close"), close, { "aria-label": t("close"), title: t("close"), class: "icon" })),
+    h("div", { class: "dialog-body" }, content));
+  dialog.addEventListener("close", () => { dialog.remove(); options.closed?.(); });
+  document.body.append(dialog);
+  if (options.docked) {
+    dialog.addEventListener("keydown", (e) => { if (e.key === "Escape") close(); });
+    dialog.show(); // beside it the view is still to be used
+  } else dialog.showModal();
+  return dialog;
+}
+
+/// Asks; the answer is the name of the button, or "cancel".
+export function ask(title: string, text: string, choices: [string, string][]): Promise<string> {
+  return new Promise((yes) => {
+    let answer = "cancel";
+    const buttons = choices.map(([name, shown], i) => button(shown, () => { answer = name; dialog.close(); }, i === 0 ? { class: "main" } : {}));
+    const dialog = open_dialog(title, h("div", null, h("p", null, text), h("div", { class: "row end" }, ...buttons)), { closed: () => yes(answer) });
+  });
+}

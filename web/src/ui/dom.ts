@@ -1,0 +1,45 @@
+// Building elements. Text goes in as text nodes only: what a program says can never become markup.
+type Child = Node | string | number | null | undefined | false;
+type Attributes = Record<string, unknown>;
+
+/// `class`, `aria-…`, any attribute; a function under `onclick` … is listened with; `false` and null leave the attribute out.
+export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes?: Attributes | null, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const e = document.createElement(tag);
+  set_attributes(e, attributes);
+  add(e, children);
+  return e;
+}
+
+export function svg<K extends keyof SVGElementTagNameMap>(tag: K, attributes?: Attributes | null, ...children: Child[]): SVGElementTagNameMap[K] {
+  const e = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  set_attributes(e, attributes);
+  add(e, children);
+  return e;
+}
+
+export function fill(e: Element, ...children: Child[]): void {
+  e.replaceChildren();
+  add(e, children);
+}
+
+function set_attributes(e: Element, attributes?: Attributes | null): void {
+  for (const [name, value] of Object.entries(attributes ?? {})) {
+    if (value === null || value === undefined || (value === false && !name.startsWith("aria-"))) continue; // aria-pressed="false" says something
+    if (typeof value === "function") e.addEventListener(name.slice(2), value as EventListener);
+    else e.setAttribute(name, value === true && !name.startsWith("aria-") ? "" : String(value));
+  }
+}
+
+function add(e: Element, children: Child[]): void {
+  for (const c of children) if (c !== null && c !== undefined && c !== false) e.append(c instanceof Node ? c : String(c));
+}
+
+export function button(text: string | Node, action: () => void, attributes?: Attributes): HTMLButtonElement {
+  return h("button", { type: "button", onclick: action, ...attributes }, text);
+}
+
+export function option(value: string, text: string, chosen: boolean): HTMLOptionElement {
+  const o = h("option", { value }, text);
+  o.selected = chosen;
+  return o;
+}

@@ -1,0 +1,67 @@
+// The drawer of files: folders beneath the served one, programs to open, set-ups to run with.
+import type { App } from "../model/app";
+import type { FileEntry } from "../protocol/types";
+import { on_language, t } from "../texts/texts";
+import { button, fill, h } from "./dom";
+import { bytes } from "./figures";
+import { icon } from "./icons";
+import { ask } from "./dialog";
+
+export class FilesDrawer {
+  readonly element = h("nav", { class: "pane files", "aria-label": "" });
+  private folder = "";
+  private fresh = true;
+  private list = h("ul", { class: "file-list" });
+  private crumbs = h("span", { class: "pane-title crumbs" });
+
+  constructor(private app: App) {
+    this.element.append(h("header", { class: "pane-head" }, this.crumbs), this.list);
+    app.on_line.on((l) => { if (l === "open") void this.go(this.folder); });
+    app.on_opened.on((o) => {
+      const folder = o.file.includes("/") ? o.file.slice(0, o.file.lastIndexOf("/")) : "";
+      if (this.fresh && folder !== this.folder) void this.go(folder); // what was open before a reload is shown where it lies
+      this.fresh = false;
+      this.mark();
+    });
+    on_language(() => void this.go(this.folder));
+  }
+
+  private async go(folder: string): Promise<void> {
+    try {
+      const { entries, more } = await this.app.client.ask("files", { folder });
+      this.folder = folder;
+      this.draw(entries, more === true);
+    } catch (e) { this.app.tell(e); }
+  }
+
+  private draw(entries: FileEntry[], more: boolean): void {
+    this.element.setAttribute("aria-label", t("files"));
+    const parts = this.folder ? this.folder.split("/") : [];
+    fill(this.crumbs, button(this.app.hello?.folder || "/", () => void this.go("")),
+      ...parts.flatMap((name, i) => [" / ", button(name, () => void this.go(parts.slice(0, i + 1).join("/")))]));
+    fill(this.list, ...entries.map((e) => this.row(e)), more && h("li", { class: "note" }, t("more_files")), !entries.length && h("li", { class: "note" }, t("empty_folder")));
+    this.mark();
+  }
+
+  private row(e: FileEntry): HTMLElement {
+    const path = this.folder ? `${this.folder}/${e.name}` : e.name;
+    const can = e.kind === "folder" || e.kind === "program" || (e.kind === "setup" && this.app.opened !== null);
+    return h("li", null, h("button", { type: "button", class: `file-row ${e.kind}`, disabled: !can, "data-path": path, title: e.kind === "setup" ? t("use_setup") : path, onclick: () => void this.choose(e, path) },
+      icon(e.kind), h("span", { class: "file-name" }, e.name),
+      e.kind !== "folder" && h("span", { class: "file-size" }, bytes(e.size))));
+  }
+
+  private async choose(e: FileEntry, path: string): Promise<void> {
+    if (e.kind === "folder") return this.go(path);
+    if (e.kind === "setup") return this.app.run_again({ ...this.app.choice, setup: path });
+    if (this.app.dirty && (await ask(t("unsaved"), t("unsaved_long", { file: this.app.opened?.file ?? "" }), [["leave", t("discard")], ["cancel", t("cancel")]])) === "cancel") return;
+    await this.app.open({ file: path });
+  }
+
+  private mark(): void {
+    for (const b of this.list.querySelectorAll<HTMLElement>(".file-row")) {
+      if (b.dataset.path === this.app.opened?.file) b.setAttribute("aria-current", "true"); else b.removeAttribute("aria-current");
+      if (b.classList.contains("setup")) (b as HTMLButtonElement).disabled = this.app.opened === null;
+    }
+  }
+}

@@ -1,0 +1,120 @@
+// The 3D view with its tools: views, colours, filters, section, measuring, picture; what it tells stands in its corners.
+import { Scene, type ColourBy, type SceneFilter, type SceneVertex } from "../scene/scene";
+import type { App } from "../model/app";
+import { remember, remembered } from "../model/memory";
+import { on_language, t, type TextKey } from "../texts/texts";
+import { button, fill, h, option } from "./dom";
+import { filter_form } from "./filters";
+import { coordinate, short } from "./figures";
+import { icon } from "./icons";
+import { toast } from "./toast";
+
+const colours: ColourBy[] = ["kind", "tool", "feed", "speed", "time", "depth"];
+const views = ["top", "front", "left", "right", "back", "bottom", "iso", "fit"] as const;
+
+export class ScenePane {
+  readonly element = h("section", { class: "pane scene" });
+  readonly scene: Scene | null;
+  private bar = h("div", { class: "scene-bar", role: "toolbar" });
+  private below = h("div", { class: "scene-bar below" });
+  private told = h("div", { class: "scene-told", "aria-live": "polite" });
+  private thinned_told = h("div", { class: "scene-thinned" });
+  private tip = h("div", { class: "scene-tip", hidden: true });
+  private colour = remembered<ColourBy>("colour", "kind");
+  private flat = remembered("orthographic", true);
+  private measuring = false;
+  private section: { axis: 0 | 1 | 2 | null; part: number; flip: boolean } = { axis: null, part: 0.5, flip: false };
+  filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true };
+
+  constructor(private app: App, picked: (v: SceneVertex) => void) {
+    const host = h("div", { class: "scene-host" });
+    this.element.append(host, this.bar, this.below, this.told, this.thinned_told, this.tip);
+    this.scene = this.make(host, picked);
+    for (const s of [app.on_done, app.on_opening, app.on_opened]) s.on(() => this.draw());
+    on_language(() => this.draw());
+    this.scene?.setColour(this.colour);
+    this.scene?.setProjection(this.flat);
+    this.scene?.setFilter(this.filter);
+    this.draw();
+  }
+
+  toggle_measure(): void {
+    this.measuring = !this.measuring;
+    this.scene?.setMode(this.measuring ? "measure" : "orbit");
+    this.told.textContent = this.measuring ? t("measure_how") : "";
+    this.draw();
+  }
+  leave(): void { if (this.measuring) this.toggle_measure(); }
+  toggle_rapids(): void { this.set_filter({ rapids: !this.filter.rapids }); }
+  picture(): Promise<Blob> { return this.scene ? this.scene.picture() : Promise.reject(new Error("no view")); }
+
+  private make(host: HTMLElement, picked: (v: SceneVertex) => void): Scene | null {
+    try {
+      return new Scene(host, {
+        pick: (v) => { if (v) picked(v); },
+        hover: (v, x, y) => this.hover(v, x, y),
+        measured: (m) => { this.told.textContent = m ? `${t("distance")} ${coordinate(m.distance)}   ΔX ${coordinate(m.delta[0])}  ΔY ${coordinate(m.delta[1])}  ΔZ ${coordinate(m.delta[2])}` : this.measuring ? t("measure_how") : ""; },
+        thinned: (drawn, all) => { this.thinned_told.textContent = drawn < all ? t("thinned", { drawn: short(drawn), all: short(all) }) : ""; },
+      });
+    } catch {
+      host.append(h("p", { class: "note no-webgl" }, t("no_webgl"))); // source, state and times work without it
+      return null;
+    }
+  }
+
+  private hover(v: SceneVertex | null, x: number, y: number): void {
+    this.tip.hidden = !v;
+    if (!v) return;
+    const kind = t(`motion_${Math.min(8, v.kind)}` as TextKey);
+    this.tip.textContent = `${t("line_n", { line: v.line })} · ${kind}${v.radius ? ` · R ${coordinate(v.radius)}` : ""} · T${v.tool}\nX ${coordinate(v.at[0])}  Y ${coordinate(v.at[1])}  Z ${coordinate(v.at[2])}\n${v.feed ? `F ${short(v.feed, 1)} · ` : ""}V ${short(v.speed)} ${t("mm_min")}`;
+    const box = this.element.getBoundingClientRect();
+    this.tip.style.left = `${Math.min(x + 14, box.width - 250)}px`;
+    this.tip.style.top = `${Math.min(y + 14, box.height - 70)}px`;
+  }
+
+  private draw(): void {
+    this.element.setAttribute("aria-label", t("view_3d"));
+    this.bar.setAttribute("aria-label", t("view_3d"));
+    const look = h("select", { "aria-label": t("colour_by"), title: t("colour_by"), onchange: () => { this.colour = look.value as ColourBy; remember("colour", this.colour); this.scene?.setColour(this.colour); } },
+      ...colours.map((c) => option(c, t(`colour_${c}`), c === this.colour)));
+    fill(this.bar, ...views.map((v) => button(t(`view_${v}`), () => this.scene?.view(v), { title: t(`view_${v}_long`) })), look,
+      button(t(this.flat ? "orthographic" : "perspective"), () => { this.flat = !this.flat; remember("orthographic", this.flat); this.scene?.setProjection(this.flat); this.draw(); }, { title: t("projection") }),
+      filter_form(this.app, this.filter, (f) => this.set_filter(f)));
+    this.draw_section();
+  }
+
+  private draw_section(): void {
+    const { section } = this, box = this.app.done?.extents.all;
+    const change = (): void => this.cut_through();
+    const axis = h("select", { "aria-label": t("section"), title: t("section"), onchange: () => { section.axis = axis.value === "" ? null : (Number(axis.value) as 0 | 1 | 2); change(); this.draw_section(); } },
+      option("", t("section_none"), section.axis === null), ...[0, 1, 2].map((i) => option(String(i), `${t("section")} ${"XYZ"[i]}`, section.axis === i)));
+    const at = h("input", { type: "range", min: "0", max: "1", step: "0.002", value: String(section.part), "aria-label": t("section_at"), oninput: () => { section.part = Number(at.value); change(); } });
+    fill(this.below, axis, section.axis !== null && box && at, section.axis !== null && button(icon("flip"), () => { section.flip = !section.flip; change(); }, { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") }), section.axis !== null && h("span", { class: "section-told" }),
+      button(t("measure"), () => this.toggle_measure(), { "aria-pressed": this.measuring, title: `${t("measure")} (M)` }), button("PNG", () => void this.save_picture(), { title: t("save_picture") }));
+    change();
+  }
+
+  private cut_through(): void {
+    const { axis, part, flip } = this.section, box = this.app.done?.extents.all;
+    if (axis === null || !box) return this.scene?.setSection(null, 0, false);
+    const margin = 5, low = box[0][axis]! - margin, high = box[1][axis]! + margin; // mm: the blank is a little larger than the path
+    const at = low + part * (high - low);
+    this.scene?.setSection(axis, at, flip);
+    const told = this.below.querySelector(".section-told");
+    if (told) told.textContent = `${"XYZ"[axis]} ${coordinate(at)}`;
+  }
+
+  private set_filter(f: Partial<SceneFilter>): void {
+    this.filter = { ...this.filter, ...f };
+    this.scene?.setFilter(this.filter);
+    if ("rapids" in f) this.draw();
+  }
+
+  private async save_picture(): Promise<void> {
+    try {
+      const address = URL.createObjectURL(await this.picture());
+      h("a", { href: address, download: `${(this.app.opened?.file ?? "kadr").replace(/.*\//, "")}.png` }).click();
+      setTimeout(() => URL.revokeObjectURL(address), 10_000);
+    } catch { toast(t("no_picture"), true); }
+  }
+}
