@@ -1,15 +1,17 @@
 // Writes OUT, a C++ file that holds each FILE: its text, and the table of a TOML file as packed_toml has it. A part of the build.
 //
 //   kadr_embed OUT ROOT FILE...     names are relative to ROOT
+//   kadr_embed --page OUT FOLDER    all files of a folder, which need not be there, for server/page_files
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <span>
 #include <sstream>
+#include <vector>
 
 #include "config/packed_toml.h"
 
@@ -32,8 +34,13 @@ void array(std::ostream& out, const std::string& name, std::string_view bytes) {
   fmt::print(out, "0}};\n");
 }
 
-void embed(std::ostream& out, const fs::path& root, std::span<char*> files) {
-  fmt::print(out, "// Made by dev/embed.cpp.\n#include \"config/embedded.h\"\n\nnamespace kadr {{\n\n");
+/// Where the files go: what is included there, and the function that hands them out.
+struct Target {
+  const char *header, *function;
+};
+
+void embed(std::ostream& out, const Target& target, const fs::path& root, const std::vector<fs::path>& files) {
+  fmt::print(out, "// Made by dev/embed.cpp.\n#include \"{}\"\n\nnamespace kadr {{\n\n", target.header);
   std::string rows;
   for (std::size_t n = 0; n < files.size(); ++n) {
     const fs::path file = files[n];
@@ -51,29 +58,42 @@ void embed(std::ostream& out, const fs::path& root, std::span<char*> files) {
   }
   fmt::print(out,
              "\ntemplate <std::size_t T, std::size_t P>\n"
-             "static EmbeddedFile row(std::string_view name, const unsigned char (&text)[T], const unsigned char (&table)[P]) {{\n"
+             "[[maybe_unused]] static EmbeddedFile row(std::string_view name, const unsigned char (&text)[T], const unsigned char (&table)[P]) {{\n"
              "  return {{name, {{reinterpret_cast<const char*>(text), T - 1}}, {{reinterpret_cast<const char*>(table), P - 1}}}};\n"
              "}}\n\n"
-             "std::span<const EmbeddedFile> embedded_files() {{\n  static const EmbeddedFile table[] = {{\n{}  }};\n  return table;\n}}\n\n"
+             "std::span<const EmbeddedFile> {}() {{\n  static const std::initializer_list<EmbeddedFile> table = {{\n{}  }};\n  return {{table.begin(), table.size()}};\n}}\n\n"
              "}}  // namespace kadr\n",
-             rows);
+             target.function, rows);
+}
+
+/// All files of a folder, by name; none where it is not there.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(folder)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool page = argc == 4 && std::string_view(argv[1]) == "--page";
   if (argc < 3) {
-    std::cerr << "kadr_embed OUT ROOT FILE...\n";
+    std::cerr << "kadr_embed OUT ROOT FILE... | --page OUT FOLDER\n";
     return 2;
   }
+  const char* const name = argv[page ? 2 : 1];
   try {
-    std::ofstream out(argv[1], std::ios::binary);
-    embed(out, argv[2], std::span(argv + 3, argv + argc));
+    std::ofstream out(name, std::ios::binary);
+    if (page) embed(out, {"server/page_files.h", "page_files"}, argv[3], files_in(argv[3]));
+    else embed(out, {"config/embedded.h", "embedded_files"}, argv[2], {argv + 3, argv + argc});
     out.close();
-    if (!out) throw std::runtime_error(std::string(argv[1]) + ": cannot be written");
+    if (!out) throw std::runtime_error(std::string(name) + ": cannot be written");
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
-    fs::remove(argv[1]);  // half of it would pass for made
+    fs::remove(name);  // half of it would pass for made
     return 1;
   }
 }

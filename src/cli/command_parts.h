@@ -16,6 +16,9 @@ void add_mill(CLI::App& app, Commands& commands);
 /// cut (cut_command.cpp).
 void add_cut(CLI::App& app, Commands& commands);
 
+/// serve (serve.cpp).
+void add_serve(CLI::App& app, Commands& commands);
+
 /// The options of a program, of all commands that take one (program_commands.cpp).
 void program_argument(CLI::App& app, Options& options);
 void program_options(CLI::App& app, Options& options);

@@ -148,6 +148,18 @@ std::string mill_examples() {
       "Код возврата: 0 — записано и проверено, 1 — ошибка в контуре или траектории, 2 — неверная команда или файл не читается.");
 }
 
+std::string serve_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr serve\n"
+      "  kadr serve programs --port 9000 --no-browser\n"
+      "Ends with Ctrl-C. Exit status: 2 the folder cannot be read, the port is taken.",
+      "Примеры:\n"
+      "  kadr serve\n"
+      "  kadr serve programs --port 9000 --no-browser\n"
+      "Закончить: Ctrl-C. Код возврата: 2 — папка не читается, порт занят.");
+}
+
 std::string cut_examples() {
   return told(
       "Examples:\n"

@@ -49,6 +49,7 @@ int perform(const CLI::App& app, const Commands& commands) {
     return mill(options);
   }
   if (app.got_subcommand("cut")) return cut(commands.cut);
+  if (app.got_subcommand("serve")) return serve(commands.serve);
   if (app.got_subcommand("man")) return fmt::print("{}", manual_page(app)), ok;
   return fmt::print("{}", completion(app, commands.shell)), ok;
 }

@@ -79,6 +79,15 @@ struct CutOptions {
 };
 int cut(const CutOptions& options);
 
+struct ServeOptions {
+  std::string folder = ".";
+  std::string host = "127.0.0.1";
+  int port = 8437;  // 0: a free one
+  bool no_browser = false;
+  std::string lang;
+};
+int serve(const ServeOptions& options);
+
 struct ExplainOptions {
   std::string control;
   std::string code;  // empty: the whole control

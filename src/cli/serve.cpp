@@ -1,0 +1,72 @@
+// kadr serve: the page of a folder, over HTTP, until Ctrl-C. Tested by tests/serve.py.
+
+#include <fmt/core.h>
+#include <spawn.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "cli/command_parts.h"
+#include "cli/help_text.h"
+#include "cli/option_values.h"
+#include "config/told.h"
+#include "server/http_server.h"
+#include "server/page_files.h"
+#include "view/served_folder.h"
+
+extern char** environ;
+
+namespace kadr::cli {
+namespace {
+
+constexpr double most_port = 65535;
+
+/// By the desktop's own program; where there is none, the address has been printed.
+void open_browser(const std::string& address) {
+  std::string program = "xdg-open", where = address;
+  char* const words[] = {program.data(), where.data(), nullptr};
+  posix_spawn_file_actions_t silent;
+  posix_spawn_file_actions_init(&silent);
+  for (const int stream : {1, 2}) posix_spawn_file_actions_addopen(&silent, stream, "/dev/null", 1, 0);
+  pid_t child = 0;
+  (void)posix_spawnp(&child, program.c_str(), &silent, nullptr, words, environ);
+  posix_spawn_file_actions_destroy(&silent);
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, Commands& c) {
+  CLI::App* const serve = app.add_subcommand(
+      "serve", told("serve the page: the programs of a folder, their paths and states", "открыть страницу: УП папки, их траектории и состояния"));
+  ServeOptions& o = c.serve;
+  takes(serve->add_option(told("FOLDER", "ПАПКА"), o.folder, told("whose programs are shown (default: this one)", "чьи УП показать (по умолчанию эта)")),
+        "FOLDER", "ПАПКА");
+  whole_number(serve->add_option("--port", o.port, told("to listen on; 0: a free one", "порт; 0 — любой свободный")), 0, most_port)->capture_default_str();
+  takes(serve->add_option("--host", o.host,
+                          told("address to listen on; any but this machine's own needs the printed token",
+                               "адрес; для любого, кроме адреса этой машины, нужен напечатанный ключ"))
+            ->capture_default_str(),
+        "ADDRESS", "АДРЕС");
+  serve->add_flag("--no-browser", o.no_browser, told("the browser is not opened", "не открывать браузер"));
+  language_option(*serve, o.lang);
+  serve->footer(serve_examples());
+}
+
+int serve(const ServeOptions& options) {
+  const auto folder = ServedFolder::open(options.folder);
+  if (!folder) return complain(folder.error()), wrong_usage;
+  ServedAddress wanted{options.host, std::uint16_t(options.port)};
+  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION};
+  const auto server = HttpServer::listen(wanted, page);
+  if (!server) return complain(server.error()), wrong_usage;
+  const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);
+  fmt::print("kadr serve: {}\n", address);
+  if (std::fflush(stdout) != 0) return wrong_usage;
+  if (page_files().empty())
+    complain(told("built without its page: only the protocol is served (docs/panel-protocol.md)", "собран без страницы: есть только протокол (docs/panel-protocol.md)"));
+  else if (!options.no_browser) open_browser(address);
+  (*server)->run();
+  return ok;
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,338 @@
+#!/usr/bin/env python3
+"""kadr serve, by its protocol (docs/panel-protocol.md), without a browser: what a page may ask, what is refused, what cannot be broken.
+
+    serve.py --kadr PROGRAM
+"""
+import argparse
+import base64
+import json
+import os
+import re
+import signal
+import socket
+import struct
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+failures = []
+passed = 0
+
+
+def expect(what, name):
+    global passed
+    if what:
+        passed += 1
+    else:
+        failures.append(name)
+        print(f'FAILED: {name}')
+
+
+class Server:
+    def __init__(self, kadr, folder, *options):
+        self.process = subprocess.Popen([kadr, 'serve', str(folder), '--port', '0', '--no-browser', '--lang', 'en', *options],
+                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.line = self.process.stdout.readline()
+        found = re.search(r'http://([^:]+):(\d+)/#token=([0-9a-f]{32})', self.line)
+        self.port, self.token = int(found[2]), found[3]
+
+    def request(self, text):
+        with socket.create_connection(('127.0.0.1', self.port), timeout=10) as s:
+            s.sendall(text.encode('latin-1'))
+            s.shutdown(socket.SHUT_WR)
+            got = b''
+            while piece := s.recv(65536):
+                got += piece
+        return got.decode('latin-1')
+
+    def end(self):
+        self.process.send_signal(signal.SIGINT)
+        return self.process.wait(timeout=5)
+
+
+class Page:
+    """A WebSocket client: RFC 6455, as much of it as the protocol needs."""
+
+    def __init__(self, server, **headers):
+        self.socket = socket.create_connection(('127.0.0.1', server.port), timeout=30)
+        fields = {'Host': f'127.0.0.1:{server.port}', 'Upgrade': 'websocket', 'Connection': 'Upgrade',
+                  'Sec-WebSocket-Key': base64.b64encode(os.urandom(16)).decode(), 'Sec-WebSocket-Version': '13', **headers}
+        self.socket.sendall(('GET /session HTTP/1.1\r\n' + ''.join(f'{k}: {v}\r\n' for k, v in fields.items()) + '\r\n').encode())
+        head = b''
+        while b'\r\n\r\n' not in head:
+            piece = self.socket.recv(1)
+            if not piece:
+                break
+            head += piece
+        self.status = int(head.split()[1])
+        self.number = 0
+        self.events, self.frames = [], []
+
+    def send(self, data, opcode=1):
+        mask = os.urandom(4)
+        n = len(data)
+        head = bytes([0x80 | opcode]) + (bytes([0x80 | n]) if n < 126 else bytes([0xFE]) + struct.pack('>H', n) if n < 65536
+                                         else bytes([0xFF]) + struct.pack('>Q', n))
+        repeated = (mask * (n // 4 + 1))[:n]
+        body = (int.from_bytes(data, 'big') ^ int.from_bytes(repeated, 'big')).to_bytes(n, 'big') if n else b''
+        self.socket.sendall(head + mask + body)
+
+    def exactly(self, n):
+        got = b''
+        while len(got) < n:
+            piece = self.socket.recv(n - len(got))
+            if not piece:
+                raise ConnectionError
+            got += piece
+        return got
+
+    def receive(self):
+        """(opcode, bytes) of the next message, its fragments put together."""
+        message, kind = b'', 0
+        while True:
+            first, second = self.exactly(2)
+            n = second & 127
+            if n == 126:
+                n = struct.unpack('>H', self.exactly(2))[0]
+            elif n == 127:
+                n = struct.unpack('>Q', self.exactly(8))[0]
+            data, opcode = self.exactly(n), first & 15
+            if opcode == 9:
+                self.send(data, 10)
+                continue
+            if opcode == 8:
+                raise ConnectionError(struct.unpack('>H', data[:2])[0] if len(data) >= 2 else None)
+            kind = kind or opcode
+            message += data
+            if first & 0x80:
+                return kind, message
+
+    def take(self):
+        kind, data = self.receive()
+        if kind == 2:
+            self.frames.append(data)
+            return None
+        return json.loads(data)
+
+    def ask(self, do, **more):
+        self.number += 1
+        self.send(json.dumps({'id': self.number, 'do': do, **more}).encode())
+        return self.answer(self.number)
+
+    def answer(self, number):
+        while True:
+            message = self.take()
+            if message is None:
+                continue
+            if message.get('re') == number:
+                return message
+            self.events.append(message)
+
+    def until(self, event):
+        while True:
+            for i, message in enumerate(self.events):
+                if message.get('event') == event:
+                    return self.events.pop(i)
+            message = self.take()
+            if message is not None:
+                self.events.append(message)
+
+    def open(self, file, **more):
+        self.events, self.frames = [], []
+        answer = self.ask('open', file=file, **more)
+        return answer, (None if 'error' in answer else self.until('done'))
+
+
+def vertices(frame):
+    """Rows of a frame of the path: x, y, z, time, line, kind, level."""
+    kind, which, count, channel = struct.unpack_from('<4I', frame)
+    begins = struct.unpack_from('<d', frame, 16)[0]
+    at = 96
+    xyz = struct.unpack_from(f'<{3 * count}f', frame, at)
+    times = struct.unpack_from(f'<{count}f', frame, at + 12 * count)
+    lines = struct.unpack_from(f'<{count}I', frame, at + 16 * count)
+    kinds = frame[at + 36 * count - 4 * count:]
+    return [(xyz[3 * i:3 * i + 3], begins + times[i], lines[i], kinds[4 * i], kinds[4 * i + 1]) for i in range(count)]
+
+
+PROGRAM = """(</script><img src=x onerror=alert(1)>)
+G21 G90 G17
+T1 M6
+S1000 M3
+G0 X0 Y0 Z5
+G1 Z-2 F200
+X40 F600
+G3 X40 Y20 J10
+G1 X0
+Y0
+G0 Z5
+M30
+"""
+
+
+def http(server):
+    host = f'Host: 127.0.0.1:{server.port}\r\n'
+    expect(' 200 ' in server.request(f'GET /health HTTP/1.1\r\n{host}\r\n'), 'health')
+    head = server.request(f'HEAD / HTTP/1.1\r\n{host}\r\n')
+    expect(re.match(r'HTTP/1.1 (200|503) ', head) and "frame-ancestors 'none'" in head and 'nosniff' in head, 'HEAD of /, with its policy')
+    for name, text in {
+        'a name that points here is refused': f'GET / HTTP/1.1\r\nHost: evil.example:{server.port}\r\n\r\n',
+        'another port is refused': 'GET / HTTP/1.1\r\nHost: 127.0.0.1:1\r\n\r\n',
+        'no host is refused': 'GET / HTTP/1.0\r\n\r\n',
+        'another origin is refused': f'GET / HTTP/1.1\r\n{host}Origin: http://evil.example\r\n\r\n',
+    }.items():
+        expect(' 403 ' in server.request(text), name)
+    expect(' 405 ' in server.request(f'POST / HTTP/1.1\r\n{host}Content-Length: 0\r\n\r\n'), 'POST is refused')
+    for path in ('/../../etc/passwd', '/%2e%2e/etc/passwd', '/part.nc', '//etc/passwd'):
+        expect(' 404 ' in server.request(f'GET {path} HTTP/1.1\r\n{host}\r\n'), f'GET {path}')
+    expect(' 200 ' not in server.request('GET / HTTP/1.1\r\nX: ' + 'a' * 100000 + '\r\n\r\n'), 'a head that is too long')
+    expect(Page(server, Origin='http://evil.example').status == 403, 'a session of another origin is refused')
+
+
+def session(server, folder):
+    page = Page(server, Origin=f'http://127.0.0.1:{server.port}')
+    expect(page.status == 101, 'a session opens')
+    expect('error' in page.ask('files'), 'the first question is hello')
+    hello = page.ask('hello', token=server.token, lang='en')
+    expect(hello['may_change'] and any(c['id'] == 'mach3' for c in hello['controls']), 'hello')
+    names = [e['name'] for e in page.ask('files', folder='')['entries']]
+    expect('part.nc' in names and '.secret' not in names and 'link' not in names, 'files: no dots, no links')
+    for name in ('../outside.nc', '/etc/passwd', 'link', 'sub/../../outside.nc', '.secret', 'sublink/outside.nc', 'fifo', '', 'part.nc/x', 'a\0b'):
+        expect('error' in page.ask('open', file=name, control='mach3'), f'open {name!r} is refused')
+    expect('error' in page.ask('open', file='part.nc', control='../c.toml'), 'a control beyond the folder is refused')
+
+    opened, done = page.open('part.nc', control='mach3')
+    expect(opened['text'] == PROGRAM and opened['lines'] == 12 and opened['control']['id'] == 'mach3', 'open: text and control')
+    expect(done['state'] == 'ended' and done['extents']['cutting'] == [[0, 0, -2], [50, 20, 5]], 'done: extents')
+    rows = [row for frame in page.frames for row in vertices(frame)]
+    expect(rows[-1][0] == (0, 0, 5) and rows[-1][2] == 11, 'the path ends where the program does')
+    times = [row[1] for row in rows]
+    expect(times == sorted(times) and abs(times[-1] - done['seconds']) < 1e-3, 'time goes on along the path')
+    expect(max(row[0][0] for row in rows) > 49.99, 'the arc is there')
+    expect([m['kind'] for m in done['marks']][-1] == 'end' and any(m['kind'] == 'tool' for m in done['marks']), 'marks')
+
+    middle = [row for row in rows if row[2] == 7][0][1] - 1
+    state = page.ask('state', at=middle)
+    expect(state['line'] == 7 and state['tool'] == 1 and 0 < state['tip'][0] < 40 and state['togo']['X'] > 0, 'state in mid motion')
+    expect(any(m['code'] == 'G1' for m in state['modal']), 'state: modal codes')
+    expect(page.ask('state', at=0)['line'] <= 5 and page.ask('state', at=1e9)['line'] == 11, 'states at both ends')
+    expect(page.ask('passes', line=7)['count'] == 1 and page.ask('passes', line=1)['count'] == 0, 'passes of a line')
+    expect(page.ask('source', **{'from': 2, 'count': 2})['lines'] == ['G21 G90 G17', 'T1 M6'], 'lines of the source')
+    problems = page.ask('check', text=PROGRAM.replace('G3 X40', 'G3 X41'))['problems']
+    expect(len(problems) == 1 and problems[0]['line'] == 8 and problems[0]['hint'], 'check finds the fault with its hint')
+    expect(page.ask('check', text=PROGRAM)['problems'] == [], 'check of the good program')
+
+    text = PROGRAM.replace('F600', 'F700')
+    saved = page.ask('save', file='part.nc', text=text, digest=opened['digest'])
+    expect((folder / 'part.nc').read_text() == text and 'digest' in saved, 'save')
+    expect(page.ask('save', file='part.nc', text='x', digest=opened['digest'])['error'].get('changed'), 'what has changed since is not saved over')
+    for name in ('../x.nc', '.x.nc', 'link', 'sublink/x.nc', '/tmp/x.nc', 'picture.png'):
+        expect('error' in page.ask('save', file=name, text='x', digest=None), f'save {name!r} is refused')
+    expect('error' in page.ask('save', file='other.nc', text='x', digest='1'), 'what was not opened is not saved over')
+    expect('error' in page.ask('save', file='other.nc', text='x', digest=None), 'a new file is none where there is one')
+    expect('digest' in page.ask('save', file='new.nc', text='M30\n', digest=None), 'a new file is saved')
+    expect(not [n for n in os.listdir(folder) if n.endswith('.kadr')], 'nothing unfinished is left')
+    page.ask('language', lang='ru')
+    russian = page.ask('check', text='G1 X10 F100 G0\nM30\n')['problems']
+    expect(russian and any('а' <= c <= 'я' for c in russian[0]['text']), 'Russian')
+
+    other = Page(server)
+    expect(not other.ask('hello', token='0' * 32)['may_change'], 'a wrong token may look')
+    expect('error' in other.ask('save', file='new2.nc', text='x', digest=None) and not (folder / 'new2.nc').exists(), 'and saves nothing')
+
+
+def endless(server):
+    """An endless program is stopped at once; other sessions go on meanwhile."""
+    page = Page(server)
+    page.ask('hello', token=server.token)
+    page.ask('open', file='endless.nc', control='mach3')
+    other = Page(server)
+    started = time.monotonic()
+    other.ask('hello')
+    other.ask('files', folder='')
+    expect(time.monotonic() - started < 2, 'another session is answered meanwhile')
+    started = time.monotonic()
+    page.number += 1
+    page.send(json.dumps({'id': page.number, 'do': 'stop'}).encode())
+    expect(page.until('done')['state'] == 'cancelled' and time.monotonic() - started < 2, 'stop')
+    page.answer(page.number)
+    _, done = page.open('part.nc', control='mach3')
+    expect(done['state'] == 'ended', 'after a stop the next program runs to its end')
+
+
+def garbage(server):
+    """Bad messages are answered, a flood ends the session, and nobody else knows of it."""
+    good = Page(server)
+    good.ask('hello')
+    bad = Page(server)
+    closed = False
+    try:
+        for text in [b'', b'{', b'[]', b'1', b'{"id":1}', b'{"id":1,"do":7}', b'\xff\xfe', b'{"do":"hello"}', b'[' * 5000] * 15:
+            bad.send(text)
+            bad.take()
+    except (ConnectionError, OSError):
+        closed = True
+    expect(closed, 'a hundred messages that are no questions end the session')
+    for opcode in (0, 3, 11):
+        broken = Page(server)
+        broken.send(b'x', opcode)
+        try:
+            broken.receive()
+            expect(False, f'opcode {opcode}')
+        except (ConnectionError, OSError):
+            expect(True, '')
+    big = Page(server)
+    try:
+        big.send(b'x' * (17 << 20))
+        big.receive()
+        expect(False, 'a message above the limit')
+    except (ConnectionError, OSError):
+        expect(True, '')
+    numbers = Page(server)
+    numbers.ask('hello')
+    numbers.open('part.nc', control='mach3')
+    for more in ({'at': 1e308}, {'at': -1}, {'at': 'x'}, {'at': None}):
+        numbers.ask('state', **more)
+    for more in ({'from': -1, 'count': 1e18}, {'from': 1e18, 'count': 1}, {'file': 70000}, {'from': 'a'}):
+        numbers.ask('source', **more)
+    expect('entries' in good.ask('files', folder=''), 'another session knows nothing of it')
+    many = [Page(server) for _ in range(40)]
+    expect(many[-1].status == 503, 'no more sessions than the limit')
+    for one in many:
+        one.socket.close()
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument('--kadr', required=True)
+    kadr = options.parse_args().kadr
+    with tempfile.TemporaryDirectory() as above:
+        folder = Path(above) / 'programs'
+        (folder / 'sub').mkdir(parents=True)
+        (Path(above) / 'outside.nc').write_text(PROGRAM)
+        (folder / 'part.nc').write_text(PROGRAM)
+        (folder / 'other.nc').write_text(PROGRAM)
+        (folder / '.secret').write_text('x')
+        (folder / 'endless.nc').write_text('G90 G21 F1000\nG0 X0 Y0 Z0\nG1 X1\nX0\nM47\n')
+        (folder / 'link').symlink_to('/etc/passwd')
+        (folder / 'sublink').symlink_to(above)
+        os.mkfifo(folder / 'fifo')
+        server = Server(kadr, folder)
+        for part in (lambda: http(server), lambda: session(server, folder), lambda: endless(server), lambda: garbage(server)):
+            part()
+        expect(server.process.poll() is None, 'the server still stands')
+        expect(server.end() == 130, 'Ctrl-C')
+        wrong = subprocess.run([kadr, 'serve', str(folder / 'nothing'), '--no-browser'], capture_output=True, text=True, timeout=10)
+        expect(wrong.returncode == 2 and wrong.stderr, 'a folder that is not there')
+        remote = Server(kadr, folder, '--host', '0.0.0.0')
+        page = Page(remote)
+        expect('error' in page.ask('hello', token='x') and 'error' in page.ask('files'), 'beyond this machine nothing without the token')
+        expect('error' not in Page(remote).ask('hello', token=remote.token), 'with it all')
+        remote.end()
+    print(f'{passed} passed, {len(failures)} failed')
+    return 1 if failures else 0
+
+
+if __name__ == '__main__':
+    raise SystemExit(main())

@@ -1,0 +1,58 @@
+// A folder and nothing beyond it.
+
+#include "view/served_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+
+namespace kadr {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(ServedFolder, KindsByName) {
+  using Kind = FolderEntry::Kind;
+  EXPECT_EQ(kind_of_file("PART.NC"), Kind::program);
+  EXPECT_EQ(kind_of_file("O0001"), Kind::program);
+  EXPECT_EQ(kind_of_file("shop.json"), Kind::setup);
+  EXPECT_EQ(kind_of_file("tools.toml"), Kind::tools);
+  EXPECT_EQ(kind_of_file("part.STL"), Kind::other);
+}
+
+TEST(ServedFolder, NothingBeyondIt) {
+  const fs::path above = fs::temp_directory_path() / ("kadr_served_" + std::to_string(::getpid()));
+  fs::create_directories(above / "in" / "sub");
+  std::ofstream(above / "out.nc") << "M30\n";
+  std::ofstream(above / "in" / "a.nc") << "M30\n";
+  fs::create_symlink(above / "out.nc", above / "in" / "link.nc");
+  fs::create_symlink(above, above / "in" / "up");
+  {
+    const auto folder = ServedFolder::open((above / "in").string());
+    ASSERT_TRUE(folder);
+    EXPECT_TRUE(folder->path_of("a.nc"));
+    for (const char* name : {"", ".", "..", "../out.nc", "link.nc", "up/out.nc", "sub/../a.nc", "/etc/passwd", "sub", "a.nc/", "sub//x"})
+      EXPECT_FALSE(folder->path_of(name)) << name;
+    EXPECT_EQ(folder->list("")->entries.size(), 2U);
+    EXPECT_FALSE(folder->list("up"));
+    const auto read = folder->read("a.nc", 100);
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(folder->read("a.nc", 2));
+    const auto saved = folder->save("a.nc", "M2\n", read->digest);
+    ASSERT_TRUE(saved);
+    EXPECT_TRUE(folder->save("a.nc", "M3\n", read->digest).error().changed);
+    EXPECT_EQ(folder->read("a.nc", 100)->bytes, "M2\n");
+    EXPECT_FALSE(folder->save("link.nc", "x", std::nullopt));
+    EXPECT_FALSE(folder->save("up/x.nc", "x", std::nullopt));
+    EXPECT_FALSE(folder->save("a.png", "x", std::nullopt));
+  }
+  EXPECT_FALSE(ServedFolder::open((above / "none").string()));
+  fs::remove_all(above);
+}
+
+}  // namespace
+}  // namespace kadr
