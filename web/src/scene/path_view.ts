@@ -37,7 +37,7 @@ export class PathView {
 
   private add_leans(frame: ArrayBuffer): boolean {
     const head = frame.byteLength >= 16 ? new Uint32Array(frame, 0, 4) : null;
-    const last = head && this.drawn.findLast((d) => d.piece.which === head[1] && d.piece.channel === head[3])?.piece;
+    const last = head && this.drawn.filter((d) => d.piece.which === head[1] && d.piece.channel === head[3]).at(-1)?.piece;
     const leans = last && decode_leans(frame, last);
     if (leans) last.leans = leans;
     return Boolean(leans);
