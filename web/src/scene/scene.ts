@@ -109,7 +109,7 @@ export class Scene {
   setBoxes(boxes: SceneBox[]): void {
     this.shown_boxes = boxes;
     empty(this.boxes);
-    this.boxes.add(...boxes.map((b) => box_lines(b, this.theme)));
+    for (const b of boxes) this.boxes.add(box_lines(b, this.theme));
     this.touch();
   }
 
