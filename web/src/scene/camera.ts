@@ -1,0 +1,76 @@
+// Where the view looks from: a target, two angles, half the height of the picture in mm. Z is up.
+import { OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
+import type { Point } from "./types";
+
+const fov = 30, quarter = Math.PI / 2, iso_pitch = Math.atan(1 / Math.SQRT2);
+const directions: Record<string, [number, number]> = { front: [0, 0], right: [quarter, 0], back: [2 * quarter, 0], left: [-quarter, 0], top: [0, quarter], bottom: [0, -quarter], iso: [quarter / 2, iso_pitch] };
+
+export class Eye {
+  readonly target = new Vector3();
+  half = 100;
+  flat = true;
+  private yaw = quarter / 2;
+  private pitch = iso_pitch;
+  private width = 1;
+  private height = 1;
+  private least = new Vector3(-50, -50, -50);
+  private greatest = new Vector3(50, 50, 50);
+  private parallel = new OrthographicCamera();
+  private pointed = new PerspectiveCamera(fov);
+
+  get camera(): OrthographicCamera | PerspectiveCamera { return this.flat ? this.parallel : this.pointed; }
+  get mm_per_pixel(): number { return (2 * this.half) / this.height; }
+  get right(): Vector3 { return new Vector3(Math.cos(this.yaw), Math.sin(this.yaw), 0); }
+  get towards(): Vector3 { return new Vector3(Math.cos(this.pitch) * Math.sin(this.yaw), -Math.cos(this.pitch) * Math.cos(this.yaw), Math.sin(this.pitch)); }
+  get up(): Vector3 { return this.towards.cross(this.right); }
+
+  size(width: number, height: number): void { this.width = Math.max(1, width); this.height = Math.max(1, height); }
+  around(least: Point, greatest: Point): void { this.least.set(...least); this.greatest.set(...greatest); }
+  look(view: string): void { [this.yaw, this.pitch] = directions[view] ?? [this.yaw, this.pitch]; }
+
+  /// Turns by pixels about `pivot`, which stays where it is on the screen.
+  turn(dx: number, dy: number, pivot: Vector3): void {
+    const offset = this.target.clone().sub(pivot);
+    const [r, u, t] = [offset.dot(this.right), offset.dot(this.up), offset.dot(this.towards)];
+    this.yaw -= dx * 0.008; // radians a pixel: half a turn over some 400 pixels
+    this.pitch = Math.min(quarter, Math.max(-quarter, this.pitch + dy * 0.008));
+    this.target.copy(pivot).addScaledVector(this.right, r).addScaledVector(this.up, u).addScaledVector(this.towards, t);
+  }
+
+  shift(dx: number, dy: number): void {
+    this.target.addScaledVector(this.right, -dx * this.mm_per_pixel).addScaledVector(this.up, dy * this.mm_per_pixel);
+  }
+
+  /// By `factor` about the place x, y of the screen: what is there stays there.
+  zoom(factor: number, x: number, y: number): void {
+    const before = this.mm_per_pixel;
+    this.half = Math.min(1e6, Math.max(0.005, this.half * factor));
+    const by = before - this.mm_per_pixel;
+    this.target.addScaledVector(this.right, (x - this.width / 2) * by).addScaledVector(this.up, (this.height / 2 - y) * by);
+  }
+
+  /// The box fills the picture, with a margin for the tool bars.
+  fit(least: Point, greatest: Point): void {
+    const a = new Vector3(...least), b = new Vector3(...greatest), size = b.clone().sub(a);
+    const spread = (axis: Vector3): number => (Math.abs(axis.x * size.x) + Math.abs(axis.y * size.y) + Math.abs(axis.z * size.z)) / 2;
+    this.target.copy(a).add(b).multiplyScalar(0.5);
+    this.half = Math.max(0.5, 1.25 * Math.max(spread(this.up), (spread(this.right) * this.height) / this.width));
+  }
+
+  /// The camera as it is now; near and far enclose all that there is.
+  update(): void {
+    const centre = this.least.clone().add(this.greatest).multiplyScalar(0.5);
+    const reach = 1.2 * this.least.distanceTo(this.greatest) + this.target.distanceTo(centre) + 2 * this.half, c = this.camera;
+    const away = this.flat ? reach : this.half / Math.tan((fov / 2) * (Math.PI / 180));
+    c.position.copy(this.target).addScaledVector(this.towards, away);
+    c.up.copy(this.up);
+    c.lookAt(this.target);
+    c.near = this.flat ? 0 : Math.max(away / 200, away - reach);
+    c.far = away + reach;
+    const aspect = this.width / this.height;
+    if (c instanceof OrthographicCamera) { c.left = -this.half * aspect; c.right = this.half * aspect; c.top = this.half; c.bottom = -this.half; }
+    else c.aspect = aspect;
+    c.updateProjectionMatrix();
+    c.updateMatrixWorld(true);
+  }
+}

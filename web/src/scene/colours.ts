@@ -1,0 +1,58 @@
+// The colour of each motion, as four bytes. Rapids are dim in every colouring: what cuts is what is looked at.
+import type { Piece } from "./frame";
+import { is_rapid, type ColourBy } from "./types";
+
+export type Rgba = [number, number, number, number];
+export interface Theme { ground: number; rapid: Rgba; kinds: Rgba[]; other: Rgba; programmed: Rgba; bright: number; stock: number; extents: number; part: number; cut_part: number; tool: number; holder: number }
+
+const opaque = (hex: number): Rgba => [hex >> 16, (hex >> 8) & 255, hex & 255, 255];
+const kinds = (...hex: number[]): Rgba[] => hex.map(opaque); // by kind: jump, rapid, feed, arc cw, arc ccw, probe, home, thread, spline
+export const light: Theme = {
+  ground: 0xffffff, rapid: [110, 118, 130, 110], kinds: kinds(0x888888, 0x888888, 0x0b62d6, 0x0a7d55, 0x7b3fc4, 0xb35900, 0x888888, 0xb0186b, 0x00758f),
+  other: [200, 40, 40, 200], programmed: [150, 120, 20, 170], bright: 0xe65c00, stock: 0x8a6d3b, extents: 0x9aa3ad, part: 0xaeb7c2, cut_part: 0x8fb3dd, tool: 0xd08a1d, holder: 0x6b7480,
+};
+export const dark: Theme = {
+  ground: 0x10151c, rapid: [150, 160, 172, 90], kinds: kinds(0x888888, 0x888888, 0x5aa2ff, 0x57c785, 0xb98cff, 0xe59b4a, 0x888888, 0xff7bbd, 0x4fd0e8),
+  other: [255, 110, 110, 210], programmed: [220, 190, 90, 170], bright: 0xffb000, stock: 0xb89a62, extents: 0x59636e, part: 0x7f8a97, cut_part: 0x5b86ba, tool: 0xf0b24a, holder: 0x8b95a1,
+};
+const by_tool = [0x0b7ad6, 0xd2691e, 0x2e9e5b, 0xa44bd0, 0xc93a55, 0x1a9aa8, 0x9a8a12, 0x7a6a5a].map(opaque);
+
+export interface Ranges { feed: [number, number]; speed: [number, number]; time: [number, number]; depth: [number, number] }
+
+/// The least and greatest of each quantity over the whole path, between which the ramp runs.
+export function ranges_of(pieces: readonly Piece[]): Ranges {
+  const r: Ranges = { feed: [Infinity, -Infinity], speed: [Infinity, -Infinity], time: [Infinity, -Infinity], depth: [Infinity, -Infinity] };
+  const widen = (to: [number, number], from: readonly [number, number]): void => { to[0] = Math.min(to[0], from[0]); to[1] = Math.max(to[1], from[1]); };
+  for (const p of pieces) {
+    widen(r.feed, p.feed_range);
+    widen(r.speed, p.speed_range);
+    widen(r.time, [p.start, p.start + p.times[p.count - 1]!]);
+    if (p.cut) widen(r.depth, [p.cut[0][2], p.cut[1][2]]);
+  }
+  return r;
+}
+
+export function colour_of(p: Piece, i: number, by: ColourBy, r: Ranges, theme: Theme): Rgba {
+  const kind = p.kinds[4 * i]!;
+  if (p.which & 1) return is_rapid(kind) ? theme.rapid : theme.other;
+  if (p.which & 2) return theme.programmed;
+  if (is_rapid(kind)) return theme.rapid;
+  switch (by) {
+    case "kind": return theme.kinds[Math.min(kind, theme.kinds.length - 1)]!;
+    case "tool": return by_tool[p.tools[2 * i]! % by_tool.length]!;
+    case "feed": return ramp(p.feeds[i]!, r.feed);
+    case "speed": return ramp(p.speeds[i]!, r.speed);
+    case "time": return ramp(p.start + p.times[i]!, r.time);
+    case "depth": return ramp(p.at[3 * i + 2]!, r.depth);
+  }
+}
+
+// From low to high: blue, green, amber, red; all dark enough for white ground and light enough for black.
+const stops = [0x2f6fe0, 0x12a07a, 0xd09a10, 0xd93a2b].map(opaque);
+
+export function ramp(value: number, [low, high]: readonly [number, number]): Rgba {
+  const part = high > low ? Math.min(1, Math.max(0, (value - low) / (high - low))) : 0;
+  const at = part * (stops.length - 1), i = Math.min(stops.length - 2, Math.floor(at)), a = stops[i]!, b = stops[i + 1]!;
+  const mix = (k: 0 | 1 | 2): number => Math.round(a[k] + (at - i) * (b[k] - a[k]));
+  return [mix(0), mix(1), mix(2), 255];
+}

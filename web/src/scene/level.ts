@@ -1,0 +1,26 @@
+// How finely the path is drawn: no finer than the screen shows, and never more than the budget of segments.
+import { levels, type Piece } from "./frame";
+
+export const segment_budget = 300_000;
+const finest = 0.001;        // mm: how far level 0 may be off; each level doubles it
+const unseen_pixels = 0.5;   // what is off by less is not seen
+
+/// The coarsest level whose error is not seen where a pixel is that many mm.
+export function level_for(mm_per_pixel: number): number {
+  const error = unseen_pixels * mm_per_pixel;
+  if (!(error > finest)) return 0;
+  return Math.min(levels - 1, Math.floor(Math.log2(error / finest)));
+}
+
+/// From the level the screen asks for, up to the first one at which the pieces together keep to the budget.
+export function level_within(pieces: readonly Piece[], wanted: number, budget = segment_budget): number {
+  for (let level = wanted; level < levels - 1; level++)
+    if (segments_at(pieces, level) <= budget) return level;
+  return levels - 1;
+}
+
+export function segments_at(pieces: readonly Piece[], level: number): number {
+  let sum = 0;
+  for (const p of pieces) sum += Math.max(0, p.kept[level]! - 1);
+  return sum;
+}

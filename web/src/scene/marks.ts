@@ -1,0 +1,89 @@
+// What stands in the view beside the path: the tool, the part, boxes, the line that is lit.
+import { BufferAttribute, BufferGeometry, Box3, Box3Helper, Color, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Plane, Vector2, Vector3, type Material, type Object3D } from "three";
+import type { Theme } from "./colours";
+import { decode_part } from "./frame";
+import { jump, type Point, type SceneBox, type ToolShape } from "./types";
+import type { Drawn } from "./path_view";
+
+const around = 32, up = new Vector3(0, 0, 1);
+const blank = 65535;          // "made by" of what no tool has touched
+const most_lit = 50_000;      // segments of one line that are lit: more are no longer told apart
+
+export function empty(group: Object3D): void {
+  for (const o of [...group.children] as Mesh[]) {
+    group.remove(o);
+    o.geometry?.dispose();
+    (o.material as Material | undefined)?.dispose?.();
+    empty(o);
+  }
+}
+
+/// The tool in its true shape, tip in the middle; without a shape a cone of that height.
+export function tool_mesh(shape: ToolShape | undefined, cone: number, theme: Theme): Group {
+  const group = new Group();
+  const lathe = (outline: readonly [number, number][], colour: number, opacity: number): void => {
+    const points = outline.map(([d, z]) => new Vector2(d / 2, z));
+    if (points.length < 2) return;
+    if (points[points.length - 1]!.x > 0) points.push(new Vector2(0, points[points.length - 1]!.y));
+    if (points[0]!.x > 0) points.unshift(new Vector2(0, points[0]!.y));
+    group.add(new Mesh(new LatheGeometry(points, around).rotateX(Math.PI / 2), new MeshLambertMaterial({ color: colour, transparent: true, opacity, side: DoubleSide })));
+  };
+  if (!shape || shape.cutting.every(([d]) => d <= 0)) lathe([[0, 0], [cone * 0.5, cone]], theme.tool, 0.85);
+  else {
+    lathe(shape.cutting, theme.tool, 0.85);
+    lathe(shape.shank, theme.holder, 0.6);
+    lathe(shape.holder, theme.holder, 0.45);
+  }
+  return group;
+}
+
+export function put_tool(tool: Group, at: Point, lean: Point | null): void {
+  tool.position.set(...at);
+  tool.quaternion.setFromUnitVectors(up, lean ? new Vector3(...lean).normalize() : up);
+}
+
+/// The part with what the tools made in another colour than the blank; both sides, so that a section is not open.
+export function part_mesh(frame: ArrayBuffer, zero: Point, theme: Theme, planes: Plane[]): Mesh | null {
+  const part = decode_part(frame);
+  if (!part) return null;
+  const g = new BufferGeometry(), n = part.points.length / 3, points = new Float32Array(3 * n), colours = new Float32Array(3 * n);
+  const raw = new Color(theme.part), cut = new Color(theme.cut_part);
+  for (let i = 0; i < n; i++) {
+    for (let k = 0; k < 3; k++) points[3 * i + k] = part.points[3 * i + k]! - zero[k]!;
+    (part.made_by[2 * i] === blank ? raw : cut).toArray(colours, 3 * i);
+  }
+  g.setAttribute("position", new BufferAttribute(points, 3));
+  g.setAttribute("color", new BufferAttribute(colours, 3));
+  g.setIndex(new BufferAttribute(part.triangles, 1));
+  // Flat shading: a face of the part keeps its edges, and the frame needs no normals.
+  return new Mesh(g, new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+}
+
+export function box_lines(box: SceneBox, theme: Theme): Box3Helper {
+  const lines = new Box3Helper(new Box3(new Vector3(...box.box[0]), new Vector3(...box.box[1])), theme[box.kind]);
+  const material = lines.material as LineBasicMaterial;
+  material.transparent = true;
+  material.opacity = box.kind === "stock" ? 0.9 : 0.55;
+  return lines;
+}
+
+/// Ends of every segment that a line of the program made, at full fineness.
+export function lit_points(all: readonly Drawn[], line: number, file: number, zero: Point): Float32Array {
+  const out: number[] = [];
+  for (const { piece: p } of all) {
+    if (p.which !== 0 || line < p.line_range[0] || line > p.line_range[1]) continue;
+    for (let i = 1; i < p.count && out.length < 6 * most_lit; i++) {
+      if (p.lines[i] !== line || p.tools[2 * i + 1] !== file || p.kinds[4 * i] === jump) continue;
+      for (const j of [i - 1, i]) for (let k = 0; k < 3; k++) out.push(p.at[3 * j + k]! - zero[k]!);
+    }
+  }
+  return new Float32Array(out);
+}
+
+/// The three axes at the picture's zero: X red, Y green, Z blue, as everywhere.
+export function axes(length: number): LineSegments {
+  const g = new BufferGeometry(), c = [0.85, 0.2, 0.2, 0.85, 0.2, 0.2, 0.15, 0.6, 0.25, 0.15, 0.6, 0.25, 0.2, 0.4, 0.95, 0.2, 0.4, 0.95];
+  g.setAttribute("position", new BufferAttribute(new Float32Array([0, 0, 0, length, 0, 0, 0, 0, 0, 0, length, 0, 0, 0, 0, 0, 0, length]), 3));
+  g.setAttribute("color", new BufferAttribute(new Float32Array(c), 3));
+  return new LineSegments(g, new LineBasicMaterial({ vertexColors: true }));
+}

@@ -1,0 +1,27 @@
+// What the 3D view says and is told. Lengths mm, times seconds, from the picture's zero.
+import type { Box } from "../protocol/types";
+
+export type Point = [number, number, number];
+export type ColourBy = "kind" | "tool" | "feed" | "speed" | "time" | "depth";
+export type ViewName = "top" | "front" | "left" | "right" | "back" | "bottom" | "iso" | "fit";
+export interface SceneVertex { which: number; at: Point; time: number; line: number; file: number; number: number; kind: number; tool: number; feed: number; speed: number; radius?: number }
+export interface SceneFilter {
+  rapids: boolean; tools: number[] | null; depth: [number, number] | null; lines: [number, number] | null;
+  hideDone: boolean; programmed: boolean; other: boolean;
+}
+export interface SceneBox { name: string; kind: "stock" | "extents"; box: Box }
+/// Outlines of [diameter, height over the tip], from below upwards.
+export interface ToolShape { number: number; cutting: [number, number][]; shank: [number, number][]; holder: [number, number][] }
+export interface Measured { distance: number; delta: Point }
+export interface SceneEvents {
+  pick(v: SceneVertex | null): void;
+  hover(v: SceneVertex | null, x: number, y: number): void;
+  measured(m: Measured | null): void;
+  thinned(drawn: number, all: number): void;
+}
+
+/// Thrown where the browser gives no WebGL: the page goes on without this view.
+export class NoWebGl extends Error {}
+
+export const jump = 0, rapid = 1, home = 6;
+export const is_rapid = (kind: number): boolean => kind === rapid || kind === home;
