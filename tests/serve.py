@@ -156,7 +156,7 @@ def vertices(frame):
     xyz = struct.unpack_from(f'<{3 * count}f', frame, at)
     times = struct.unpack_from(f'<{count}f', frame, at + 12 * count)
     lines = struct.unpack_from(f'<{count}I', frame, at + 16 * count)
-    kinds = frame[at + 36 * count - 4 * count:]
+    kinds = frame[at + 36 * count:]
     return [(xyz[3 * i:3 * i + 3], begins + times[i], lines[i], kinds[4 * i], kinds[4 * i + 1]) for i in range(count)]
 
 
@@ -213,6 +213,7 @@ def session(server, folder):
     expect(rows[-1][0] == (0, 0, 5) and rows[-1][2] == 11, 'the path ends where the program does')
     times = [row[1] for row in rows]
     expect(times == sorted(times) and abs(times[-1] - done['seconds']) < 1e-3, 'time goes on along the path')
+    expect([row[3] for row in rows[:3]] == [0, 1, 2] and rows[0][4] == 15, 'kinds and levels')
     expect(max(row[0][0] for row in rows) > 49.99, 'the arc is there')
     expect([m['kind'] for m in done['marks']][-1] == 'end' and any(m['kind'] == 'tool' for m in done['marks']), 'marks')
 

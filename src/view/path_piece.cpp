@@ -94,7 +94,7 @@ void set_levels(ViewPiece& piece) {
 std::string path_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel) {
   const std::vector<PathVertex>& v = piece.vertices;
   FrameBytes frame(1, which, std::uint32_t(v.size()), channel);
-  constexpr std::size_t head = 96, row = 36;
+  constexpr std::size_t head = 96, row = 40;
   frame.reserve(head + row * v.size());
   put_head(frame, piece);
   for (const PathVertex& x : v) frame.put(x.at);

@@ -75,7 +75,7 @@ TEST(PathPiece, AFrameIsAsLongAsItSays) {
   piece.vertices[1].line = 77;
   set_levels(piece);
   const std::string frame = path_frame(piece, 1, 2);
-  ASSERT_EQ(frame.size(), 96 + 36 * 3U);
+  ASSERT_EQ(frame.size(), 96 + 40 * 3U);
   std::uint32_t head[4];
   std::memcpy(head, frame.data(), sizeof head);
   EXPECT_EQ(head[0], 1U);
