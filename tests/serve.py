@@ -238,6 +238,7 @@ def session(server, folder):
     expect('error' in page.ask('save', file='other.nc', text='x', digest=None), 'a new file is none where there is one')
     expect('digest' in page.ask('save', file='new.nc', text='M30\n', digest=None), 'a new file is saved')
     expect(not [n for n in os.listdir(folder) if n.endswith('.kadr')], 'nothing unfinished is left')
+    expect(all('not served yet' in page.ask(do)['error']['text'] for do in ('cut', 'explain') * 60), 'what is to come is no mistake')
     page.ask('language', lang='ru')
     russian = page.ask('check', text='G1 X10 F100 G0\nM30\n')['problems']
     expect(russian and any('а' <= c <= 'я' for c in russian[0]['text']), 'Russian')

@@ -120,6 +120,8 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
   if (what == "open") return open(question);
   if (what == "stop") return PageJson::object();
   if (what == "save") return save(question);
+  for (const char* const later : {"explain", "cut", "part", "proposals", "sheet", "compare"})
+    if (what == later) return tl::unexpected(Refusal{what + ": " + told("not served yet", "пока не отвечает")});
   if (what != "source" && what != "state" && what != "passes" && what != "check") return tl::unexpected(Refusal{});
   if (!run) return tl::unexpected(Refusal{told("no program is open", "программа не открыта")});
   if (what == "source") return source_lines(question);
@@ -232,7 +234,9 @@ PageSession::Inside::Answer PageSession::Inside::state(const PageJson& question)
   if (!instants) instants = std::make_unique<Instants>(*run);
   const auto state = instants->at(value_in<double>(question, "at", 0), token());
   if (!state) return tl::unexpected(Refusal{state.error()});
-  return state_json(*state, *run);
+  PageJson json = state_json(*state, *run);
+  json["file_name"] = server.folder.shown(state->line.file);
+  return json;
 }
 
 PageSession::Inside::Answer PageSession::Inside::passes(const PageJson& question) {

@@ -45,6 +45,8 @@ class ServedFolder {
 
   /// Its last part, as people call it.
   const std::string& name() const { return name_; }
+  /// A path in the file system as people call it: from the folder on, where it lies beneath.
+  std::string shown(const std::string& path) const { return path.starts_with(path_ + "/") ? path.substr(path_.size() + 1) : path; }
   /// `folder`: from it on, with '/'; empty: itself. Names that begin with a dot, links, devices are left out.
   tl::expected<FolderList, std::string> list(const std::string& folder) const;
   /// The place of a regular file beneath it in the file system, for whoever reads programs and what they call.
