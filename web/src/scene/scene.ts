@@ -24,7 +24,7 @@ export class Scene {
   private origin = new Group();
   private ruler = new Group();
   private lamp = new DirectionalLight(0xffffff, 2.2);
-  private lit = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 3.5, depthTest: false }));
+  private lit = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 2.5, depthTest: false }));
   private theme: Theme = document.documentElement.dataset.theme === "dark" ? dark : light;
   private planes: Plane[] = [];
   private shapes: ToolShape[] = [];
@@ -39,6 +39,7 @@ export class Scene {
   private counted: [number, number] = [0, 0];
   private width = 1;
   private height = 1;
+  private own_view = false;          // the user has turned, moved or zoomed since the last fit
 
   constructor(private host: HTMLElement, private events: SceneEvents) {
     this.renderer = make_renderer();
@@ -51,7 +52,7 @@ export class Scene {
     this.lit.visible = false;
     this.stage.add(this.path.group, this.boxes, this.tool, this.part, this.origin, this.ruler, this.lit, new AmbientLight(0xffffff, 1.3), this.lamp);
     new Controls(canvas, this.eye, {
-      changed: () => this.touch(), click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place); },
+      changed: () => { this.own_view = true; this.touch(); }, click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place); },
       hover: (x, y) => { this.pointer = [x, y]; this.ask(); }, leave: () => { this.pointer = null; this.events.hover(null, 0, 0); },
     });
     new ResizeObserver(() => this.resize()).observe(host);
@@ -110,7 +111,7 @@ export class Scene {
     this.shown_boxes = boxes;
     empty(this.boxes);
     for (const b of boxes) this.boxes.add(box_lines(b, this.theme));
-    this.touch();
+    this.refit();
   }
 
   setPart(frame: ArrayBuffer | null): void {
@@ -131,9 +132,8 @@ export class Scene {
 
   view(name: ViewName | string): void {
     if (name !== "fit") this.eye.look(name);
-    const box = this.extent(true);
-    if (!box.isEmpty()) this.eye.fit(box.min.toArray() as Point, box.max.toArray() as Point);
-    this.touch();
+    this.own_view = false;
+    this.refit();
   }
 
   thinned(): { drawn: number; all: number } { return { drawn: this.counted[0], all: this.counted[1] }; }
@@ -144,6 +144,13 @@ export class Scene {
   }
 
   private from_zero(p: Point): Point { const z = this.path.zero; return [p[0] - z[0], p[1] - z[1], p[2] - z[2]]; }
+
+  /// The blank often comes after the path: it is brought into the picture too, unless the user has chosen another one.
+  private refit(): void {
+    const box = this.extent(true);
+    if (!this.own_view && !box.isEmpty()) this.eye.fit(box.min.toArray() as Point, box.max.toArray() as Point);
+    this.touch();
+  }
 
   private extent(cut: boolean): Box3 {
     const box = this.path.extent(cut);
