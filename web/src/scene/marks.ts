@@ -5,7 +5,7 @@ import { decode_part } from "./frame";
 import { jump, type Point, type SceneBox, type ToolShape } from "./types";
 import type { Drawn } from "./path_view";
 
-const around = 32, up = new Vector3(0, 0, 1);
+const around = 64, up = new Vector3(0, 0, 1);
 const blank = 65535;          // "made by" of what no tool has touched
 const most_lit = 50_000;      // segments of one line that are lit: more are no longer told apart
 
@@ -26,7 +26,7 @@ export function tool_mesh(shape: ToolShape | undefined, cone: number, theme: The
     if (points.length < 2) return;
     if (points[points.length - 1]!.x > 0) points.push(new Vector2(0, points[points.length - 1]!.y));
     if (points[0]!.x > 0) points.unshift(new Vector2(0, points[0]!.y));
-    group.add(new Mesh(new LatheGeometry(points, around).rotateX(Math.PI / 2), new MeshLambertMaterial({ color: colour, transparent: true, opacity, side: DoubleSide })));
+    group.add(new Mesh(new LatheGeometry(points, around).rotateX(Math.PI / 2), new MeshLambertMaterial({ color: colour, transparent: true, opacity, flatShading: true, side: DoubleSide })));
   };
   if (!shape || shape.cutting.every(([d]) => d <= 0)) lathe([[0, 0], [cone * 0.5, cone]], theme.tool, 0.85);
   else {

@@ -1,5 +1,5 @@
 // The 3D view: path, tool, part and boxes; it draws only when something has changed.
-import { AmbientLight, Box3, DirectionalLight, Group, Plane, Scene as Stage, Vector3, WebGLRenderer } from "three";
+import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LinearSRGBColorSpace, LineBasicMaterial, LineSegments, Plane, Scene as Stage, Vector3, WebGLRenderer } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -13,6 +13,10 @@ import { NoWebGl, type ColourBy, type Point, type SceneBox, type SceneEvents, ty
 
 export * from "./types";
 
+ColorManagement.enabled = false; // before the first colour is made
+
+const most_thick = 4000; // segments: a thick line costs some ten times as much as a thin one
+
 export class Scene {
   private renderer: WebGLRenderer;
   private stage = new Stage();
@@ -23,8 +27,9 @@ export class Scene {
   private part = new Group();
   private origin = new Group();
   private ruler = new Group();
-  private lamp = new DirectionalLight(0xffffff, 2.2);
-  private lit = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 3.5, depthTest: false }));
+  private lamp = new DirectionalLight(0xffffff, 1.6);
+  private lit = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 2.5, depthTest: false }));
+  private lit_thin = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
   private theme: Theme = document.documentElement.dataset.theme === "dark" ? dark : light;
   private planes: Plane[] = [];
   private shapes: ToolShape[] = [];
@@ -39,19 +44,17 @@ export class Scene {
   private counted: [number, number] = [0, 0];
   private width = 1;
   private height = 1;
+  private own_view = false;          // the user has turned, moved or zoomed since the last fit
 
   constructor(private host: HTMLElement, private events: SceneEvents) {
     this.renderer = make_renderer();
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     host.append(canvas);
-    this.lamp.position.set(0.4, -0.6, 1);
-    this.lit.renderOrder = 2;
-    this.lit.frustumCulled = false;
-    this.lit.visible = false;
-    this.stage.add(this.path.group, this.boxes, this.tool, this.part, this.origin, this.ruler, this.lit, new AmbientLight(0xffffff, 1.3), this.lamp);
+    for (const o of [this.lit, this.lit_thin]) { o.renderOrder = 2; o.frustumCulled = false; o.visible = false; }
+    this.stage.add(this.path.group, this.boxes, this.tool, this.part, this.origin, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
     new Controls(canvas, this.eye, {
-      changed: () => this.touch(), click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place); },
+      changed: () => { this.own_view = true; this.touch(); }, click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place); },
       hover: (x, y) => { this.pointer = [x, y]; this.ask(); }, leave: () => { this.pointer = null; this.events.hover(null, 0, 0); },
     });
     new ResizeObserver(() => this.resize()).observe(host);
@@ -80,7 +83,7 @@ export class Scene {
     this.theme = is_dark ? dark : light;
     this.renderer.setClearColor(this.theme.ground);
     this.path.set_theme(this.theme);
-    (this.lit.material as LineMaterial).color.set(this.theme.bright);
+    for (const o of [this.lit, this.lit_thin]) (o.material as LineMaterial | LineBasicMaterial).color.set(this.theme.bright);
     this.tool_drawn = "";
     this.setBoxes(this.shown_boxes);
     this.setPart(this.part_frame);
@@ -104,13 +107,17 @@ export class Scene {
     return place && this.from_zero(place.at);
   }
 
-  highlight(line: number, file: number): void { this.lit_line = line > 0 ? [line, file] : null; this.relight(); }
+  highlight(line: number, file: number): void {
+    if (line === (this.lit_line?.[0] ?? 0) && file === (this.lit_line?.[1] ?? 0)) return;
+    this.lit_line = line > 0 ? [line, file] : null;
+    this.relight();
+  }
 
   setBoxes(boxes: SceneBox[]): void {
     this.shown_boxes = boxes;
     empty(this.boxes);
     for (const b of boxes) this.boxes.add(box_lines(b, this.theme));
-    this.touch();
+    this.refit();
   }
 
   setPart(frame: ArrayBuffer | null): void {
@@ -131,9 +138,8 @@ export class Scene {
 
   view(name: ViewName | string): void {
     if (name !== "fit") this.eye.look(name);
-    const box = this.extent(true);
-    if (!box.isEmpty()) this.eye.fit(box.min.toArray() as Point, box.max.toArray() as Point);
-    this.touch();
+    this.own_view = false;
+    this.refit();
   }
 
   thinned(): { drawn: number; all: number } { return { drawn: this.counted[0], all: this.counted[1] }; }
@@ -144,6 +150,13 @@ export class Scene {
   }
 
   private from_zero(p: Point): Point { const z = this.path.zero; return [p[0] - z[0], p[1] - z[1], p[2] - z[2]]; }
+
+  /// The blank often comes after the path: it is brought into the picture too, unless the user has chosen another one.
+  private refit(): void {
+    const box = this.extent(true);
+    if (!this.own_view && !box.isEmpty()) this.eye.fit(box.min.toArray() as Point, box.max.toArray() as Point);
+    this.touch();
+  }
 
   private extent(cut: boolean): Box3 {
     const box = this.path.extent(cut);
@@ -164,10 +177,12 @@ export class Scene {
 
   private relight(): void {
     const points = this.lit_line ? lit_points(this.path.drawn, ...this.lit_line, this.path.zero) : new Float32Array();
-    this.lit.geometry.dispose();
-    this.lit.geometry = new LineSegmentsGeometry();
-    this.lit.visible = points.length > 0;
-    if (points.length) this.lit.geometry.setPositions(points);
+    const count = points.length / 6;
+    this.lit.visible = count > 0 && count <= most_thick;
+    this.lit_thin.visible = count > most_thick;
+    for (const o of [this.lit, this.lit_thin]) o.geometry.dispose();
+    if (this.lit.visible) this.lit.geometry = new LineSegmentsGeometry().setPositions(points);
+    if (this.lit_thin.visible) this.lit_thin.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3));
     this.touch();
   }
 
@@ -221,6 +236,7 @@ export class Scene {
     if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // the holder stands over the path
     if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point);
     this.eye.update();
+    this.lamp.position.copy(this.eye.towards).addScaledVector(this.eye.right, 0.4).addScaledVector(this.eye.up, 0.6); // over the viewer's shoulder
     const { drawn, all: count } = this.path.refresh(this.eye);
     this.renderer.render(this.stage, this.eye.camera);
     if (drawn === this.counted[0] && count === this.counted[1]) return;
@@ -235,5 +251,6 @@ function make_renderer(): WebGLRenderer {
   if (!context) throw new NoWebGl("this browser gives no WebGL");
   const renderer = new WebGLRenderer({ canvas, context, antialias: true });
   renderer.localClippingEnabled = true;
+  renderer.outputColorSpace = LinearSRGBColorSpace; // colours go to the screen as they stand in the theme
   return renderer;
 }
