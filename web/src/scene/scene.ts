@@ -28,8 +28,8 @@ export class Scene {
   private origin = new Group();
   private ruler = new Group();
   private lamp = new DirectionalLight(0xffffff, 1.6);
-  private lit = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 2.5, depthTest: false }));
-  private lit_thin = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
+  private lit = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 2.5, depthTest: false, transparent: true }));
+  private lit_thin = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false, transparent: true }));
   private theme: Theme = document.documentElement.dataset.theme === "dark" ? dark : light;
   private planes: Plane[] = [];
   private shapes: ToolShape[] = [];
