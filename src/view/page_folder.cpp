@@ -1,0 +1,49 @@
+// Questions about the folder: hello, files, save. For view/page_session; tested by tests/serve.py.
+
+#include "config/control_file.h"
+#include "view/page_inside.h"
+
+namespace kadr {
+
+PageSession::Inside::Answer PageSession::Inside::hello(const PageJson& question) {
+  const bool knows = value_in<std::string>(question, "token", "") == server.token;
+  if (server.all_need_token && !knows)
+    return tl::unexpected(Refusal{told("this server is open to its printed address alone, with its token",
+                                       "сервер отвечает только по напечатанному адресу с ключом")});
+  greeted = true;
+  may_change = knows;
+  speak(question);
+  tell_here_in(lang);
+  PageJson controls = PageJson::array();
+  for (const std::string& control : built_in_controls())
+    if (const auto def = load_control(control))
+      controls.push_back({{"id", control}, {"name", lang == Lang::ru ? def->name.ru : def->name.en}});
+  return PageJson{{"version", server.version}, {"folder", server.folder.name()},  {"may_change", may_change},
+                  {"last", nullptr},           {"controls", std::move(controls)}, {"machines", built_in_machines()}};
+}
+
+PageSession::Inside::Answer PageSession::Inside::files(const PageJson& question) {
+  const auto list = server.folder.list(value_in<std::string>(question, "folder", ""));
+  if (!list) return tl::unexpected(Refusal{list.error()});
+  return files_json(*list);
+}
+
+/// A program or set-up that was opened here, or a new file.
+PageSession::Inside::Answer PageSession::Inside::save(const PageJson& question) {
+  if (!may_change)
+    return tl::unexpected(
+        Refusal{told("open the page by its printed address to save", "чтобы сохранять, откройте страницу по напечатанному адресу")});
+  const std::string file = value_in<std::string>(question, "file", "");
+  if (!question.contains("text") || !question["text"].is_string())
+    return tl::unexpected(Refusal{told("save: no text", "save: нет текста")});
+  const bool replaces = question.contains("digest") && question["digest"].is_string();
+  if (replaces && !opened_names.contains(file))
+    return tl::unexpected(Refusal{file + ": " + told("was not opened here", "здесь не открывался")});
+  const auto saved = server.folder.save(file, question["text"].get_ref<const std::string&>(),
+                                        replaces ? std::optional(question["digest"].get<std::string>()) : std::nullopt);
+  if (!saved) return tl::unexpected(Refusal{saved.error().text, saved.error().changed});
+  opened_names.insert(file);
+  return PageJson{{"digest", *saved}};
+}
+
+}  // namespace kadr

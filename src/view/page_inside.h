@@ -1,0 +1,95 @@
+#pragma once
+// The inside of PageSession, for the files of its answers: one for each kind of question (docs/panel-protocol.md).
+
+#include <atomic>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "config/told.h"
+#include "view/page_json.h"
+#include "view/page_session.h"
+#include "view/source_text.h"
+
+namespace kadr {
+
+/// An answer that is none: why.
+struct Refusal {
+  std::string text;
+  bool changed = false;
+};
+
+/// A value of the question; `fallback` where it is missing or of another kind.
+template <class T>
+T value_in(const PageJson& question, const char* key, T fallback) {
+  const auto found = question.find(key);
+  if (found == question.end()) return fallback;
+  if constexpr (std::is_same_v<T, std::string>) return found->is_string() ? found->template get<std::string>() : fallback;
+  else return found->is_number() ? found->template get<T>() : fallback;
+}
+
+/// A count or a number of a line: what is none, or too great, is `fallback`.
+inline std::uint32_t count_in(const PageJson& question, const char* key, std::uint32_t fallback) {
+  const double value = value_in<double>(question, key, fallback);
+  return value >= 0 && value <= 4e9 ? std::uint32_t(value) : fallback;
+}
+
+using PageAnswer = tl::expected<PageJson, Refusal>;
+
+inline PageAnswer not_served(const std::string& what) {
+  return tl::unexpected(Refusal{what + ": " + told("not served yet", "пока не отвечает")});
+}
+
+struct PageSession::Inside {
+  Inside(const PageServer& its_server, PageLine& its_line) : server(its_server), line(its_line), lang(its_server.lang) {}
+
+  using Answer = PageAnswer;
+  Answer answer(const std::string& what, const PageJson& question);
+  Answer language(const PageJson& question);
+  Answer nothing(const PageJson&) { return PageJson::object(); }
+  // page_folder.cpp
+  Answer hello(const PageJson& question);
+  Answer files(const PageJson& question);
+  Answer save(const PageJson& question);
+  // page_program.cpp
+  Answer open(const PageJson& question);
+  Answer source_lines(const PageJson& question);
+  Answer state(const PageJson& question);
+  Answer passes(const PageJson& question);
+  // page_check.cpp
+  Answer check(const PageJson& question);
+  Answer explain(const PageJson& question);
+  // page_part.cpp
+  Answer cut(const PageJson& question);
+  Answer part(const PageJson& question);
+  Answer proposals(const PageJson& question);
+  // page_sheet.cpp
+  Answer sheet(const PageJson& question);
+  // page_compare.cpp
+  Answer compare(const PageJson& question);
+
+  tl::expected<OpeningWish, Refusal> wish_of(const PageJson& question) const;
+  void carry_out();
+  void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
+  PageJson problem(const AlarmReport& report) const {
+    return problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file);
+  }
+  void speak(const PageJson& question) {
+    lang = value_in<std::string>(question, "lang", lang == Lang::ru ? "ru" : "en") == "ru" ? Lang::ru : Lang::en;
+  }
+  StopToken token() const { return StopToken(stops); }
+
+  const PageServer& server;
+  PageLine& line;
+  Lang lang;
+  std::atomic<bool> stops = false;
+  std::function<void()> afterwards;  // of the answer: what it has begun, gone on with when it is sent
+  bool greeted = false, may_change = false, gone = false;
+  int mistakes = 0;
+  std::set<std::string> opened_names;  // files that were opened: what may be saved over
+  std::unique_ptr<SourceText> source;
+  std::unique_ptr<ProgramRun> run;
+  std::unique_ptr<Instants> instants;
+};
+
+}  // namespace kadr

@@ -1,0 +1,117 @@
+// Questions about the program that is open: open, source, state, passes. For view/page_session; tested by tests/serve.py.
+
+#include "view/page_inside.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::uint64_t most_text = std::uint64_t{8} << 20;  // bytes: longer programs are looked at by lines, and not edited
+constexpr std::uint32_t most_lines = 5000;
+constexpr std::size_t most_passes = 1000;
+
+}  // namespace
+
+/// Files beneath the folder; a control or a machine is one of the built-in ones, or such a file.
+tl::expected<OpeningWish, Refusal> PageSession::Inside::wish_of(const PageJson& question) const {
+  OpeningWish wish;
+  wish.lang = lang;
+  wish.encoding = value_in<std::string>(question, "encoding", "");
+  const auto place = [&](const char* key, std::string& to, bool may_be_a_name) -> std::string {
+    const std::string name = value_in<std::string>(question, key, "");
+    if (name.empty() || (may_be_a_name && !name.ends_with(".toml") && name.find('/') == std::string::npos)) return to = name, std::string();
+    const auto path = server.folder.path_of(name);
+    if (!path) return path.error();
+    return to = *path, std::string();
+  };
+  for (const std::string& fault : {place("file", wish.path, false), place("control", wish.control, true),
+                                   place("machine", wish.machine, true), place("setup", wish.setup, false)})
+    if (!fault.empty()) return tl::unexpected(Refusal{fault});
+  if (wish.path.empty()) return tl::unexpected(Refusal{told("open: no file is named", "open: файл не назван")});
+  if (question.contains("text") && question["text"].is_string()) wish.text = question["text"].get<std::string>();
+  return wish;
+}
+
+PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) {
+  const auto wish = wish_of(question);
+  if (!wish) return tl::unexpected(wish.error());
+  const std::string file = value_in<std::string>(question, "file", "");
+  const auto digest = server.folder.digest(file);
+  if (!digest) return tl::unexpected(Refusal{digest.error()});
+  auto opened = open_for_page(*wish);
+  if (!opened) return tl::unexpected(Refusal{opened.error()});
+  instants.reset(), run.reset(), source.reset();
+  auto made = ProgramRun::make(*opened, token());
+  if (!made) return tl::unexpected(Refusal{made.error()});
+  run = std::move(*made);
+  source = std::make_unique<SourceText>(opened->text ? OpenedText{text_source(*opened->text), Encoding::utf8}
+                                                     : open_text(wish->path, opened->encoding));
+  opened_names.insert(file);
+  const bool whole = source->bytes() <= most_text;
+  PageJson control = {{"id", opened->def->id},
+                      {"name", lang == Lang::ru ? opened->def->name.ru : opened->def->name.en},
+                      {"guessed", opened->guess.has_value()}};
+  control["decisive"] = !opened->guess || opened->guess->decisive;
+  control["why"] = !opened->guess ? std::string() : lang == Lang::ru ? opened->guess->reason_ru : opened->guess->reason_en;
+  PageJson json = {{"file", file},
+                   {"size", source->bytes()},
+                   {"digest", *digest},
+                   {"encoding", name_of(source->encoding())},
+                   {"control", std::move(control)},
+                   {"machine", opened->machine.id},
+                   {"setup", value_in<std::string>(question, "setup", "")},
+                   {"editable", whole && may_change && source->encoding() == Encoding::utf8},
+                   {"lines", source->lines()}};
+  if (whole) json["text"] = source->whole();
+  afterwards = [this] { carry_out(); };
+  return json;
+}
+
+void PageSession::Inside::carry_out() {
+  run->on_piece = [this](const ViewPiece& piece) {
+    if (gone) return;
+    gone = !line.frame(path_frame(piece, 0, 0)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, 0, 0)));
+    if (gone) stops = true;
+  };
+  run->on_alarm = [this](const AlarmReport& report, double at) { say({{"event", "alarm"}, {"at", at}, {"problem", problem(report)}}); };
+  run->on_progress = [this](double part, std::uint64_t blocks, double seconds) {
+    say({{"event", "progress"}, {"part", part}, {"blocks", blocks}, {"seconds", seconds}});
+    if (gone) stops = true;
+  };
+  run->carry_out();
+  PageJson done = {{"event", "done"}};
+  done.update(done_json(*run, lang));
+  say(done);
+}
+
+PageSession::Inside::Answer PageSession::Inside::source_lines(const PageJson& question) {
+  const std::uint32_t from = count_in(question, "from", 1), count = std::min(count_in(question, "count", most_lines), most_lines);
+  const std::uint32_t file = count_in(question, "file", 0);
+  if (file == 0) return PageJson{{"lines", source->from(from, count)}};
+  if (file >= run->control().files_read().size()) return tl::unexpected(Refusal{told("no such file", "такого файла нет")});
+  std::set<std::uint32_t> numbers;
+  for (std::uint32_t n = from; n < from + count; ++n) numbers.insert(numbers.end(), n);
+  PageJson lines = PageJson::array();
+  for (const auto& [number, text] : run->control().texts_of(numbers, std::uint16_t(file))) lines.push_back(text);
+  return PageJson{{"lines", std::move(lines)}, {"name", run->control().file_name(std::uint16_t(file))}};
+}
+
+PageSession::Inside::Answer PageSession::Inside::state(const PageJson& question) {
+  if (!instants) instants = std::make_unique<Instants>(*run);
+  const auto state = instants->at(value_in<double>(question, "at", 0), token());
+  if (!state) return tl::unexpected(Refusal{state.error()});
+  PageJson json = state_json(*state, *run);
+  json["file_name"] = server.folder.shown(state->line.file);
+  return json;
+}
+
+PageSession::Inside::Answer PageSession::Inside::passes(const PageJson& question) {
+  if (!instants) instants = std::make_unique<Instants>(*run);
+  std::size_t count = 0;
+  PageJson list = PageJson::array();
+  for (const Instants::Pass& pass :
+       instants->passes(count_in(question, "line", 0), std::uint16_t(count_in(question, "file", 0)), most_passes, count))
+    list.push_back({{"from", pass.from}, {"to", pass.to}, {"number", pass.number}});
+  return PageJson{{"passes", std::move(list)}, {"count", count}};
+}
+
+}  // namespace kadr
