@@ -244,7 +244,9 @@ def session(server, folder):
     expect(russian and any('а' <= c <= 'я' for c in russian[0]['text']), 'Russian')
 
     other = Page(server)
-    expect(not other.ask('hello', token='0' * 32)['may_change'], 'a wrong token may look')
+    greeting = other.ask('hello', token='0' * 32)
+    expect(not greeting['may_change'], 'a wrong token may look')
+    expect(hello['last'] is None and greeting['last'] == 'part.nc', 'the file that was opened last')
     expect('error' in other.ask('save', file='new2.nc', text='x', digest=None) and not (folder / 'new2.nc').exists(), 'and saves nothing')
 
 
@@ -260,6 +262,8 @@ def texts(server):
     expect([w['code'] for w in page.ask('explain', line=1, text='G83 Z-5 R2 Q1')['words']] == ['G83', 'Z', 'R', 'Q'], 'explain: the text of the editor')
     expect(page.ask('explain', line=99)['words'] == [] and page.ask('explain', line=-1)['words'] == [], 'explain: no such line')
     expect(len(page.ask('explain', line=1, text='X1' * 500_000)['words']) <= 500, 'explain: a line without end')
+    fixes = [p.get('fix') for p in page.ask('check', text='G21 G90\nG1 X1 X2 F100\nM30\n')['problems']]
+    expect(len(fixes) == 1 and fixes[0] and fixes[0]['line'] == 2 and fixes[0]['insert'] == '' and 'X2' in fixes[0]['text'], 'a quick fix')
     read = page.ask('read', file='other.nc')
     expect(read['text'] == PROGRAM and read['digest'] == opened['digest'], 'read: text and digest')
     for name in ('../outside.nc', '/etc/passwd', 'link', '.secret', 'fifo', '', 'binary'):
@@ -283,6 +287,22 @@ def texts(server):
     page.send(json.dumps({'id': page.number, 'do': 'stop'}).encode())
     begun = time.monotonic()
     expect(page.answer(comparing) and time.monotonic() - begun < 5, 'compare: it is stopped')
+
+
+def channels(kadr):
+    """A program of several channels: the paths of all, the states of its own."""
+    server = Server(kadr, Path(__file__).resolve().parent.parent / 'examples' / 'two-channels')
+    page = Page(server)
+    page.ask('hello', token=server.token, lang='en')
+    opened, done = page.open('milling.nct', control='nct', setup='milling.json')
+    expect(done is not None and done['state'] == 'ended', f'two channels: {opened.get("error")}')
+    numbers = {struct.unpack_from('<4I', frame)[3] for frame in page.frames}
+    expect(numbers == {0, 1}, f'two channels: paths of both, {numbers}')
+    for part in (0.1, 0.5, 0.9, 0.3):
+        state = page.ask('state', at=done['seconds'] * part)
+        expect(state.get('line', 0) > 0 and state['modal'], f'two channels: a state, {state}')
+    expect('several channels' in page.ask('compare', text='G0 X1\nM30\n')['error']['text'], 'two channels are not compared')
+    server.end()
 
 
 def endless(server):
@@ -367,6 +387,7 @@ def main():
             part()
         expect(server.process.poll() is None, 'the server still stands')
         expect(server.end() == 130, 'Ctrl-C')
+        channels(kadr)
         wrong = subprocess.run([kadr, 'serve', str(folder / 'nothing'), '--no-browser'], capture_output=True, text=True, timeout=10)
         expect(wrong.returncode == 2 and wrong.stderr, 'a folder that is not there')
         remote = Server(kadr, folder, '--host', '0.0.0.0')

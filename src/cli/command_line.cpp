@@ -160,6 +160,7 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   add_state(*app, c);
   add_mill(*app, c);
   add_cut(*app, c);
+  add_diff(*app, c);
   add_serve(*app, c);
   add_pages(*app, c);
   app->footer(told("`kadr COMMAND --help` shows options and examples. Try: kadr run examples/s2c42/flange.nc --plot flange.svg",
@@ -169,7 +170,8 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
 }
 
 void speak(Commands& c, const std::string& lang) {
-  for (std::string* const member : {&c.options.lang, &c.explain.lang, &c.tape.lang, &c.state.lang, &c.setup.program.lang, &c.mill.lang, &c.cut.run.lang, &c.serve.lang})
+  for (std::string* const member : {&c.options.lang, &c.explain.lang, &c.tape.lang, &c.state.lang, &c.setup.program.lang, &c.mill.lang,
+                                    &c.cut.run.lang, &c.diff.both.lang, &c.serve.lang})
     *member = lang;
 }
 

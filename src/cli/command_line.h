@@ -21,6 +21,7 @@ struct Commands {
   SetupOptions setup;
   MillOptions mill;
   CutOptions cut;
+  DiffOptions diff;
   ServeOptions serve;
   std::string machine;  // of machines; empty: all
   std::string shell;    // of completion

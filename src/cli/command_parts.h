@@ -16,6 +16,9 @@ void add_mill(CLI::App& app, Commands& commands);
 /// cut (cut_command.cpp).
 void add_cut(CLI::App& app, Commands& commands);
 
+/// diff (diff.cpp).
+void add_diff(CLI::App& app, Commands& commands);
+
 /// serve (serve.cpp).
 void add_serve(CLI::App& app, Commands& commands);
 

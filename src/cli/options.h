@@ -79,6 +79,15 @@ struct CutOptions {
 };
 int cut(const CutOptions& options);
 
+struct DiffOptions {
+  std::string a, b;
+  Options both;  // of both programs, but for
+  std::string control_a, control_b, setup_a, setup_b;
+  double tolerance = 0.001;  // mm
+  bool all = false;          // differences; else the first ones
+};
+int diff(const DiffOptions& options);
+
 struct ServeOptions {
   std::string folder = ".";
   std::string host = "127.0.0.1";

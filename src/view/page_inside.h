@@ -72,11 +72,12 @@ struct PageSession::Inside {
   tl::expected<OpeningWish, Refusal> wish_of(const PageJson& question) const;
   void carry_out();
   /// Its frames; `which` of the protocol. The work ends where nobody takes them.
-  void send(const ViewPiece& piece, std::uint32_t which);
+  void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
   void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
-    return problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file);
+    return problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file, quick_fix(report, lang));
   }
+  PageJson problem_of_channel(const AlarmReport& report, int channel) const;
   void speak(const PageJson& question) {
     lang = value_in<std::string>(question, "lang", lang == Lang::ru ? "ru" : "en") == "ru" ? Lang::ru : Lang::en;
   }

@@ -103,11 +103,13 @@ PageJson files_json(const FolderList& list) {
   return {{"entries", std::move(entries)}, {"more", list.more}};
 }
 
-PageJson problem_json(const Finding& f, std::uint16_t file) {
+PageJson problem_json(const Finding& f, std::uint16_t file, const std::optional<QuickFix>& fix) {
   const char* const severity = f.severity == Severity::alarm ? "alarm" : f.severity == Severity::warning ? "warning" : "note";
-  return {
+  PageJson json = {
       {"id", name_of(f.id)}, {"severity", severity}, {"number", f.number},         {"text", f.text},   {"hint", f.hint},  {"file", file},
       {"line", f.line},      {"column", f.column},   {"end_column", f.end_column}, {"block", f.block}, {"calls", f.calls}};
+  if (fix) json["fix"] = {{"text", fix->text}, {"line", f.line}, {"from", fix->from}, {"to", fix->to}, {"insert", fix->insert}};
+  return json;
 }
 
 PageJson state_json(const InstantState& s, const ProgramRun& run) {

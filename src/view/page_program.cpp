@@ -1,5 +1,7 @@
 // Questions about the program that is open: open, source, state, passes. For view/page_session; tested by tests/serve.py.
 
+#include <fmt/core.h>
+
 #include "view/page_inside.h"
 
 namespace kadr {
@@ -47,6 +49,7 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
                                                      : open_text(wish->path, opened->encoding));
   opened_names.insert(file);
   opened_wish = *wish;
+  if (server.last != nullptr) server.last->set(file);
   const bool whole = source->bytes() <= most_text;
   PageJson control = {{"id", opened->def->id},
                       {"name", lang == Lang::ru ? opened->def->name.ru : opened->def->name.en},
@@ -68,16 +71,31 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   return json;
 }
 
-void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which) {
+void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel) {
   if (gone) return;
-  gone = !line.frame(path_frame(piece, which, 0)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, which, 0)));
+  gone =
+      !line.frame(path_frame(piece, which, channel)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, which, channel)));
   if (gone) stops = true;
 }
 
+/// Its line stands in another program.
+PageJson PageSession::Inside::problem_of_channel(const AlarmReport& report, int channel) const {
+  const Finding finding = finding_of(report, *run->opened().texts, lang);
+  PageJson json = problem_json(finding, 0, std::nullopt);
+  json["channel"] = channel;
+  json["line"] = 0;
+  json["text"] =
+      fmt::format("{} {}, {}:{}: {}", told("channel", "канал"), channel, server.folder.shown(finding.file), finding.line, finding.text);
+  return json;
+}
+
 void PageSession::Inside::carry_out() {
-  run->on_piece = [this](const ViewPiece& piece) { send(piece, 0); };
-  run->on_contour = [this](const ViewPiece& piece) { send(piece, 2); };
-  run->on_alarm = [this](const AlarmReport& report, double at) { say({{"event", "alarm"}, {"at", at}, {"problem", problem(report)}}); };
+  run->on_piece = [this](const ViewPiece& piece, std::uint32_t channel) { send(piece, 0, channel); };
+  run->on_contour = [this](const ViewPiece& piece) { send(piece, 2, 0); };
+  run->on_alarm = [this](const AlarmReport& report, double at, int channel) {
+    PageJson told_problem = channel == 0 ? problem(report) : problem_of_channel(report, channel);
+    say({{"event", "alarm"}, {"at", at}, {"problem", std::move(told_problem)}});
+  };
   run->on_progress = [this](double part, std::uint64_t blocks, double seconds) {
     say({{"event", "progress"}, {"part", part}, {"blocks", blocks}, {"seconds", seconds}});
     if (gone) stops = true;

@@ -53,22 +53,15 @@ void ProgramRun::attach() {
   contour_ = std::make_unique<PathRecord>(roles_, tree_of(opened_, control), apart_of(opened_, control), tool);
   programmed_ = std::make_unique<Steps>(roles_, session_->stand());
   record_->on_piece = [this](const ViewPiece& piece) {
-    if (on_piece) on_piece(piece);
+    if (on_piece) on_piece(piece, 0);
   };
   statistics_ = std::make_unique<Statistics>(control.axes(), control.rotary(), rates_of(opened_.machine, own.setup, control.axes()));
   statistics_->start_with(own.setup.spindle().rpm, tool);
   const auto rules = session_->look_ahead();
   if (rules) statistics_->count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
   Outlets& outlets = session_->outlets();
-  const auto tell = [this](const AlarmReport& report) {
-    statistics_->count(report.alarm.severity);
-    const bool stands = report.alarm.severity == Severity::alarm;
-    add_mark({seconds_, stands ? TimeMark::Kind::alarm : TimeMark::Kind::warning, report.origin.line,
-              sentence_of(report, *opened_.texts, told_lang())});
-    if (on_alarm) on_alarm(report, seconds_);
-  };
-  outlets.warning = tell;
-  outlets.alarm = [tell](const AlarmReport& report) { return tell(report), false; };
+  outlets.warning = [this](const AlarmReport& report) { tell(report, 0); };
+  outlets.alarm = [this](const AlarmReport& report) { return tell(report, 0), false; };
   outlets.programmed = [this](const Action& action) { take_programmed(action); };
   outlets.clock = &statistics_->clock();
   outlets.stop = stop_;
@@ -83,6 +76,39 @@ void ProgramRun::attach() {
       if (const Motion* const motion = step.motion(); motion != nullptr && longer != 0) statistics_->lengthen(*motion, longer);
       take(step, longer);
     };
+}
+
+/// Their paths and alarms; nothing else of them is shown.
+void ProgramRun::attach_others() {
+  std::vector<Channel>& channels = session_->channels();
+  others_.reserve(channels.size());
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (i == session_->own()) continue;
+    const Channel& channel = channels[i];
+    const Control& control = *channel.control;
+    Other& other = others_.emplace_back();
+    other.roles = AxisRoles::of(control.axes(), control.rotary());
+    other.clock = std::make_unique<TimeEstimate>(other.roles, rates_of(opened_.machine, channel.setup, control.axes()));
+    const auto tool = std::uint32_t(std::max(channel.setup.tool, 0));
+    other.record = std::make_unique<PathRecord>(other.roles, tree_of(opened_, control), apart_of(opened_, control), tool);
+    other.record->on_piece = [this, number = std::uint32_t(others_.size())](const ViewPiece& piece) {
+      if (on_piece) on_piece(piece, number);
+    };
+    Outlets& outlets = session_->outlets(i);
+    outlets.step = [&other](const Step& step) { other.record->consume(step, 0, 0); };
+    outlets.clock = other.clock.get();
+    outlets.warning = [this, number = channel.number](const AlarmReport& report) { tell(report, number); };
+    outlets.alarm = [this, number = channel.number](const AlarmReport& report) { return tell(report, number), false; };
+    outlets.stop = stop_;
+  }
+}
+
+void ProgramRun::tell(const AlarmReport& report, int channel) {
+  statistics_->count(report.alarm.severity);
+  const bool stands = report.alarm.severity == Severity::alarm;
+  add_mark({seconds_, stands ? TimeMark::Kind::alarm : TimeMark::Kind::warning, channel == 0 ? report.origin.line : 0,
+            sentence_of(report, *opened_.texts, told_lang())});
+  if (on_alarm) on_alarm(report, seconds_, channel);
 }
 
 void ProgramRun::take(const Step& step, double longer) {
@@ -146,18 +172,18 @@ void ProgramRun::tell_progress() {
 }
 
 void ProgramRun::carry_out() {
-  const bool alone = session_->channels().size() == 1;
+  attach_others();
   std::uint64_t kept = 0;
-  if (alone) keep_checkpoint();
+  keep_checkpoint();
   Session::State state = Session::State::running;
   while (state == Session::State::running && !stop_.asked()) {
     state = session_->go_on();
-    if (!alone) continue;
     if (session_->blocks() - kept >= apart_ && state == Session::State::running) kept = session_->blocks(), keep_checkpoint();
     tell_progress();
   }
   end_ = stop_.asked() ? End::cancelled : state == Session::State::stopped ? End::stopped : End::ended;
   record_->flush();
+  for (const Other& other : others_) other.record->flush();
   tell_contour();
   add_mark({seconds_, TimeMark::Kind::end, 0, {}});
 }
