@@ -5,6 +5,7 @@
 """
 import argparse
 import json
+import math
 import random
 import re
 import signal
@@ -127,6 +128,57 @@ def mutate(text, random_):
     return text[:m.start()] + (f'{value:.3f}' if '.' in m[0] else f'{round(value + random_.choice((-20, 20)))}') + text[m.end():]
 
 
+def places(actions):
+    """Points of the ways that a trace tells, machine coordinates, and what is done between."""
+    points, doings, at = [], [], None
+    for action in kept(actions):
+        if 'machine' not in action:
+            doings.append(action)
+            continue
+        full = action['machine']
+        to = tuple(full.get(a, 0.0) for a in 'XYZ')
+        row = next(r for r in actions if r.get('machine') is full)
+        if at is not None and action['do'].startswith('arc'):
+            first, second = row['plane']
+            shift = {a: full[a] - row['to'][a] for a in 'XYZ'}
+            names = 'XYZ'
+            centre = (row['center'][first] + shift[first], row['center'][second] + shift[second])
+            begin = math.atan2(at[names.index(second)] - centre[1], at[names.index(first)] - centre[0])
+            radius = math.hypot(at[names.index(second)] - centre[1], at[names.index(first)] - centre[0])
+            sweep = row['turns'] * 2 * math.pi * (1 if action['do'] == 'arc_ccw' else -1)
+            for k in range(1, 100):
+                p = [a + (b - a) * k / 100 for a, b in zip(at, to)]
+                p[names.index(first)] = centre[0] + radius * math.cos(begin + sweep * k / 100)
+                p[names.index(second)] = centre[1] + radius * math.sin(begin + sweep * k / 100)
+                points.append(tuple(p))
+        points.append(to)
+        doings.append((action['do'], action.get('feed'), action.get('unit')))
+        at = to
+    return points, doings
+
+
+def farthest(points, way):
+    """Of the points from the lines of the way, mm."""
+    most = 0
+    for p in points:
+        least = math.dist(p, way[0])
+        for a, b in zip(way, way[1:]):
+            ab = [y - x for x, y in zip(a, b)]
+            square = sum(x * x for x in ab)
+            t = min(1, max(0, sum((q - x) * d for q, x, d in zip(p, a, ab)) / square)) if square else 0
+            least = min(least, math.dist(p, [x + t * d for x, d in zip(a, ab)]))
+            if least < TOLERANCE:
+                break
+        most = max(most, least)
+    return most
+
+
+def is_the_same_way(before, after):
+    """An arc that goes on into its tangent may end anywhere on it: the slow way to see that nothing has moved."""
+    (points, doings), (other, others) = places(before), places(after)
+    return doings == others and farthest(points, other) < 2 * TOLERANCE and farthest(other, points) < 2 * TOLERANCE
+
+
 def mutations(kadr, folder, count):
     random_ = random.Random(20261125)
     found = missed = same = 0
@@ -156,6 +208,8 @@ def mutations(kadr, folder, count):
             expect(got.returncode == 0, f'{file.name}: the same trace, yet {got.stdout[-300:]}')
         elif got.returncode == 1:
             found += 1
+        elif is_the_same_way(before, after):
+            same += 1
         else:
             missed += 1
             (folder / f'missed{missed}').write_text(text)
