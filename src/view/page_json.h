@@ -15,6 +15,8 @@ using PageJson = nlohmann::ordered_json;
 PageJson files_json(const FolderList& list);
 PageJson problem_json(const Finding& finding, std::uint16_t file);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
+/// Boxes of what is cut and of all that is gone through.
+PageJson extents_json(const Statistics& statistics);
 PageJson done_json(const ProgramRun& run, Lang lang);
 /// Text that is UTF-8 whatever it was: JSON is.
 std::string dumped(const PageJson& json);
