@@ -4,7 +4,7 @@ import { notices } from "./bundling/notices";
 
 export default defineConfig({
   base: "./",
-  plugins: [notices("page-parts.json")],
+  plugins: [notices("report/page-parts.json")],
   build: {
     target: "es2022",
     outDir: "dist",

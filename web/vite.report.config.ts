@@ -6,11 +6,11 @@ import { notices } from "./bundling/notices";
 export default defineConfig({
   base: "./",
   publicDir: false,
-  plugins: [notices("report-parts.json"), inlined("report.html")],
+  plugins: [notices("report/report-parts.json"), inlined("report.html")],
   build: {
     target: "es2022",
-    outDir: "dist",
-    emptyOutDir: false, // the page is there already
+    outDir: "report",
+    emptyOutDir: false, // the list of the page's packages is there already
     modulePreload: false,
     cssCodeSplit: false,
     assetsInlineLimit: 0,

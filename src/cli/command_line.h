@@ -22,6 +22,7 @@ struct Commands {
   MillOptions mill;
   CutOptions cut;
   ServeOptions serve;
+  ReportOptions report;
   std::string machine;  // of machines; empty: all
   std::string shell;    // of completion
 };

@@ -79,6 +79,14 @@ struct CutOptions {
 };
 int cut(const CutOptions& options);
 
+struct ReportOptions {
+  CutOptions cut;  // with the options of the run; no blank: nothing is cut
+  std::string out;
+};
+int report(const ReportOptions& options);
+/// Notices of what the program is made of, to standard output.
+int print_licences();
+
 struct ServeOptions {
   std::string folder = ".";
   std::string host = "127.0.0.1";

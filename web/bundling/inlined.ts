@@ -33,7 +33,7 @@ export function inlined(page: string): Plugin {
 
 const escaped = (s: string): string => s.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 /// What would end the element, or begin a comment in it: in a string or a pattern both mean the same with a backslash.
-const safe_script = (code: string): string => code.replace(/<\/(script)/gi, "<\\/$1").replace(/<!--/g, "<\\!--");
+export const safe_script = (code: string): string => code.replace(/<\/(script)/gi, "<\\/$1").replace(/<!--/g, "<\\!--");
 function safe_style(css: string): string {
   if (/<\/style/i.test(css)) throw new Error("a style sheet ends its element");
   return css;

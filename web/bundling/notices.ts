@@ -1,13 +1,14 @@
 // Which packages are really in a bundle, with their licences and notices: by the modules that the bundler took in. A licence that may not be
 // embedded stops the build.
-import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import type { Plugin } from "vite";
 
 const allowed = ["MIT", "BSD-2-Clause", "BSD-3-Clause", "ISC", "Apache-2.0", "BSL-1.0", "0BSD"];
 
 export interface Part { name: string; version: string; licence: string; text: string }
 
+/// Writes the list into `file`, beside what is served.
 export function notices(file: string): Plugin {
   return {
     name: "kadr-notices",
@@ -20,7 +21,8 @@ export function notices(file: string): Plugin {
       for (const id of this.getModuleIds()) { const folder = /\.css/.test(id) ? package_of(id) : null; if (folder) folders.add(folder); } // styles leave no module in a chunk
       const parts = [...folders].map(part_of).sort((a, b) => a.name.localeCompare(b.name, "en"));
       if (!parts.length) throw new Error("no package is in the bundle");
-      this.emitFile({ type: "asset", fileName: file, source: JSON.stringify(parts, null, 1) });
+      mkdirSync(dirname(file), { recursive: true });
+      writeFileSync(file, JSON.stringify(parts, null, 1));
     },
   };
 }

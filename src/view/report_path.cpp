@@ -1,0 +1,128 @@
+// The path of a report. For view/report; tested by tests/view/report_path_test.cpp.
+
+#include "view/report_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "view/packed_columns.h"
+
+namespace kadr {
+namespace {
+
+constexpr double finest = 0.001;            // mm: what level 0 may be off (docs/panel-protocol.md)
+constexpr std::uint32_t piece_of_path = 1;  // kind of what follows
+constexpr double first_guess = 12;          // bytes of a vertex, packed
+constexpr int most_tries = 4;               // at a guess that holds
+
+/// From nothing left out to what is hardly a path any more: points within blocks go first, for each line of the program keeps its instant
+/// then.
+constexpr std::array<Thinning, 13> ways = {Thinning{0, 0}, {1, 0}, {2, 0},   {3, 0},   {5, 0},   {6, 2},  {6, 4},
+                                           {7, 6},         {8, 8}, {10, 10}, {12, 12}, {14, 14}, {15, 15}};
+
+using Column = std::vector<std::int32_t>;
+
+std::size_t kept_by(const PathRecord& path, const Thinning& thinning) {
+  std::size_t kept = 0;
+  for (const ViewPiece& piece : path.pieces())
+    for (std::size_t i = 0; i < piece.vertices.size(); ++i) kept += is_left_out(piece, i, thinning) ? 0 : 1;
+  return kept;
+}
+
+template <class Value>
+void put(PackedColumns& to, const std::vector<const PathVertex*>& kept, Column& column, const Value& value) {
+  column.clear();
+  for (const PathVertex* const v : kept) column.push_back(value(*v));
+  to.put(column);
+}
+
+std::string packed_piece(const ViewPiece& piece, const Thinning& thinning, const ReportQuanta& q) {
+  std::vector<const PathVertex*> kept;
+  std::vector<const std::array<float, 3>*> leans;
+  for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
+    if (is_left_out(piece, i, thinning)) continue;
+    kept.push_back(&piece.vertices[i]);
+    if (!piece.directions.empty()) leans.push_back(&piece.directions[i]);
+  }
+  PackedColumns to;
+  to.put_u32(std::uint32_t(kept.size()));
+  to.put_u32(0), to.put_u32(0);  // which, channel
+  to.put_u32(leans.empty() ? 0 : 1);
+  to.put_u32(piece.first);
+  to.put_f64(piece.begins);
+  Column column;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.at[axis]), q.length); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.time), q.time); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.line); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.number); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.feed), q.feed); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.speed), q.feed); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.tool); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.file); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.kind); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.level); });
+  for (std::size_t axis = 0; axis < 3 && !leans.empty(); ++axis) {
+    column.clear();
+    for (const auto* const lean : leans) column.push_back(in_steps(double((*lean)[axis]), q.direction));
+    to.put(column);
+  }
+  return to.bytes();
+}
+
+std::string packed_path(const PathRecord& path, const Thinning& thinning, const ReportQuanta& quanta) {
+  std::string bytes;
+  for (const ViewPiece& piece : path.pieces()) {
+    const std::string packed = packed_piece(piece, thinning, quanta);
+    PackedColumns head;
+    head.put_u32(piece_of_path);
+    head.put_u32(std::uint32_t(packed.size()));
+    bytes += head.bytes() + packed;
+  }
+  return bytes;
+}
+
+}  // namespace
+
+double Thinning::off() const {
+  const int level = std::max(inner, any);
+  return level == 0 ? 0 : finest * std::pow(2, level);
+}
+
+bool is_left_out(const ViewPiece& piece, std::size_t i, const Thinning& thinning) {
+  const PathVertex& v = piece.vertices[i];
+  if (i == 0 || i + 1 == piece.vertices.size()) return false;  // where pieces hang together
+  return v.level < thinning.any || (v.level < thinning.inner && piece.vertices[i + 1].number == v.number);
+}
+
+ReportQuanta quanta_of(const PathRecord& path) {
+  double length = 0, time = 0, feed = 0;
+  for (const ViewPiece& piece : path.pieces())
+    for (const PathVertex& v : piece.vertices) {
+      for (const float c : v.at) length = std::max(length, std::abs(double(c)));
+      time = std::max(time, double(v.time));
+      feed = std::max({feed, double(v.feed), double(v.speed)});
+    }
+  ReportQuanta q;
+  q.length = unit_for(q.length, length), q.time = unit_for(q.time, time), q.feed = unit_for(q.feed, feed);
+  return q;
+}
+
+tl::expected<ReportPath, std::string> report_path(const PathRecord& path, const ReportQuanta& quanta, double most_packed) {
+  double by_vertex = first_guess;
+  std::size_t way = 0;
+  ReportPath made;
+  for (int tries = 0;; ++tries) {
+    const auto too_long = [&](std::size_t w) { return double(kept_by(path, ways[w])) * by_vertex > most_packed; };
+    while (way + 1 < ways.size() && too_long(way)) ++way;
+    made = {packed_path(path, ways[way], quanta), ways[way]};
+    const auto packed = zlib_packed(made.bytes);
+    if (!packed) return tl::unexpected(packed.error());
+    if (double(packed->size()) <= most_packed || way + 1 >= ways.size() || tries >= most_tries) return made;
+    by_vertex = std::max(by_vertex, double(packed->size()) / double(std::max<std::size_t>(kept_by(path, ways[way]), 1)));
+    ++way;
+  }
+}
+
+}  // namespace kadr
