@@ -120,10 +120,10 @@ PageJson problem_json(const Finding& f, std::uint16_t file) {
 
 PageJson state_json(const InstantState& s, const ProgramRun& run) {
   PageJson json = {{"at", s.at},
-                   {"number", s.vertex.number},
-                   {"line", s.vertex.line},
+                   {"number", s.origin.number},
+                   {"line", s.origin.line},
                    {"column", s.origin.column},
-                   {"file", s.vertex.file},
+                   {"file", s.origin.file},
                    {"file_name", s.line.file},
                    {"block", block_text(s.origin)},
                    {"text", s.line.text},
@@ -148,6 +148,20 @@ PageJson state_json(const InstantState& s, const ProgramRun& run) {
 }
 
 PageJson extents_json(const Statistics& s) { return {{"cutting", box_json(s.cutting_box())}, {"all", box_json(s.box())}}; }
+
+PageJson bounds_json(const MachineBounds& space) {
+  const auto box = [](const SpaceBox& b) {
+    PageJson corners = {PageJson::array(), PageJson::array()};
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[0].push_back(b.least[i] ? PageJson(*b.least[i]) : PageJson());
+      corners[1].push_back(b.most[i] ? PageJson(*b.most[i]) : PageJson());
+    }
+    return corners;
+  };
+  PageJson zones = PageJson::array();
+  for (const ForbiddenZone& zone : space.zones) zones.push_back({{"number", zone.number}, {"inside", zone.inside}, {"box", box(zone.box)}});
+  return {{"limits", box(space.limits)}, {"zones", std::move(zones)}};
+}
 
 PageJson done_json(const ProgramRun& run, Lang lang) {
   const Statistics& s = run.statistics();

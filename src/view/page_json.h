@@ -7,6 +7,7 @@
 #include "out/text/alarm_print.h"
 #include "view/instant.h"
 #include "view/served_folder.h"
+#include "view/machine_bounds.h"
 
 namespace kadr {
 
@@ -17,6 +18,7 @@ PageJson problem_json(const Finding& finding, std::uint16_t file);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
 /// Boxes of what is cut and of all that is gone through.
 PageJson extents_json(const Statistics& statistics);
+PageJson bounds_json(const MachineBounds& space);
 PageJson done_json(const ProgramRun& run, Lang lang);
 /// Text that is UTF-8 whatever it was: JSON is.
 std::string dumped(const PageJson& json);

@@ -8,6 +8,7 @@
 #include "out/text/alarm_print.h"
 #include "out/text/base64.h"
 #include "out/text/cut_text.h"
+#include "view/machine_bounds.h"
 #include "view/packed_columns.h"
 #include "view/page_json.h"
 #include "view/report_path.h"
@@ -46,7 +47,8 @@ PageJson opened_json(const ReportContent& c, Lang lang) {
           {"machine", opened.machine.id},
           {"setup", ""},
           {"editable", false},
-          {"lines", c.source.lines()}};
+          {"lines", c.source.lines()},
+          {"bounds", bounds_json(machine_bounds(opened, c.run.control()))}};
 }
 
 PageJson problem_of(const ReportAlarm& alarm, const AlarmTexts& texts, Lang lang) {
