@@ -89,7 +89,7 @@ class ReportRun {
     erase_bar();
   }
 
-  ReportContent content(const std::string& file) const { return {*run_, *source_, file, KADR_VERSION, job_.lang, alarms_}; }
+  ReportContent content(const std::string& file) const { return {*run_, *source_, file, KADR_VERSION, job_.lang, alarms_, nullptr, nullptr, {}}; }
   const ProgramRun& run() const { return *run_; }
 
  private:

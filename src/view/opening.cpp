@@ -59,9 +59,9 @@ tl::expected<Program, std::string> OpenedProgram::program_of(const std::string& 
 }
 
 SessionSpec OpenedProgram::spec(Program program, const StopToken& stop) const {
-  RunLimits limits = this->limits;
-  limits.stop = stop;
-  return {def, machine, setup, std::move(program), limits};
+  RunLimits within = limits;
+  within.stop = stop;
+  return {def, machine, setup, std::move(program), within};
 }
 
 tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) {

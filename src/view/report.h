@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "stock/cut_result.h"
 #include "stock/mesh/mesh.h"
 #include "view/sheet.h"
 
