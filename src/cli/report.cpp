@@ -84,12 +84,15 @@ class ReportRun {
     run_->on_progress = [this](double part, std::uint64_t blocks, double) {
       if (progress_.is_due()) progress_.show(part, told(fmt::format("{} blocks", blocks), told_count(blocks, "кадр", "кадра", "кадров")));
     };
+    run_->on_contour = [this](const ViewPiece& piece) { contour_.push_back(piece); };
     run_->carry_out();
     if (const auto note = unstated(run_->control(), job_)) take(*note, 0);
     erase_bar();
   }
 
-  ReportContent content(const std::string& file) const { return {*run_, *source_, file, KADR_VERSION, job_.lang, alarms_, nullptr, nullptr, {}}; }
+  ReportContent content(const std::string& file) const {
+    return {*run_, *source_, file, KADR_VERSION, job_.lang, alarms_, contour_, nullptr, nullptr, {}};
+  }
   const ProgramRun& run() const { return *run_; }
 
  private:
@@ -103,6 +106,7 @@ class ReportRun {
   std::unique_ptr<ProgramRun> run_;
   std::unique_ptr<SourceText> source_;
   std::vector<ReportAlarm> alarms_;
+  std::vector<ViewPiece> contour_;
 };
 
 std::string shown_name(const std::string& file) { return file == "-" ? file : std::filesystem::path(file).filename().string(); }

@@ -167,13 +167,14 @@ PageJson head_json(const ReportContent& c, const ReportQuanta& q) {
 tl::expected<std::string, std::string> report_html(std::string_view viewer, const ReportContent& c) {
   const std::size_t place = viewer.find(report_place);
   if (place == std::string_view::npos) return tl::unexpected(std::string("report.html: ") + std::string(report_place));
-  const ReportQuanta quanta = quanta_of(c.run.path());
+  const std::vector<DrawnPiece> pieces = drawn_pieces(c.run.path(), c.contour);
+  const ReportQuanta quanta = quanta_of(pieces);
   PageJson json = head_json(c, quanta);
   const std::string part = c.part != nullptr ? part_bytes(*c.part, quanta) : std::string();
   const auto beside = zlib_packed(dumped(json) + part);
   if (!beside) return tl::unexpected(beside.error());
   const double left = (most_bytes(c.run) - double(viewer.size())) / base64_by_bytes - double(beside->size());
-  auto path = report_path(c.run.path(), quanta, std::max(left, least_path));
+  auto path = report_path(pieces, quanta, std::max(left, least_path));
   if (!path) return tl::unexpected(path.error());
   json["thinned"] = path->thinning.off();
   const std::string text = dumped(json);

@@ -39,6 +39,7 @@ struct ReportContent {
   std::string version;       // of Kadr
   Lang lang = Lang::en;      // it opens in
   std::vector<ReportAlarm> alarms;
+  std::vector<ViewPiece> contour;      // as programmed, where the tool's radius is compensated
   const ToolLibrary* tools = nullptr;  // shapes; nullptr: none are known
   const ReportPart* part = nullptr;    // nullptr: nothing was cut
   std::string licences;                // of what the viewer is made of

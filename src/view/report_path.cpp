@@ -23,10 +23,10 @@ constexpr std::array<Thinning, 13> ways = {Thinning{0, 0}, {1, 0}, {2, 0},   {3,
 
 using Column = std::vector<std::int32_t>;
 
-std::size_t kept_by(const PathRecord& path, const Thinning& thinning) {
+std::size_t kept_by(const std::vector<DrawnPiece>& pieces, const Thinning& thinning) {
   std::size_t kept = 0;
-  for (const ViewPiece& piece : path.pieces())
-    for (std::size_t i = 0; i < piece.vertices.size(); ++i) kept += is_left_out(piece, i, thinning) ? 0 : 1;
+  for (const DrawnPiece& drawn : pieces)
+    for (std::size_t i = 0; i < drawn.piece->vertices.size(); ++i) kept += is_left_out(*drawn.piece, i, thinning) ? 0 : 1;
   return kept;
 }
 
@@ -37,7 +37,8 @@ void put(PackedColumns& to, const std::vector<const PathVertex*>& kept, Column& 
   to.put(column);
 }
 
-std::string packed_piece(const ViewPiece& piece, const Thinning& thinning, const ReportQuanta& q) {
+std::string packed_piece(const DrawnPiece& drawn, const Thinning& thinning, const ReportQuanta& q) {
+  const ViewPiece& piece = *drawn.piece;
   std::vector<const PathVertex*> kept;
   std::vector<const std::array<float, 3>*> leans;
   for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
@@ -47,7 +48,7 @@ std::string packed_piece(const ViewPiece& piece, const Thinning& thinning, const
   }
   PackedColumns to;
   to.put_u32(std::uint32_t(kept.size()));
-  to.put_u32(0), to.put_u32(0);  // which, channel
+  to.put_u32(drawn.which), to.put_u32(0);  // which, channel
   to.put_u32(leans.empty() ? 0 : 1);
   to.put_u32(piece.first);
   to.put_f64(piece.begins);
@@ -71,10 +72,10 @@ std::string packed_piece(const ViewPiece& piece, const Thinning& thinning, const
   return to.bytes();
 }
 
-std::string packed_path(const PathRecord& path, const Thinning& thinning, const ReportQuanta& quanta) {
+std::string packed_path(const std::vector<DrawnPiece>& pieces, const Thinning& thinning, const ReportQuanta& quanta) {
   std::string bytes;
-  for (const ViewPiece& piece : path.pieces()) {
-    const std::string packed = packed_piece(piece, thinning, quanta);
+  for (const DrawnPiece& drawn : pieces) {
+    const std::string packed = packed_piece(drawn, thinning, quanta);
     PackedColumns head;
     head.put_u32(piece_of_path);
     head.put_u32(std::uint32_t(packed.size()));
@@ -96,10 +97,17 @@ bool is_left_out(const ViewPiece& piece, std::size_t i, const Thinning& thinning
   return v.level < thinning.any || (v.level < thinning.inner && piece.vertices[i + 1].number == v.number);
 }
 
-ReportQuanta quanta_of(const PathRecord& path) {
+std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<ViewPiece>& contour) {
+  std::vector<DrawnPiece> pieces;
+  for (const ViewPiece& piece : path.pieces()) pieces.push_back({&piece, 0});
+  for (const ViewPiece& piece : contour) pieces.push_back({&piece, 2});
+  return pieces;
+}
+
+ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces) {
   double length = 0, time = 0, feed = 0;
-  for (const ViewPiece& piece : path.pieces())
-    for (const PathVertex& v : piece.vertices) {
+  for (const DrawnPiece& drawn : pieces)
+    for (const PathVertex& v : drawn.piece->vertices) {
       for (const float c : v.at) length = std::max(length, std::abs(double(c)));
       time = std::max(time, double(v.time));
       feed = std::max({feed, double(v.feed), double(v.speed)});
@@ -109,18 +117,18 @@ ReportQuanta quanta_of(const PathRecord& path) {
   return q;
 }
 
-tl::expected<ReportPath, std::string> report_path(const PathRecord& path, const ReportQuanta& quanta, double most_packed) {
+tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed) {
   double by_vertex = first_guess;
   std::size_t way = 0;
   ReportPath made;
   for (int tries = 0;; ++tries) {
-    const auto too_long = [&](std::size_t w) { return double(kept_by(path, ways[w])) * by_vertex > most_packed; };
+    const auto too_long = [&](std::size_t w) { return double(kept_by(pieces, ways[w])) * by_vertex > most_packed; };
     while (way + 1 < ways.size() && too_long(way)) ++way;
-    made = {packed_path(path, ways[way], quanta), ways[way]};
+    made = {packed_path(pieces, ways[way], quanta), ways[way]};
     const auto packed = zlib_packed(made.bytes);
     if (!packed) return tl::unexpected(packed.error());
     if (double(packed->size()) <= most_packed || way + 1 >= ways.size() || tries >= most_tries) return made;
-    by_vertex = std::max(by_vertex, double(packed->size()) / double(std::max<std::size_t>(kept_by(path, ways[way]), 1)));
+    by_vertex = std::max(by_vertex, double(packed->size()) / double(std::max<std::size_t>(kept_by(pieces, ways[way]), 1)));
     ++way;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "view/path_record.h"
 
@@ -24,7 +25,14 @@ struct Thinning {
   double off() const;
 };
 
-ReportQuanta quanta_of(const PathRecord& path);
+/// A piece as a frame of the protocol has it.
+struct DrawnPiece {
+  const ViewPiece* piece;
+  std::uint32_t which;  // 0: of the path, 2: of the contour as programmed
+};
+std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<ViewPiece>& contour);
+
+ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces);
 
 /// Whether that one is left out of `piece`.
 bool is_left_out(const ViewPiece& piece, std::size_t vertex, const Thinning& thinning);
@@ -37,6 +45,6 @@ struct ReportPath {
 /// Thinned no more than needed.
 ///   most_packed  bytes that it may take, packed
 ///   returns      an error sentence: this machine has no zlib
-tl::expected<ReportPath, std::string> report_path(const PathRecord& path, const ReportQuanta& quanta, double most_packed);
+tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed);
 
 }  // namespace kadr

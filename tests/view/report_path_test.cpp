@@ -46,15 +46,15 @@ double distance(Vec3 p, Vec3 a, Vec3 b) {
 
 TEST(ReportPath, IsWholeWhereThereIsRoom) {
   const auto run = run_of(wavy(300));
-  const auto path = report_path(run->path(), quanta_of(run->path()), 1e6);
+  const auto path = report_path(drawn_pieces(run->path(), {}), quanta_of(drawn_pieces(run->path(), {})), 1e6);
   ASSERT_TRUE(path) << path.error();
   EXPECT_EQ(path->thinning.off(), 0);
 }
 
 TEST(ReportPath, IsThinnedToItsRoom) {
   const auto run = run_of(wavy(3000));
-  const auto whole = report_path(run->path(), quanta_of(run->path()), 1e9);
-  const auto half = report_path(run->path(), quanta_of(run->path()), double(whole->bytes.size()) / 20);
+  const auto whole = report_path(drawn_pieces(run->path(), {}), quanta_of(drawn_pieces(run->path(), {})), 1e9);
+  const auto half = report_path(drawn_pieces(run->path(), {}), quanta_of(drawn_pieces(run->path(), {})), double(whole->bytes.size()) / 20);
   ASSERT_TRUE(half);
   EXPECT_GT(half->thinning.off(), 0);
   EXPECT_LT(half->bytes.size(), whole->bytes.size() * 3 / 4);
@@ -86,7 +86,7 @@ TEST(ReportPath, PointsWithinBlocksGoFirst) {
 
 TEST(ReportPath, FarPlacesFitInCoarserSteps) {
   const auto run = run_of("G21 G90 F500\nG0 X0\nG1 X5000000\nM2\n");
-  const ReportQuanta q = quanta_of(run->path());
+  const ReportQuanta q = quanta_of(drawn_pieces(run->path(), {}));
   EXPECT_GT(q.length, 0.001);
   EXPECT_LT(q.length, 0.01);
 }
