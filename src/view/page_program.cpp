@@ -39,7 +39,8 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   if (!digest) return tl::unexpected(Refusal{digest.error()});
   auto opened = open_for_page(*wish);
   if (!opened) return tl::unexpected(Refusal{opened.error()});
-  instants.reset(), run.reset(), source.reset();
+  part_run.reset(), instants.reset(), run.reset(), source.reset();
+  guess = {};
   auto made = ProgramRun::make(*opened, token());
   if (!made) return tl::unexpected(Refusal{made.error()});
   run = std::move(*made);
@@ -68,6 +69,7 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
 
 void PageSession::Inside::carry_out() {
   run->on_piece = [this](const ViewPiece& piece) {
+    guess.take(piece);
     if (gone) return;
     gone = !line.frame(path_frame(piece, 0, 0)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, 0, 0)));
     if (gone) stops = true;
