@@ -39,7 +39,8 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   if (!digest) return tl::unexpected(Refusal{digest.error()});
   auto opened = open_for_page(*wish);
   if (!opened) return tl::unexpected(Refusal{opened.error()});
-  instants.reset(), run.reset(), source.reset();
+  part_run.reset(), instants.reset(), run.reset(), source.reset();
+  guess = {};
   auto made = ProgramRun::make(*opened, token());
   if (!made) return tl::unexpected(Refusal{made.error()});
   run = std::move(*made);
@@ -75,7 +76,10 @@ void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which) {
 }
 
 void PageSession::Inside::carry_out() {
-  run->on_piece = [this](const ViewPiece& piece) { send(piece, 0); };
+  run->on_piece = [this](const ViewPiece& piece) {
+    guess.take(piece);
+    send(piece, 0);
+  };
   run->on_contour = [this](const ViewPiece& piece) { send(piece, 2); };
   run->on_alarm = [this](const AlarmReport& report, double at) { say({{"event", "alarm"}, {"at", at}, {"problem", problem(report)}}); };
   run->on_progress = [this](double part, std::uint64_t blocks, double seconds) {

@@ -3,6 +3,7 @@
 #include "view/report.h"
 
 #include <algorithm>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "out/text/alarm_print.h"
@@ -70,21 +71,33 @@ PageJson done_in(const ReportContent& c, Lang lang) {
   return done;
 }
 
-PageJson finding_json(const CutFinding& f, const ReportContent& c, Lang lang) {
-  AlarmReport report = c.run.control().report_for(alarm_of(f), f.origin);
-  report.own_text = names_of_bodies(f);
-  PageJson calls = PageJson::array();
-  for (const AlarmReport::Call& call : f.calls) calls.push_back(call.what);
-  return {{"id", name_of(f.id)},   {"text", sentence_of(report, *c.run.opened().texts, lang)},
-          {"line", f.origin.line}, {"block", block_text(f.origin)},
-          {"file", f.origin.file}, {"calls", std::move(calls)},
-          {"at", f.at_time},       {"place", {f.at.x, f.at.y, f.at.z}},
-          {"depth", f.depth},      {"tool", f.tool}};
+PageJson finding_json(const ReportPart::Hit& hit, const AlarmTexts& texts, Lang lang) {
+  const PageJson told = problem_json(finding_of(hit.report, texts, lang), hit.report.origin.file);
+  const CutFinding& f = hit.finding;
+  return {{"id", told["id"]},
+          {"text", told["text"]},
+          {"line", told["line"]},
+          {"block", told["block"]},
+          {"file", told["file"]},
+          {"calls", told["calls"]},
+          {"at", f.at_time},
+          {"place", {f.at.x, f.at.y, f.at.z}},
+          {"depth", f.depth},
+          {"tool", f.tool}};
 }
 
-PageJson cut_json_of(const ReportPart& part) {
+/// With its findings on the time line.
+PageJson cut_json_of(const ReportPart& part, const AlarmTexts& texts, Lang lang) {
   PageJson json = PageJson::parse(part.result, nullptr, false);
-  return json.is_object() ? json : PageJson();
+  if (!json.is_object()) return PageJson();
+  PageJson marks = PageJson::array();
+  for (const ReportPart::Hit& hit : part.hits)
+    marks.push_back({{"at", hit.finding.at_time},
+                     {"kind", hit.finding.id == AlarmId::no_coolant ? "warning" : "alarm"},
+                     {"line", hit.finding.origin.line},
+                     {"text", sentence_of(hit.report, texts, lang)}});
+  json["marks"] = std::move(marks);
+  return json;
 }
 
 PageJson told_in(const ReportContent& c, Lang lang) {
@@ -92,10 +105,10 @@ PageJson told_in(const ReportContent& c, Lang lang) {
   for (std::size_t i = 0; i < std::min(c.alarms.size(), most_alarms); ++i)
     problems.push_back(problem_of(c.alarms[i], *c.run.opened().texts, lang));
   if (c.part != nullptr)
-    for (const CutFinding& f : c.part->findings) findings.push_back(finding_json(f, c, lang));
+    for (const ReportPart::Hit& hit : c.part->hits) findings.push_back(finding_json(hit, *c.run.opened().texts, lang));
   return {{"opened", opened_json(c, lang)},  {"done", done_in(c, lang)},
           {"problems", std::move(problems)}, {"sheet", sheet_json(sheet_of(c.run, c.source, c.file, lang, c.tools), c.run.statistics())},
-          {"findings", std::move(findings)}, {"cut", c.part != nullptr ? cut_json_of(*c.part) : PageJson()}};
+          {"findings", std::move(findings)}, {"cut", c.part != nullptr ? cut_json_of(*c.part, *c.run.opened().texts, lang) : PageJson()}};
 }
 
 std::string text_of(const SourceText& source) {
@@ -123,27 +136,37 @@ PageJson sources_json(const ReportContent& c) {
   return list;
 }
 
-std::string part_bytes(const ReportPart& part, const ReportQuanta& quanta) {
-  const Mesh& mesh = part.mesh;
+/// Values of a frame, from a byte on.
+template <class T>
+T value_at(const std::string& frame, std::size_t at) {
+  T value{};
+  std::memcpy(&value, frame.data() + at, sizeof value);
+  return value;
+}
+
+/// The frame's columns, packed.
+std::string part_bytes(const std::string& frame, const ReportQuanta& quanta) {
+  constexpr std::size_t head = 16, point = 12, triangle = 12, made_by = 4;
+  const std::size_t points = value_at<std::uint32_t>(frame, 8), triangles = value_at<std::uint32_t>(frame, 12);
   PackedColumns to;
-  to.put_u32(std::uint32_t(mesh.point_count()));
-  to.put_u32(std::uint32_t(mesh.triangle_count()));
+  to.put_u32(std::uint32_t(points));
+  to.put_u32(std::uint32_t(triangles));
   std::vector<std::int32_t> column;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  const auto put = [&](std::size_t count, const auto& value) {
     column.clear();
-    for (std::size_t i = axis; i < mesh.points.size(); i += 3) column.push_back(in_steps(double(mesh.points[i]), quanta.length));
+    for (std::size_t i = 0; i < count; ++i) column.push_back(value(i));
     to.put(column);
-  }
-  column.assign(mesh.triangles.begin(), mesh.triangles.end());
-  to.put(column);
-  column.assign(part.tools.begin(), part.tools.end());
-  to.put(column);
-  column.assign(part.lines.begin(), part.lines.end());
-  to.put(column);
-  PackedColumns head;
-  head.put_u32(piece_of_part);
-  head.put_u32(std::uint32_t(to.bytes().size()));
-  return head.bytes() + to.bytes();
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    put(points, [&](std::size_t i) { return in_steps(double(value_at<float>(frame, head + point * i + 4 * axis)), quanta.length); });
+  const std::size_t corners = head + point * points, tools = corners + triangle * triangles, lines = tools + made_by * points;
+  put(3 * triangles, [&](std::size_t i) { return std::int32_t(value_at<std::uint32_t>(frame, corners + 4 * i)); });
+  put(points, [&](std::size_t i) { return std::int32_t(value_at<std::uint16_t>(frame, tools + made_by * i)); });
+  put(points, [&](std::size_t i) { return std::int32_t(value_at<std::uint32_t>(frame, lines + 4 * i)); });
+  PackedColumns before;
+  before.put_u32(piece_of_part);
+  before.put_u32(std::uint32_t(to.bytes().size()));
+  return before.bytes() + to.bytes();
 }
 
 double most_bytes(const ProgramRun& run) {
@@ -170,7 +193,7 @@ tl::expected<std::string, std::string> report_html(std::string_view viewer, cons
   const std::vector<DrawnPiece> pieces = drawn_pieces(c.run.path(), c.contour);
   const ReportQuanta quanta = quanta_of(pieces);
   PageJson json = head_json(c, quanta);
-  const std::string part = c.part != nullptr ? part_bytes(*c.part, quanta) : std::string();
+  const std::string part = c.part != nullptr ? part_bytes(c.part->frame, quanta) : std::string();
   const auto beside = zlib_packed(dumped(json) + part);
   if (!beside) return tl::unexpected(beside.error());
   const double left = (most_bytes(c.run) - double(viewer.size())) / base64_by_bytes - double(beside->size());

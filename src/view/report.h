@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "stock/cut_result.h"
-#include "stock/mesh/mesh.h"
 #include "view/sheet.h"
 
 namespace kadr {
@@ -22,14 +21,16 @@ struct ReportAlarm {
   double at = 0;
 };
 
-/// What is left of the blank.
+/// What is left of the blank, and what was hit.
 struct ReportPart {
-  Mesh mesh;                         // places as those of the path
-  std::vector<std::uint16_t> tools;  // of each point: that made it; 65535: the blank
-  std::vector<std::uint32_t> lines;  // that made it; 0: the blank
-  double cell = 0, off = 0;          // mm: of the lattice; of the triangles from it
-  std::string result;                // as cut_json() writes it
-  std::vector<CutFinding> findings;  // with their calls
+  std::string frame;              // of kind 3 (docs/panel-protocol.md)
+  double cell = 0, off = 0;       // mm: of the lattice it comes from; of its triangles from that surface
+  std::string result;             // cut_json()
+  struct Hit {
+    CutFinding finding;
+    AlarmReport report;
+  };
+  std::vector<Hit> hits;
 };
 
 struct ReportContent {

@@ -189,6 +189,8 @@ export const en = {
   stock_as_text: "as text",
   stock_inside_out: "From must be less than to along each axis.",
   tools: "Tools",
+  tools_from_file: "take from",
+  fixtures: "Fixtures, one a line",
   add_tool: "Add a tool",
   kind: "Kind",
   diameter: "diameter",

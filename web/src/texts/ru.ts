@@ -191,6 +191,8 @@ export const ru: Record<TextKey, string> = {
   stock_as_text: "текстом",
   stock_inside_out: "«От» должно быть меньше «до» по каждой оси.",
   tools: "Инструменты",
+  tools_from_file: "взять из файла",
+  fixtures: "Приспособления, по одному в строке",
   add_tool: "Добавить инструмент",
   kind: "Вид",
   diameter: "диаметр",
