@@ -20,7 +20,7 @@ export class ReportSocket implements Socket {
   private answers: Record<string, (q: Question) => object> = {
     hello: (q) => this.speak(q, { version: this.report.data.version, folder: "", may_change: false, last: this.report.data.file, controls: [], machines: [] }),
     language: (q) => this.speak(q, {}),
-    open: () => { this.part_is_shown = false; queueMicrotask(() => this.run()); return this.told.opened; },
+    open: () => { this.part_is_shown = false; setTimeout(() => this.run()); return this.told.opened; }, // after the answer, when it has been taken
     source: (q) => ({ lines: this.source(Number(q.file ?? 0)).slice(Number(q.from) - 1, Number(q.from) - 1 + Math.min(most_lines, Number(q.count))) }),
     state: (q) => this.state(q),
     passes: (q) => this.path.passes(Number(q.line), Number(q.file ?? 0), most_passes),
