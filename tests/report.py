@@ -84,8 +84,8 @@ def vertices(pieces):
 
 def what_is_inside(kadr, folder):
     program, out = folder / 'cover.nc', folder / 'cover.html'
-    program.write_text(f'%\nO7 ({EVIL})\n(КРЕПИТЬ ЗА КРАЯ)\nG21 G90 G17 G94\nT1 M6 (ФРЕЗА 10)\nG54 G0 X0 Y0 Z5 S900 M3\nG1 Z-2 F200\nG3 X0 Y0 I10 J0\n'
-                       'M0 (ПОВЕРНУТЬ)\nG0 Z50\nM30\n%\n', encoding='utf-8')
+    program.write_text(f'%\nO7 ({EVIL})\n(КРЕПИТЬ ЗА КРАЯ)\nG21 G90 G17 G94\nT1 M6 (ФРЕЗА 10)\nG54 G0 X0. Y0. Z5. S900 M3\nG1 Z-2. F200\nG3 X0. Y0. I10. J0.\n'
+                       'M0 (ПОВЕРНУТЬ)\nG0 Z50.\nM30\n%\n', encoding='utf-8')
     made = run(kadr, program, '--control', 'fanuc', '--zero', 'G54=X-100,Y-50,Z-30', '--out', out, '--lang', 'ru')
     expect(made.returncode == 0, f'a report is written: {made.returncode} {made.stderr}')
     expect('кадр' in made.stdout.lower() or made.stdout, 'the summary is printed')

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "view/packed_columns.h"
 
@@ -18,8 +19,8 @@ constexpr int most_tries = 4;               // at a guess that holds
 
 /// From nothing left out to what is hardly a path any more: points within blocks go first, for each line of the program keeps its instant
 /// then.
-constexpr std::array<Thinning, 13> ways = {Thinning{0, 0}, {1, 0}, {2, 0},   {3, 0},   {5, 0},   {6, 2},  {6, 4},
-                                           {7, 6},         {8, 8}, {10, 10}, {12, 12}, {14, 14}, {15, 15}};
+constexpr std::array<Thinning, 16> ways = {Thinning{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0},   {6, 0},   {7, 0},
+                                           {8, 0},         {8, 2}, {8, 4}, {8, 6}, {8, 8}, {10, 10}, {12, 12}, {15, 15}};
 
 using Column = std::vector<std::int32_t>;
 
@@ -118,19 +119,26 @@ ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces) {
 }
 
 tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed) {
-  double by_vertex = first_guess;
-  std::size_t way = 0;
-  ReportPath made;
-  for (int tries = 0;; ++tries) {
-    const auto too_long = [&](std::size_t w) { return double(kept_by(pieces, ways[w])) * by_vertex > most_packed; };
-    while (way + 1 < ways.size() && too_long(way)) ++way;
-    made = {packed_path(pieces, ways[way], quanta), ways[way]};
-    const auto packed = zlib_packed(made.bytes);
+  const auto way_for = [&](double by_vertex) {
+    std::size_t way = 0;
+    while (way + 1 < ways.size() && double(kept_by(pieces, ways[way])) * by_vertex > most_packed) ++way;
+    return way;
+  };
+  std::size_t way = way_for(first_guess), too_long = 0;  // one way beyond the last that was
+  std::optional<ReportPath> made;
+  for (int tries = 0; tries < most_tries || !made; ++tries) {
+    ReportPath path{packed_path(pieces, ways[way], quanta), ways[way]};
+    const auto packed = zlib_packed(path.bytes);
     if (!packed) return tl::unexpected(packed.error());
-    if (double(packed->size()) <= most_packed || way + 1 >= ways.size() || tries >= most_tries) return made;
-    by_vertex = std::max(by_vertex, double(packed->size()) / double(std::max<std::size_t>(kept_by(pieces, ways[way]), 1)));
-    ++way;
+    const bool fits = double(packed->size()) <= most_packed || way + 1 == ways.size();
+    if (fits) made = std::move(path);
+    else too_long = way + 1;
+    const std::size_t by_now = way_for(double(packed->size()) / double(std::max<std::size_t>(kept_by(pieces, ways[way]), 1)));
+    const std::size_t next = std::max(by_now, too_long);
+    if (fits && next >= way) break;
+    way = std::min(fits ? next : std::max(next, way + 1), ways.size() - 1);
   }
+  return std::move(*made);
 }
 
 }  // namespace kadr
