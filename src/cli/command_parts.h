@@ -21,10 +21,10 @@ void add_cut(CLI::App& app, Commands& commands);
 /// report (report_command.cpp).
 void add_report(CLI::App& app, Commands& commands);
 
-/// --stock and --tools of cut and report, in this order; then the others of the blank (cut_command.cpp).
+/// --stock and --tools of cut and report, in this order, and --fixture (cut_command.cpp).
 std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& options);
-/// --resolution, --max-memory, --threads.
-void cell_options(CLI::App& app, CutOptions& options);
+/// --resolution.
+void cell_option(CLI::App& app, CutOptions& options);
 
 /// serve (serve.cpp).
 void add_serve(CLI::App& app, Commands& commands);

@@ -17,6 +17,10 @@ constexpr double most_threads = 256;
 constexpr double least_simplify = 1e-4;  // mm: the points of the mesh are no more exact
 
 void part_options(CLI::App& app, CutOptions& o) {
+  takes(app.add_option("--stock-zero", o.stock_zero,
+                       told("work system of blank and fixtures: G54 … (default: that of the first cut)",
+                            "система координат заготовки и приспособлений: G54 … (по умолчанию первого реза)")),
+        "NAME", "ИМЯ");
   takes_file(app.add_option("--part", o.part,
                             told("the part that is wanted, a closed mesh in the work system of the blank: a file .stl or .3mf",
                                  "деталь, которая должна получиться, замкнутая сетка в системе координат заготовки: файл .stl или .3mf")));
@@ -30,11 +34,18 @@ void part_options(CLI::App& app, CutOptions& o) {
          "MM", "ММ", 0, most_allowed);
 }
 
-void window_option(CLI::App& app, CutOptions& o) {
+void window_options(CLI::App& app, CutOptions& o) {
   takes(app.add_option("--window", o.window,
                        told("a box of the blank that is cut finer: X0,Y0,Z0,X1,Y1,Z1; picture, mesh and --part are of it alone",
                             "часть заготовки с более мелким шагом: X0,Y0,Z0,X1,Y1,Z1; вид, сетка и --part относятся к ней")),
         "BOX", "ОКНО");
+  number(app.add_option("--max-memory", o.max_memory, told("for the material", "памяти на материал, не больше")), "MB", "МБ", least_memory,
+         most_memory)
+      ->capture_default_str();
+  whole_number(app.add_option("--threads", o.threads,
+                              told("that cut at once (default: as many as the processor has); the result is the same",
+                                   "потоков сразу (по умолчанию по числу ядер); результат тот же")),
+               1, most_threads);
 }
 
 }  // namespace
@@ -55,25 +66,14 @@ std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& o) {
                      told("a body never to be cut, as --stock; repeated", "тело, которое нельзя задевать, как у --stock; можно повторять"))
           ->allow_extra_args(false),
       "BODY", "ТЕЛО");
-  takes(app.add_option("--stock-zero", o.stock_zero,
-                       told("work system of blank and fixtures: G54 … (default: that of the first cut)",
-                            "система координат заготовки и приспособлений: G54 … (по умолчанию первого реза)")),
-        "NAME", "ИМЯ");
   return {stock, tools};
 }
 
-void cell_options(CLI::App& app, CutOptions& o) {
+void cell_option(CLI::App& app, CutOptions& o) {
   number(app.add_option("--resolution", o.resolution,
                         told("cell of the lattice, with --window of the window (default: chosen and told)",
                              "шаг сетки, с --window шаг в окне (по умолчанию выбирается и сообщается)")),
          "MM", "ММ", least_cell, most_cell);
-  number(app.add_option("--max-memory", o.max_memory, told("for the material", "памяти на материал, не больше")), "MB", "МБ", least_memory,
-         most_memory)
-      ->capture_default_str();
-  whole_number(app.add_option("--threads", o.threads,
-                              told("that cut at once (default: as many as the processor has); the result is the same",
-                                   "потоков сразу (по умолчанию по числу ядер); результат тот же")),
-               1, most_threads);
 }
 
 void add_cut(CLI::App& app, Commands& c) {
@@ -83,8 +83,8 @@ void add_cut(CLI::App& app, Commands& c) {
   program_argument(*cut, o.run);
   for (CLI::Option* const needed : blank_options(*cut, o)) needed->required();
   part_options(*cut, o);
-  cell_options(*cut, o);
-  window_option(*cut, o);
+  cell_option(*cut, o);
+  window_options(*cut, o);
   takes(cut->add_option("--until", o.until,
                         told("end after this line, or after so many seconds of the program: 120, 35.5s",
                              "закончить после этой строки или через столько секунд УП: 120, 35.5s")),

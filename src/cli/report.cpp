@@ -16,6 +16,8 @@
 #include "cli/unstated.h"
 #include "config/read_file.h"
 #include "config/told.h"
+#include "out/text/cut_text.h"
+#include "view/report_part.h"
 
 namespace kadr::cli {
 namespace {
@@ -91,9 +93,30 @@ class ReportRun {
   }
 
   ReportContent content(const std::string& file) const {
-    return {*run_, *source_, file, KADR_VERSION, job_.lang, alarms_, contour_, nullptr, nullptr, {}};
+    return {*run_, *source_, file, KADR_VERSION, job_.lang, alarms_, contour_, nullptr, cut_ ? &part_ : nullptr, {}};
   }
   const ProgramRun& run() const { return *run_; }
+
+  /// On the blank. Complains.
+  bool cut(const CutOptions& options, const ToolLibrary& tools) {
+    PartWish wish{options.stock, options.fixtures, options.fixtures, tools, options.resolution};
+    auto part = PartRun::make(run_->opened(), wish, stop_token());
+    if (!part) return complain(part.error()), false;
+    (*part)->on_progress = [this](double share) {
+      if (progress_.is_due()) progress_.show(share, told("cutting", "съём материала"));
+    };
+    (*part)->on_finding = [this](const CutFinding& f, const AlarmReport& report) {
+      part_.hits.push_back({f, report});
+      say(alarm_text(report, job_.texts(), job_.lang, colours()));
+    };
+    if (const auto done = (*part)->carry_out(); !done) return interrupted() || (complain(done.error()), false);
+    for (const std::string& note : (*part)->notes()) say(note + "\n");
+    erase_bar();
+    take_part(**part, part_, stop_token());
+    cut_ = (*part)->result();
+    return true;
+  }
+  const std::optional<CutResult>& cut() const { return cut_; }
 
  private:
   void take(const AlarmReport& report, double at) {
@@ -107,6 +130,8 @@ class ReportRun {
   std::unique_ptr<SourceText> source_;
   std::vector<ReportAlarm> alarms_;
   std::vector<ViewPiece> contour_;
+  ReportPart part_;
+  std::optional<CutResult> cut_;  // nothing: there is no blank
 };
 
 std::string shown_name(const std::string& file) { return file == "-" ? file : std::filesystem::path(file).filename().string(); }
@@ -120,7 +145,8 @@ int write(const ReportOptions& options, const ReportRun& report, const std::stri
   if (!options.cut.run.quiet && options.out != "-") fmt::print("{}", run.statistics().text(run.blocks(), language(options.cut.run)));
   if (interrupted()) return interrupted_status();
   if (!outputs.keep(run.control().files_read())) return wrong_usage;
-  return run.end() == ProgramRun::End::stopped ? alarms : ok;
+  const bool hit = report.cut() && !report.cut()->collisions.empty();
+  return hit || run.end() == ProgramRun::End::stopped ? alarms : ok;
 }
 
 }  // namespace
@@ -146,6 +172,7 @@ int report(const ReportOptions& options) {
   ReportRun run(*job, options.cut.run.quiet);
   if (!run.open(*opened) || !outputs.open()) return wrong_usage;
   run.carry_out();
+  if (!interrupted() && !options.cut.stock.empty() && !run.cut(options.cut, tools)) return wrong_usage;
   if (interrupted()) return interrupted_status();
   ReportContent content = run.content(shown_name(job->file));
   content.tools = options.cut.tools.empty() ? nullptr : &tools;

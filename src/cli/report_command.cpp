@@ -19,8 +19,8 @@ void add_report(CLI::App& app, Commands& c) {
   takes_file(report->add_option("--out", o.out, told("the report: a file .html", "отчёт: файл .html"))->required());
   const auto [stock, tools] = blank_options(*report, o.cut);
   stock->needs(tools);
-  for (const char* const option : {"--fixture", "--stock-zero"}) report->get_option(option)->needs(stock);
-  cell_options(*report, o.cut);
+  cell_option(*report, o.cut);
+  for (const char* const option : {"--fixture", "--resolution"}) report->get_option(option)->needs(stock);
   program_options(*report, o.cut.run);
   report->footer(report_examples());
 }

@@ -74,16 +74,9 @@ PageJson done_in(const ReportContent& c, Lang lang) {
 PageJson finding_json(const ReportPart::Hit& hit, const AlarmTexts& texts, Lang lang) {
   const PageJson told = problem_json(finding_of(hit.report, texts, lang), hit.report.origin.file);
   const CutFinding& f = hit.finding;
-  return {{"id", told["id"]},
-          {"text", told["text"]},
-          {"line", told["line"]},
-          {"block", told["block"]},
-          {"file", told["file"]},
-          {"calls", told["calls"]},
-          {"at", f.at_time},
-          {"place", {f.at.x, f.at.y, f.at.z}},
-          {"depth", f.depth},
-          {"tool", f.tool}};
+  return {{"id", told["id"]},     {"text", told["text"]},   {"line", told["line"]}, {"block", told["block"]},
+          {"file", told["file"]}, {"calls", told["calls"]}, {"at", f.at_time},      {"place", {f.at.x, f.at.y, f.at.z}},
+          {"depth", f.depth},     {"tool", f.tool}};
 }
 
 /// With its findings on the time line.

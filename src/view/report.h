@@ -23,9 +23,9 @@ struct ReportAlarm {
 
 /// What is left of the blank, and what was hit.
 struct ReportPart {
-  std::string frame;              // of kind 3 (docs/panel-protocol.md)
-  double cell = 0, off = 0;       // mm: of the lattice it comes from; of its triangles from that surface
-  std::string result;             // cut_json()
+  std::string frame;         // of kind 3 (docs/panel-protocol.md)
+  double cell = 0, off = 0;  // mm: of the lattice it comes from; of its triangles from that surface
+  std::string result;        // cut_json()
   struct Hit {
     CutFinding finding;
     AlarmReport report;

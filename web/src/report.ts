@@ -60,7 +60,7 @@ function show(report: Report): void {
     theme: (dark) => scene?.setTheme(dark),
   });
   const told = h("div", { class: "report-told note" });
-  const tell = (): void => fill(told, t("report_of", { file: data.file, date: data.made, version: data.version }), data.thinned > 0 && ` ${t("report_thinned", { by: data.thinned })}`, data.part && ` ${t("report_part", { cell: data.part.cell })}`);
+  const tell = (): void => fill(told, t("report_of", { file: data.file, date: data.made, version: data.version }), data.thinned > 0 && ` ${t("report_thinned", { by: data.thinned })}`, data.part && ` ${t("report_part", { off: Number(data.part.off.toFixed(3)) })}`);
   on_language(tell);
   tell();
   document.body.append(layout({

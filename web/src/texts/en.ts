@@ -230,7 +230,7 @@ export const en = {
   // Report
   report_of: "Report on {file}, made {date} by Kadr {version}.",
   report_thinned: "The path is thinned: it is off by up to {by} mm.",
-  report_part: "The part is shown as it is left at the end; triangles within {cell} mm.",
+  report_part: "The part is shown as it is left at the end, its triangles off by up to {off} mm.",
   report_damaged: "This report is damaged:",
   licences: "Licences",
   worst: "Slow places",

@@ -232,7 +232,7 @@ export const ru: Record<TextKey, string> = {
   // Отчёт
   report_of: "Отчёт по {file}, {date}, Kadr {version}.",
   report_thinned: "Траектория прорежена, отклонение до {by} мм.",
-  report_part: "Деталь показана такой, какой останется в конце; треугольники с точностью {cell} мм.",
+  report_part: "Деталь показана такой, какой останется в конце, отклонение треугольников до {off} мм.",
   report_damaged: "Отчёт повреждён:",
   licences: "Лицензии",
   worst: "Медленные места",
