@@ -86,7 +86,7 @@ export class ReportSocket implements Socket {
     const file_name = s.file === 0 ? "" : this.report.data.sources.find((x) => x.file === s.file)?.name ?? "";
     return {
       at: s.at, number: s.number, line: s.line, column: 1, file: s.file, file_name: file_name || opened.file, block: "", text: this.source(s.file)[s.line - 1] ?? "",
-      position: of_axes(s.place, done.zero), machine: {}, togo: of_axes(s.left, [0, 0, 0]), feed: s.feed, speed: s.speed, rpm: NaN, tool: s.tool,
+      position: of_axes(s.place, done.zero), machine: {}, togo: of_axes(s.left, [0, 0, 0]), feed: s.feed, speed: s.speed, rpm: null, tool: s.tool,
       modal: [], offsets: {}, zero: {}, variables: [], calls: [], seconds: s.at, left: Math.max(0, done.seconds - s.at),
     };
   }

@@ -222,6 +222,8 @@ export const en = {
   comment: "Comment",
   notes: "Notes in the program",
   stops: "Stops",
+  zeros_none: "The program names none.",
+  zero_unstated: "not stated",
   other_version: "Other version",
   as_saved: "{file}, as saved",
   comparing: "Comparing…",

@@ -224,6 +224,8 @@ export const ru: Record<TextKey, string> = {
   comment: "Комментарий",
   notes: "Примечания в программе",
   stops: "Остановы",
+  zeros_none: "УП ни одного не называет.",
+  zero_unstated: "не указан",
   other_version: "Другая версия",
   as_saved: "{file}, как на диске",
   comparing: "Сравнивается…",
