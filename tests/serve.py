@@ -224,6 +224,11 @@ def session(server, folder):
     expect(page.ask('state', at=0)['line'] <= 5 and page.ask('state', at=1e9)['line'] == 11, 'states at both ends')
     expect(page.ask('passes', line=7)['count'] == 1 and page.ask('passes', line=1)['count'] == 0, 'passes of a line')
     expect(page.ask('source', **{'from': 2, 'count': 2})['lines'] == ['G21 G90 G17', 'T1 M6'], 'lines of the source')
+    sheet = page.ask('sheet')
+    expect(sheet['program'] == 'part.nc' and sheet['comments'][0] == {'line': 1, 'text': '</script><img src=x onerror=alert`1`>'}, f'the sheet: its notes {sheet}')
+    expect([(t['number'], t['lines']) for t in sheet['tools']] == [(1, [3])] and sheet['extents'] == done['extents'], 'its tools')
+    expect(done['tools'][0]['from'] == next(m['at'] for m in done['marks'] if m['kind'] == 'tool'), 'the instant of the first use of a tool')
+    expect(sheet['seconds'] == done['seconds'] and len(sheet['date']) == 10, 'its time')
     problems = page.ask('check', text=PROGRAM.replace('G3 X40', 'G3 X41'))['problems']
     expect(len(problems) == 1 and problems[0]['line'] == 8 and problems[0]['hint'], 'check finds the fault with its hint')
     expect(page.ask('check', text=PROGRAM)['problems'] == [], 'check of the good program')
