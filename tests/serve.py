@@ -224,6 +224,11 @@ def session(server, folder):
     expect(page.ask('state', at=0)['line'] <= 5 and page.ask('state', at=1e9)['line'] == 11, 'states at both ends')
     expect(page.ask('passes', line=7)['count'] == 1 and page.ask('passes', line=1)['count'] == 0, 'passes of a line')
     expect(page.ask('source', **{'from': 2, 'count': 2})['lines'] == ['G21 G90 G17', 'T1 M6'], 'lines of the source')
+    sheet = page.ask('sheet')
+    expect(sheet['program'] == 'part.nc' and sheet['comments'][0] == {'line': 1, 'text': '</script><img src=x onerror=alert`1`>'}, f'the sheet: its notes {sheet}')
+    expect([(t['number'], t['lines']) for t in sheet['tools']] == [(1, [3])] and sheet['extents'] == done['extents'], 'its tools')
+    expect(done['tools'][0]['from'] == next(m['at'] for m in done['marks'] if m['kind'] == 'tool'), 'the instant of the first use of a tool')
+    expect(sheet['seconds'] == done['seconds'] and len(sheet['date']) == 10, 'its time')
     problems = page.ask('check', text=PROGRAM.replace('G3 X40', 'G3 X41'))['problems']
     expect(len(problems) == 1 and problems[0]['line'] == 8 and problems[0]['hint'], 'check finds the fault with its hint')
     expect(page.ask('check', text=PROGRAM)['problems'] == [], 'check of the good program')
@@ -238,7 +243,7 @@ def session(server, folder):
     expect('error' in page.ask('save', file='other.nc', text='x', digest=None), 'a new file is none where there is one')
     expect('digest' in page.ask('save', file='new.nc', text='M30\n', digest=None), 'a new file is saved')
     expect(not [n for n in os.listdir(folder) if n.endswith('.kadr')], 'nothing unfinished is left')
-    expect(all('not served yet' in page.ask(do)['error']['text'] for do in ('cut', 'part') * 60), 'what is to come is no mistake')
+    expect(all('error' in page.ask(do) for do in ('cut', 'part') * 60), 'a question that is refused is no mistake')
     page.ask('language', lang='ru')
     russian = page.ask('check', text='G1 X10 F100 G0\nM30\n')['problems']
     expect(russian and any('а' <= c <= 'я' for c in russian[0]['text']), 'Russian')
@@ -248,6 +253,133 @@ def session(server, folder):
     expect(not greeting['may_change'], 'a wrong token may look')
     expect(hello['last'] is None and greeting['last'] == 'part.nc', 'the file that was opened last')
     expect('error' in other.ask('save', file='new2.nc', text='x', digest=None) and not (folder / 'new2.nc').exists(), 'and saves nothing')
+
+
+TOOLS = [{'number': 1, 'kind': 'flat', 'diameter': 8, 'flutes': 20, 'length': 30, 'from': 'here', 'known': True}]
+BLOCK = 'box:-10,-10,-10,60,30,0'
+
+
+def part_points(frame):
+    """Of a frame of kind 3: points, tools and lines of them."""
+    kind, which, count, triangles = struct.unpack_from('<4I', frame)
+    expect(kind == 3 and which == 0 and len(frame) == 16 + 20 * count + 12 * triangles, 'the size of a frame of the part')
+    at = struct.unpack_from(f'<{3 * count}f', frame, 16)
+    corners = struct.unpack_from(f'<{3 * triangles}I', frame, 16 + 12 * count)
+    made = struct.unpack_from(f'<{2 * count}H', frame, 16 + 12 * count + 12 * triangles)
+    lines = struct.unpack_from(f'<{count}I', frame, 16 + 16 * count + 12 * triangles)
+    expect(not corners or max(corners) < count, 'triangles between points that are there')
+    return [at[3 * i:3 * i + 3] for i in range(count)], made[::2], lines
+
+
+def cut_by_command(kadr, folder, *more):
+    words = [kadr, 'cut', str(folder / 'part.nc'), '--control', 'mach3', '--stock', BLOCK, '--tools', str(folder / 'tools.toml'), '--json', '-', '-q', *more]
+    return json.loads(subprocess.run(words, capture_output=True, text=True, timeout=60).stdout)
+
+
+def cut(page, **more):
+    """The answer to `cut`, and its event."""
+    answer = page.ask('cut', **{'stock': BLOCK, 'tools': TOOLS, **more})
+    return answer, (None if 'error' in answer else page.until('cut'))
+
+
+def shown(page, instant):
+    """The answer to `part`, and its frame."""
+    page.frames = []
+    answer = page.ask('part', at=instant)
+    return answer, (page.frames[-1] if page.frames else None)
+
+
+def the_part(kadr, server, folder):
+    (folder / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflutes = 20\nlength = 30\n')
+    (folder.parent / 'outside.toml').write_text((folder / 'tools.toml').read_text())
+    (folder / 'part.nc').write_text(PROGRAM)
+    page = Page(server)
+    page.ask('hello', token=server.token, lang='en')
+    expect('error' in page.ask('cut', stock=BLOCK, tools=TOOLS) and 'error' in page.ask('part', at=1), 'without a program nothing is cut')
+    _, done = page.open('part.nc', control='mach3')
+    expect('error' in page.ask('part', at=1), 'a part before a cut')
+
+    proposed = page.ask('proposals')
+    expect(proposed['stock'] == 'box:-3,-3,-5,53,23,0', f'a blank is proposed: {proposed["stock"]}')
+    expect(proposed['files'] == ['tools.toml'] and [t['number'] for t in proposed['tools']] == [1], 'tools are proposed')
+    expect(proposed['tools'][0]['from'] == 'tools.toml' and proposed['tools'][0]['known'] and proposed['tools'][0]['diameter'] == 8, 'by the file beside')
+    expect('error' in page.ask('proposals', tools='../outside.toml'), 'proposals by a file beyond the folder')
+
+    answer, result = cut(page)
+    expect('error' not in answer and 'error' not in result, 'cut')
+    wanted = cut_by_command(kadr, folder)
+    for key in ('stock', 'left', 'removed', 'error_bound', 'resolution', 'seconds', 'tools', 'collisions', 'heaviest', 'emptiest', 'alarms', 'warnings'):
+        expect(result[key] == wanted[key], f'the same {key} as kadr cut')
+    answer, frame = shown(page, 1e9)
+    points, tools, lines = part_points(frame)
+    expect(abs(answer['left'] - wanted['left']) < 2 * wanted['error_bound'] + 1 and answer['triangles'] > 1000, 'at the end what kadr cut leaves')
+    expect(max(p[0] for p in points) > 59.9 and min(p[2] for p in points) < -9.9, 'where it lies')
+    expect(set(tools) == {1, 65535} and {0, 7, 8, 9} <= set(lines) and all((t == 65535) == (n == 0) for t, n in zip(tools, lines)), 'who made it')
+    for share in (0, 0.3, 0.55, 0.8):
+        instant = share * done['seconds']
+        answer, frame = shown(page, instant)
+        until = cut_by_command(kadr, folder, '--until', f'{instant}s', '--resolution', str(answer['cell']))
+        expect(abs(answer['left'] - until['left']) < 0.2 and abs(answer['seconds'] - instant) < 1e-9, f'at {instant} s what a cut until then leaves')
+    expect(shown(page, -1e300)[0]['left'] > 0.99 * wanted['stock'] and 'error' not in shown(page, 1e300)[0], 'instants beyond both ends')
+    for at in (None, 'x', [1], {}):
+        page.ask('part', at=at)
+
+    _, by_file = cut(page, tools='tools.toml')
+    expect(by_file['left'] == wanted['left'], 'tools by a file')
+    _, finer = cut(page, resolution=0.25)
+    expect(finer['resolution'] == 0.25 and shown(page, 1e9)[0]['cell'] == 0.5, 'a finer cell, and what is shown')
+    hit = dict(TOOLS[0], flutes=1)
+    page.events = []
+    _, result = cut(page, tools=[hit], fixtures=['box:30,-10,-10,60,30,-1'])
+    findings = [e for e in page.events if e.get('event') == 'finding']
+    expect({f['id'] for f in findings} >= {'fixture', 'shank_in_stock'} or {f['id'] for f in findings} >= {'fixture', 'beyond_flutes'}, 'findings')
+    expect(len(result['marks']) == len(findings) == len(result['collisions']), 'a mark for each finding')
+    expect(all(0 < f['at'] < done['seconds'] and len(f['place']) == 3 and f['line'] > 0 and f['text'] for f in findings), 'findings have their instant')
+    for name, more in {
+        'a tools file beyond the folder': {'tools': '../outside.toml'}, 'an absolute one': {'tools': '/etc/passwd'}, 'a link': {'tools': 'link'},
+        'a tools file that is none': {'tools': 'part.nc'}, 'no tools': {'tools': []}, 'tools that are none': {'tools': [1]}, 'a tools number': {'tools': 7},
+        'a tool without a diameter': {'tools': [{'number': 1, 'kind': 'flat', 'flutes': 5}]}, 'a huge tool': {'tools': [dict(TOOLS[0], diameter=1e300)]},
+        'a tool twice': {'tools': TOOLS + TOOLS}, 'another tool alone': {'tools': [dict(TOOLS[0], number=2)]},
+        'a tool that is no number': {'tools': [dict(TOOLS[0], diameter=None)]}, 'an unknown key': {'tools': [dict(TOOLS[0], size=1)]},
+        'no blank': {'stock': ''}, 'a flat blank': {'stock': 'box:0,0,0,1,1,0'}, 'a blank without end': {'stock': 'box:0,0,0,1,1,1e300'},
+        'a blank that is no number': {'stock': 'box:0,0,0,1,1,nan'}, 'a mesh beyond the folder': {'stock': '../a.stl'}, 'no mesh': {'stock': 'part.stl'},
+        'a fixture beyond the folder': {'fixtures': ['/tmp/a.stl']}, 'fixtures that are none': {'fixtures': 'box'}, 'too many': {'fixtures': [BLOCK] * 101},
+        'no cell': {'resolution': 0}, 'a cell below': {'resolution': -1}, 'a tiny one': {'resolution': 1e-9}, 'a huge one': {'resolution': 1e300},
+        'a cell that is none': {'resolution': 'x'}, 'more memory than there may be': {'stock': 'box:0,0,0,1000,1000,1000', 'resolution': 0.1},
+    }.items():
+        answer, _ = cut(page, **more)
+        expect('error' in answer and answer['error']['text'], f'cut with {name} is refused')
+    expect('error' in page.ask('part', at=1), 'after a refusal nothing is cut')
+    _, result = cut(page, stock='box:-1e5,-1e5,-1e5,1e5,1e5,1e5')
+    expect('error' not in result and result['resolution'] >= 250, 'a huge blank gets a huge cell')
+
+    # Two at once: one after the other.
+    first, second = page.number + 1, page.number + 2
+    page.number += 2
+    for n in (first, second):
+        page.send(json.dumps({'id': n, 'do': 'cut', 'stock': BLOCK, 'tools': TOOLS}).encode())
+    page.answer(second)
+    expect(page.until('cut')['left'] == wanted['left'] and page.until('cut')['left'] == wanted['left'], 'two cuts, one after the other')
+
+    # A cut in the middle is stopped at once, and the next one works.
+    (folder / 'long.nc').write_text('G21 G90\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F500\n' +
+                                    ''.join(f'G1 X{n % 50} Y{n // 50 % 20} Z{-2 - n % 7 / 10}\n' for n in range(300_000)) + 'M30\n')
+    page.open('long.nc', control='mach3')
+    expect('error' not in page.ask('cut', stock=BLOCK, tools=TOOLS, resolution=0.1), 'a long cut begins')
+    while not any(e.get('event') == 'cutting' for e in page.events):
+        message = page.take()
+        page.events += [message] if message else []
+    started = time.monotonic()
+    page.number += 1
+    page.send(json.dumps({'id': page.number, 'do': 'stop'}).encode())
+    expect(page.until('cut').get('error') and time.monotonic() - started < 3, 'a cut is stopped')
+    page.answer(page.number)
+    expect('error' in page.ask('part', at=1), 'of a cut that was stopped nothing is shown')
+    page.open('part.nc', control='mach3')
+    expect('error' in page.ask('part', at=1), 'a program that is opened has not been cut')
+    expect(cut(page)[1]['left'] == wanted['left'], 'after that the next cut')
+    page.ask('language', lang='ru')
+    expect('инструмент' in page.ask('cut', stock=BLOCK, tools=[dict(TOOLS[0], number=2)])['error']['text'], 'what is refused in Russian')
 
 
 def texts(server):
@@ -383,7 +515,7 @@ def main():
         (folder / 'binary').write_bytes(bytes(range(256)))
         os.mkfifo(folder / 'fifo')
         server = Server(kadr, folder)
-        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: endless(server), lambda: garbage(server)):
+        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: the_part(kadr, server, folder), lambda: endless(server), lambda: garbage(server)):
             part()
         expect(server.process.poll() is None, 'the server still stands')
         expect(server.end() == 130, 'Ctrl-C')

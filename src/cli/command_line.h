@@ -23,6 +23,7 @@ struct Commands {
   CutOptions cut;
   DiffOptions diff;
   ServeOptions serve;
+  ReportOptions report;
   std::string machine;  // of machines; empty: all
   std::string shell;    // of completion
 };

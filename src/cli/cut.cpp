@@ -3,25 +3,31 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "cli/cut_job.h"
-#include "cli/cut_machine.h"
 #include "cli/cut_meshes.h"
-#include "cli/cut_run.h"
-#include "cli/cut_window.h"
+#include "cli/drive.h"
 #include "cli/outputs.h"
+#include "cli/progress.h"
 #include "cli/stop.h"
 #include "cli/terminal.h"
-#include "config/rapid_way.h"
 #include "config/told.h"
 #include "out/picture/part_page.h"
+#include "out/text/alarm_print.h"
+#include "out/text/cut_load_text.h"
 #include "out/text/cut_text.h"
 #include "out/text/page_file.h"
+#include "session/cutting/body_watch.h"
+#include "session/cutting/cut_cells.h"
+#include "session/cutting/cut_run.h"
+#include "session/cutting/cut_setup.h"
 #include "stock/surface/surface.h"
 
 namespace kadr::cli {
 namespace {
 
+constexpr double bytes_of_mb = 1 << 20;
 constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; what a point of the surface may be off: docs/stock.md
 
 /// The files of the command, none of them opened yet.
@@ -79,7 +85,7 @@ tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, 
 bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, const Cut& cut, CutResult& result) {
   if (!write_meshes(options, outputs, cut.surface, cut.held, cut.run.cutting(), result) || interrupted()) return false;
   if (std::FILE* const file = outputs.stream("--json"); file != nullptr)
-    fmt::print(file, "{}", cut_json(result, cut.run.alarms(), cut.run.warnings()));
+    fmt::print(file, "{}\n", cut_json(result, cut.run.alarms(), cut.run.warnings()).dump());
   if (const auto drawn = draw(options, job, outputs, cut, result); !drawn) return complain(drawn.error()), false;
   const bool says = options.json != "-" && options.out != "-" && options.blocks != "-" && options.deviation != "-";
   if (!options.run.quiet && says) fmt::print("{}", cut_summary(result, language(options.run)));
@@ -120,6 +126,26 @@ int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_jo
   return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
 }
 
+/// Who watches the bodies of the machine, nullptr where it has none; nothing: complained of.
+std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options, const Session& session, const CutJob& cut) {
+  std::vector<std::string> notes;
+  auto watch = watch_bodies(session, cut, work_of(cut, options.stock, options.fixtures, options.fixtures), options.max_memory * bytes_of_mb,
+                            notes);
+  for (const std::string& note : notes) say(note + "\n");
+  if (!watch) return complain(watch.error()), std::nullopt;
+  return std::move(*watch);
+}
+
+void tell_on_terminal(const CutOptions& options, const Job& job, std::FILE* blocks, CutRun& run) {
+  const auto tell = [&job, lang = language(options.run)](const AlarmReport& report) { say(alarm_text(report, job.texts(), lang, colours())); };
+  run.on_report = tell;
+  run.on_finding = [tell](const CutFinding&, const AlarmReport& report) { tell(report); };
+  run.on_note = [](const std::string& note) { say(note + "\n"); };
+  if (blocks == nullptr) return;
+  fmt::print(blocks, "{}", blocks_heading());
+  run.on_block([blocks](const BlockLoad& load) { fmt::print(blocks, "{}", blocks_row(load)); });
+}
+
 }  // namespace
 
 int cut(const CutOptions& given) {
@@ -128,25 +154,25 @@ int cut(const CutOptions& given) {
   std::optional<Mesh> part;
   if (!can_write(options) || !find_cut_job(options, cut_job, part)) return wrong_usage;
   auto job = make_job(options.run, options.run.programs.front());
-  if (!job || !take_setup(options, *job, cut_job)) return wrong_usage;
+  if (!job || !find_system(options, *job, cut_job.system)) return wrong_usage;
   Outputs outputs = outputs_of(options, *job);
   auto program = outputs.check() ? open_program(*job) : std::nullopt;
   const auto drive = program ? drive_of(options.run) : nullptr;
   if (!drive) return wrong_usage;
   const auto session = make_session(*job, std::move(*program), options.run.limits);
   if (!session) return wrong_usage;
-  const std::vector<std::string>& axes = session->control().axes();
-  cut_job.machine = std::make_shared<MachineTree>(job->profile, axes);
-  if (rapids_apart(*job->def, job->setup, axes)) cut_job.apart = rates_of(job->profile, job->setup, axes).rapid;
-  bool unwatched = false;
-  const auto watch = watch_of(options, *job, *session, cut_job, unwatched);
-  if (unwatched || !outputs.open()) return wrong_usage;
+  take_session(*session, job->stated.count("start") != 0, cut_job);
+  const auto watch = watch_of(options, *session, cut_job);
+  if (!watch || !outputs.open()) return wrong_usage;
   session->control().watch_calls();
   const std::unique_ptr<Drive, void (*)(Drive*)> leaves(drive.get(), [](Drive* left) { left->leave(); });
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
-  CutRun run(options, *job, *session, cut_job, watch.get());
-  run.write_blocks(outputs.stream("--blocks"));
-  run.carry_out(*drive, options.run.limits.stop);
+  CutRun run(*session, cut_job, watch->get());
+  tell_on_terminal(options, *job, outputs.stream("--blocks"), run);
+  Progress progress(options.run.quiet);
+  run.attach(options.run.limits.stop, &progress);
+  drive->carry_out(*session);
+  if (!interrupted()) run.finish();
   return interrupted() ? interrupted_status() : tell_results(options, *job, cut_job, run, part, outputs);
 }
 

@@ -8,11 +8,11 @@
 #include <charconv>
 #include <thread>
 
-#include "cli/cut_body.h"
-#include "cli/cut_window.h"
 #include "cli/terminal.h"
 #include "config/setup_names.h"
 #include "config/told.h"
+#include "session/cutting/cut_cells.h"
+#include "session/cutting/named_body.h"
 #include "stock/mesh/mesh_file.h"
 
 namespace kadr::cli {
@@ -31,19 +31,6 @@ std::optional<double> seconds_of(const std::string& text, std::string& line) {
   const auto read = std::from_chars(text.data(), text.data() + text.size() - 1, seconds);
   if (read.ec != std::errc() || read.ptr != text.data() + text.size() - 1 || !(seconds >= 0)) return std::nullopt;
   return seconds;
-}
-
-/// The row of the work system that --stock-zero names; complains.
-bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint8_t>& system) {
-  if (options.stock_zero.empty()) return true;
-  const std::vector<std::string> names = system_names(*job.def);
-  const auto found = std::find(names.begin(), names.end(), options.stock_zero);
-  if (found == names.end() || found == names.begin())
-    return complain(fmt::format("--stock-zero {}: {}", options.stock_zero,
-                                told("this control has no such work system", "у этого УЧПУ нет такой системы координат"))),
-           false;
-  system = std::uint8_t(found - names.begin());
-  return true;
 }
 
 /// A body of the command line; complains.
@@ -75,6 +62,20 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   return true;
 }
 
+/// The window that --window names, and both cells: --resolution is that of the window, or of the whole where there is none. Complains.
+bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, double most, CutJob& job) {
+  std::optional<Box3> window;
+  if (!options.window.empty()) {
+    const auto box = window_of(options.window);
+    if (!box) return complain("--window " + box.error()), false;
+    window = *box;
+  }
+  if (!find_cells(options.resolution, window, most, job))
+    return complain("--window " + options.window + told(": beside the blank", ": мимо заготовки")), false;
+  if (part && !part_meets_window(job, *part)) return complain(told("--window: beside the part", "--window: мимо детали")), false;
+  return true;
+}
+
 /// Cells and bodies, within the memory that may be taken; complains.
 bool find_material(const CutOptions& options, const std::optional<Mesh>& part, CutJob& job) {
   const double most = options.max_memory * bytes_per_mb;
@@ -82,7 +83,7 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   if (!job.blank) return false;
   for (const std::string& text : options.fixtures)
     if (!job.fixtures.emplace_back(named_body("--fixture", text, most))) return false;
-  if (!find_cells(options, most, job) || (part && !part_meets_window(job, *part))) return false;
+  if (!find_lattices(options, part, most, job)) return false;
   const double bytes = bytes_of_material(job, nullptr), with_part = bytes_of_material(job, part ? &*part : nullptr);
   if (with_part <= most) return true;
   const std::string text = bytes > most ? told("at this resolution the material may take more than --max-memory",
@@ -113,15 +114,15 @@ bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
   return true;
 }
 
-bool take_setup(const CutOptions& options, const Job& job, CutJob& cut) {
-  if (!find_system(options, job, cut.system)) return false;
-  cut.tool = std::uint32_t(std::max(job.setup.tool, 0));
-  cut.rpm = job.setup.spindle().rpm;
-  const std::string& dir = job.setup.spindle().dir;
-  cut.spindle = dir == "cw" ? SpindleDir::cw : dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
-  cut.starts_known = job.stated.count("start") != 0;
-  for (const auto& [number, offset] : job.setup.offsets)
-    if (number > 0 && offset.length != 0) cut.lengths[std::uint32_t(number)] = offset.length;
+bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint8_t>& system) {
+  if (options.stock_zero.empty()) return true;
+  const std::vector<std::string> names = system_names(*job.def);
+  const auto found = std::find(names.begin(), names.end(), options.stock_zero);
+  if (found == names.end() || found == names.begin())
+    return complain(fmt::format("--stock-zero {}: {}", options.stock_zero,
+                                told("this control has no such work system", "у этого УЧПУ нет такой системы координат"))),
+           false;
+  system = std::uint8_t(found - names.begin());
   return true;
 }
 

@@ -15,7 +15,7 @@ namespace kadr::cli {
 ///   part     the one that is wanted, if one is
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
 
-/// What the set-up says: the tool in the spindle, lengths, the work system of the blank; complains.
-bool take_setup(const CutOptions& options, const Job& job, CutJob& cut);
+/// The row of the work system that --stock-zero names; complains.
+bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint8_t>& system);
 
 }  // namespace kadr::cli

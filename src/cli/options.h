@@ -88,6 +88,14 @@ struct DiffOptions {
 };
 int diff(const DiffOptions& options);
 
+struct ReportOptions {
+  CutOptions cut;  // with the options of the run; no blank: nothing is cut
+  std::string out;
+};
+int report(const ReportOptions& options);
+/// Notices of what the program is made of, to standard output.
+int print_licences();
+
 struct ServeOptions {
   std::string folder = ".";
   std::string host = "127.0.0.1";

@@ -11,31 +11,19 @@
 
 #include "cli/job.h"
 #include "cli/stop.h"
-#include "cli/tool_proposals.h"
 #include "cli/unstated.h"
 #include "config/read_file.h"
+#include "config/setup_names.h"
 #include "lang/text/tool_comment.h"
 #include "out/program/setup_template.h"
 #include "out/program/tools_template.h"
+#include "session/tool_proposals.h"
 
 namespace kadr::cli {
 namespace {
 
-constexpr std::uint32_t most_lines = 200'000;  // looked at for comments and branches; a program made by a machine has neither beyond
 constexpr std::size_t gives_up_at = 1000;
 constexpr std::size_t most_ranges = 20;  // of lines that were not carried out, told one by one
-
-ProgramLines lines_of(const Control& control) {
-  std::set<std::uint32_t> numbers;
-  const auto most = static_cast<std::uint32_t>(std::min<std::uint64_t>(control.bytes() + 1, most_lines));
-  for (std::uint32_t n = 1; n <= most; ++n) numbers.insert(numbers.end(), n);
-  return control.texts_of(numbers, 0);
-}
-
-bool ends_in_inches(const Control& control) {
-  const Ending ending = control.ending();
-  return std::any_of(ending.modal.begin(), ending.modal.end(), [](const std::string& word) { return word == "G20" || word == "G70"; });
-}
 
 class TemplateMaker {
  public:

@@ -86,6 +86,12 @@ std::string told_nose(const ToolGeometry& t) {
 
 }  // namespace
 
+std::string_view name_of_tip(const InsertGeometry& insert) {
+  for (const TipName& t : tip_names)
+    if (t.x == insert.tip_x && t.z == insert.tip_z) return t.name;
+  return "";
+}
+
 Done insert_of(const std::string& file, const toml::table& row, InsertGeometry& insert) {
   Done done = tip_of(file, row, insert);
   double lead = 0;

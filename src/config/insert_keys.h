@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -17,6 +18,9 @@ inline constexpr std::size_t insert_points = 64;  // of a profile or holder of a
 
 /// points, lead, width, profile, holder.
 tl::expected<void, std::string> insert_of(const std::string& file, const toml::table& row, InsertGeometry& insert);
+
+/// What `points` says of it: "-x-z", "centre".
+std::string_view name_of_tip(const InsertGeometry& insert);
 
 /// What follows from the rest: a bisector straight behind the tip.
 void complete_insert(ToolGeometry& tool);

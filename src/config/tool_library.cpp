@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "config/insert_keys.h"
 #include "config/nearest.h"
@@ -13,6 +12,7 @@
 #include "config/told.h"
 #include "config/toml_tools.h"
 #include "config/tool_formats.h"
+#include "config/tool_row.h"
 
 namespace kadr {
 namespace {
@@ -95,35 +95,6 @@ Done outline_of(const std::string& file, const toml::table& row, std::string_vie
                 told(size_range));
 }
 
-tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const toml::table& row) {
-  ToolGeometry tool;
-  Done done = known_tool_keys(file, row);
-  if (done) done = number_of(file, row, tool);
-  if (done) done = kind_of(file, row, tool);
-  if (done) done = teeth_of(file, row, tool);
-  const auto number = [&](std::string_view key, const NumberRange& range, double& to) {
-    if (done) done = toml_tools::number(file, row, key, range, to);
-  };
-  number("diameter", size_range, tool.diameter);
-  number("corner", size_range, tool.corner);
-  number("angle", angle_range, tool.angle);
-  number("tip", size_range, tool.tip);
-  number("flutes", size_range, tool.flutes);
-  number("length", size_range, tool.length);
-  const bool turns = tool.kind == ToolKind::turning;
-  if (done && turns) done = insert_of(file, row, tool.insert);
-  if (done && !turns) done = outline_of(file, row, "profile", tool.profile);
-  if (done && !turns) done = outline_of(file, row, "shank", tool.shank);
-  if (done && !turns) done = outline_of(file, row, "holder", tool.holder);
-  if (!done) return Failed(done.error());
-  tool.name = toml_tools::value_or<std::string>(row, "name", "");
-  tool.plunges = toml_tools::value_or(row, "plunges", true);
-  complete(tool);
-  if (const std::string fault = told_fault(tool); !fault.empty())
-    return Failed(place(file, row, "number") + told("tool ", "инструмент ") + std::to_string(tool.number) + ": " + fault);
-  return tool;
-}
-
 /// What is wrong with an outline.
 std::string told_outline(std::string_view key, const std::vector<ProfilePoint>& outline) {
   double widest = 0;
@@ -199,6 +170,44 @@ std::string told_fault(const ToolGeometry& t) {
   return {};
 }
 
+tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const toml::table& row) {
+  ToolGeometry tool;
+  Done done = known_tool_keys(file, row);
+  if (done) done = number_of(file, row, tool);
+  if (done) done = kind_of(file, row, tool);
+  if (done) done = teeth_of(file, row, tool);
+  const auto number = [&](std::string_view key, const NumberRange& range, double& to) {
+    if (done) done = toml_tools::number(file, row, key, range, to);
+  };
+  number("diameter", size_range, tool.diameter);
+  number("corner", size_range, tool.corner);
+  number("angle", angle_range, tool.angle);
+  number("tip", size_range, tool.tip);
+  number("flutes", size_range, tool.flutes);
+  number("length", size_range, tool.length);
+  const bool turns = tool.kind == ToolKind::turning;
+  if (done && turns) done = insert_of(file, row, tool.insert);
+  if (done && !turns) done = outline_of(file, row, "profile", tool.profile);
+  if (done && !turns) done = outline_of(file, row, "shank", tool.shank);
+  if (done && !turns) done = outline_of(file, row, "holder", tool.holder);
+  if (!done) return Failed(done.error());
+  tool.name = toml_tools::value_or<std::string>(row, "name", "");
+  tool.plunges = toml_tools::value_or(row, "plunges", true);
+  complete(tool);
+  if (const std::string fault = told_fault(tool); !fault.empty())
+    return Failed(place(file, row, "number") + told("tool ", "инструмент ") + std::to_string(tool.number) + ": " + fault);
+  return tool;
+}
+
+Done add_tool(const std::string& file, const toml::table& row, ToolGeometry tool, ToolLibrary& to) {
+  const auto same = [&](const ToolGeometry& other) { return other.number == tool.number; };
+  if (std::any_of(to.tools.begin(), to.tools.end(), same))
+    return Failed(place(file, row, "number") + told("tool " + std::to_string(tool.number) + " stands twice",
+                                                    "инструмент " + std::to_string(tool.number) + " указан дважды"));
+  to.tools.push_back(std::move(tool));
+  return {};
+}
+
 tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, const std::string& file) {
   auto table = toml_tools::parsed(text, file);
   if (!table) return Failed(table.error());
@@ -211,15 +220,11 @@ tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, cons
     return Failed(file + ": " +
                   told("a tools file has [[tool]] tables, 1 to 10000", "в файле инструментов таблицы [[tool]], от 1 до 10000"));
   ToolLibrary library;
-  std::set<std::uint32_t> numbers;
   for (const toml::node& row : *rows) {
     if (!row.is_table()) return Failed(place(file, row) + told("tool: write [[tool]]", "tool: пишите [[tool]]"));
     auto tool = tool_of(file, *row.as_table());
     if (!tool) return Failed(tool.error());
-    if (!numbers.insert(tool->number).second)
-      return Failed(place(file, *row.as_table(), "number") + told("tool " + std::to_string(tool->number) + " stands twice",
-                                                                  "инструмент " + std::to_string(tool->number) + " указан дважды"));
-    library.tools.push_back(std::move(*tool));
+    if (const Done added = add_tool(file, *row.as_table(), std::move(*tool), library); !added) return Failed(added.error());
   }
   return library;
 }

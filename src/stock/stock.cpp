@@ -142,7 +142,7 @@ std::uint16_t Stock::add_tool(const ToolShape& shape) {
 }
 
 void Stock::add(const Sweep& sweep) {
-  if (tools_[sweep.tool].turns()) return void(sweeps_.push_back(kept_turned(sweep)));
+  if (tools_[sweep.tool].turns()) return add_turned(sweep);
   if (!is_upright(sweep.from_direction) || !is_upright(sweep.to_direction)) return add_leaning(sweep);
   const Vec3 start = sweep.from - lattice_.origin(), way = sweep.to - sweep.from;
   const double edge = lattice_.edge();
@@ -153,7 +153,7 @@ void Stock::add(const Sweep& sweep) {
   for (int d = 0; d < 3; ++d) kept.from[d] = float(along(from, d)), kept.to[d] = float(along(to, d));
   kept.tool = sweep.tool;
   kept.watched = sweep.watched;
-  sweeps_.push_back(kept);
+  keep(kept, part);
 }
 
 /// Puts the sweeps from `first` up to before `last` into the bins of the bricks that they may reach.
@@ -297,7 +297,7 @@ double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }
 
 std::size_t Stock::bytes() const {
   std::size_t sum =
-      sweeps_.bytes() + lean_ends_.size() * sizeof(LeanEnds) + bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
+      sweeps_.bytes() + lean_ends_.size() * sizeof(LeanEnds) + shortened_.size() * sizeof(Shortened) + bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
   for (const auto& b : bricks_)
     if (b) sum += bytes_of(*b);
   return sum;

@@ -83,12 +83,14 @@ class Stock {
   std::vector<Touch> cut(const StopToken& stop = {});
   /// Ways of tools that lean are divided as in a stock of this cell, so that several keep the same sweeps. Before the first add().
   void divide_as(double cell) { bend_cell_ = cell; }
-  /// From now on each brick's past is kept, so that at() can be asked. Before the first cut().
+  /// From now on each brick's past is kept, so that at() can be asked. Before the first add().
   ///   most_bytes  of copies of bricks: the fewer, the longer at() takes. The list of what cut each brick comes on top, 4 bytes a cut
   void keep_past(std::size_t most_bytes);
-  /// As it was when the first `count` sweeps were carried out, and nothing more: the same bits as of a stock that they alone have cut.
-  ///   pre  keep_past(); count is at most what has been cut
-  Stock at(std::size_t count) const;
+  /// As it was when the first `count` sweeps were carried out, and `share` of the next: without that the same bits as of a stock that they
+  /// alone have cut.
+  ///   share  of the way of that sweep, 0 to 1
+  ///   pre    keep_past() before the first add(); count is at most what has been cut
+  Stock at(std::size_t count, double share = 0) const;
   /// Of the past; 0: none is kept.
   std::size_t bytes_of_past() const;
   /// mm³ that a sweep of the last cut() took away, by the upright lines.
@@ -139,7 +141,15 @@ class Stock {
     std::unique_ptr<Brick>& brick;
     State& state;
   };
+  /// Of a sweep only this part of its way is kept: the rest reaches nothing.
+  struct Shortened {
+    std::uint32_t sweep;
+    float first, last;
+  };
   Stock(const Stock& later, std::size_t count);
+  void keep(const KeptSweep& sweep, WayPart part);
+  WayPart kept_part(std::size_t sweep) const;
+  void begin_sweep(const Stock& later, double share);
   std::unique_ptr<Brick> fresh(std::size_t i) const;
   void fill_in(std::size_t i);
   void fill_evenly(std::size_t i);
@@ -153,7 +163,7 @@ class Stock {
   bool may_reach(std::size_t sweep, const LeanHere& here, float top) const;
   void cut_leaning(std::size_t sweep, std::size_t body, const LeanHere& here, Brick& material, CutOutcome& outcome) const;
   // Of turning tools: stock_turned.cpp.
-  KeptSweep kept_turned(const Sweep& sweep) const;
+  void add_turned(const Sweep& sweep);
   void bin_turned(std::size_t sweep);
   bool turn(std::int32_t sweep, std::size_t brick, Brick& material, Worker* worker) const;
   void cut_in(std::size_t brick, Worker& worker);
@@ -173,6 +183,7 @@ class Stock {
   std::vector<std::vector<LeanBody>> leaning_;
   KeptSweeps sweeps_;
   std::deque<LeanEnds> lean_ends_;  // in the order of the sweeps; a million grow without being moved
+  std::deque<Shortened> shortened_;  // in the order of the sweeps; where a past is kept
   std::size_t done_ = 0;            // of sweeps_
   std::size_t first_ = 0;           // of the last cut()
   std::vector<std::vector<std::int32_t>> bins_;

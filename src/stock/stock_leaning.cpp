@@ -75,7 +75,7 @@ void Stock::add_leaning(const Sweep& sweep) {
       ends.from[d] = float(along(one.from_direction, d)), ends.to[d] = float(along(one.to_direction, d));
     }
     kept.tool = sweep.tool, kept.watched = sweep.watched, kept.leans = true;
-    sweeps_.push_back(kept);
+    keep(kept, part);
     lean_ends_.push_back(ends);
   }
 }

@@ -1,13 +1,23 @@
 // The stock as it was at an earlier sweep.
 
+#include <algorithm>
 #include <cassert>
 
 #include "stock/stock.h"
 
 namespace kadr {
+namespace {
+
+/// Those of a list in the order of the sweeps that belong to sweeps before `count`.
+template <class OfSweeps>
+OfSweeps before(const OfSweeps& all, std::size_t count) {
+  return OfSweeps(all.begin(), std::partition_point(all.begin(), all.end(), [&](const auto& of) { return of.sweep < count; }));
+}
+
+}  // namespace
 
 void Stock::keep_past(std::size_t most_bytes) {
-  assert(done_ == 0);
+  assert(sweeps_.size() == 0);
   past_ = std::make_unique<Past>(bricks_.size(), most_bytes);
 }
 
@@ -25,7 +35,7 @@ Stock::Stock(const Stock& later, std::size_t count)
       swept_(later.swept_),
       leaning_(later.leaning_),
       sweeps_(later.sweeps_.first(count)),
-      lean_ends_(later.lean_ends_),
+      lean_ends_(before(later.lean_ends_, count)),
       done_(count),
       first_(count),
       bins_(later.bins_.size()) {}
@@ -47,13 +57,44 @@ void Stock::go_back(const Stock& later, std::size_t b) {
   settle(now);
 }
 
-Stock Stock::at(std::size_t count) const {
+void Stock::keep(const KeptSweep& sweep, WayPart part) {
+  if (past_ && (part.first > 0 || part.last < 1))
+    shortened_.push_back({std::uint32_t(sweeps_.size()), float(part.first), float(part.last)});
+  sweeps_.push_back(sweep);
+}
+
+WayPart Stock::kept_part(std::size_t sweep) const {
+  const auto found = std::partition_point(shortened_.begin(), shortened_.end(), [&](const Shortened& s) { return s.sweep < sweep; });
+  if (found == shortened_.end() || found->sweep != sweep) return {};
+  return {double(found->first), double(found->last)};
+}
+
+/// The next sweep of a stock that has come farther, up to a share of its way.
+void Stock::begin_sweep(const Stock& later, double share) {
+  const std::size_t next = sweeps_.size();
+  const WayPart kept = later.kept_part(next);
+  if (!(kept.last > kept.first) || !(share > kept.first)) return;
+  const double part = std::min((share - kept.first) / (kept.last - kept.first), 1.0);
+  KeptSweep sweep = later.sweeps_[next];
+  if (sweep.leans) {
+    LeanEnds ends = later.lean_ends(next);
+    const LeanWay way = lean_way_of(sweep, ends).between(0, part);
+    for (int d = 0; d < 3; ++d) ends.to[d] = float(along(way.to_direction, d));
+    lean_ends_.push_back(ends);
+  }
+  for (std::size_t d = 0; d < 3; ++d) sweep.to[d] = float(double(sweep.from[d]) + part * (double(sweep.to[d]) - double(sweep.from[d])));
+  sweeps_.push_back(sweep);
+  (void)cut();
+}
+
+Stock Stock::at(std::size_t count, double share) const {
   assert(past_ && count <= done_);
   Stock then(*this, count);
   std::atomic<std::size_t> next{0};
   side_by_side(threads_, [&](int) {
     for (std::size_t i; (i = next++) < then.bricks_.size();) then.go_back(*this, i);
   });
+  if (share > 0 && count < done_) then.begin_sweep(*this, share);
   return then;
 }
 

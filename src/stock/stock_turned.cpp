@@ -31,7 +31,7 @@ WayPart part_between(double from, double to, double low, double high) {
 }  // namespace
 
 /// What of the way can reach nothing is left out: single precision has seven digits. A way that reaches nothing is where it begins.
-KeptSweep Stock::kept_turned(const Sweep& sweep) const {
+void Stock::add_turned(const Sweep& sweep) {
   const double reach = insert_reach(tools_[sweep.tool]) + room, edge = lattice_.edge();
   const Vec3 least = lattice_.origin(),
              most = least + edge * Vec3{double(lattice_.bricks(0)), double(lattice_.bricks(1)), double(lattice_.bricks(2))};
@@ -43,7 +43,7 @@ KeptSweep Stock::kept_turned(const Sweep& sweep) const {
   if (part.first > part.last) part = {0, 0};
   const Vec3 way = sweep.to - sweep.from, from = sweep.from + part.first * way,
              to = part.last == 1 ? sweep.to : sweep.from + part.last * way;
-  return {{float(from.x), 0, float(from.z - least.z)}, {float(to.x), 0, float(to.z - least.z)}, sweep.tool, sweep.watched, false};
+  keep({{float(from.x), 0, float(from.z - least.z)}, {float(to.x), 0, float(to.z - least.z)}, sweep.tool, sweep.watched, false}, part);
 }
 
 /// Into the bins of the bricks that its rings may reach.

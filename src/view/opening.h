@@ -31,8 +31,10 @@ struct OpenedProgram {
   SaidEncoding encoding;
   std::optional<Guess> guess;  // nothing: the control was named
   std::optional<std::string> text;
+  std::uint32_t number = 0;  // of the program on a tape with several; 0: the first
+  RunLimits limits;          // nothing is written
 
-  /// Its text, the first program of a tape with several.
+  /// Its text, of a tape with several the one that `number` says.
   ///   returns  an error sentence
   tl::expected<Program, std::string> program() const;
   /// The same of another text.

@@ -9,7 +9,9 @@
 #include "config/told.h"
 #include "view/page_json.h"
 #include "view/page_session.h"
+#include "view/part_run.h"
 #include "view/source_text.h"
+#include "view/stock_guess.h"
 
 namespace kadr {
 
@@ -64,6 +66,7 @@ struct PageSession::Inside {
   Answer cut(const PageJson& question);
   Answer part(const PageJson& question);
   Answer proposals(const PageJson& question);
+  void carry_out_cut();
   // page_sheet.cpp
   Answer sheet(const PageJson& question);
   // page_compare.cpp
@@ -95,6 +98,8 @@ struct PageSession::Inside {
   std::unique_ptr<SourceText> source;
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
+  StockGuess guess;
+  std::unique_ptr<PartRun> part_run;  // nullptr: nothing has been cut
 };
 
 }  // namespace kadr

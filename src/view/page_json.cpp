@@ -77,6 +77,14 @@ PageJson calls_json(const std::vector<AlarmReport::Call>& calls) {
   return list;
 }
 
+/// The instant at which a tool comes into the spindle first; 0: it is there at the start.
+double first_use(const ProgramRun& run, std::uint32_t tool) {
+  const std::string name = "T" + std::to_string(tool);
+  for (const TimeMark& m : run.marks())
+    if (m.kind == TimeMark::Kind::tool && m.text == name) return m.at;
+  return 0;
+}
+
 /// Where the axes are on their way through the block, and what is left of it.
 void put_position(PageJson& json, const InstantState& s, const ProgramRun& run) {
   json["position"] = of_axes(s.after, InForce::Kind::position);
@@ -141,6 +149,8 @@ PageJson state_json(const InstantState& s, const ProgramRun& run) {
   return json;
 }
 
+PageJson extents_json(const Statistics& s) { return {{"cutting", box_json(s.cutting_box())}, {"all", box_json(s.box())}}; }
+
 PageJson bounds_json(const MachineBounds& space) {
   const auto box = [](const SpaceBox& b) {
     PageJson corners = {PageJson::array(), PageJson::array()};
@@ -159,7 +169,8 @@ PageJson done_json(const ProgramRun& run, Lang lang) {
   const Statistics& s = run.statistics();
   const char* const state = run.end() == ProgramRun::End::ended ? "ended" : run.end() == ProgramRun::End::stopped ? "stopped" : "cancelled";
   PageJson tools = PageJson::array(), marks = PageJson::array();
-  for (const Statistics::ToolUse& t : s.tools()) tools.push_back({{"tool", t.tool}, {"seconds", t.cutting_s}});
+  for (const Statistics::ToolUse& t : s.tools())
+    tools.push_back({{"tool", t.tool}, {"from", first_use(run, t.tool)}, {"seconds", t.cutting_s}});
   for (const TimeMark& m : run.marks()) marks.push_back({{"at", m.at}, {"kind", name_of_mark(m.kind)}, {"line", m.line}, {"text", m.text}});
   const TimeSplit& time = s.time();
   return {{"state", state},
@@ -168,7 +179,7 @@ PageJson done_json(const ProgramRun& run, Lang lang) {
           {"vertices", run.path().vertices()},
           {"complete", !run.path().is_full()},
           {"zero", vec(run.path().zero())},
-          {"extents", {{"cutting", box_json(s.cutting_box())}, {"all", box_json(s.box())}}},
+          {"extents", extents_json(s)},
           {"distances", {{"cutting", s.cutting_mm()}, {"rapid", s.rapid_mm()}}},
           {"times", {{"cutting", time.cutting}, {"rapid", time.rapid}, {"dwell", time.dwell}, {"tools", time.tool_change}}},
           {"tools", std::move(tools)},

@@ -19,6 +19,8 @@ PageJson files_json(const FolderList& list);
 /// `fix`: nothing: none is certain.
 PageJson problem_json(const Finding& finding, std::uint16_t file, const std::optional<QuickFix>& fix);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
+/// Boxes of what is cut and of all that is gone through.
+PageJson extents_json(const Statistics& statistics);
 PageJson bounds_json(const MachineBounds& space);
 PageJson done_json(const ProgramRun& run, Lang lang);
 /// Text that is UTF-8 whatever it was: JSON is.

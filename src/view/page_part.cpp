@@ -1,11 +1,203 @@
 // Questions about the part: cut, part, proposals. For view/page_session; tested by tests/serve.py.
 
+#include <fmt/core.h>
+
+#include "config/tool_list.h"
+#include "out/text/cut_text.h"
+#include "session/cutting/named_body.h"
 #include "view/page_inside.h"
+#include "view/proposals.h"
 
 namespace kadr {
+namespace {
 
-PageSession::Inside::Answer PageSession::Inside::cut(const PageJson&) { return not_served("cut"); }
-PageSession::Inside::Answer PageSession::Inside::part(const PageJson&) { return not_served("part"); }
-PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson&) { return not_served("proposals"); }
+constexpr std::size_t most_fixtures = 100;
+constexpr std::size_t most_tools_files = 32;                      // that are looked into for proposals …
+constexpr std::uint64_t most_tools_bytes = std::uint64_t{1} << 20;  // … each no longer than this
+
+tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
+
+/// A body's words, its file as a place in the file system.
+tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const std::string& text) {
+  if (!names_mesh_file(text)) return text;
+  auto path = folder.path_of(text);
+  if (!path) return refused(path.error());
+  return *path;
+}
+
+/// A list of tools, or the name of a file.
+tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const PageJson& question) {
+  const auto found = question.find("tools");
+  if (found != question.end() && found->is_array()) {
+    PageJson list = *found;
+    for (PageJson& tool : list)
+      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // of a proposal
+    auto tools = tools_of_list(dumped(list));
+    if (!tools) return refused(tools.error());
+    return std::move(*tools);
+  }
+  if (found == question.end() || !found->is_string())
+    return refused(told("tools: want a list of tools or a file", "tools: нужен список инструментов или файл"));
+  const std::string name = found->get<std::string>();
+  const auto path = folder.path_of(name);
+  if (!path) return refused(path.error());
+  auto tools = load_tools(*path);
+  if (!tools) return refused(tools.error());
+  return std::move(*tools);
+}
+
+tl::expected<PartWish, Refusal> part_wish(const ServedFolder& folder, const PageJson& question) {
+  PartWish wish;
+  auto stock = placed_body(folder, value_in<std::string>(question, "stock", ""));
+  if (!stock) return tl::unexpected(stock.error());
+  wish.stock = *stock;
+  const auto fixtures = question.find("fixtures");
+  if (fixtures != question.end()) {
+    if (!fixtures->is_array() || fixtures->size() > most_fixtures)
+      return refused(told("fixtures: want a list of bodies, 100 at most", "fixtures: нужен список тел, не более 100"));
+    for (const PageJson& text : *fixtures) {
+      if (!text.is_string()) return refused(told("fixtures: want a list of bodies", "fixtures: нужен список тел"));
+      auto body = placed_body(folder, text.get<std::string>());
+      if (!body) return tl::unexpected(body.error());
+      wish.fixtures.push_back(*body);
+      wish.fixture_names.push_back(text.get<std::string>());
+    }
+  }
+  const auto resolution = question.find("resolution");
+  if (resolution != question.end() && !resolution->is_number())
+    return refused(told("resolution: want a number, mm", "resolution: нужно число, мм"));
+  wish.resolution = value_in<double>(question, "resolution", 0);
+  if (resolution != question.end() && !(wish.resolution > 0))
+    return refused(told("resolution: want 0.001 to 1000 mm", "resolution: нужно от 0.001 до 1000 мм"));
+  auto tools = tools_in(folder, question);
+  if (!tools) return tl::unexpected(tools.error());
+  wish.tools = std::move(*tools);
+  return wish;
+}
+
+/// The tools that the program cuts with and nobody has described; empty: none.
+std::string told_missing(const ProgramRun& run, const ToolLibrary& tools) {
+  std::string missing;
+  for (const std::uint32_t number : tools_cutting(run)) {
+    if (tools.find(number) != nullptr || (number == 0 && tools.tools.size() == 1)) continue;
+    missing += fmt::format("{}T{}", missing.empty() ? "" : ", ", number);
+  }
+  return missing.empty() ? missing : told("tools without a shape: ", "инструменты без формы: ") + missing;
+}
+
+PageJson mark_of(const CutFinding& f, const std::string& text) {
+  return {{"at", f.at_time}, {"kind", f.id == AlarmId::no_coolant ? "warning" : "alarm"}, {"line", f.origin.line}, {"text", text}};
+}
+
+/// Names of the tools files beside the program, from the folder on.
+std::vector<std::string> tools_files(const ServedFolder& folder, const std::string& program) {
+  const std::size_t slash = program.rfind('/');
+  const std::string beside = slash == std::string::npos ? "" : program.substr(0, slash);
+  std::vector<std::string> names;
+  const auto list = folder.list(beside);
+  if (!list) return names;
+  for (const FolderEntry& entry : list->entries)
+    if (entry.kind == FolderEntry::Kind::tools && entry.size <= most_tools_bytes && names.size() < most_tools_files)
+      names.push_back(beside.empty() ? entry.name : beside + "/" + entry.name);
+  return names;
+}
+
+std::vector<KnownTools> known_tools(const ServedFolder& folder, const std::string& program) {
+  std::vector<KnownTools> known;
+  for (const std::string& name : tools_files(folder, program)) {
+    const auto path = folder.path_of(name);
+    auto tools = path ? load_tools(*path) : tl::unexpected(std::string());
+    if (tools) known.push_back({name, std::move(*tools)});
+  }
+  return known;
+}
+
+PageJson proposal_json(const ProposedTool& proposed) {
+  PageJson json = tool_json(proposed.tool);
+  json["from"] = proposed.from;
+  json["known"] = proposed.known;
+  return json;
+}
+
+}  // namespace
+
+PageSession::Inside::Answer PageSession::Inside::cut(const PageJson& question) {
+  part_run.reset();
+  auto wish = part_wish(server.folder, question);
+  if (!wish) return tl::unexpected(wish.error());
+  if (const std::string missing = told_missing(*run, wish->tools); !missing.empty()) return refused(missing);
+  auto made = PartRun::make(run->opened(), *wish, token());
+  if (!made) return refused(made.error());
+  part_run = std::move(*made);
+  afterwards = [this] { carry_out_cut(); };
+  return PageJson::object();
+}
+
+void PageSession::Inside::carry_out_cut() {
+  PageJson marks = PageJson::array();
+  part_run->on_progress = [this](double part) {
+    say({{"event", "cutting"}, {"part", part}});
+    if (gone) stops = true;
+  };
+  part_run->on_finding = [&](const CutFinding& f, const AlarmReport& report) {
+    const PageJson told = problem(report);
+    marks.push_back(mark_of(f, told["text"]));
+    say({{"event", "finding"},
+         {"id", told["id"]},
+         {"text", told["text"]},
+         {"line", told["line"]},
+         {"block", told["block"]},
+         {"file", told["file"]},
+         {"calls", told["calls"]},
+         {"at", f.at_time},
+         {"place", {f.at.x, f.at.y, f.at.z}},
+         {"depth", f.depth},
+         {"tool", f.tool}});
+    if (gone) stops = true;
+  };
+  const auto done = part_run->carry_out();
+  PageJson event = {{"event", "cut"}};
+  if (done) {
+    event.update(cut_json(part_run->result(), part_run->alarms(), part_run->warnings()));
+    event["marks"] = std::move(marks);
+    event["notes"] = part_run->notes();
+  } else {
+    event["error"] = {{"text", done.error()}};
+    part_run.reset();
+  }
+  say(event);
+}
+
+PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) {
+  if (!part_run) return refused(told("nothing has been cut", "материал ещё не снимали"));
+  const PartThen then = part_run->at(value_in<double>(question, "at", 0));
+  gone = !line.frame(part_run->frame_of(then)) || gone;
+  return PageJson{{"stock", then.stock},
+                  {"left", then.left},
+                  {"triangles", then.surface.triangle_count()},
+                  {"seconds", then.seconds},
+                  {"cell", then.cell}};
+}
+
+/// `tools`: a file that is asked first, in the place of those beside the program.
+PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& question) {
+  const Vec3 zero = run->path().zero();
+  PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero))}, {"tools", PageJson::array()}};
+  KnownTools named;
+  std::vector<KnownTools> beside;
+  const KnownTools* file = nullptr;
+  if (question.contains("tools")) {
+    auto tools = tools_in(server.folder, question);
+    if (!tools) return tl::unexpected(tools.error());
+    named = {value_in<std::string>(question, "tools", ""), std::move(*tools)};
+    file = &named;
+  } else {
+    beside = known_tools(server.folder, server.folder.shown(run->opened().path));
+    file = tools_file_for(beside, *run);
+  }
+  for (const ProposedTool& tool : proposed_tools(*run, file)) json["tools"].push_back(proposal_json(tool));
+  json["files"] = tools_files(server.folder, server.folder.shown(run->opened().path));
+  return json;
+}
 
 }  // namespace kadr

@@ -41,7 +41,8 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   if (!digest) return tl::unexpected(Refusal{digest.error()});
   auto opened = open_for_page(*wish);
   if (!opened) return tl::unexpected(Refusal{opened.error()});
-  instants.reset(), run.reset(), source.reset();
+  part_run.reset(), instants.reset(), run.reset(), source.reset();
+  guess = {};
   auto made = ProgramRun::make(*opened, token());
   if (!made) return tl::unexpected(Refusal{made.error()});
   run = std::move(*made);
@@ -90,7 +91,10 @@ PageJson PageSession::Inside::problem_of_channel(const AlarmReport& report, int 
 }
 
 void PageSession::Inside::carry_out() {
-  run->on_piece = [this](const ViewPiece& piece, std::uint32_t channel) { send(piece, 0, channel); };
+  run->on_piece = [this](const ViewPiece& piece, std::uint32_t channel) {
+    if (channel == 0) guess.take(piece);
+    send(piece, 0, channel);
+  };
   run->on_contour = [this](const ViewPiece& piece) { send(piece, 2, 0); };
   run->on_alarm = [this](const AlarmReport& report, double at, int channel) {
     PageJson told_problem = channel == 0 ? problem(report) : problem_of_channel(report, channel);

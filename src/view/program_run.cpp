@@ -107,7 +107,7 @@ void ProgramRun::tell(const AlarmReport& report, int channel) {
   statistics_->count(report.alarm.severity);
   const bool stands = report.alarm.severity == Severity::alarm;
   add_mark({seconds_, stands ? TimeMark::Kind::alarm : TimeMark::Kind::warning, channel == 0 ? report.origin.line : 0,
-            sentence_of(report, *opened_.texts, told_lang())});
+            sentence_of(report, *opened_.texts, told_lang()), report.origin.file});
   if (on_alarm) on_alarm(report, seconds_, channel);
 }
 
@@ -140,13 +140,13 @@ void ProgramRun::add_mark(TimeMark mark) {
 
 void ProgramRun::mark(const Step& step, double at) {
   const auto& what = step.action.what;
-  const std::uint32_t line = step.action.origin.line;
+  const Origin& origin = step.action.origin;
   using Kind = TimeMark::Kind;
-  if (const auto* const change = std::get_if<ToolChange>(&what)) add_mark({at, Kind::tool, line, "T" + std::to_string(change->tool)});
-  else if (const auto* const stop = std::get_if<Stop>(&what)) add_mark({at, stop->optional ? Kind::optional_stop : Kind::stop, line, {}});
-  else if (const auto* const message = std::get_if<Message>(&what)) add_mark({at, Kind::message, line, message->text});
-  else if (const auto* const dwell = std::get_if<Dwell>(&what); dwell != nullptr && dwell->seconds > short_dwell)
-    add_mark({at, Kind::dwell, line, {}});
+  const auto add = [&](Kind kind, std::string text = {}) { add_mark({at, kind, origin.line, std::move(text), origin.file}); };
+  if (const auto* const change = std::get_if<ToolChange>(&what)) add(Kind::tool, "T" + std::to_string(change->tool));
+  else if (const auto* const stop = std::get_if<Stop>(&what)) add(stop->optional ? Kind::optional_stop : Kind::stop);
+  else if (const auto* const message = std::get_if<Message>(&what)) add(Kind::message, message->text);
+  else if (const auto* const dwell = std::get_if<Dwell>(&what); dwell != nullptr && dwell->seconds > short_dwell) add(Kind::dwell);
 }
 
 /// Where there are too many every second one goes.
@@ -185,7 +185,7 @@ void ProgramRun::carry_out() {
   record_->flush();
   for (const Other& other : others_) other.record->flush();
   tell_contour();
-  add_mark({seconds_, TimeMark::Kind::end, 0, {}});
+  add_mark({seconds_, TimeMark::Kind::end, 0, {}, 0});
 }
 
 }  // namespace kadr

@@ -21,6 +21,7 @@ struct TimeMark {
   Kind kind = Kind::tool;
   std::uint32_t line = 0;
   std::string text;  // of the program: to be escaped where it is shown
+  std::uint16_t file = 0;  // Origin::file of the line
 };
 
 /// From where the session goes on, and which block comes then.

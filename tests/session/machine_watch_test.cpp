@@ -57,7 +57,7 @@ class Steps {
   }
   void pass(const Action& action) {
     const Step step(roles, action, stand_, now_, MotionTime{0, 1});
-    watch_.take(step, 0, found, notes);
+    watch_.take(step, {(step).begins, (step).time.seconds}, found, notes);
     if (step.motion() != nullptr) now_ += 1;
   }
 

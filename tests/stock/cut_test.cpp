@@ -8,6 +8,7 @@
 
 #include "stock/same_stock.h"
 #include "stock/some_tools.h"
+#include "stock/surface/surface.h"
 
 namespace kadr {
 namespace {
@@ -232,6 +233,28 @@ TEST(Cut, AnyMomentIsAsIfCutSoFar) {
       EXPECT_TRUE(same(stock.at(count), cut(so_far, 0.5, 1))) << count << " of the sweeps";
     }
   }
+}
+
+/// A groove all through the block and far beyond, of which the kept sweep is but a part.
+TEST(Cut, APartOfTheNextSweep) {
+  ToolGeometry g;
+  g.diameter = 4, g.flutes = 12, g.length = 20;
+  const Vec3 from{-400, 0, 6}, to{100, 0, 6};
+  Stock stock(box_blank(block), 0.5, 1);
+  stock.keep_past(1 << 20);
+  stock.add_tool(shape_of(g));
+  stock.add({{0, 3, 8}, {0, -3, 8}, 0});
+  stock.add({from, to, 0});
+  stock.cut();
+  for (const double share : {0.0, 0.3, 0.79, 0.8, 0.801, 0.805, 0.9, 1.0}) {
+    Stock wanted(box_blank(block), 0.5, 1);
+    wanted.add_tool(shape_of(g));
+    wanted.add({{0, 3, 8}, {0, -3, 8}, 0});
+    wanted.add({from, from + share * (to - from), 0});
+    wanted.cut();
+    EXPECT_NEAR(volume_of(surface_of(stock.at(1, share))), volume_of(surface_of(wanted)), 1e-2) << share;
+  }
+  EXPECT_TRUE(same(stock.at(2), stock.at(2, 0.5))) << "nothing comes after the last";
 }
 
 // Three grooves of an end mill of 2 mm along Y, X 1 to 3, 5 to 7, 9 to 11, 3 mm deep: four walls, all in one brick.

@@ -100,6 +100,9 @@ TEST(LeanCut, AnyMomentIsAsIfCutSoFar) {
     const LeanJob part{job.tools, {job.sweeps.begin(), job.sweeps.begin() + std::ptrdiff_t(i) + 1}};
     EXPECT_TRUE(same(all.at(so_far[i]), cut(part, 0.5, 1))) << "after " << i;
   }
+  // A hair's breadth before the end of a sweep is nearly its end.
+  for (std::size_t count = 0; count + 1 < so_far.back(); count += 7)
+    EXPECT_NEAR(volume_of(surface_of(all.at(count, 0.999999))), volume_of(surface_of(all.at(count + 1))), 0.05) << count;
 }
 
 /// What a flat end of 10 mm cuts of a block of 20 along X, its tip in the middle of the top face and 5 below: a trapezoid.

@@ -9,21 +9,6 @@ namespace {
 
 constexpr std::size_t comments_at = 32;  // column
 
-/// Of design.md 10; empty: none of them for certain.
-const char* kind_word(const ToolComment& said) {
-  switch (said.kind) {
-    case ToolWord::ball: return "ball";
-    case ToolWord::drill: return "drill";
-    case ToolWord::chamfer: return "chamfer";
-    case ToolWord::taper: return "taper";
-    case ToolWord::mill: return said.corner.value_or(0) > 0 ? "bull" : "flat";
-    case ToolWord::none:
-    case ToolWord::tap:
-    case ToolWord::reamer: return "";
-  }
-  return "";
-}
-
 /// For a comment of TOML, in which no control characters may stand.
 std::string one_line(std::string text) {
   for (char& c : text)
@@ -73,6 +58,20 @@ class RowText {
 };
 
 }  // namespace
+
+const char* kind_word(const ToolComment& said) {
+  switch (said.kind) {
+    case ToolWord::ball: return "ball";
+    case ToolWord::drill: return "drill";
+    case ToolWord::chamfer: return "chamfer";
+    case ToolWord::taper: return "taper";
+    case ToolWord::mill: return said.corner.value_or(0) > 0 ? "bull" : "flat";
+    case ToolWord::none:
+    case ToolWord::tap:
+    case ToolWord::reamer: return "";
+  }
+  return "";
+}
 
 std::string tools_template_text(const ToolsTemplate& made) {
   const bool ru = made.lang == Lang::ru;

@@ -24,6 +24,9 @@ struct ToolsTemplate {
   std::vector<Row> rows;
 };
 
+/// The kind of a tools file that a comment means; empty: none of them for certain.
+const char* kind_word(const ToolComment& said);
+
 /// TOML as design.md 10 has it. What nobody said is a comment with the key: the file is refused by name of tool and key until that is
 /// filled in.
 std::string tools_template_text(const ToolsTemplate& made);

@@ -151,7 +151,7 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   return text + summary_row(w.collisions, count == 0 ? std::string(w.none) : std::to_string(count));
 }
 
-std::string cut_json(const CutResult& r, std::size_t alarms, std::size_t warnings) {
+ordered_json cut_json(const CutResult& r, std::size_t alarms, std::size_t warnings) {
   ordered_json json{{"stock", rounded(r.stock)},
                     {"left", rounded(r.left)},
                     {"removed", rounded(r.stock - r.left)},
@@ -177,7 +177,7 @@ std::string cut_json(const CutResult& r, std::size_t alarms, std::size_t warning
   if (r.simplified)
     json["simplified"] = {{"exact", r.simplified->exact}, {"triangles", r.simplified->triangles}, {"off", r.simplified->off}};
   if (!r.warnings.empty()) json["warned"] = findings_json(r.warnings);
-  return json.dump() + "\n";
+  return json;
 }
 
 }  // namespace kadr

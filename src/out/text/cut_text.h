@@ -1,6 +1,7 @@
 #pragma once
 // CutResult → text: the summary on stdout, JSON (design.md 10).
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "config/alarm_texts.h"
@@ -14,7 +15,7 @@ std::string cut_caption(const CutResult& result, Lang lang);
 std::string cut_summary(const CutResult& result, Lang lang);
 
 /// One object. `alarms`, `warnings`: of the program itself, the findings not among them.
-std::string cut_json(const CutResult& result, std::size_t alarms, std::size_t warnings);
+nlohmann::ordered_json cut_json(const CutResult& result, std::size_t alarms, std::size_t warnings);
 
 /// Of a finding of AlarmId::machine: those that met, in whole (an alarm cuts them short); else empty.
 std::string names_of_bodies(const CutFinding& finding);

@@ -64,12 +64,15 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
       rate_of_sweep_.resize(stock_.sweeps());
       std::fill(rate_of_sweep_.begin() + std::ptrdiff_t(first), rate_of_sweep_.begin() + std::ptrdiff_t(end), float(rate));
     };
-  for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
-  if (window_) {  // a sweep has the same number in all of them
-    const double finer = std::min(job.cell, job.window_cell);
-    stock_.divide_as(finer), window_->divide_as(finer);
-    for (const auto& fixture : fixtures_) fixture->divide_as(finer);
+  if (job.seen_cell > 0) {
+    seen_ = std::make_unique<Stock>(job.blank, job.seen_cell, job.threads);
+    seen_->keep_past(job.past_bytes);
   }
+  for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
+  double finest = job.cell;  // a sweep has the same number in all of them
+  each_other([&](const Stock& other) { finest = std::min(finest, other.lattice().cell()); });
+  stock_.divide_as(finest);
+  each_other([&](Stock& other) { other.divide_as(finest); });
   if (!job.starts_known)
     for (const int axis : roles.xyz)
       if (axis >= 0) unknown_ |= AxisMask{1} << axis;
@@ -77,6 +80,13 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     if (axis >= 0) across_ |= AxisMask{1} << axis;
   result_.stock = job.blank->volume();
   result_.cell = job.cell;
+}
+
+template <class Visit>
+void Cutting::each_other(const Visit& visit) const {
+  if (window_) visit(*window_);
+  if (seen_) visit(*seen_);
+  for (const auto& fixture : fixtures_) visit(*fixture);
 }
 
 /// What stands in the spindle and how it turns.
@@ -108,8 +118,7 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   if (geometry == nullptr) return std::nullopt;
   const ToolShape shape = shape_of(*geometry);
   const std::uint16_t number = stock_.add_tool(shape);
-  if (window_) (void)window_->add_tool(shape);
-  for (const auto& fixture : fixtures_) (void)fixture->add_tool(shape);
+  each_other([&](Stock& other) { (void)other.add_tool(shape); });
   shapes_.emplace_back(tool_, number);
   return number;
 }
@@ -160,13 +169,13 @@ void Cutting::shift_by_length() {
   for (WayPiece& p : pieces_) p.from = p.from + shift * p.from_direction, p.to = p.to + shift * p.to_direction;
 }
 
-Status Cutting::consume(const Step& step, double longer) {
+Status Cutting::consume(const Step& step, const MachineTime& time) {
   note(step.action);
   const Motion* const motion = step.motion();
-  result_.seconds = std::max(result_.seconds, step.begins + step.time.seconds + longer + step.pause);
+  result_.seconds = std::max(result_.seconds, time.begins + time.seconds + step.pause);
   way_.take(step, pieces_);
   if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // named, and it stood there already
-  if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || step.begins >= job_.until) return {};
+  if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || time.begins >= job_.until) return {};
   shift_by_length();
   if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the way there only its end is certain
     if (unknown_now() != 0) return {};
@@ -176,7 +185,7 @@ Status Cutting::consume(const Step& step, double longer) {
   const auto shape = shape_of_tool();
   if (!shape) return is_cutting(motion->kind) ? Status(fail(alarm(AlarmId::tool_without_shape, {}, double(tool_)))) : Status();
   if (stock_.tool(*shape).turns() && leaves_thread(*motion)) return {};
-  const double seconds = step.time.seconds + longer, most = seconds > 0 ? (job_.until - step.begins) / seconds : 1;
+  const double most = time.seconds > 0 ? (job_.until - time.begins) / time.seconds : 1;
   while (!pieces_.empty() && pieces_.back().begins >= most) pieces_.pop_back();
   if (pieces_.empty()) return {};
   if (WayPiece& last = pieces_.back(); last.ends > most) {
@@ -195,8 +204,9 @@ Status Cutting::consume(const Step& step, double longer) {
   if (motion->kind != MotionKind::thread && spindle_ != SpindleDir::stop)
     moved.teeth = stock_.tool(*shape).geometry.teeth * rpm_ / seconds_a_minute;
   moved.lacks_coolant = job_.wants_coolant && coolant_ == Coolant::off && moved.cuts;
-  moved.begins = step.begins;
-  moved.seconds = seconds * std::min(most, 1.0);
+  moved.begins = time.begins;
+  moved.whole = time.seconds;
+  moved.seconds = time.seconds * std::min(most, 1.0);
   if (way_.zero() && !zero_known_) release_kept();
   if (zero_known_) {
     add(moved, pieces_, *shape);
@@ -224,19 +234,24 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
     const Sweep sweep{from, to, shape, watched, from_direction, to_direction};
     stock_.add(sweep);
     if (window_) window_->add(sweep);
+    if (seen_) seen_->add(sweep);
     lines_.fill(stock_.sweeps(), {moved.origin.line, moved.origin.file});
     for (const auto& fixture : fixtures_) fixture->add({from, to, shape, true, from_direction, to_direction});
     in_batch.length += length(to - from);
+  };
+  const auto timed = [&](const WayPiece& p) {
+    if (seen_) times_.fill(stock_.sweeps(), moved.begins + p.begins * moved.whole, moved.begins + p.ends * moved.whole);
   };
   if (stock_.tool(shape).turns()) {
     const Vec2 axis = radius_axis(pieces, zero_);
     const Vec3 end = pieces.back().to - zero_;
     in_batch.radius = std::copysign(1.0, dot(axis, Vec2{end.x, end.y})) * axis;
-    for (const WayPiece& p : pieces) each_turned(p, zero_, axis, chord_for(job_.cell), carry);
+    for (const WayPiece& p : pieces) each_turned(p, zero_, axis, chord_for(job_.cell), carry), timed(p);
   } else {
     for (const WayPiece& p : pieces) {
       carry(p.from - zero_, p.to - zero_, p.from_direction, p.to_direction);
       if (is_upright(p.from_direction)) in_batch.flat += flat_length(p);
+      timed(p);
     }
   }
   const WayPiece& middle = pieces[pieces.size() / 2];
@@ -247,6 +262,7 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
 void Cutting::cut() {
   if (batch_.empty()) return;
   std::vector<Touch> touches = stock_.cut(job_.stop);
+  if (seen_) (void)seen_->cut(job_.stop);
   if (window_) touches = finer_touches(job_.window->box(), touches, window_->cut(job_.stop));
   tell(touches, false);
   for (const auto& fixture : fixtures_) tell(fixture->cut(job_.stop), true);
@@ -337,6 +353,12 @@ void Cutting::finish() {
   loads_.finish();
   tell_others();
   batch_ = std::vector<Moved>();  // what comes now has the memory
+}
+
+std::size_t Cutting::bytes() const {
+  std::size_t sum = stock_.bytes() + times_.bytes();
+  each_other([&](const Stock& other) { sum += other.bytes() + other.bytes_of_past(); });
+  return sum;
 }
 
 CutResult Cutting::result(double left, double error_bound) const {

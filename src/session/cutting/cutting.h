@@ -19,11 +19,18 @@
 #include "session/cutting/air_lines.h"
 #include "session/cutting/block_load.h"
 #include "session/cutting/sweep_lines.h"
+#include "session/cutting/sweep_times.h"
 #include "session/cutting/tool_way.h"
 #include "stock/cut_result.h"
 #include "stock/stock.h"
 
 namespace kadr {
+
+/// When the machine carries a step out, s since the start of the program: later than the programmed time where accelerations or limits slow
+/// it down.
+struct MachineTime {
+  double begins = 0, seconds = 0;
+};
 
 struct CutJob {
   std::shared_ptr<const Blank> blank;
@@ -35,6 +42,8 @@ struct CutJob {
   double cell = 0.5;                           // mm
   std::shared_ptr<const Blank> window;         // blank_within() of what is cut once more, finer; nullptr: nothing
   double window_cell = 0;                      // mm
+  double seen_cell = 0;                        // mm: of what is cut once more, coarser, to be shown as it was at any instant; 0: nothing is
+  std::size_t past_bytes = 0;                  // of Stock::keep_past() for that
   int threads = 1;
   std::optional<std::uint8_t> system;  // of ToolWay
   std::optional<Axes> apart;           // of ToolWay
@@ -57,9 +66,8 @@ class Cutting {
   /// Called with what each block that moves at feed took away, in the order of the program: a batch later, and some blocks more.
   std::function<void(const BlockLoad&)> on_block;
 
-  /// `longer`: s that the machine takes beyond Step::time.
-  ///   returns  alarm tool_without_shape: nothing of the step is cut
-  Status consume(const Step& step, double longer);
+  /// returns  alarm tool_without_shape: nothing of the step is cut
+  Status consume(const Step& step, const MachineTime& time);
   /// What others found in a step that has come: told with what is found in cutting.
   void also(const CutFinding& finding) { others_.push_back(finding); }
   /// All that has come is cut.
@@ -73,6 +81,14 @@ class Cutting {
   const Stock& stock() const { return stock_; }
   /// nullptr: there is none. Its sweeps have the same numbers.
   const Stock* window() const { return window_.get(); }
+  /// That of CutJob::seen_cell, which can be asked for its past; nullptr: there is none. Its sweeps have the same numbers.
+  const Stock* seen() const { return seen_.get(); }
+  /// Which sweeps are carried out at an instant of the machine's time.
+  SweepPlace sweeps_at(double instant) const { return times_.at(instant); }
+  /// Zero of the work system of the blank, in coordinates of the machine; after finish().
+  Vec3 zero() const { return zero_; }
+  /// Of memory, all stocks and what is remembered of sweeps.
+  std::size_t bytes() const;
 
  private:
   /// A motion whose pieces are in the batch.
@@ -84,6 +100,7 @@ class Cutting {
     AlarmId fault = AlarmId::count;  // of its cutting part, if that takes anything away; count: none
     bool cuts = false, lacks_coolant = false;
     double begins = 0, seconds = 0, length = 0, flat = 0;
+    double whole = 0;  // s of the motion, all of it
     double diameter = 0, teeth = 0;  // of CutMotion
     Vec3 at;
     Vec2 radius;  // of a turning tool: along its radius, towards it; else 0
@@ -99,6 +116,9 @@ class Cutting {
   bool leaves_thread(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
   AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const;
+  /// Visits the stocks beside that of the whole.
+  template <class Visit>
+  void each_other(const Visit& visit) const;
   void add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape);
   void shift_by_length();
   void release_kept();
@@ -114,7 +134,7 @@ class Cutting {
   CutJob job_;
   ToolWay way_;
   Stock stock_;
-  std::unique_ptr<Stock> window_;
+  std::unique_ptr<Stock> window_, seen_;
   std::vector<std::unique_ptr<Stock>> fixtures_;
   std::set<std::uint32_t> without_coolant_;                      // lines
   std::vector<std::pair<std::uint32_t, std::uint16_t>> shapes_;  // tool → Stock::add_tool
@@ -131,6 +151,7 @@ class Cutting {
   std::vector<Moved> batch_;
   std::vector<CutFinding> others_;
   SweepLines lines_;
+  SweepTimes times_;  // where there is a stock to be shown
   std::vector<float> rate_of_sweep_;
   Vec3 zero_;
   bool zero_known_ = false;

@@ -179,14 +179,14 @@ void MachineWatch::find_zero() {
   now_.reset();
 }
 
-void MachineWatch::take(const Step& step, double longer, std::vector<CutFinding>& found, std::vector<std::string>& notes) {
+void MachineWatch::take(const Step& step, const MachineTime& time, std::vector<CutFinding>& found, std::vector<std::string>& notes) {
   notes.insert(notes.end(), as_built_.begin(), as_built_.end());
   as_built_.clear();
   if (const auto* const change = std::get_if<ToolChange>(&step.action.what)) tool_ = change->tool;
   if (const auto* const frame = std::get_if<FrameChange>(&step.action.what)) placement_ = frame->placement;
   const Motion* const motion = step.motion();
-  if (motion == nullptr || step.begins >= job_.until) return;
-  const InForce in_force{tool_, chain_.tip(placement_.length).z, longer, unknown_ == 0};
+  if (motion == nullptr || time.begins >= job_.until) return;
+  const InForce in_force{tool_, chain_.tip(placement_.length).z, time, unknown_ == 0};
   unknown_ &= ~motion->named;
   if (unknown_ != 0) return;
   if (!zero_ && (job_.system ? motion->system == *job_.system : is_cutting(motion->kind))) release_kept(found, notes);
@@ -224,7 +224,7 @@ void MachineWatch::carry_out(const Step& step, const InForce& in_force, std::vec
       finding.origin = step.action.origin;
       finding.tool = in_force.tool;
       const double part = begins + meeting.part * (ends - begins);
-      finding.at_time = step.begins + part * (step.time.seconds + in_force.longer);
+      finding.at_time = in_force.time.begins + part * in_force.time.seconds;
       if (finding.at_time > job_.until) continue;
       found.push_back(finding);
       new_ones.emplace_back(meeting.first, meeting.second);

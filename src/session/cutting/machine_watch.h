@@ -39,8 +39,7 @@ class MachineWatch {
                                                                      const std::vector<WorkBody>& work, const ReadMesh& read);
 
   /// What meets in the step, in the order of time; a sentence each in `notes` of what was taken as it is.
-  ///   longer  s that the machine takes beyond Step::time
-  void take(const Step& step, double longer, std::vector<CutFinding>& found, std::vector<std::string>& notes);
+  void take(const Step& step, const MachineTime& time, std::vector<CutFinding>& found, std::vector<std::string>& notes);
   /// All that was kept.
   void finish(std::vector<CutFinding>& found, std::vector<std::string>& notes);
   const MovingBodies& bodies() const { return bodies_; }
@@ -50,7 +49,7 @@ class MachineWatch {
   struct InForce {
     std::uint32_t tool = 0;
     double length = 0;  // of the tool, as the control reckons with it
-    double longer = 0;  // s
+    MachineTime time;
     bool known = true;  // where the motion begins
   };
   struct KeptMotion {

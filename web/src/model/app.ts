@@ -133,6 +133,15 @@ export class App {
     this.target = clamp(number, 1, last);
     this.states.want({ number: this.target });
   }
+  /// To the pass of a line that is nearest to where the slider stands.
+  async seek_line(line: number, file: number): Promise<void> {
+    try {
+      const { passes } = await this.client.ask("passes", file ? { line, file } : { line });
+      const off = (p: { from: number; to: number }): number => (this.instant < p.from ? p.from - this.instant : this.instant > p.to ? this.instant - p.to : 0);
+      const nearest = passes.reduce<(typeof passes)[0] | null>((best, p) => (!best || off(p) < off(best) ? p : best), null);
+      if (nearest) this.seek_block(nearest.number);
+    } catch (e) { this.tell(e); }
+  }
   step(blocks: number): void {
     const here = this.target || this.state?.number || this.path.number_at(this.instant);
     this.seek_block(here + blocks);

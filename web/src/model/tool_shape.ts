@@ -7,6 +7,7 @@ export interface Shape { number: number; cutting: Outline; shank: Outline; holde
 const arc_steps = 8; // of a quarter circle: finer than a pixel of the pictures drawn of it
 
 export function shape_of(tool: Tool): Shape {
+  if (tool.kind === "turning") return { number: tool.number, cutting: [], shank: [], holder: [] }; // no body of revolution
   const d = tool.diameter ?? 0, flutes = tool.flutes ?? Math.max(d * 2, 10), length = Math.max(tool.length ?? flutes, flutes);
   const shank = outline(tool.shank), holder = outline(tool.holder);
   return {

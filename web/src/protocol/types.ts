@@ -32,7 +32,7 @@ export interface Modal { group: string; code: string; changed?: boolean }
 export interface Variable { name: string; value: number | string | null; changed?: boolean }
 export interface State {
   at: number; number: number; line: number; column?: number; file?: number; file_name?: string; block?: string; text?: string; pass?: number; depth?: number;
-  calls?: Call[]; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; rpm: number; tool: number; modal: Modal[];
+  calls?: Call[]; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; rpm: number | null; tool: number; modal: Modal[];
   offsets: { T?: number; D?: number; H?: number; radius?: number; length?: Axes }; zero: Axes; variables: Variable[]; limits?: string | null;
   seconds: number; left: number;
 }
@@ -53,15 +53,15 @@ export interface Tool {
   number: number; kind: string; diameter?: number; corner?: number; angle?: number; tip?: number; flutes?: number; length?: number;
   profile?: [number, number][]; shank?: unknown; holder?: unknown; name?: string; from?: string; known?: boolean;
 }
-export interface CutQuestion { stock: string; tools: string | Tool[]; resolution?: number }
+export interface CutQuestion { stock: string; tools: string | Tool[]; fixtures?: string[]; resolution?: number }
 export interface Finding {
   id: string; text: string; line: number; block?: string; file?: number | string; calls?: string[]; at: number; place?: number[]; depth?: number; tool?: number;
 }
 export interface CutResult {
   stock: number; left: number; removed: number; error_bound?: number; resolution?: number; seconds?: number; alarms?: number; warnings?: number;
-  tools?: { tool: number; removed: number; seconds: number; greatest_rate: number }[]; marks?: Mark[]; error?: { text: string };
+  tools?: { tool: number; removed: number; seconds: number; greatest_rate: number }[]; marks?: Mark[]; notes?: string[]; error?: { text: string };
 }
-export interface Proposals { stock: string; tools: Tool[] }
+export interface Proposals { stock: string; tools: Tool[]; files?: string[] }
 export interface PartAnswer { stock: number; left: number; triangles: number; seconds: number; cell: number }
 export interface SheetTool { number: number; name?: string; radius?: number; length?: number; corrector?: string | number; seconds?: number; lines?: number[]; outline?: [number, number][]; comment?: string }
 export interface Sheet {
@@ -87,7 +87,7 @@ export interface Questions {
   explain: [{ line: number; text?: string }, Explained];
   cut: [CutQuestion, object];
   part: [{ at: number }, PartAnswer];
-  proposals: [object, Proposals];
+  proposals: [{ tools?: string }, Proposals];
   sheet: [object, Sheet];
   read: [{ file: string }, { text: string; digest: string; encoding: string }];
   compare: [{ file?: string; text?: string; control?: string; tolerance?: number }, Compared];

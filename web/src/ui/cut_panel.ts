@@ -18,8 +18,11 @@ export class CutPanel {
   readonly element = h("div", { class: "cut" });
   private stock = "";
   private tools: Tool[] = [];
+  private files: string[] = [];       // tools files beside the program
+  private fixtures: string[] = [];
   private resolution = "";
   private known = false;
+  private of: string | null = null;   // the program that blank and tools are of
   private start = h("div", { class: "row cut-start" });
   private form = h("div");
   private told = h("div", { "aria-live": "polite" });
@@ -38,16 +41,29 @@ export class CutPanel {
   private async propose(): Promise<void> {
     try {
       const p = await this.app.client.ask("proposals", {});
-      this.stock = p.stock ?? "";
-      this.tools = p.tools ?? [];
+      const opened = this.app.opened?.file ?? null;
+      if (opened === null || opened !== this.of) { // what a person has changed stays while the program is edited
+        this.stock = p.stock ?? "";
+        this.tools = p.tools ?? [];
+        this.fixtures = [];
+        this.resolution = "";
+      } else this.tools.push(...(p.tools ?? []).filter((x) => !this.tools.some((y) => y.number === x.number)));
+      this.of = opened;
+      this.files = p.files ?? [];
       this.known = true;
     } catch { this.known = true; /* a program that goes nowhere has no blank: the form stays empty */ }
     this.draw();
   }
 
+  /// Tools as a file beside the program has them.
+  private async take_file(file: string): Promise<void> {
+    try { this.tools = (await this.app.client.ask("proposals", { tools: file })).tools; } catch (e) { this.app.tell(e); }
+    this.draw();
+  }
+
   private draw(): void {
     if (!this.known) fill(this.form, h("p", { class: "note" }, this.app.opened ? t("running") : t("open_a_program")));
-    else fill(this.form, h("h3", null, t("stock")), this.stock_form(), h("h3", null, t("tools")), ...this.tools.map((x) => this.tool_form(x)),
+    else fill(this.form, h("h3", null, t("stock")), this.stock_form(), this.fixtures_form(), h("h3", null, t("tools")), this.files_form(), ...this.tools.map((x) => this.tool_form(x)),
       button(t("add_tool"), () => { this.tools.push({ number: Math.max(0, ...this.tools.map((x) => x.number)) + 1, kind: "flat", diameter: 10, flutes: 20, length: 50 }); this.draw(); }));
     fill(this.start, this.known && h("div", { class: "cut-run" }), this.known && h("label", { class: "field" }, h("span", null, t("resolution")), this.input(this.resolution, (v) => { this.resolution = v; }, { placeholder: t("auto"), inputmode: "decimal" }), h("span", { class: "dim" }, t("mm"))));
     this.draw_run();
@@ -69,6 +85,17 @@ export class CutPanel {
       h("tbody", null, ...[0, 1, 2].map((i) => h("tr", null, h("th", { scope: "row" }, "XYZ"[i]!), cell(0, i), cell(1, i))))), !proper(box) && h("p", { class: "hint error" }, t("stock_inside_out")), text);
   }
 
+  private fixtures_form(): HTMLElement {
+    const text = h("textarea", { rows: String(Math.max(1, this.fixtures.length)), placeholder: "box:X0,Y0,Z0,X1,Y1,Z1", onchange: () => { this.fixtures = text.value.split("\n").map((line) => line.trim()).filter((line) => line !== ""); this.draw(); } }, this.fixtures.join("\n"));
+    return h("label", { class: "field" }, h("span", null, t("fixtures")), text);
+  }
+
+  private files_form(): HTMLElement | false {
+    if (!this.files.length) return false;
+    const select = h("select", { onchange: () => { if (select.value) void this.take_file(select.value); } }, option("", "…", true), ...this.files.map((f) => option(f, f, false)));
+    return h("label", { class: "field" }, h("span", null, t("tools_from_file")), select);
+  }
+
   private tool_form(x: Tool): HTMLElement {
     const more = sizes_of[x.kind] ?? ["corner", "angle", "tip"];
     const select = h("select", { "aria-label": t("kind"), onchange: () => { x.kind = select.value; this.draw(); } }, ...kinds.map((k) => option(k, t(`kind_${k}` as TextKey), k === x.kind)));
@@ -87,15 +114,16 @@ export class CutPanel {
   private run(): void {
     const r = Number(this.resolution.replace(",", "."));
     const tools = this.tools.map(({ from: _, known: __, ...shape }) => shape);
-    void this.app.run_cut({ stock: this.stock, tools, ...(r > 0 ? { resolution: r } : {}) });
+    void this.app.run_cut({ stock: this.stock, tools, ...(this.fixtures.length ? { fixtures: this.fixtures } : {}), ...(r > 0 ? { resolution: r } : {}) });
   }
 
   private draw_told(part: number | null): void {
     const { app } = this, c = app.cut;
     const bar = part !== null && app.cutting ? h("progress", { max: 1, value: part, "aria-label": t("cutting") }) : null;
-    fill(this.told, bar, c && h("dl", { class: "facts" }, ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`), ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`), ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`), ...fact(t("cell"), `${short(this.part?.cell ?? c.resolution, 3)} ${t("mm")}`)),
+    fill(this.told, bar, c && !c.error && h("dl", { class: "facts" }, ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`), ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`), ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`), ...fact(t("cell"), `${short(this.part?.cell ?? c.resolution, 3)} ${t("mm")}`)),
       this.part && h("p", { class: "note" }, t("part_told", { left: short(this.part.left, 1), triangles: short(this.part.triangles) })),
-      c && !app.findings.length && h("p", { class: "good" }, t("nothing_hit")),
+      ...(c?.notes ?? []).map((note) => h("p", { class: "note" }, note)),
+      c && !c.error && !app.findings.length && h("p", { class: "good" }, t("nothing_hit")),
       ...app.findings.slice(0, 500).map((f) => h("div", { class: "problem alarm" }, h("button", { type: "button", class: "problem-go", onclick: () => { app.seek(f.at); this.jump(f.line); } },
         icon("alarm", t("alarm")), h("span", { class: "problem-text" }, f.text), h("span", { class: "dim" }, `${t("line_n", { line: f.line })} · ${clock(f.at)}`)))),
       app.findings.length > 500 && h("p", { class: "note" }, `… +${app.findings.length - 500}`));

@@ -1,6 +1,6 @@
-// Words of the command line → bodies. For cli/cut.
+// Words of a person → bodies. For cli/cut and view/part_run; tested by tests/session/named_body_test.cpp.
 
-#include "cli/cut_body.h"
+#include "session/cutting/named_body.h"
 
 #include <charconv>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "stock/blank/mesh_blank.h"
 #include "stock/mesh/mesh_file.h"
 
-namespace kadr::cli {
+namespace kadr {
 namespace {
 
 using Failed = tl::unexpected<std::string>;
@@ -63,9 +63,13 @@ std::optional<BodyShape> shape_of_words(const std::string& text) {
   return shape;
 }
 
-tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes) {
+bool names_mesh_file(const std::string& text) {
   const std::string small = in_small_letters(text);
-  if (small.ends_with(".stl") || small.ends_with(".3mf")) return body_of_file(text, most_bytes);
+  return small.ends_with(".stl") || small.ends_with(".3mf");
+}
+
+tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes) {
+  if (names_mesh_file(text)) return body_of_file(text, most_bytes);
   if (const auto shape = shape_of_words(text)) {
     if (shape->form == BodyShape::Form::box) return NamedBody{box_blank({shape->least, shape->most}), {}};
     return NamedBody{cylinder_blank(shape->centre, shape->bottom, shape->top, shape->diameter), {}};
@@ -92,4 +96,4 @@ tl::expected<Box3, std::string> window_of(const std::string& text) {
                      "нужно X0,Y0,Z0,X1,Y1,Z1, мм до 100000, первый угол по каждой оси меньше второго"));
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

@@ -1,17 +1,24 @@
 #pragma once
-// ToolProposals: what the comments of a program say of its tools. For the templates of kadr setup; nobody uses them unseen.
+// ToolProposals: what the comments of a program say of its tools. For the templates of kadr setup and for the page; nobody uses them unseen.
 
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 
+#include "control/control.h"
 #include "lang/text/tool_comment.h"
 
-namespace kadr::cli {
+namespace kadr {
 
 /// Texts by line number, from 1.
 using ProgramLines = std::map<std::uint32_t, std::string>;
+
+/// Of the program itself, as far as anybody writes comments: what a machine has made has none beyond.
+ProgramLines lines_of(const Control& control);
+
+/// Figures of its comments are inches where they say nothing else.
+bool ends_in_inches(const Control& control);
 
 struct ToolProposal {
   ToolComment said;
@@ -36,4 +43,4 @@ class ToolProposals {
   bool inch_;
 };
 
-}  // namespace kadr::cli
+}  // namespace kadr

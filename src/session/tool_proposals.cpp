@@ -1,8 +1,28 @@
-// Tools by comments. For cli/setup_command and cli/tools_command.
+// Tools by comments. For cli/setup_command and view/page_part.
 
-#include "cli/tool_proposals.h"
+#include "session/tool_proposals.h"
 
-namespace kadr::cli {
+#include <algorithm>
+#include <set>
+
+namespace kadr {
+namespace {
+
+constexpr std::uint32_t most_lines = 200'000;
+
+}  // namespace
+
+ProgramLines lines_of(const Control& control) {
+  std::set<std::uint32_t> numbers;
+  const auto most = static_cast<std::uint32_t>(std::min<std::uint64_t>(control.bytes() + 1, most_lines));
+  for (std::uint32_t n = 1; n <= most; ++n) numbers.insert(numbers.end(), n);
+  return control.texts_of(numbers, 0);
+}
+
+bool ends_in_inches(const Control& control) {
+  const Ending ending = control.ending();
+  return std::any_of(ending.modal.begin(), ending.modal.end(), [](const std::string& word) { return word == "G20" || word == "G70"; });
+}
 
 template <class Fits>
 std::optional<ToolProposal> ToolProposals::in_line(const std::string& text, std::uint32_t number, const Fits& fits) const {
@@ -25,4 +45,4 @@ std::optional<ToolProposal> ToolProposals::of(std::uint32_t tool, std::uint32_t 
   return std::nullopt;
 }
 
-}  // namespace kadr::cli
+}  // namespace kadr

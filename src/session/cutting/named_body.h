@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that the command line names: blanks and fixtures.
+// Bodies that a person names: blanks and fixtures. For cli/cut and view/part_run.
 
 #include <memory>
 #include <optional>
@@ -10,7 +10,7 @@
 #include "config/machine_bodies.h"
 #include "stock/blank/blank.h"
 
-namespace kadr::cli {
+namespace kadr {
 
 struct NamedBody {
   std::shared_ptr<const Blank> body;
@@ -22,6 +22,9 @@ struct NamedBody {
 ///   returns     an error sentence
 tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes);
 
+/// They name a file, by their ending.
+bool names_mesh_file(const std::string& text);
+
 /// The same words as a shape; nothing: they are none, or name a file.
 std::optional<BodyShape> shape_of_words(const std::string& text);
 
@@ -29,4 +32,4 @@ std::optional<BodyShape> shape_of_words(const std::string& text);
 ///   returns  an error sentence
 tl::expected<Box3, std::string> window_of(const std::string& text);
 
-}  // namespace kadr::cli
+}  // namespace kadr

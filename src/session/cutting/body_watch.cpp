@@ -1,0 +1,68 @@
+// The bodies of the machine. For cli/cut and view/part_run.
+
+#include "session/cutting/body_watch.h"
+
+#include "config/told.h"
+#include "session/cutting/named_body.h"
+#include "stock/mesh/mesh_file.h"
+
+namespace kadr {
+namespace {
+
+constexpr double bytes_per_triangle = 1000;  // of a mesh for FCL: its boxes and spheres
+
+/// Blank or fixture as the watch takes it. A blank knows no more than its mesh, box or cylinder.
+WorkBody work_body(const NamedWork& work) { return {work.name, shape_of_words(work.text).value_or(BodyShape{}), work.body->mesh()}; }
+
+/// Reads the files of the machine's bodies, as long as there is memory for what becomes of them.
+class BodyFiles {
+ public:
+  BodyFiles(double most, std::vector<std::string>& notes) : left_(most), notes_(notes) {}
+  /// Empty: there is; else an error sentence.
+  std::string take(const std::string& name, const Mesh& mesh) {
+    left_ -= bytes_per_triangle * double(mesh.triangle_count());
+    return left_ >= 0 ? std::string()
+                      : name + ": " +
+                            told("as a body of a moving machine it takes more memory than the material may",
+                                 "как тело движущегося станка занимает больше памяти, чем отведено на материал");
+  }
+  tl::expected<Mesh, std::string> read(const std::string& path) {
+    MeshRules rules;
+    rules.memory = std::size_t(left_);
+    auto solid = read_mesh_file(path, rules);
+    if (!solid) return tl::unexpected(solid.error());
+    notes_.insert(notes_.end(), solid->notes.begin(), solid->notes.end());
+    if (const std::string fault = take(path, solid->mesh); !fault.empty()) return tl::unexpected(fault);
+    return std::move(solid->mesh);
+  }
+
+ private:
+  double left_;  // bytes
+  std::vector<std::string>& notes_;
+};
+
+}  // namespace
+
+std::vector<NamedWork> work_of(const CutJob& cut, const std::string& stock, const std::vector<std::string>& fixtures,
+                               const std::vector<std::string>& shown) {
+  std::vector<NamedWork> work{{told("blank", "заготовка"), stock, cut.blank}};
+  for (std::size_t i = 0; i < fixtures.size(); ++i)
+    work.push_back({told("fixture ", "приспособление ") + shown[i], fixtures[i], cut.fixtures[i]});
+  return work;
+}
+
+tl::expected<std::unique_ptr<MachineWatch>, std::string> watch_bodies(const Session& session, const CutJob& cut,
+                                                                      const std::vector<NamedWork>& work, double most_bytes,
+                                                                      std::vector<std::string>& notes) {
+  if (session.machine().bodies.empty()) return nullptr;
+  BodyFiles files(most_bytes, notes);
+  std::vector<WorkBody> bodies;
+  for (const NamedWork& one : work) bodies.push_back(work_body(one));
+  for (const WorkBody& body : bodies)
+    if (const std::string fault = body.mesh != nullptr ? files.take(body.name, *body.mesh) : ""; !fault.empty()) return tl::unexpected(fault);
+  const Control& control = session.control();
+  return MachineWatch::of(session.machine(), control.axes(), AxisRoles::of(control.axes(), control.rotary()), cut, bodies,
+                          [&](const std::string& path) { return files.read(path); });
+}
+
+}  // namespace kadr

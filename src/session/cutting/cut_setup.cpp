@@ -1,0 +1,25 @@
+// Machine and set-up of a cut. For cli/cut and view/part_run.
+
+#include "session/cutting/cut_setup.h"
+
+#include <algorithm>
+
+#include "config/rapid_way.h"
+
+namespace kadr {
+
+void take_session(const Session& session, bool starts_known, CutJob& cut) {
+  const Setup& setup = session.setup();
+  const std::vector<std::string>& axes = session.control().axes();
+  cut.tool = std::uint32_t(std::max(setup.tool, 0));
+  cut.rpm = setup.spindle().rpm;
+  const std::string& dir = setup.spindle().dir;
+  cut.spindle = dir == "cw" ? SpindleDir::cw : dir == "ccw" ? SpindleDir::ccw : SpindleDir::stop;
+  cut.starts_known = starts_known;
+  for (const auto& [number, offset] : setup.offsets)
+    if (number > 0 && offset.length != 0) cut.lengths[std::uint32_t(number)] = offset.length;
+  cut.machine = std::make_shared<MachineTree>(session.machine(), axes);
+  if (rapids_apart(session.def(), setup, axes)) cut.apart = rates_of(session.machine(), setup, axes).rapid;
+}
+
+}  // namespace kadr

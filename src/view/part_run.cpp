@@ -1,0 +1,187 @@
+// A program carried out on a blank, for the page. For view/page_part; tested by tests/view/part_run_test.cpp, tests/serve.py.
+
+#include "view/part_run.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "config/told.h"
+#include "out/text/alarm_print.h"
+#include "session/cutting/body_watch.h"
+#include "session/cutting/cut_cells.h"
+#include "session/cutting/cut_setup.h"
+#include "session/cutting/named_body.h"
+#include "stock/size.h"
+#include "view/frame_bytes.h"
+
+namespace kadr {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+
+constexpr double bytes_per_mb = 1 << 20;
+constexpr double cells_seen = 200;              // along the longest side: some hundred thousand triangles
+constexpr double share_for_past = 0.25;         // of the memory
+constexpr double least_cell = 1e-3, most_cell = 1000;  // mm
+constexpr std::int64_t told_every = 100;        // ms
+constexpr std::uint16_t of_no_tool = 65535;     // in a frame
+
+std::int64_t now_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+double longest_side(const Box3& box) {
+  const Vec3 size = box.most - box.least;
+  return std::max({size.x, size.y, size.z});
+}
+
+/// Tools that the program needs and nobody has described are told when they are met.
+std::string told_memory(double bytes) {
+  return fmt::format("{}: {:.0f} MB", told("at this resolution the material may take too much memory", "с таким шагом материал может занять слишком много памяти"),
+                     bytes / bytes_per_mb);
+}
+
+}  // namespace
+
+tl::expected<std::shared_ptr<const Blank>, std::string> PartRun::body(const std::string& text) {
+  auto named = body_of(text, most_bytes);
+  if (!named) return Failed(named.error());
+  notes_.insert(notes_.end(), named->notes.begin(), named->notes.end());
+  return named->body;
+}
+
+/// The same cell as `kadr cut` would take; what is shown is coarser, so that any instant of it is there in less than a second.
+tl::expected<void, std::string> PartRun::find_material(const PartWish& wish) {
+  auto blank = body(wish.stock);
+  if (!blank) return Failed(blank.error());
+  job_.blank = *blank;
+  for (const std::string& text : wish.fixtures) {
+    auto fixture = body(text);
+    if (!fixture) return Failed(fixture.error());
+    job_.fixtures.push_back(*fixture);
+  }
+  if (wish.resolution != 0 && !(wish.resolution >= least_cell && wish.resolution <= most_cell))
+    return Failed(told("resolution: want 0.001 to 1000 mm", "resolution: нужно от 0.001 до 1000 мм"));
+  const double for_material = most_bytes * (1 - share_for_past);
+  (void)find_cells(wish.resolution, std::nullopt, for_material, job_);
+  job_.past_bytes = std::size_t(most_bytes * share_for_past / 2);
+  job_.seen_cell = job_.cell;
+  while (longest_side(job_.blank->box()) > cells_seen * job_.seen_cell * (1 + 1e-9)) job_.seen_cell *= 2;
+  const double bytes = bytes_of_material(job_, nullptr);
+  if (bytes > most_bytes) return Failed(told_memory(bytes));
+  return {};
+}
+
+tl::expected<void, std::string> PartRun::open_session(const PartWish& wish) {
+  auto program = opened_.program();
+  if (!program) return Failed(program.error());
+  auto session = Session::open(opened_.spec(std::move(*program), stop_));
+  if (!session) return Failed(told(session.error().fault.en, session.error().fault.ru));
+  session_ = std::move(*session);
+  session_->control().watch_calls();
+  take_session(*session_, opened_.stated.contains("start"), job_);
+  auto watch = watch_bodies(*session_, job_, work_of(job_, wish.stock, wish.fixtures, wish.fixture_names), most_bytes, notes_);
+  if (!watch) return Failed(watch.error());
+  watch_ = std::move(*watch);
+  run_ = std::make_unique<CutRun>(*session_, job_, watch_.get());
+  run_->on_note = [this](const std::string& note) { notes_.push_back(note); };
+  run_->on_finding = [this](const CutFinding& f, const AlarmReport& report) {
+    if (on_finding) on_finding(f, report);
+  };
+  return {};
+}
+
+tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedProgram& opened, const PartWish& wish, const StopToken& stop) {
+  std::unique_ptr<PartRun> run(new PartRun(opened, stop));
+  run->job_.tools = wish.tools;
+  run->notes_ = wish.tools.notes;
+  run->job_.threads = std::max(1, int(std::thread::hardware_concurrency()));
+  run->job_.stop = stop;
+  if (const auto material = run->find_material(wish); !material) return Failed(material.error());
+  if (const auto session = run->open_session(wish); !session) return Failed(session.error());
+  return run;
+}
+
+void PartRun::tell_progress() {
+  const std::int64_t now = now_ms();
+  if (now - told_at_ < told_every) return;
+  told_at_ = now;
+  too_much_ = double(run_->cutting().bytes()) > most_bytes * 1.25;  // sweeps come on top of the material
+  if (!on_progress) return;
+  const Control& control = session_->settled_control();
+  const double bytes = double(control.bytes());
+  on_progress(bytes > 0 ? std::min(double(control.bytes_read()) / bytes, 1.0) : 0);
+}
+
+tl::expected<void, std::string> PartRun::fault() const {
+  if (stop_.asked()) return Failed(told("stopped", "остановлено"));
+  if (too_much_)
+    return Failed(told("the cut takes too much memory: a coarser resolution, or a shorter program", "съём материала занимает слишком много памяти: нужен шаг крупнее или УП короче"));
+  if (const auto& report = run_->without_shape()) {
+    const Finding f = finding_of(*report, *opened_.texts, told_lang());
+    return Failed(fmt::format("{} {}: {}", told("line", "строка"), f.line, f.text));
+  }
+  return {};
+}
+
+tl::expected<void, std::string> PartRun::carry_out() {
+  run_->attach(stop_);
+  Session::State state = Session::State::running;
+  while (state == Session::State::running && !stop_.asked() && !too_much_ && !run_->without_shape()) {
+    state = session_->go_on();
+    tell_progress();
+  }
+  if (auto wrong = fault(); !wrong) return wrong;
+  run_->finish();
+  const Surface surface = surface_of(run_->cutting().stock());
+  if (stop_.asked()) return fault();
+  result_ = run_->named(cut_figures(run_->cutting(), job_, surface, nullptr));
+  return {};
+}
+
+PartThen PartRun::at(double instant) const {
+  const Cutting& cutting = run_->cutting();
+  PartThen then;
+  then.seconds = std::clamp(instant, 0.0, std::max(result_.seconds, 0.0));
+  const SweepPlace place = cutting.sweeps_at(then.seconds);
+  const Stock stock = cutting.seen()->at(place.count, place.share);
+  then.stock = result_.stock;
+  then.cell = stock.lattice().cell();
+  then.surface = surface_of(stock);
+  then.left = volume_of(then.surface);
+  return then;
+}
+
+/// Points from the machine's zero, as those of the path.
+std::string PartRun::frame_of(const PartThen& then) const {
+  const Surface& s = then.surface;
+  const Cutting& cutting = run_->cutting();
+  const Stock& stock = *cutting.seen();
+  const Vec3 zero = cutting.zero();
+  FrameBytes frame(3, 0, std::uint32_t(s.point_count()), std::uint32_t(s.triangle_count()));
+  constexpr std::size_t head = 16, point = 20, triangle = 12;
+  frame.reserve(head + point * s.point_count() + triangle * s.triangle_count());
+  for (std::size_t i = 0; i < s.point_count(); ++i) {
+    const Vec3 at = zero + s.point(i);
+    frame.put(std::array<float, 3>{float(at.x), float(at.y), float(at.z)});
+  }
+  frame.put_all(s.triangles.data(), s.triangles.size());
+  std::int32_t last = of_blank;
+  std::array<std::uint16_t, 2> tool{of_no_tool, 0};
+  for (const std::int32_t by : s.made_by) {
+    if (by != last) {
+      last = by;
+      const std::uint32_t number = by < 0 ? of_no_tool : stock.tool(stock.sweep(std::size_t(by)).tool).geometry.number;
+      tool[0] = std::uint16_t(std::min<std::uint32_t>(number, of_no_tool));
+    }
+    frame.put(tool);
+  }
+  for (const std::int32_t by : s.made_by) frame.put(cutting.line_of(by).line);
+  return frame.take();
+}
+
+}  // namespace kadr

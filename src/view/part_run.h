@@ -1,0 +1,85 @@
+#pragma once
+// PartRun: a program carried out on a blank, for the page: what it hits, what is left, and the part at any instant (docs/panel-protocol.md:
+// cut, part).
+//
+//   PartWish ─ PartRun::make() ─▶ a session of its own ─ CutRun ─▶ two stocks: one as fine as `kadr cut` has it, for figures and findings,
+//   and a coarser one that keeps its past, which is shown
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "session/cutting/cut_run.h"
+#include "view/opening.h"
+
+namespace kadr {
+
+/// Bodies in words of body_of(), their files as places in the file system.
+struct PartWish {
+  std::string stock;
+  std::vector<std::string> fixtures;
+  std::vector<std::string> fixture_names;  // as the page calls them
+  ToolLibrary tools;
+  double resolution = 0;  // mm; 0: chosen
+};
+
+/// The part at an instant.
+struct PartThen {
+  double seconds = 0;  // the instant, within the program
+  double stock = 0;    // mm³ of the blank
+  double left = 0;
+  double cell = 0;     // mm: of what is shown
+  Surface surface;     // in the work system of the blank
+};
+
+class PartRun {
+ public:
+  static constexpr double most_bytes = 400e6;  // of material and past
+
+  ///   opened   outlives it
+  ///   returns  an error sentence
+  static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartWish& wish, const StopToken& stop);
+
+  /// Some times a second: how far it has come, 0 to 1.
+  std::function<void(double part)> on_progress;
+  std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
+
+  /// To the end of the program, or its alarm.
+  ///   returns  an error sentence: stopped, no memory, a tool without a shape
+  tl::expected<void, std::string> carry_out();
+
+  // ---- after carry_out()
+  const CutResult& result() const { return result_; }
+  /// Alarms and warnings of the program itself.
+  std::size_t alarms() const { return run_->alarms(); }
+  std::size_t warnings() const { return run_->warnings(); }
+  /// What of files had to be repaired, what was taken as it is.
+  const std::vector<std::string>& notes() const { return notes_; }
+  PartThen at(double instant) const;
+  /// A frame of kind 3.
+  std::string frame_of(const PartThen& then) const;
+
+ private:
+  PartRun(const OpenedProgram& opened, const StopToken& stop) : opened_(opened), stop_(stop) {}
+  tl::expected<void, std::string> find_material(const PartWish& wish);
+  tl::expected<std::shared_ptr<const Blank>, std::string> body(const std::string& text);
+  tl::expected<void, std::string> open_session(const PartWish& wish);
+  tl::expected<void, std::string> fault() const;
+  void tell_progress();
+
+  const OpenedProgram& opened_;
+  StopToken stop_;
+  CutJob job_;
+  std::vector<std::string> notes_;
+  std::unique_ptr<Session> session_;
+  std::unique_ptr<MachineWatch> watch_;
+  std::unique_ptr<CutRun> run_;
+  CutResult result_;
+  std::int64_t told_at_ = 0;  // ms of the steady clock
+  bool too_much_ = false;     // memory
+};
+
+}  // namespace kadr

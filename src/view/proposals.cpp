@@ -1,0 +1,125 @@
+// Tools by files, set-up and comments. For view/page_part; tested by tests/view/proposals_test.cpp.
+
+#include "view/proposals.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "config/told.h"
+#include "out/program/tools_template.h"
+#include "session/tool_proposals.h"
+
+namespace kadr {
+namespace {
+
+constexpr double flutes_share = 3, length_share = 5;  // of the diameter, where nobody has said them: what most catalogues have
+constexpr double drill_flutes_share = 8, drill_length_share = 10;
+constexpr double drill_angle = 118, chamfer_angle = 90;  // degrees, of most
+
+std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+const Use* first_use(const ProgramRun& run, UseKind kind, const std::function<bool(const Use&)>& fits) {
+  for (const Use& use : run.control().use().all())
+    if (use.kind == kind && fits(use)) return &use;
+  return nullptr;
+}
+
+/// The diameter by the radius that the set-up gives for its offset.
+bool take_setup(const ProgramRun& run, ProposedTool& to) {
+  const Use* const use = first_use(run, UseKind::radius, [&](const Use& u) { return u.tool == to.tool.number && u.number != 0; });
+  if (use == nullptr) return false;
+  const auto offset = run.opened().setup.offsets.find(int(use->number));
+  if (offset == run.opened().setup.offsets.end() || !(offset->second.radius > 0)) return false;
+  to.tool.diameter = 2 * offset->second.radius;
+  to.from = fmt::format("{} {}", told("set-up, radius of offset", "наладка, радиус корректора"), use->number);
+  return true;
+}
+
+/// Kind and figures of a comment. What it leaves out is as most tools of that kind have it.
+bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
+  ToolGeometry& t = to.tool;
+  const std::string_view kind = kind_word(proposal.said);
+  const std::string place = fmt::format("{} {}: {}", told("line", "строка"), proposal.line, proposal.text);
+  to.from = to.from.empty() ? place : to.from + "; " + place;
+  if (t.diameter == 0) t.diameter = proposal.said.diameter.value_or(0);
+  for (int k = 0; k <= int(ToolKind::turning); ++k)
+    if (name_of(ToolKind(k)) == kind) t.kind = ToolKind(k);
+  t.corner = t.kind == ToolKind::bull ? proposal.said.corner.value_or(0) : 0;
+  if (t.kind == ToolKind::drill) t.angle = proposal.said.angle.value_or(drill_angle);
+  if (t.kind == ToolKind::chamfer) t.angle = proposal.said.angle.value_or(chamfer_angle);
+  if (t.kind == ToolKind::taper) t.angle = proposal.said.angle.value_or(0) / 2;
+  return !kind.empty();
+}
+
+void add_heights(ToolGeometry& t) {
+  const bool drills = t.kind == ToolKind::drill;
+  t.flutes = t.diameter * (drills ? drill_flutes_share : flutes_share);
+  t.length = t.diameter * (drills ? drill_length_share : length_share);
+}
+
+ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std::uint32_t number) {
+  ProposedTool made;
+  made.tool.number = number;
+  (void)take_setup(run, made);
+  const Use* const called = first_use(run, UseKind::tool, [&](const Use& u) { return u.number == number; });
+  const auto comment = comments.of(number, called == nullptr || called->origin.file != 0 ? 0 : called->origin.line);
+  const bool has_kind = comment && take_comment(*comment, made);
+  if (made.tool.diameter > 0) add_heights(made.tool);
+  made.known = has_kind && told_fault(made.tool).empty();
+  if (made.known) made.from += told("; flutes and length as most have them", "; высота зубьев и вылет обычные");
+  return made;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> tools_cutting(const ProgramRun& run) {
+  std::vector<std::uint32_t> numbers;
+  for (const Statistics::ToolUse& use : run.statistics().tools())
+    if (use.cutting_s > 0) numbers.push_back(use.tool);
+  return numbers;
+}
+
+const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const ProgramRun& run) {
+  const std::vector<std::uint32_t> numbers = tools_cutting(run);
+  const auto describes = [&](const KnownTools& file) {
+    return std::all_of(numbers.begin(), numbers.end(), [&](std::uint32_t n) {
+      return file.tools.find(n) != nullptr || (n == 0 && file.tools.tools.size() == 1);
+    });
+  };
+  std::vector<const KnownTools*> all;
+  for (const KnownTools& file : files)
+    if (describes(file)) all.push_back(&file);
+  for (const std::string& name : {stem(run.opened().path), std::string("tools")})
+    for (const KnownTools* file : all)
+      if (stem(file->file) == name) return file;
+  return all.size() == 1 ? all.front() : nullptr;
+}
+
+std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools* file) {
+  const ProgramLines lines = lines_of(run.control());
+  const ToolProposals comments(lines, ends_in_inches(run.control()));
+  std::vector<ProposedTool> tools;
+  for (const std::uint32_t number : tools_cutting(run)) {
+    const ToolGeometry* const known = file == nullptr ? nullptr : file->tools.find(number);
+    const bool only = known == nullptr && file != nullptr && number == 0 && file->tools.tools.size() == 1;
+    if (known == nullptr && !only) {
+      tools.push_back(by_words(run, comments, number));
+      continue;
+    }
+    tools.push_back({only ? file->tools.tools.front() : *known, file->file, true});
+    tools.back().tool.number = number;
+  }
+  return tools;
+}
+
+bool is_turning(const ProgramRun& run) {
+  const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
+  if (roles.xyz[1] < 0) return true;
+  const Ending ending = run.control().ending();
+  return std::find(ending.modal.begin(), ending.modal.end(), "G18") != ending.modal.end();
+}
+
+}  // namespace kadr
