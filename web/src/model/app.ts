@@ -38,7 +38,7 @@ export class App {
   path = new PathIndex();
 
   readonly on_line = new Signal<LineState>();
-  readonly on_opening = new Signal<void>();
+  readonly on_opening = new Signal<string>(); // the file that is asked for
   readonly on_opened = new Signal<Opened>();
   readonly on_run = new Signal<void>();       // progress, done, running
   readonly on_done = new Signal<Done>();
@@ -89,7 +89,7 @@ export class App {
   async open(question: OpenQuestion, at = 0): Promise<void> {
     this.forget_run();
     this.opened = null;
-    this.on_opening.emit();
+    this.on_opening.emit(question.file);
     this.wanted = { question, at };
     this.running = true;
     this.on_run.emit();

@@ -1,24 +1,28 @@
 // The 3D view: path, tool, part and boxes; it draws only when something has changed.
-import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LinearSRGBColorSpace, LineBasicMaterial, LineSegments, Plane, Scene as Stage, Vector3, WebGLRenderer } from "three";
+import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Plane, Scene as Stage, Vector3 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { Eye } from "./camera";
+import { Canvas } from "./canvas";
 import { dark, light, type Theme } from "./colours";
 import { Controls } from "./controls";
 import { axes, box_lines, empty, lit_points, part_mesh, put_tool, tool_mesh } from "./marks";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
-import { NoWebGl, type ColourBy, type Point, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type ViewName } from "./types";
+import { type ColourBy, type Point, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type ViewName } from "./types";
 
 export * from "./types";
 
 ColorManagement.enabled = false; // before the first colour is made
 
 const most_thick = 4000; // segments: a thick line costs some ten times as much as a thin one
+const still = 180;       // ms without a change, after which the picture is drawn finely
+const slice = 10;        // ms of a picture in which lines are built; the rest is built in the next ones
+const refit_every = 200; // ms between looks at how far a path reaches that is still coming
 
 export class Scene {
-  private renderer: WebGLRenderer;
+  private canvas: Canvas;
   private stage = new Stage();
   private eye = new Eye();
   private path = new PathView();
@@ -44,11 +48,14 @@ export class Scene {
   private counted: [number, number] = [0, 0];
   private width = 1;
   private height = 1;
+  private old = false;               // the path is one that is being run anew
+  private fine = false;              // nothing has changed for a while
+  private fitted_at = 0;
   private own_view = false;          // the user has turned, moved or zoomed since the last fit
 
   constructor(private host: HTMLElement, private events: SceneEvents) {
-    this.renderer = make_renderer();
-    const canvas = this.renderer.domElement;
+    this.canvas = new Canvas();
+    const canvas = this.canvas.element;
     canvas.tabIndex = 0;
     host.append(canvas);
     for (const o of [this.lit, this.lit_thin]) { o.renderOrder = 2; o.frustumCulled = false; o.visible = false; }
@@ -63,8 +70,17 @@ export class Scene {
     this.resize();
   }
 
-  addPath(frame: ArrayBuffer): void { if (this.path.add(frame)) this.touch(); }
-  clearPath(which?: number): void { this.path.clear(which); if (which === undefined) { this.highlight(0, 0); this.measure_from([]); } this.path.change(); this.touch(); }
+  /// A path that is run anew takes the place of the old one with its first piece, so that the view does not go blank.
+  addPath(frame: ArrayBuffer): void {
+    if (this.old) this.clearPath();
+    if (!this.path.add(frame)) return;
+    this.touch();
+    if (performance.now() - this.fitted_at > refit_every) this.refit();
+  }
+  clearPath(which?: number): void { this.old = false; this.path.clear(which); if (which === undefined) { this.highlight(0, 0); this.measure_from([]); } this.path.change(); this.touch(); }
+  replacePath(): void { this.old = true; }
+  /// After the last piece.
+  endPath(): void { if (this.old) this.clearPath(); this.path.change(); this.refit(); }
 
   setZero(zero: Point): void {
     this.path.set_zero(zero);
@@ -81,7 +97,7 @@ export class Scene {
 
   setTheme(is_dark: boolean): void {
     this.theme = is_dark ? dark : light;
-    this.renderer.setClearColor(this.theme.ground);
+    this.canvas.renderer.setClearColor(this.theme.ground);
     this.path.set_theme(this.theme);
     for (const o of [this.lit, this.lit_thin]) (o.material as LineMaterial | LineBasicMaterial).color.set(this.theme.bright);
     this.tool_drawn = "";
@@ -145,14 +161,15 @@ export class Scene {
   thinned(): { drawn: number; all: number } { return { drawn: this.counted[0], all: this.counted[1] }; }
 
   picture(): Promise<Blob> {
-    this.render(); // the canvas keeps its picture only until this task ends
-    return new Promise((yes, no) => this.renderer.domElement.toBlob((b) => (b ? yes(b) : no(new Error("no picture"))), "image/png"));
+    this.render(true); // the canvas keeps its picture only until this task ends
+    return new Promise((yes, no) => this.canvas.element.toBlob((b) => (b ? yes(b) : no(new Error("no picture"))), "image/png"));
   }
 
   private from_zero(p: Point): Point { const z = this.path.zero; return [p[0] - z[0], p[1] - z[1], p[2] - z[2]]; }
 
   /// The blank often comes after the path: it is brought into the picture too, unless the user has chosen another one.
   private refit(): void {
+    this.fitted_at = performance.now();
     const box = this.extent(true);
     if (!this.own_view && !box.isEmpty()) this.eye.fit(box.min.toArray() as Point, box.max.toArray() as Point);
     this.touch();
@@ -211,46 +228,43 @@ export class Scene {
   private resize(): void {
     this.width = Math.max(1, this.host.clientWidth);
     this.height = Math.max(1, this.host.clientHeight);
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-    this.renderer.setSize(this.width, this.height);
+    this.canvas.size(this.width, this.height);
     this.eye.size(this.width, this.height);
-    this.render();
+    this.render(false);
   }
 
   private dirty = false;
-  private touch(): void { this.dirty = true; this.ask(); }
+  private rest: ReturnType<typeof setTimeout> | undefined;
+  private touch(): void {
+    this.dirty = true;
+    this.ask();
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => { this.fine = true; this.dirty = true; this.ask(); }, still);
+    this.fine = false;
+  }
   private ask(): void { this.asked ||= requestAnimationFrame(() => this.frame()); }
 
   private frame(): void {
     this.asked = 0;
-    if (this.dirty) this.render();
+    if (this.dirty) this.render(this.fine);
     if (!this.pointer) return;
     const [x, y] = this.pointer, v: SceneVertex | null = this.pick(x, y)?.vertex ?? null;
     this.pointer = null;
     this.events.hover(v, x, y);
   }
 
-  private render(): void {
+  private render(fine: boolean): void {
     this.dirty = false;
     const all = this.extent(false).union(this.path.extent(true));
     if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // the holder stands over the path
     if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point);
     this.eye.update();
     this.lamp.position.copy(this.eye.towards).addScaledVector(this.eye.right, 0.4).addScaledVector(this.eye.up, 0.6); // over the viewer's shoulder
-    const { drawn, all: count } = this.path.refresh(this.eye);
-    this.renderer.render(this.stage, this.eye.camera);
+    const { drawn, all: count, finished } = this.path.refresh(this.eye, this.canvas.budget(fine), performance.now() + slice);
+    if (!finished) { this.dirty = true; this.ask(); if (fine) return; } // what stands is shown until all of the finer lines are there
+    this.canvas.draw(this.stage, this.eye.camera, fine && finished, drawn);
     if (drawn === this.counted[0] && count === this.counted[1]) return;
     this.counted = [drawn, count];
     this.events.thinned(drawn, count);
   }
-}
-
-function make_renderer(): WebGLRenderer {
-  const canvas = document.createElement("canvas");
-  const context = canvas.getContext("webgl2", { antialias: true });
-  if (!context) throw new NoWebGl("this browser gives no WebGL");
-  const renderer = new WebGLRenderer({ canvas, context, antialias: true });
-  renderer.localClippingEnabled = true;
-  renderer.outputColorSpace = LinearSRGBColorSpace; // colours go to the screen as they stand in the theme
-  return renderer;
 }
