@@ -2,6 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
 import "./style/panes.css";
+import "./style/view.css";
 import "./style/code.css";
 import "./style/print.css";
 import { App } from "./model/app";

@@ -5,7 +5,6 @@ import { dark, light, packed, ramp, ranges_of } from "../src/scene/colours";
 import { decode_leans, decode_part, decode_path, type Piece } from "../src/scene/frame";
 import { level_for, level_within, segments_at } from "../src/scene/level";
 import { draws_softly, Pace } from "../src/scene/pace";
-import { circle } from "../src/scene/pick";
 import { place_at } from "../src/scene/place";
 import { segments_of, type Look } from "../src/scene/segments";
 import type { SceneFilter } from "../src/scene/types";
@@ -30,7 +29,7 @@ function path_frame(vertices: V[], start = 0, which = 0): ArrayBuffer {
   return frame;
 }
 const piece = (vertices: V[], start = 0): Piece => decode_path(path_frame(vertices, start))!;
-const all: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: true, other: true };
+const all: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: true, other: true, bounds: true };
 const look = (level: number, filter: Partial<SceneFilter> = {}): Look => ({ level, filter: { ...all, ...filter }, by: "kind", ranges: ranges_of([]), theme: light, zero_z: 0 });
 const ends = (p: Piece, level: number, filter?: Partial<SceneFilter>): number[] => [...segments_of(p, look(level, filter)).ends];
 
@@ -172,10 +171,6 @@ describe("colours, circles, the eye", () => {
     expect(ramp(99, [0, 10])).toEqual(ramp(10, [0, 10]));
     expect(ramp(1, [Infinity, -Infinity])[3]).toBe(255);
     expect(dark.kinds.length).toBe(9);
-  });
-  it("the radius of a circle through three points", () => {
-    expect(circle([5, 0, 1], [0, 5, 2], [-5, 0, 3])).toBeCloseTo(5);
-    expect(circle([0, 0, 0], [1, 0, 0], [2, 0, 0])).toBeUndefined();
   });
   it("zooming keeps what is under the pointer, turning what it turns about", () => {
     const eye = new Eye();

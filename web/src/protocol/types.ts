@@ -1,6 +1,7 @@
 // Every message of docs/panel-protocol.md. Units: mm, degrees, seconds, mm/min, rev/min; lines and columns from 1.
 export type Language = "en" | "ru";
 export type Box = [number[], number[]];
+export type OpenBox = [(number | null)[], (number | null)[]]; // null: unlimited
 export type Axes = Record<string, number>;
 
 export interface Hello { version: string; folder: string; may_change: boolean; last: string | null; controls: { id: string; name: string }[]; machines: string[] }
@@ -12,6 +13,7 @@ export interface Opened {
   file: string; size: number; digest: string; encoding: string;
   control: { id: string; name: string; guessed: boolean; decisive?: boolean | string; why?: string };
   machine: string | null; setup: string | null; editable: boolean; lines: number; text?: string;
+  bounds?: { limits: OpenBox | null; zones: { name: string; box: OpenBox }[] };
 }
 
 export type Severity = "alarm" | "warning" | "note";

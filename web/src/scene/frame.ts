@@ -14,6 +14,7 @@ export interface Piece {
   tools: Uint16Array;              // tool and file by turns
   kinds: Uint8Array;               // kind, level, 0, 0
   line_range: [number, number]; feed_range: [number, number]; speed_range: [number, number];
+  kinds_seen: Set<number>;
   leans?: Float32Array;            // from the tip into the tool, where it leans
 }
 export interface PartMesh { points: Float32Array; triangles: Uint32Array; made_by: Uint16Array; lines: Uint32Array }
@@ -31,7 +32,7 @@ export function decode_path(frame: ArrayBuffer): Piece | null {
     kept: new Uint16Array(frame, 56, levels), at: new Float32Array(frame, first, 3 * n), times: new Float32Array(frame, column(0), n),
     lines: new Uint32Array(frame, column(1), n), numbers: new Uint32Array(frame, column(2), n), feeds: new Float32Array(frame, column(3), n),
     speeds: new Float32Array(frame, column(4), n), tools: new Uint16Array(frame, column(5), 2 * n), kinds: new Uint8Array(frame, column(6), 4 * n),
-    line_range: [Infinity, -Infinity], feed_range: [Infinity, -Infinity], speed_range: [Infinity, -Infinity],
+    line_range: [Infinity, -Infinity], feed_range: [Infinity, -Infinity], speed_range: [Infinity, -Infinity], kinds_seen: new Set(),
   };
   if (!Number.isFinite(piece.start) || !all_finite(piece.at)) return null;
   measure(piece);
@@ -48,9 +49,11 @@ function all_finite(values: Float32Array): boolean {
 function measure(p: Piece): void {
   const { kinds, at } = p, least: Point = [Infinity, Infinity, Infinity], greatest: Point = [-Infinity, -Infinity, -Infinity];
   const [lines, feeds, speeds] = [p.line_range, p.feed_range, p.speed_range];
+  let last_kind = jump;
   for (let i = 1; i < p.count; i++) {
     const kind = kinds[4 * i]!, line = p.lines[i]!;
     if (kind === jump) continue;
+    if (kind !== last_kind) p.kinds_seen.add((last_kind = kind));
     if (line < lines[0]) lines[0] = line;
     if (line > lines[1]) lines[1] = line;
     if (is_rapid(kind)) continue;

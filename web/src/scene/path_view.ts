@@ -22,6 +22,7 @@ export class PathView {
   zero: Point = [0, 0, 0];
   instant = 0;
   ranges: Ranges = no_ranges();
+  kinds = new Set<number>();        // that the program's own path has
   private main: Piece[] = [];       // the program itself, channel 0, in order of time
   private last = new Map<string, Piece>(); // of each path and channel
   private stamp = 0;                // counts what changes the lines of every piece
@@ -32,7 +33,7 @@ export class PathView {
   private dashes = new LineDashedMaterial({ vertexColors: true, transparent: true, depthWrite: false, dashSize: 1, gapSize: 0.7 });
   private by: ColourBy = "kind";
   private theme: Theme = light;
-  private filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true };
+  private filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true };
 
   constructor() { this.group.matrixAutoUpdate = false; }
 
@@ -47,7 +48,7 @@ export class PathView {
     this.drawn.push({ piece, lines, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, now: null, spare: null });
     this.last.set(`${piece.which} ${piece.channel}`, piece);
     if (piece.which === 0 && piece.channel === 0) this.main.push(piece);
-    if (!(piece.which & 1)) widen_ranges(this.ranges, piece);
+    if (!(piece.which & 1)) { widen_ranges(this.ranges, piece); for (const k of piece.kinds_seen) this.kinds.add(k); }
     this.widen(piece);
     return true;
   }
@@ -66,7 +67,7 @@ export class PathView {
     for (const d of this.drawn.filter(goes)) { this.drop(d); this.group.remove(d.lines); }
     this.drawn = this.drawn.filter((d) => !goes(d));
     this.last.clear();
-    if (which !== 1) this.main = [];
+    if (which !== 1) { this.main = []; this.kinds.clear(); }
     this.measure();
   }
 
@@ -80,7 +81,7 @@ export class PathView {
   set_colour(by: ColourBy): void { this.by = by; this.stamp++; }
   set_theme(theme: Theme): void { this.theme = theme; this.stamp++; }
   place(time: number): Place | null { return place_at(this.main, time); }
-  get empty(): boolean { return this.drawn.length === 0; }
+  get shows_bounds(): boolean { return this.filter.bounds; }
 
   /// What cuts, or where nothing cuts all of the path; from the picture's zero.
   extent(cut: boolean): Box3 {

@@ -1,11 +1,13 @@
 // The motion nearest to the pointer: measured on the screen, over what is drawn, then among the motions that the drawn line stands for. Of two as near, the one in front.
 import { Box3, Matrix4, Vector3 } from "three";
+import { arc_at, minus } from "./arc";
 import type { Eye } from "./camera";
 import type { Piece } from "./frame";
 import type { Drawn } from "./path_view";
+import { anchor_of, type Anchor } from "./measure";
 import { jump, type Point, type SceneVertex } from "./types";
 
-export interface Hit { vertex: SceneVertex; place: Point } // place: on the segment, at its end where the pointer is near that; from the picture's zero
+export interface Hit { vertex: SceneVertex; place: Point; anchor: Anchor } // place: on the segment, at its end where the pointer is near that; from the picture's zero
 
 const reach = 8, snap = 9; // pixels: how far the pointer may be off a line, and off a corner to snap to it
 
@@ -65,35 +67,32 @@ function finely(screen: Screen, d: Drawn, segment: number, zero: Point): Hit {
   const { starts, ends } = d.segments, { piece: p } = d, best: Best = { off: Infinity, depth: Infinity, d, segment: ends[segment]!, part: 1, length: 0 };
   for (let i = starts[segment]! + 1; i <= ends[segment]!; i++) if (p.kinds[4 * i] !== jump) screen.near(p.at, 3 * i - 3, 3 * i, best, d, i);
   const i = best.segment, part = (1 - best.part) * best.length < snap ? 1 : best.part * best.length < snap ? 0 : best.part;
-  const on = (k: number): number => p.at[3 * i - 3 + k]! + part * (p.at[3 * i + k]! - p.at[3 * i - 3 + k]!) - zero[k]!;
-  return { vertex: vertex_of(p, i, zero), place: [on(0), on(1), on(2)] };
+  const at = (k: number): Point => minus([p.at[3 * k]!, p.at[3 * k + 1]!, p.at[3 * k + 2]!], zero), a = at(i - 1), b = at(i), arc = arc_at(p, i);
+  const on = (k: 0 | 1 | 2): number => a[k] + part * (b[k] - a[k]);
+  return { vertex: vertex_of(p, i, zero), place: [on(0), on(1), on(2)], anchor: anchor_of(a, b, end_of_arc(p, i, part), arc && { ...arc, centre: minus(arc.centre, zero) }, p.lines[i]!) };
 }
 
 export function vertex_of(p: Piece, i: number, zero: Point): SceneVertex {
   const at = (k: number): Point => [p.at[3 * k]! - zero[0], p.at[3 * k + 1]! - zero[1], p.at[3 * k + 2]! - zero[2]];
   return {
     which: p.which, at: at(i), time: p.start + p.times[i]!, line: p.lines[i]!, file: p.tools[2 * i + 1]!, number: p.numbers[i]!,
-    kind: p.kinds[4 * i]!, tool: p.tools[2 * i]!, feed: p.feeds[i]!, speed: p.speeds[i]!, radius: radius_at(p, i, at),
+    kind: p.kinds[4 * i]!, tool: p.tools[2 * i]!, feed: p.feeds[i]!, speed: p.speeds[i]!, radius: arc_at(p, i)?.radius, length: length_of(p, i),
   };
 }
 
-/// Of an arc: the circle through three of its vertices, seen along Z, where a helix is a circle too.
-function radius_at(p: Piece, i: number, at: (k: number) => Point): number | undefined {
-  const kind = p.kinds[4 * i]!;
-  if (kind !== 3 && kind !== 4) return undefined;
-  const same = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
-  let first = i, last = i;
-  while (same(first)) first--;
-  while (same(last + 1)) last++;
-  if (last - first < 2) return undefined;
-  const middle = first + Math.max(1, Math.min(last - first - 1, i - first));
-  return circle(at(middle - 1), at(middle), at(middle + 1));
+/// Vertices within an arc are no corners: only its own ends are points to measure from.
+function end_of_arc(p: Piece, i: number, part: number): number {
+  const kind = p.kinds[4 * i]!, joins = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
+  const inside = (kind === 3 || kind === 4) && ((part === 1 && joins(i + 1)) || (part === 0 && joins(i - 1)));
+  return inside ? 0.5 : part;
 }
 
-/// Radius of the circle through three points: product of the sides over four times the area.
-export function circle(a: Point, b: Point, c: Point): number | undefined {
-  const side = (p: Point, q: Point): number => Math.hypot(p[0] - q[0], p[1] - q[1]);
-  const area = Math.abs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
-  const radius = (side(a, b) * side(b, c) * side(c, a)) / (4 * area);
-  return Number.isFinite(radius) && area > 1e-9 ? radius : undefined;
+/// Of the whole motion that a vertex belongs to, as far as this piece has it.
+function length_of(p: Piece, i: number): number {
+  const joins = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === p.kinds[4 * i] && (p.kinds[4 * i] === 3 || p.kinds[4 * i] === 4 || p.kinds[4 * i] === 8);
+  let first = i, last = i, sum = 0;
+  while (joins(first - 1)) first--;
+  while (joins(last + 1)) last++;
+  for (let k = Math.max(1, first); k <= last; k++) sum += Math.hypot(p.at[3 * k]! - p.at[3 * k - 3]!, p.at[3 * k + 1]! - p.at[3 * k - 2]!, p.at[3 * k + 2]! - p.at[3 * k - 1]!);
+  return sum;
 }

@@ -1,16 +1,18 @@
 // The 3D view: path, tool, part and boxes; it draws only when something has changed.
-import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Plane, Scene as Stage, Vector3 } from "three";
+import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Matrix4, Plane, Scene as Stage, Vector3, Vector4 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { Eye } from "./camera";
 import { Canvas } from "./canvas";
-import { dark, light, type Theme } from "./colours";
+import { dark, light, type Ranges, type Theme } from "./colours";
 import { Controls } from "./controls";
-import { axes, box_lines, empty, lit_points, part_mesh, put_tool, tool_mesh } from "./marks";
+import { bounded, box_lines, goes_beyond } from "./boxes";
+import { axes, empty, lit_points, part_mesh, put_tool, tool_mesh } from "./marks";
+import { distance_between, type Anchor } from "./measure";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
-import { type ColourBy, type Point, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type ViewName } from "./types";
+import { type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
 
 export * from "./types";
 
@@ -27,6 +29,7 @@ export class Scene {
   private eye = new Eye();
   private path = new PathView();
   private boxes = new Group();
+  private machine = new Group();     // limits and zones; machine coordinates
   private tool = new Group();
   private part = new Group();
   private origin = new Group();
@@ -38,11 +41,13 @@ export class Scene {
   private planes: Plane[] = [];
   private shapes: ToolShape[] = [];
   private shown_boxes: SceneBox[] = [];
+  private bounds: SceneBounds = { limits: null, zones: [] };
+  private reach = new Box3();        // of the machine's limits and zones as they are drawn, from the zero
   private part_frame: ArrayBuffer | null = null;
   private lit_line: [number, number] | null = null;
   private tool_drawn = "";
   private mode: "orbit" | "measure" = "orbit";
-  private ends: Point[] = [];
+  private ends: Anchor[] = [];
   private asked = 0;
   private pointer: [number, number] | null = null;
   private counted: [number, number] = [0, 0];
@@ -59,7 +64,7 @@ export class Scene {
     canvas.tabIndex = 0;
     host.append(canvas);
     for (const o of [this.lit, this.lit_thin]) { o.renderOrder = 2; o.frustumCulled = false; o.visible = false; }
-    this.stage.add(this.path.group, this.boxes, this.tool, this.part, this.origin, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
+    this.stage.add(this.path.group, this.boxes, this.machine, this.tool, this.part, this.origin, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
     new Controls(canvas, this.eye, {
       changed: () => { this.own_view = true; this.touch(); }, click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place); },
       hover: (x, y) => { this.pointer = [x, y]; this.ask(); }, leave: () => { this.pointer = null; this.events.hover(null, 0, 0); },
@@ -80,17 +85,18 @@ export class Scene {
   clearPath(which?: number): void { this.old = false; this.path.clear(which); if (which === undefined) { this.highlight(0, 0); this.measure_from([]); } this.path.change(); this.touch(); }
   replacePath(): void { this.old = true; }
   /// After the last piece.
-  endPath(): void { if (this.old) this.clearPath(); this.path.change(); this.refit(); }
+  endPath(): void { if (this.old) this.clearPath(); this.path.change(); this.draw_machine(); this.refit(); }
 
   setZero(zero: Point): void {
     this.path.set_zero(zero);
+    this.draw_machine();
     this.setPart(this.part_frame);
     this.relight();
     this.setInstant(this.path.instant);
   }
 
   setColour(by: ColourBy): void { this.path.set_colour(by); this.touch(); }
-  setFilter(f: SceneFilter): void { this.path.set_filter(f); this.touch(); }
+  setFilter(f: SceneFilter): void { this.path.set_filter(f); this.draw_machine(); }
   setProjection(flat: boolean): void { this.eye.flat = flat; this.touch(); }
   setMode(mode: "orbit" | "measure"): void { this.mode = mode; this.measure_from([]); }
   setTools(shapes: ToolShape[]): void { this.shapes = shapes; this.tool_drawn = ""; this.setInstant(this.path.instant); }
@@ -101,6 +107,7 @@ export class Scene {
     this.path.set_theme(this.theme);
     for (const o of [this.lit, this.lit_thin]) (o.material as LineMaterial | LineBasicMaterial).color.set(this.theme.bright);
     this.tool_drawn = "";
+    this.draw_machine();
     this.setBoxes(this.shown_boxes);
     this.setPart(this.part_frame);
     this.setInstant(this.path.instant);
@@ -127,6 +134,25 @@ export class Scene {
     if (line === (this.lit_line?.[0] ?? 0) && file === (this.lit_line?.[1] ?? 0)) return;
     this.lit_line = line > 0 ? [line, file] : null;
     this.relight();
+  }
+
+  /// Limits and zones of the machine, in the coordinates of the path's frames.
+  setBounds(bounds: SceneBounds): void { this.bounds = bounds; this.draw_machine(); }
+
+  private draw_machine(): void {
+    empty(this.machine);
+    this.reach.makeEmpty();
+    const z = new Vector3(...this.path.zero), all = this.extent(false).translate(z), path = this.path.extent(false).translate(z), { limits, zones } = this.bounds;
+    const draw = (box: SceneBox): void => {
+      this.machine.add(box_lines(box, this.theme));
+      this.reach.union(new Box3(new Vector3(...box.box[0]), new Vector3(...box.box[1])).translate(z.clone().negate()));
+    };
+    if (this.path.shows_bounds) {
+      if (limits) draw({ name: "", kind: "limits", box: bounded(limits, all), over: goes_beyond(path, limits) });
+      for (const zone of zones) draw({ name: zone.name, kind: "zone", box: bounded(zone.box, all) });
+    }
+    this.machine.position.copy(z).negate();
+    this.touch();
   }
 
   setBoxes(boxes: SceneBox[]): void {
@@ -158,6 +184,21 @@ export class Scene {
     this.refit();
   }
 
+  /// From that side, all of it.
+  look_from(towards: Point): void {
+    this.eye.look_from(towards);
+    this.view("fit");
+  }
+
+  /// Between what the ramps of colour run; depth from the picture's zero.
+  ranges(): Ranges {
+    const { ranges: r, zero } = this.path;
+    return { ...r, depth: [r.depth[0] - zero[2], r.depth[1] - zero[2]] };
+  }
+  /// Kinds of motion that the path has.
+  kinds(): number[] { return [...this.path.kinds].sort((a, b) => a - b); }
+
+  redraw(): void { this.touch(); }
   thinned(): { drawn: number; all: number } { return { drawn: this.counted[0], all: this.counted[1] }; }
 
   picture(): Promise<Blob> {
@@ -208,20 +249,16 @@ export class Scene {
   private click(x: number, y: number): void {
     const hit = this.pick(x, y);
     if (this.mode === "orbit") return this.events.pick(hit?.vertex ?? null);
-    if (hit) this.measure_from(this.ends.length === 1 ? [this.ends[0]!, hit.place] : [hit.place]);
+    if (hit) this.measure_from(this.ends.length === 1 ? [this.ends[0]!, hit.anchor] : [hit.anchor]);
   }
 
-  private measure_from(ends: Point[]): void {
+  private measure_from(ends: Anchor[]): void {
     this.ends = ends;
     empty(this.ruler);
-    const [a, b] = ends;
-    if (a) {
-      const line = new LineSegments2(new LineSegmentsGeometry().setPositions([...a, ...(b ?? a)]), new LineMaterial({ linewidth: b ? 2.5 : 8, depthTest: false, color: this.theme.bright }));
-      line.renderOrder = 3;
-      this.ruler.add(line);
-    }
-    const delta = (a && b ? [b[0] - a[0], b[1] - a[1], b[2] - a[2]] : null) as Point | null;
-    this.events.measured(delta && { distance: Math.hypot(...delta), delta });
+    const [a, b] = ends, distance = a && b ? distance_between(a, b) : null;
+    for (const e of ends) this.ruler.add(thick([...e.place, ...e.place], 8, this.theme.bright));
+    if (distance) this.ruler.add(thick([...distance.from, ...distance.to], 2.5, this.theme.bright));
+    this.events.measured({ ends, distance });
     this.touch();
   }
 
@@ -255,7 +292,7 @@ export class Scene {
 
   private render(fine: boolean): void {
     this.dirty = false;
-    const all = this.extent(false).union(this.path.extent(true));
+    const all = this.extent(false).union(this.reach);
     if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // the holder stands over the path
     if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point);
     this.eye.update();
@@ -263,8 +300,25 @@ export class Scene {
     const { drawn, all: count, finished } = this.path.refresh(this.eye, this.canvas.budget(fine), performance.now() + slice);
     if (!finished) { this.dirty = true; this.ask(); if (fine) return; } // what stands is shown until all of the finer lines are there
     this.canvas.draw(this.stage, this.eye.camera, fine && finished, drawn);
+    this.events.turned(this.seen());
     if (drawn === this.counted[0] && count === this.counted[1]) return;
     this.counted = [drawn, count];
     this.events.thinned(drawn, count);
   }
+
+  private seen(): View {
+    const { camera } = this.eye, m = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse), p = new Vector4();
+    const place = ([x, y, z]: Point): [number, number] | null => {
+      p.set(x, y, z, 1).applyMatrix4(m);
+      return p.w > 0 ? [(p.x / p.w + 1) * 0.5 * this.width, (1 - p.y / p.w) * 0.5 * this.height] : null;
+    };
+    const axis = (v: Vector3): Point => v.toArray() as Point;
+    return { right: axis(this.eye.right), up: axis(this.eye.up), towards: axis(this.eye.towards), place };
+  }
+}
+
+function thick(points: number[], width: number, colour: number): LineSegments2 {
+  const line = new LineSegments2(new LineSegmentsGeometry().setPositions(points), new LineMaterial({ linewidth: width, depthTest: false, color: colour }));
+  line.renderOrder = 3;
+  return line;
 }
