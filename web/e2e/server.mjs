@@ -1,4 +1,4 @@
-// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers.
+// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers. DIST: a built page in place of the one inside the program.
 import { spawn } from "node:child_process";
 import { appendFileSync, cpSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -11,7 +11,15 @@ export async function server(examples) {
   return process.env.KADR ? real(process.env.KADR, examples) : made_up();
 }
 
-async function real(kadr, examples) {
+/// The page's files from a folder, for a page that is newer than the program.
+export async function page_from(page, dist) {
+  if (dist) await page.route(/^http:\/\/127\.0\.0\.1:\d+\/[\w.-]*$/, (route) => {
+    const name = new URL(route.request().url()).pathname.slice(1) || "index.html";
+    return name === "session" || name === "health" ? route.continue() : route.fulfill({ path: join(dist, name) });
+  });
+}
+
+export async function real(kadr, examples) {
   const folder = mkdtempSync(join(tmpdir(), "kadr-examples-"));
   cpSync(examples, folder, { recursive: true });
   let child, address = "";
@@ -29,7 +37,7 @@ async function real(kadr, examples) {
   const [, first, port] = await start(0);
   address = first;
   return {
-    address: () => address, prepare: async () => {}, path: ["cut", "plate.nc"], line: "N60 G1 Z0", before: "N60 G1 Z0 F400",
+    address: () => address, prepare: (page) => page_from(page, process.env.DIST), path: ["cut", "plate.nc"], line: "N60 G1 Z0", before: "N60 G1 Z0 F400",
     change: () => appendFileSync(join(folder, "cut", "plate.nc"), "(somebody else)\n"), lose: stop, regain: async () => { address = (await start(Number(port)))[1]; },
     close: async () => { await stop(); rmSync(folder, { recursive: true, force: true }); },
   };

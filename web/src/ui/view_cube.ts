@@ -28,7 +28,7 @@ export class ViewCube {
     if (key === this.drawn) return;
     this.drawn = key;
     const at = (p: Point): string => `${(middle + half * dot(p, view.right)).toFixed(2)},${(middle - half * dot(p, view.up)).toFixed(2)}`;
-    fill(this.element, ...faces.filter((f) => dot(f.normal, view.towards) > edge_on).map((f) => this.face(f, view, at)), ...this.corners(view), ...axes(view));
+    fill(this.element, ...axes(view), ...faces.filter((f) => dot(f.normal, view.towards) > edge_on).map((f) => this.face(f, view, at)), ...this.corners(view));
     this.element.setAttribute("aria-label", t("views"));
   }
 
