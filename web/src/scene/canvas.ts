@@ -1,5 +1,5 @@
 // The canvas and how a picture gets onto it. Without a graphics card edges are smoothed only while nothing moves: that costs three times the time.
-import { LinearSRGBColorSpace, Mesh, OrthographicCamera, PlaneGeometry, Scene as Stage, ShaderMaterial, WebGLRenderer, WebGLRenderTarget, type Camera } from "three";
+import { LinearSRGBColorSpace, Mesh, OrthographicCamera, PlaneGeometry, Scene as Stage, ShaderMaterial, WebGLRenderer, WebGLRenderTarget, type Camera, type Object3D } from "three";
 import { card_moving, card_resting, draws_softly, Pace, soft_moving, soft_resting, Stopwatch } from "./pace";
 import { NoWebGl } from "./types";
 
@@ -18,9 +18,9 @@ export class Canvas {
 
   constructor() {
     this.element = document.createElement("canvas");
-    this.soft = draws_softly(renderer_name());
-    const context = this.element.getContext("webgl2", { antialias: !this.soft, powerPreference: "high-performance" });
+    const context = this.element.getContext("webgl2", { antialias: false, powerPreference: "high-performance" }); // edges are smoothed in `smooth`, where there is time
     if (!context) throw new NoWebGl("this browser gives no WebGL");
+    this.soft = draws_softly(renderer_name(context));
     this.renderer = new WebGLRenderer({ canvas: this.element, context });
     this.renderer.localClippingEnabled = true;
     this.renderer.outputColorSpace = LinearSRGBColorSpace; // colours go to the screen as they stand in the theme
@@ -43,13 +43,21 @@ export class Canvas {
   size(width: number, height: number): void {
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.renderer.setSize(width, height);
-    if (this.soft) this.smooth.setSize(this.element.width, this.element.height);
+    this.smooth.setSize(this.element.width, this.element.height);
+  }
+
+  /// Has the shaders of these objects made while nobody waits for them. Their materials must live on.
+  prepare(stage: Stage, camera: Camera, objects: Object3D[]): void {
+    stage.add(...objects);
+    this.renderer.compile(stage, camera);
+    this.renderer.compile(this.copy, this.flat);
+    stage.remove(...objects);
   }
 
   /// `fine`: nothing moves, the picture may take longer.
   draw(stage: Stage, camera: Camera, fine: boolean, segments: number): void {
     const { renderer } = this;
-    if (this.soft && fine) {
+    if (fine || !this.soft) {
       renderer.setRenderTarget(this.smooth);
       renderer.render(stage, camera);
       renderer.setRenderTarget(null);
@@ -59,11 +67,7 @@ export class Canvas {
   }
 }
 
-/// Asked of a canvas that is thrown away: whether edges are smoothed must be said when a canvas is made.
-function renderer_name(): string {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) return "";
-  const told = gl.getExtension("WEBGL_debug_renderer_info"), name = String(gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return name;
+function renderer_name(gl: WebGL2RenderingContext): string {
+  const told = gl.getExtension("WEBGL_debug_renderer_info");
+  return String(gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
 }

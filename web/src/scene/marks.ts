@@ -55,9 +55,11 @@ export function part_mesh(frame: ArrayBuffer, zero: Point, theme: Theme, planes:
   g.setAttribute("position", new BufferAttribute(points, 3));
   g.setAttribute("color", new BufferAttribute(colours, 3));
   g.setIndex(new BufferAttribute(part.triangles, 1));
-  // Flat shading: a face of the part keeps its edges, and the frame needs no normals.
-  return new Mesh(g, new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+  return new Mesh(g, part_material(planes));
 }
+
+/// Flat shading: a face of the part keeps its edges, and the frame needs no normals.
+export const part_material = (planes: Plane[]): MeshLambertMaterial => new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
 
 /// Ends of every segment that a line of the program made, at full fineness.
 export function lit_points(all: readonly Drawn[], line: number, file: number, zero: Point): Float32Array {

@@ -37,6 +37,12 @@ export class PathView {
 
   constructor() { this.group.matrixAutoUpdate = false; }
 
+  /// Lines of its materials, for whoever makes shaders ready.
+  samples(): LineSegments[] {
+    const geometry = new BufferGeometry().setAttribute("color", new BufferAttribute(new Uint8Array(), 4, true)); // colours with an alpha have a shader of their own
+    return [this.material, this.dashes].map((m) => new LineSegments(geometry, m as Material));
+  }
+
   add(frame: ArrayBuffer): boolean {
     const piece = decode_path(frame);
     if (!piece) return this.add_leans(frame);

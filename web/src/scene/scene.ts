@@ -1,5 +1,5 @@
 // The 3D view: path, tool, part and boxes; it draws only when something has changed.
-import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Matrix4, Plane, Scene as Stage, Vector3, Vector4 } from "three";
+import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, Plane, Scene as Stage, Vector3, Vector4 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -8,7 +8,7 @@ import { Canvas } from "./canvas";
 import { dark, light, type Ranges, type Theme } from "./colours";
 import { Controls } from "./controls";
 import { bounded, box_lines, goes_beyond } from "./boxes";
-import { axes, empty, lit_points, part_mesh, put_tool, tool_mesh } from "./marks";
+import { axes, empty, lit_points, part_material, part_mesh, put_tool, tool_mesh } from "./marks";
 import { distance_between, type Anchor } from "./measure";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
@@ -51,6 +51,7 @@ export class Scene {
   private asked = 0;
   private pointer: [number, number] | null = null;
   private counted: [number, number] = [0, 0];
+  private samples = new Mesh(new BufferGeometry(), part_material([])); // keeps the shader of a part
   private width = 1;
   private height = 1;
   private old = false;               // the path is one that is being run anew
@@ -72,6 +73,7 @@ export class Scene {
     new ResizeObserver(() => this.resize()).observe(host);
     canvas.addEventListener("webglcontextrestored", () => this.touch());
     this.setTheme(this.theme === dark);
+    this.canvas.prepare(this.stage, this.eye.camera, [...this.path.samples(), tool_mesh(undefined, 1, this.theme), axes(1), this.samples]);
     this.resize();
   }
 
