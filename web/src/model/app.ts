@@ -5,7 +5,6 @@ import { token } from "../protocol/token";
 import type { CutQuestion, CutResult, Done, Finding, Hello, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
 import { language } from "../texts/texts";
 import { Latest, debounce, spaced } from "./latest";
-import { other_text } from "./other_text";
 import { remember, remembered } from "./memory";
 import { PathIndex } from "./path_index";
 import { Signal } from "./signal";
@@ -66,7 +65,7 @@ export class App {
   private opening = 0;                 // questions `open` without an answer: what comes meanwhile belongs to an older program
   private target = 0;                  // the block that stepping aims at, while answers are under way
 
-  constructor(private make: () => Socket) {
+  constructor(make: () => Socket) {
     this.client = new Client(make, (c) => this.greet(c));
     this.client.line.on((l) => void this.line_changed(l));
     this.client.frame.on((f) => this.take_frame(f));
@@ -176,6 +175,7 @@ export class App {
     } catch (e) { this.tell(e); }
   }
 
+<<<<<<< HEAD
   /// Sentences that came with the run.
   private has_texts(): boolean { return this.running || this.problems.length > 0 || this.findings.length > 0 || Boolean(this.done?.unstated) || this.marks.some((m) => m.text !== "" && m.kind !== "tool" && m.kind !== "message"); }
   private ask_again(): void {
@@ -185,6 +185,8 @@ export class App {
 
   other_text(file: string): Promise<string | null> { return other_text(this.make, this.greeting(), file); }
 
+=======
+>>>>>>> 8a5f984f96d01c8c715a7a672fd937702dc69781
   tell(e: unknown): void {
     if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e)); // a lost line has its own banner
   }

@@ -41,7 +41,7 @@ export class Scene {
   private planes: Plane[] = [];
   private shapes: ToolShape[] = [];
   private shown_boxes: SceneBox[] = [];
-  private bounds: SceneBounds = { limits: null, zones: [] };
+  private bounds: SceneBounds | null = null;
   private reach = new Box3();        // of the machine's limits and zones as they are drawn, from the zero
   private part_frame: ArrayBuffer | null = null;
   private lit_line: [number, number] | null = null;
@@ -139,19 +139,20 @@ export class Scene {
   }
 
   /// Limits and zones of the machine, in the coordinates of the path's frames.
-  setBounds(bounds: SceneBounds): void { this.bounds = bounds; this.draw_machine(); }
+  setBounds(bounds: SceneBounds | null): void { this.bounds = bounds; this.draw_machine(); }
 
   private draw_machine(): void {
     empty(this.machine);
     this.reach.makeEmpty();
-    const z = new Vector3(...this.path.zero), all = this.extent(false).translate(z), path = this.path.extent(false).translate(z), { limits, zones } = this.bounds;
+    const z = new Vector3(...this.path.zero), all = this.extent(false).translate(z), path = this.path.extent(false).translate(z);
     const draw = (box: SceneBox): void => {
       this.machine.add(box_lines(box, this.theme));
       this.reach.union(new Box3(new Vector3(...box.box[0]), new Vector3(...box.box[1])).translate(z.clone().negate()));
     };
-    if (this.path.shows_bounds) {
-      if (limits) draw({ name: "", kind: "limits", box: bounded(limits, all), over: goes_beyond(path, limits) });
-      for (const zone of zones) draw({ name: zone.name, kind: "zone", box: bounded(zone.box, all) });
+    if (this.path.shows_bounds && this.bounds) {
+      const { limits, zones } = this.bounds;
+      if (limits.some((side) => side.some((v) => v !== null))) draw({ name: "", kind: "limits", box: bounded(limits, all), over: goes_beyond(path, limits) });
+      for (const zone of zones) draw({ name: String(zone.number), kind: "zone", box: bounded(zone.box, all) });
     }
     this.machine.position.copy(z).negate();
     this.touch();

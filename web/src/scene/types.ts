@@ -1,5 +1,5 @@
 // What the 3D view says and is told. Lengths mm, times seconds, from the picture's zero.
-import type { Box, OpenBox } from "../protocol/types";
+import type { Bounds, Box } from "../protocol/types";
 import type { Anchor, Distance } from "./measure";
 
 export type Point = [number, number, number];
@@ -11,8 +11,7 @@ export interface SceneFilter {
   hideDone: boolean; programmed: boolean; other: boolean; bounds: boolean;
 }
 export interface SceneBox { name: string; kind: "stock" | "extents" | "limits" | "zone"; box: Box; over?: boolean }
-/// In the coordinates of the path's frames.
-export interface SceneBounds { limits: OpenBox | null; zones: { name: string; box: OpenBox }[] }
+export type SceneBounds = Bounds;
 /// Outlines of [diameter, height over the tip], from below upwards.
 export interface ToolShape { number: number; cutting: [number, number][]; shank: [number, number][]; holder: [number, number][] }
 export interface Measured { ends: Anchor[]; distance: Distance | null }

@@ -43,7 +43,7 @@ export class ScenePane {
     on_language(() => { this.draw(); this.mark(); });
     for (const s of [app.on_done, app.on_cut]) s.on(() => this.mark());
     app.on_opening.on(() => this.mark());
-    app.on_opened.on((o) => this.scene?.setBounds(o.bounds ?? { limits: null, zones: [] }));
+    app.on_opened.on((o) => this.scene?.setBounds(o.bounds ?? null));
     this.scene?.setColour(this.colour);
     this.scene?.setProjection(this.flat);
     this.scene?.setFilter(this.filter);
