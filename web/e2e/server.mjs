@@ -1,6 +1,6 @@
 // The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers. DIST: a built page in place of the one inside the program.
 import { spawn } from "node:child_process";
-import { appendFileSync, cpSync, mkdtempSync, rmSync } from "node:fs";
+import { appendFileSync, cpSync, existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -22,6 +22,7 @@ export async function page_from(page, dist) {
 export async function real(kadr, examples) {
   const folder = mkdtempSync(join(tmpdir(), "kadr-examples-"));
   cpSync(examples, folder, { recursive: true });
+  if (existsSync(join(folder, "cut"))) writeFileSync(join(folder, "cut", "xss.nc"), "%\n(</script><img src=x onerror=boom()>)\nN10 G21 G90\nN20 G0 X0 Y0\nN30 G1 X10 F100\nM30\n%\n");
   let child, address = "";
   const start = (port) => new Promise((yes, no) => {
     child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });

@@ -175,7 +175,6 @@ export class App {
     } catch (e) { this.tell(e); }
   }
 
-<<<<<<< HEAD
   /// Sentences that came with the run.
   private has_texts(): boolean { return this.running || this.problems.length > 0 || this.findings.length > 0 || Boolean(this.done?.unstated) || this.marks.some((m) => m.text !== "" && m.kind !== "tool" && m.kind !== "message"); }
   private ask_again(): void {
@@ -183,10 +182,6 @@ export class App {
     this.states.want({ at: this.instant });
   }
 
-  other_text(file: string): Promise<string | null> { return other_text(this.make, this.greeting(), file); }
-
-=======
->>>>>>> 8a5f984f96d01c8c715a7a672fd937702dc69781
   tell(e: unknown): void {
     if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e)); // a lost line has its own banner
   }

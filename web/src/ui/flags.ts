@@ -49,7 +49,7 @@ export class Flags {
   private make(flag: Flag): HTMLElement {
     const sign = signs[flag.kind], { time } = flag;
     if (!sign) return h("span", { class: `flag flag-${flag.kind}` }, flag.text);
-    return h("button", { type: "button", class: `flag flag-${flag.kind}`, tabindex: "-1", title: flag.text, "aria-label": flag.text, onclick: () => { if (time !== undefined) this.go(time); } },
+    return h("div", { class: `flag flag-sign flag-${flag.kind}`, title: flag.text, role: "img", "aria-label": flag.text, onclick: () => { if (time !== undefined) this.go(time); } },
       svg("svg", { viewBox: "0 0 14 14", "aria-hidden": "true" }, svg("path", { d: sign })));
   }
 }
