@@ -2,6 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
 import "./style/panes.css";
+import "./style/view.css";
 import "./style/code.css";
 import "./style/print.css";
 import { App } from "./model/app";
@@ -37,7 +38,7 @@ set_language(language());
 const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
 const app = new App(() => new WebSocket(address) as unknown as Socket);
 const player = new Player(app);
-let shapes: Shape[] = [], stock: SceneBox[] = [];
+let shapes: Shape[] = [], stock: SceneBox[] = [], shown_file = "";
 
 const scene_pane = new ScenePane(app, (v) => {
   if (v.which & 1) return; // the other version's path has no place on this program's slider
@@ -75,8 +76,15 @@ document.body.append(layout({
 
 app.on_path.on((frame) => scene?.addPath(frame));
 app.on_part.on((frame) => scene?.setPart(frame));
-app.on_opening.on(() => { scene?.clearPath(); scene?.setPart(null); scene?.setBoxes([]); });
-app.on_done.on((done) => { scene?.setZero(done.zero); show_boxes(); scene?.view("fit"); });
+app.on_opening.on((file) => {
+  if (file === shown_file) return scene?.replacePath(); // run anew: what is seen stays until the new path comes
+  shown_file = file;
+  scene?.clearPath();
+  scene?.view("fit");
+  scene?.setPart(null);
+  scene?.setBoxes([]);
+});
+app.on_done.on((done) => { scene?.setZero(done.zero); show_boxes(); scene?.endPath(); });
 app.on_instant.on((at) => scene?.setInstant(at));
 app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
 for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());

@@ -1,8 +1,8 @@
 // What stands in the view beside the path: the tool, the part, boxes, the line that is lit.
-import { BufferAttribute, BufferGeometry, Box3, Box3Helper, Color, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Plane, Vector2, Vector3, type Material, type Object3D } from "three";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Plane, Vector2, Vector3, type Material, type Object3D } from "three";
 import type { Theme } from "./colours";
 import { decode_part } from "./frame";
-import { jump, type Point, type SceneBox, type ToolShape } from "./types";
+import { jump, type Point, type ToolShape } from "./types";
 import type { Drawn } from "./path_view";
 
 const around = 64, up = new Vector3(0, 0, 1);
@@ -55,17 +55,11 @@ export function part_mesh(frame: ArrayBuffer, zero: Point, theme: Theme, planes:
   g.setAttribute("position", new BufferAttribute(points, 3));
   g.setAttribute("color", new BufferAttribute(colours, 3));
   g.setIndex(new BufferAttribute(part.triangles, 1));
-  // Flat shading: a face of the part keeps its edges, and the frame needs no normals.
-  return new Mesh(g, new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+  return new Mesh(g, part_material(planes));
 }
 
-export function box_lines(box: SceneBox, theme: Theme): Box3Helper {
-  const lines = new Box3Helper(new Box3(new Vector3(...box.box[0]), new Vector3(...box.box[1])), theme[box.kind]);
-  const material = lines.material as LineBasicMaterial;
-  material.transparent = true;
-  material.opacity = box.kind === "stock" ? 0.9 : 0.55;
-  return lines;
-}
+/// Flat shading: a face of the part keeps its edges, and the frame needs no normals.
+export const part_material = (planes: Plane[]): MeshLambertMaterial => new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
 
 /// Ends of every segment that a line of the program made, at full fineness.
 export function lit_points(all: readonly Drawn[], line: number, file: number, zero: Point): Float32Array {

@@ -73,11 +73,10 @@ export class StatePane {
   }
 
   private tool(s: State): HTMLElement {
-    const o = s.offsets ?? {}, length = o.length ?? {}, many = Object.keys(length).length > 1;
-    const lengths = Object.entries(length).map(([a, v]) => `${many ? a : ""}${coordinate(v)}`).join(" ");
+    const o = s.offsets ?? {}, lengths = lengths_told(o.length);
     const name = this.app.done?.tools.find((x) => x.tool === s.tool)?.name;
     const knows = Object.keys(o).length > 0;
-    return h("div", { class: "figures" }, figure("T", String(s.tool || "–"), name || t("tool")), knows && figure(`D${o.D || ""}`, coordinate(o.radius), t("radius")), knows && figure(`H${o.H || ""}`, lengths || "–", t("length")));
+    return h("div", { class: "figures" }, figure("T", String(s.tool || "–"), name || t("tool")), knows && figure(`D${o.D || ""}`, coordinate(o.radius), t("radius")), knows && figure(`H${o.H || ""}`, lengths, t("length")));
   }
 
   private modal(s: State): HTMLElement {
@@ -102,6 +101,13 @@ export class StatePane {
     return h("div", { class: "variables" }, h("h3", null, t("variables")), h("div", { class: "variable-grid" }, ...sorted.slice(0, 200).map((v) =>
       h("span", { class: v.changed ? "variable changed" : "variable", title: v.changed ? t("changed_here") : "" }, h("b", null, v.name), ` ${value(v.value)}`))));
   }
+}
+
+/// Of the axes those that have a length; along Z alone, as on a mill, without its letter.
+export function lengths_told(length: Axes | undefined): string {
+  const all = Object.entries(length ?? {}), some = all.filter(([, v]) => Math.abs(v) >= 0.0005);
+  if (!some.length) return all.length ? coordinate(0) : "–";
+  return some.length === 1 && some[0]![0] === "Z" ? coordinate(some[0]![1]) : some.map(([a, v]) => `${a}${coordinate(v)}`).join(" ");
 }
 
 const value = (v: number | string | null): string => (typeof v === "number" ? String(Number(v.toPrecision(9))) : v ?? "–");
