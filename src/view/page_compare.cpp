@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_told = 1000;
+constexpr std::size_t most_differences = 1000;
 constexpr double usual_tolerance = 0.001, least_tolerance = 1e-5, greatest_tolerance = 10;  // mm
 
 PageJson spot_json(const CourseSpot& from, const CourseSpot& to) {
@@ -65,7 +65,7 @@ PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& questio
   CompareRules rules;
   rules.tolerance = value_in<double>(question, "tolerance", usual_tolerance);
   if (!(rules.tolerance >= least_tolerance && rules.tolerance <= greatest_tolerance)) rules.tolerance = usual_tolerance;
-  rules.most_told = most_told;
+  rules.most_told = most_differences;
   rules.stop = token();
   std::unique_ptr<Session> sides[2];
   for (const int side : {0, 1}) {

@@ -53,7 +53,7 @@ Told cut(const std::string& program, double cell) {
   cutting.on_block = [&](const BlockLoad& load) { told.rows.push_back(load); };
   TimeEstimate clock(roles, rates_of(test::generic_machine(), {}, session->control().axes()));
   session->outlets().clock = &clock;
-  session->outlets().step = [&](const Step& step) { EXPECT_TRUE(cutting.consume(step, 0)); };
+  session->outlets().step = [&](const Step& step) { EXPECT_TRUE(cutting.consume(step, {step.begins, step.time.seconds})); };
   EXPECT_EQ(session->run(), Session::State::ended);
   cutting.finish();
   told.result = cutting.result(0, 0);
