@@ -19,6 +19,7 @@ struct OpeningWish {
   std::string control, machine, setup, encoding;
   std::optional<std::string> text;  // UTF-8, run in the place of what the file holds
   Lang lang = Lang::en;
+  const FileDoor* door = nullptr;  // opens them all, and what they name; it outlives the run
 };
 
 struct OpenedProgram {
@@ -31,6 +32,7 @@ struct OpenedProgram {
   SaidEncoding encoding;
   std::optional<Guess> guess;  // nothing: the control was named
   std::optional<std::string> text;
+  const FileDoor* door = nullptr;
 
   /// Its text, the first program of a tape with several.
   ///   returns  an error sentence

@@ -15,6 +15,7 @@ constexpr std::size_t most_passes = 1000;
 tl::expected<OpeningWish, Refusal> PageSession::Inside::wish_of(const PageJson& question) const {
   OpeningWish wish;
   wish.lang = lang;
+  wish.door = &server.folder;
   wish.encoding = value_in<std::string>(question, "encoding", "");
   const auto place = [&](const char* key, std::string& to, bool may_be_a_name) -> std::string {
     const std::string name = value_in<std::string>(question, key, "");
@@ -44,7 +45,7 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   if (!made) return tl::unexpected(Refusal{made.error()});
   run = std::move(*made);
   source = std::make_unique<SourceText>(opened->text ? OpenedText{text_source(*opened->text), Encoding::utf8}
-                                                     : open_text(wish->path, opened->encoding));
+                                                     : open_text(wish->path, opened->encoding, &server.folder));
   opened_names.insert(file);
   const bool whole = source->bytes() <= most_text;
   PageJson control = {{"id", opened->def->id},

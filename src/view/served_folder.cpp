@@ -35,6 +35,7 @@ class OpenFile {
   }
   int fd() const { return fd_; }
   bool is_open() const { return fd_ >= 0; }
+  int release() { return std::exchange(fd_, -1); }
 
  private:
   int fd_;
@@ -183,6 +184,23 @@ tl::expected<std::string, std::string> ServedFolder::path_of(const std::string& 
   const auto opened = open_regular(fd_, file);
   if (!opened) return tl::unexpected(opened.error());
   return path_ + "/" + file;
+}
+
+/// Its name from the folder on. No link is followed on the way, so that `..` is what it looks like.
+std::optional<std::string> ServedFolder::beneath(const std::string& path) const {
+  const std::string plain = std::filesystem::path(path).lexically_normal().string(), front = path_ == "/" ? path_ : path_ + "/";
+  if (!plain.starts_with(front)) return std::nullopt;
+  return plain.substr(front.size());
+}
+
+int ServedFolder::open_for_reading(const std::string& path) const {
+  const auto name = beneath(path);
+  if (!name || is_hidden(*name)) return errno = EACCES, -1;
+  OpenFile file = open_beneath(fd_, *name, O_RDONLY | O_NOCTTY);
+  struct stat stat;
+  if (!file.is_open() || ::fstat(file.fd(), &stat) != 0) return -1;
+  if (!S_ISREG(stat.st_mode)) return errno = EACCES, -1;
+  return file.release();
 }
 
 tl::expected<FileText, std::string> ServedFolder::read(const std::string& file, std::size_t most) const {
