@@ -4,9 +4,9 @@
     serve.py --kadr PROGRAM
 """
 import argparse
-import json
 import os
 import re
+import struct
 import subprocess
 import tempfile
 import time
@@ -16,9 +16,8 @@ from page_client.client import PROGRAM, SCHEMA, Page, Server, expect, result, se
 
 
 # What other tests see, and what is not served yet.
-UNSAID = {'event.closed', 'event.cutting', 'event.finding', 'event.cut', 'event.compared', 'answer.cut', 'answer.part', 'answer.proposals',
-          'answer.sheet', 'answer.compare', 'answer.explain', 'answer.read'} | {
-    f'question.{do}' for do in ('cut', 'part', 'proposals', 'sheet', 'compare', 'explain', 'read')}
+UNSAID = {'event.closed', 'event.cutting', 'event.finding', 'event.cut', 'answer.cut', 'answer.part', 'answer.proposals', 'answer.sheet',
+          'question.cut', 'question.part', 'question.proposals', 'question.sheet'}
 
 
 def http(server):
@@ -94,6 +93,40 @@ def session(server, folder):
     expect('error' in other.ask('save', file='new2.nc', text='x', digest=None) and not (folder / 'new2.nc').exists(), 'and saves nothing')
 
 
+def texts(server):
+    """explain, read, compare, bounds."""
+    page = Page(server)
+    page.ask('hello', token=server.token, lang='en')
+    opened, _ = page.open('other.nc', control='mach3')
+    expect(opened['bounds'] == {'limits': [[None] * 3] * 2, 'zones': []}, 'no limits of a machine that states none')
+    words = page.ask('explain', line=8)['words']
+    expect([w['code'] for w in words] == ['G3', 'X', 'Y', 'J'] and words[0]['from'] == 1 and words[0]['to'] == 3, 'explain: words and columns')
+    expect(all(w['title'] and w['text'] for w in words), 'explain: each says something')
+    expect([w['code'] for w in page.ask('explain', line=1, text='G83 Z-5 R2 Q1')['words']] == ['G83', 'Z', 'R', 'Q'], 'explain: the text of the editor')
+    expect(page.ask('explain', line=99)['words'] == [] and page.ask('explain', wrong=True, line=-1)['words'] == [], 'explain: no such line')
+    expect(len(page.ask('explain', line=1, text='X1' * 500_000)['words']) <= 500, 'explain: a line without end')
+    read = page.ask('read', file='other.nc')
+    expect(read['text'] == PROGRAM and read['digest'] == opened['digest'], 'read: text and digest')
+    for name in ('../outside.nc', '/etc/passwd', 'link', '.secret', 'fifo', '', 'binary'):
+        expect('error' in page.ask('read', file=name), f'read {name!r} is refused')
+    page.frames = []
+    same = page.ask('compare', text=PROGRAM.replace('X40 F600', 'X20 F600\nX40'))
+    done = page.until('compared')
+    expect(same['same'] and same['differences'] == [] and same['first'] is None and same['moves'][0] == 7, 'compare: a line cut in two is the same')
+    expect(done['seconds'] > 0 and page.frames and all(struct.unpack_from('<4I', f)[1] == 1 for f in page.frames), 'compare: the other path')
+    other = page.ask('compare', text=PROGRAM.replace('X0\nY0', 'X0 Y22\nY0').replace('F600', 'F700'))
+    page.until('compared')
+    expect(not other['same'] and {d['kind'] for d in other['differences']} >= {'feed', 'way'}, 'compare: feed and way')
+    way = [d for d in other['differences'] if d['kind'] == 'way'][0]
+    expect(way['a']['line'] == 9 and 1.5 < way['distance'] <= 2.01 and other['deviation'] == way['distance'], 'compare: where, and how far')
+    expect(page.ask('state', number=way['a']['number'])['line'] == 9, 'compare: its number leads to the line')
+    expect('error' in page.ask('compare', wrong=True) and 'error' in page.ask('compare', file='../outside.nc'), 'compare: what cannot be')
+    comparing = page.begin('compare', file='endless.nc', control='linuxcnc')
+    page.begin('stop')
+    begun = time.monotonic()
+    expect(page.answer(comparing) and time.monotonic() - begun < 5, 'compare: it is stopped')
+
+
 def endless(server):
     """An endless program is stopped at once; other sessions go on meanwhile."""
     page = Page(server)
@@ -126,9 +159,10 @@ def main():
         (folder / 'endless.nc').write_text('G90 G21 F1000\no100 while [1]\nG1 X1\nX0\no100 endwhile\nM2\n')
         (folder / 'link').symlink_to('/etc/passwd')
         (folder / 'sublink').symlink_to(above)
+        (folder / 'binary').write_bytes(bytes(range(256)))
         os.mkfifo(folder / 'fifo')
         server = Server(kadr, folder)
-        for part in (lambda: http(server), lambda: session(server, folder), lambda: endless(server)):
+        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: endless(server)):
             part()
         expect(server.process.poll() is None, 'the server still stands')
         expect(server.end() == 130, 'Ctrl-C')

@@ -37,6 +37,13 @@ class Zones {
   bool in_force() const { return ends_.axes != 0 || zone2_.on || zone3_.axes != 0; }
   bool checks_before() const { return checks_before_; }
 
+  // ---- to be shown
+  bool outside2() const { return zone2_.on && !suspended2_ && zone2_.outside_forbidden; }
+  bool inside2() const { return zone2_.on && !suspended2_ && !zone2_.outside_forbidden; }
+  bool inside3() const { return zone3_.axes != 0 && !suspended3_; }
+  const ZoneBox& box2() const { return zone2_.box; }
+  const ZoneBox& box3() const { return zone3_; }
+
   struct Memory;
   Memory memory() const;
   void remember(const Memory& memory);
@@ -65,9 +72,6 @@ class Zones {
   };
 
   Zone2 zone_of(const ZoneChange& zone) const;
-  bool outside2() const { return zone2_.on && !suspended2_ && zone2_.outside_forbidden; }
-  bool inside2() const { return zone2_.on && !suspended2_ && !zone2_.outside_forbidden; }
-  bool inside3() const { return zone3_.axes != 0 && !suspended3_; }
   ZoneBox open2() const;
   ZoneBox closed3() const;
   Status end_within(const ZoneBox& box, const Axes& end, Ids ids) const;

@@ -29,7 +29,10 @@ tl::expected<Session*, std::string> Instants::session(const StopToken& stop) {
   auto made = Session::open(run_.opened().spec(std::move(*program), stop));
   if (!made) return tl::unexpected(told(made.error().fault.en, made.error().fault.ru));
   session_ = std::move(*made);
-  session_->control().holds_before = [this](const Origin& origin) { return origin.number >= limit_; };
+  session_->control().holds_before = [this](const Origin& origin) {
+    held_ = origin;
+    return origin.number >= limit_;
+  };
   Outlets& outlets = session_->outlets();
   outlets.silent = true;
   outlets.warning = [](const AlarmReport&) {};
@@ -51,7 +54,9 @@ Status Instants::reach(std::uint32_t number, InstantState& state, const StopToke
   if (from != all.begin()) --from;
   KADR_TRY(session_->restore(from->snapshot));
   limit_ = number;
+  held_ = {};
   (void)run(stop);
+  if (held_.number == number) state.origin = held_;
   const Control& control = session_->settled_control();
   state.before = control.in_force();
   state.calls = control.calls();
@@ -78,11 +83,38 @@ tl::expected<InstantState, std::string> Instants::at(double instant, const StopT
   state.origin.line = vertex->line;
   state.origin.file = vertex->file;
   state.origin.number = vertex->number;
+  return complete(std::move(state), vertex->number, stop);
+}
+
+tl::expected<InstantState, std::string> Instants::after(std::uint32_t number, const StopToken& stop) {
+  InstantState state;
+  number = std::min<std::uint32_t>(number, std::uint32_t(run_.blocks()));
+  const auto& pieces = run_.path().pieces();
+  const auto begins_behind = [&](const ViewPiece& p) { return p.vertices.front().number <= number; };
+  auto piece = std::partition_point(pieces.begin(), pieces.end(), begins_behind);
+  if (piece != pieces.begin()) {
+    --piece;
+    auto vertex =
+        std::partition_point(piece->vertices.begin(), piece->vertices.end(), [&](const PathVertex& v) { return v.number <= number; });
+    if (vertex != piece->vertices.begin()) --vertex;
+    state.vertex = *vertex;
+    state.moves = vertex->number == number;
+    state.at = PathRecord::time_of(*piece, *vertex);
+    state.place = place_at(*piece, std::size_t(vertex - piece->vertices.begin()), state.at);
+  }
+  state.origin.line = state.vertex.line;
+  state.origin.file = state.vertex.file;
+  state.origin.number = number;
+  return complete(std::move(state), number, stop);
+}
+
+tl::expected<InstantState, std::string> Instants::complete(InstantState state, std::uint32_t number, const StopToken& stop) {
+  if (!run_.checkpoints().empty()) {
+    const auto made = session(stop);
+    if (!made) return tl::unexpected(made.error());
+    if (const Status reached = reach(number, state, stop); !reached) return tl::unexpected(std::string(name_of(reached.error().id)));
+  }
   state.line = run_.control().line_at(state.origin);
-  if (run_.checkpoints().empty()) return state;
-  const auto made = session(stop);
-  if (!made) return tl::unexpected(made.error());
-  if (const Status reached = reach(vertex->number, state, stop); !reached) return tl::unexpected(std::string(name_of(reached.error().id)));
   return state;
 }
 

@@ -29,6 +29,8 @@ class Instants {
 
   /// returns  an error sentence; nothing of the state but the path for a program of several channels
   tl::expected<InstantState, std::string> at(double instant, const StopToken& stop);
+  /// At the end of a block of the run, by Origin::number; of one that does not exist the nearest before it.
+  tl::expected<InstantState, std::string> after(std::uint32_t number, const StopToken& stop);
   /// When the line was carried out with a motion: instants and block numbers, up to `most`.
   struct Pass {
     double from, to;
@@ -38,12 +40,14 @@ class Instants {
 
  private:
   Session::State run(const StopToken& stop);
+  tl::expected<InstantState, std::string> complete(InstantState state, std::uint32_t number, const StopToken& stop);
   Status reach(std::uint32_t number, InstantState& state, const StopToken& stop);
   tl::expected<Session*, std::string> session(const StopToken& stop);
 
   const ProgramRun& run_;
   std::unique_ptr<Session> session_;  // made when the first instant is asked for
   std::uint32_t limit_ = 0;           // it is held before the block of this number
+  Origin held_;                       // that block
 };
 
 }  // namespace kadr

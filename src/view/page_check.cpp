@@ -1,12 +1,14 @@
 // Questions about a text: check, explain. For view/page_session; tested by tests/serve.py.
 
+#include "out/text/line_words.h"
 #include "view/page_inside.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t most_problems = 1000;
-constexpr std::size_t most_again = 100'000;  // repetitions of faults that are known
+constexpr std::size_t most_again = 100'000;     // repetitions of faults that are known
+constexpr std::size_t most_explained = 10'000;  // bytes of a line
 
 }  // namespace
 
@@ -38,6 +40,19 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   return PageJson{{"problems", std::move(problems)}};
 }
 
-PageSession::Inside::Answer PageSession::Inside::explain(const PageJson&) { return not_served("explain"); }
+/// The words of a line as it stands in the editor, or in the file.
+PageSession::Inside::Answer PageSession::Inside::explain(const PageJson& question) {
+  std::string text;
+  if (question.contains("text")) {
+    text = value_in<std::string>(question, "text", "");
+  } else if (const auto lines = source->from(count_in(question, "line", 0), 1); !lines.empty()) {
+    text = lines.front();
+  }
+  if (text.size() > most_explained) text.resize(most_explained);
+  PageJson words = PageJson::array();
+  for (const LineWord& w : words_of_line(*run->opened().def, *run->opened().texts, text, lang))
+    words.push_back({{"from", w.from}, {"to", w.to}, {"code", w.code}, {"title", w.title}, {"text", w.text}});
+  return PageJson{{"words", std::move(words)}};
+}
 
 }  // namespace kadr

@@ -4,6 +4,11 @@
 #include "view/page_inside.h"
 
 namespace kadr {
+namespace {
+
+constexpr std::size_t most_read = std::size_t{8} << 20;  // bytes
+
+}  // namespace
 
 PageSession::Inside::Answer PageSession::Inside::hello(const PageJson& question) {
   const bool knows = value_in<std::string>(question, "token", "") == server.token;
@@ -26,6 +31,17 @@ PageSession::Inside::Answer PageSession::Inside::files(const PageJson& question)
   const auto list = server.folder.list(value_in<std::string>(question, "folder", ""));
   if (!list) return tl::unexpected(Refusal{list.error()});
   return files_json(*list);
+}
+
+/// The text of another file, to be compared or to be edited.
+PageSession::Inside::Answer PageSession::Inside::read(const PageJson& question) {
+  const std::string file = value_in<std::string>(question, "file", "");
+  const auto found = server.folder.read(file, most_read);
+  if (!found) return tl::unexpected(Refusal{found.error()});
+  const SourceText source_text(as_text(text_source(found->bytes)));
+  std::string text = source_text.whole();
+  if (text.find('\0') != std::string::npos) return tl::unexpected(Refusal{file + ": " + told("is no text", "это не текст")});
+  return PageJson{{"text", std::move(text)}, {"digest", found->digest}, {"encoding", name_of(source_text.encoding())}};
 }
 
 /// A program or set-up that was opened here, or a new file.

@@ -50,6 +50,7 @@ struct PageSession::Inside {
   // page_folder.cpp
   Answer hello(const PageJson& question);
   Answer files(const PageJson& question);
+  Answer read(const PageJson& question);
   Answer save(const PageJson& question);
   // page_program.cpp
   Answer open(const PageJson& question);
@@ -70,6 +71,8 @@ struct PageSession::Inside {
 
   tl::expected<OpeningWish, Refusal> wish_of(const PageJson& question) const;
   void carry_out();
+  /// Its frames; `which` of the protocol. The work ends where nobody takes them.
+  void send(const ViewPiece& piece, std::uint32_t which);
   void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
     return problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file);
@@ -87,6 +90,7 @@ struct PageSession::Inside {
   bool greeted = false, may_change = false, gone = false;
   int mistakes = 0;
   std::set<std::string> opened_names;  // files that were opened: what may be saved over
+  OpeningWish opened_wish;
   std::unique_ptr<SourceText> source;
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;

@@ -105,17 +105,17 @@ PageJson files_json(const FolderList& list) {
 
 PageJson problem_json(const Finding& f, std::uint16_t file) {
   const char* const severity = f.severity == Severity::alarm ? "alarm" : f.severity == Severity::warning ? "warning" : "note";
-  return {{"id", name_of(f.id)}, {"severity", severity}, {"number", f.number}, {"text", f.text},     {"hint", f.hint},
-          {"file", file},        {"line", f.line},       {"column", f.column}, {"end_column", f.end_column}, {"block", f.block},
-          {"calls", f.calls}};
+  return {
+      {"id", name_of(f.id)}, {"severity", severity}, {"number", f.number},         {"text", f.text},   {"hint", f.hint},  {"file", file},
+      {"line", f.line},      {"column", f.column},   {"end_column", f.end_column}, {"block", f.block}, {"calls", f.calls}};
 }
 
 PageJson state_json(const InstantState& s, const ProgramRun& run) {
   PageJson json = {{"at", s.at},
-                   {"number", s.vertex.number},
-                   {"line", s.vertex.line},
+                   {"number", s.origin.number},
+                   {"line", s.origin.line},
                    {"column", s.origin.column},
-                   {"file", s.vertex.file},
+                   {"file", s.origin.file},
                    {"file_name", s.line.file},
                    {"block", block_text(s.origin)},
                    {"text", s.line.text},
@@ -139,13 +139,26 @@ PageJson state_json(const InstantState& s, const ProgramRun& run) {
   return json;
 }
 
+PageJson bounds_json(const MachineBounds& space) {
+  const auto box = [](const SpaceBox& b) {
+    PageJson corners = {PageJson::array(), PageJson::array()};
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[0].push_back(b.least[i] ? PageJson(*b.least[i]) : PageJson());
+      corners[1].push_back(b.most[i] ? PageJson(*b.most[i]) : PageJson());
+    }
+    return corners;
+  };
+  PageJson zones = PageJson::array();
+  for (const ForbiddenZone& zone : space.zones) zones.push_back({{"number", zone.number}, {"inside", zone.inside}, {"box", box(zone.box)}});
+  return {{"limits", box(space.limits)}, {"zones", std::move(zones)}};
+}
+
 PageJson done_json(const ProgramRun& run, Lang lang) {
   const Statistics& s = run.statistics();
   const char* const state = run.end() == ProgramRun::End::ended ? "ended" : run.end() == ProgramRun::End::stopped ? "stopped" : "cancelled";
   PageJson tools = PageJson::array(), marks = PageJson::array();
   for (const Statistics::ToolUse& t : s.tools()) tools.push_back({{"tool", t.tool}, {"seconds", t.cutting_s}});
-  for (const TimeMark& m : run.marks())
-    marks.push_back({{"at", m.at}, {"kind", name_of_mark(m.kind)}, {"line", m.line}, {"text", m.text}});
+  for (const TimeMark& m : run.marks()) marks.push_back({{"at", m.at}, {"kind", name_of_mark(m.kind)}, {"line", m.line}, {"text", m.text}});
   const TimeSplit& time = s.time();
   return {{"state", state},
           {"seconds", run.seconds()},

@@ -47,6 +47,7 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   source = std::make_unique<SourceText>(opened->text ? OpenedText{text_source(*opened->text), Encoding::utf8}
                                                      : open_text(wish->path, opened->encoding, &server.folder));
   opened_names.insert(file);
+  opened_wish = *wish;
   const bool whole = source->bytes() <= most_text;
   PageJson control = {{"id", opened->def->id},
                       {"name", lang == Lang::ru ? opened->def->name.ru : opened->def->name.en},
@@ -61,18 +62,22 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
                    {"machine", opened->machine.id},
                    {"setup", value_in<std::string>(question, "setup", "")},
                    {"editable", whole && may_change && source->encoding() == Encoding::utf8},
-                   {"lines", source->lines()}};
+                   {"lines", source->lines()},
+                   {"bounds", bounds_json(machine_bounds(*opened, run->control()))}};
   if (whole) json["text"] = source->whole();
   afterwards = [this] { carry_out(); };
   return json;
 }
 
+void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which) {
+  if (gone) return;
+  gone = !line.frame(path_frame(piece, which, 0)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, which, 0)));
+  if (gone) stops = true;
+}
+
 void PageSession::Inside::carry_out() {
-  run->on_piece = [this](const ViewPiece& piece) {
-    if (gone) return;
-    gone = !line.frame(path_frame(piece, 0, 0)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, 0, 0)));
-    if (gone) stops = true;
-  };
+  run->on_piece = [this](const ViewPiece& piece) { send(piece, 0); };
+  run->on_contour = [this](const ViewPiece& piece) { send(piece, 2); };
   run->on_alarm = [this](const AlarmReport& report, double at) { say({{"event", "alarm"}, {"at", at}, {"problem", problem(report)}}); };
   run->on_progress = [this](double part, std::uint64_t blocks, double seconds) {
     say({{"event", "progress"}, {"part", part}, {"blocks", blocks}, {"seconds", seconds}});
@@ -98,7 +103,9 @@ PageSession::Inside::Answer PageSession::Inside::source_lines(const PageJson& qu
 
 PageSession::Inside::Answer PageSession::Inside::state(const PageJson& question) {
   if (!instants) instants = std::make_unique<Instants>(*run);
-  const auto state = instants->at(value_in<double>(question, "at", 0), token());
+  const bool by_number = question.contains("number");
+  const auto state =
+      by_number ? instants->after(count_in(question, "number", 1), token()) : instants->at(value_in<double>(question, "at", 0), token());
   if (!state) return tl::unexpected(Refusal{state.error()});
   PageJson json = state_json(*state, *run);
   json["file_name"] = server.folder.shown(state->line.file);

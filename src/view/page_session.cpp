@@ -55,12 +55,12 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
     bool of_program;  // one must be open
   };
   static constexpr Known all[] = {
-      {"hello", &Inside::hello, false},        {"language", &Inside::language, false},  {"files", &Inside::files, false},
-      {"open", &Inside::open, false},          {"stop", &Inside::nothing, false},       {"save", &Inside::save, false},
-      {"source", &Inside::source_lines, true}, {"state", &Inside::state, true},         {"passes", &Inside::passes, true},
-      {"check", &Inside::check, true},         {"explain", &Inside::explain, true},     {"cut", &Inside::cut, true},
-      {"part", &Inside::part, true},           {"proposals", &Inside::proposals, true}, {"sheet", &Inside::sheet, true},
-      {"compare", &Inside::compare, true},
+      {"hello", &Inside::hello, false},  {"language", &Inside::language, false},  {"files", &Inside::files, false},
+      {"open", &Inside::open, false},    {"stop", &Inside::nothing, false},       {"save", &Inside::save, false},
+      {"read", &Inside::read, false},    {"source", &Inside::source_lines, true}, {"state", &Inside::state, true},
+      {"passes", &Inside::passes, true}, {"check", &Inside::check, true},         {"explain", &Inside::explain, true},
+      {"cut", &Inside::cut, true},       {"part", &Inside::part, true},           {"proposals", &Inside::proposals, true},
+      {"sheet", &Inside::sheet, true},   {"compare", &Inside::compare, true},
   };
   const auto* const known = std::find_if(std::begin(all), std::end(all), [&](const Known& k) { return k.name == what; });
   if (known == std::end(all)) return tl::unexpected(Refusal{});

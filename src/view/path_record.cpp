@@ -28,7 +28,8 @@ std::array<float, 3> single(Vec3 v) { return {float(v.x), float(v.y), float(v.z)
 
 }  // namespace
 
-PathRecord::PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool)
+PathRecord::PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart,
+                       std::uint32_t tool)
     : roles_(roles), way_(roles, chord, {}, std::move(tree), apart), tool_(tool) {}
 
 void PathRecord::begin_piece() {
@@ -97,6 +98,24 @@ void PathRecord::flush() {
   open_ = false;
   set_levels(pieces_.back());
   if (on_piece) on_piece(pieces_.back());
+}
+
+double PathRecord::end_of_block(std::uint32_t number) const {
+  const auto begins = [&](const ViewPiece& p) { return p.vertices.front().number <= number; };
+  auto piece = std::partition_point(pieces_.begin(), pieces_.end(), begins);
+  if (piece == pieces_.begin()) return 0;
+  --piece;
+  const auto behind =
+      std::partition_point(piece->vertices.begin(), piece->vertices.end(), [&](const PathVertex& v) { return v.number <= number; });
+  return time_of(*piece, *(behind - 1));
+}
+
+void PathRecord::take_times_of(const PathRecord& path) {
+  for (ViewPiece& piece : pieces_) {
+    if (piece.vertices.empty()) continue;
+    piece.begins = path.end_of_block(piece.vertices.front().number);
+    for (PathVertex& vertex : piece.vertices) vertex.time = float(path.end_of_block(vertex.number) - piece.begins);
+  }
 }
 
 const PathVertex* PathRecord::at(double instant) const {

@@ -21,6 +21,10 @@ class PathRecord {
 
   ///   later, longer  s that the step begins later and takes longer on the machine than it was timed
   void consume(const Step& step, double later, double longer);
+  /// Of a contour that nobody has timed: each vertex gets the time of its block's end on the path.
+  void take_times_of(const PathRecord& path);
+  /// s at which the block of that number ends, or the last one before it that moves.
+  double end_of_block(std::uint32_t number) const;
   /// What has come so far is a piece.
   void flush();
   /// A vertex more would be too many: nothing more is kept.

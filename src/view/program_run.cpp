@@ -47,9 +47,11 @@ tl::expected<std::unique_ptr<ProgramRun>, std::string> ProgramRun::make(const Op
 void ProgramRun::attach() {
   const Channel& own = session_->channels()[session_->own()];
   const Control& control = *own.control;
-  const AxisRoles roles = AxisRoles::of(control.axes(), control.rotary());
+  roles_ = AxisRoles::of(control.axes(), control.rotary());
   const auto tool = std::uint32_t(std::max(own.setup.tool, 0));
-  record_ = std::make_unique<PathRecord>(roles, tree_of(opened_, control), apart_of(opened_, control), tool);
+  record_ = std::make_unique<PathRecord>(roles_, tree_of(opened_, control), apart_of(opened_, control), tool);
+  contour_ = std::make_unique<PathRecord>(roles_, tree_of(opened_, control), apart_of(opened_, control), tool);
+  programmed_ = std::make_unique<Steps>(roles_, session_->stand());
   record_->on_piece = [this](const ViewPiece& piece) {
     if (on_piece) on_piece(piece);
   };
@@ -67,6 +69,7 @@ void ProgramRun::attach() {
   };
   outlets.warning = tell;
   outlets.alarm = [tell](const AlarmReport& report) { return tell(report), false; };
+  outlets.programmed = [this](const Action& action) { take_programmed(action); };
   outlets.clock = &statistics_->clock();
   outlets.stop = stop_;
   outlets.works_long = true;
@@ -87,6 +90,22 @@ void ProgramRun::take(const Step& step, double longer) {
   record_->consume(step, later_, longer);
   later_ += longer;
   seconds_ = step.begins + step.time.seconds + step.pause + later_;
+}
+
+/// Motions without compensation are followed only.
+void ProgramRun::take_programmed(const Action& action) {
+  programmed_->give(action, [this](const Step& step) {
+    const Motion* const motion = step.motion();
+    if (motion == nullptr || motion->side != 0) contour_->consume(step, 0, 0);
+  });
+}
+
+void ProgramRun::tell_contour() {
+  contour_->flush();
+  contour_->take_times_of(*record_);
+  if (on_contour)
+    for (const ViewPiece& piece : contour_->pieces()) on_contour(piece);
+  contour_.reset();
 }
 
 void ProgramRun::add_mark(TimeMark mark) {
@@ -139,6 +158,7 @@ void ProgramRun::carry_out() {
   }
   end_ = stop_.asked() ? End::cancelled : state == Session::State::stopped ? End::stopped : End::ended;
   record_->flush();
+  tell_contour();
   add_mark({seconds_, TimeMark::Kind::end, 0, {}});
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/time/steps.h"
 #include "out/text/summary.h"
 #include "view/opening.h"
 #include "view/path_record.h"
@@ -34,6 +35,8 @@ class ProgramRun {
   static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
 
   std::function<void(const ViewPiece&)> on_piece;
+  /// The same of the contour as programmed, where the tool's radius is compensated: when all is over.
+  std::function<void(const ViewPiece&)> on_contour;
   std::function<void(const AlarmReport&, double at)> on_alarm;
   /// Some times a second: how far it has come.
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
@@ -57,6 +60,8 @@ class ProgramRun {
   ProgramRun(const OpenedProgram& opened, const StopToken& stop) : opened_(opened), stop_(stop) {}
   void attach();
   void take(const Step& step, double longer);
+  void take_programmed(const Action& action);
+  void tell_contour();
   void mark(const Step& step, double at);
   void add_mark(TimeMark mark);
   void keep_checkpoint();
@@ -65,7 +70,10 @@ class ProgramRun {
   OpenedProgram opened_;
   StopToken stop_;
   std::unique_ptr<Session> session_;
+  AxisRoles roles_;
   std::unique_ptr<PathRecord> record_;
+  std::unique_ptr<PathRecord> contour_;  // where compensation acts; its times come at the end
+  std::unique_ptr<Steps> programmed_;    // follows the position as there is no compensation
   std::unique_ptr<Statistics> statistics_;
   std::vector<TimeMark> marks_;
   std::vector<RunCheckpoint> checkpoints_;

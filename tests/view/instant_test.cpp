@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 namespace kadr {
@@ -70,6 +71,28 @@ TEST(Instants, AreWhereTheRunWas) {
       EXPECT_EQ(state->calls.empty(), false);
     }
   }
+}
+
+TEST(Instants, ByTheNumberOfABlockThatDoesNotMoveToo) {
+  const auto run = run_of("G21 G90 F100\nG1 X1\nM8\n#5 = 7\nG1 X2\nM2\n");
+  Instants instants(*run);
+  std::uint32_t before = 0;
+  std::vector<std::uint32_t> lines;
+  for (std::uint32_t number = 1; number <= run->blocks(); ++number) {
+    const auto state = instants.after(number, {});
+    ASSERT_TRUE(state);
+    EXPECT_EQ(state->origin.number, number);
+    EXPECT_GE(state->origin.line, before);
+    before = state->origin.line;
+    lines.push_back(before);
+  }
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), 4U), 1);
+  const auto moved = instants.after(2, {}), stood = instants.after(4, {});
+  EXPECT_EQ(value(moved->after, InForce::Kind::position, "X"), 1);
+  EXPECT_TRUE(moved->moves);
+  EXPECT_FALSE(stood->moves);
+  EXPECT_EQ(stood->at, moved->at);
+  EXPECT_EQ(instants.after(4'000'000'000U, {})->origin.number, run->blocks());
 }
 
 TEST(Instants, PassesOfALine) {

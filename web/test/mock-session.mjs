@@ -51,7 +51,13 @@ export function session(send) {
     part: () => { send(part_frame()); return { stock: 96000, left: 91234.5, triangles: 12, seconds: 0.1, cell: 0.25 }; },
     proposals: () => ({ stock: "box:-40,-30,-20,40,30,0", tools: [{ number: 1, kind: "flat", diameter: 10, flutes: 22, length: 50, holder: [[32, 0], [40, 12], [40, 45]], name: "END MILL 10", from: "comment, line 4", known: true }, { number: 2, kind: "drill", diameter: 6.8, angle: 118, flutes: 60, length: 80, name: "DRILL 6.8", from: "comment, line 15", known: false }] }),
     sheet: () => ({ program: open, control: "Mach3", machine: null, date: "2026-11-25", zeros: [{ name: "G54", values: { X: 300, Y: 200, Z: -250 } }], tools: [{ number: 1, name: "END MILL 10", radius: 5, length: 82.5, corrector: "D1 H1", seconds: 26, lines: [4], outline: [], comment: "END MILL 10" }, { number: 2, name: "DRILL 6.8", radius: 3.4, length: 120.25, corrector: "H2", seconds: 14, lines: [15], outline: [], comment: "DRILL 6.8" }], extents: { cutting: box, all: box }, seconds: 40, comments: [{ line: 2, text: "PLATE 80 X 60 </script><img src=x onerror=alert(1)>" }], stops: [{ line: 14, text: "TURN THE PART", at: 25 }] }),
-    compare: () => { setTimeout(() => send(path_frame(2, 1).frame), 10); return { same: false, deviation: 2, first: [{ line: 9, place: [0, 0, -1] }, { line: 9, place: [2, 2, 1] }] }; },
+    read: () => ({ text: "G0 X0\n", digest: "d", encoding: "utf-8" }),
+    compare: () => {
+      const spot = { line: 9, file: 0, number: 8, at: 1, to_line: 10, to_number: 9, to_at: 2 };
+      const d = { kind: "way", text: "another way, up to 2 mm apart", distance: 2, a: spot, b: spot };
+      setTimeout(() => send(path_frame(2, 1).frame), 10);
+      return { same: false, text: "1 differences, up to 2 mm apart", tolerance: 0.001, deviation: 2, moves: [9, 9], first: d, differences: [d], more: 0, lost: false };
+    },
     save: (q) => { if (q.digest === "old" || /CONFLICT/.test(q.text)) throw { text: "changed since", changed: true }; text = q.text; return { digest: "d2" }; },
     stop: () => { stopped = true; return {}; },
   };

@@ -56,6 +56,8 @@ std::string_view unit_of(WordUnit unit, Lang lang) {
   return "";
 }
 
+}  // namespace
+
 std::string meaning_of(const ControlDef& def, const CodeRow& code, char letter, Lang lang) {
   const bool ru = lang == Lang::ru;
   const auto* const found = std::find_if(std::begin(meanings), std::end(meanings),
@@ -64,8 +66,6 @@ std::string meaning_of(const ControlDef& def, const CodeRow& code, char letter, 
   const AddressRow& row = def.address(letter);
   return fmt::format("{}{}", ru && !row.text.ru.empty() ? row.text.ru : row.text.en, unit_of(row.unit, lang));
 }
-
-}  // namespace
 
 std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   const bool ru = lang == Lang::ru;

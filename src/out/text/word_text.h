@@ -11,4 +11,7 @@ namespace kadr {
 /// A line for each letter that the code takes: "    R  point R: …, mm".
 std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang);
 
+/// What a letter means beside that code: "depth of one peck, positive, mm (inch)".
+std::string meaning_of(const ControlDef& def, const CodeRow& code, char letter, Lang lang);
+
 }  // namespace kadr

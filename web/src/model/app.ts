@@ -5,7 +5,6 @@ import { token } from "../protocol/token";
 import type { CutQuestion, CutResult, Done, Finding, Hello, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
 import { language } from "../texts/texts";
 import { Latest, debounce, spaced } from "./latest";
-import { other_text } from "./other_text";
 import { remember, remembered } from "./memory";
 import { PathIndex } from "./path_index";
 import { Signal } from "./signal";
@@ -66,7 +65,7 @@ export class App {
   private opening = 0;                 // questions `open` without an answer: what comes meanwhile belongs to an older program
   private target = 0;                  // the block that stepping aims at, while answers are under way
 
-  constructor(private make: () => Socket) {
+  constructor(make: () => Socket) {
     this.client = new Client(make, (c) => this.greet(c));
     this.client.line.on((l) => void this.line_changed(l));
     this.client.frame.on((f) => this.take_frame(f));
@@ -173,8 +172,6 @@ export class App {
       await this.run_again(); // texts of alarms and marks come from the run
     } catch (e) { this.tell(e); }
   }
-
-  other_text(file: string): Promise<string | null> { return other_text(this.make, this.greeting(), file); }
 
   tell(e: unknown): void {
     if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e)); // a lost line has its own banner

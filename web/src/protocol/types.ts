@@ -8,10 +8,13 @@ export interface FileEntry { name: string; kind: "folder" | "program" | "setup" 
 export interface Files { entries: FileEntry[]; more?: boolean }
 
 export interface OpenQuestion { file: string; control?: string; machine?: string; setup?: string; encoding?: string; text?: string }
+/// Machine coordinates; null: no limit there.
+export type Open = (number | null)[];
+export interface Bounds { limits: [Open, Open]; zones: { number: number; inside: boolean; box: [Open, Open] }[] }
 export interface Opened {
   file: string; size: number; digest: string; encoding: string;
   control: { id: string; name: string; guessed: boolean; decisive?: boolean | string; why?: string };
-  machine: string | null; setup: string | null; editable: boolean; lines: number; text?: string;
+  machine: string | null; setup: string | null; editable: boolean; lines: number; text?: string; bounds?: Bounds;
 }
 
 export type Severity = "alarm" | "warning" | "note";
@@ -65,7 +68,11 @@ export interface Sheet {
   program: string; control: string; machine: string | null; date: string; zeros: { name: string; values: Axes }[]; tools: SheetTool[];
   extents: { cutting: Box | null; all: Box | null }; seconds: number; comments: { line: number; text: string }[]; stops: { line: number; text: string; at: number }[];
 }
-export interface Compared { same: boolean; deviation: number; first?: { line?: number; at?: number; place?: number[] }[] | null }
+export interface Spot { line: number; file: number; number: number; at: number; to_line: number; to_number: number; to_at: number }
+export interface Difference { kind: "way" | "move" | "feed" | "tool" | "spindle" | "coolant" | "act" | "end"; text: string; distance: number; a: Spot; b: Spot }
+export interface Compared {
+  same: boolean; text: string; tolerance: number; deviation: number; moves: [number, number]; first: Difference | null; differences: Difference[]; more: number; lost: boolean;
+}
 
 /// Each question, with what goes along and what comes back.
 export interface Questions {
@@ -82,7 +89,8 @@ export interface Questions {
   part: [{ at: number }, PartAnswer];
   proposals: [object, Proposals];
   sheet: [object, Sheet];
-  compare: [{ file: string } | { text: string }, Compared];
+  read: [{ file: string }, { text: string; digest: string; encoding: string }];
+  compare: [{ file?: string; text?: string; control?: string; tolerance?: number }, Compared];
   save: [{ file: string; text: string; digest: string | null }, { digest: string }];
   stop: [object, object];
 }
@@ -94,5 +102,6 @@ export interface Events {
   cutting: { part: number };
   finding: Finding;
   cut: CutResult;
+  compared: { seconds: number; blocks: number };
   closed: { text: string };
 }

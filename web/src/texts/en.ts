@@ -224,9 +224,6 @@ export const en = {
   as_saved: "{file}, as saved",
   comparing: "Comparing…",
   no_text_here: "A program too long to be held here: only the paths are compared.",
-  same_path: "The paths are the same.",
-  deviates: "The paths differ by up to {by} mm.",
-  first_difference: "First difference:",
   resize: "Drag or use arrows to change the size",
   // Keys
   key_block: "a block back or on",

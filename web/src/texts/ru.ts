@@ -226,9 +226,6 @@ export const ru: Record<TextKey, string> = {
   as_saved: "{file}, как на диске",
   comparing: "Сравнивается…",
   no_text_here: "УП слишком длинная, сравниваются только траектории.",
-  same_path: "Траектории совпадают.",
-  deviates: "Траектории расходятся до {by} мм.",
-  first_difference: "Первое расхождение:",
   resize: "Размер: мышью или стрелками",
   // Keys
   key_block: "на кадр назад или вперёд",

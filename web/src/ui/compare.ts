@@ -3,19 +3,19 @@ import { MergeView } from "@codemirror/merge";
 import { EditorState } from "@codemirror/state";
 import { EditorView, lineNumbers } from "@codemirror/view";
 import type { App } from "../model/app";
+import type { Difference } from "../protocol/types";
 import { gcode } from "../source/gcode";
 import { phrases_now } from "../source/phrases";
 import { t } from "../texts/texts";
 import { open_dialog } from "./dialog";
 import { button, fill, h } from "./dom";
-import { coordinate } from "./figures";
 
 export interface CompareVerbs { begin(): void; line(line: number): void }
 
 /// `begin`: the other path that is drawn goes; `line`: a line of this program was clicked.
 export function show_compare(app: App, verbs: CompareVerbs): void {
   if (document.querySelector("dialog.docked")) return;
-  const file = h("select", { "aria-label": t("other_version") }), told = h("p", { class: "note", "aria-live": "polite" }), host = h("div", { class: "merge" });
+  const file = h("select", { "aria-label": t("other_version") }), told = h("p", { class: "note", "aria-live": "polite" }), list = h("ol", { class: "differences" }), host = h("div", { class: "merge" });
   let merge: MergeView | null = null;
   const here = app.opened!.file, folder = here.includes("/") ? here.slice(0, here.lastIndexOf("/")) : "";
   const go = async (): Promise<void> => {
@@ -23,18 +23,18 @@ export function show_compare(app: App, verbs: CompareVerbs): void {
     const wanted = file.value;
     verbs.begin();
     told.textContent = t("comparing");
+    list.replaceChildren();
     try {
       const c = await app.client.ask("compare", wanted === here ? { text: app.saved_text ?? "" } : { file: wanted });
-      const first = c.first?.[0];
-      const place = first ? ` ${t("first_difference")} ${first.line ? t("line_n", { line: first.line }) : ""} ${first.place ? first.place.map(coordinate).join("  ") : ""}` : "";
-      told.textContent = c.same ? t("same_path") : t("deviates", { by: coordinate(c.deviation) }) + place;
+      told.textContent = c.text;
+      list.replaceChildren(...c.differences.map((d) => h("li", null, button(difference_text(d), () => { app.seek_block(d.a.number); verbs.line(d.a.line); }))));
     } catch (e) { told.textContent = ""; app.tell(e); }
     merge?.destroy();
     const other = wanted === here ? app.saved_text : await text_of(app, wanted);
     if (other === null || app.text === null) told.textContent += ` ${t("no_text_here")}`;
     else merge = new MergeView({ a: side(other), b: side(app.text, (n) => verbs.line(n)), parent: host, collapseUnchanged: { margin: 3, minSize: 8 } });
   };
-  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), host), { docked: true, closed: () => { merge?.destroy(); verbs.begin(); } });
+  open_dialog(t("compare"), h("div", { class: "compare" }, h("div", { class: "row" }, h("label", { class: "field" }, h("span", null, t("other_version")), file), button(t("compare"), () => void go(), { class: "main" }), told), list, host), { docked: true, closed: () => { merge?.destroy(); verbs.begin(); } });
   void fill_files(app, folder, here, file);
 }
 
@@ -48,7 +48,13 @@ async function fill_files(app: App, folder: string, here: string, select: HTMLSe
   } catch (e) { app.tell(e); }
 }
 
-/// The session holds one program: the text of another is not asked for by `source`. It comes from a second, short session.
+/// Null: it cannot be shown here.
 async function text_of(app: App, file: string): Promise<string | null> {
-  try { return await app.other_text(file); } catch (e) { app.tell(e); return null; }
+  try { return (await app.client.ask("read", { file })).text; } catch (e) { app.tell(e); return null; }
+}
+
+/// "12 – 15 | 12 – 14: feed: F100 mm/min — F200 mm/min"; the first lines are those of the program that is open.
+export function difference_text(d: Difference): string {
+  const lines = (s: { line: number; to_line: number }): string => (s.to_line > s.line ? `${s.line} – ${s.to_line}` : `${s.line}`);
+  return `${lines(d.a)} | ${lines(d.b)}: ${d.text}`;
 }

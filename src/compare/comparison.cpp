@@ -1,0 +1,257 @@
+// Two courses side by side. For view/page_compare; tested by tests/compare/comparison_test.cpp.
+
+#include "compare/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/stretch.h"
+
+namespace kadr {
+namespace {
+
+using Kind = CourseDifference::Kind;
+constexpr double chord_of_tolerance = 1.0 / 16;
+constexpr double same_value = 1e-6;         // of a dwell, a feed: relative
+constexpr std::size_t most_ahead = 3000;    // items that are looked through for a place in common
+constexpr std::size_t most_sliver = 1000;   // moves within the tolerance of one place
+constexpr std::size_t most_measured = 500;  // vertices of a difference
+constexpr int most_searches = 200;          // that go far: then they are two programs
+
+bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::max({1.0, std::abs(a), std::abs(b)}); }
+
+bool is_same(const CourseAct& a, const CourseAct& b) { return a.kind == b.kind && a.text == b.text && is_same(a.value, b.value); }
+
+/// The first of what is in force that differs; nothing: nothing does.
+std::optional<Kind> first_difference(const CourseState& a, const CourseState& b) {
+  if (a.move != b.move) return Kind::move;
+  if (a.unit != b.unit || !is_same(a.feed, b.feed) || !is_same(a.lead, b.lead)) return Kind::feed;
+  if (a.tool != b.tool) return Kind::tool;
+  if (a.spindle != b.spindle || a.surface != b.surface || !is_same(a.speed, b.speed)) return Kind::spindle;
+  if (a.coolant != b.coolant) return Kind::coolant;
+  return std::nullopt;
+}
+
+std::string words_of_state(const CourseState& s, Kind of) {
+  constexpr std::array moves = {"rapid", "feed", "thread", "probe"};
+  constexpr std::array units = {"mm/min", "mm/rev", "1/min"};
+  constexpr std::array spindles = {"M5", "M3", "M4", "M19", "M19"};
+  constexpr std::array coolants = {"M9", "M7", "M8"};
+  switch (of) {
+    case Kind::move: return moves[std::size_t(s.move)];
+    case Kind::feed:
+      return s.move == CourseMove::thread ? fmt::format("lead {:.6g}", s.lead)
+                                          : fmt::format("F{:.6g} {}", s.feed, units[std::size_t(s.unit)]);
+    case Kind::tool: return fmt::format("T{}", s.tool);
+    case Kind::spindle:
+      return s.speed == 0 ? spindles[std::size_t(s.spindle)]
+                          : fmt::format("S{:.6g}{} {}", s.speed, s.surface ? " m/min" : "", spindles[std::size_t(s.spindle)]);
+    default: return coolants[std::size_t(s.coolant)];
+  }
+}
+
+class Comparer {
+ public:
+  Comparer(Course& a, Course& b, std::size_t axes, const CompareRules& rules) : rules_(rules), space_(axes), a_(a, space_), b_(b, space_) {}
+
+  Comparison all() {
+    if (space_.distance(a_.at(), b_.at()) > rules_.tolerance) meet_again();
+    while (!out_.lost && !rules_.stop.asked() && (a_.item(0).kind != CourseItem::Kind::end || b_.item(0).kind != CourseItem::Kind::end))
+      go_on();
+    if (!out_.lost && a_.item(0).fault != b_.item(0).fault) ends_differ();
+    out_.cancelled = rules_.stop.asked();
+    out_.moves_a = a_.moves(), out_.moves_b = b_.moves();
+    return std::move(out_);
+  }
+
+ private:
+  using ItemKind = CourseItem::Kind;
+
+  void go_on() {
+    const ItemKind a = a_.item(0).kind, b = b_.item(0).kind;
+    if (a == ItemKind::move && b == ItemKind::move) return move();
+    if (a == ItemKind::move && pass_sliver(a_, [&](const CourseItem& next) { return next.kind != ItemKind::move; })) return;
+    if (b == ItemKind::move && pass_sliver(b_, [&](const CourseItem& next) { return next.kind != ItemKind::move; })) return;
+    if (a == ItemKind::act && b == ItemKind::act && is_same(a_.item(0).act, b_.item(0).act)) return act();
+    meet_again();
+  }
+
+  /// Both do the same; what is in force meanwhile counts too.
+  void act() {
+    if (const auto differs = first_difference(as_act(a_.item(0).state), as_act(b_.item(0).state))) tell_state(*differs);
+    a_.pass(), b_.pass();
+  }
+  static CourseState as_act(CourseState state) {
+    state.move = CourseMove::rapid, state.feed = state.lead = 0, state.unit = FeedUnit::mm_per_min;
+    return state;
+  }
+
+  void move() {
+    const CourseState a = a_.item(0).state, b = b_.item(0).state;
+    const auto differs = first_difference(a, b);
+    if (differs) {
+      if (pass_sliver(a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !first_difference(next.state, b); })) return;
+      if (pass_sliver(b_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !first_difference(a, next.state); })) return;
+    }
+    const CourseSpot from_a = spot(a_), from_b = spot(b_);
+    const StretchResult result = go_along(a_, b_, space_, rules_.tolerance);
+    out_.greatest = std::max(out_.greatest, result.greatest);
+    if (differs && (space_.distance(from_a.stand, a_.at()) > rules_.tolerance || space_.distance(from_b.stand, b_.at()) > rules_.tolerance))
+      add({*differs, from_a, from_b, spot(a_), spot(b_), 0, words_of_state(a, *differs), words_of_state(b, *differs)});
+    if (!result.together) meet_again();
+  }
+
+  /// Moves that stay where the lane stands, up to what is looked for.
+  template <class Wanted>
+  bool pass_sliver(Lane& lane, const Wanted& wanted) {
+    for (std::size_t i = 0; i < most_sliver; ++i) {
+      const CourseItem& item = lane.item(i);
+      if (i > 0 && wanted(item)) return lane.pass(i), true;
+      if (item.kind != ItemKind::move || space_.distance(item.to, lane.at()) > rules_.tolerance) return false;
+    }
+    return false;
+  }
+
+  void tell_state(Kind kind) {
+    add({kind, spot(a_), spot(b_), spot(a_), spot(b_), 0, words_of_state(a_.item(0).state, kind), words_of_state(b_.item(0).state, kind)});
+  }
+  void ends_differ() {
+    const auto name = [](const CourseItem& end) { return end.fault ? std::string(name_of(*end.fault)) : std::string("end"); };
+    add({Kind::end, spot(a_), spot(b_), spot(a_), spot(b_), 0, name(a_.item(0)), name(b_.item(0))});
+  }
+
+  CourseSpot spot(Lane& lane) {
+    const CourseItem& item = lane.item(0);
+    return {item.origin.line == 0 ? lane.last().origin : item.origin, item.begins, lane.at()};
+  }
+
+  /// Both go different ways, or do different things: the nearest place ahead from which they do the same.
+  void meet_again() {
+    std::size_t da = 0, db = 0;
+    if (!search(da, db)) out_.lost = true, da = db = most_ahead;
+    CourseDifference d;
+    d.a = spot(a_), d.b = spot(b_);
+    describe(d, da, db);
+    a_.pass(da), b_.pass(db);
+    d.a_to = spot(a_), d.b_to = spot(b_);
+    add(d);
+  }
+
+  bool search(std::size_t& da, std::size_t& db) {
+    if (far_searches_ >= most_searches) return false;
+    for (const bool strictly : {true, false})
+      for (std::size_t sum = 1; sum < most_ahead; ++sum) {
+        if (rules_.stop.asked()) return false;
+        for (da = 0; da <= sum; ++da) {
+          db = sum - da;
+          if (is_common(da, db, strictly)) return far_searches_ += sum > most_ahead / 10, true;
+        }
+      }
+    ++far_searches_;
+    return false;
+  }
+
+  bool is_common(std::size_t i, std::size_t j, bool strictly) {
+    const CourseItem& a = a_.item(i);
+    const CourseItem& b = b_.item(j);
+    if (a.kind != b.kind || !is_near(a_.begin(i), b_.begin(j)) || is_behind_end(a_, i) || is_behind_end(b_, j)) return false;
+    if (a.kind == ItemKind::end) return a.fault == b.fault || !strictly;
+    if (a.kind == ItemKind::act) return is_same(a.act, b.act);
+    if (!strictly) return a.state.move == b.state.move && space_.distance(a_.begin(i), a.to) > rules_.tolerance;
+    return is_near(a.to, b.to) && !first_difference(a.state, b.state);
+  }
+  static bool is_behind_end(Lane& lane, std::size_t i) { return i > 0 && lane.item(i - 1).kind == ItemKind::end; }
+  bool is_near(const Axes& a, const Axes& b) const {
+    return std::abs(a[0] - b[0]) <= rules_.tolerance && space_.distance(a, b) <= rules_.tolerance;
+  }
+
+  /// An act more or less, or another way.
+  void describe(CourseDifference& d, std::size_t da, std::size_t db) {
+    const auto acts = [](Lane& lane, std::size_t count) {
+      std::string text;
+      bool only = true;
+      for (std::size_t i = 0; i < count && i < most_measured; ++i) {
+        const CourseItem& item = lane.item(i);
+        only = only && item.kind == ItemKind::act;
+        if (item.kind == ItemKind::act && text.size() < 100) text += (text.empty() ? "" : " ") + text_of(item.act);
+      }
+      return std::pair(text, only);
+    };
+    const auto [a_says, only_a] = acts(a_, da);
+    const auto [b_says, only_b] = acts(b_, db);
+    d.a_says = a_says, d.b_says = b_says;
+    d.kind = only_a && only_b ? Kind::act : Kind::way;
+    if (d.kind == Kind::way) d.distance = std::max(farthest(a_, da, b_, db), farthest(b_, db, a_, da));
+  }
+
+  /// Of so many vertices of one from the way of the other, mm.
+  double farthest(Lane& of, std::size_t count, Lane& from, std::size_t pieces) {
+    double most = 0;
+    const std::size_t step = count / most_measured + 1, other_step = pieces / most_measured + 1;
+    for (std::size_t i = 0; i < count; i += step) {
+      const Axes& at = of.item(i).to;
+      double least = space_.distance(at, from.at());
+      for (std::size_t j = 0; j < pieces; j += other_step) {
+        const Axes &begin = from.begin(j), &end = from.item(j).to;
+        least = std::min(least, space_.distance(at, space_.between(begin, end, space_.nearest(at, begin, end, {0, 1}))));
+      }
+      most = std::max(most, least);
+    }
+    return most;
+  }
+
+  /// One that goes on where the last one ended is the same.
+  void add(CourseDifference d) {
+    if (!out_.differences.empty()) {
+      CourseDifference& last = out_.differences.back();
+      const bool of_state = d.kind != Kind::way && d.kind != Kind::act && d.kind != Kind::end;
+      if (of_state && last.kind == d.kind && last.a_says == d.a_says && last.b_says == d.b_says && out_.more == 0) {
+        last.a_to = d.a_to, last.b_to = d.b_to;
+        return;
+      }
+    }
+    if (out_.differences.size() >= rules_.most_told) ++out_.more;
+    else out_.differences.push_back(std::move(d));
+  }
+
+  const CompareRules rules_;
+  const CourseSpace space_;
+  Lane a_, b_;
+  int far_searches_ = 0;
+  Comparison out_;
+};
+
+}  // namespace
+
+std::string text_of(const CourseAct& act) {
+  using Act = CourseAct::Kind;
+  switch (act.kind) {
+    case Act::tool: return fmt::format("M6 T{:g}", act.value);
+    case Act::dwell: return fmt::format("G4 {:.6g} s", act.value);
+    case Act::stop: return "M0";
+    case Act::optional_stop: return "M1";
+    case Act::message: return act.text;
+    case Act::function: return fmt::format("M{:g}", act.value);
+    default: return fmt::format("{} {:.6g}", act.text, act.value);
+  }
+}
+
+std::vector<std::string> common_frame(const Session& a, const Session& b) {
+  std::vector<std::string> names = a.control().axes();
+  for (const std::string& name : b.control().axes())
+    if (std::find(names.begin(), names.end(), name) == names.end() && names.size() < max_axes) names.push_back(name);
+  return names;
+}
+
+Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session> b, const CompareRules& rules) {
+  const std::vector<std::string> frame = common_frame(*a, *b);
+  const double chord = rules.tolerance * chord_of_tolerance;
+  Course course_a(std::move(a), frame, chord, rules.stop), course_b(std::move(b), frame, chord, rules.stop);
+  Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();
+  made.axes = frame;
+  return made;
+}
+
+}  // namespace kadr

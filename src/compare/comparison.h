@@ -1,0 +1,57 @@
+#pragma once
+// Comparison: do two programs do the same? Their courses side by side, each run by its own control: the ways of the axes as curves (a line
+// cut in two is the same line), in their order, with tool, feed, spindle and coolant along them, and what happens between.
+//
+//   compare_courses(a, b, rules)
+//
+// Goes along both once, in constant memory; where they part it looks for the next place that they have in common.
+
+#include <string>
+#include <vector>
+
+#include "compare/course.h"
+
+namespace kadr {
+
+struct CompareRules {
+  double tolerance = 0.001;      // mm; degrees of rotary axes
+  std::size_t most_told = 1000;  // differences that are told one by one
+  StopToken stop{};
+};
+
+/// A place of one of the two.
+struct CourseSpot {
+  Origin origin;  // of what comes next there
+  double at = 0;  // s since the start, as programmed
+  Axes stand{};   // machine coordinates, in the order of Comparison::axes
+};
+
+struct CourseDifference {
+  enum class Kind : std::uint8_t { way, move, feed, tool, spindle, coolant, act, end };
+  Kind kind = Kind::way;
+  CourseSpot a, b;             // where it begins
+  CourseSpot a_to, b_to;       // where both do the same again
+  double distance = 0;         // mm, of a way: the farthest that a vertex of either is from the other's way meanwhile
+  std::string a_says, b_says;  // values of what differs: "F200", "M8"; of an act that the other has not the other is empty
+};
+
+struct Comparison {
+  bool cancelled = false;
+  double greatest = 0;                        // mm, where both go together
+  std::size_t moves_a = 0, moves_b = 0;       // blocks that move
+  std::vector<std::string> axes;              // names
+  std::vector<CourseDifference> differences;  // in the order of the programs
+  std::size_t more = 0;                       // that are not told one by one
+  bool lost = false;                          // from the last difference on they have no place in common that was found
+
+  bool equal() const { return !cancelled && differences.empty(); }
+};
+
+/// Names of the axes of both, each once.
+std::vector<std::string> common_frame(const Session& a, const Session& b);
+Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session> b, const CompareRules& rules);
+
+/// "F200", "S1200 M3" …: what is in force, in words that any control's people read.
+std::string text_of(const CourseAct& act);
+
+}  // namespace kadr

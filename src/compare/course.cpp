@@ -1,0 +1,133 @@
+// A program's steps → its course. For compare/comparison; tested by tests/compare/comparison_test.cpp.
+
+#include "compare/course.h"
+
+#include <algorithm>
+
+#include "path/curve/machine_path.h"
+
+namespace kadr {
+namespace {
+
+constexpr int most_pieces = 16'384;  // of a motion
+
+CourseMove move_of(MotionKind kind) {
+  switch (kind) {
+    case MotionKind::rapid:
+    case MotionKind::home: return CourseMove::rapid;
+    case MotionKind::probe: return CourseMove::probe;
+    case MotionKind::thread: return CourseMove::thread;
+    default: return CourseMove::feed;
+  }
+}
+
+}  // namespace
+
+Course::Course(std::unique_ptr<Session> session, const std::vector<std::string>& frame, double chord, const StopToken& stop)
+    : session_(std::move(session)), chord_(chord), stop_(stop) {
+  const Channel& own = session_->channels()[session_->own()];
+  const std::vector<std::string>& axes = own.control->axes();
+  for (const std::string& name : frame) {
+    const auto found = std::find(axes.begin(), axes.end(), name);
+    axis_of_.push_back(found == axes.end() ? -1 : int(found - axes.begin()));
+  }
+  state_.tool = std::uint32_t(std::max(own.setup.tool, 0));
+  rpm_ = own.setup.spindle().rpm;
+  clock_ = std::make_unique<TimeEstimate>(AxisRoles::of(axes, own.control->rotary()), rates_of(session_->machine(), own.setup, axes));
+  start_ = in_frame(session_->stand().machine);
+  Outlets& outlets = session_->outlets();
+  outlets.step = [this](const Step& step) { take(step); };
+  outlets.warning = [](const AlarmReport&) {};
+  outlets.alarm = [this](const AlarmReport& report) {
+    end_.fault = report.alarm.id;
+    end_.origin = report.origin;
+    return false;
+  };
+  outlets.clock = clock_.get();
+  outlets.stop = stop_;
+}
+
+CourseItem Course::next() {
+  while (ahead_.empty() && !over_) over_ = stop_.asked() || session_->go_on() != Session::State::running;
+  if (ahead_.empty()) return end_;
+  CourseItem item = std::move(ahead_.front());
+  ahead_.pop_front();
+  return item;
+}
+
+Axes Course::in_frame(const Axes& machine) const {
+  Axes all{};
+  for (std::size_t i = 0; i < axis_of_.size(); ++i)
+    if (axis_of_[i] >= 0) all[i] = machine[std::size_t(axis_of_[i])];
+  return all;
+}
+
+void Course::take(const Step& step) {
+  end_.begins = end_.ends = step.begins + step.time.seconds + step.pause;
+  using Kind = CourseAct::Kind;
+  const auto& what = step.action.what;
+  if (const Motion* const motion = step.motion()) return take_motion(step, *motion);
+  if (const auto* const turned = std::get_if<Spindle>(&what)) {
+    if (turned->number != 1) return take_act(step, Kind::other, double(turned->dir), "spindle " + std::to_string(turned->number));
+    state_.spindle = turned->dir;
+    if (turned->rpm != 0) rpm_ = turned->rpm, surface_ = false;
+  } else if (const auto* const speed = std::get_if<Speed>(&what)) {
+    if (speed->number != 1) return take_act(step, Kind::other, speed->value, "speed " + std::to_string(speed->number));
+    rpm_ = speed->value, surface_ = speed->surface;
+  } else if (const auto* const coolant = std::get_if<CoolantSwitch>(&what)) {
+    state_.coolant = coolant->what;
+  } else if (const auto* const change = std::get_if<ToolChange>(&what)) {
+    state_.tool = change->tool;
+    take_act(step, Kind::tool, change->tool);
+  } else if (const auto* const dwell = std::get_if<Dwell>(&what)) {
+    take_act(step, Kind::dwell, dwell->seconds);
+  } else if (const auto* const stop = std::get_if<Stop>(&what)) {
+    take_act(step, stop->optional ? Kind::optional_stop : Kind::stop, 0);
+  } else if (const auto* const message = std::get_if<Message>(&what)) {
+    take_act(step, Kind::message, message->number, message->text);
+  } else if (const auto* const function = std::get_if<MachineFunction>(&what)) {
+    take_act(step, Kind::function, function->code);
+  } else if (const auto* const auxiliary = std::get_if<AuxiliaryFunction>(&what)) {
+    take_act(step, Kind::other, auxiliary->value, std::string(1, auxiliary->address));
+  } else if (std::holds_alternative<Couple>(what)) {
+    take_act(step, Kind::other, std::get<Couple>(what).ratio, "couple " + std::get<Couple>(what).slave);
+  } else if (std::holds_alternative<Uncouple>(what)) {
+    take_act(step, Kind::other, 0, "uncouple " + std::get<Uncouple>(what).slave);
+  }
+  const bool turns = state_.spindle == SpindleDir::cw || state_.spindle == SpindleDir::ccw;
+  state_.speed = turns ? rpm_ : 0;
+  state_.surface = turns && surface_;
+}
+
+void Course::take_act(const Step& step, CourseAct::Kind kind, double value, std::string text) {
+  CourseItem item;
+  item.kind = CourseItem::Kind::act;
+  item.to = in_frame(step.from.machine);
+  item.state = state_;
+  item.act = {kind, value, std::move(text)};
+  item.origin = step.action.origin;
+  item.begins = step.begins;
+  item.ends = step.begins + step.pause;
+  ahead_.push_back(std::move(item));
+}
+
+void Course::take_motion(const Step& step, const Motion& motion) {
+  CourseItem item;
+  item.kind = CourseItem::Kind::move;
+  item.state = state_;
+  item.state.move = move_of(motion.kind);
+  if (item.state.move == CourseMove::feed || item.state.move == CourseMove::probe)
+    item.state.unit = motion.unit, item.state.feed = motion.feed;
+  if (item.state.move == CourseMove::thread && motion.detail) item.state.lead = motion.detail->lead.value_or(0);
+  item.origin = step.action.origin;
+  const MachinePath path(step);
+  const int pieces = path.straight() ? 1 : std::clamp(path.pieces(chord_), 1, most_pieces);
+  for (int i = 1; i <= pieces; ++i) {
+    item.begins = step.begins + step.time.seconds * (i - 1) / pieces;
+    item.ends = step.begins + step.time.seconds * i / pieces;
+    item.to = in_frame(i == pieces ? path.end() : path.at(double(i) / pieces));
+    ahead_.push_back(item);
+  }
+}
+
+}  // namespace kadr

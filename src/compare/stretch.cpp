@@ -1,0 +1,158 @@
+// The free space of two ways, a column at a time. For compare/comparison; tested by tests/compare/stretch_test.cpp.
+
+#include "compare/stretch.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace kadr {
+namespace {
+
+using Interval = CourseSpace::Interval;
+constexpr std::size_t most_open = 20'000;  // pieces of one that lie near a single place of the other
+
+Interval common(Interval a, double from) { return {std::max(a.first, from), a.last}; }
+
+class FreeSpace {
+ public:
+  FreeSpace(Lane& a, Lane& b, const CourseSpace& space, double tolerance)
+      : a_(a), b_(b), space_(space), tolerance_(tolerance), state_a_(a.item(0).state), state_b_(b.item(0).state) {}
+
+  StretchResult go() {
+    begin();
+    while (goes_on(a_, state_a_, 0)) {
+      if (column_.size() > most_open) return part();
+      if (!advance()) {
+        if (!ends_.empty()) return cut_a();
+        return part();
+      }
+    }
+    return cut_b();
+  }
+
+ private:
+  static bool goes_on(Lane& lane, const CourseState& state, std::size_t i) {
+    const CourseItem& item = lane.item(i);
+    return item.kind == CourseItem::Kind::move && item.state == state;
+  }
+  Interval free_of_b(const Axes& point, std::size_t j) { return space_.within(point, b_.begin(j), b_.item(j).to, tolerance_); }
+
+  /// Along b while a stands.
+  void begin() {
+    for (std::size_t j = 0; goes_on(b_, state_b_, j) && j <= most_open; ++j) {
+      const Interval free = free_of_b(a_.at(), j);
+      if (free.empty() || free.first > 0) break;
+      column_.push_back(free);
+      near_.push_back(tolerance_);
+      if (free.last < 1) break;
+    }
+    if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);  // rounding: both stand together
+  }
+
+  /// A piece of a: from the reachable intervals of b at its beginning to those at its end.
+  ///   returns  false: there are none; `ends_` are the parts of a's piece from which b's end can be reached
+  bool advance() {
+    const Axes from = a_.at(), to = a_.item(0).to;
+    next_.clear();
+    ends_ = {};
+    Interval bottom;
+    if (!column_.front().empty() && column_.front().first <= 0) {
+      bottom = space_.within(b_.at(), from, to, tolerance_);
+      if (bottom.first > 0) bottom = {};
+    }
+    double nearest = tolerance_;
+    bool any = false;
+    for (std::size_t j = 0; j < column_.size() || !bottom.empty(); ++j) {
+      if (!goes_on(b_, state_b_, j)) {
+        ends_ = bottom;
+        break;
+      }
+      const Interval left = j < column_.size() ? column_[j] : Interval{};
+      if (near_.size() <= j) near_.push_back(tolerance_);
+      const Interval right_free = free_of_b(to, j), top_free = space_.within(b_.item(j).to, from, to, tolerance_);
+      const Interval right = !bottom.empty() ? right_free : !left.empty() ? common(right_free, left.first) : Interval{};
+      const Interval top = !left.empty() ? top_free : !bottom.empty() ? common(top_free, bottom.first) : Interval{};
+      if (!top.empty())
+        near_[j] =
+            std::min(near_[j], space_.distance(b_.item(j).to, space_.between(from, to, space_.nearest(b_.item(j).to, from, to, top))));
+      if (!right.empty()) any = true, nearest = std::min(nearest, distance_to(to, j, right));
+      next_.push_back(right);
+      bottom = top;
+    }
+    if (!any) return false;
+    a_.pass();
+    result_.greatest = std::max(result_.greatest, nearest);
+    std::swap(column_, next_);
+    drop();
+    return true;
+  }
+
+  double distance_to(const Axes& point, std::size_t j, Interval in) {
+    const Axes begin = b_.begin(j), end = b_.item(j).to;
+    return space_.distance(point, space_.between(begin, end, space_.nearest(point, begin, end, in)));
+  }
+
+  /// Pieces of b that are passed for good.
+  void drop() {
+    std::size_t count = 0;
+    while (count < column_.size() && column_[count].empty()) ++count;
+    pass_b(count);
+    while (!column_.empty() && column_.back().empty()) column_.pop_back();
+  }
+  void pass_b(std::size_t count) {
+    for (std::size_t j = 0; j < count; ++j) result_.greatest = std::max(result_.greatest, near_[j]);
+    column_.erase(column_.begin(), column_.begin() + std::ptrdiff_t(count));
+    near_.erase(near_.begin(), near_.begin() + std::ptrdiff_t(std::min(count, near_.size())));
+    b_.pass(count);
+  }
+
+  /// a has come to its end: b goes to the nearest place that it can be at.
+  void bring_b() {
+    std::size_t best = 0;
+    double least = 1e300;
+    for (std::size_t j = 0; j < column_.size(); ++j) {
+      if (column_[j].empty() || !goes_on(b_, state_b_, j)) continue;
+      if (const double d = distance_to(a_.at(), j, column_[j]); d < least) least = d, best = j;
+    }
+    if (least > 1e299) return;
+    const double part = space_.nearest(a_.at(), b_.begin(best), b_.item(best).to, column_[best]);
+    pass_b(best);
+    if (part > 0) b_.pass_part(part);
+  }
+  StretchResult cut_b() {
+    bring_b();
+    return result_;
+  }
+  /// b ends within the piece of a.
+  StretchResult cut_a() {
+    std::size_t last = 0;
+    while (goes_on(b_, state_b_, last)) ++last;
+    b_.pass(last);
+    const Axes from = a_.at(), to = a_.item(0).to;
+    const double part = space_.nearest(b_.at(), from, to, ends_);
+    result_.greatest = std::max(result_.greatest, space_.distance(b_.at(), space_.between(from, to, part)));
+    if (part > 0) a_.pass_part(part);
+    return result_;
+  }
+  StretchResult part() {
+    bring_b();
+    result_.together = false;
+    return result_;
+  }
+
+  Lane& a_;
+  Lane& b_;
+  const CourseSpace& space_;
+  const double tolerance_;
+  const CourseState state_a_, state_b_;
+  std::vector<Interval> column_, next_;  // of b's pieces ahead, at the vertex that a stands at: what can be reached
+  std::vector<double> near_;             // by piece of b: how near its end can be passed
+  Interval ends_;
+  StretchResult result_;
+};
+
+}  // namespace
+
+StretchResult go_along(Lane& a, Lane& b, const CourseSpace& space, double tolerance) { return FreeSpace(a, b, space, tolerance).go(); }
+
+}  // namespace kadr

@@ -1,0 +1,143 @@
+// compare/: the same, and each kind of difference, of small programs; and properties against a slow twin.
+
+#include "compare/comparison.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "config/control_file.h"
+#include "lang/text/utf16.h"
+
+namespace kadr {
+namespace {
+
+std::unique_ptr<Session> session_of(const std::string& text, const std::string& control = "linuxcnc") {
+  static std::map<std::string, std::shared_ptr<const ControlDef>> known;
+  auto& def = known[control];
+  if (!def) def = std::make_shared<const ControlDef>(load_control(control).value());
+  SessionSpec spec{def, load_machine("generic").value(), {}, {"comparison_test", text_source(text), Encoding::utf8}, {}};
+  auto session = Session::open(std::move(spec));
+  EXPECT_TRUE(session);
+  return std::move(*session);
+}
+
+Comparison compared(const std::string& a, const std::string& b, double tolerance = 0.001) {
+  CompareRules rules;
+  rules.tolerance = tolerance;
+  return compare_sessions(session_of(a), session_of(b), rules);
+}
+
+std::string told(const Comparison& c) {
+  std::string text;
+  for (const CourseDifference& d : c.differences)
+    text += fmt::format("{} {}:{} {}-{} '{}' '{}' {:.3f}\n", int(d.kind), d.a.origin.line, d.b.origin.line, d.a_to.origin.line,
+                        d.b_to.origin.line, d.a_says, d.b_says, d.distance);
+  return text;
+}
+
+constexpr const char* plain = "G21 G90 M3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nY10\nG2 X0 Y10 I-5 J0\nG0 Z5\nM2\n";
+
+TEST(Comparison, AProgramAndItself) {
+  const Comparison c = compared(plain, plain);
+  EXPECT_TRUE(c.equal()) << told(c);
+  EXPECT_EQ(c.greatest, 0);
+  EXPECT_EQ(c.moves_a, 6U);
+  EXPECT_EQ(c.moves_b, 6U);
+}
+
+TEST(Comparison, ALineCutInTwoIsTheSameLine) {
+  const Comparison c = compared(plain, "G21 G90 S1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX3\nX7\nX10\nY10\nG2 X0 Y10 R5\nG0 Z5\nM2\n");
+  EXPECT_TRUE(c.equal()) << told(c);
+}
+
+TEST(Comparison, IncrementsAndArcsByChordsAreTheSame) {
+  const Comparison c = compared("G21 G90\nG0 X0 Y0\nG1 X10 F100\nG3 X20 Y10 R10\nM2\n", "G21 G91\nG1 X10 F100\nG3 X10 Y10 I0 J10\nM2\n");
+  EXPECT_TRUE(c.equal()) << told(c);
+}
+
+TEST(Comparison, AnotherWayIsFoundWithBothLines) {
+  const Comparison c = compared(plain, "G21 G90 M3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nX10.5 Y5\nX10 Y10\nG2 X0 Y10 I-5 J0\nG0 Z5\nM2\n");
+  ASSERT_EQ(c.differences.size(), 1U) << told(c);
+  const CourseDifference& d = c.differences[0];
+  EXPECT_EQ(d.kind, CourseDifference::Kind::way);
+  EXPECT_EQ(d.a.origin.line, 5U);
+  EXPECT_EQ(d.b.origin.line, 5U);
+  EXPECT_EQ(d.a_to.origin.line, 6U);
+  EXPECT_EQ(d.b_to.origin.line, 7U);
+  EXPECT_NEAR(d.distance, 0.5, 1e-6);
+  EXPECT_FALSE(c.lost);
+}
+
+TEST(Comparison, WhatIsInForceCounts) {
+  const auto kind_of = [](const std::string& other) {
+    const Comparison c = compared("G21 G90 M3 S1000\nG1 X10 F100\nX20\nX30\nM2\n", other);
+    return c.differences.size() == 1 ? int(c.differences[0].kind) : -int(c.differences.size());
+  };
+  using Kind = CourseDifference::Kind;
+  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20 F200\nX30 F100\nM2\n"), int(Kind::feed));
+  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nG0 X20\nG1 X30\nM2\n"), int(Kind::move));
+  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nS1200 X20\nS1000 X30\nM2\n"), int(Kind::spindle));
+  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nM8\nX30\nM2\n"), int(Kind::coolant));
+  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nG4 P1\nX30\nM2\n"), int(Kind::act));
+  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nM0\nX30\nM2\n"), int(Kind::act));
+  EXPECT_EQ(kind_of("G21 G90 M3 S1000\nG1 X10 F100\nX20\nX30\nG1 X40\nM2\n"), int(Kind::way));
+}
+
+TEST(Comparison, AFeedThatChangesInMidLineIsTold) {
+  const Comparison c = compared("G21 G90\nG1 X10 F100\nX20 F200\nM2\n", "G21 G90\nG1 X12 F100\nX20 F200\nM2\n");
+  ASSERT_EQ(c.differences.size(), 1U) << told(c);
+  EXPECT_EQ(c.differences[0].kind, CourseDifference::Kind::feed);
+  EXPECT_NEAR(c.differences[0].a.stand[0], 10, 1e-9);
+  EXPECT_NEAR(c.differences[0].a_to.stand[0], 12, 1e-9);
+}
+
+TEST(Comparison, TheOrderOfSwitchesAtOnePlaceDoesNotCount) {
+  EXPECT_TRUE(compared("M3 S500\nM8\nG1 X1 F100\nM2\n", "S500 F100\nM8\nM3\nG1 X1\nM2\n").equal());
+}
+
+TEST(Comparison, OneThatComesToAnAlarmIsNotTheSame) {
+  const Comparison c = compared("G1 X1 F100\nM2\n", "G1 X1 F100\nG2 X5 I1 J1\nM2\n");
+  ASSERT_EQ(c.differences.size(), 1U) << told(c);
+  EXPECT_EQ(c.differences[0].kind, CourseDifference::Kind::end);
+}
+
+TEST(Comparison, TwoProgramsOfTheirOwnAreLostSoon) {
+  std::string a = "G21 G90 F100\n", b = a;
+  for (int i = 0; i < 20000; ++i) a += fmt::format("G1 X{} Y{}\n", i % 7, i), b += fmt::format("G1 X{} Z{}\n", 500 + i % 5, i);
+  const Comparison c = compared(a + "M2\n", b + "M2\n");
+  EXPECT_TRUE(c.lost);
+  EXPECT_FALSE(c.equal());
+}
+
+TEST(Comparison, ManyTurnsWithinTheToleranceStayTogether) {
+  std::string a = "G21 G90 F100\nG1 X1\n";
+  for (int i = 0; i < 500; ++i) a += fmt::format("G1 X{}\n", 1 + (i % 2) * 0.0004);
+  EXPECT_TRUE(compared(a + "G1 X5\nM2\n", "G21 G90 F100\nG1 X5\nM2\n").equal());
+}
+
+/// A way of random corners, and the same with points put in along its lines: equal. One corner moved: found, as far as it was moved.
+RC_GTEST_PROP(ComparisonProperty, divided_the_same_moved_not, ()) {
+  const auto corners =
+      *rc::gen::container<std::vector<std::pair<int, int>>>(rc::gen::pair(rc::gen::inRange(-50, 50), rc::gen::inRange(-50, 50)));
+  RC_PRE(corners.size() >= 3U);
+  const std::size_t moved = *rc::gen::inRange<std::size_t>(1, corners.size() - 1);
+  std::string a = "G21 G90 F100\nG1 X0 Y0\n", divided = a, other = a;
+  std::pair<double, double> at{0, 0};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto [x, y] = corners[i];
+    const int parts = *rc::gen::inRange(1, 4);
+    for (int k = 1; k <= parts; ++k)
+      divided += fmt::format("X{:.6f} Y{:.6f}\n", at.first + (x - at.first) * k / parts, at.second + (y - at.second) * k / parts);
+    a += fmt::format("X{} Y{}\n", x, y);
+    other += fmt::format("X{} Y{}\n", i == moved ? x + 0.01 : x, i == moved ? y + 0.01 : y);
+    at = {x, y};
+  }
+  const Comparison same = compared(a + "M2\n", divided + "M2\n");
+  RC_ASSERT(same.equal());
+  const bool between_ends = corners[moved] != corners[moved - 1] && (moved + 1 == corners.size() || corners[moved] != corners[moved + 1]);
+  if (between_ends) RC_ASSERT(!compared(a + "M2\n", other + "M2\n").equal());
+}
+
+}  // namespace
+}  // namespace kadr
