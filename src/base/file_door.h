@@ -1,6 +1,6 @@
 #pragma once
-// FileDoor: who opens the files that are read because a program, a set-up or a control's file names them: what it calls, extends, begins with.
-// Without one they are those of the file system. A server gives one that opens nothing beyond the folder that it serves.
+// FileDoor: who opens the files that are read because a program, a set-up or a control's file names them: what it calls, extends, begins
+// with. Without one they are those of the file system. A server gives one that opens nothing beyond the folder that it serves.
 
 #include <string>
 

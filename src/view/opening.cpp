@@ -76,8 +76,9 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
     opened.guess = guess_control(*beginning);
     control = opened.guess->control;
     if (control.empty())
-      return wrong(fmt::format("{}: {}", told("no program of a control that Kadr knows; name the control to open it all the same",
-                                              "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
+      return wrong(fmt::format("{}: {}",
+                               told("no program of a control that Kadr knows; name the control to open it all the same",
+                                    "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
                                wish.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
   }
   auto def = load_control(control, wish.door);

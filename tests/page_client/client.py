@@ -48,9 +48,9 @@ def hold(message, form):
 
 
 class Server:
-    def __init__(self, kadr, folder, *options):
+    def __init__(self, kadr, folder, *options, before=None):
         self.process = subprocess.Popen([kadr, 'serve', str(folder), '--port', '0', '--no-browser', '--lang', 'en', *options],
-                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=before)
         self.line = self.process.stdout.readline()
         found = re.search(r'http://([^:]+):(\d+)/#token=([0-9a-f]{32})', self.line)
         self.port, self.token = int(found[2]), found[3]
@@ -146,13 +146,13 @@ class Page:
         return message
 
     def begin(self, do, wrong=False, **more):
-        """Asks, and waits for nothing. `wrong`: the question is to be one that the schema has not.
+        """Asks, and waits for nothing. `wrong`: the question is to be one that the schema has not; None: it may be.
         returns  its number"""
         self.number += 1
         question = {'id': self.number, 'do': do, **more}
         if wrong:
             expect(fault_of(question, 'question.' + do) is not None, f'{question} is wrong')
-        else:
+        elif wrong is not None:
             hold(question, 'question.' + do)
         self.asked[self.number] = do
         self.send(json.dumps(question).encode())
