@@ -48,6 +48,7 @@ void Connection::take_message() {
     const std::lock_guard hold(lock_);
     if (PageSession::asks_to_stop(text)) {
       for (Question& q : questions_) q.stopped = true;
+      hurries_ = true;
       session_.stop();
     }
     question_bytes_ += text.size();
@@ -69,6 +70,7 @@ void Connection::answer_all() {
       question = std::move(questions_.front());
       questions_.pop_front();
       question_bytes_ -= question.text.size();
+      hurries_ = false;
       session_.begin(question.stopped);
     }
     bool goes_on = false;
@@ -85,7 +87,7 @@ void Connection::answer_all() {
 bool Connection::send(Outgoing out) {
   {
     std::unique_lock hold(lock_);
-    news_.wait(hold, [this] { return over_ || unsent_ < most_unsent; });
+    news_.wait(hold, [this] { return over_ || hurries_ || unsent_ < most_unsent; });
     if (over_) return false;
     unsent_ += out.bytes.size();
     out_.push_back(std::move(out));

@@ -56,6 +56,7 @@ class Connection : public PageLine, public std::enable_shared_from_this<Connecti
   std::size_t question_bytes_ = 0;
   std::deque<Outgoing> out_;  // the first one is being written
   std::size_t unsent_ = 0;    // bytes
+  bool hurries_ = false;      // what is being answered is to end at once: it does not wait for the page to take off what was sent
   bool over_ = false;
 };
 

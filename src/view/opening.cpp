@@ -17,7 +17,7 @@ namespace {
 
 OpenedText text_of(const OpenedProgram& opened) {
   if (opened.text) return {text_source(*opened.text), Encoding::utf8};
-  return open_text(opened.path, opened.encoding);
+  return open_text(opened.path, opened.encoding, opened.door);
 }
 
 /// What the control is guessed from.
@@ -61,6 +61,7 @@ tl::expected<Program, std::string> OpenedProgram::program_of(const std::string& 
 SessionSpec OpenedProgram::spec(Program program, const StopToken& stop) const {
   RunLimits within = limits;
   within.stop = stop;
+  within.door = door;
   return {def, machine, setup, std::move(program), within};
 }
 
@@ -68,6 +69,7 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   OpenedProgram opened;
   opened.path = wish.path;
   opened.text = wish.text;
+  opened.door = wish.door;
   if (!read_encoding(wish.encoding, opened.encoding)) return wrong(fmt::format("encoding: {}", wish.encoding));
   const auto beginning = beginning_of(opened);
   if (!beginning) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
@@ -81,17 +83,17 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
                                     "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
                                wish.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
   }
-  auto def = load_control(control);
+  auto def = load_control(control, wish.door);
   if (!def) return wrong(def.error());
   opened.def = std::make_shared<const ControlDef>(std::move(*def));
   auto texts = AlarmTexts::load(opened.def.get());
   if (!texts) return wrong(texts.error());
   opened.texts = std::make_shared<const AlarmTexts>(std::move(*texts));
-  auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine);
+  auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine, wish.door);
   if (!machine) return wrong(machine.error());
   opened.machine = std::move(*machine);
   if (wish.setup.empty()) return opened;
-  auto file = setup_source(wish.setup);
+  auto file = setup_source(wish.setup, wish.door);
   if (!file) return wrong(file.error());
   auto setup = read_setup({std::move(*file)}, opened.def.get(), wish.lang);
   if (!setup) return wrong(setup.error());

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -78,7 +79,9 @@ struct PageSession::Inside {
   void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
   void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
-    return problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file, quick_fix(report, lang));
+    PageJson json = problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file, quick_fix(report, lang));
+    if (report.origin.file != 0) json["file_name"] = server.folder.shown(report.file);
+    return json;
   }
   PageJson problem_of_channel(const AlarmReport& report, int channel) const;
   void speak(const PageJson& question) {
@@ -96,6 +99,7 @@ struct PageSession::Inside {
   std::set<std::string> opened_names;  // files that were opened: what may be saved over
   OpeningWish opened_wish;
   std::unique_ptr<SourceText> source;
+  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;  // by Origin::file
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
   StockGuess guess;

@@ -24,6 +24,15 @@ const char* name_of_mark(TimeMark::Kind kind) {
 }
 
 PageJson vec(Vec3 v) { return {v.x, v.y, v.z}; }
+/// The exact one of the summary, in the coordinates of the work offset, where the picture shows the same; else what the picture shows.
+Box shown_box(const Box& exact, const Box& seen) {
+  constexpr double alike = 0.01;  // mm: more than chords leave of arcs
+  const Vec3 least = exact.least - seen.least, most = exact.most - seen.most;
+  const double off =
+      std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z), std::fabs(most.x), std::fabs(most.y), std::fabs(most.z)});
+  return exact.empty != seen.empty || off > alike ? seen : exact;
+}
+
 PageJson box_json(const Box& box) { return box.empty ? PageJson() : PageJson{vec(box.least), vec(box.most)}; }
 /// JSON has no number that is none.
 PageJson number(double value) { return std::isfinite(value) ? PageJson(value) : PageJson(); }
@@ -179,7 +188,9 @@ PageJson done_json(const ProgramRun& run, Lang lang) {
           {"vertices", run.path().vertices()},
           {"complete", !run.path().is_full()},
           {"zero", vec(run.path().zero())},
-          {"extents", extents_json(s)},
+          {"extents",
+           {{"cutting", box_json(shown_box(s.cutting_box(), run.path().cutting_reach()))},
+            {"all", box_json(shown_box(s.box(), run.path().reach()))}}},
           {"distances", {{"cutting", s.cutting_mm()}, {"rapid", s.rapid_mm()}}},
           {"times", {{"cutting", time.cutting}, {"rapid", time.rapid}, {"dwell", time.dwell}, {"tools", time.tool_change}}},
           {"tools", std::move(tools)},
