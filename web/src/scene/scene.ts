@@ -6,7 +6,8 @@ import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeome
 import { Eye } from "./camera";
 import { dark, light, type Theme } from "./colours";
 import { Controls } from "./controls";
-import { axes, box_lines, empty, lit_points, part_mesh, put_tool, tool_mesh } from "./marks";
+import { axes, box_lines, empty, lit_points, put_tool, tool_mesh } from "./marks";
+import { part_mesh } from "./part_view";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
 import { NoWebGl, type ColourBy, type Point, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type ViewName } from "./types";
