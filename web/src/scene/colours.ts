@@ -15,7 +15,7 @@ export const dark: Theme = {
   ground: 0x10151c, rapid: [150, 160, 172, 90], kinds: kinds(0x888888, 0x888888, 0x5aa2ff, 0x57c785, 0xb98cff, 0xe59b4a, 0x888888, 0xff7bbd, 0x4fd0e8),
   other: [255, 110, 110, 210], programmed: [220, 190, 90, 200], bright: 0xffb000, stock: 0xb89a62, extents: 0x59636e, limits: 0x8d98a4, zone: 0xe06bd0, over: 0xff6b6b, part: 0x7f8a97, cut_part: 0x5b86ba, tool: 0xf0b24a, holder: 0x8b95a1,
 };
-const by_tool = [0x0b7ad6, 0xd2691e, 0x2e9e5b, 0xa44bd0, 0xc93a55, 0x1a9aa8, 0x9a8a12, 0x7a6a5a].map(opaque);
+export const by_tool = [0x0b7ad6, 0xd2691e, 0x2e9e5b, 0xa44bd0, 0xc93a55, 0x1a9aa8, 0x9a8a12, 0x7a6a5a].map(opaque);
 export const colour_of_tool = (tool: number): Rgba => by_tool[tool % by_tool.length]!;
 
 export type Range = [number, number];

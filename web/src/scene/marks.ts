@@ -1,12 +1,10 @@
 // What stands in the view beside the path: the tool, the part, boxes, the line that is lit.
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Plane, Vector2, Vector3, type Material, type Object3D } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Vector2, Vector3, type Material, type Object3D } from "three";
 import type { Theme } from "./colours";
-import { decode_part } from "./frame";
 import { jump, type Point, type ToolShape } from "./types";
 import type { Drawn } from "./path_view";
 
 const around = 64, up = new Vector3(0, 0, 1);
-const blank = 65535;          // "made by" of what no tool has touched
 const most_lit = 50_000;      // segments of one line that are lit: more are no longer told apart
 
 export function empty(group: Object3D): void {
@@ -42,24 +40,6 @@ export function put_tool(tool: Group, at: Point, lean: Point | null): void {
   tool.quaternion.setFromUnitVectors(up, lean ? new Vector3(...lean).normalize() : up);
 }
 
-/// The part with what the tools made in another colour than the blank; both sides, so that a section is not open.
-export function part_mesh(frame: ArrayBuffer, zero: Point, theme: Theme, planes: Plane[]): Mesh | null {
-  const part = decode_part(frame);
-  if (!part) return null;
-  const g = new BufferGeometry(), n = part.points.length / 3, points = new Float32Array(3 * n), colours = new Float32Array(3 * n);
-  const raw = new Color(theme.part), cut = new Color(theme.cut_part);
-  for (let i = 0; i < n; i++) {
-    for (let k = 0; k < 3; k++) points[3 * i + k] = part.points[3 * i + k]! - zero[k]!;
-    (part.made_by[2 * i] === blank ? raw : cut).toArray(colours, 3 * i);
-  }
-  g.setAttribute("position", new BufferAttribute(points, 3));
-  g.setAttribute("color", new BufferAttribute(colours, 3));
-  g.setIndex(new BufferAttribute(part.triangles, 1));
-  return new Mesh(g, part_material(planes));
-}
-
-/// Flat shading: a face of the part keeps its edges, and the frame needs no normals.
-export const part_material = (planes: Plane[]): MeshLambertMaterial => new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
 
 /// Ends of every segment that a line of the program made, at full fineness.
 export function lit_points(all: readonly Drawn[], line: number, file: number, zero: Point): Float32Array {

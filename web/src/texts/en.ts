@@ -223,7 +223,7 @@ export const en = {
   left: "Left",
   cell: "Cell",
   nothing_hit: "Nothing was hit.",
-  part_told: "Now: {left} mm³ left, {triangles} triangles",
+  part_told: "Now: {left} mm³ left; shown with a cell of {cell} mm, {triangles} triangles",
   // Sheet and versions
   print: "Print",
   date: "Date",

@@ -225,7 +225,7 @@ export const ru: Record<TextKey, string> = {
   left: "Осталось",
   cell: "Ячейка",
   nothing_hit: "Столкновений нет.",
-  part_told: "Сейчас: осталось {left} мм³, треугольников {triangles}",
+  part_told: "Сейчас: осталось {left} мм³; показано с шагом {cell} мм, треугольников {triangles}",
   // Sheet and versions
   print: "Печать",
   date: "Дата",

@@ -120,8 +120,8 @@ export class CutPanel {
   private draw_told(part: number | null): void {
     const { app } = this, c = app.cut;
     const bar = part !== null && app.cutting ? h("progress", { max: 1, value: part, "aria-label": t("cutting") }) : null;
-    fill(this.told, bar, c && !c.error && h("dl", { class: "facts" }, ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`), ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`), ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`), ...fact(t("cell"), `${short(this.part?.cell ?? c.resolution, 3)} ${t("mm")}`)),
-      this.part && h("p", { class: "note" }, t("part_told", { left: short(this.part.left, 1), triangles: short(this.part.triangles) })),
+    fill(this.told, bar, c && !c.error && h("dl", { class: "facts" }, ...fact(t("stock"), `${short(c.stock, 1)} ${t("mm3")}`), ...fact(t("removed"), `${short(c.removed, 1)} ${t("mm3")}`), ...fact(t("left"), `${short(c.left, 1)} ${t("mm3")}`), ...fact(t("cell"), `${short(c.resolution, 3)} ${t("mm")}`)),
+      this.part && h("p", { class: "note" }, t("part_told", { left: short(this.part.left, 1), triangles: short(this.part.triangles), cell: short(this.part.cell, 3) })),
       ...(c?.notes ?? []).map((note) => h("p", { class: "note" }, note)),
       c && !c.error && !app.findings.length && h("p", { class: "good" }, t("nothing_hit")),
       ...app.findings.slice(0, 500).map((f) => h("div", { class: "problem alarm" }, h("button", { type: "button", class: "problem-go", onclick: () => { app.seek(f.at); this.jump(f.line); } },
