@@ -18,7 +18,7 @@ export async function browser(size = { width: 1600, height: 1000 }) {
 }
 
 /// Waits until `what` gives something true; says what was waited for if it never does.
-export async function until(name, what, ms = 15000) {
+export async function until(name, what, ms = 25000) {
   const end = Date.now() + ms;
   for (;;) {
     const got = await what();
