@@ -25,7 +25,7 @@ def main():
         return 0
     with tempfile.TemporaryDirectory(prefix='kadr-page-') as pictures:
         place = {**os.environ, 'KADR': str(kadr), 'CHROMIUM': chromium}
-        return subprocess.run(['node', 'e2e/page.mjs', str(root / 'examples'), pictures], cwd=web, env=place, timeout=290).returncode
+        return subprocess.run(['node', 'e2e/page.mjs', str(root / 'examples'), pictures], cwd=web, env=place, timeout=590).returncode
 
 
 if __name__ == '__main__':
