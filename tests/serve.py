@@ -127,6 +127,15 @@ def texts(server):
     expect(page.answer(comparing) and time.monotonic() - begun < 5, 'compare: it is stopped')
 
 
+def extents(server, folder):
+    """Of a program with two work offsets: as the picture shows them."""
+    (folder / 'two.nc').write_text('G21 G90 F1000\nG10 L2 P2 X100 Y0 Z0\nG54 G1 X10\nG55 X10 Y5\nM2\n')
+    page = Page(server)
+    page.ask('hello')
+    _, done = page.open('two.nc', control='linuxcnc')
+    expect(done['extents']['cutting'] == [[0, 0, 0], [110, 5, 0]], f'extents with two work offsets ({done["extents"]})')
+
+
 def endless(server):
     """An endless program is stopped at once; other sessions go on meanwhile."""
     page = Page(server)
@@ -162,7 +171,7 @@ def main():
         (folder / 'binary').write_bytes(bytes(range(256)))
         os.mkfifo(folder / 'fifo')
         server = Server(kadr, folder)
-        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: endless(server)):
+        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: extents(server, folder), lambda: endless(server)):
             part()
         expect(server.process.poll() is None, 'the server still stands')
         expect(server.end() == 130, 'Ctrl-C')
