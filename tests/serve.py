@@ -134,6 +134,9 @@ def extents(server, folder):
     page.ask('hello')
     _, done = page.open('two.nc', control='linuxcnc')
     expect(done['extents']['cutting'] == [[0, 0, 0], [110, 5, 0]], f'extents with two work offsets ({done["extents"]})')
+    _, done = page.open('two.nc', control='linuxcnc', text='G21 G90 F1000\nG1 X10\nG2 X20 R1\nM2\n')
+    alarms = [e for e in page.events if e.get('event') == 'alarm' and e['problem']['severity'] == 'alarm']
+    expect(done['state'] == 'stopped' and [a['problem']['line'] for a in alarms] == [3], 'the alarm that stops it is told')
 
 
 def endless(server):
