@@ -4,6 +4,7 @@
     serve.py --kadr PROGRAM
 """
 import argparse
+import json
 import os
 import re
 import struct
@@ -15,9 +16,8 @@ from pathlib import Path
 from page_client.client import PROGRAM, SCHEMA, Page, Server, expect, result, seen, vertices
 
 
-# What other tests see, and what is not served yet.
-UNSAID = {'event.closed', 'event.cutting', 'event.finding', 'event.cut', 'answer.cut', 'answer.part', 'answer.proposals', 'answer.sheet',
-          'question.cut', 'question.part', 'question.proposals', 'question.sheet'}
+# What other tests see.
+UNSAID = {'event.closed'}
 
 
 def http(server):
@@ -167,7 +167,7 @@ def the_part(kadr, server, folder):
         expect(abs(answer['left'] - until['left']) < 0.2 and abs(answer['seconds'] - instant) < 1e-9, f'at {instant} s what a cut until then leaves')
     expect(shown(page, -1e300)[0]['left'] > 0.99 * wanted['stock'] and 'error' not in shown(page, 1e300)[0], 'instants beyond both ends')
     for at in (None, 'x', [1], {}):
-        page.ask('part', at=at)
+        page.ask('part', wrong=None, at=at)
 
     _, by_file = cut(page, tools='tools.toml')
     expect(by_file['left'] == wanted['left'], 'tools by a file')
@@ -199,11 +199,8 @@ def the_part(kadr, server, folder):
     expect('error' not in result and result['resolution'] >= 250, 'a huge blank gets a huge cell')
 
     # Two at once: one after the other.
-    first, second = page.number + 1, page.number + 2
-    page.number += 2
-    for n in (first, second):
-        page.send(json.dumps({'id': n, 'do': 'cut', 'stock': BLOCK, 'tools': TOOLS}).encode())
-    page.answer(second)
+    page.begin('cut', stock=BLOCK, tools=TOOLS)
+    page.answer(page.begin('cut', stock=BLOCK, tools=TOOLS))
     expect(page.until('cut')['left'] == wanted['left'] and page.until('cut')['left'] == wanted['left'], 'two cuts, one after the other')
 
     # A cut in the middle is stopped at once, and the next one works.
@@ -215,10 +212,9 @@ def the_part(kadr, server, folder):
         message = page.take()
         page.events += [message] if message else []
     started = time.monotonic()
-    page.number += 1
-    page.send(json.dumps({'id': page.number, 'do': 'stop'}).encode())
+    stopping = page.begin('stop')
     expect(page.until('cut').get('error') and time.monotonic() - started < 3, 'a cut is stopped')
-    page.answer(page.number)
+    page.answer(stopping)
     expect('error' in page.ask('part', at=1), 'of a cut that was stopped nothing is shown')
     page.open('part.nc', control='mach3')
     expect('error' in page.ask('part', at=1), 'a program that is opened has not been cut')
@@ -279,6 +275,18 @@ def channels(kadr):
     server.end()
 
 
+def extents(server, folder):
+    """Of a program with two work offsets: as the picture shows them."""
+    (folder / 'two.nc').write_text('G21 G90 F1000\nG10 L2 P2 X100 Y0 Z0\nG54 G1 X10\nG55 X10 Y5\nM2\n')
+    page = Page(server)
+    page.ask('hello')
+    _, done = page.open('two.nc', control='linuxcnc')
+    expect(done['extents']['cutting'] == [[0, 0, 0], [110, 5, 0]], f'extents with two work offsets ({done["extents"]})')
+    _, done = page.open('two.nc', control='linuxcnc', text='G21 G90 F1000\nG1 X10\nG2 X20 R1\nM2\n')
+    alarms = [e for e in page.events if e.get('event') == 'alarm' and e['problem']['severity'] == 'alarm']
+    expect(done['state'] == 'stopped' and [a['problem']['line'] for a in alarms] == [3], 'the alarm that stops it is told')
+
+
 def endless(server):
     """An endless program is stopped at once; other sessions go on meanwhile."""
     page = Page(server)
@@ -314,7 +322,7 @@ def main():
         (folder / 'binary').write_bytes(bytes(range(256)))
         os.mkfifo(folder / 'fifo')
         server = Server(kadr, folder)
-        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: the_part(kadr, server, folder), lambda: endless(server)):
+        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: extents(server, folder), lambda: the_part(kadr, server, folder), lambda: endless(server)):
             part()
         expect(server.process.poll() is None, 'the server still stands')
         expect(server.end() == 130, 'Ctrl-C')

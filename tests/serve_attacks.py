@@ -199,6 +199,13 @@ def beyond(server, above, folder):
 
     _, done = run('a file beside it', 'M98 <good.nc>\nM30\n', 'nct')
     expect(done['state'] == 'ended' and vertex_count(page.frames) > 1, 'a file beside it is called')
+    called = page.ask('source', **{'from': 1, 'count': 9}, file=2)
+    expect(called['lines'] == ['G1 X5 F100', 'M99'] and called['count'] == 2 and called['name'] == 'calls/good.nc', 'its lines')
+    expect('error' in page.ask('source', file=1) and 'error' in page.ask('source', file=3), 'what is no file has none')
+    (inside / 'bad.nc').write_text('G1 X5 F100\nG1 X5 X6\nM99\n')
+    run('a fault in it', 'M98 <bad.nc>\nM30\n', 'nct')
+    problems = [e['problem'] for e in page.events if e.get('event') == 'alarm']
+    expect([(p['file'], p.get('file_name'), p['line']) for p in problems] == [(2, 'calls/bad.nc', 2)], f'a fault in it has its file ({problems})')
     for name, call in {'a file above': 'M98 <..\\..\\outside.nc>', 'the password file': 'M98 <' + '..\\' * 12 + 'etc\\passwd>', 'a link by name': 'M98 <link.nc>',
                        'a link by number': 'M98 P30', 'a pipe': 'M98 <pipe.nc>', 'a pipe by number': 'M98 P31', 'a link within': 'M98 <inner.nc>'}.items():
         _, done = run(name, call + '\nM30\n', 'nct')

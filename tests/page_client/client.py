@@ -145,6 +145,10 @@ class Page:
             hold(message, 'answer.error' if 'error' in message or do is None else 'answer.' + do)
         return message
 
+    @staticmethod
+    def forms():
+        return SCHEMA['$defs']
+
     def begin(self, do, wrong=False, **more):
         """Asks, and waits for nothing. `wrong`: the question is to be one that the schema has not; None: it may be.
         returns  its number"""
