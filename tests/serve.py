@@ -68,6 +68,8 @@ def session(server, folder):
     expect(any(m['code'] == 'G1' for m in state['modal']), 'state: modal codes')
     expect(page.ask('state', at=0)['line'] <= 5 and page.ask('state', at=1e9)['line'] == 11, 'states at both ends')
     expect(page.ask('passes', line=7)['count'] == 1 and page.ask('passes', line=1)['count'] == 0, 'passes of a line')
+    sheet = page.ask('sheet')
+    expect(sheet['program'] == 'part.nc' and [t['number'] for t in sheet['tools']] == [1] and sheet['extents']['cutting'][0] == [0, 0, -2], 'the set-up sheet')
     expect(page.ask('source', **{'from': 2, 'count': 2})['lines'] == ['G21 G90 G17', 'T1 M6'], 'lines of the source')
     sheet = page.ask('sheet')
     expect(sheet['program'] == 'part.nc' and sheet['comments'][0] == {'line': 1, 'text': '</script><img src=x onerror=alert`1`>'}, f'the sheet: its notes {sheet}')
@@ -88,7 +90,7 @@ def session(server, folder):
     expect('error' in page.ask('save', file='other.nc', text='x', digest=None), 'a new file is none where there is one')
     expect('digest' in page.ask('save', file='new.nc', text='M30\n', digest=None), 'a new file is saved')
     expect(not [n for n in os.listdir(folder) if n.endswith('.kadr')], 'nothing unfinished is left')
-    expect(all('error' in page.ask(do) for do in ('cut', 'part') * 60), 'a question that is refused is no mistake')
+    expect(all('error' in page.ask(do, wrong=True) for do in ('cut', 'part') * 60), 'a question that is refused is no mistake')
     page.ask('language', lang='ru')
     russian = page.ask('check', text='G1 X10 F100 G0\nM30\n')['problems']
     expect(russian and any('а' <= c <= 'я' for c in russian[0]['text']), 'Russian')
@@ -123,7 +125,7 @@ def cut_by_command(kadr, folder, *more):
 
 def cut(page, **more):
     """The answer to `cut`, and its event."""
-    answer = page.ask('cut', **{'stock': BLOCK, 'tools': TOOLS, **more})
+    answer = page.ask('cut', wrong=None, **{'stock': BLOCK, 'tools': TOOLS, **more})
     return answer, (None if 'error' in answer else page.until('cut'))
 
 
