@@ -2,6 +2,7 @@
 //
 //   kadr_embed OUT ROOT FILE...     names are relative to ROOT
 //   kadr_embed --page OUT FOLDER    all files of a folder, which need not be there, for server/page_files
+//   kadr_embed --report OUT FOLDER  the same, for cli/report_files
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -79,15 +80,16 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool page = argc == 4 && std::string_view(argv[1]) == "--page";
+  const bool page = argc == 4 && std::string_view(argv[1]) == "--page", report = argc == 4 && std::string_view(argv[1]) == "--report";
   if (argc < 3) {
-    std::cerr << "kadr_embed OUT ROOT FILE... | --page OUT FOLDER\n";
+    std::cerr << "kadr_embed OUT ROOT FILE... | --page OUT FOLDER | --report OUT FOLDER\n";
     return 2;
   }
-  const char* const name = argv[page ? 2 : 1];
+  const char* const name = argv[page || report ? 2 : 1];
   try {
     std::ofstream out(name, std::ios::binary);
     if (page) embed(out, {"server/page_files.h", "page_files"}, argv[3], files_in(argv[3]));
+    else if (report) embed(out, {"cli/report_files.h", "report_files"}, argv[3], files_in(argv[3]));
     else embed(out, {"config/embedded.h", "embedded_files"}, argv[2], {argv + 3, argv + argc});
     out.close();
     if (!out) throw std::runtime_error(std::string(name) + ": cannot be written");

@@ -1,7 +1,11 @@
-# Builds the page of kadr serve: cmake -DFROM=web -DTO=build/web -DNPM=npm -P page.cmake. Where npm's registry cannot be reached there is no
-# page, which is said; all else is built.
-file(COPY ${FROM}/ DESTINATION ${TO} PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE)
-file(REMOVE_RECURSE ${TO}/dist)
+# Builds the page of kadr serve and the viewer of kadr report: cmake -DFROM=web -DTO=build/web -DNPM=npm -DWANTED=1 -P page.cmake. Into TO/dist and
+# TO/report. Where npm's registry cannot be reached there is neither, which is said; all else is built.
+file(REMOVE_RECURSE ${TO}/dist ${TO}/report)
+file(MAKE_DIRECTORY ${TO}/report)
+if(NOT WANTED)
+  return()
+endif()
+file(COPY ${FROM}/ DESTINATION ${TO} PATTERN node_modules EXCLUDE PATTERN dist EXCLUDE PATTERN ${FROM}/report EXCLUDE)
 if(NPM)
   execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --prefer-offline --fetch-retries=1 --fetch-timeout=20000
                   WORKING_DIRECTORY ${TO} RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said TIMEOUT 300)
@@ -12,7 +16,7 @@ if(NPM)
     endif()
     return()
   endif()
-  message(WARNING "the packages of the page cannot be had, kadr serve is built without it:\n${said}")
+  message(WARNING "the packages of the page cannot be had, kadr serve and kadr report are built without it:\n${said}")
 else()
-  message(WARNING "there is no npm: kadr serve is built without its page (dev/setup installs nodejs and npm)")
+  message(WARNING "there is no npm: kadr serve and kadr report are built without their page (dev/setup installs nodejs and npm)")
 endif()

@@ -29,6 +29,7 @@ FILES = [
     ('usr/share/kadr/controls/nct.toml', 'id = "nct"'),
     ('usr/share/kadr/machines/generic.toml', None),
     (f'{DOC}/copyright', 'Apache-2.0'),
+    (f'{DOC}/copyright', 'Boost Software License'),
     (f'{DOC}/changelog.gz', 'kadr ('),
     (f'{DOC}/README.md', 'make run'),
     (f'{DOC}/README.ru.md', 'кадр'),

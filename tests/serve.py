@@ -4,175 +4,20 @@
     serve.py --kadr PROGRAM
 """
 import argparse
-import base64
 import json
 import os
 import re
-import signal
-import socket
 import struct
 import subprocess
 import tempfile
 import time
 from pathlib import Path
 
-failures = []
-passed = 0
+from page_client.client import PROGRAM, SCHEMA, Page, Server, expect, result, seen, vertices
 
 
-def expect(what, name):
-    global passed
-    if what:
-        passed += 1
-    else:
-        failures.append(name)
-        print(f'FAILED: {name}')
-
-
-class Server:
-    def __init__(self, kadr, folder, *options):
-        self.process = subprocess.Popen([kadr, 'serve', str(folder), '--port', '0', '--no-browser', '--lang', 'en', *options],
-                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        self.line = self.process.stdout.readline()
-        found = re.search(r'http://([^:]+):(\d+)/#token=([0-9a-f]{32})', self.line)
-        self.port, self.token = int(found[2]), found[3]
-
-    def request(self, text):
-        """The answer; what there is of it where the server has closed the connection."""
-        got = b''
-        try:
-            with socket.create_connection(('127.0.0.1', self.port), timeout=10) as s:
-                s.sendall(text.encode('latin-1'))
-                s.shutdown(socket.SHUT_WR)
-                while piece := s.recv(65536):
-                    got += piece
-        except OSError:
-            pass
-        return got.decode('latin-1')
-
-    def end(self):
-        self.process.send_signal(signal.SIGINT)
-        return self.process.wait(timeout=5)
-
-
-class Page:
-    """A WebSocket client: RFC 6455, as much of it as the protocol needs."""
-
-    def __init__(self, server, **headers):
-        self.socket = socket.create_connection(('127.0.0.1', server.port), timeout=30)
-        fields = {'Host': f'127.0.0.1:{server.port}', 'Upgrade': 'websocket', 'Connection': 'Upgrade',
-                  'Sec-WebSocket-Key': base64.b64encode(os.urandom(16)).decode(), 'Sec-WebSocket-Version': '13', **headers}
-        self.socket.sendall(('GET /session HTTP/1.1\r\n' + ''.join(f'{k}: {v}\r\n' for k, v in fields.items()) + '\r\n').encode())
-        head = b''
-        while b'\r\n\r\n' not in head:
-            piece = self.socket.recv(1)
-            if not piece:
-                break
-            head += piece
-        self.status = int(head.split()[1])
-        self.number = 0
-        self.events, self.frames = [], []
-
-    def send(self, data, opcode=1):
-        mask = os.urandom(4)
-        n = len(data)
-        head = bytes([0x80 | opcode]) + (bytes([0x80 | n]) if n < 126 else bytes([0xFE]) + struct.pack('>H', n) if n < 65536
-                                         else bytes([0xFF]) + struct.pack('>Q', n))
-        repeated = (mask * (n // 4 + 1))[:n]
-        body = (int.from_bytes(data, 'big') ^ int.from_bytes(repeated, 'big')).to_bytes(n, 'big') if n else b''
-        self.socket.sendall(head + mask + body)
-
-    def exactly(self, n):
-        got = b''
-        while len(got) < n:
-            piece = self.socket.recv(n - len(got))
-            if not piece:
-                raise ConnectionError
-            got += piece
-        return got
-
-    def receive(self):
-        """(opcode, bytes) of the next message, its fragments put together."""
-        message, kind = b'', 0
-        while True:
-            first, second = self.exactly(2)
-            n = second & 127
-            if n == 126:
-                n = struct.unpack('>H', self.exactly(2))[0]
-            elif n == 127:
-                n = struct.unpack('>Q', self.exactly(8))[0]
-            data, opcode = self.exactly(n), first & 15
-            if opcode == 9:
-                self.send(data, 10)
-                continue
-            if opcode == 8:
-                raise ConnectionError(struct.unpack('>H', data[:2])[0] if len(data) >= 2 else None)
-            kind = kind or opcode
-            message += data
-            if first & 0x80:
-                return kind, message
-
-    def take(self):
-        kind, data = self.receive()
-        if kind == 2:
-            self.frames.append(data)
-            return None
-        return json.loads(data)
-
-    def ask(self, do, **more):
-        self.number += 1
-        self.send(json.dumps({'id': self.number, 'do': do, **more}).encode())
-        return self.answer(self.number)
-
-    def answer(self, number):
-        while True:
-            message = self.take()
-            if message is None:
-                continue
-            if message.get('re') == number:
-                return message
-            self.events.append(message)
-
-    def until(self, event):
-        while True:
-            for i, message in enumerate(self.events):
-                if message.get('event') == event:
-                    return self.events.pop(i)
-            message = self.take()
-            if message is not None:
-                self.events.append(message)
-
-    def open(self, file, **more):
-        self.events, self.frames = [], []
-        answer = self.ask('open', file=file, **more)
-        return answer, (None if 'error' in answer else self.until('done'))
-
-
-def vertices(frame):
-    """Rows of a frame of the path: x, y, z, time, line, kind, level."""
-    kind, which, count, channel = struct.unpack_from('<4I', frame)
-    begins = struct.unpack_from('<d', frame, 16)[0]
-    at = 96
-    xyz = struct.unpack_from(f'<{3 * count}f', frame, at)
-    times = struct.unpack_from(f'<{count}f', frame, at + 12 * count)
-    lines = struct.unpack_from(f'<{count}I', frame, at + 16 * count)
-    kinds = frame[at + 36 * count:]
-    return [(xyz[3 * i:3 * i + 3], begins + times[i], lines[i], kinds[4 * i], kinds[4 * i + 1]) for i in range(count)]
-
-
-PROGRAM = """(</script><img src=x onerror=alert`1`>)
-G21 G90 G17
-T1 M6
-S1000 M3
-G0 X0 Y0 Z5
-G1 Z-2 F200
-X40 F600
-G3 X40 Y20 J10
-G1 X0
-Y0
-G0 Z5
-M30
-"""
+# What other tests see.
+UNSAID = {'event.closed'}
 
 
 def http(server):
@@ -224,6 +69,11 @@ def session(server, folder):
     expect(page.ask('state', at=0)['line'] <= 5 and page.ask('state', at=1e9)['line'] == 11, 'states at both ends')
     expect(page.ask('passes', line=7)['count'] == 1 and page.ask('passes', line=1)['count'] == 0, 'passes of a line')
     expect(page.ask('source', **{'from': 2, 'count': 2})['lines'] == ['G21 G90 G17', 'T1 M6'], 'lines of the source')
+    sheet = page.ask('sheet')
+    expect(sheet['program'] == 'part.nc' and sheet['comments'][0] == {'line': 1, 'text': '</script><img src=x onerror=alert`1`>'}, f'the sheet: its notes {sheet}')
+    expect([(t['number'], t['lines']) for t in sheet['tools']] == [(1, [3])] and sheet['extents'] == done['extents'], 'its tools')
+    expect(done['tools'][0]['from'] == next(m['at'] for m in done['marks'] if m['kind'] == 'tool'), 'the instant of the first use of a tool')
+    expect(sheet['seconds'] == done['seconds'] and len(sheet['date']) == 10, 'its time')
     problems = page.ask('check', text=PROGRAM.replace('G3 X40', 'G3 X41'))['problems']
     expect(len(problems) == 1 and problems[0]['line'] == 8 and problems[0]['hint'], 'check finds the fault with its hint')
     expect(page.ask('check', text=PROGRAM)['problems'] == [], 'check of the good program')
@@ -244,7 +94,9 @@ def session(server, folder):
     expect(russian and any('а' <= c <= 'я' for c in russian[0]['text']), 'Russian')
 
     other = Page(server)
-    expect(not other.ask('hello', token='0' * 32)['may_change'], 'a wrong token may look')
+    greeting = other.ask('hello', token='0' * 32)
+    expect(not greeting['may_change'], 'a wrong token may look')
+    expect(hello['last'] is None and greeting['last'] == 'part.nc', 'the file that was opened last')
     expect('error' in other.ask('save', file='new2.nc', text='x', digest=None) and not (folder / 'new2.nc').exists(), 'and saves nothing')
 
 
@@ -315,7 +167,7 @@ def the_part(kadr, server, folder):
         expect(abs(answer['left'] - until['left']) < 0.2 and abs(answer['seconds'] - instant) < 1e-9, f'at {instant} s what a cut until then leaves')
     expect(shown(page, -1e300)[0]['left'] > 0.99 * wanted['stock'] and 'error' not in shown(page, 1e300)[0], 'instants beyond both ends')
     for at in (None, 'x', [1], {}):
-        page.ask('part', at=at)
+        page.ask('part', wrong=None, at=at)
 
     _, by_file = cut(page, tools='tools.toml')
     expect(by_file['left'] == wanted['left'], 'tools by a file')
@@ -347,11 +199,8 @@ def the_part(kadr, server, folder):
     expect('error' not in result and result['resolution'] >= 250, 'a huge blank gets a huge cell')
 
     # Two at once: one after the other.
-    first, second = page.number + 1, page.number + 2
-    page.number += 2
-    for n in (first, second):
-        page.send(json.dumps({'id': n, 'do': 'cut', 'stock': BLOCK, 'tools': TOOLS}).encode())
-    page.answer(second)
+    page.begin('cut', stock=BLOCK, tools=TOOLS)
+    page.answer(page.begin('cut', stock=BLOCK, tools=TOOLS))
     expect(page.until('cut')['left'] == wanted['left'] and page.until('cut')['left'] == wanted['left'], 'two cuts, one after the other')
 
     # A cut in the middle is stopped at once, and the next one works.
@@ -363,10 +212,9 @@ def the_part(kadr, server, folder):
         message = page.take()
         page.events += [message] if message else []
     started = time.monotonic()
-    page.number += 1
-    page.send(json.dumps({'id': page.number, 'do': 'stop'}).encode())
+    stopping = page.begin('stop')
     expect(page.until('cut').get('error') and time.monotonic() - started < 3, 'a cut is stopped')
-    page.answer(page.number)
+    page.answer(stopping)
     expect('error' in page.ask('part', at=1), 'of a cut that was stopped nothing is shown')
     page.open('part.nc', control='mach3')
     expect('error' in page.ask('part', at=1), 'a program that is opened has not been cut')
@@ -385,8 +233,10 @@ def texts(server):
     expect([w['code'] for w in words] == ['G3', 'X', 'Y', 'J'] and words[0]['from'] == 1 and words[0]['to'] == 3, 'explain: words and columns')
     expect(all(w['title'] and w['text'] for w in words), 'explain: each says something')
     expect([w['code'] for w in page.ask('explain', line=1, text='G83 Z-5 R2 Q1')['words']] == ['G83', 'Z', 'R', 'Q'], 'explain: the text of the editor')
-    expect(page.ask('explain', line=99)['words'] == [] and page.ask('explain', line=-1)['words'] == [], 'explain: no such line')
+    expect(page.ask('explain', line=99)['words'] == [] and page.ask('explain', wrong=True, line=-1)['words'] == [], 'explain: no such line')
     expect(len(page.ask('explain', line=1, text='X1' * 500_000)['words']) <= 500, 'explain: a line without end')
+    fixes = [p.get('fix') for p in page.ask('check', text='G21 G90\nG1 X1 X2 F100\nM30\n')['problems']]
+    expect(len(fixes) == 1 and fixes[0] and fixes[0]['line'] == 2 and fixes[0]['insert'] == '' and 'X2' in fixes[0]['text'], 'a quick fix')
     read = page.ask('read', file='other.nc')
     expect(read['text'] == PROGRAM and read['digest'] == opened['digest'], 'read: text and digest')
     for name in ('../outside.nc', '/etc/passwd', 'link', '.secret', 'fifo', '', 'binary'):
@@ -402,14 +252,39 @@ def texts(server):
     way = [d for d in other['differences'] if d['kind'] == 'way'][0]
     expect(way['a']['line'] == 9 and 1.5 < way['distance'] <= 2.01 and other['deviation'] == way['distance'], 'compare: where, and how far')
     expect(page.ask('state', number=way['a']['number'])['line'] == 9, 'compare: its number leads to the line')
-    expect('error' in page.ask('compare') and 'error' in page.ask('compare', file='../outside.nc'), 'compare: what cannot be')
-    page.number += 1
-    page.send(json.dumps({'id': page.number, 'do': 'compare', 'file': 'endless.nc', 'control': 'linuxcnc'}).encode())
-    comparing = page.number
-    page.number += 1
-    page.send(json.dumps({'id': page.number, 'do': 'stop'}).encode())
+    expect('error' in page.ask('compare', wrong=True) and 'error' in page.ask('compare', file='../outside.nc'), 'compare: what cannot be')
+    comparing = page.begin('compare', file='endless.nc', control='linuxcnc')
+    page.begin('stop')
     begun = time.monotonic()
     expect(page.answer(comparing) and time.monotonic() - begun < 5, 'compare: it is stopped')
+
+
+def channels(kadr):
+    """A program of several channels: the paths of all, the states of its own."""
+    server = Server(kadr, Path(__file__).resolve().parent.parent / 'examples' / 'two-channels')
+    page = Page(server)
+    page.ask('hello', token=server.token, lang='en')
+    opened, done = page.open('milling.nct', control='nct', setup='milling.json')
+    expect(done is not None and done['state'] == 'ended', f'two channels: {opened.get("error")}')
+    numbers = {struct.unpack_from('<4I', frame)[3] for frame in page.frames}
+    expect(numbers == {0, 1}, f'two channels: paths of both, {numbers}')
+    for part in (0.1, 0.5, 0.9, 0.3):
+        state = page.ask('state', at=done['seconds'] * part)
+        expect(state.get('line', 0) > 0 and state['modal'], f'two channels: a state, {state}')
+    expect('several channels' in page.ask('compare', text='G0 X1\nM30\n')['error']['text'], 'two channels are not compared')
+    server.end()
+
+
+def extents(server, folder):
+    """Of a program with two work offsets: as the picture shows them."""
+    (folder / 'two.nc').write_text('G21 G90 F1000\nG10 L2 P2 X100 Y0 Z0\nG54 G1 X10\nG55 X10 Y5\nM2\n')
+    page = Page(server)
+    page.ask('hello')
+    _, done = page.open('two.nc', control='linuxcnc')
+    expect(done['extents']['cutting'] == [[0, 0, 0], [110, 5, 0]], f'extents with two work offsets ({done["extents"]})')
+    _, done = page.open('two.nc', control='linuxcnc', text='G21 G90 F1000\nG1 X10\nG2 X20 R1\nM2\n')
+    alarms = [e for e in page.events if e.get('event') == 'alarm' and e['problem']['severity'] == 'alarm']
+    expect(done['state'] == 'stopped' and [a['problem']['line'] for a in alarms] == [3], 'the alarm that stops it is told')
 
 
 def endless(server):
@@ -423,54 +298,11 @@ def endless(server):
     other.ask('files', folder='')
     expect(time.monotonic() - started < 2, 'another session is answered meanwhile')
     started = time.monotonic()
-    page.number += 1
-    page.send(json.dumps({'id': page.number, 'do': 'stop'}).encode())
+    stop = page.begin('stop')
     expect(page.until('done')['state'] == 'cancelled' and time.monotonic() - started < 2, 'stop')
-    page.answer(page.number)
+    page.answer(stop)
     _, done = page.open('part.nc', control='mach3')
     expect(done['state'] == 'ended', 'after a stop the next program runs to its end')
-
-
-def garbage(server):
-    """Bad messages are answered, a flood ends the session, and nobody else knows of it."""
-    good = Page(server)
-    good.ask('hello')
-    bad = Page(server)
-    closed = False
-    try:
-        for text in [b'', b'{', b'[]', b'1', b'{"id":1}', b'{"id":1,"do":7}', b'\xff\xfe', b'{"do":"hello"}', b'[' * 5000] * 15:
-            bad.send(text)
-            bad.take()
-    except (ConnectionError, OSError):
-        closed = True
-    expect(closed, 'a hundred messages that are no questions end the session')
-    for opcode in (0, 3, 11):
-        broken = Page(server)
-        broken.send(b'x', opcode)
-        try:
-            broken.receive()
-            expect(False, f'opcode {opcode}')
-        except (ConnectionError, OSError):
-            expect(True, '')
-    big = Page(server)
-    try:
-        big.send(b'x' * (17 << 20))
-        big.receive()
-        expect(False, 'a message above the limit')
-    except (ConnectionError, OSError):
-        expect(True, '')
-    numbers = Page(server)
-    numbers.ask('hello')
-    numbers.open('part.nc', control='mach3')
-    for more in ({'at': 1e308}, {'at': -1}, {'at': 'x'}, {'at': None}):
-        numbers.ask('state', **more)
-    for more in ({'from': -1, 'count': 1e18}, {'from': 1e18, 'count': 1}, {'file': 70000}, {'from': 'a'}):
-        numbers.ask('source', **more)
-    expect('entries' in good.ask('files', folder=''), 'another session knows nothing of it')
-    many = [Page(server) for _ in range(40)]
-    expect(many[-1].status == 503, 'no more sessions than the limit')
-    for one in many:
-        one.socket.close()
 
 
 def main():
@@ -490,10 +322,11 @@ def main():
         (folder / 'binary').write_bytes(bytes(range(256)))
         os.mkfifo(folder / 'fifo')
         server = Server(kadr, folder)
-        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: the_part(kadr, server, folder), lambda: endless(server), lambda: garbage(server)):
+        for part in (lambda: http(server), lambda: session(server, folder), lambda: texts(server), lambda: extents(server, folder), lambda: the_part(kadr, server, folder), lambda: endless(server)):
             part()
         expect(server.process.poll() is None, 'the server still stands')
         expect(server.end() == 130, 'Ctrl-C')
+        channels(kadr)
         wrong = subprocess.run([kadr, 'serve', str(folder / 'nothing'), '--no-browser'], capture_output=True, text=True, timeout=10)
         expect(wrong.returncode == 2 and wrong.stderr, 'a folder that is not there')
         remote = Server(kadr, folder, '--host', '0.0.0.0')
@@ -501,8 +334,10 @@ def main():
         expect('error' in page.ask('hello', token='x') and 'error' in page.ask('files'), 'beyond this machine nothing without the token')
         expect('error' not in Page(remote).ask('hello', token=remote.token), 'with it all')
         remote.end()
-    print(f'{passed} passed, {len(failures)} failed')
-    return 1 if failures else 0
+    # All that the schema names has been said, so that nothing stands there that is not.
+    named = {name for name in SCHEMA['$defs'] if '.' in name}
+    expect(not named - seen - UNSAID, f'of the schema never said: {sorted(named - seen - UNSAID)}')
+    return result()
 
 
 if __name__ == '__main__':

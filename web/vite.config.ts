@@ -1,8 +1,10 @@
 // The page is one folder of files without names of versions in them: the server embeds it as the control files are.
 import { defineConfig } from "vite";
+import { notices } from "./bundling/notices";
 
 export default defineConfig({
   base: "./",
+  plugins: [notices("report/page-parts.json")],
   build: {
     target: "es2022",
     outDir: "dist",

@@ -148,6 +148,11 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   app->formatter(std::static_pointer_cast<CLI::FormatterBase>(help_formatter()));
   app->set_help_flag("-h,--help", told("print this help and exit", "вывести эту справку и закончить"));
   app->set_version_flag("--version", std::string("kadr ") + KADR_VERSION, told("print the version and exit", "вывести версию и закончить"));
+  app->add_flag_callback(
+         "--licences,--licenses", [] { throw CLI::RuntimeError(print_licences()); },
+         told("print the notices of all that the program is made of and exit",
+              "вывести лицензии всего, из чего состоит программа, и закончить"))
+      ->trigger_on_parse();
   app->require_subcommand(1);
   language_option(*app, c.options.lang);
   add_run(*app, c);
@@ -160,6 +165,8 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
   add_state(*app, c);
   add_mill(*app, c);
   add_cut(*app, c);
+  add_diff(*app, c);
+  add_report(*app, c);
   add_serve(*app, c);
   add_pages(*app, c);
   app->footer(told("`kadr COMMAND --help` shows options and examples. Try: kadr run examples/s2c42/flange.nc --plot flange.svg",
@@ -169,7 +176,8 @@ std::unique_ptr<CLI::App> make_app(Commands& c) {
 }
 
 void speak(Commands& c, const std::string& lang) {
-  for (std::string* const member : {&c.options.lang, &c.explain.lang, &c.tape.lang, &c.state.lang, &c.setup.program.lang, &c.mill.lang, &c.cut.run.lang, &c.serve.lang})
+  for (std::string* const member : {&c.options.lang, &c.explain.lang, &c.tape.lang, &c.state.lang, &c.setup.program.lang, &c.mill.lang,
+                                    &c.cut.run.lang, &c.diff.both.lang, &c.report.cut.run.lang, &c.serve.lang})
     *member = lang;
 }
 

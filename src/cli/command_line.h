@@ -21,7 +21,9 @@ struct Commands {
   SetupOptions setup;
   MillOptions mill;
   CutOptions cut;
+  DiffOptions diff;
   ServeOptions serve;
+  ReportOptions report;
   std::string machine;  // of machines; empty: all
   std::string shell;    // of completion
 };

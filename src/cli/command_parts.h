@@ -1,6 +1,8 @@
 #pragma once
 // The parts that command_line.cpp puts together: each adds its commands. Every text stands here in both languages (told.h).
 
+#include <array>
+
 #include "cli/command_line.h"
 
 namespace kadr::cli {
@@ -15,6 +17,17 @@ void add_mill(CLI::App& app, Commands& commands);
 
 /// cut (cut_command.cpp).
 void add_cut(CLI::App& app, Commands& commands);
+
+/// diff (diff.cpp).
+void add_diff(CLI::App& app, Commands& commands);
+
+/// report (report_command.cpp).
+void add_report(CLI::App& app, Commands& commands);
+
+/// --stock and --tools of cut and report, in this order, and --fixture (cut_command.cpp).
+std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& options);
+/// --resolution.
+void cell_option(CLI::App& app, CutOptions& options);
 
 /// serve (serve.cpp).
 void add_serve(CLI::App& app, Commands& commands);

@@ -16,22 +16,7 @@ constexpr double most_allowed = 1000;                   // mm
 constexpr double most_threads = 256;
 constexpr double least_simplify = 1e-4;  // mm: the points of the mesh are no more exact
 
-void material_options(CLI::App& app, CutOptions& o) {
-  takes(app.add_option(
-               "--stock", o.stock,
-               told("the blank, mm in the work system of the first cut: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl, .3mf",
-                    "заготовка, мм в системе координат первого реза: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf"))
-            ->required(),
-        "BODY", "ТЕЛО");
-  takes_file(app.add_option("--tools", o.tools,
-                            told("what the tools look like: a file .toml, or a library of LinuxCNC, CAMotics, FreeCAD, Fusion",
-                                 "вид инструментов: файл .toml или библиотека LinuxCNC, CAMotics, FreeCAD, Fusion"))
-                 ->required());
-  takes(
-      app.add_option("--fixture", o.fixtures,
-                     told("a body never to be cut, as --stock; repeated", "тело, которое нельзя задевать, как у --stock; можно повторять"))
-          ->allow_extra_args(false),
-      "BODY", "ТЕЛО");
+void part_options(CLI::App& app, CutOptions& o) {
   takes(app.add_option("--stock-zero", o.stock_zero,
                        told("work system of blank and fixtures: G54 … (default: that of the first cut)",
                             "система координат заготовки и приспособлений: G54 … (по умолчанию первого реза)")),
@@ -49,11 +34,7 @@ void material_options(CLI::App& app, CutOptions& o) {
          "MM", "ММ", 0, most_allowed);
 }
 
-void exactness_options(CLI::App& app, CutOptions& o) {
-  number(app.add_option("--resolution", o.resolution,
-                        told("cell of the lattice, with --window of the window (default: chosen and told)",
-                             "шаг сетки, с --window шаг в окне (по умолчанию выбирается и сообщается)")),
-         "MM", "ММ", least_cell, most_cell);
+void window_options(CLI::App& app, CutOptions& o) {
   takes(app.add_option("--window", o.window,
                        told("a box of the blank that is cut finer: X0,Y0,Z0,X1,Y1,Z1; picture, mesh and --part are of it alone",
                             "часть заготовки с более мелким шагом: X0,Y0,Z0,X1,Y1,Z1; вид, сетка и --part относятся к ней")),
@@ -69,13 +50,41 @@ void exactness_options(CLI::App& app, CutOptions& o) {
 
 }  // namespace
 
+std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& o) {
+  CLI::Option* const stock =
+      takes(app.add_option(
+                "--stock", o.stock,
+                told("the blank, mm in the work system of the first cut: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl, .3mf",
+                     "заготовка, мм в системе координат первого реза: box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf")),
+            "BODY", "ТЕЛО");
+  CLI::Option* const tools =
+      takes_file(app.add_option("--tools", o.tools,
+                                told("what the tools look like: a file .toml, or a library of LinuxCNC, CAMotics, FreeCAD, Fusion",
+                                     "вид инструментов: файл .toml или библиотека LinuxCNC, CAMotics, FreeCAD, Fusion")));
+  takes(
+      app.add_option("--fixture", o.fixtures,
+                     told("a body never to be cut, as --stock; repeated", "тело, которое нельзя задевать, как у --stock; можно повторять"))
+          ->allow_extra_args(false),
+      "BODY", "ТЕЛО");
+  return {stock, tools};
+}
+
+void cell_option(CLI::App& app, CutOptions& o) {
+  number(app.add_option("--resolution", o.resolution,
+                        told("cell of the lattice, with --window of the window (default: chosen and told)",
+                             "шаг сетки, с --window шаг в окне (по умолчанию выбирается и сообщается)")),
+         "MM", "ММ", least_cell, most_cell);
+}
+
 void add_cut(CLI::App& app, Commands& c) {
   CutOptions& o = c.cut;
   CLI::App* const cut = app.add_subcommand("cut", told("cut the part: what is left, what collides, what each tool takes away",
                                                        "снять материал: что останется, что столкнётся, сколько снимет каждый инструмент"));
   program_argument(*cut, o.run);
-  material_options(*cut, o);
-  exactness_options(*cut, o);
+  for (CLI::Option* const needed : blank_options(*cut, o)) needed->required();
+  part_options(*cut, o);
+  cell_option(*cut, o);
+  window_options(*cut, o);
   takes(cut->add_option("--until", o.until,
                         told("end after this line, or after so many seconds of the program: 120, 35.5s",
                              "закончить после этой строки или через столько секунд УП: 120, 35.5s")),

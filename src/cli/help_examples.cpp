@@ -148,6 +148,20 @@ std::string mill_examples() {
       "Код возврата: 0 — записано и проверено, 1 — ошибка в контуре или траектории, 2 — неверная команда или файл не читается.");
 }
 
+std::string diff_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr diff part.nc part-new.nc                   what the edited program does otherwise\n"
+      "  kadr diff part.tap part.mpf --control-a mach3 --control-b nct --tolerance 0.01\n"
+      "A line cut in two is the same line; comments, numbers of blocks and how it is written do not count.\n"
+      "Exit status: 0 both do the same, 1 they differ or one is stopped by an alarm, 2 wrong usage or unreadable file.",
+      "Примеры:\n"
+      "  kadr diff part.nc part-new.nc                   что изменённая УП делает иначе\n"
+      "  kadr diff part.tap part.mpf --control-a mach3 --control-b nct --tolerance 0.01\n"
+      "Отрезок, разбитый на два, — тот же отрезок; комментарии, номера кадров и запись значения не имеют.\n"
+      "Код возврата: 0 — делают одно и то же, 1 — различаются или одна остановлена ошибкой, 2 — неверная команда или файл не читается.");
+}
+
 std::string serve_examples() {
   return told(
       "Examples:\n"
@@ -172,6 +186,21 @@ std::string cut_examples() {
       "  kadr cut pocket.ngc --stock box:0,0,-20,100,100,0 --tools tools.toml --out part.stl --json part.json\n"
       "  kadr cut part.nc --stock cylinder:0,0,-30,0,60 --tools tools.toml --fixture box:-60,-60,-50,60,60,-30\n"
       "Код возврата: 0 — всё в порядке, 1 — столкновение или ошибка УП, 2 — неверная команда или файл не читается.");
+}
+
+std::string report_examples() {
+  return told(
+      "Examples:\n"
+      "  kadr report flange.nc --out flange.html\n"
+      "  kadr report pocket.ngc --setup shop.json --stock box:0,0,-20,100,100,0 --tools tools.toml --out pocket.html\n"
+      "The file opens in any browser, without a network. Exit status: 0 all well, 1 an alarm or a collision (the report is written), 2 "
+      "wrong usage.",
+      "Примеры:\n"
+      "  kadr report flange.nc --out flange.html\n"
+      "  kadr report pocket.ngc --setup shop.json --stock box:0,0,-20,100,100,0 --tools tools.toml --out pocket.html\n"
+      "Файл открывается в любом браузере, без сети. Код возврата: 0 — всё в порядке, 1 — ошибка УП или столкновение (отчёт записан), 2 — "
+      "неверная "
+      "команда.");
 }
 
 std::string man_examples() {

@@ -29,6 +29,8 @@ std::string tape_examples();
 std::string state_examples();
 std::string mill_examples();
 std::string cut_examples();
+std::string diff_examples();
+std::string report_examples();
 std::string serve_examples();
 std::string man_examples();
 std::string completion_examples();

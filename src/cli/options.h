@@ -79,6 +79,23 @@ struct CutOptions {
 };
 int cut(const CutOptions& options);
 
+struct DiffOptions {
+  std::string a, b;
+  Options both;  // of both programs, but for
+  std::string control_a, control_b, setup_a, setup_b;
+  double tolerance = 0.001;  // mm
+  bool all = false;          // differences; else the first ones
+};
+int diff(const DiffOptions& options);
+
+struct ReportOptions {
+  CutOptions cut;  // with the options of the run; no blank: nothing is cut
+  std::string out;
+};
+int report(const ReportOptions& options);
+/// Notices of what the program is made of, to standard output.
+int print_licences();
+
 struct ServeOptions {
   std::string folder = ".";
   std::string host = "127.0.0.1";

@@ -56,7 +56,8 @@ int serve(const ServeOptions& options) {
   const auto folder = ServedFolder::open(options.folder);
   if (!folder) return complain(folder.error()), wrong_usage;
   ServedAddress wanted{options.host, std::uint16_t(options.port)};
-  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION};
+  LastOpened last;
+  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION, &last};
   const auto server = HttpServer::listen(wanted, page);
   if (!server) return complain(server.error()), wrong_usage;
   const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);

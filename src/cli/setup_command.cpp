@@ -13,6 +13,7 @@
 #include "cli/stop.h"
 #include "cli/unstated.h"
 #include "config/read_file.h"
+#include "config/setup_names.h"
 #include "lang/text/tool_comment.h"
 #include "out/program/setup_template.h"
 #include "out/program/tools_template.h"

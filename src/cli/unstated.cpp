@@ -4,16 +4,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <set>
 
 namespace kadr::cli {
 namespace {
-
-std::string name_of_zero(std::uint32_t row, const ControlDef& def) {
-  for (const WorkSystem& system : work_systems(def))
-    if (system.row == row && system.works) return system.name;
-  return std::to_string(row);
-}
 
 bool is_stated(const Use& use, const UsedKey& used, const std::set<std::string>& stated) {
   if (stated.contains(used.key)) return true;
@@ -22,25 +16,6 @@ bool is_stated(const Use& use, const UsedKey& used, const std::set<std::string>&
 }
 
 }  // namespace
-
-UsedKey used_key(const Use& use, const ControlDef& def) {
-  const bool has_h = def.grammar.word('H').known && def.address('H').function != Function::repeat_word;
-  switch (use.kind) {
-    case UseKind::length: return {fmt::format("offsets.{}.length", use.number), fmt::format("{}{}", has_h ? 'H' : 'D', use.number)};
-    case UseKind::radius: return {fmt::format("offsets.{}.radius", use.number), fmt::format("D{}", use.number)};
-    case UseKind::work_zero: {
-      const std::string name = name_of_zero(use.number, def);
-      if (has(def, SetupNeeds::zeros)) return {fmt::format("zeros.{}", use.number), name};
-      return {"work_offsets." + name, name};
-    }
-    case UseKind::corrector: return {fmt::format("correctors.{}", use.number), fmt::format("L{}", use.number)};
-    case UseKind::tool: return {"", fmt::format("T{}", use.number)};
-    case UseKind::variable: return {fmt::format("variables.#{}", use.number), fmt::format("#{}", use.number)};
-    case UseKind::parameter: return {fmt::format("variables.R{}", use.number), fmt::format("R{}", use.number)};
-    case UseKind::skip_switch: return {"skip", use.number == 1 ? "/" : fmt::format("/{}", use.number)};
-    default: return {"optional_stop", "M1"};
-  }
-}
 
 std::optional<AlarmReport> unstated(const Control& control, const Job& job) {
   const auto counts = [](UseKind kind) {

@@ -54,7 +54,13 @@ std::string words_of_state(const CourseState& s, Kind of) {
 
 class Comparer {
  public:
-  Comparer(Course& a, Course& b, std::size_t axes, const CompareRules& rules) : rules_(rules), space_(axes), a_(a, space_), b_(b, space_) {}
+  Comparer(Course& a, Course& b, std::size_t axes, const CompareRules& rules)
+      : rules_(rules),
+        space_(axes),
+        course_a_(a),
+        course_b_(b),
+        a_([&a] { return a.next(); }, a.start(), space_),
+        b_([&b] { return b.next(); }, b.start(), space_) {}
 
   Comparison all() {
     if (space_.distance(a_.at(), b_.at()) > rules_.tolerance) meet_again();
@@ -63,6 +69,7 @@ class Comparer {
     if (!out_.lost && a_.item(0).fault != b_.item(0).fault) ends_differ();
     out_.cancelled = rules_.stop.asked();
     out_.moves_a = a_.moves(), out_.moves_b = b_.moves();
+    out_.stopped_a = course_a_.stopped(), out_.stopped_b = course_b_.stopped();
     return std::move(out_);
   }
 
@@ -72,8 +79,8 @@ class Comparer {
   void go_on() {
     const ItemKind a = a_.item(0).kind, b = b_.item(0).kind;
     if (a == ItemKind::move && b == ItemKind::move) return move();
-    if (a == ItemKind::move && pass_sliver(a_, [&](const CourseItem& next) { return next.kind != ItemKind::move; })) return;
-    if (b == ItemKind::move && pass_sliver(b_, [&](const CourseItem& next) { return next.kind != ItemKind::move; })) return;
+    if (a == ItemKind::move && pass_sliver(a_, b_, [&](const CourseItem& next) { return next.kind != ItemKind::move; })) return;
+    if (b == ItemKind::move && pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind != ItemKind::move; })) return;
     if (a == ItemKind::act && b == ItemKind::act && is_same(a_.item(0).act, b_.item(0).act)) return act();
     meet_again();
   }
@@ -92,24 +99,26 @@ class Comparer {
     const CourseState a = a_.item(0).state, b = b_.item(0).state;
     const auto differs = first_difference(a, b);
     if (differs) {
-      if (pass_sliver(a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !first_difference(next.state, b); })) return;
-      if (pass_sliver(b_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !first_difference(a, next.state); })) return;
+      if (pass_sliver(a_, b_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !first_difference(next.state, b); }))
+        return;
+      if (pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !first_difference(a, next.state); }))
+        return;
     }
     const CourseSpot from_a = spot(a_), from_b = spot(b_);
     const StretchResult result = go_along(a_, b_, space_, rules_.tolerance);
     out_.greatest = std::max(out_.greatest, result.greatest);
-    if (differs && (space_.distance(from_a.stand, a_.at()) > rules_.tolerance || space_.distance(from_b.stand, b_.at()) > rules_.tolerance))
+    if (differs && result.reach > rules_.tolerance)
       add({*differs, from_a, from_b, spot(a_), spot(b_), 0, words_of_state(a, *differs), words_of_state(b, *differs)});
     if (!result.together) meet_again();
   }
 
-  /// Moves that stay where the lane stands, up to what is looked for.
+  /// Moves that stay where the other stands, up to what is looked for.
   template <class Wanted>
-  bool pass_sliver(Lane& lane, const Wanted& wanted) {
+  bool pass_sliver(Lane& lane, const Lane& other, const Wanted& wanted) {
     for (std::size_t i = 0; i < most_sliver; ++i) {
       const CourseItem& item = lane.item(i);
       if (i > 0 && wanted(item)) return lane.pass(i), true;
-      if (item.kind != ItemKind::move || space_.distance(item.to, lane.at()) > rules_.tolerance) return false;
+      if (item.kind != ItemKind::move || space_.distance(item.to, other.at()) > rules_.tolerance) return false;
     }
     return false;
   }
@@ -124,7 +133,10 @@ class Comparer {
 
   CourseSpot spot(Lane& lane) {
     const CourseItem& item = lane.item(0);
-    return {item.origin.line == 0 ? lane.last().origin : item.origin, item.begins, lane.at()};
+    CourseSpot spot{item.origin.line == 0 ? lane.last().origin : item.origin, {}, item.begins, lane.at()};
+    Course& course = &lane == &a_ ? course_a_ : course_b_;
+    if (spot.origin.file != 0) spot.file = course.session().settled_control().file_name(spot.origin.file);
+    return spot;
   }
 
   /// Both go different ways, or do different things: the nearest place ahead from which they do the same.
@@ -218,6 +230,7 @@ class Comparer {
 
   const CompareRules rules_;
   const CourseSpace space_;
+  Course &course_a_, &course_b_;
   Lane a_, b_;
   int far_searches_ = 0;
   Comparison out_;

@@ -21,9 +21,10 @@ struct CompareRules {
 
 /// A place of one of the two.
 struct CourseSpot {
-  Origin origin;  // of what comes next there
-  double at = 0;  // s since the start, as programmed
-  Axes stand{};   // machine coordinates, in the order of Comparison::axes
+  Origin origin;       // of what comes next there
+  std::string file{};  // that its line stands in, if that is not the program itself
+  double at = 0;       // s since the start, as programmed
+  Axes stand{};        // machine coordinates, in the order of Comparison::axes
 };
 
 struct CourseDifference {
@@ -37,12 +38,13 @@ struct CourseDifference {
 
 struct Comparison {
   bool cancelled = false;
-  double greatest = 0;                        // mm, where both go together
-  std::size_t moves_a = 0, moves_b = 0;       // blocks that move
-  std::vector<std::string> axes;              // names
-  std::vector<CourseDifference> differences;  // in the order of the programs
-  std::size_t more = 0;                       // that are not told one by one
-  bool lost = false;                          // from the last difference on they have no place in common that was found
+  double greatest = 0;                              // mm, where both go together
+  std::size_t moves_a = 0, moves_b = 0;             // blocks that move
+  std::vector<std::string> axes;                    // names
+  std::vector<CourseDifference> differences;        // in the order of the programs
+  std::size_t more = 0;                             // that are not told one by one
+  std::optional<AlarmReport> stopped_a, stopped_b;  // the alarm that it has stopped by: nothing is known of what would follow
+  bool lost = false;                                // from the last difference on they have no place in common that was found
 
   bool equal() const { return !cancelled && differences.empty(); }
 };

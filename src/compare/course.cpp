@@ -41,6 +41,7 @@ Course::Course(std::unique_ptr<Session> session, const std::vector<std::string>&
   outlets.alarm = [this](const AlarmReport& report) {
     end_.fault = report.alarm.id;
     end_.origin = report.origin;
+    stopped_ = report;
     return false;
   };
   outlets.clock = clock_.get();

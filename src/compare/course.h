@@ -62,6 +62,8 @@ class Course {
   /// After an end it is the end again and again.
   CourseItem next();
   Session& session() { return *session_; }
+  /// The alarm that it has stopped by.
+  const std::optional<AlarmReport>& stopped() const { return stopped_; }
 
  private:
   void take(const Step& step);
@@ -80,6 +82,7 @@ class Course {
   bool surface_ = false;
   Axes start_{};
   CourseItem end_;
+  std::optional<AlarmReport> stopped_;
   bool over_ = false;
 };
 

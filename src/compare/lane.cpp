@@ -46,7 +46,7 @@ double CourseSpace::nearest(const Axes& point, const Axes& from, const Axes& to,
 
 const CourseItem& Lane::item(std::size_t i) {
   while (ahead_.size() <= i) {
-    CourseItem item = course_.next();
+    CourseItem item = next_();
     const bool over = item.kind == CourseItem::Kind::end;
     const Axes& before = ahead_.empty() ? at_ : ahead_.back().to;
     if (item.kind != CourseItem::Kind::move) item.to = before;  // the frame may have changed; the axes stand

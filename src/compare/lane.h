@@ -2,6 +2,7 @@
 // Lane: a course with as much of it ahead as is looked at, and where it stands. Pieces can be cut in two.
 
 #include <deque>
+#include <functional>
 
 #include "compare/course.h"
 
@@ -28,7 +29,8 @@ class CourseSpace {
 
 class Lane {
  public:
-  Lane(Course& course, const CourseSpace& space) : course_(course), space_(space), at_(course.start()) {}
+  /// `next`: the items of a course in their order; `start`: where it begins.
+  Lane(std::function<CourseItem()> next, const Axes& start, const CourseSpace& space) : next_(std::move(next)), space_(space), at_(start) {}
 
   /// Of those that have not been passed; the end again and again behind it.
   const CourseItem& item(std::size_t i);
@@ -43,7 +45,7 @@ class Lane {
   const CourseItem& last() const { return last_; }
 
  private:
-  Course& course_;
+  std::function<CourseItem()> next_;
   const CourseSpace& space_;
   Axes at_;
   std::deque<CourseItem> ahead_;

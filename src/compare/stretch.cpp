@@ -16,9 +16,23 @@ Interval common(Interval a, double from) { return {std::max(a.first, from), a.la
 class FreeSpace {
  public:
   FreeSpace(Lane& a, Lane& b, const CourseSpace& space, double tolerance)
-      : a_(a), b_(b), space_(space), tolerance_(tolerance), state_a_(a.item(0).state), state_b_(b.item(0).state) {}
+      : a_(a),
+        b_(b),
+        space_(space),
+        tolerance_(tolerance),
+        state_a_(a.item(0).state),
+        state_b_(b.item(0).state),
+        begins_a_(a.at()),
+        begins_b_(b.at()) {}
 
   StretchResult go() {
+    StretchResult result = go_on();
+    note_reach(result);
+    return result;
+  }
+
+ private:
+  StretchResult go_on() {
     begin();
     while (goes_on(a_, state_a_, 0)) {
       if (column_.size() > most_open) return part();
@@ -30,7 +44,6 @@ class FreeSpace {
     return cut_b();
   }
 
- private:
   static bool goes_on(Lane& lane, const CourseState& state, std::size_t i) {
     const CourseItem& item = lane.item(i);
     return item.kind == CourseItem::Kind::move && item.state == state;
@@ -81,12 +94,16 @@ class FreeSpace {
     }
     if (!any) return false;
     a_.pass();
+    note_reach(result_);
     result_.greatest = std::max(result_.greatest, nearest);
     std::swap(column_, next_);
     drop();
     return true;
   }
 
+  void note_reach(StretchResult& result) const {
+    result.reach = std::max({result.reach, space_.distance(begins_a_, a_.at()), space_.distance(begins_b_, b_.at())});
+  }
   double distance_to(const Axes& point, std::size_t j, Interval in) {
     const Axes begin = b_.begin(j), end = b_.item(j).to;
     return space_.distance(point, space_.between(begin, end, space_.nearest(point, begin, end, in)));
@@ -106,13 +123,16 @@ class FreeSpace {
     b_.pass(count);
   }
 
-  /// a has come to its end: b goes to the nearest place that it can be at.
+  /// a has come to its end: b goes to its own end, if that can be reached, else to the nearest place that it can be at.
   void bring_b() {
+    const std::size_t last = column_.size() - 1;
+    if (!column_[last].empty() && column_[last].last >= 1 && goes_on(b_, state_b_, last) && !goes_on(b_, state_b_, last + 1))
+      return pass_b(last + 1);
     std::size_t best = 0;
     double least = 1e300;
     for (std::size_t j = 0; j < column_.size(); ++j) {
       if (column_[j].empty() || !goes_on(b_, state_b_, j)) continue;
-      if (const double d = distance_to(a_.at(), j, column_[j]); d < least) least = d, best = j;
+      if (const double d = distance_to(a_.at(), j, column_[j]); d <= least) least = d, best = j;
     }
     if (least > 1e299) return;
     const double part = space_.nearest(a_.at(), b_.begin(best), b_.item(best).to, column_[best]);
@@ -145,6 +165,7 @@ class FreeSpace {
   const CourseSpace& space_;
   const double tolerance_;
   const CourseState state_a_, state_b_;
+  const Axes begins_a_, begins_b_;
   std::vector<Interval> column_, next_;  // of b's pieces ahead, at the vertex that a stands at: what can be reached
   std::vector<double> near_;             // by piece of b: how near its end can be passed
   Interval ends_;

@@ -9,6 +9,7 @@ namespace kadr {
 
 struct StretchResult {
   bool together = true;  // to where one of them ends or changes what is in force; false: they part where the lanes stand now
+  double reach = 0;      // mm, how far either came from where it began on the way
   double greatest = 0;   // mm, of those distances that cannot be less, over the vertices of both
 };
 

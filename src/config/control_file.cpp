@@ -116,7 +116,7 @@ void lay_variables(const toml::table& under, toml::table& over) {
 bool is_built_in(const std::string& file) { return toml_tools::embedded_text(file).has_value(); }
 
 /// The table of a file with what it extends laid under it; `lineage` collects the ids below.
-Table merged(Table table, const std::string& file, From from, std::vector<std::string>& lineage) {
+Table merged(Table table, const std::string& file, From from, std::vector<std::string>& lineage, const FileDoor* door) {
   constexpr std::size_t deepest = 8;  // a file that extends itself would never end
   if (!table) return table;
   const auto base = (*table)["extends"].value<std::string>();
@@ -129,13 +129,13 @@ Table merged(Table table, const std::string& file, From from, std::vector<std::s
   if (!base_table) {
     const auto slash = file.rfind('/');
     name = (slash == std::string::npos || base->starts_with('/') ? std::string() : file.substr(0, slash + 1)) + *base;
-    const auto text = read_file(name);
+    const auto text = read_file(name, limits::config_file_bytes, door);
     if (!text)
       return Failed(file + ": " + told("extends '" + *base + "': no such control, and ", "extends '" + *base + "': такой системы нет, и ") +
                     text.error());
     base_table = toml_tools::parsed(*text, name);
   }
-  auto under = merged(std::move(*base_table), name, from, lineage);
+  auto under = merged(std::move(*base_table), name, from, lineage, door);
   if (!under) return under;
   for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they tell the base from others
   if (const auto fault = is_built_in(file) ? std::nullopt : said_again(*under, *table, file)) return Failed(*fault);
@@ -173,9 +173,9 @@ std::int32_t ControlDef::row_of(char letter, std::int32_t tenth) const {
 
 namespace {
 
-tl::expected<ControlDef, std::string> load(Table own, const std::string& file, From from) {
+tl::expected<ControlDef, std::string> load(Table own, const std::string& file, From from, const FileDoor* door) {
   std::vector<std::string> lineage;
-  auto table = merged(std::move(own), file, from, lineage);
+  auto table = merged(std::move(own), file, from, lineage, door);
   if (!table) return Failed(table.error());
   lay_operations(*table, *table);
   auto def = ControlLoader(*table, file).load();
@@ -186,14 +186,14 @@ tl::expected<ControlDef, std::string> load(Table own, const std::string& file, F
 }  // namespace
 
 tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file) {
-  return load(toml_tools::parsed(toml, file), file, From::text);
+  return load(toml_tools::parsed(toml, file), file, From::text, nullptr);
 }
 
-tl::expected<ControlDef, std::string> load_control(const std::string& name) {
+tl::expected<ControlDef, std::string> load_control(const std::string& name, const FileDoor* door) {
   if (name.ends_with(".toml")) {
-    const auto text = read_file(name);
+    const auto text = read_file(name, limits::config_file_bytes, door);
     if (!text) return Failed(text.error());
-    return parse_control(*text, name);
+    return load(toml_tools::parsed(*text, name), name, From::text, door);
   }
   const std::string id = id_meant_by(in_small_letters(name)), file = "controls/" + id + ".toml";
   auto table = is_control(id) ? built_in(file, From::table) : std::nullopt;
@@ -203,8 +203,8 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name) {
     return Failed(say("no control '{}'; there are: {}, or a file of your own (NAME.toml)", name, known) +
                   did_you_mean(name, control_names()));
   }
-  auto def = load(std::move(*table), file, From::table);
-  return def ? def : load(*built_in(file, From::text), file, From::text);
+  auto def = load(std::move(*table), file, From::table, door);
+  return def ? def : load(*built_in(file, From::text), file, From::text, door);
 }
 
 std::vector<std::string> built_in_controls() {

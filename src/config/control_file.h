@@ -7,13 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "base/file_door.h"
 #include "config/control_def.h"
 
 namespace kadr {
 
 /// The control with that id or alias, in small letters or capitals, or in that file if `name` ends with .toml.
+///   door     opens such files, and what they extend
 ///   returns  an error sentence with file and line: unknown key, function, group, word; a code twice; …
-tl::expected<ControlDef, std::string> load_control(const std::string& name);
+tl::expected<ControlDef, std::string> load_control(const std::string& name, const FileDoor* door = nullptr);
 
 /// The same from TOML text; `file` names it in messages.
 tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file);

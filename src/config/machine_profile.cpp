@@ -199,9 +199,9 @@ tl::expected<MachineProfile, std::string> parse(std::string_view text, const std
 
 }  // namespace
 
-tl::expected<MachineProfile, std::string> load_machine(const std::string& name) {
+tl::expected<MachineProfile, std::string> load_machine(const std::string& name, const FileDoor* door) {
   if (name.ends_with(ending)) {
-    const auto text = read_file(name);
+    const auto text = read_file(name, limits::config_file_bytes, door);
     if (!text) return Failed(text.error());
     return parse(*text, name);
   }

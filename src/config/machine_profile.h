@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/file_door.h"
 #include "base/vec.h"
 #include "config/machine_bodies.h"
 
@@ -55,7 +56,7 @@ struct MachineProfile {
 };
 
 /// `name`: built-in id, in small letters or capitals, or a file that ends with .toml.
-tl::expected<MachineProfile, std::string> load_machine(const std::string& name);
+tl::expected<MachineProfile, std::string> load_machine(const std::string& name, const FileDoor* door = nullptr);
 
 /// Ids of the built-in machines.
 std::vector<std::string> built_in_machines();

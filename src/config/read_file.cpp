@@ -73,12 +73,14 @@ std::string told_errno(int error) {
   }
 }
 
-tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));  // a FIFO's open would wait for its writer
+tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most, const FileDoor* door) {
+  const Descriptor file(
+      door != nullptr ? door->open_for_reading(path)
+                      : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));  // a FIFO's open would wait for its writer
   struct stat there = {};
   if (file.number < 0 || ::fstat(file.number, &there) != 0) {
     const int error = errno;
-    if (const std::string kind = told_kind(path); !kind.empty())
+    if (const std::string kind = door == nullptr ? told_kind(path) : std::string(); !kind.empty())
       return failed(path, "is " + kind + ", not a file", "это " + kind + ", а не файл");
     return unreadable(path, error);
   }

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "base/file_door.h"
+
 namespace kadr {
 
 namespace limits {
@@ -21,8 +23,9 @@ std::string told_errno(int error);
 /// The bytes of a file.
 ///   most     bytes; more are refused, and not read
 ///   returns  an error sentence naming the file: no file, a directory, a device or a pipe (which would be waited for, or never end),
-///            no right, too long
-tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most = limits::config_file_bytes);
+///            no right, too long, not behind the door
+tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most = limits::config_file_bytes,
+                                                 const FileDoor* door = nullptr);
 
 /// What keeps bytes from being a text in UTF-8 for a person: UTF-16, NUL bytes. Told, with line and column; empty: nothing.
 ///   file  the beginning of the sentence; empty: "line 1, column 2: "

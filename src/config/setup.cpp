@@ -143,8 +143,8 @@ tl::expected<Setup, std::string> load_setup(const std::string& file) {
   return std::move(read->setup);
 }
 
-tl::expected<SetupSource, std::string> setup_source(const std::string& file) {
-  auto text = read_file(file);
+tl::expected<SetupSource, std::string> setup_source(const std::string& file, const FileDoor* door) {
+  auto text = read_file(file, limits::config_file_bytes, door);
   if (!text) return tl::unexpected(text.error());
   return SetupSource{file, std::move(*text)};
 }

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/file_door.h"
 #include "config/setup.h"
 
 namespace kadr {
@@ -46,6 +47,6 @@ struct PlacedSetup {
 tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>& sources, const ControlDef* def, Lang lang);
 
 /// Text of a set-up file. returns  an error sentence, if it cannot be read
-tl::expected<SetupSource, std::string> setup_source(const std::string& file);
+tl::expected<SetupSource, std::string> setup_source(const std::string& file, const FileDoor* door = nullptr);
 
 }  // namespace kadr

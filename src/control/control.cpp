@@ -148,6 +148,9 @@ std::optional<RunState> Control::run_state() const {
 std::map<std::uint32_t, std::string> Control::texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const {
   return interpreter_->flow.file(file).texts_of(lines);
 }
+std::shared_ptr<ByteSource> Control::source_of(std::uint32_t file) const {
+  return interpreter_->flow.has_file(file) ? interpreter_->flow.file(std::uint16_t(file)).source() : nullptr;
+}
 std::vector<std::string> Control::files_read() const { return interpreter_->flow.paths(); }
 const WrittenFiles& Control::files_written() const {
   static const WrittenFiles none;

@@ -162,6 +162,8 @@ class Control {
   /// Lines of the program or, by Origin::file, of another file that it called, UTF-8 by their numbers; those that cannot be read are
   /// missing. After the run; passes through the file once.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const;
+  /// The bytes of the program or of another file, as it was when it was opened; nullptr: there is no file of that number.
+  std::shared_ptr<ByteSource> source_of(std::uint32_t file) const;
   /// Path of the program or of another file.
   const std::string& file_name(std::uint16_t file) const;
   /// Paths of all files that have been read: the program, what it called.

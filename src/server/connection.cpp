@@ -2,6 +2,8 @@
 
 #include "server/connection.h"
 
+#include <malloc.h>
+
 #include <thread>
 
 namespace kadr {
@@ -17,7 +19,7 @@ constexpr std::size_t most_question_bytes = std::size_t{48} << 20;  //
 }  // namespace
 
 Connection::Connection(beast::tcp_stream stream, const PageServer& page, std::shared_ptr<std::atomic<int>> sessions)
-    : socket_(std::move(stream)), sessions_(std::move(sessions)), session_(page, *this) {}
+    : socket_(std::move(stream)), sessions_(std::move(sessions)), session_(std::make_unique<PageSession>(page, *this)) {}
 
 Connection::~Connection() { --*sessions_; }
 
@@ -48,7 +50,8 @@ void Connection::take_message() {
     const std::lock_guard hold(lock_);
     if (PageSession::asks_to_stop(text)) {
       for (Question& q : questions_) q.stopped = true;
-      session_.stop();
+      hurries_ = true;
+      if (session_) session_->stop();
     }
     question_bytes_ += text.size();
     questions_.push_back({std::move(text)});
@@ -59,33 +62,45 @@ void Connection::take_message() {
   read();
 }
 
+/// Of the session's thread. What a session holds is much: it goes here, so that the network's thread need not wait, and back to the system.
 void Connection::answer_all() {
-  while (true) {
-    Question question;
-    {
-      std::unique_lock hold(lock_);
-      news_.wait(hold, [this] { return over_ || !questions_.empty(); });
-      if (over_) return;
-      question = std::move(questions_.front());
-      questions_.pop_front();
-      question_bytes_ -= question.text.size();
-      session_.begin(question.stopped);
-    }
-    bool goes_on = false;
-    try {
-      goes_on = session_.take(question.text);
-    } catch (const std::exception&) {  // memory: this page's session is over, the others go on
-    }
-    if (goes_on) continue;
-    boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close(websocket::close_code::policy_error); });
-    return;
+  while (answer_next()) {
   }
+  std::unique_ptr<PageSession> its;
+  {
+    const std::lock_guard hold(lock_);
+    its = std::move(session_);
+  }
+  its.reset();
+  ::malloc_trim(0);
+}
+
+/// returns  false: it was the last one
+bool Connection::answer_next() {
+  Question question;
+  {
+    std::unique_lock hold(lock_);
+    news_.wait(hold, [this] { return over_ || !questions_.empty(); });
+    if (over_) return false;
+    question = std::move(questions_.front());
+    questions_.pop_front();
+    question_bytes_ -= question.text.size();
+    hurries_ = false;
+    session_->begin(question.stopped);
+  }
+  bool goes_on = false;
+  try {
+    goes_on = session_->take(question.text);
+  } catch (const std::exception&) {  // memory: this page's session is over, the others go on
+  }
+  if (!goes_on) boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close_when_sent(); });
+  return goes_on;
 }
 
 bool Connection::send(Outgoing out) {
   {
     std::unique_lock hold(lock_);
-    news_.wait(hold, [this] { return over_ || unsent_ < most_unsent; });
+    news_.wait(hold, [this] { return over_ || hurries_ || unsent_ < most_unsent; });
     if (over_) return false;
     unsent_ += out.bytes.size();
     out_.push_back(std::move(out));
@@ -105,16 +120,28 @@ void Connection::write_next() {
   socket_.binary(out->binary);
   socket_.async_write(boost::asio::buffer(out->bytes), [self = shared_from_this()](beast::error_code error, std::size_t) {
     if (error) return self->lost();
-    bool more = false;
+    bool more = false, closes = false;
     {
       const std::lock_guard hold(self->lock_);
       self->unsent_ -= self->out_.front().bytes.size();
       self->out_.pop_front();
       more = !self->out_.empty();
+      closes = !more && self->ends_;
     }
     self->news_.notify_all();
     if (more) self->write_next();
+    if (closes) self->close(websocket::close_code::policy_error);
   });
+}
+
+/// What has been said to the page still goes to it.
+void Connection::close_when_sent() {
+  {
+    const std::lock_guard hold(lock_);
+    ends_ = true;
+    if (!out_.empty()) return;
+  }
+  close(websocket::close_code::policy_error);
 }
 
 void Connection::close(websocket::close_code code) {
@@ -129,7 +156,7 @@ void Connection::lost() {
   {
     const std::lock_guard hold(lock_);
     over_ = true;
-    session_.stop();
+    if (session_) session_->stop();
   }
   news_.notify_all();
 }

@@ -41,21 +41,25 @@ class Connection : public PageLine, public std::enable_shared_from_this<Connecti
   void read();
   void take_message();
   void answer_all();
+  bool answer_next();
   bool send(Outgoing out);
   void write_next();
   void close(boost::beast::websocket::close_code code);
+  void close_when_sent();
   void lost();
 
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<std::atomic<int>> sessions_;
-  PageSession session_;
-  std::mutex lock_;  // of all below
+  std::mutex lock_;                       // of all below
+  std::unique_ptr<PageSession> session_;  // nullptr: it is over
   std::condition_variable news_;
   std::deque<Question> questions_;
   std::size_t question_bytes_ = 0;
   std::deque<Outgoing> out_;  // the first one is being written
   std::size_t unsent_ = 0;    // bytes
+  bool hurries_ = false;      // what is being answered is to end at once: it does not wait for the page to take off what was sent
+  bool ends_ = false;         // it is closed when all is sent
   bool over_ = false;
 };
 

@@ -11,7 +11,8 @@ namespace kadr {
 namespace {
 
 bool is_in_figures(std::string_view host) {
-  return !host.empty() && host.find_first_not_of(host.front() == '[' ? "[]0123456789abcdefABCDEF:" : "0123456789.") == std::string_view::npos;
+  return !host.empty() &&
+         host.find_first_not_of(host.front() == '[' ? "[]0123456789abcdefABCDEF:" : "0123456789.") == std::string_view::npos;
 }
 
 }  // namespace

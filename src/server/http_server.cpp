@@ -20,8 +20,8 @@ using tcp = asio::ip::tcp;
 using Response = http::response<http::string_body>;
 
 constexpr std::uint32_t most_header = 16 << 10, most_body = 1 << 10;  // bytes
-constexpr auto patience = std::chrono::seconds(30);
-constexpr int most_requests = 128;  // connections at a time that have not become sessions
+constexpr auto until_asked = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
+constexpr int most_requests = 512;  // connections at a time that have not become sessions
 
 constexpr const char* policy =
     "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob:; connect-src 'self'; "
@@ -106,7 +106,7 @@ class Request : public std::enable_shared_from_this<Request> {
     parser_.emplace();
     parser_->header_limit(most_header);
     parser_->body_limit(most_body);
-    stream_.expires_after(patience);
+    stream_.expires_after(until_asked);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (!error) self->take(self->parser_->release());
     });
@@ -117,7 +117,8 @@ class Request : public std::enable_shared_from_this<Request> {
     const std::string host(view_of(request[http::field::host])), origin(view_of(request[http::field::origin]));
     if (!is_own_host(shared_.address, host) || !is_own_origin(origin, host))
       return write(answer(request, http::status::forbidden, plain, "forbidden\n"), false, false);
-    if (!beast::websocket::is_upgrade(request)) return write(answer_to(request), request.keep_alive(), request.method() == http::verb::head);
+    if (!beast::websocket::is_upgrade(request))
+      return write(answer_to(request), request.keep_alive(), request.method() == http::verb::head);
     if (view_of(request.target()) != "/session") return write(answer(request, http::status::not_found, plain, "not found\n"), false, false);
     if (++*shared_.sessions > HttpServer::most_sessions) {
       --*shared_.sessions;
@@ -127,6 +128,7 @@ class Request : public std::enable_shared_from_this<Request> {
   }
 
   void write(Response response, bool keeps, bool head_only) {
+    stream_.expires_after(until_taken);
     response.keep_alive(keeps);
     response_ = std::move(response);
     const auto written = [self = shared_from_this(), keeps](beast::error_code error, std::size_t) {

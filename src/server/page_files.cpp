@@ -9,9 +9,12 @@ namespace kadr {
 
 std::string_view content_type(std::string_view name) {
   using Row = std::pair<std::string_view, std::string_view>;
-  constexpr std::array rows = {Row{".html", "text/html; charset=utf-8"}, Row{".js", "text/javascript; charset=utf-8"},
-                               Row{".css", "text/css; charset=utf-8"},   Row{".svg", "image/svg+xml"},
-                               Row{".png", "image/png"},                 Row{".json", "application/json"}};
+  constexpr std::array rows = {Row{".html", "text/html; charset=utf-8"},
+                               Row{".js", "text/javascript; charset=utf-8"},
+                               Row{".css", "text/css; charset=utf-8"},
+                               Row{".svg", "image/svg+xml"},
+                               Row{".png", "image/png"},
+                               Row{".json", "application/json"}};
   for (const auto& [ending, type] : rows)
     if (name.ends_with(ending)) return type;
   return "application/octet-stream";

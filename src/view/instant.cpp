@@ -113,6 +113,7 @@ tl::expected<InstantState, std::string> Instants::complete(InstantState state, s
     const auto made = session(stop);
     if (!made) return tl::unexpected(made.error());
     if (const Status reached = reach(number, state, stop); !reached) return tl::unexpected(std::string(name_of(reached.error().id)));
+    if (stop.asked()) return tl::unexpected(told("interrupted", "прервано"));
   }
   state.line = run_.control().line_at(state.origin);
   return state;

@@ -17,7 +17,7 @@ namespace {
 
 OpenedText text_of(const OpenedProgram& opened) {
   if (opened.text) return {text_source(*opened.text), Encoding::utf8};
-  return open_text(opened.path, opened.encoding);
+  return open_text(opened.path, opened.encoding, opened.door);
 }
 
 /// What the control is guessed from.
@@ -40,11 +40,13 @@ tl::expected<Program, std::string> program_in(const OpenedProgram& opened, Opene
   Program program{opened.path, {}, text.encoding};
   const std::shared_ptr<ByteSource> source = std::move(text.source);
   program.source = whole_file(source);
-  if (!opened.def->grammar.percent_number) return program;
+  if (!opened.def->grammar.percent_number && opened.number == 0) return program;
   const auto encoding = text.encoding ? text.encoding : detect_encoding(LineReader(source).sample());
-  if (count_program_signs(*source, encoding) < 2) return program;
+  if (count_program_signs(*source, encoding) < 2 && opened.number == 0) return program;
   const TapeContents contents = contents_of(source, opened.def->grammar, encoding);
-  if (contents.programs.size() > 1) program.source = only_program(source, contents, 0, encoding);
+  const auto index = opened.number == 0 ? std::optional<std::size_t>(0) : program_numbered(contents, opened.number);
+  if (!index) return wrong(fmt::format("{}: {} {}", opened.path, told("there is no program", "нет программы"), opened.number));
+  if (contents.programs.size() > 1) program.source = only_program(source, contents, *index, encoding);
   return program;
 }
 
@@ -57,15 +59,17 @@ tl::expected<Program, std::string> OpenedProgram::program_of(const std::string& 
 }
 
 SessionSpec OpenedProgram::spec(Program program, const StopToken& stop) const {
-  RunLimits limits;  // nothing is written
-  limits.stop = stop;
-  return {def, machine, setup, std::move(program), limits};
+  RunLimits within = limits;
+  within.stop = stop;
+  within.door = door;
+  return {def, machine, setup, std::move(program), within};
 }
 
 tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) {
   OpenedProgram opened;
   opened.path = wish.path;
   opened.text = wish.text;
+  opened.door = wish.door;
   if (!read_encoding(wish.encoding, opened.encoding)) return wrong(fmt::format("encoding: {}", wish.encoding));
   const auto beginning = beginning_of(opened);
   if (!beginning) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
@@ -74,21 +78,22 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
     opened.guess = guess_control(*beginning);
     control = opened.guess->control;
     if (control.empty())
-      return wrong(fmt::format("{}: {}", told("no program of a control that Kadr knows; name the control to open it all the same",
-                                              "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
+      return wrong(fmt::format("{}: {}",
+                               told("no program of a control that Kadr knows; name the control to open it all the same",
+                                    "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
                                wish.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
   }
-  auto def = load_control(control);
+  auto def = load_control(control, wish.door);
   if (!def) return wrong(def.error());
   opened.def = std::make_shared<const ControlDef>(std::move(*def));
   auto texts = AlarmTexts::load(opened.def.get());
   if (!texts) return wrong(texts.error());
   opened.texts = std::make_shared<const AlarmTexts>(std::move(*texts));
-  auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine);
+  auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine, wish.door);
   if (!machine) return wrong(machine.error());
   opened.machine = std::move(*machine);
   if (wish.setup.empty()) return opened;
-  auto file = setup_source(wish.setup);
+  auto file = setup_source(wish.setup, wish.door);
   if (!file) return wrong(file.error());
   auto setup = read_setup({std::move(*file)}, opened.def.get(), wish.lang);
   if (!setup) return wrong(setup.error());

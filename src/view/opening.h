@@ -19,6 +19,7 @@ struct OpeningWish {
   std::string control, machine, setup, encoding;
   std::optional<std::string> text;  // UTF-8, run in the place of what the file holds
   Lang lang = Lang::en;
+  const FileDoor* door = nullptr;  // opens them all, and what they name; it outlives the run
 };
 
 struct OpenedProgram {
@@ -31,8 +32,11 @@ struct OpenedProgram {
   SaidEncoding encoding;
   std::optional<Guess> guess;  // nothing: the control was named
   std::optional<std::string> text;
+  std::uint32_t number = 0;  // of the program on a tape with several; 0: the first
+  RunLimits limits;          // nothing is written
+  const FileDoor* door = nullptr;
 
-  /// Its text, the first program of a tape with several.
+  /// Its text, of a tape with several the one that `number` says.
   ///   returns  an error sentence
   tl::expected<Program, std::string> program() const;
   /// The same of another text.

@@ -83,7 +83,7 @@ PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& questio
   auto other_run = ProgramRun::make(*other, token());
   if (!other_run) return tl::unexpected(Refusal{other_run.error()});
   afterwards = [this, its = std::shared_ptr<ProgramRun>(std::move(*other_run))] {
-    its->on_piece = [this](const ViewPiece& piece) { send(piece, 1); };
+    its->on_piece = [this](const ViewPiece& piece, std::uint32_t channel) { send(piece, 1, channel); };
     its->carry_out();
     say({{"event", "compared"}, {"seconds", its->seconds()}, {"blocks", its->blocks()}});
   };

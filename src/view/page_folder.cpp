@@ -19,12 +19,14 @@ PageSession::Inside::Answer PageSession::Inside::hello(const PageJson& question)
   may_change = knows;
   speak(question);
   tell_here_in(lang);
+  const std::string last = server.last != nullptr ? server.last->get() : std::string();
   PageJson controls = PageJson::array();
   for (const std::string& control : built_in_controls())
     if (const auto def = load_control(control))
       controls.push_back({{"id", control}, {"name", lang == Lang::ru ? def->name.ru : def->name.en}});
-  return PageJson{{"version", server.version}, {"folder", server.folder.name()},  {"may_change", may_change},
-                  {"last", nullptr},           {"controls", std::move(controls)}, {"machines", built_in_machines()}};
+  return PageJson{{"version", server.version},       {"folder", server.folder.name()},
+                  {"may_change", may_change},        {"last", last.empty() ? PageJson() : PageJson(last)},
+                  {"controls", std::move(controls)}, {"machines", built_in_machines()}};
 }
 
 PageSession::Inside::Answer PageSession::Inside::files(const PageJson& question) {

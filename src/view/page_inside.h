@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -75,11 +76,14 @@ struct PageSession::Inside {
   tl::expected<OpeningWish, Refusal> wish_of(const PageJson& question) const;
   void carry_out();
   /// Its frames; `which` of the protocol. The work ends where nobody takes them.
-  void send(const ViewPiece& piece, std::uint32_t which);
+  void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
   void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
-    return problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file);
+    PageJson json = problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file, quick_fix(report, lang));
+    if (report.origin.file != 0) json["file_name"] = server.folder.shown(report.file);
+    return json;
   }
+  PageJson problem_of_channel(const AlarmReport& report, int channel) const;
   void speak(const PageJson& question) {
     lang = value_in<std::string>(question, "lang", lang == Lang::ru ? "ru" : "en") == "ru" ? Lang::ru : Lang::en;
   }
@@ -95,6 +99,7 @@ struct PageSession::Inside {
   std::set<std::string> opened_names;  // files that were opened: what may be saved over
   OpeningWish opened_wish;
   std::unique_ptr<SourceText> source;
+  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;  // by Origin::file
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
   StockGuess guess;

@@ -24,6 +24,15 @@ const char* name_of_mark(TimeMark::Kind kind) {
 }
 
 PageJson vec(Vec3 v) { return {v.x, v.y, v.z}; }
+/// The exact one of the summary, in the coordinates of the work offset, where the picture shows the same; else what the picture shows.
+Box shown_box(const Box& exact, const Box& seen) {
+  constexpr double alike = 0.01;  // mm: more than chords leave of arcs
+  const Vec3 least = exact.least - seen.least, most = exact.most - seen.most;
+  const double off =
+      std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z), std::fabs(most.x), std::fabs(most.y), std::fabs(most.z)});
+  return exact.empty != seen.empty || off > alike ? seen : exact;
+}
+
 PageJson box_json(const Box& box) { return box.empty ? PageJson() : PageJson{vec(box.least), vec(box.most)}; }
 /// JSON has no number that is none.
 PageJson number(double value) { return std::isfinite(value) ? PageJson(value) : PageJson(); }
@@ -77,6 +86,14 @@ PageJson calls_json(const std::vector<AlarmReport::Call>& calls) {
   return list;
 }
 
+/// The instant at which a tool comes into the spindle first; 0: it is there at the start.
+double first_use(const ProgramRun& run, std::uint32_t tool) {
+  const std::string name = "T" + std::to_string(tool);
+  for (const TimeMark& m : run.marks())
+    if (m.kind == TimeMark::Kind::tool && m.text == name) return m.at;
+  return 0;
+}
+
 /// Where the axes are on their way through the block, and what is left of it.
 void put_position(PageJson& json, const InstantState& s, const ProgramRun& run) {
   json["position"] = of_axes(s.after, InForce::Kind::position);
@@ -103,11 +120,13 @@ PageJson files_json(const FolderList& list) {
   return {{"entries", std::move(entries)}, {"more", list.more}};
 }
 
-PageJson problem_json(const Finding& f, std::uint16_t file) {
+PageJson problem_json(const Finding& f, std::uint16_t file, const std::optional<QuickFix>& fix) {
   const char* const severity = f.severity == Severity::alarm ? "alarm" : f.severity == Severity::warning ? "warning" : "note";
-  return {
+  PageJson json = {
       {"id", name_of(f.id)}, {"severity", severity}, {"number", f.number},         {"text", f.text},   {"hint", f.hint},  {"file", file},
       {"line", f.line},      {"column", f.column},   {"end_column", f.end_column}, {"block", f.block}, {"calls", f.calls}};
+  if (fix) json["fix"] = {{"text", fix->text}, {"line", f.line}, {"from", fix->from}, {"to", fix->to}, {"insert", fix->insert}};
+  return json;
 }
 
 PageJson state_json(const InstantState& s, const ProgramRun& run) {
@@ -139,6 +158,8 @@ PageJson state_json(const InstantState& s, const ProgramRun& run) {
   return json;
 }
 
+PageJson extents_json(const Statistics& s) { return {{"cutting", box_json(s.cutting_box())}, {"all", box_json(s.box())}}; }
+
 PageJson bounds_json(const MachineBounds& space) {
   const auto box = [](const SpaceBox& b) {
     PageJson corners = {PageJson::array(), PageJson::array()};
@@ -157,7 +178,8 @@ PageJson done_json(const ProgramRun& run, Lang lang) {
   const Statistics& s = run.statistics();
   const char* const state = run.end() == ProgramRun::End::ended ? "ended" : run.end() == ProgramRun::End::stopped ? "stopped" : "cancelled";
   PageJson tools = PageJson::array(), marks = PageJson::array();
-  for (const Statistics::ToolUse& t : s.tools()) tools.push_back({{"tool", t.tool}, {"seconds", t.cutting_s}});
+  for (const Statistics::ToolUse& t : s.tools())
+    tools.push_back({{"tool", t.tool}, {"from", first_use(run, t.tool)}, {"seconds", t.cutting_s}});
   for (const TimeMark& m : run.marks()) marks.push_back({{"at", m.at}, {"kind", name_of_mark(m.kind)}, {"line", m.line}, {"text", m.text}});
   const TimeSplit& time = s.time();
   return {{"state", state},
@@ -166,7 +188,9 @@ PageJson done_json(const ProgramRun& run, Lang lang) {
           {"vertices", run.path().vertices()},
           {"complete", !run.path().is_full()},
           {"zero", vec(run.path().zero())},
-          {"extents", {{"cutting", box_json(s.cutting_box())}, {"all", box_json(s.box())}}},
+          {"extents",
+           {{"cutting", box_json(shown_box(s.cutting_box(), run.path().cutting_reach()))},
+            {"all", box_json(shown_box(s.box(), run.path().reach()))}}},
           {"distances", {{"cutting", s.cutting_mm()}, {"rapid", s.rapid_mm()}}},
           {"times", {{"cutting", time.cutting}, {"rapid", time.rapid}, {"dwell", time.dwell}, {"tools", time.tool_change}}},
           {"tools", std::move(tools)},

@@ -2,9 +2,11 @@
 // Values of a run → JSON of the page's protocol (docs/panel-protocol.md).
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "out/text/alarm_print.h"
+#include "out/text/quick_fix.h"
 #include "view/instant.h"
 #include "view/served_folder.h"
 #include "view/machine_bounds.h"
@@ -14,8 +16,11 @@ namespace kadr {
 using PageJson = nlohmann::ordered_json;
 
 PageJson files_json(const FolderList& list);
-PageJson problem_json(const Finding& finding, std::uint16_t file);
+/// `fix`: nothing: none is certain.
+PageJson problem_json(const Finding& finding, std::uint16_t file, const std::optional<QuickFix>& fix);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
+/// Boxes of what is cut and of all that is gone through.
+PageJson extents_json(const Statistics& statistics);
 PageJson bounds_json(const MachineBounds& space);
 PageJson done_json(const ProgramRun& run, Lang lang);
 /// Text that is UTF-8 whatever it was: JSON is.

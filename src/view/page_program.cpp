@@ -1,5 +1,7 @@
 // Questions about the program that is open: open, source, state, passes. For view/page_session; tested by tests/serve.py.
 
+#include <fmt/core.h>
+
 #include "view/page_inside.h"
 
 namespace kadr {
@@ -15,6 +17,7 @@ constexpr std::size_t most_passes = 1000;
 tl::expected<OpeningWish, Refusal> PageSession::Inside::wish_of(const PageJson& question) const {
   OpeningWish wish;
   wish.lang = lang;
+  wish.door = &server.folder;
   wish.encoding = value_in<std::string>(question, "encoding", "");
   const auto place = [&](const char* key, std::string& to, bool may_be_a_name) -> std::string {
     const std::string name = value_in<std::string>(question, key, "");
@@ -39,15 +42,16 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   if (!digest) return tl::unexpected(Refusal{digest.error()});
   auto opened = open_for_page(*wish);
   if (!opened) return tl::unexpected(Refusal{opened.error()});
-  part_run.reset(), instants.reset(), run.reset(), source.reset();
+  part_run.reset(), called_sources.clear(), instants.reset(), run.reset(), source.reset();
   guess = {};
   auto made = ProgramRun::make(*opened, token());
   if (!made) return tl::unexpected(Refusal{made.error()});
   run = std::move(*made);
   source = std::make_unique<SourceText>(opened->text ? OpenedText{text_source(*opened->text), Encoding::utf8}
-                                                     : open_text(wish->path, opened->encoding));
+                                                     : open_text(wish->path, opened->encoding, &server.folder));
   opened_names.insert(file);
   opened_wish = *wish;
+  if (server.last != nullptr) server.last->set(file);
   const bool whole = source->bytes() <= most_text;
   PageJson control = {{"id", opened->def->id},
                       {"name", lang == Lang::ru ? opened->def->name.ru : opened->def->name.en},
@@ -69,19 +73,34 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
   return json;
 }
 
-void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which) {
+void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel) {
   if (gone) return;
-  gone = !line.frame(path_frame(piece, which, 0)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, which, 0)));
+  gone =
+      !line.frame(path_frame(piece, which, channel)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, which, channel)));
   if (gone) stops = true;
 }
 
+/// Its line stands in another program.
+PageJson PageSession::Inside::problem_of_channel(const AlarmReport& report, int channel) const {
+  const Finding finding = finding_of(report, *run->opened().texts, lang);
+  PageJson json = problem_json(finding, 0, std::nullopt);
+  json["channel"] = channel;
+  json["line"] = 0;
+  json["text"] =
+      fmt::format("{} {}, {}:{}: {}", told("channel", "канал"), channel, server.folder.shown(finding.file), finding.line, finding.text);
+  return json;
+}
+
 void PageSession::Inside::carry_out() {
-  run->on_piece = [this](const ViewPiece& piece) {
-    guess.take(piece);
-    send(piece, 0);
+  run->on_piece = [this](const ViewPiece& piece, std::uint32_t channel) {
+    if (channel == 0) guess.take(piece);
+    send(piece, 0, channel);
   };
-  run->on_contour = [this](const ViewPiece& piece) { send(piece, 2); };
-  run->on_alarm = [this](const AlarmReport& report, double at) { say({{"event", "alarm"}, {"at", at}, {"problem", problem(report)}}); };
+  run->on_contour = [this](const ViewPiece& piece) { send(piece, 2, 0); };
+  run->on_alarm = [this](const AlarmReport& report, double at, int channel) {
+    PageJson told_problem = channel == 0 ? problem(report) : problem_of_channel(report, channel);
+    say({{"event", "alarm"}, {"at", at}, {"problem", std::move(told_problem)}});
+  };
   run->on_progress = [this](double part, std::uint64_t blocks, double seconds) {
     say({{"event", "progress"}, {"part", part}, {"blocks", blocks}, {"seconds", seconds}});
     if (gone) stops = true;
@@ -92,16 +111,19 @@ void PageSession::Inside::carry_out() {
   say(done);
 }
 
+/// Of the program or of a file that it called: gone through once, when the first line of it is asked for.
 PageSession::Inside::Answer PageSession::Inside::source_lines(const PageJson& question) {
   const std::uint32_t from = count_in(question, "from", 1), count = std::min(count_in(question, "count", most_lines), most_lines);
   const std::uint32_t file = count_in(question, "file", 0);
-  if (file == 0) return PageJson{{"lines", source->from(from, count)}};
-  if (file >= run->control().files_read().size()) return tl::unexpected(Refusal{told("no such file", "такого файла нет")});
-  std::set<std::uint32_t> numbers;
-  for (std::uint32_t n = from; n < from + count; ++n) numbers.insert(numbers.end(), n);
-  PageJson lines = PageJson::array();
-  for (const auto& [number, text] : run->control().texts_of(numbers, std::uint16_t(file))) lines.push_back(text);
-  return PageJson{{"lines", std::move(lines)}, {"name", run->control().file_name(std::uint16_t(file))}};
+  if (file == 0) return PageJson{{"lines", source->from(from, count)}, {"count", source->lines()}};
+  auto called = called_sources.find(file);
+  if (called == called_sources.end()) {
+    auto bytes = run->control().source_of(file);
+    if (!bytes) return tl::unexpected(Refusal{told("no such file", "такого файла нет")});
+    called = called_sources.emplace(file, std::make_unique<SourceText>(std::move(bytes), std::nullopt)).first;
+  }
+  const std::string name = server.folder.shown(run->control().file_name(std::uint16_t(file)));
+  return PageJson{{"lines", called->second->from(from, count)}, {"count", called->second->lines()}, {"name", name}};
 }
 
 PageSession::Inside::Answer PageSession::Inside::state(const PageJson& question) {
@@ -112,6 +134,8 @@ PageSession::Inside::Answer PageSession::Inside::state(const PageJson& question)
   if (!state) return tl::unexpected(Refusal{state.error()});
   PageJson json = state_json(*state, *run);
   json["file_name"] = server.folder.shown(state->line.file);
+  for (PageJson& call : json["calls"])
+    if (call["file"].is_string()) call["file"] = server.folder.shown(call["file"].get<std::string>());
   return json;
 }
 

@@ -30,7 +30,9 @@ bool PageSession::take(std::string_view message) {
   const PageJson id = question.is_object() && question.contains("id") && question["id"].is_number() ? question["id"] : PageJson();
   const auto wrong = [&](const std::string& text) {
     in.say({{"re", id}, {"error", {{"text", text}}}});
-    return ++in.mistakes < most_mistakes;
+    if (++in.mistakes < most_mistakes) return true;
+    in.say({{"event", "closed"}, {"text", told("too many messages are no questions", "слишком много сообщений — не вопросы")}});
+    return false;
   };
   if (!question.is_object() || id.is_null())
     return wrong(told("no question: an object with `id` and `do` is wanted", "это не вопрос: нужен объект с `id` и `do`"));

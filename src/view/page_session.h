@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -21,13 +22,31 @@ class PageLine {
   virtual bool frame(std::string bytes) = 0;
 };
 
+/// The file that was opened last, by any page.
+class LastOpened {
+ public:
+  std::string get() const {
+    const std::lock_guard hold(lock_);
+    return file_;
+  }
+  void set(const std::string& file) {
+    const std::lock_guard hold(lock_);
+    file_ = file;
+  }
+
+ private:
+  mutable std::mutex lock_;
+  std::string file_;  // empty: none
+};
+
 /// What all pages of a server have in common.
 struct PageServer {
   const ServedFolder& folder;
   std::string token;    // that who may change something knows
   bool all_need_token;  // who does not know it may not even look: the server listens beyond this machine
   Lang lang = Lang::en;
-  std::string version;  // of Kadr
+  std::string version;         // of Kadr
+  LastOpened* last = nullptr;  // nullptr: nobody asks
 };
 
 class PageSession {

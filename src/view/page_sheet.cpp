@@ -1,9 +1,12 @@
-// The set-up sheet. For view/page_session; tested by tests/serve.py.
+// The set-up sheet of the program that is open. For view/page_session; tested by tests/serve.py.
 
 #include "view/page_inside.h"
+#include "view/sheet.h"
 
 namespace kadr {
 
-PageSession::Inside::Answer PageSession::Inside::sheet(const PageJson&) { return not_served("sheet"); }
+PageSession::Inside::Answer PageSession::Inside::sheet(const PageJson&) {
+  return sheet_json(sheet_of(*run, *source, server.folder.shown(run->opened().path), lang), run->statistics());
+}
 
 }  // namespace kadr

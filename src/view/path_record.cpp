@@ -73,6 +73,7 @@ void PathRecord::consume(const Step& step, double later, double longer) {
   way_.take(step, ways_);
   const Motion* const motion = step.motion();
   if (motion == nullptr || ways_.empty()) return;
+  note_reach(*motion);
   const double begins = step.begins + later, seconds = step.time.seconds + longer;
   PathVertex vertex;
   vertex.line = step.action.origin.line;
@@ -91,6 +92,20 @@ void PathRecord::consume(const Step& step, double later, double longer) {
     begun_ = true;
   }
   for (const WayPiece& w : ways_) add(vertex, w.to, w.to_direction, begins + seconds * w.ends);
+}
+
+void PathRecord::note_reach(const Motion& motion) {
+  Box box;
+  box.take(ways_.front().from);
+  for (const WayPiece& w : ways_) box.take(w.to);
+  all_.take(box);
+  if (cuts(motion)) cutting_.take(box);
+}
+
+Box PathRecord::moved(Box box) const {
+  box.least = box.least - zero();
+  box.most = box.most - zero();
+  return box;
 }
 
 void PathRecord::flush() {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "out/text/extents.h"
 #include "session/cutting/tool_way.h"
 #include "view/path_piece.h"
 
@@ -34,6 +35,9 @@ class PathRecord {
   std::size_t vertices() const { return vertices_; }
   /// Where the picture's zero is, machine coordinates.
   Vec3 zero() const { return way_.zero().value_or(way_.present_zero()); }
+  /// What the path reaches, from the picture's zero; arcs by their chords.
+  Box reach() const { return moved(all_); }
+  Box cutting_reach() const { return moved(cutting_); }
   /// The vertex at which the tool arrives at or after an instant; nullptr: the path is over before.
   const PathVertex* at(double instant) const;
   /// Its time, s.
@@ -43,6 +47,8 @@ class PathRecord {
   static constexpr std::size_t most_vertices = 20'000'000;
   void add(const PathVertex& vertex, Vec3 at, Vec3 direction, double time);
   void begin_piece();
+  void note_reach(const Motion& motion);
+  Box moved(Box box) const;
 
   AxisRoles roles_;
   ToolWay way_;
@@ -54,6 +60,7 @@ class PathRecord {
   double last_time_ = 0;
   Vec3 last_, last_direction_{0, 0, 1};
   bool begun_ = false;
+  Box cutting_, all_;  // from the machine's zero
 };
 
 }  // namespace kadr

@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_marks = 10'000;
-constexpr std::size_t most_checkpoints = 128;  // each some 100 KB
+constexpr std::size_t most_checkpoints = 48;  // each some 600 KB: what the control has made ahead is in it
 constexpr std::int64_t told_every = 100;       // ms
 constexpr double short_dwell = 0.05;           // s: no mark
 
@@ -53,22 +53,15 @@ void ProgramRun::attach() {
   contour_ = std::make_unique<PathRecord>(roles_, tree_of(opened_, control), apart_of(opened_, control), tool);
   programmed_ = std::make_unique<Steps>(roles_, session_->stand());
   record_->on_piece = [this](const ViewPiece& piece) {
-    if (on_piece) on_piece(piece);
+    if (on_piece) on_piece(piece, 0);
   };
   statistics_ = std::make_unique<Statistics>(control.axes(), control.rotary(), rates_of(opened_.machine, own.setup, control.axes()));
   statistics_->start_with(own.setup.spindle().rpm, tool);
   const auto rules = session_->look_ahead();
   if (rules) statistics_->count_by(rules->accelerates() ? TimeBasis::accelerated : TimeBasis::limited);
   Outlets& outlets = session_->outlets();
-  const auto tell = [this](const AlarmReport& report) {
-    statistics_->count(report.alarm.severity);
-    const bool stands = report.alarm.severity == Severity::alarm;
-    add_mark({seconds_, stands ? TimeMark::Kind::alarm : TimeMark::Kind::warning, report.origin.line,
-              sentence_of(report, *opened_.texts, told_lang())});
-    if (on_alarm) on_alarm(report, seconds_);
-  };
-  outlets.warning = tell;
-  outlets.alarm = [tell](const AlarmReport& report) { return tell(report), false; };
+  outlets.warning = [this](const AlarmReport& report) { tell(report, 0); };
+  outlets.alarm = [this](const AlarmReport& report) { return tell(report, 0), false; };
   outlets.programmed = [this](const Action& action) { take_programmed(action); };
   outlets.clock = &statistics_->clock();
   outlets.stop = stop_;
@@ -83,6 +76,39 @@ void ProgramRun::attach() {
       if (const Motion* const motion = step.motion(); motion != nullptr && longer != 0) statistics_->lengthen(*motion, longer);
       take(step, longer);
     };
+}
+
+/// Their paths and alarms; nothing else of them is shown.
+void ProgramRun::attach_others() {
+  std::vector<Channel>& channels = session_->channels();
+  others_.reserve(channels.size());
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (i == session_->own()) continue;
+    const Channel& channel = channels[i];
+    const Control& control = *channel.control;
+    Other& other = others_.emplace_back();
+    other.roles = AxisRoles::of(control.axes(), control.rotary());
+    other.clock = std::make_unique<TimeEstimate>(other.roles, rates_of(opened_.machine, channel.setup, control.axes()));
+    const auto tool = std::uint32_t(std::max(channel.setup.tool, 0));
+    other.record = std::make_unique<PathRecord>(other.roles, tree_of(opened_, control), apart_of(opened_, control), tool);
+    other.record->on_piece = [this, number = std::uint32_t(others_.size())](const ViewPiece& piece) {
+      if (on_piece) on_piece(piece, number);
+    };
+    Outlets& outlets = session_->outlets(i);
+    outlets.step = [&other](const Step& step) { other.record->consume(step, 0, 0); };
+    outlets.clock = other.clock.get();
+    outlets.warning = [this, number = channel.number](const AlarmReport& report) { tell(report, number); };
+    outlets.alarm = [this, number = channel.number](const AlarmReport& report) { return tell(report, number), false; };
+    outlets.stop = stop_;
+  }
+}
+
+void ProgramRun::tell(const AlarmReport& report, int channel) {
+  statistics_->count(report.alarm.severity);
+  const bool stands = report.alarm.severity == Severity::alarm;
+  add_mark({seconds_, stands ? TimeMark::Kind::alarm : TimeMark::Kind::warning, channel == 0 ? report.origin.line : 0,
+            sentence_of(report, *opened_.texts, told_lang()), report.origin.file});
+  if (on_alarm) on_alarm(report, seconds_, channel);
 }
 
 void ProgramRun::take(const Step& step, double longer) {
@@ -114,13 +140,13 @@ void ProgramRun::add_mark(TimeMark mark) {
 
 void ProgramRun::mark(const Step& step, double at) {
   const auto& what = step.action.what;
-  const std::uint32_t line = step.action.origin.line;
+  const Origin& origin = step.action.origin;
   using Kind = TimeMark::Kind;
-  if (const auto* const change = std::get_if<ToolChange>(&what)) add_mark({at, Kind::tool, line, "T" + std::to_string(change->tool)});
-  else if (const auto* const stop = std::get_if<Stop>(&what)) add_mark({at, stop->optional ? Kind::optional_stop : Kind::stop, line, {}});
-  else if (const auto* const message = std::get_if<Message>(&what)) add_mark({at, Kind::message, line, message->text});
-  else if (const auto* const dwell = std::get_if<Dwell>(&what); dwell != nullptr && dwell->seconds > short_dwell)
-    add_mark({at, Kind::dwell, line, {}});
+  const auto add = [&](Kind kind, std::string text = {}) { add_mark({at, kind, origin.line, std::move(text), origin.file}); };
+  if (const auto* const change = std::get_if<ToolChange>(&what)) add(Kind::tool, "T" + std::to_string(change->tool));
+  else if (const auto* const stop = std::get_if<Stop>(&what)) add(stop->optional ? Kind::optional_stop : Kind::stop);
+  else if (const auto* const message = std::get_if<Message>(&what)) add(Kind::message, message->text);
+  else if (const auto* const dwell = std::get_if<Dwell>(&what); dwell != nullptr && dwell->seconds > short_dwell) add(Kind::dwell);
 }
 
 /// Where there are too many every second one goes.
@@ -146,20 +172,20 @@ void ProgramRun::tell_progress() {
 }
 
 void ProgramRun::carry_out() {
-  const bool alone = session_->channels().size() == 1;
+  attach_others();
   std::uint64_t kept = 0;
-  if (alone) keep_checkpoint();
+  keep_checkpoint();
   Session::State state = Session::State::running;
   while (state == Session::State::running && !stop_.asked()) {
     state = session_->go_on();
-    if (!alone) continue;
     if (session_->blocks() - kept >= apart_ && state == Session::State::running) kept = session_->blocks(), keep_checkpoint();
     tell_progress();
   }
   end_ = stop_.asked() ? End::cancelled : state == Session::State::stopped ? End::stopped : End::ended;
   record_->flush();
+  for (const Other& other : others_) other.record->flush();
   tell_contour();
-  add_mark({seconds_, TimeMark::Kind::end, 0, {}});
+  add_mark({seconds_, TimeMark::Kind::end, 0, {}, 0});
 }
 
 }  // namespace kadr

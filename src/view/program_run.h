@@ -21,6 +21,7 @@ struct TimeMark {
   Kind kind = Kind::tool;
   std::uint32_t line = 0;
   std::string text;  // of the program: to be escaped where it is shown
+  std::uint16_t file = 0;  // Origin::file of the line
 };
 
 /// From where the session goes on, and which block comes then.
@@ -34,10 +35,12 @@ class ProgramRun {
   /// returns  an error sentence: the set-up names what the control has not
   static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
 
-  std::function<void(const ViewPiece&)> on_piece;
+  /// `channel`: 0: the program's own; the others count from 1, in the order of their numbers.
+  std::function<void(const ViewPiece&, std::uint32_t channel)> on_piece;
   /// The same of the contour as programmed, where the tool's radius is compensated: when all is over.
   std::function<void(const ViewPiece&)> on_contour;
-  std::function<void(const AlarmReport&, double at)> on_alarm;
+  /// `channel`: as the machine counts them; 0: the program's own.
+  std::function<void(const AlarmReport&, double at, int channel)> on_alarm;
   /// Some times a second: how far it has come.
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
 
@@ -59,6 +62,8 @@ class ProgramRun {
  private:
   ProgramRun(const OpenedProgram& opened, const StopToken& stop) : opened_(opened), stop_(stop) {}
   void attach();
+  void attach_others();
+  void tell(const AlarmReport& report, int channel);
   void take(const Step& step, double longer);
   void take_programmed(const Action& action);
   void tell_contour();
@@ -70,6 +75,13 @@ class ProgramRun {
   OpenedProgram opened_;
   StopToken stop_;
   std::unique_ptr<Session> session_;
+  /// A channel beside the program's own.
+  struct Other {
+    AxisRoles roles;
+    std::unique_ptr<PathRecord> record;
+    std::unique_ptr<TimeEstimate> clock;
+  };
+  std::vector<Other> others_;
   AxisRoles roles_;
   std::unique_ptr<PathRecord> record_;
   std::unique_ptr<PathRecord> contour_;  // where compensation acts; its times come at the end

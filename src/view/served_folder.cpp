@@ -14,9 +14,13 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <utility>
 
 #include "base/ascii.h"
 #include "config/read_file.h"
@@ -35,6 +39,7 @@ class OpenFile {
   }
   int fd() const { return fd_; }
   bool is_open() const { return fd_ >= 0; }
+  int release() { return std::exchange(fd_, -1); }
 
  private:
   int fd_;
@@ -130,7 +135,7 @@ FolderEntry::Kind kind_of_file(std::string_view name) {
   std::string ending;
   if (dot != std::string_view::npos)
     for (const char c : name.substr(dot + 1)) ending += (c >= 'A' && c <= 'Z') ? char(c - 'A' + 'a') : c;
-  constexpr std::array no_programs = {"png", "svg",  "jpg", "jpeg", "gif", "pdf", "stl", "3mf", "zip", "gz",  "html", "htm", "md",  "csv",
+  constexpr std::array no_programs = {"png", "svg",  "jpg", "jpeg", "gif", "pdf", "stl", "3mf", "zip", "gz", "html",   "htm", "md",  "csv",
                                       "xml", "docx", "doc", "xls",  "exe", "dll", "so",  "o",   "py",  "db", "sqlite", "dxf", "ply", "log"};
   if (ending == "json") return Kind::setup;
   if (ending == "toml" || ending == "tbl" || ending == "fctb") return Kind::tools;
@@ -170,7 +175,8 @@ tl::expected<FolderList, std::string> ServedFolder::list(const std::string& fold
       list.more = true;
       break;
     }
-    list.entries.push_back({name, is_folder ? FolderEntry::Kind::folder : kind_of_file(name), std::uint64_t(stat.st_size), stat.st_mtim.tv_sec});
+    list.entries.push_back(
+        {name, is_folder ? FolderEntry::Kind::folder : kind_of_file(name), std::uint64_t(stat.st_size), stat.st_mtim.tv_sec});
   }
   std::sort(list.entries.begin(), list.entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
     const bool af = a.kind == FolderEntry::Kind::folder, bf = b.kind == FolderEntry::Kind::folder;
@@ -183,6 +189,23 @@ tl::expected<std::string, std::string> ServedFolder::path_of(const std::string& 
   const auto opened = open_regular(fd_, file);
   if (!opened) return tl::unexpected(opened.error());
   return path_ + "/" + file;
+}
+
+/// Its name from the folder on. No link is followed on the way, so that `..` is what it looks like.
+std::optional<std::string> ServedFolder::beneath(const std::string& path) const {
+  const std::string plain = std::filesystem::path(path).lexically_normal().string(), front = path_ == "/" ? path_ : path_ + "/";
+  if (!plain.starts_with(front)) return std::nullopt;
+  return plain.substr(front.size());
+}
+
+int ServedFolder::open_for_reading(const std::string& path) const {
+  const auto name = beneath(path);
+  if (!name || is_hidden(*name)) return errno = EACCES, -1;
+  OpenFile file = open_beneath(fd_, *name, O_RDONLY | O_NOCTTY);
+  struct stat stat;
+  if (!file.is_open() || ::fstat(file.fd(), &stat) != 0) return -1;
+  if (!S_ISREG(stat.st_mode)) return errno = EACCES, -1;
+  return file.release();
 }
 
 tl::expected<FileText, std::string> ServedFolder::read(const std::string& file, std::size_t most) const {
@@ -206,38 +229,71 @@ tl::expected<FileDigest, std::string> ServedFolder::digest(const std::string& fi
   return text->digest;
 }
 
+namespace {
+
+/// What this server, or one that was killed, has left unfinished beside the file.
+void take_away_unfinished(const OpenFile& folder, const std::string& file) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(open_beneath(folder.fd(), "", O_RDONLY | O_DIRECTORY).release()), ::closedir);
+  const std::string front = "." + file + ".";
+  constexpr std::string_view ending = ".kadr";
+  while (const dirent* const row = rows ? ::readdir(rows.get()) : nullptr) {
+    const std::string_view name = row->d_name;
+    if (!name.starts_with(front) || !name.ends_with(ending)) continue;
+    const long pid = std::strtol(name.data() + front.size(), nullptr, 10);
+    if (pid <= 0 || (::kill(pid_t(pid), 0) != 0 && errno == ESRCH)) ::unlinkat(folder.fd(), row->d_name, 0);
+  }
+}
+
+/// Its rights and owner, as far as this program may give them.
+void make_alike(int made, const struct stat& like) {
+  if (::fchown(made, like.st_uid, like.st_gid) != 0) (void)::fchown(made, uid_t(-1), like.st_gid);
+  (void)::fchmod(made, like.st_mode & 0777);
+}
+
+/// The text with all that is to be said of it, written beside `last` and put in its place.
+///   replaces  the file that stands there; nothing: there must be none
+///   returns   an errno; 0: it stands there
+int put_in_place(const OpenFile& folder, const std::string& last, std::string_view text, const std::optional<struct stat>& replaces) {
+  static std::atomic<unsigned> count{0};
+  const std::string unfinished = fmt::format(".{}.{}.{}.kadr", last, ::getpid(), ++count);
+  const OpenFile made = open_beneath(folder.fd(), unfinished, O_WRONLY | O_CREAT | O_EXCL, 0644);
+  if (!made.is_open()) return errno;
+  const auto give_up = [&](int error) { return ::unlinkat(folder.fd(), unfinished.c_str(), 0), error; };
+  if (replaces) make_alike(made.fd(), *replaces);
+  if (!write_all(made.fd(), text)) return give_up(errno);
+  if (replaces) {
+    if (::renameat(folder.fd(), unfinished.c_str(), folder.fd(), last.c_str()) != 0) return give_up(errno);
+  } else {  // it must not be there by now either: a link in its place fails where there is something
+    if (::linkat(folder.fd(), unfinished.c_str(), folder.fd(), last.c_str(), 0) != 0) return give_up(errno);
+    ::unlinkat(folder.fd(), unfinished.c_str(), 0);
+  }
+  (void)::fsync(folder.fd());
+  return 0;
+}
+
+}  // namespace
+
 tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::string& file, std::string_view text,
                                                                    const std::optional<FileDigest>& replaces) const {
-  const FolderEntry::Kind kind = kind_of_file(file);
-  if (is_hidden(file) || kind == FolderEntry::Kind::other) return tl::unexpected(Refused{refusal(file)});
+  if (is_hidden(file) || kind_of_file(file) == FolderEntry::Kind::other) return tl::unexpected(Refused{refusal(file)});
   if (text.size() > most_saved)
-    return tl::unexpected(Refused{fmt::format("{}: {}", file, told("too long to be saved here", "слишком длинный, чтобы сохранить его здесь"))});
+    return tl::unexpected(
+        Refused{fmt::format("{}: {}", file, told("too long to be saved here", "слишком длинный, чтобы сохранить его здесь"))});
+  static std::mutex one_at_a_time;  // of two pages that save the same file the second one sees what the first has saved
+  const std::lock_guard hold(one_at_a_time);
   const auto now = digest(file);
   if (now ? !replaces || *now != *replaces : replaces.has_value())
-    return tl::unexpected(Refused{fmt::format("{}: {}", file, told("has been changed since it was read", "изменён с тех пор, как был прочитан")), true});
-  if (!now && open_beneath(fd_, file, O_PATH | O_NOFOLLOW).is_open()) return tl::unexpected(Refused{refusal(file)});  // a link, a device
+    return tl::unexpected(
+        Refused{fmt::format("{}: {}", file, told("has been changed since it was read", "изменён с тех пор, как был прочитан")), true});
   const std::string folder = folder_part(file), last = file.substr(folder.empty() ? 0 : folder.size() + 1);
   const OpenFile beside = open_beneath(fd_, folder, O_RDONLY | O_DIRECTORY);
   if (!beside.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
-  static std::atomic<unsigned> count{0};
-  const std::string unfinished = fmt::format(".{}.{}.{}.kadr", last, ::getpid(), ++count);
-  mode_t mode = 0644;
-  if (struct stat stat; now && ::fstatat(beside.fd(), last.c_str(), &stat, AT_SYMLINK_NOFOLLOW) == 0) mode = stat.st_mode & 0777;
-  const OpenFile made = open_beneath(beside.fd(), unfinished, O_WRONLY | O_CREAT | O_EXCL, mode);
-  if (!made.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
-  const auto give_up = [&](int error) {
-    ::unlinkat(beside.fd(), unfinished.c_str(), 0);
+  std::optional<struct stat> there(std::in_place);
+  if (::fstatat(beside.fd(), last.c_str(), &*there, AT_SYMLINK_NOFOLLOW) != 0) there.reset();
+  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // a link, a folder, a device
+  take_away_unfinished(beside, last);
+  if (const int error = put_in_place(beside, last, text, now ? there : std::nullopt); error != 0)
     return tl::unexpected(Refused{of_errno(file, error)});
-  };
-  if (!write_all(made.fd(), text)) return give_up(errno);
-  // What is not to be replaced must not be there by now either: a link in its place fails where there is something.
-  if (!now) {
-    if (::linkat(beside.fd(), unfinished.c_str(), beside.fd(), last.c_str(), 0) != 0) return give_up(errno);
-    ::unlinkat(beside.fd(), unfinished.c_str(), 0);
-  } else if (::renameat(beside.fd(), unfinished.c_str(), beside.fd(), last.c_str()) != 0) {
-    return give_up(errno);
-  }
-  (void)::fsync(beside.fd());
   const auto saved = digest(file);
   if (!saved) return tl::unexpected(Refused{saved.error()});
   return *saved;

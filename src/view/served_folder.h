@@ -9,6 +9,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/file_door.h"
+
 namespace kadr {
 
 struct FolderEntry {
@@ -32,7 +34,7 @@ struct FileText {
   FileDigest digest;
 };
 
-class ServedFolder {
+class ServedFolder : public FileDoor {
  public:
   static constexpr std::size_t most_entries = 10'000;
   static constexpr std::size_t most_saved = std::size_t{16} << 20;  // bytes
@@ -41,7 +43,7 @@ class ServedFolder {
   static tl::expected<ServedFolder, std::string> open(const std::string& path);
   ServedFolder(ServedFolder&& other) noexcept;
   ServedFolder& operator=(ServedFolder&&) = delete;
-  ~ServedFolder();
+  ~ServedFolder() override;
 
   /// Its last part, as people call it.
   const std::string& name() const { return name_; }
@@ -52,6 +54,9 @@ class ServedFolder {
   /// The place of a regular file beneath it in the file system, for whoever reads programs and what they call.
   ///   returns  an error sentence: it is none, leads out of the folder, or begins with a dot
   tl::expected<std::string, std::string> path_of(const std::string& file) const;
+  /// Of a path in the file system, as path_of() gives them and as programs make of them: beneath it, or EACCES.
+  int open_for_reading(const std::string& path) const override;
+  bool reaches(const std::string& path) const override { return beneath(path).has_value(); }
   tl::expected<FileText, std::string> read(const std::string& file, std::size_t most) const;
   /// Of a file as it stands; of long ones by size and time alone.
   tl::expected<FileDigest, std::string> digest(const std::string& file) const;
@@ -67,6 +72,8 @@ class ServedFolder {
 
  private:
   ServedFolder(int fd, std::string path, std::string name) : fd_(fd), path_(std::move(path)), name_(std::move(name)) {}
+  std::optional<std::string> beneath(const std::string& path) const;
+
   int fd_;
   std::string path_, name_;
 };

@@ -6,10 +6,10 @@
 
 namespace kadr {
 
-SourceText::SourceText(OpenedText text) : source_(std::move(text.source)) {
+SourceText::SourceText(std::shared_ptr<ByteSource> source, std::optional<Encoding> encoding) : source_(std::move(source)) {
   if (!source_) return;
   LineReader reader(source_);
-  encoding_ = text.encoding.value_or(detect_encoding(reader.sample()).value_or(Encoding::utf8));
+  encoding_ = encoding.value_or(detect_encoding(reader.sample()).value_or(Encoding::utf8));
   for (Line line; reader.next(line); ++lines_)
     if (lines_ % stretch == 0) places_.push_back(line.offset);
 }

@@ -13,7 +13,8 @@ namespace kadr {
 class SourceText {
  public:
   /// Goes through all of it once.
-  explicit SourceText(OpenedText text);
+  explicit SourceText(OpenedText text) : SourceText(std::shared_ptr<ByteSource>(std::move(text.source)), text.encoding) {}
+  SourceText(std::shared_ptr<ByteSource> source, std::optional<Encoding> encoding);
 
   std::uint32_t lines() const { return lines_; }
   Encoding encoding() const { return encoding_; }

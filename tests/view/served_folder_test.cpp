@@ -3,12 +3,10 @@
 #include "view/served_folder.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
-
 
 namespace kadr {
 namespace {
@@ -37,6 +35,22 @@ TEST(ServedFolder, NothingBeyondIt) {
     EXPECT_TRUE(folder->path_of("a.nc"));
     for (const char* name : {"", ".", "..", "../out.nc", "link.nc", "up/out.nc", "sub/../a.nc", "/etc/passwd", "sub", "a.nc/", "sub//x"})
       EXPECT_FALSE(folder->path_of(name)) << name;
+    // What a program names, as a place in the file system.
+    const std::string in = (fs::canonical(above) / "in").string();
+    const auto opens = [&](const std::string& path) {
+      const int fd = folder->open_for_reading(path);
+      if (fd >= 0) ::close(fd);
+      return fd >= 0;
+    };
+    EXPECT_TRUE(opens(in + "/a.nc"));
+    EXPECT_TRUE(opens(in + "/sub/../a.nc"));
+    for (const char* name :
+         {"", ".", "/..", "/../out.nc", "/link.nc", "/up/out.nc", "/sub", "/sub/../../out.nc", "/.a.nc", "x/a.nc", "/./../in/../out.nc"})
+      EXPECT_FALSE(opens(in + name)) << name;
+    EXPECT_FALSE(opens("a.nc"));
+    EXPECT_FALSE(opens("/etc/passwd"));
+    EXPECT_TRUE(folder->reaches(in + "/SystemMacros/Channel1"));
+    EXPECT_FALSE(folder->reaches(in + "/../SystemMacros/Channel1"));
     EXPECT_EQ(folder->list("")->entries.size(), 2U);
     EXPECT_FALSE(folder->list("up"));
     const auto read = folder->read("a.nc", 100);

@@ -4,12 +4,13 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
-const flags = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+const flags = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-features=LocalNetworkAccessChecks,BlockInsecurePrivateNetworkRequests", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 export async function browser(size = { width: 1600, height: 1000 }) {
   const profile = mkdtempSync(join(tmpdir(), "kadr-browser-"));
   const context = await chromium.launchPersistentContext(profile, { executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true, args: flags, viewport: size, locale: "en-GB", acceptDownloads: true });
   const page = context.pages()[0] ?? (await context.newPage());
+  page.setDefaultTimeout(60_000);
   const errors = [];
   page.on("pageerror", (e) => errors.push(e.message));
   page.on("console", (m) => { if (m.type() === "error" && !/WebSocket connection|ERR_CONNECTION/.test(m.text())) errors.push(m.text()); });
@@ -18,7 +19,7 @@ export async function browser(size = { width: 1600, height: 1000 }) {
 }
 
 /// Waits until `what` gives something true; says what was waited for if it never does.
-export async function until(name, what, ms = 15000) {
+export async function until(name, what, ms = 25000) {
   const end = Date.now() + ms;
   for (;;) {
     const got = await what();

@@ -1,6 +1,6 @@
-// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers.
+// The server under test: KADR names the program, its examples are served from a copy. Without KADR the made-up session answers. DIST: a built page in place of the one inside the program.
 import { spawn } from "node:child_process";
-import { appendFileSync, cpSync, mkdtempSync, rmSync } from "node:fs";
+import { appendFileSync, cpSync, existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -11,9 +11,18 @@ export async function server(examples) {
   return process.env.KADR ? real(process.env.KADR, examples) : made_up();
 }
 
-async function real(kadr, examples) {
+/// The page's files from a folder, for a page that is newer than the program.
+export async function page_from(page, dist) {
+  if (dist) await page.route(/^http:\/\/127\.0\.0\.1:\d+\/[\w.-]*$/, (route) => {
+    const name = new URL(route.request().url()).pathname.slice(1) || "index.html";
+    return name === "session" || name === "health" ? route.continue() : route.fulfill({ path: join(dist, name) });
+  });
+}
+
+export async function real(kadr, examples) {
   const folder = mkdtempSync(join(tmpdir(), "kadr-examples-"));
   cpSync(examples, folder, { recursive: true });
+  if (existsSync(join(folder, "cut"))) writeFileSync(join(folder, "cut", "xss.nc"), "%\n(</script><img src=x onerror=boom()>)\nN10 G21 G90\nN20 G0 X0 Y0\nN30 G1 X10 F100\nM30\n%\n");
   let child, address = "";
   const start = (port) => new Promise((yes, no) => {
     child = spawn(kadr, ["serve", folder, "--no-browser", "--port", String(port)], { stdio: ["ignore", "pipe", "inherit"] });
@@ -29,7 +38,7 @@ async function real(kadr, examples) {
   const [, first, port] = await start(0);
   address = first;
   return {
-    address: () => address, prepare: async () => {}, path: ["cut", "plate.nc"], line: "N60 G1 Z0", before: "N60 G1 Z0 F400",
+    address: () => address, prepare: (page) => page_from(page, process.env.DIST), path: ["cut", "plate.nc"], line: "N60 G1 Z0", before: "N60 G1 Z0 F400",
     change: () => appendFileSync(join(folder, "cut", "plate.nc"), "(somebody else)\n"), lose: stop, regain: async () => { address = (await start(Number(port)))[1]; },
     close: async () => { await stop(); rmSync(folder, { recursive: true, force: true }); },
   };

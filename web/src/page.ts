@@ -2,6 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style/base.css";
 import "./style/panes.css";
+import "./style/view.css";
 import "./style/code.css";
 import "./style/print.css";
 import { App } from "./model/app";
@@ -10,8 +11,10 @@ import { remember, remembered } from "./model/memory";
 import type { Socket } from "./protocol/client";
 import type { Problem } from "./protocol/types";
 import type { SceneBox } from "./scene/scene";
-import { of_program } from "./source/problems";
+import { of_program } from "./source/problems_of";
 import { SourcePane } from "./source/pane";
+import { editor_view } from "./source/editor";
+import { apply_fix } from "./source/problems";
 import { language, set_language, t } from "./texts/texts";
 import { banner } from "./ui/banner";
 import { show_compare } from "./ui/compare";
@@ -19,7 +22,7 @@ import { CutPanel } from "./ui/cut_panel";
 import { FilesDrawer } from "./ui/files";
 import { show_help } from "./ui/help";
 import { listen_keys, step_mark } from "./ui/keys";
-import { layout, Tabs } from "./ui/layout";
+import { layout, next_pane, Tabs } from "./ui/layout";
 import { Player } from "./ui/player";
 import { ProblemsPanel } from "./ui/problems_panel";
 import { ScenePane } from "./ui/scene_pane";
@@ -35,7 +38,7 @@ set_language(language());
 const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
 const app = new App(() => new WebSocket(address) as unknown as Socket);
 const player = new Player(app);
-let shapes: Shape[] = [], stock: SceneBox[] = [];
+let shapes: Shape[] = [], stock: SceneBox[] = [], shown_file = "";
 
 const scene_pane = new ScenePane(app, (v) => {
   if (v.which & 1) return; // the other version's path has no place on this program's slider
@@ -43,7 +46,7 @@ const scene_pane = new ScenePane(app, (v) => {
   if (v.file === 0) source.show(v.line);
 });
 const scene = scene_pane.scene;
-const source = new SourcePane(app, (line, file) => void go_to_line(line, file));
+const source = new SourcePane(app, (line, file) => void go_to_line(line, file), { view: editor_view, fix: apply_fix });
 const state = new StatePane(app, (line, file) => void go_to_line(line, file));
 const problems = new ProblemsPanel(app, jump_to, (fix) => source.fix(fix));
 const cut = new CutPanel(app, (box, tools) => {
@@ -73,8 +76,15 @@ document.body.append(layout({
 
 app.on_path.on((frame) => scene?.addPath(frame));
 app.on_part.on((frame) => scene?.setPart(frame));
-app.on_opening.on(() => { scene?.clearPath(); scene?.setPart(null); scene?.setBoxes([]); });
-app.on_done.on((done) => { scene?.setZero(done.zero); show_boxes(); scene?.view("fit"); });
+app.on_opening.on((file) => {
+  if (file === shown_file) return scene?.replacePath(); // run anew: what is seen stays until the new path comes
+  shown_file = file;
+  scene?.clearPath();
+  scene?.view("fit");
+  scene?.setPart(null);
+  scene?.setBoxes([]);
+});
+app.on_done.on((done) => { scene?.setZero(done.zero); show_boxes(); scene?.endPath(); });
 app.on_instant.on((at) => scene?.setInstant(at));
 app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
 for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
@@ -84,13 +94,7 @@ app.on_error.on((text) => toast(text, true));
 /// To the pass of a line that is nearest to where the slider stands.
 async function go_to_line(line: number, file: number): Promise<void> {
   scene?.highlight(line, file);
-  if (!app.done) return;
-  try {
-    const { passes } = await app.client.ask("passes", file ? { line, file } : { line });
-    const off = (p: { from: number; to: number }): number => (app.instant < p.from ? p.from - app.instant : app.instant > p.to ? app.instant - p.to : 0);
-    const nearest = passes.reduce<(typeof passes)[0] | null>((best, p) => (!best || off(p) < off(best) ? p : best), null);
-    if (nearest) app.seek_block(nearest.number);
-  } catch (e) { app.tell(e); }
+  if (app.done) await app.seek_line(line, file);
 }
 
 function jump_to(p: Problem): void {
@@ -110,12 +114,7 @@ listen_keys(app, player, {
   help: show_help,
   save: () => void save(app),
   leave: () => scene_pane.leave(),
-  next_pane(way) {
-    const panes = [...document.querySelectorAll<HTMLElement>(".files, .source, .scene, .state, .tabs, .timeline")].filter((e) => !e.hidden);
-    const here = panes.findIndex((e) => e.contains(document.activeElement));
-    const next = panes[(here + way + panes.length) % panes.length]!;
-    (next.querySelector<HTMLElement>("[contenteditable=true], [tabindex='0'], button:not(:disabled), select, input, canvas") ?? next).focus();
-  },
+  next_pane,
 });
 window.addEventListener("beforeunload", (e) => { if (app.dirty && !remembered("unsaved", null, "tab")) e.preventDefault(); });
 app.client.connect();

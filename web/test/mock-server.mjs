@@ -16,7 +16,7 @@ export function serve_page(dist) {
       response.end(body);
     } catch { response.writeHead(404).end(); }
   });
-  return new Promise((yes) => server.listen(0, "127.0.0.1", () => yes({ address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() })));
+  return new Promise((yes) => server.listen(0, "127.0.0.1", () => yes({ address: `http://127.0.0.1:${server.address().port}/`, http: server, close: () => server.close() })));
 }
 
 export const program = ["%", "(PLATE 80 X 60, ZERO IN THE MIDDLE </script><img src=x onerror=alert(1)>)", "N10 G21 G17 G90 G40 G49 G80", "N20 T1 M6 (END MILL 10)", "N30 S3500 M3", "N40 G0 X0 Y0 Z50 M8", "#1=5 ; depth",

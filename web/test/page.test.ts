@@ -35,6 +35,19 @@ test("a frame of path: columns, bins, the block at an instant", () => {
   for (let i = 0; i < 200; i++) if (!Number.isNaN(b.least[i]!)) expect(b.least[i]!).toBeLessThanOrEqual(b.greatest[i]!);
 });
 
+test("the strip shows the slowest and the fastest of every stretch, whole runs of vertices taken together or not", () => {
+  const { frame, seconds } = path_frame(), c = path_columns(frame)!, path = new PathIndex();
+  path.add(frame);
+  for (const count of [1, 2, 7, 50, 400, 3000]) {
+    const b = path.bins(0, seconds, count), width = seconds / count, least = Array(count).fill(Infinity), greatest = Array(count).fill(-Infinity);
+    for (let i = 1; i < c.times.length; i++) {
+      if (!(c.times[i]! > c.times[i - 1]!)) continue;
+      for (let k = Math.floor(c.times[i - 1]! / width); k <= Math.min(count - 1, Math.floor(c.times[i]! / width)); k++) { least[k] = Math.min(least[k], c.speeds[i]!); greatest[k] = Math.max(greatest[k], c.speeds[i]!); }
+    }
+    for (let k = 0; k < count; k++) if (least[k] < Infinity) expect([b.least[k], b.greatest[k]], `${count}: ${k}`).toEqual([least[k], greatest[k]]);
+  }
+});
+
 test("the other version's path is not the program's", () => {
   const path = new PathIndex();
   path.add(path_frame(0, 1).frame);

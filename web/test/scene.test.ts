@@ -1,10 +1,10 @@
 // The 3D view's arithmetic: frames that lie, levels, what is drawn at them, where the tool is.
 import { describe, expect, it } from "vitest";
 import { Eye } from "../src/scene/camera";
-import { dark, light, ramp, ranges_of } from "../src/scene/colours";
+import { dark, light, packed, ramp, ranges_of } from "../src/scene/colours";
 import { decode_leans, decode_part, decode_path, type Piece } from "../src/scene/frame";
 import { level_for, level_within, segments_at } from "../src/scene/level";
-import { circle } from "../src/scene/pick";
+import { draws_softly, Pace } from "../src/scene/pace";
 import { place_at } from "../src/scene/place";
 import { segments_of, type Look } from "../src/scene/segments";
 import type { SceneFilter } from "../src/scene/types";
@@ -29,8 +29,8 @@ function path_frame(vertices: V[], start = 0, which = 0): ArrayBuffer {
   return frame;
 }
 const piece = (vertices: V[], start = 0): Piece => decode_path(path_frame(vertices, start))!;
-const all: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: true, other: true };
-const look = (level: number, filter: Partial<SceneFilter> = {}): Look => ({ level, filter: { ...all, ...filter }, by: "kind", ranges: ranges_of([]), theme: light, zero: [0, 0, 0] });
+const all: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: true, other: true, bounds: true };
+const look = (level: number, filter: Partial<SceneFilter> = {}): Look => ({ level, filter: { ...all, ...filter }, by: "kind", ranges: ranges_of([]), theme: light, zero_z: 0 });
 const ends = (p: Piece, level: number, filter?: Partial<SceneFilter>): number[] => [...segments_of(p, look(level, filter)).ends];
 
 describe("frames", () => {
@@ -98,8 +98,25 @@ describe("segments", () => {
     expect(ends(p, 1)).toEqual([2, 4, 5]);
     expect(ends(p, 5)).toEqual([4, 5]);
   });
-  it("join what is kept, less the zero", () => {
-    expect([...segments_of(p, { ...look(1), zero: [10, 0, 0] }).points.slice(0, 6)]).toEqual([-10, 0, 0, -8, 0, 0]);
+  it("join what is kept, and know which vertices", () => {
+    const s = segments_of(p, look(1));
+    expect([...s.points.slice(0, 6)]).toEqual([0, 0, 0, 2, 0, 0]);
+    expect([...s.starts]).toEqual([0, 3, 4]);
+  });
+  it("have one colour at both ends, of what they stand for", () => {
+    const s = segments_of(p, look(0));
+    expect(s.colours[0]).toBe(packed(light.kinds[2]!));
+    expect(s.colours[1]).toBe(s.colours[0]);
+    expect([s.colours[4], s.colours[5]]).toEqual([packed(light.rapid), packed(light.rapid)]);
+  });
+  it("are coloured along the ramp", () => {
+    const q = piece([{ x: 0, kind: 0 }, { x: 1, feed: 100 }, { x: 2, feed: 200 }, { x: 3, feed: 300, kind: 1 }]);
+    const s = segments_of(q, { ...look(0), by: "feed", ranges: ranges_of([q]) });
+    expect([s.colours[0], s.colours[2], s.colours[4]]).toEqual([packed(ramp(0, [0, 1])), packed(ramp(1, [0, 1])), packed(light.rapid)]);
+  });
+  it("are filtered by depth from the zero", () => {
+    const q = piece([{ x: 0, kind: 0 }, { x: 1, z: 10 }, { x: 2, z: 12 }]);
+    expect([...segments_of(q, { ...look(0, { depth: [1, 3] }), zero_z: 10 }).ends]).toEqual([2]);
   });
   it("are filtered", () => {
     expect(ends(p, 0, { rapids: false })).toEqual([1, 2, 5]);
@@ -118,16 +135,42 @@ describe("places", () => {
   it("are none without a path", () => { expect(place_at([], 1)).toBeNull(); });
 });
 
+describe("pace", () => {
+  const bounds = { least: 1000, first: 10_000, most: 50_000, wanted: 40 };
+  it("goes down at once to what the time allows, not below its least", () => {
+    const p = new Pace(bounds);
+    p.took(80, 10_000);
+    expect(p.budget).toBe(5000);
+    for (let i = 0; i < 20; i++) p.took(500, p.budget);
+    expect(p.budget).toBe(1000);
+  });
+  it("goes up by little, only while it was the budget that bound it", () => {
+    const p = new Pace(bounds);
+    p.took(5, 100);
+    expect(p.budget).toBe(10_000);
+    p.took(5, 9000);
+    expect(p.budget).toBeCloseTo(11_000);
+    for (let i = 0; i < 100; i++) p.took(5, p.budget);
+    expect(p.budget).toBe(50_000);
+  });
+  it("does not blame the path for a picture with nothing in it", () => {
+    const p = new Pace(bounds);
+    p.took(900, 10);
+    expect(p.budget).toBe(10_000);
+  });
+  it("knows renderers without a card", () => {
+    expect(draws_softly("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)")).toBe(true);
+    expect(draws_softly("llvmpipe (LLVM 15.0.6, 256 bits)")).toBe(true);
+    expect(draws_softly("ANGLE (NVIDIA GeForce RTX 3060)")).toBe(false);
+  });
+});
+
 describe("colours, circles, the eye", () => {
   it("the ramp keeps to its ends", () => {
     expect(ramp(-5, [0, 10])).toEqual(ramp(0, [0, 10]));
     expect(ramp(99, [0, 10])).toEqual(ramp(10, [0, 10]));
     expect(ramp(1, [Infinity, -Infinity])[3]).toBe(255);
     expect(dark.kinds.length).toBe(9);
-  });
-  it("the radius of a circle through three points", () => {
-    expect(circle([5, 0, 1], [0, 5, 2], [-5, 0, 3])).toBeCloseTo(5);
-    expect(circle([0, 0, 0], [1, 0, 0], [2, 0, 0])).toBeUndefined();
   });
   it("zooming keeps what is under the pointer, turning what it turns about", () => {
     const eye = new Eye();

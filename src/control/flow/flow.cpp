@@ -78,7 +78,7 @@ void Flow::jump(Position position) {
 
 std::optional<std::uint16_t> Flow::open_program(const std::string& path) {
   if (const auto known = opened_.find(path); known != opened_.end()) return known->second;
-  auto text = open_text(path);
+  auto text = open_text(path, {}, limits_.door);
   if (!text.source) return std::nullopt;
   files_.push_back(std::make_unique<ProgramFile>(path, std::move(text.source), def_.grammar, text.encoding, limits_.stop));
   const auto reader = static_cast<std::uint16_t>(files_.size() - 1);

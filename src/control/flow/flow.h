@@ -178,6 +178,8 @@ class Flow {
   const std::string& file() const { return files_[now_.reader == 1 ? 0 : now_.reader]->path(); }
   /// By Origin::file: as reader().
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
+  /// It is the number of a file: the cycle bodies are none.
+  bool has_file(std::uint32_t reader) const { return reader < files_.size() && files_[reader] != nullptr; }
   /// Of all files opened, the program first.
   std::vector<std::string> paths() const;
   const std::string& main_file() const { return files_[0]->path(); }

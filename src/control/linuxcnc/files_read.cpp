@@ -19,7 +19,7 @@ std::string path_in(const std::string& folder, const std::string& name) { return
 /// The ini file that the set-up names (10.1).
 void LinuxCnc::read_machine_file(Interpreter& m, const Setup& setup, const RunLimits& limits) {
   if (setup.ini.empty()) return;
-  const auto text = read_file(path_in(limits.files, setup.ini), most_bytes);
+  const auto text = read_file(path_in(limits.files, setup.ini), most_bytes, limits.door);
   if (text) machine = machine_of(Ini(*text));
   else m.start_fault = {"ini", text.error(), text.error()};
 }
@@ -28,7 +28,7 @@ void LinuxCnc::read_machine_file(Interpreter& m, const Setup& setup, const RunLi
 void LinuxCnc::read_parameter_file(Interpreter& m, const RunLimits& limits) {
   if (machine.parameter_file.empty()) return;
   writes_parameters_ = limits.writes_files;
-  const auto text = read_file(path_in(limits.files, machine.parameter_file), most_bytes);
+  const auto text = read_file(path_in(limits.files, machine.parameter_file), most_bytes, limits.door);
   if (!text) return;
   const auto read = read_parameters(*text);
   if (!read) {
@@ -61,7 +61,7 @@ void LinuxCnc::save_parameters(Interpreter& m, bool program_ends) {
 void LinuxCnc::read_tool_file(const RunLimits& limits) {
   if (limits.files.empty()) return;
   const std::string table = machine.tool_table.empty() ? "tool.tbl" : machine.tool_table;
-  if (const auto text = read_file(path_in(limits.files, table), most_bytes); text) {
+  if (const auto text = read_file(path_in(limits.files, table), most_bytes, limits.door); text) {
     tools = read_tools(*text, machine.unit);
     tools_before_ = *text;
     table_is_known = true;

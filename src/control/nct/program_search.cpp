@@ -62,8 +62,8 @@ struct FirstWord {
   Position start;
 };
 
-FirstWord first_word(const fs::path& file, const Grammar& grammar) {
-  const auto source = open_text(file.string()).source;
+FirstWord first_word(const fs::path& file, const Grammar& grammar, const FileDoor* door) {
+  const auto source = open_text(file.string(), {}, door).source;
   if (!source) return {};
   std::string head(most_heading, '\0');
   head.resize(source->read(0, head.data(), head.size()));
@@ -146,7 +146,9 @@ Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Sp
     for (const fs::path& folder : folders) {
       const Files files = files_in(folder);
       const Files headed =
-          by_word ? files_that(files, [&](const fs::path& file) { return first_word(file, m.def.grammar).number == number; }) : Files();
+          by_word ? files_that(files,
+                               [&](const fs::path& file) { return first_word(file, m.def.grammar, m.flow.limits().door).number == number; })
+                  : Files();
       const auto found = by_word ? only_one(headed, "O" + std::to_string(number), where) : by_file_name(m, files, number, where);
       if (!found) return fail(found.error());
       if (!*found) continue;
@@ -161,7 +163,8 @@ Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Sp
 
 Result<std::optional<ProgramPlace>> Programs::by_heading(Interpreter& m, std::string_view name, Span where) {
   for (const fs::path& folder : folders_of(m)) {
-    const Files files = files_that(files_in(folder), [&](const fs::path& file) { return first_word(file, m.def.grammar).name == name; });
+    const Files files = files_that(
+        files_in(folder), [&](const fs::path& file) { return first_word(file, m.def.grammar, m.flow.limits().door).name == name; });
     const auto found = only_one(files, name, where);
     if (!found) return fail(found.error());
     if (!*found) continue;

@@ -94,8 +94,8 @@ struct Heading {
   Position start;  // of the program: after a line with `:`, which this control does not read
 };
 
-std::optional<Heading> heading_of(const fs::path& path) {
-  const auto source = open_text(path.string()).source;
+std::optional<Heading> heading_of(const fs::path& path, const FileDoor* door) {
+  const auto source = open_text(path.string(), {}, door).source;
   std::string head(most_head, '\0');
   head.resize(source ? source->read(0, head.data(), head.size()) : 0);
   const auto behind = [&](const char* passed, std::size_t from) { return std::min(head.find_first_not_of(passed, from), head.size()); };
@@ -114,8 +114,8 @@ std::optional<Heading> heading_of(const fs::path& path) {
   return heading;
 }
 
-bool begins_with(const fs::path& path, std::uint32_t number) {
-  const auto heading = heading_of(path);
+bool begins_with(const fs::path& path, std::uint32_t number, const FileDoor* door) {
+  const auto heading = heading_of(path, door);
   return heading && heading->number == number;
 }
 
@@ -135,7 +135,7 @@ Result<std::string> other_file(Interpreter& m, std::uint32_t number, const std::
       const fs::path& path = entry.path();
       const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: such a name is the number
       if (by_word ? of_name : number_in(path.stem().string()) != number || !alike(path.extension().string(), extension)) continue;
-      if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number)) || !is_inside(m, path)) continue;
+      if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.flow.limits().door)) || !is_inside(m, path)) continue;
       files.push_back(path.string());
     }
     if (files.size() > 1) return fail(alarm(AlarmId::label_twice, where, double(number)));
@@ -190,7 +190,7 @@ Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, S
       const std::string name = program_name(number) + extension;
       if (other->empty()) return fail(alarm(AlarmId::program_missing, where, std::string_view(name)));
       KADR_TRY(open(*other));
-      if (const auto heading = heading_of(*other); heading && by_word) place.start = heading->start;
+      if (const auto heading = heading_of(*other, m.flow.limits().door); heading && by_word) place.start = heading->start;
     }
   }
   numbers_.emplace(key, place);
@@ -231,6 +231,7 @@ Result<ProgramPlace> Programs::system(Interpreter& m, std::uint32_t number, Span
   const std::string folder = fmt::format("SystemMacros/Channel{}", m.def.channel);
   fs::path base = fs::path(m.flow.main_file()).parent_path();
   for (int i = 0; i < most_parents; ++i, base = base.empty() ? fs::path("..") : base / "..") {
+    if (const FileDoor* const door = m.flow.limits().door; door != nullptr && !door->reaches((base / folder).string())) break;
     const auto file = in_folder(base / folder, fmt::format("O{:04}.nct", number));
     const auto reader = file ? m.flow.open_program(file->string()) : std::nullopt;
     if (!reader) continue;

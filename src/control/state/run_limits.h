@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/file_door.h"
 #include "base/file_id.h"
 #include "base/stop.h"
 #include "lang/block/block_reader.h"
@@ -20,6 +21,7 @@ struct RunLimits {
   std::string files = ".";                     // folder of the program memory, outside of which nothing is written
   FileSet untouched{};                         // files of the run itself, which no program writes
   StopToken stop{};                            // asked for at least each block
+  const FileDoor* door = nullptr;              // opens what the program calls and the set-up names; it outlives the run
 };
 
 struct Program {

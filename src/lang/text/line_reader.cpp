@@ -135,9 +135,11 @@ bool has_bare_cr(std::string_view sample) {
 
 }  // namespace
 
-std::unique_ptr<ByteSource> open_file(const std::string& path) {
-  if (SharedText text = Pipes::known(path)) return std::make_unique<TextSource>(std::move(text));
-  OpenFile file(path == "-" ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0) : open(path.c_str(), O_RDONLY | O_CLOEXEC));
+std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door) {
+  if (SharedText text = door == nullptr ? Pipes::known(path) : nullptr) return std::make_unique<TextSource>(std::move(text));
+  OpenFile file(door != nullptr ? door->open_for_reading(path)
+                : path == "-"   ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                                : open(path.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (file.descriptor() < 0 || fstat(file.descriptor(), &status) != 0) return nullptr;
   if (S_ISDIR(status.st_mode)) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/file_door.h"
 #include "base/result.h"
 #include "lang/text/encoding.h"
 
@@ -30,8 +31,8 @@ class ByteSource {
 };
 
 /// nullptr if the file cannot be read (the reason is in errno). What cannot be read twice (a pipe, a terminal; "-" is
-/// the standard input) is kept in memory, up to 1 GiB (EFBIG beyond).
-std::unique_ptr<ByteSource> open_file(const std::string& path);
+/// the standard input) is kept in memory, up to 1 GiB (EFBIG beyond). Through a door only a regular file.
+std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door = nullptr);
 std::unique_ptr<ByteSource> text_source(std::string text);
 
 /// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone where the sample holds no LF.

@@ -48,7 +48,7 @@ struct OpenedText {
 
 /// The file itself; or, of UTF-16, a view of it as UTF-8 that can be read from any place and knows of each 32 KiB where they begin.
 ///   returns  no source: the file cannot be read, errno tells why
-OpenedText open_text(const std::string& path, const SaidEncoding& said = {});
+OpenedText open_text(const std::string& path, const SaidEncoding& said = {}, const FileDoor* door = nullptr);
 OpenedText as_text(std::unique_ptr<ByteSource> source, const SaidEncoding& said = {});
 
 }  // namespace kadr

@@ -37,7 +37,7 @@ export class App {
   path = new PathIndex();
 
   readonly on_line = new Signal<LineState>();
-  readonly on_opening = new Signal<void>();
+  readonly on_opening = new Signal<string>(); // the file that is asked for
   readonly on_opened = new Signal<Opened>();
   readonly on_run = new Signal<void>();       // progress, done, running
   readonly on_done = new Signal<Done>();
@@ -88,7 +88,7 @@ export class App {
   async open(question: OpenQuestion, at = 0): Promise<void> {
     this.forget_run();
     this.opened = null;
-    this.on_opening.emit();
+    this.on_opening.emit(question.file);
     this.wanted = { question, at };
     this.running = true;
     this.on_run.emit();
@@ -133,6 +133,15 @@ export class App {
     this.target = clamp(number, 1, last);
     this.states.want({ number: this.target });
   }
+  /// To the pass of a line that is nearest to where the slider stands.
+  async seek_line(line: number, file: number): Promise<void> {
+    try {
+      const { passes } = await this.client.ask("passes", file ? { line, file } : { line });
+      const off = (p: { from: number; to: number }): number => (this.instant < p.from ? p.from - this.instant : this.instant > p.to ? this.instant - p.to : 0);
+      const nearest = passes.reduce<(typeof passes)[0] | null>((best, p) => (!best || off(p) < off(best) ? p : best), null);
+      if (nearest) this.seek_block(nearest.number);
+    } catch (e) { this.tell(e); }
+  }
   step(blocks: number): void {
     const here = this.target || this.state?.number || this.path.number_at(this.instant);
     this.seek_block(here + blocks);
@@ -167,10 +176,19 @@ export class App {
   async speak(lang: Language): Promise<void> {
     try {
       await this.client.ask("language", { lang });
-      if (!this.opened) return;
+      await this.greet(this.client); // names of controls
+      if (!this.opened) return this.on_line.emit("open");
+      if (!this.has_texts()) return this.ask_again(); // nothing that the run has said is in the other language
       this.recut = this.cut_ready;
-      await this.run_again(); // texts of alarms and marks come from the run
+      await this.run_again();
     } catch (e) { this.tell(e); }
+  }
+
+  /// Sentences that came with the run.
+  private has_texts(): boolean { return this.running || this.problems.length > 0 || this.findings.length > 0 || Boolean(this.done?.unstated) || this.marks.some((m) => m.text !== "" && m.kind !== "tool" && m.kind !== "message"); }
+  private ask_again(): void {
+    if (this.opened) this.on_opened.emit(this.opened);
+    this.states.want({ at: this.instant });
   }
 
   tell(e: unknown): void {

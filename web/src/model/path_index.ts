@@ -1,7 +1,11 @@
-// What the slider and the speed strip need of the path: time, block and speed of every vertex, in pieces as they came. Twelve bytes a vertex.
+// What the slider and the speed strip need of the path: time, block and speed of every vertex, seen in the frames as they came.
 import { path_columns, head_of } from "../protocol/frames";
 
-interface Piece { start: number; end: number; times: Float32Array; numbers: Uint32Array; speeds: Float32Array; feeds: Float32Array }
+interface Piece { start: number; end: number; times: Float32Array; numbers: Uint32Array; speeds: Float32Array; feeds: Float32Array; runs: Runs }
+
+/// Of every `run_length` vertices together: when they end, their least and greatest speed, greatest feed. A strip of the whole program looks at these.
+interface Runs { ends: Float32Array; least: Float32Array; greatest: Float32Array; feed: Float32Array }
+const run_length = 64;
 
 export interface Bins { at: Float64Array; least: Float64Array; greatest: Float64Array; feed: Float64Array }
 
@@ -18,10 +22,7 @@ export class PathIndex {
     const c = path_columns(frame);
     if (!c || head.count === 0) return;
     this.vertices += head.count;
-    this.pieces.push({
-      start: c.start, end: c.start + c.times[head.count - 1]!,
-      times: c.times.slice(), numbers: c.numbers.slice(), speeds: c.speeds.slice(), feeds: c.feeds.slice(),
-    });
+    this.pieces.push({ start: c.start, end: c.start + c.times[head.count - 1]!, times: c.times, numbers: c.numbers, speeds: c.speeds, feeds: c.feeds, runs: runs_of(c.times, c.speeds, c.feeds) });
   }
 
   get seconds(): number { return this.pieces.length ? this.pieces[this.pieces.length - 1]!.end : 0; }
@@ -53,20 +54,47 @@ export class PathIndex {
   }
 }
 
+/// The motions that take time count; a run of them without any has a least speed above its greatest.
+function runs_of(times: Float32Array, speeds: Float32Array, feeds: Float32Array): Runs {
+  const n = Math.ceil((times.length - 1) / run_length), r: Runs = { ends: new Float32Array(n), least: new Float32Array(n).fill(Infinity), greatest: new Float32Array(n).fill(-Infinity), feed: new Float32Array(n) };
+  for (let i = 1; i < times.length; i++) {
+    const k = Math.floor((i - 1) / run_length);
+    r.ends[k] = times[i]!;
+    if (!(times[i]! > times[i - 1]!)) continue;
+    if (speeds[i]! < r.least[k]!) r.least[k] = speeds[i]!;
+    if (speeds[i]! > r.greatest[k]!) r.greatest[k] = speeds[i]!;
+    if (feeds[i]! > r.feed[k]!) r.feed[k] = feeds[i]!;
+  }
+  return r;
+}
+
 function fill_bins(out: Bins, p: Piece, from: number, width: number, count: number): void {
+  const bin = (at: number): number => Math.floor((at - from) / width);
   let before = p.start + p.times[0]!;
-  for (let i = 1; i < p.times.length; i++) {
-    const end = p.start + p.times[i]!, speed = p.speeds[i]!, feed = p.feeds[i]!;
-    const a = Math.max(0, Math.floor((before - from) / width)), b = Math.min(count - 1, Math.floor((end - from) / width));
-    if (end > before) {
-      for (let k = a; k <= b; k++) {
-        if (!(out.least[k]! <= speed)) out.least[k] = speed;
-        if (!(out.greatest[k]! >= speed)) out.greatest[k] = speed;
-        if (feed > 0 && !(out.feed[k]! >= feed)) out.feed[k] = feed;
-      }
-    }
+  for (let k = 0; k < p.runs.ends.length; k++) {
+    const end = p.start + p.runs.ends[k]!, a = bin(before);
+    if (a !== bin(end)) fill_run(out, p, k, from, width, count);
+    else if (a >= 0 && a < count) widen(out, a, p.runs.least[k]!, p.runs.greatest[k]!, p.runs.feed[k]!);
     before = end;
   }
+}
+
+function fill_run(out: Bins, p: Piece, run: number, from: number, width: number, count: number): void {
+  const first = 1 + run * run_length, last = Math.min(p.times.length - 1, first + run_length - 1);
+  let before = p.start + p.times[first - 1]!;
+  for (let i = first; i <= last; i++) {
+    const end = p.start + p.times[i]!;
+    const a = Math.max(0, Math.floor((before - from) / width)), b = Math.min(count - 1, Math.floor((end - from) / width));
+    if (end > before) for (let k = a; k <= b; k++) widen(out, k, p.speeds[i]!, p.speeds[i]!, p.feeds[i]!);
+    before = end;
+  }
+}
+
+function widen(out: Bins, k: number, least: number, greatest: number, feed: number): void {
+  if (least > greatest) return;
+  if (!(out.least[k]! <= least)) out.least[k] = least;
+  if (!(out.greatest[k]! >= greatest)) out.greatest[k] = greatest;
+  if (feed > 0 && !(out.feed[k]! >= feed)) out.feed[k] = feed;
 }
 
 /// Index of the first value that is not below `what`; the last one where all are.

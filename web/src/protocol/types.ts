@@ -32,7 +32,7 @@ export interface Modal { group: string; code: string; changed?: boolean }
 export interface Variable { name: string; value: number | string | null; changed?: boolean }
 export interface State {
   at: number; number: number; line: number; column?: number; file?: number; file_name?: string; block?: string; text?: string; pass?: number; depth?: number;
-  calls?: Call[]; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; rpm: number; tool: number; modal: Modal[];
+  calls?: Call[]; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; rpm: number | null; tool: number; modal: Modal[];
   offsets: { T?: number; D?: number; H?: number; radius?: number; length?: Axes }; zero: Axes; variables: Variable[]; limits?: string | null;
   seconds: number; left: number;
 }

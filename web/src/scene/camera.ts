@@ -27,6 +27,11 @@ export class Eye {
   size(width: number, height: number): void { this.width = Math.max(1, width); this.height = Math.max(1, height); }
   around(least: Point, greatest: Point): void { this.least.set(...least); this.greatest.set(...greatest); }
   look(view: string): void { [this.yaw, this.pitch] = directions[view] ?? [this.yaw, this.pitch]; }
+  /// From the side that `towards` points to.
+  look_from([x, y, z]: Point): void {
+    if (Math.hypot(x, y) > 1e-9) this.yaw = Math.atan2(x, -y);
+    this.pitch = Math.atan2(z, Math.hypot(x, y));
+  }
 
   /// Turns by pixels about `pivot`, which stays where it is on the screen.
   turn(dx: number, dy: number, pivot: Vector3): void {

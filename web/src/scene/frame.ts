@@ -14,6 +14,7 @@ export interface Piece {
   tools: Uint16Array;              // tool and file by turns
   kinds: Uint8Array;               // kind, level, 0, 0
   line_range: [number, number]; feed_range: [number, number]; speed_range: [number, number];
+  kinds_seen: Set<number>;
   leans?: Float32Array;            // from the tip into the tool, where it leans
 }
 export interface PartMesh { points: Float32Array; triangles: Uint32Array; made_by: Uint16Array; lines: Uint32Array }
@@ -31,29 +32,45 @@ export function decode_path(frame: ArrayBuffer): Piece | null {
     kept: new Uint16Array(frame, 56, levels), at: new Float32Array(frame, first, 3 * n), times: new Float32Array(frame, column(0), n),
     lines: new Uint32Array(frame, column(1), n), numbers: new Uint32Array(frame, column(2), n), feeds: new Float32Array(frame, column(3), n),
     speeds: new Float32Array(frame, column(4), n), tools: new Uint16Array(frame, column(5), 2 * n), kinds: new Uint8Array(frame, column(6), 4 * n),
-    line_range: [Infinity, -Infinity], feed_range: [Infinity, -Infinity], speed_range: [Infinity, -Infinity],
+    line_range: [Infinity, -Infinity], feed_range: [Infinity, -Infinity], speed_range: [Infinity, -Infinity], kinds_seen: new Set(),
   };
-  if (!Number.isFinite(piece.start) || !piece.at.every(Number.isFinite)) return null;
+  if (!Number.isFinite(piece.start) || !all_finite(piece.at)) return null;
   measure(piece);
   return piece;
 }
 
-const widen = (r: [number, number], v: number): void => { if (v < r[0]) r[0] = v; if (v > r[1]) r[1] = v; };
+/// Nothing times zero is zero, but what is not finite.
+function all_finite(values: Float32Array): boolean {
+  let sum = 0;
+  for (let i = 0; i < values.length; i++) sum += values[i]! * 0;
+  return sum === 0;
+}
 
 function measure(p: Piece): void {
+  const { kinds, at } = p, least: Point = [Infinity, Infinity, Infinity], greatest: Point = [-Infinity, -Infinity, -Infinity];
+  const [lines, feeds, speeds] = [p.line_range, p.feed_range, p.speed_range];
+  let last_kind = jump;
   for (let i = 1; i < p.count; i++) {
-    const kind = p.kinds[4 * i]!;
+    const kind = kinds[4 * i]!, line = p.lines[i]!;
     if (kind === jump) continue;
-    widen(p.line_range, p.lines[i]!);
+    if (kind !== last_kind) p.kinds_seen.add((last_kind = kind));
+    if (line < lines[0]) lines[0] = line;
+    if (line > lines[1]) lines[1] = line;
     if (is_rapid(kind)) continue;
-    widen(p.feed_range, p.feeds[i]!);
-    widen(p.speed_range, p.speeds[i]!);
-    p.cut ??= [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
-    for (const j of [i - 1, i]) for (let k = 0; k < 3; k++) {
-      p.cut[0][k] = Math.min(p.cut[0][k]!, p.at[3 * j + k]!);
-      p.cut[1][k] = Math.max(p.cut[1][k]!, p.at[3 * j + k]!);
+    const feed = p.feeds[i]!, speed = p.speeds[i]!;
+    if (feed < feeds[0]) feeds[0] = feed;
+    if (feed > feeds[1]) feeds[1] = feed;
+    if (speed < speeds[0]) speeds[0] = speed;
+    if (speed > speeds[1]) speeds[1] = speed;
+    for (let k = 0; k < 3; k++) {
+      const a = at[3 * i - 3 + k]!, b = at[3 * i + k]!;
+      if (a < least[k]!) least[k] = a;
+      if (b < least[k]!) least[k] = b;
+      if (a > greatest[k]!) greatest[k] = a;
+      if (b > greatest[k]!) greatest[k] = b;
     }
   }
+  if (least[0] <= greatest[0]) p.cut = [least, greatest];
 }
 
 /// Directions of the tool for `piece`; null where they are not as many as its vertices.

@@ -1,7 +1,6 @@
 // How finely the path is drawn: no finer than the screen shows, and never more than the budget of segments.
 import { levels, type Piece } from "./frame";
 
-export const segment_budget = 300_000;
 const finest = 0.001;        // mm: how far level 0 may be off; each level doubles it
 const unseen_pixels = 0.5;   // what is off by less is not seen
 
@@ -13,7 +12,7 @@ export function level_for(mm_per_pixel: number): number {
 }
 
 /// From the level the screen asks for, up to the first one at which the pieces together keep to the budget.
-export function level_within(pieces: readonly Piece[], wanted: number, budget = segment_budget): number {
+export function level_within(pieces: readonly Piece[], wanted: number, budget: number): number {
   for (let level = wanted; level < levels - 1; level++)
     if (segments_at(pieces, level) <= budget) return level;
   return levels - 1;

@@ -1,7 +1,7 @@
 // What stands in the view beside the path: the tool, the part, boxes, the line that is lit.
-import { BufferAttribute, BufferGeometry, Box3, Box3Helper, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Vector2, Vector3, type Material, type Object3D } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Vector2, Vector3, type Material, type Object3D } from "three";
 import type { Theme } from "./colours";
-import { jump, type Point, type SceneBox, type ToolShape } from "./types";
+import { jump, type Point, type ToolShape } from "./types";
 import type { Drawn } from "./path_view";
 
 const around = 64, up = new Vector3(0, 0, 1);
@@ -40,13 +40,6 @@ export function put_tool(tool: Group, at: Point, lean: Point | null): void {
   tool.quaternion.setFromUnitVectors(up, lean ? new Vector3(...lean).normalize() : up);
 }
 
-export function box_lines(box: SceneBox, theme: Theme): Box3Helper {
-  const lines = new Box3Helper(new Box3(new Vector3(...box.box[0]), new Vector3(...box.box[1])), theme[box.kind]);
-  const material = lines.material as LineBasicMaterial;
-  material.transparent = true;
-  material.opacity = box.kind === "stock" ? 0.9 : 0.55;
-  return lines;
-}
 
 /// Ends of every segment that a line of the program made, at full fineness.
 export function lit_points(all: readonly Drawn[], line: number, file: number, zero: Point): Float32Array {

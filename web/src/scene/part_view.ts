@@ -17,18 +17,20 @@ export function part_mesh(frame: ArrayBuffer, zero: Point, theme: Theme, planes:
     for (let k = 0; k < 3; k++) points[3 * i + k] = part.points[3 * i + k]! - zero[k]!;
     const tool = part.made_by[2 * i]!;
     let colour = of.get(tool);
-    if (!colour) of.set(tool, colour = colour_of_tool(tool, theme));
+    if (!colour) of.set(tool, colour = part_colour(tool, theme));
     colours[3 * i] = colour[0]; colours[3 * i + 1] = colour[1]; colours[3 * i + 2] = colour[2];
   }
   g.setAttribute("position", new BufferAttribute(points, 3));
   g.setAttribute("color", new BufferAttribute(colours, 3, true));
   g.setIndex(new BufferAttribute(part.triangles, 1));
-  // Flat shading: a face of the part keeps its edges, and the frame needs no normals.
-  return new Mesh(g, new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+  return new Mesh(g, part_material(planes));
 }
 
+/// Flat shading: a face of the part keeps its edges, and the frame needs no normals.
+export const part_material = (planes: Plane[]): MeshLambertMaterial => new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide, clippingPlanes: planes, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+
 /// Linear, as colours of vertices are taken.
-export function colour_of_tool(tool: number, theme: Theme): [number, number, number] {
+export function part_colour(tool: number, theme: Theme): [number, number, number] {
   const colour = new Color(theme.part);
   if (tool !== blank) {
     const [r, g, b] = by_tool[tool % by_tool.length]!;

@@ -1,43 +1,67 @@
-// The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed.
-import { Box3, BufferAttribute, BufferGeometry, Frustum, Group, LineBasicMaterial, LineSegments, Matrix4, Vector3 } from "three";
-import { light, ranges_of, type Ranges, type Theme } from "./colours";
+// The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed, a few milliseconds' worth in a picture.
+import { Box3, BufferAttribute, BufferGeometry, Frustum, Group, LineBasicMaterial, LineDashedMaterial, LineSegments, Matrix4, Vector3, type Material } from "three";
+import { is_ramp, light, no_ranges, ranges_of, widen_ranges, type Ranges, type Theme } from "./colours";
 import type { Eye } from "./camera";
 import { decode_leans, decode_path, type Piece } from "./frame";
 import { level_for, level_within, segments_at } from "./level";
 import { first_from, place_at, type Place } from "./place";
-import { piece_shown, segments_of, type Segments } from "./segments";
+import { no_segments, piece_shown, segments_of, type Segments } from "./segments";
 import type { ColourBy, Point, SceneFilter } from "./types";
 
-export interface Drawn { piece: Piece; lines: LineSegments; built: string; segments: Segments; box: Box3 }
+/// `built` tells of which look and level the lines are.
+interface Made { built: string; geometry: BufferGeometry; segments: Segments }
+export interface Drawn { piece: Piece; lines: LineSegments; box: Box3; segments: Segments; now: Made | null; spare: Made | null }
+export interface Refreshed { drawn: number; all: number; finished: boolean }
+
+const most_held = 2_000_000; // segments that are built, in view or not
+const view = new Frustum(), projection = new Matrix4();
 
 export class PathView {
   readonly group = new Group();
   drawn: Drawn[] = [];
   zero: Point = [0, 0, 0];
   instant = 0;
+  ranges: Ranges = no_ranges();
+  kinds = new Set<number>();        // that the program's own path has
   private main: Piece[] = [];       // the program itself, channel 0, in order of time
-  private ranges: Ranges = ranges_of([]);
+  private last = new Map<string, Piece>(); // of each path and channel
   private stamp = 0;                // counts what changes the lines of every piece
+  private held = 0;
+  private whole = new Box3();       // of what the filter shows; machine coordinates
+  private cutting = new Box3();
   private material = new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false });
+  private dashes = new LineDashedMaterial({ vertexColors: true, transparent: true, depthWrite: false, dashSize: 1, gapSize: 0.7 });
   private by: ColourBy = "kind";
   private theme: Theme = light;
-  private filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true };
+  private filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true };
+
+  constructor() { this.group.matrixAutoUpdate = false; }
+
+  /// Lines of its materials, for whoever makes shaders ready.
+  samples(): LineSegments[] {
+    const geometry = new BufferGeometry().setAttribute("color", new BufferAttribute(new Uint8Array(), 4, true)); // colours with an alpha have a shader of their own
+    return [this.material, this.dashes].map((m) => new LineSegments(geometry, m as Material));
+  }
 
   add(frame: ArrayBuffer): boolean {
     const piece = decode_path(frame);
     if (!piece) return this.add_leans(frame);
-    const lines = new LineSegments(new BufferGeometry(), this.material);
+    const lines = new LineSegments(new BufferGeometry(), (piece.which & 2 ? this.dashes : this.material) as Material);
     lines.matrixAutoUpdate = false;
     lines.frustumCulled = false; // culled here, before anything is built
+    lines.visible = false;
     this.group.add(lines);
-    this.drawn.push({ piece, lines, built: "", segments: { points: new Float32Array(), colours: new Uint8Array(), ends: new Uint32Array() }, box: this.box_of(piece) });
+    this.drawn.push({ piece, lines, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, now: null, spare: null });
+    this.last.set(`${piece.which} ${piece.channel}`, piece);
     if (piece.which === 0 && piece.channel === 0) this.main.push(piece);
+    if (!(piece.which & 1)) { widen_ranges(this.ranges, piece); for (const k of piece.kinds_seen) this.kinds.add(k); }
+    this.widen(piece);
     return true;
   }
 
   private add_leans(frame: ArrayBuffer): boolean {
     const head = frame.byteLength >= 16 ? new Uint32Array(frame, 0, 4) : null;
-    const last = head && this.drawn.filter((d) => d.piece.which === head[1] && d.piece.channel === head[3]).at(-1)?.piece;
+    const last = head && this.last.get(`${head[1]} ${head[3]}`);
     const leans = last && decode_leans(frame, last);
     if (leans) last.leans = leans;
     return Boolean(leans);
@@ -46,65 +70,122 @@ export class PathView {
   /// Without `which` all goes; 1: the path that the program was compared with.
   clear(which?: number): void {
     const goes = (d: Drawn): boolean => which === undefined || (d.piece.which & 1) === which;
-    for (const d of this.drawn.filter(goes)) { d.lines.geometry.dispose(); this.group.remove(d.lines); }
+    for (const d of this.drawn.filter(goes)) { this.drop(d); this.group.remove(d.lines); }
     this.drawn = this.drawn.filter((d) => !goes(d));
-    if (which !== 1) this.main = [];
+    this.last.clear();
+    if (which !== 1) { this.main = []; this.kinds.clear(); }
+    this.measure();
   }
 
-  set_zero(zero: Point): void { this.zero = zero; for (const d of this.drawn) d.box = this.box_of(d.piece); this.change(); }
-  set_filter(f: SceneFilter): void { this.filter = f; this.change(); }
-  set_colour(by: ColourBy): void { this.by = by; this.change(); }
-  set_theme(theme: Theme): void { this.theme = theme; this.change(); }
+  set_zero(zero: Point): void {
+    this.zero = zero;
+    this.group.matrix.setPosition(-zero[0], -zero[1], -zero[2]);
+    this.group.matrixWorldNeedsUpdate = true;
+    if (this.filter.depth) this.stamp++;
+  }
+  set_filter(f: SceneFilter): void { this.filter = f; this.stamp++; this.measure(); }
+  set_colour(by: ColourBy): void { this.by = by; this.stamp++; }
+  set_theme(theme: Theme): void { this.theme = theme; this.stamp++; }
   place(time: number): Place | null { return place_at(this.main, time); }
+  get shows_bounds(): boolean { return this.filter.bounds; }
 
   /// What cuts, or where nothing cuts all of the path; from the picture's zero.
   extent(cut: boolean): Box3 {
-    const all = new Box3();
-    for (const { piece: p, box } of this.drawn) {
-      if (!piece_shown(p, this.filter)) continue;
-      if (!cut) all.union(box);
-      else if (p.cut) all.union(new Box3(this.from_zero(p.cut[0]), this.from_zero(p.cut[1])));
-    }
-    return cut && all.isEmpty() ? this.extent(false) : all;
+    const box = cut && !this.cutting.isEmpty() ? this.cutting : this.whole;
+    return box.isEmpty() ? new Box3() : box.clone().translate(new Vector3(...this.zero).negate());
   }
 
-  /// Builds what is missing at the level of this view. Gives how many segments are drawn, and how many there are.
-  refresh(eye: Eye): { drawn: number; all: number } {
-    const seen = this.seen(eye);
-    const level = level_within(seen.map((d) => d.piece), level_for(eye.mm_per_pixel));
-    const wanted = `${this.stamp}:${level}`;
-    let drawn = 0;
+  /// Builds what is missing at the level of this view, until `deadline`. Gives how many segments are drawn, and how many there are.
+  refresh(eye: Eye, budget: number, deadline = Infinity): Refreshed {
+    const seen = this.seen(eye), pieces = seen.map((d) => d.piece);
+    const level = level_within(pieces, level_for(eye.mm_per_pixel), budget), wanted = `${this.stamp}:${level}`;
+    let drawn = 0, finished = true, built = 0;
     for (const d of seen) {
-      if (d.built !== wanted) this.build(d, level, wanted);
+      if (d.now?.built !== wanted) {
+        if (built > 0 && performance.now() > deadline) finished = false;
+        else if (this.take_spare(d, wanted) || this.build(d, level, wanted)) built++;
+      }
+      d.lines.visible = d.now !== null;
       drawn += d.segments.ends.length;
       this.hide_done(d);
     }
-    const all = segments_at(seen.map((d) => d.piece), 0), kept = segments_at(seen.map((d) => d.piece), level);
-    return { drawn: kept < all ? drawn : all, all };
+    this.dash(eye);
+    if (this.held > most_held) this.drop_unseen();
+    const all = segments_at(pieces, 0), kept = segments_at(pieces, level);
+    return { drawn: kept < all || !finished ? Math.min(drawn, all) : all, all, finished };
   }
 
   private seen(eye: Eye): Drawn[] {
-    const view = new Frustum().setFromProjectionMatrix(new Matrix4().multiplyMatrices(eye.camera.projectionMatrix, eye.camera.matrixWorldInverse));
-    return this.drawn.filter((d) => (d.lines.visible = piece_shown(d.piece, this.filter) && view.intersectsBox(d.box)));
+    projection.multiplyMatrices(eye.camera.projectionMatrix, eye.camera.matrixWorldInverse).multiply(this.group.matrix);
+    view.setFromProjectionMatrix(projection);
+    return this.drawn.filter((d) => {
+      const is_seen = piece_shown(d.piece, this.filter) && view.intersectsBox(d.box);
+      if (!is_seen) d.lines.visible = false;
+      return is_seen;
+    });
   }
 
-  private build(d: Drawn, level: number, built: string): void {
-    d.segments = segments_of(d.piece, { level, filter: this.filter, by: this.by, ranges: this.ranges, theme: this.theme, zero: this.zero });
-    d.lines.geometry.dispose();
-    d.lines.geometry = new BufferGeometry();
-    d.lines.geometry.setAttribute("position", new BufferAttribute(d.segments.points, 3));
-    d.lines.geometry.setAttribute("color", new BufferAttribute(d.segments.colours, 4, true));
-    d.built = built;
+  /// Moving and resting take turns: what was built for the other one is still there.
+  private take_spare(d: Drawn, wanted: string): boolean {
+    if (d.spare?.built !== wanted) return false;
+    [d.now, d.spare] = [d.spare, d.now];
+    this.show(d);
+    return true;
   }
+
+  private build(d: Drawn, level: number, built: string): boolean {
+    const segments = segments_of(d.piece, { level, filter: this.filter, by: this.by, ranges: this.ranges, theme: this.theme, zero_z: this.zero[2] });
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(segments.points, 3));
+    geometry.setAttribute("color", new BufferAttribute(new Uint8Array(segments.colours.buffer), 4, true));
+    this.forget(d.spare);
+    const stamp = built.slice(0, built.indexOf(":") + 1);
+    d.spare = d.now?.built.startsWith(stamp) ? d.now : (this.forget(d.now), null);
+    d.now = { built, geometry, segments };
+    this.held += segments.ends.length;
+    this.show(d);
+    if (d.piece.which & 2) d.lines.computeLineDistances();
+    return true;
+  }
+
+  private show(d: Drawn): void {
+    d.lines.geometry = d.now!.geometry;
+    d.segments = d.now!.segments;
+  }
+  private forget(made: Made | null): void {
+    if (!made) return;
+    this.held -= made.segments.ends.length;
+    made.geometry.dispose();
+  }
+  private drop(d: Drawn): void {
+    this.forget(d.now);
+    this.forget(d.spare);
+    d.now = d.spare = null;
+    d.segments = no_segments;
+    d.lines.visible = false;
+  }
+  private drop_unseen(): void { for (const d of this.drawn) if (!d.lines.visible) this.drop(d); }
 
   private hide_done({ piece: p, segments, lines }: Drawn): void {
     const from = this.filter.hideDone && p.which !== 1 ? first_from(segments.ends.length, (i) => p.start + p.times[segments.ends[i]!]!, this.instant) : 0;
     lines.geometry.setDrawRange(2 * from, Infinity);
   }
 
-  /// After the last piece: the ramps of colour run over all of the path.
-  change(): void { this.ranges = ranges_of(this.drawn.map((d) => d.piece).filter((p) => !(p.which & 1))); this.stamp++; }
+  /// Dashes keep their length on the screen, in steps, so that they do not swim while somebody zooms.
+  private dash(eye: Eye): void { this.dashes.scale = 1 / (6 * 2 ** Math.round(Math.log2(eye.mm_per_pixel))); }
 
-  private from_zero(p: Point): Vector3 { return new Vector3(p[0] - this.zero[0], p[1] - this.zero[1], p[2] - this.zero[2]); }
-  private box_of(p: Piece): Box3 { return new Box3(this.from_zero(p.least), this.from_zero(p.greatest)); }
+  /// After the last piece: the ramps of colour run over all of the path.
+  change(): void { if (is_ramp(this.by)) this.stamp++; }
+
+  private widen(p: Piece): void {
+    if (!piece_shown(p, this.filter)) return;
+    this.whole.union(new Box3(new Vector3(...p.least), new Vector3(...p.greatest)));
+    if (p.cut) this.cutting.union(new Box3(new Vector3(...p.cut[0]), new Vector3(...p.cut[1])));
+  }
+  private measure(): void {
+    this.whole.makeEmpty();
+    this.cutting.makeEmpty();
+    for (const d of this.drawn) this.widen(d.piece);
+    this.ranges = ranges_of(this.drawn.map((d) => d.piece).filter((p) => !(p.which & 1)));
+  }
 }

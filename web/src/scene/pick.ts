@@ -1,74 +1,98 @@
-// The motion nearest to the pointer: measured on the screen, over what is drawn. Of two as near, the one in front.
-import { Matrix4 } from "three";
+// The motion nearest to the pointer: measured on the screen, over what is drawn, then among the motions that the drawn line stands for. Of two as near, the one in front.
+import { Box3, Matrix4, Vector3 } from "three";
+import { arc_at, minus } from "./arc";
 import type { Eye } from "./camera";
 import type { Piece } from "./frame";
 import type { Drawn } from "./path_view";
-import type { Point, SceneVertex } from "./types";
+import { anchor_of, type Anchor } from "./measure";
+import { jump, type Point, type SceneVertex } from "./types";
 
-export interface Hit { vertex: SceneVertex; place: Point } // place: on the segment, at its end where the pointer is near that
+export interface Hit { vertex: SceneVertex; place: Point; anchor: Anchor } // place: on the segment, at its end where the pointer is near that; from the picture's zero
 
 const reach = 8, snap = 9; // pixels: how far the pointer may be off a line, and off a corner to snap to it
 
 interface Best { off: number; depth: number; d: Drawn | null; segment: number; part: number; length: number }
 
-export function pick(all: readonly Drawn[], eye: Eye, x: number, y: number, width: number, height: number, zero: Point): Hit | null {
-  const m = new Matrix4().multiplyMatrices(eye.camera.projectionMatrix, eye.camera.matrixWorldInverse).elements;
-  const best: Best = { off: reach, depth: Infinity, d: null, segment: 0, part: 0, length: 0 };
-  for (const d of all) if (d.lines.visible) nearest_of(d, m, x, y, width, height, best);
-  return best.d && hit_of(best.d, best, zero);
-}
+/// From machine coordinates to pixels of the screen.
+class Screen {
+  private m: readonly number[];
+  constructor(eye: Eye, zero: Point, private x: number, private y: number, private width: number, private height: number) {
+    this.m = new Matrix4().multiplyMatrices(eye.camera.projectionMatrix, eye.camera.matrixWorldInverse).multiply(new Matrix4().makeTranslation(-zero[0], -zero[1], -zero[2])).elements;
+  }
 
-function nearest_of(d: Drawn, m: readonly number[], x: number, y: number, width: number, height: number, best: Best): void {
-  const { points, ends } = d.segments;
-  const px = [0, 0], py = [0, 0], pz = [0, 0];
-  for (let s = d.lines.geometry.drawRange.start / 2; s < ends.length; s++) {
-    for (let e = 0; e < 2; e++) {
-      const i = 6 * s + 3 * e, a = points[i]!, b = points[i + 1]!, c = points[i + 2]!;
-      const w = m[3]! * a + m[7]! * b + m[11]! * c + m[15]!;
-      px[e] = ((m[0]! * a + m[4]! * b + m[8]! * c + m[12]!) / w + 1) * 0.5 * width;
-      py[e] = (1 - (m[1]! * a + m[5]! * b + m[9]! * c + m[13]!) / w) * 0.5 * height;
-      pz[e] = (m[2]! * a + m[6]! * b + m[10]! * c + m[14]!) / w;
+  /// Looks at the way between two points, three numbers each of `points`.
+  near(points: Float32Array, from: number, to: number, best: Best, d: Drawn, segment: number): void {
+    const { m, width, height, x, y } = this;
+    const a = points[from]!, b = points[from + 1]!, c = points[from + 2]!, e = points[to]!, f = points[to + 1]!, g = points[to + 2]!;
+    const w0 = m[3]! * a + m[7]! * b + m[11]! * c + m[15]!, w1 = m[3]! * e + m[7]! * f + m[11]! * g + m[15]!;
+    const x0 = ((m[0]! * a + m[4]! * b + m[8]! * c + m[12]!) / w0 + 1) * 0.5 * width, y0 = (1 - (m[1]! * a + m[5]! * b + m[9]! * c + m[13]!) / w0) * 0.5 * height;
+    const x1 = ((m[0]! * e + m[4]! * f + m[8]! * g + m[12]!) / w1 + 1) * 0.5 * width, y1 = (1 - (m[1]! * e + m[5]! * f + m[9]! * g + m[13]!) / w1) * 0.5 * height;
+    const dx = x1 - x0, dy = y1 - y0, square = dx * dx + dy * dy;
+    const part = square > 0 ? Math.min(1, Math.max(0, ((x - x0) * dx + (y - y0) * dy) / square)) : 1;
+    const off = Math.hypot(x0 + part * dx - x, y0 + part * dy - y);
+    if (off > best.off + 0.5) return;
+    const z0 = (m[2]! * a + m[6]! * b + m[10]! * c + m[14]!) / w0, z1 = (m[2]! * e + m[6]! * f + m[10]! * g + m[14]!) / w1, depth = z0 + part * (z1 - z0);
+    if (off >= best.off - 0.5 && !(off < reach && depth < best.depth)) return;
+    best.off = off; best.depth = depth; best.d = d; best.segment = segment; best.part = part; best.length = Math.sqrt(square);
+  }
+
+  /// Whether something in the box may be within reach of the pointer.
+  may_hit(box: Box3): boolean {
+    let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (let i = 0; i < 8; i++) {
+      corner.set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z);
+      const { m } = this, w = m[3]! * corner.x + m[7]! * corner.y + m[11]! * corner.z + m[15]!;
+      if (!(w > 0)) return true; // beside or behind the eye: nothing is known
+      const px = ((m[0]! * corner.x + m[4]! * corner.y + m[8]! * corner.z + m[12]!) / w + 1) * 0.5 * this.width;
+      const py = (1 - (m[1]! * corner.x + m[5]! * corner.y + m[9]! * corner.z + m[13]!) / w) * 0.5 * this.height;
+      left = Math.min(left, px); right = Math.max(right, px); top = Math.min(top, py); bottom = Math.max(bottom, py);
     }
-    const dx = px[1]! - px[0]!, dy = py[1]! - py[0]!, square = dx * dx + dy * dy;
-    const part = square > 0 ? Math.min(1, Math.max(0, ((x - px[0]!) * dx + (y - py[0]!) * dy) / square)) : 1;
-    const off = Math.hypot(px[0]! + part * dx - x, py[0]! + part * dy - y), depth = pz[0]! + part * (pz[1]! - pz[0]!);
-    if (off < best.off - 0.5 || (off < best.off + 0.5 && off < reach && depth < best.depth))
-      Object.assign(best, { off, depth, d, segment: s, part, length: Math.sqrt(square) });
+    return this.x > left - reach && this.x < right + reach && this.y > top - reach && this.y < bottom + reach;
   }
 }
+const corner = new Vector3();
 
-function hit_of(d: Drawn, best: Best, zero: Point): Hit {
-  const { segment: s, length } = best, p = d.segments.points;
-  const part = (1 - best.part) * length < snap ? 1 : best.part * length < snap ? 0 : best.part;
-  const on = (k: number): number => p[6 * s + k]! + part * (p[6 * s + 3 + k]! - p[6 * s + k]!);
-  return { vertex: vertex_of(d.piece, d.segments.ends[s]!, zero), place: [on(0), on(1), on(2)] };
+export function pick(all: readonly Drawn[], eye: Eye, x: number, y: number, width: number, height: number, zero: Point): Hit | null {
+  const screen = new Screen(eye, zero, x, y, width, height), best: Best = { off: reach, depth: Infinity, d: null, segment: 0, part: 0, length: 0 };
+  for (const d of all) {
+    if (!d.lines.visible || !screen.may_hit(d.box)) continue;
+    const { points, ends } = d.segments;
+    for (let s = d.lines.geometry.drawRange.start / 2; s < ends.length; s++) screen.near(points, 6 * s, 6 * s + 3, best, d, s);
+  }
+  return best.d && finely(screen, best.d, best.segment, zero);
+}
+
+/// A line drawn coarsely stands for several motions: which of them it is. They lie within half a pixel of the line.
+function finely(screen: Screen, d: Drawn, segment: number, zero: Point): Hit {
+  const { starts, ends } = d.segments, { piece: p } = d, best: Best = { off: Infinity, depth: Infinity, d, segment: ends[segment]!, part: 1, length: 0 };
+  for (let i = starts[segment]! + 1; i <= ends[segment]!; i++) if (p.kinds[4 * i] !== jump) screen.near(p.at, 3 * i - 3, 3 * i, best, d, i);
+  const i = best.segment, part = (1 - best.part) * best.length < snap ? 1 : best.part * best.length < snap ? 0 : best.part;
+  const at = (k: number): Point => minus([p.at[3 * k]!, p.at[3 * k + 1]!, p.at[3 * k + 2]!], zero), a = at(i - 1), b = at(i), arc = arc_at(p, i);
+  const on = (k: 0 | 1 | 2): number => a[k] + part * (b[k] - a[k]);
+  return { vertex: vertex_of(p, i, zero), place: [on(0), on(1), on(2)], anchor: anchor_of(a, b, end_of_arc(p, i, part), arc && { ...arc, centre: minus(arc.centre, zero) }, p.lines[i]!) };
 }
 
 export function vertex_of(p: Piece, i: number, zero: Point): SceneVertex {
   const at = (k: number): Point => [p.at[3 * k]! - zero[0], p.at[3 * k + 1]! - zero[1], p.at[3 * k + 2]! - zero[2]];
   return {
     which: p.which, at: at(i), time: p.start + p.times[i]!, line: p.lines[i]!, file: p.tools[2 * i + 1]!, number: p.numbers[i]!,
-    kind: p.kinds[4 * i]!, tool: p.tools[2 * i]!, feed: p.feeds[i]!, speed: p.speeds[i]!, radius: radius_at(p, i, at),
+    kind: p.kinds[4 * i]!, tool: p.tools[2 * i]!, feed: p.feeds[i]!, speed: p.speeds[i]!, radius: arc_at(p, i)?.radius, length: length_of(p, i),
   };
 }
 
-/// Of an arc: the circle through three of its vertices, seen along Z, where a helix is a circle too.
-function radius_at(p: Piece, i: number, at: (k: number) => Point): number | undefined {
-  const kind = p.kinds[4 * i]!;
-  if (kind !== 3 && kind !== 4) return undefined;
-  const same = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
-  let first = i, last = i;
-  while (same(first)) first--;
-  while (same(last + 1)) last++;
-  if (last - first < 2) return undefined;
-  const middle = first + Math.max(1, Math.min(last - first - 1, i - first));
-  return circle(at(middle - 1), at(middle), at(middle + 1));
+/// Vertices within an arc are no corners: only its own ends are points to measure from.
+function end_of_arc(p: Piece, i: number, part: number): number {
+  const kind = p.kinds[4 * i]!, joins = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === kind;
+  const inside = (kind === 3 || kind === 4) && ((part === 1 && joins(i + 1)) || (part === 0 && joins(i - 1)));
+  return inside ? 0.5 : part;
 }
 
-/// Radius of the circle through three points: product of the sides over four times the area.
-export function circle(a: Point, b: Point, c: Point): number | undefined {
-  const side = (p: Point, q: Point): number => Math.hypot(p[0] - q[0], p[1] - q[1]);
-  const area = Math.abs((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
-  const radius = (side(a, b) * side(b, c) * side(c, a)) / (4 * area);
-  return Number.isFinite(radius) && area > 1e-9 ? radius : undefined;
+/// Of the whole motion that a vertex belongs to, as far as this piece has it.
+function length_of(p: Piece, i: number): number {
+  const joins = (k: number): boolean => k > 0 && k < p.count && p.numbers[k] === p.numbers[i] && p.kinds[4 * k] === p.kinds[4 * i] && (p.kinds[4 * i] === 3 || p.kinds[4 * i] === 4 || p.kinds[4 * i] === 8);
+  let first = i, last = i, sum = 0;
+  while (joins(first - 1)) first--;
+  while (joins(last + 1)) last++;
+  for (let k = Math.max(1, first); k <= last; k++) sum += Math.hypot(p.at[3 * k]! - p.at[3 * k - 3]!, p.at[3 * k + 1]! - p.at[3 * k - 2]!, p.at[3 * k + 2]! - p.at[3 * k - 1]!);
+  return sum;
 }

@@ -1,29 +1,36 @@
 // The 3D view: path, tool, part and boxes; it draws only when something has changed.
-import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LinearSRGBColorSpace, LineBasicMaterial, LineSegments, Plane, Scene as Stage, Vector3, WebGLRenderer } from "three";
+import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, Plane, Scene as Stage, Vector3, Vector4 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { Eye } from "./camera";
-import { dark, light, type Theme } from "./colours";
+import { Canvas } from "./canvas";
+import { dark, light, type Ranges, type Theme } from "./colours";
 import { Controls } from "./controls";
-import { axes, box_lines, empty, lit_points, put_tool, tool_mesh } from "./marks";
-import { part_mesh } from "./part_view";
+import { bounded, box_lines, goes_beyond } from "./boxes";
+import { axes, empty, lit_points, put_tool, tool_mesh } from "./marks";
+import { distance_between, type Anchor } from "./measure";
+import { part_material, part_mesh } from "./part_view";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
-import { NoWebGl, type ColourBy, type Point, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type ViewName } from "./types";
+import { type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
 
 export * from "./types";
 
 ColorManagement.enabled = false; // before the first colour is made
 
 const most_thick = 4000; // segments: a thick line costs some ten times as much as a thin one
+const still = 180;       // ms without a change, after which the picture is drawn finely
+const slice = 10;        // ms of a picture in which lines are built; the rest is built in the next ones
+const refit_every = 200; // ms between looks at how far a path reaches that is still coming
 
 export class Scene {
-  private renderer: WebGLRenderer;
+  private canvas: Canvas;
   private stage = new Stage();
   private eye = new Eye();
   private path = new PathView();
   private boxes = new Group();
+  private machine = new Group();     // limits and zones; machine coordinates
   private tool = new Group();
   private part = new Group();
   private origin = new Group();
@@ -35,25 +42,31 @@ export class Scene {
   private planes: Plane[] = [];
   private shapes: ToolShape[] = [];
   private shown_boxes: SceneBox[] = [];
+  private bounds: SceneBounds | null = null;
+  private reach = new Box3();        // of the machine's limits and zones as they are drawn, from the zero
   private part_frame: ArrayBuffer | null = null;
   private lit_line: [number, number] | null = null;
   private tool_drawn = "";
   private mode: "orbit" | "measure" = "orbit";
-  private ends: Point[] = [];
+  private ends: Anchor[] = [];
   private asked = 0;
   private pointer: [number, number] | null = null;
   private counted: [number, number] = [0, 0];
+  private samples = new Mesh(new BufferGeometry(), part_material([])); // keeps the shader of a part
   private width = 1;
   private height = 1;
+  private old = false;               // the path is one that is being run anew
+  private fine = false;              // nothing has changed for a while
+  private fitted_at = 0;
   private own_view = false;          // the user has turned, moved or zoomed since the last fit
 
   constructor(private host: HTMLElement, private events: SceneEvents) {
-    this.renderer = make_renderer();
-    const canvas = this.renderer.domElement;
+    this.canvas = new Canvas();
+    const canvas = this.canvas.element;
     canvas.tabIndex = 0;
     host.append(canvas);
     for (const o of [this.lit, this.lit_thin]) { o.renderOrder = 2; o.frustumCulled = false; o.visible = false; }
-    this.stage.add(this.path.group, this.boxes, this.tool, this.part, this.origin, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
+    this.stage.add(this.path.group, this.boxes, this.machine, this.tool, this.part, this.origin, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
     new Controls(canvas, this.eye, {
       changed: () => { this.own_view = true; this.touch(); }, click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place); },
       hover: (x, y) => { this.pointer = [x, y]; this.ask(); }, leave: () => { this.pointer = null; this.events.hover(null, 0, 0); },
@@ -61,31 +74,43 @@ export class Scene {
     new ResizeObserver(() => this.resize()).observe(host);
     canvas.addEventListener("webglcontextrestored", () => this.touch());
     this.setTheme(this.theme === dark);
+    this.canvas.prepare(this.stage, this.eye.camera, [...this.path.samples(), tool_mesh(undefined, 1, this.theme), axes(1), this.samples]);
     this.resize();
   }
 
-  addPath(frame: ArrayBuffer): void { if (this.path.add(frame)) this.touch(); }
-  clearPath(which?: number): void { this.path.clear(which); if (which === undefined) { this.highlight(0, 0); this.measure_from([]); } this.path.change(); this.touch(); }
+  /// A path that is run anew takes the place of the old one with its first piece, so that the view does not go blank.
+  addPath(frame: ArrayBuffer): void {
+    if (this.old) this.clearPath();
+    if (!this.path.add(frame)) return;
+    this.touch();
+    if (performance.now() - this.fitted_at > refit_every) this.refit();
+  }
+  clearPath(which?: number): void { this.old = false; this.path.clear(which); if (which === undefined) { this.highlight(0, 0); this.measure_from([]); } this.path.change(); this.touch(); }
+  replacePath(): void { this.old = true; }
+  /// After the last piece.
+  endPath(): void { if (this.old) this.clearPath(); this.path.change(); this.draw_machine(); this.refit(); }
 
   setZero(zero: Point): void {
     this.path.set_zero(zero);
+    this.draw_machine();
     this.setPart(this.part_frame);
     this.relight();
     this.setInstant(this.path.instant);
   }
 
   setColour(by: ColourBy): void { this.path.set_colour(by); this.touch(); }
-  setFilter(f: SceneFilter): void { this.path.set_filter(f); this.touch(); }
+  setFilter(f: SceneFilter): void { this.path.set_filter(f); this.draw_machine(); }
   setProjection(flat: boolean): void { this.eye.flat = flat; this.touch(); }
   setMode(mode: "orbit" | "measure"): void { this.mode = mode; this.measure_from([]); }
   setTools(shapes: ToolShape[]): void { this.shapes = shapes; this.tool_drawn = ""; this.setInstant(this.path.instant); }
 
   setTheme(is_dark: boolean): void {
     this.theme = is_dark ? dark : light;
-    this.renderer.setClearColor(this.theme.ground);
+    this.canvas.renderer.setClearColor(this.theme.ground);
     this.path.set_theme(this.theme);
     for (const o of [this.lit, this.lit_thin]) (o.material as LineMaterial | LineBasicMaterial).color.set(this.theme.bright);
     this.tool_drawn = "";
+    this.draw_machine();
     this.setBoxes(this.shown_boxes);
     this.setPart(this.part_frame);
     this.setInstant(this.path.instant);
@@ -112,6 +137,26 @@ export class Scene {
     if (line === (this.lit_line?.[0] ?? 0) && file === (this.lit_line?.[1] ?? 0)) return;
     this.lit_line = line > 0 ? [line, file] : null;
     this.relight();
+  }
+
+  /// Limits and zones of the machine, in the coordinates of the path's frames.
+  setBounds(bounds: SceneBounds | null): void { this.bounds = bounds; this.draw_machine(); }
+
+  private draw_machine(): void {
+    empty(this.machine);
+    this.reach.makeEmpty();
+    const z = new Vector3(...this.path.zero), all = this.extent(false).translate(z), path = this.path.extent(false).translate(z);
+    const draw = (box: SceneBox): void => {
+      this.machine.add(box_lines(box, this.theme));
+      this.reach.union(new Box3(new Vector3(...box.box[0]), new Vector3(...box.box[1])).translate(z.clone().negate()));
+    };
+    if (this.path.shows_bounds && this.bounds) {
+      const { limits, zones } = this.bounds;
+      if (limits.some((side) => side.some((v) => v !== null))) draw({ name: "", kind: "limits", box: bounded(limits, all), over: goes_beyond(path, limits) });
+      for (const zone of zones) draw({ name: String(zone.number), kind: "zone", box: bounded(zone.box, all) });
+    }
+    this.machine.position.copy(z).negate();
+    this.touch();
   }
 
   setBoxes(boxes: SceneBox[]): void {
@@ -143,17 +188,33 @@ export class Scene {
     this.refit();
   }
 
+  /// From that side, all of it.
+  look_from(towards: Point): void {
+    this.eye.look_from(towards);
+    this.view("fit");
+  }
+
+  /// Between what the ramps of colour run; depth from the picture's zero.
+  ranges(): Ranges {
+    const { ranges: r, zero } = this.path;
+    return { ...r, depth: [r.depth[0] - zero[2], r.depth[1] - zero[2]] };
+  }
+  /// Kinds of motion that the path has.
+  kinds(): number[] { return [...this.path.kinds].sort((a, b) => a - b); }
+
+  redraw(): void { this.touch(); }
   thinned(): { drawn: number; all: number } { return { drawn: this.counted[0], all: this.counted[1] }; }
 
   picture(): Promise<Blob> {
-    this.render(); // the canvas keeps its picture only until this task ends
-    return new Promise((yes, no) => this.renderer.domElement.toBlob((b) => (b ? yes(b) : no(new Error("no picture"))), "image/png"));
+    this.render(true); // the canvas keeps its picture only until this task ends
+    return new Promise((yes, no) => this.canvas.element.toBlob((b) => (b ? yes(b) : no(new Error("no picture"))), "image/png"));
   }
 
   private from_zero(p: Point): Point { const z = this.path.zero; return [p[0] - z[0], p[1] - z[1], p[2] - z[2]]; }
 
   /// The blank often comes after the path: it is brought into the picture too, unless the user has chosen another one.
   private refit(): void {
+    this.fitted_at = performance.now();
     const box = this.extent(true);
     if (!this.own_view && !box.isEmpty()) this.eye.fit(box.min.toArray() as Point, box.max.toArray() as Point);
     this.touch();
@@ -192,66 +253,76 @@ export class Scene {
   private click(x: number, y: number): void {
     const hit = this.pick(x, y);
     if (this.mode === "orbit") return this.events.pick(hit?.vertex ?? null);
-    if (hit) this.measure_from(this.ends.length === 1 ? [this.ends[0]!, hit.place] : [hit.place]);
+    if (hit) this.measure_from(this.ends.length === 1 ? [this.ends[0]!, hit.anchor] : [hit.anchor]);
   }
 
-  private measure_from(ends: Point[]): void {
+  private measure_from(ends: Anchor[]): void {
     this.ends = ends;
     empty(this.ruler);
-    const [a, b] = ends;
-    if (a) {
-      const line = new LineSegments2(new LineSegmentsGeometry().setPositions([...a, ...(b ?? a)]), new LineMaterial({ linewidth: b ? 2.5 : 8, depthTest: false, color: this.theme.bright }));
-      line.renderOrder = 3;
-      this.ruler.add(line);
-    }
-    const delta = (a && b ? [b[0] - a[0], b[1] - a[1], b[2] - a[2]] : null) as Point | null;
-    this.events.measured(delta && { distance: Math.hypot(...delta), delta });
+    const [a, b] = ends, distance = a && b ? distance_between(a, b) : null;
+    for (const e of ends) this.ruler.add(thick([...e.place, ...e.place], 8, this.theme.bright));
+    if (distance) this.ruler.add(thick([...distance.from, ...distance.to], 2.5, this.theme.bright));
+    this.events.measured({ ends, distance });
     this.touch();
   }
 
   private resize(): void {
     this.width = Math.max(1, this.host.clientWidth);
     this.height = Math.max(1, this.host.clientHeight);
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-    this.renderer.setSize(this.width, this.height);
+    this.canvas.size(this.width, this.height);
     this.eye.size(this.width, this.height);
-    this.render();
+    this.render(false);
   }
 
   private dirty = false;
-  private touch(): void { this.dirty = true; this.ask(); }
+  private rest: ReturnType<typeof setTimeout> | undefined;
+  private touch(): void {
+    this.dirty = true;
+    this.ask();
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => { this.fine = true; this.dirty = true; this.ask(); }, still);
+    this.fine = false;
+  }
   private ask(): void { this.asked ||= requestAnimationFrame(() => this.frame()); }
 
   private frame(): void {
     this.asked = 0;
-    if (this.dirty) this.render();
+    if (this.dirty) this.render(this.fine);
     if (!this.pointer) return;
     const [x, y] = this.pointer, v: SceneVertex | null = this.pick(x, y)?.vertex ?? null;
     this.pointer = null;
     this.events.hover(v, x, y);
   }
 
-  private render(): void {
+  private render(fine: boolean): void {
     this.dirty = false;
-    const all = this.extent(false).union(this.path.extent(true));
+    const all = this.extent(false).union(this.reach);
     if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // the holder stands over the path
     if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point);
     this.eye.update();
     this.lamp.position.copy(this.eye.towards).addScaledVector(this.eye.right, 0.4).addScaledVector(this.eye.up, 0.6); // over the viewer's shoulder
-    const { drawn, all: count } = this.path.refresh(this.eye);
-    this.renderer.render(this.stage, this.eye.camera);
+    const { drawn, all: count, finished } = this.path.refresh(this.eye, this.canvas.budget(fine), performance.now() + slice);
+    if (!finished) { this.dirty = true; this.ask(); if (fine) return; } // what stands is shown until all of the finer lines are there
+    this.canvas.draw(this.stage, this.eye.camera, fine && finished, drawn);
+    this.events.turned(this.seen());
     if (drawn === this.counted[0] && count === this.counted[1]) return;
     this.counted = [drawn, count];
     this.events.thinned(drawn, count);
   }
+
+  private seen(): View {
+    const { camera } = this.eye, m = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse), p = new Vector4();
+    const place = ([x, y, z]: Point): [number, number] | null => {
+      p.set(x, y, z, 1).applyMatrix4(m);
+      return p.w > 0 ? [(p.x / p.w + 1) * 0.5 * this.width, (1 - p.y / p.w) * 0.5 * this.height] : null;
+    };
+    const axis = (v: Vector3): Point => v.toArray() as Point;
+    return { right: axis(this.eye.right), up: axis(this.eye.up), towards: axis(this.eye.towards), place };
+  }
 }
 
-function make_renderer(): WebGLRenderer {
-  const canvas = document.createElement("canvas");
-  const context = canvas.getContext("webgl2", { antialias: true });
-  if (!context) throw new NoWebGl("this browser gives no WebGL");
-  const renderer = new WebGLRenderer({ canvas, context, antialias: true });
-  renderer.localClippingEnabled = true;
-  renderer.outputColorSpace = LinearSRGBColorSpace; // colours go to the screen as they stand in the theme
-  return renderer;
+function thick(points: number[], width: number, colour: number): LineSegments2 {
+  const line = new LineSegments2(new LineSegmentsGeometry().setPositions(points), new LineMaterial({ linewidth: width, depthTest: false, color: colour }));
+  line.renderOrder = 3;
+  return line;
 }

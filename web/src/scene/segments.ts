@@ -1,34 +1,38 @@
-// What of one piece is drawn at a level: each segment with both its ends and one colour. Only what is drawn is copied, so the graphics card holds no more than the budget.
-import { colour_of, type Ranges, type Theme } from "./colours";
-import type { Piece } from "./frame";
-import { is_rapid, jump, type ColourBy, type Point, type SceneFilter } from "./types";
+// What of one piece is drawn at a level: each segment with both its ends and one colour, in machine coordinates. Only what is drawn is copied, so the graphics card holds no more than the budget.
+import { painter, type Ranges, type Theme } from "./colours";
+import { most_vertices, type Piece } from "./frame";
+import { is_rapid, jump, type ColourBy, type SceneFilter } from "./types";
 
-export interface Look { level: number; filter: SceneFilter; by: ColourBy; ranges: Ranges; theme: Theme; zero: Point }
-export interface Segments { points: Float32Array; colours: Uint8Array; ends: Uint32Array } // ends: the vertex at which each segment ends
+export interface Look { level: number; filter: SceneFilter; by: ColourBy; ranges: Ranges; theme: Theme; zero_z: number }
+export interface Segments { points: Float32Array; colours: Uint32Array; starts: Uint32Array; ends: Uint32Array } // colours: of both ends; starts, ends: vertices
+export const no_segments: Segments = { points: new Float32Array(), colours: new Uint32Array(), starts: new Uint32Array(), ends: new Uint32Array() };
+
+const from_to = new Uint32Array(2 * most_vertices); // of the piece at work: pairs of vertices
 
 export function segments_of(p: Piece, look: Look): Segments {
-  const pairs: number[] = [];
-  let before = 0;
-  for (let i = 1; i < p.count; i++) {
-    if (p.kinds[4 * i + 1]! < look.level && i < p.count - 1) continue;
-    if (p.kinds[4 * i] !== jump && shown(p, i, look.filter, look.zero[2])) pairs.push(before, i);
+  const { kinds, count } = p, { level } = look, all = shows_all(look.filter);
+  let before = 0, n = 0;
+  for (let i = 1; i < count; i++) {
+    if (kinds[4 * i + 1]! < level && i < count - 1) continue;
+    if (kinds[4 * i] !== jump && (all || shown(p, i, look.filter, look.zero_z))) { from_to[n] = before; from_to[n + 1] = i; n += 2; }
     before = i;
   }
-  return copied(p, pairs, look);
+  return copied(p, n / 2, look);
 }
 
-function copied(p: Piece, pairs: readonly number[], look: Look): Segments {
-  const n = pairs.length / 2, points = new Float32Array(6 * n), colours = new Uint8Array(8 * n), ends = new Uint32Array(n);
+function copied(p: Piece, n: number, look: Look): Segments {
+  const points = new Float32Array(6 * n), colours = new Uint32Array(2 * n), starts = new Uint32Array(n), ends = new Uint32Array(n);
+  const paint = painter(p, look.by, look.ranges, look.theme), { at } = p;
   for (let s = 0; s < n; s++) {
-    const end = pairs[2 * s + 1]!, colour = colour_of(p, end, look.by, look.ranges, look.theme);
-    ends[s] = end;
-    for (let e = 0; e < 2; e++) {
-      for (let k = 0; k < 3; k++) points[6 * s + 3 * e + k] = p.at[3 * pairs[2 * s + e]! + k]! - look.zero[k]!;
-      colours.set(colour, 8 * s + 4 * e);
-    }
+    const a = (starts[s] = from_to[2 * s]!), b = (ends[s] = from_to[2 * s + 1]!), to = 6 * s;
+    colours[2 * s] = colours[2 * s + 1] = paint(b);
+    points[to] = at[3 * a]!; points[to + 1] = at[3 * a + 1]!; points[to + 2] = at[3 * a + 2]!;
+    points[to + 3] = at[3 * b]!; points[to + 4] = at[3 * b + 1]!; points[to + 5] = at[3 * b + 2]!;
   }
-  return { points, colours, ends };
+  return { points, colours, starts, ends };
 }
+
+const shows_all = (f: SceneFilter): boolean => f.rapids && !f.tools && !f.depth && !f.lines;
 
 export function shown(p: Piece, i: number, f: SceneFilter, zero_z: number): boolean {
   if (!f.rapids && is_rapid(p.kinds[4 * i]!)) return false;

@@ -1,23 +1,28 @@
 // What the 3D view says and is told. Lengths mm, times seconds, from the picture's zero.
-import type { Box } from "../protocol/types";
+import type { Bounds, Box } from "../protocol/types";
+import type { Anchor, Distance } from "./measure";
 
 export type Point = [number, number, number];
 export type ColourBy = "kind" | "tool" | "feed" | "speed" | "time" | "depth";
 export type ViewName = "top" | "front" | "left" | "right" | "back" | "bottom" | "iso" | "fit";
-export interface SceneVertex { which: number; at: Point; time: number; line: number; file: number; number: number; kind: number; tool: number; feed: number; speed: number; radius?: number }
+export interface SceneVertex { which: number; at: Point; time: number; line: number; file: number; number: number; kind: number; tool: number; feed: number; speed: number; radius?: number; length?: number }
 export interface SceneFilter {
   rapids: boolean; tools: number[] | null; depth: [number, number] | null; lines: [number, number] | null;
-  hideDone: boolean; programmed: boolean; other: boolean;
+  hideDone: boolean; programmed: boolean; other: boolean; bounds: boolean;
 }
-export interface SceneBox { name: string; kind: "stock" | "extents"; box: Box }
+export interface SceneBox { name: string; kind: "stock" | "extents" | "limits" | "zone"; box: Box; over?: boolean }
+export type SceneBounds = Bounds;
 /// Outlines of [diameter, height over the tip], from below upwards.
 export interface ToolShape { number: number; cutting: [number, number][]; shank: [number, number][]; holder: [number, number][] }
-export interface Measured { distance: number; delta: Point }
+export interface Measured { ends: Anchor[]; distance: Distance | null }
+/// How the eye stands: axes of the screen, and where a point from the picture's zero is on it (null behind the eye).
+export interface View { right: Point; up: Point; towards: Point; place(p: Point): [number, number] | null }
 export interface SceneEvents {
   pick(v: SceneVertex | null): void;
   hover(v: SceneVertex | null, x: number, y: number): void;
-  measured(m: Measured | null): void;
+  measured(m: Measured): void;
   thinned(drawn: number, all: number): void;
+  turned(view: View): void;            // after each picture
 }
 
 /// Thrown where the browser gives no WebGL: the page goes on without this view.

@@ -3,12 +3,15 @@ import type { App } from "../model/app";
 import { t, on_language } from "../texts/texts";
 import { button, fill, h } from "../ui/dom";
 import { save } from "../ui/save";
-import { editor_view, type SourceView } from "./editor";
+import type { editor_view, SourceView } from "./editor";
 import { virtual_view } from "./virtual";
-import { apply_fix } from "./problems";
+import type { apply_fix } from "./problems";
 import type { Fix, State } from "../protocol/types";
 
 const called_lines = 10_000_000; // of a called file nobody tells how long it is; beyond its end `source` gives nothing
+
+/// What a text that may be edited is shown with; a report has none.
+export interface Editing { view: typeof editor_view; fix: typeof apply_fix }
 
 export class SourcePane {
   readonly element = h("section", { class: "pane source", "aria-label": "" });
@@ -19,7 +22,7 @@ export class SourcePane {
   private shown_file = 0;
   private name = "";
 
-  constructor(private app: App, private picked: (line: number, file: number) => void) {
+  constructor(private app: App, private picked: (line: number, file: number) => void, private editing: Editing | null = null) {
     this.element.append(h("header", { class: "pane-head" }, this.title, this.tools), this.host);
     app.on_opened.on(() => this.show_program());
     app.on_dirty.on(() => this.head());
@@ -37,7 +40,7 @@ export class SourcePane {
     if (this.shown_file !== 0) this.show_file(0, "");
     this.view?.show_line(line);
   }
-  fix(fix: Fix): void { if (this.view?.editor) { apply_fix(this.view.editor, fix); this.view.focus(); } }
+  fix(fix: Fix): void { if (this.view?.editor) { this.editing?.fix(this.view.editor, fix); this.view.focus(); } }
 
   private show_program(): void {
     const { app } = this;
@@ -53,7 +56,7 @@ export class SourcePane {
     this.host.replaceChildren();
     this.shown_file = file;
     const picked = (line: number): void => this.picked(line, file);
-    if (file === 0 && app.text !== null) this.view = editor_view(app, this.host, app.text, picked, () => void save(app));
+    if (file === 0 && app.text !== null && this.editing) this.view = this.editing.view(app, this.host, app.text, picked, () => void save(app));
     else this.view = virtual_view(this.host, file === 0 ? app.opened?.lines ?? 0 : called_lines, async (from, count) => (await app.client.ask("source", file ? { from, count, file } : { from, count })).lines, picked, (line, text) => this.explained(line, text));
     this.head(name);
   }

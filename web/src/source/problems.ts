@@ -5,6 +5,7 @@ import type { EditorView } from "@codemirror/view";
 import type { Fix, Problem } from "../protocol/types";
 import { debounce } from "../model/latest";
 import type { App } from "../model/app";
+import { of_program } from "./problems_of";
 
 const quiet = 300; // ms without a key before the text is checked
 
@@ -25,13 +26,6 @@ export function watch_problems(app: App, view: EditorView): { changed: () => voi
   const off = app.on_problems.on(show);
   show();
   return { changed: () => { asked++; check(); }, close: () => { asked++; off(); } };
-}
-
-/// Problems of called files have their own text, which the editor does not show. `opened` is the program's own name.
-export function of_program(p: Problem, opened: string): boolean {
-  if (typeof p.file !== "string") return !p.file;
-  const name = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
-  return p.file === "" || name(p.file) === name(opened);
 }
 
 function diagnostics(state: EditorState, problems: Problem[], view: EditorView): Diagnostic[] {

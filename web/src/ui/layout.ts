@@ -77,3 +77,11 @@ export class Tabs {
     this.host.setAttribute("aria-label", t(tab.name));
   }
 }
+
+/// The focus goes to the next pane, or to the one before.
+export function next_pane(way: 1 | -1): void {
+  const panes = [...document.querySelectorAll<HTMLElement>(".files, .source, .scene, .state, .tabs, .timeline")].filter((e) => !e.hidden);
+  const here = panes.findIndex((e) => e.contains(document.activeElement));
+  const next = panes[(here + way + panes.length) % panes.length]!;
+  (next.querySelector<HTMLElement>("[contenteditable=true], [tabindex='0'], button:not(:disabled), select, input, canvas") ?? next).focus();
+}

@@ -1,13 +1,18 @@
 // The 3D view with its tools: views, colours, filters, section, measuring, picture; what it tells stands in its corners.
-import { Scene, type ColourBy, type SceneFilter, type SceneVertex } from "../scene/scene";
+import { figure_places } from "../scene/boxes";
+import { dark, is_ramp, light } from "../scene/colours";
+import { Scene, type ColourBy, type Measured, type Point, type SceneFilter, type SceneVertex, type View } from "../scene/scene";
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
 import { on_language, t, type TextKey } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { filter_form } from "./filters";
 import { coordinate, short } from "./figures";
+import { Flags, flags_of } from "./flags";
+import { legend } from "./legend";
 import { icon } from "./icons";
 import { toast } from "./toast";
+import { ViewCube } from "./view_cube";
 
 const colours: ColourBy[] = ["kind", "tool", "feed", "speed", "time", "depth"];
 const views = ["top", "front", "left", "right", "back", "bottom", "iso", "fit"] as const;
@@ -19,19 +24,26 @@ export class ScenePane {
   private below = h("div", { class: "scene-bar below" });
   private told = h("div", { class: "scene-told", "aria-live": "polite" });
   private thinned_told = h("div", { class: "scene-thinned" });
+  private legend = h("div", { class: "scene-legend" });
+  private flags = new Flags((time) => this.app.seek(time));
+  private cube = new ViewCube((v) => this.scene?.view(v), (towards) => this.scene?.look_from(towards));
+  private box: [Point, Point] | null = null; // extents, whose figures stand at its edges
   private tip = h("div", { class: "scene-tip", hidden: true });
   private colour = remembered<ColourBy>("colour", "kind");
   private flat = remembered("orthographic", true);
   private measuring = false;
   private section: { axis: 0 | 1 | 2 | null; part: number; flip: boolean } = { axis: null, part: 0.5, flip: false };
-  filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true };
+  filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true };
 
   constructor(private app: App, picked: (v: SceneVertex) => void) {
     const host = h("div", { class: "scene-host" });
-    this.element.append(host, this.bar, this.below, this.told, this.thinned_told, this.tip);
+    this.element.append(host, this.flags.element, this.legend, this.cube.element, this.bar, this.below, this.told, this.thinned_told, this.tip);
     this.scene = this.make(host, picked);
     for (const s of [app.on_done, app.on_opening, app.on_opened]) s.on(() => this.draw());
-    on_language(() => this.draw());
+    on_language(() => { this.draw(); this.mark(); });
+    for (const s of [app.on_done, app.on_cut]) s.on(() => this.mark());
+    app.on_opening.on(() => this.mark());
+    app.on_opened.on((o) => this.scene?.setBounds(o.bounds ?? null));
     this.scene?.setColour(this.colour);
     this.scene?.setProjection(this.flat);
     this.scene?.setFilter(this.filter);
@@ -53,8 +65,9 @@ export class ScenePane {
       return new Scene(host, {
         pick: (v) => { if (v) picked(v); },
         hover: (v, x, y) => this.hover(v, x, y),
-        measured: (m) => { this.told.textContent = m ? `${t("distance")} ${coordinate(m.distance)}   ΔX ${coordinate(m.delta[0])}  ΔY ${coordinate(m.delta[1])}  ΔZ ${coordinate(m.delta[2])}` : this.measuring ? t("measure_how") : ""; },
-        thinned: (drawn, all) => { this.thinned_told.textContent = drawn < all ? t("thinned", { drawn: short(drawn), all: short(all) }) : ""; },
+        measured: (m) => { this.told.textContent = this.measured(m); },
+        turned: (view) => this.turn(view),
+        thinned: (drawn, all) => { this.thinned_told.textContent = drawn < all ? t("thinned", { drawn: short(drawn), all: short(all) }) : ""; this.draw_legend(); },
       });
     } catch {
       host.append(h("p", { class: "note no-webgl" }, t("no_webgl"))); // source, state and times work without it
@@ -62,11 +75,48 @@ export class ScenePane {
     }
   }
 
+  private turn(view: View): void {
+    this.cube.turn(view);
+    const { box } = this;
+    if (box) this.flags.set("figures", figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity).map((at, k) => ({ kind: "figure" as const, at, text: coordinate(box[1][k]! - box[0][k]!) })));
+    this.flags.place(view, this.element.clientWidth, this.element.clientHeight);
+  }
+
+  /// What stands in the view of the program that has been run.
+  private mark(): void {
+    const { app, scene } = this, box = app.done?.extents.cutting;
+    this.box = box ? (box as [Point, Point]) : null;
+    this.flags.set("marks", scene && app.done ? flags_of(app.marks, app.done.seconds, (at) => scene.positionAt(at)) : []);
+    if (!box) this.flags.set("figures", []);
+    this.draw_legend();
+    scene?.redraw();
+  }
+
+  private draw_legend(): void {
+    const { scene, colour } = this;
+    const made = scene && legend({ by: colour, range: is_ramp(colour) ? scene.ranges()[colour] : null, kinds: scene.kinds(), tools: this.tools(), theme: document.documentElement.dataset.theme === "dark" ? dark : light });
+    fill(this.legend, made);
+  }
+  private tools(): { tool: number; name?: string }[] {
+    const seen = new Map((this.app.done?.tools ?? []).map((x) => [x.tool, x]));
+    return [...seen.values()];
+  }
+
+  private measured({ ends, distance }: Measured): string {
+    const [a, b] = ends;
+    if (!a) return this.measuring ? t("measure_how") : "";
+    const named = (e: typeof a): string => `${t(`anchor_${e.kind}`)}${e.radius ? ` R ${coordinate(e.radius)}` : ""} (${t("line_n", { line: e.line })})`;
+    const at = (p: Point): string => `X ${coordinate(p[0])}  Y ${coordinate(p[1])}  Z ${coordinate(p[2])}`;
+    if (!b || !distance) return `${named(a)}: ${at(a.place)}\n${t("measure_next")}`;
+    const d = distance.delta.map(Math.abs) as Point;
+    return `${named(a)} – ${named(b)}\n${t("distance")} ${coordinate(distance.distance)}   ΔX ${coordinate(d[0])}  ΔY ${coordinate(d[1])}  ΔZ ${coordinate(d[2])}${distance.angle === null ? "" : `   ∠ ${coordinate(distance.angle)}°`}`;
+  }
+
   private hover(v: SceneVertex | null, x: number, y: number): void {
     this.tip.hidden = !v;
     if (!v) return;
     const kind = t(`motion_${Math.min(8, v.kind)}` as TextKey);
-    this.tip.textContent = `${t("line_n", { line: v.line })} · ${kind}${v.radius ? ` · R ${coordinate(v.radius)}` : ""} · T${v.tool}\nX ${coordinate(v.at[0])}  Y ${coordinate(v.at[1])}  Z ${coordinate(v.at[2])}\n${v.feed ? `F ${short(v.feed, 1)} · ` : ""}V ${short(v.speed)} ${t("mm_min")}`;
+    this.tip.textContent = `${t("line_n", { line: v.line })} · ${kind}${v.radius ? ` · R ${coordinate(v.radius)}` : ""}${v.length ? ` · L ${coordinate(v.length)}` : ""} · T${v.tool}\nX ${coordinate(v.at[0])}  Y ${coordinate(v.at[1])}  Z ${coordinate(v.at[2])}\n${v.feed ? `F ${short(v.feed, 1)} · ` : ""}V ${short(v.speed)} ${t("mm_min")}`;
     const box = this.element.getBoundingClientRect();
     this.tip.style.left = `${Math.min(x + 14, box.width - 250)}px`;
     this.tip.style.top = `${Math.min(y + 14, box.height - 70)}px`;
@@ -75,11 +125,12 @@ export class ScenePane {
   private draw(): void {
     this.element.setAttribute("aria-label", t("view_3d"));
     this.bar.setAttribute("aria-label", t("view_3d"));
-    const look = h("select", { "aria-label": t("colour_by"), title: t("colour_by"), onchange: () => { this.colour = look.value as ColourBy; remember("colour", this.colour); this.scene?.setColour(this.colour); } },
+    const look = h("select", { "aria-label": t("colour_by"), title: t("colour_by"), onchange: () => { this.colour = look.value as ColourBy; remember("colour", this.colour); this.scene?.setColour(this.colour); this.draw_legend(); } },
       ...colours.map((c) => option(c, t(`colour_${c}`), c === this.colour)));
     fill(this.bar, ...views.map((v) => button(t(`view_${v}`), () => this.scene?.view(v), { title: t(`view_${v}_long`) })), look,
       button(t(this.flat ? "orthographic" : "perspective"), () => { this.flat = !this.flat; remember("orthographic", this.flat); this.scene?.setProjection(this.flat); this.draw(); }, { title: t("projection") }),
       filter_form(this.app, this.filter, (f) => this.set_filter(f)));
+    this.thinned_told.title = t("thinned_long");
     this.draw_section();
   }
 

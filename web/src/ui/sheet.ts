@@ -42,7 +42,8 @@ function tool_table(tools: SheetTool[], shapes: Shape[]): HTMLElement {
 }
 
 function zeros(s: Sheet): HTMLElement {
-  return h("table", { class: "list" }, h("tbody", null, ...s.zeros.map((z) => h("tr", null, h("th", { scope: "row" }, z.name), h("td", { class: "text" }, Object.entries(z.values).map(([a, v]) => `${a} ${coordinate(v)}`).join(", "))))));
+  if (!s.zeros.length) return h("p", { class: "note" }, t("zeros_none"));
+  return h("table", { class: "list" }, h("tbody", null, ...s.zeros.map((z) => h("tr", null, h("th", { scope: "row" }, z.name), h("td", { class: "text" }, Object.entries(z.values).map(([a, v]) => `${a} ${coordinate(v)}`).join(", ") || t("zero_unstated"))))));
 }
 
 const notes = (rows: [number, string][]): HTMLElement => h("table", { class: "list" }, h("tbody", null, ...rows.map(([line, text]) => h("tr", null, h("td", { class: "note-line" }, String(line)), h("td", { class: "text" }, text)))));

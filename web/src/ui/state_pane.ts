@@ -60,22 +60,23 @@ export class StatePane {
   private positions(s: State): HTMLElement {
     const names = [...new Set([...Object.keys(s.position ?? {}), ...Object.keys(s.machine ?? {})])];
     const cell = (axes: Axes | undefined, name: string): HTMLElement => h("td", null, coordinate(axes?.[name]));
+    const has_machine = Object.keys(s.machine ?? {}).length > 0; // a report knows the path alone
     return h("table", { class: "positions" },
-      h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("work")), h("th", { scope: "col" }, t("machine_position")), h("th", { scope: "col" }, t("to_go")))),
-      h("tbody", null, ...names.map((n) => h("tr", null, h("th", { scope: "row" }, n), cell(s.position, n), cell(s.machine, n), cell(s.togo, n)))));
+      h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("work")), has_machine && h("th", { scope: "col" }, t("machine_position")), h("th", { scope: "col" }, t("to_go")))),
+      h("tbody", null, ...names.map((n) => h("tr", null, h("th", { scope: "row" }, n), cell(s.position, n), has_machine && cell(s.machine, n), cell(s.togo, n)))));
   }
 
   private motion(s: State): HTMLElement {
     return h("div", { class: "figures" },
-      figure("F", short(s.feed, 1), t("feed_programmed")), figure("V", short(s.speed, 0), t("feed_reached")), figure("S", short(s.rpm), t("spindle")),
+      figure("F", short(s.feed, 1), t("feed_programmed")), figure("V", short(s.speed, 0), t("feed_reached")), s.rpm !== null && figure("S", short(s.rpm), t("spindle")),
       s.limits ? h("div", { class: "limits" }, `${t("limited_by")} ${s.limits}`) : null);
   }
 
   private tool(s: State): HTMLElement {
-    const o = s.offsets ?? {}, length = o.length ?? {}, many = Object.keys(length).length > 1;
-    const lengths = Object.entries(length).map(([a, v]) => `${many ? a : ""}${coordinate(v)}`).join(" ");
+    const o = s.offsets ?? {}, lengths = lengths_told(o.length);
     const name = this.app.done?.tools.find((x) => x.tool === s.tool)?.name;
-    return h("div", { class: "figures" }, figure("T", String(s.tool || "–"), name || t("tool")), figure(`D${o.D || ""}`, coordinate(o.radius), t("radius")), figure(`H${o.H || ""}`, lengths || "–", t("length")));
+    const knows = Object.keys(o).length > 0;
+    return h("div", { class: "figures" }, figure("T", String(s.tool || "–"), name || t("tool")), knows && figure(`D${o.D || ""}`, coordinate(o.radius), t("radius")), knows && figure(`H${o.H || ""}`, lengths, t("length")));
   }
 
   private modal(s: State): HTMLElement {
@@ -83,7 +84,8 @@ export class StatePane {
       h("span", { class: m.changed ? "code changed" : "code", role: "listitem", title: m.changed ? `${m.group} · ${t("changed_here")}` : m.group }, m.code)));
   }
 
-  private zero(s: State): HTMLElement {
+  private zero(s: State): HTMLElement | null {
+    if (!Object.keys(s.zero ?? {}).length) return null;
     return h("div", { class: "row zero" }, h("span", { class: "dim" }, t("zero")), ...Object.entries(s.zero ?? {}).map(([a, v]) => h("span", null, h("b", null, a), ` ${coordinate(v)}`)));
   }
 
@@ -99,6 +101,13 @@ export class StatePane {
     return h("div", { class: "variables" }, h("h3", null, t("variables")), h("div", { class: "variable-grid" }, ...sorted.slice(0, 200).map((v) =>
       h("span", { class: v.changed ? "variable changed" : "variable", title: v.changed ? t("changed_here") : "" }, h("b", null, v.name), ` ${value(v.value)}`))));
   }
+}
+
+/// Of the axes those that have a length; along Z alone, as on a mill, without its letter.
+export function lengths_told(length: Axes | undefined): string {
+  const all = Object.entries(length ?? {}), some = all.filter(([, v]) => Math.abs(v) >= 0.0005);
+  if (!some.length) return all.length ? coordinate(0) : "–";
+  return some.length === 1 && some[0]![0] === "Z" ? coordinate(some[0]![1]) : some.map(([a, v]) => `${a}${coordinate(v)}`).join(" ");
 }
 
 const value = (v: number | string | null): string => (typeof v === "number" ? String(Number(v.toPrecision(9))) : v ?? "–");

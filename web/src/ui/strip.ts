@@ -10,7 +10,7 @@ export class SpeedStrip {
   readonly element = h("div", { class: "strip" });
   private here = h("div", { class: "strip-here", hidden: true });
   private plot: uPlot | null = null;
-  private redraw = debounce(150, () => this.draw());
+  private redraw = debounce(250, () => this.draw(), 1500);
 
   /// `selected`: a stretch of time was drawn with the mouse; `hint` names what is under it.
   constructor(private app: App, private selected: (loop: [number, number] | null) => void, private hint: (text: string) => void) {

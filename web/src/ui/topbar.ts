@@ -6,7 +6,8 @@ import { button, fill, h, option } from "./dom";
 import { clock, short } from "./figures";
 import { icon } from "./icons";
 
-export interface TopbarVerbs { files(): void; sheet(): void; compare(): void; help(): void; theme(dark: boolean): void }
+/// What there is no verb for has no button: a report has no files, runs nothing and compares nothing.
+export interface TopbarVerbs { files?(): void; sheet(): void; compare?(): void; licences?(): void; help(): void; theme(dark: boolean): void }
 
 export class Topbar {
   readonly element = h("header", { class: "topbar", role: "banner" });
@@ -27,15 +28,16 @@ export class Topbar {
   private draw(): void {
     const { app, verbs } = this, o = app.opened;
     fill(this.element,
-      button(icon("menu"), verbs.files, { class: "icon", title: t("files"), "aria-label": t("files") }),
+      verbs.files && button(icon("menu"), verbs.files, { class: "icon", title: t("files"), "aria-label": t("files") }),
       h("span", { class: "brand" }, "Kadr"),
       h("span", { class: "file", title: o?.file ?? "" }, o?.file ?? t("no_program")),
-      o && this.choices(),
-      o && (app.running ? button(t("stop"), () => app.stop(), { class: "stop" }) : button(t("run"), () => void app.run_again(), { class: "main", title: t("run_long") })),
+      o && (verbs.files ? this.choices() : h("span", { class: "note" }, `${o.control.name}${o.machine ? ` · ${o.machine}` : ""}`)),
+      o && verbs.files && (app.running ? button(t("stop"), () => app.stop(), { class: "stop" }) : button(t("run"), () => void app.run_again(), { class: "main", title: t("run_long") })),
       this.told,
       h("span", { class: "grow" }),
       button(t("sheet"), verbs.sheet, { disabled: !app.done }),
-      button(t("compare"), verbs.compare, { disabled: !app.done }),
+      verbs.compare && button(t("compare"), verbs.compare, { disabled: !app.done }),
+      verbs.licences && button(t("licences"), verbs.licences),
       button("?", verbs.help, { class: "icon", title: t("keys"), "aria-label": t("keys") }),
       button(icon(this.dark ? "sun" : "moon"), () => { this.dark = !this.dark; this.apply(); this.draw(); }, { class: "icon", title: t("theme"), "aria-label": t("theme") }),
       button(t("shop"), () => { this.shop = !this.shop; this.apply(); this.draw(); }, { "aria-pressed": this.shop, title: t("shop_long") }),

@@ -1,0 +1,15 @@
+# The package's copyright file: FROM, in whose head the notices of all that is embedded are put as a comment, as `kadr --licences` prints them
+# without our own licence, which Debian has. cmake -DKADR=kadr -DFROM=copyright -DTO=build/copyright -P copyright.cmake
+execute_process(COMMAND ${KADR} --licences OUTPUT_VARIABLE notices RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "kadr --licences: ${status}")
+endif()
+string(REGEX REPLACE "-----+\n[ \n]*Apache License.*" "" notices "${notices}")
+string(REGEX REPLACE "[ \t]+\n" "\n" notices "${notices}")
+string(REGEX REPLACE "\n\n+" "\n.\n" notices "${notices}")
+string(REGEX REPLACE "\n\\.\n?$" "" notices "${notices}")
+string(STRIP "${notices}" notices)
+string(REPLACE "\n" "\n " notices "${notices}")
+file(READ ${FROM} text)
+string(REPLACE "Upstream-Name: kadr\n" "Upstream-Name: kadr\nComment:\n ${notices}\n" text "${text}")
+file(WRITE ${TO} "${text}")

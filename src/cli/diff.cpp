@@ -1,0 +1,139 @@
+// kadr diff: do two programs do the same? Tested by tests/run_diff.py.
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command_parts.h"
+#include "cli/help_text.h"
+#include "cli/job.h"
+#include "cli/option_values.h"
+#include "cli/stop.h"
+#include "cli/terminal.h"
+#include "compare/comparison_text.h"
+#include "config/told.h"
+#include "out/text/alarm_print.h"
+#include "out/text/source_line.h"
+#include "view/source_text.h"
+
+namespace kadr::cli {
+namespace {
+
+constexpr double least_tolerance = 1e-5, most_tolerance = 10;  // mm
+constexpr std::size_t shown = 20;                              // differences, unless all are asked for
+constexpr std::size_t most_shown = 100'000, most_of_line = 100;
+
+/// One of the two: its program, what it is run by, its lines.
+struct Side {
+  std::string name;
+  std::optional<Job> job;
+  std::unique_ptr<SourceText> text;
+};
+
+Options options_of(const DiffOptions& o, bool b) {
+  Options options = o.both;
+  options.programs = {b ? o.b : o.a};
+  const std::string &control = b ? o.control_b : o.control_a, &setup = b ? o.setup_b : o.setup_a;
+  if (!control.empty()) options.control = control;
+  if (!setup.empty()) options.setup = setup;
+  return options;
+}
+
+/// Complains.
+std::unique_ptr<Session> open_side(const Options& options, Side& side) {
+  side.name = options.programs.front();
+  side.job = make_job(options, side.name);
+  if (!side.job) return nullptr;
+  auto program = open_program(*side.job);
+  if (!program) return nullptr;
+  auto session = make_session(*side.job, std::move(*program), options.limits);
+  if (session && session->channels().size() > 1)
+    return complain(side.name + ": " +
+                    told("programs of several channels are not compared", "программы нескольких каналов не сравниваются")),
+           nullptr;
+  return session;
+}
+
+/// "part.nc:5-7"
+std::string place(const Side& side, const CourseSpot& from, const CourseSpot& to) {
+  std::string text = fmt::format("{}:{}", from.file.empty() ? side.name : from.file, from.origin.line);
+  if (to.origin.line > from.origin.line + 1 && to.file == from.file) text += fmt::format("-{}", to.origin.line - 1);
+  return text;
+}
+
+void show_line(Side& side, const CourseSpot& spot, char mark) {
+  if (!spot.file.empty() || side.name == "-") return;
+  if (!side.text) side.text = std::make_unique<SourceText>(open_text(side.name, side.job->encoding));
+  const auto lines = side.text->from(spot.origin.line, 1);
+  if (!lines.empty()) fmt::print("  {} {}\n", mark, shortened_line(lines.front(), most_of_line));
+}
+
+void show(Side& a, Side& b, const Comparison& c, std::size_t most, Lang lang) {
+  std::size_t count = 0;
+  for (const CourseDifference& d : c.differences) {
+    if (count++ == most) break;
+    fmt::print("{} | {}: {}\n", place(a, d.a, d.a_to), place(b, d.b, d.b_to), sentence_of(d, lang));
+    show_line(a, d.a, '<');
+    show_line(b, d.b, '>');
+  }
+  if (const std::size_t all = c.differences.size() + c.more; all > count - (count > most ? 1 : 0) && all > most)
+    fmt::print(fmt::runtime(told("… and {} more: --all\n", "… и ещё {}: --all\n")), all - most);
+}
+
+void tell_alarm(const Side& side, const std::optional<AlarmReport>& report, Lang lang) {
+  if (report) say(alarm_text(*report, side.job->texts(), lang, colours()));
+}
+
+}  // namespace
+
+void add_diff(CLI::App& app, Commands& c) {
+  CLI::App* const diff =
+      app.add_subcommand("diff", told("do two programs do the same? the axes' ways, feeds, tools and all between, by their controls",
+                                      "делают ли две УП одно и то же: пути осей, подачи, инструмент и остальное, по их УЧПУ"));
+  DiffOptions& o = c.diff;
+  diff->add_option("A", o.a, told("a part program", "управляющая программа"))->required();
+  diff->add_option("B", o.b, told("another, or the same for another control", "другая или та же для другого УЧПУ"))->required();
+  number(diff->add_option("--tolerance", o.tolerance,
+                          told("ways that are no farther apart are the same; degrees of rotary axes",
+                               "пути не дальше этого друг от друга одинаковы; для круговых осей — градусы")),
+         "MM", "ММ", least_tolerance, most_tolerance)
+      ->capture_default_str();
+  diff->add_flag("--all", o.all, told("all differences, not the first twenty", "все различия, а не первые двадцать"));
+  control_id(
+      diff->add_option("--control-a", o.control_a,
+                       told("control of A (default: --control, else guessed)", "УЧПУ для A (по умолчанию --control или по тексту)")));
+  control_id(diff->add_option("--control-b", o.control_b, told("control of B", "УЧПУ для B")));
+  takes_file(
+      diff->add_option("--setup-a", o.setup_a, told("set-up of A (default: --setup)", "исходное состояние для A (по умолчанию --setup)")));
+  takes_file(diff->add_option("--setup-b", o.setup_b, told("set-up of B", "исходное состояние для B")));
+  program_options(*diff, o.both);
+  diff->footer(diff_examples());
+}
+
+int diff(const DiffOptions& o) {
+  const Lang lang = language(o.both);
+  if (o.a == "-" && o.b == "-")
+    return complain(told("only one of the two can be the standard input", "со стандартного ввода читается только одна из двух")),
+           wrong_usage;
+  Side a, b;
+  const Options options_a = options_of(o, false), options_b = options_of(o, true);
+  auto session_a = open_side(options_a, a);
+  auto session_b = session_a ? open_side(options_b, b) : nullptr;
+  if (!session_b) return wrong_usage;
+  CompareRules rules;
+  rules.tolerance = o.tolerance;
+  rules.most_told = most_shown;
+  rules.stop = o.both.limits.stop;
+  const Comparison made = compare_sessions(std::move(session_a), std::move(session_b), rules);
+  if (interrupted()) return interrupted_status();
+  show(a, b, made, o.all ? most_shown : shown, lang);
+  tell_alarm(a, made.stopped_a, lang);
+  tell_alarm(b, made.stopped_b, lang);
+  const bool stopped = made.stopped_a || made.stopped_b;
+  if (stopped && made.differences.empty())
+    fmt::print("{}: {}\n", told("the same up to the alarm", "одинаковы до ошибки"), summary_of(made, lang));
+  else fmt::print("{}\n", summary_of(made, lang));
+  return made.equal() && !stopped ? ok : alarms;
+}
+
+}  // namespace kadr::cli

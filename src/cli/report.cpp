@@ -1,0 +1,194 @@
+// kadr report: a program carried out, and the page's viewer with what came of it, in one file. Tested by tests/report.py.
+
+#include "view/report.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/job.h"
+#include "cli/outputs.h"
+#include "cli/progress.h"
+#include "cli/report_files.h"
+#include "cli/stop.h"
+#include "cli/terminal.h"
+#include "cli/unstated.h"
+#include "config/read_file.h"
+#include "config/told.h"
+#include "out/text/cut_text.h"
+#include "view/report_part.h"
+
+namespace kadr::cli {
+namespace {
+
+constexpr std::size_t most_input = std::size_t{1} << 30;  // bytes of standard input
+
+Outputs outputs_of(const ReportOptions& options, const Job& job) {
+  Outputs outputs(job.lang);
+  outputs.reads(job.file);
+  outputs.reads(job.setup_file);
+  outputs.reads(options.cut.tools);
+  outputs.reads(options.cut.stock);
+  for (const std::string& body : options.cut.fixtures) outputs.reads(body);
+  if (options.cut.run.control.ends_with(".toml")) outputs.reads(options.cut.run.control);
+  if (options.cut.run.machine.ends_with(".toml")) outputs.reads(options.cut.run.machine);
+  outputs.writes("--out", options.out);
+  return outputs;
+}
+
+/// Standard input is read once: the program is looked at several times. Complains.
+std::optional<std::string> text_of_input(const Job& job) {
+  std::string bytes;
+  char piece[1 << 16];
+  for (std::size_t count = 0; (count = std::fread(piece, 1, sizeof piece, stdin)) > 0;) {
+    bytes.append(piece, count);
+    if (bytes.size() > most_input) return complain("-: " + told_errno(EFBIG)), std::nullopt;
+  }
+  if (std::ferror(stdin) != 0) return complain("-: " + told_errno(errno)), std::nullopt;
+  return SourceText(as_text(text_source(bytes), job.encoding)).whole();
+}
+
+/// The program as the view opens one; complains.
+std::optional<OpenedProgram> opened_by(const Job& job, const Options& options) {
+  OpenedProgram opened;
+  opened.path = job.file;
+  opened.def = job.def;
+  opened.texts = std::make_shared<const AlarmTexts>(job.texts());
+  opened.machine = job.profile;
+  opened.setup = job.setup;
+  opened.stated = job.stated;
+  opened.encoding = job.encoding;
+  opened.number = options.program;
+  opened.limits = options.limits;
+  if (job.file != "-") return opened;
+  opened.text = text_of_input(job);
+  return opened.text ? std::optional(std::move(opened)) : std::nullopt;
+}
+
+class ReportRun {
+ public:
+  ReportRun(const Job& job, bool quiet) : job_(job), progress_(quiet) {}
+
+  /// Complains.
+  bool open(const OpenedProgram& opened) {
+    auto run = ProgramRun::make(opened, stop_token());
+    if (!run) return complain(run.error()), false;
+    run_ = std::move(*run);
+    OpenedText text = opened.text ? OpenedText{text_source(*opened.text), Encoding::utf8} : open_text(opened.path, opened.encoding);
+    if (!text.source) return complain(fmt::format("{}: {}", opened.path, told_errno(errno))), false;
+    source_ = std::make_unique<SourceText>(std::move(text));
+    return true;
+  }
+
+  void carry_out() {
+    run_->on_alarm = [this](const AlarmReport& report, double at, int channel) {
+      AlarmReport told_report = report;
+      if (channel != 0) told_report.origin.line = 0;  // of another program
+      take(told_report, at);
+    };
+    run_->on_progress = [this](double part, std::uint64_t blocks, double) {
+      if (progress_.is_due()) progress_.show(part, told(fmt::format("{} blocks", blocks), told_count(blocks, "кадр", "кадра", "кадров")));
+    };
+    run_->on_contour = [this](const ViewPiece& piece) { contour_.push_back(piece); };
+    run_->carry_out();
+    if (const auto note = unstated(run_->control(), job_)) take(*note, 0);
+    erase_bar();
+  }
+
+  ReportContent content(const std::string& file) const {
+    return {*run_, *source_, file, KADR_VERSION, job_.lang, alarms_, contour_, nullptr, cut_ ? &part_ : nullptr, {}};
+  }
+  const ProgramRun& run() const { return *run_; }
+
+  /// On the blank. Complains.
+  bool cut(const CutOptions& options, const ToolLibrary& tools) {
+    PartWish wish{options.stock, options.fixtures, options.fixtures, tools, options.resolution};
+    auto part = PartRun::make(run_->opened(), wish, stop_token());
+    if (!part) return complain(part.error()), false;
+    (*part)->on_progress = [this](double share) {
+      if (progress_.is_due()) progress_.show(share, told("cutting", "съём материала"));
+    };
+    (*part)->on_finding = [this](const CutFinding& f, const AlarmReport& report) {
+      part_.hits.push_back({f, report});
+      say(alarm_text(report, job_.texts(), job_.lang, colours()));
+    };
+    if (const auto done = (*part)->carry_out(); !done) return interrupted() || (complain(done.error()), false);
+    for (const std::string& note : (*part)->notes()) say(note + "\n");
+    erase_bar();
+    take_part(**part, part_, stop_token());
+    cut_ = (*part)->result();
+    return true;
+  }
+  const std::optional<CutResult>& cut() const { return cut_; }
+
+ private:
+  void take(const AlarmReport& report, double at) {
+    alarms_.push_back({report, at});
+    say(alarm_text(report, job_.texts(), job_.lang, colours()));
+  }
+
+  const Job& job_;
+  Progress progress_;
+  std::unique_ptr<ProgramRun> run_;
+  std::unique_ptr<SourceText> source_;
+  std::vector<ReportAlarm> alarms_;
+  std::vector<ViewPiece> contour_;
+  ReportPart part_;
+  std::optional<CutResult> cut_;  // nothing: there is no blank
+};
+
+std::string shown_name(const std::string& file) { return file == "-" ? file : std::filesystem::path(file).filename().string(); }
+
+/// Writes the page, and the summary on standard output unless that is the page. Returns the exit status.
+int write(const ReportOptions& options, const ReportRun& report, const std::string& html, Outputs& outputs) {
+  std::FILE* const file = outputs.stream("--out");
+  if (std::fwrite(html.data(), 1, html.size(), file) != html.size())
+    return complain(fmt::format("{}: {}", options.out, told_errno(errno))), wrong_usage;
+  const ProgramRun& run = report.run();
+  if (!options.cut.run.quiet && options.out != "-") fmt::print("{}", run.statistics().text(run.blocks(), language(options.cut.run)));
+  if (interrupted()) return interrupted_status();
+  if (!outputs.keep(run.control().files_read())) return wrong_usage;
+  const bool hit = report.cut() && !report.cut()->collisions.empty();
+  return hit || run.end() == ProgramRun::End::stopped ? alarms : ok;
+}
+
+}  // namespace
+
+int report(const ReportOptions& options) {
+  const std::string_view viewer = report_file("report.html");
+  if (viewer.empty())
+    return complain(told("built without its page, of which reports are made: install nodejs and npm (dev/setup) and build again",
+                         "собран без страницы, из которой делаются отчёты: установите nodejs и npm (dev/setup) и соберите снова")),
+           wrong_usage;
+  auto job = make_job(options.cut.run, options.cut.run.programs.front());
+  if (!job) return wrong_usage;
+  Outputs outputs = outputs_of(options, *job);
+  const auto opened = outputs.check() ? opened_by(*job, options.cut.run) : std::nullopt;
+  if (!opened) return wrong_usage;
+  ToolLibrary tools;
+  if (!options.cut.tools.empty()) {
+    auto library = load_tools(options.cut.tools);
+    if (!library) return complain(library.error()), wrong_usage;
+    for (const std::string& note : library->notes) say(note + "\n");
+    tools = std::move(*library);
+  }
+  ReportRun run(*job, options.cut.run.quiet);
+  if (!run.open(*opened) || !outputs.open()) return wrong_usage;
+  run.carry_out();
+  if (!interrupted() && !options.cut.stock.empty() && !run.cut(options.cut, tools)) return wrong_usage;
+  if (interrupted()) return interrupted_status();
+  ReportContent content = run.content(shown_name(job->file));
+  content.tools = options.cut.tools.empty() ? nullptr : &tools;
+  content.licences = report_file("licences.txt");
+  const auto html = report_html(viewer, content);
+  if (!html) return complain(html.error()), wrong_usage;
+  return interrupted() ? interrupted_status() : write(options, run, *html, outputs);
+}
+
+int print_licences() {
+  fmt::print("{}", report_file("licences.txt"));
+  return came_out() ? ok : wrong_usage;
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,68 @@
+// What the hint says, done. For view/page_json; tested by tests/out/quick_fix_test.cpp.
+
+#include "out/text/quick_fix.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "out/text/source_line.h"
+
+namespace kadr {
+namespace {
+
+std::size_t without_blanks_behind(std::string_view line) {
+  const std::size_t last = line.find_last_not_of(" \t\r\n");
+  return last == std::string_view::npos ? 0 : last + 1;
+}
+
+/// An alarm may mark the letter alone. Empty: its value is no plain number.
+Span whole_word(std::string_view line, std::uint32_t begin) {
+  const std::size_t end = std::min(line.find_first_not_of("+-0123456789.", begin + 1), line.size());
+  if (end == begin + 1 || (end < line.size() && (line[end] == '[' || line[end] == '#'))) return {begin, begin};
+  return {begin, std::uint32_t(end)};
+}
+
+/// A word goes with one of the blanks beside it.
+Span with_a_blank(std::string_view line, Span word) {
+  const bool behind = word.end < line.size() && line[word.end] == ' ', before = word.begin > 0 && line[word.begin - 1] == ' ';
+  if (before && (behind || word.end >= without_blanks_behind(line))) --word.begin;
+  else if (behind && word.begin == 0) ++word.end;
+  return word;
+}
+
+}  // namespace
+
+std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
+  const bool ru = lang == Lang::ru;
+  const std::string& line = report.line_text;
+  const Span where = report.alarm.where;
+  if (line.empty() || where.end > line.size() || where.begin > where.end) return std::nullopt;
+  const auto change = [&](Span place, std::string insert, std::string text) {
+    return QuickFix{std::move(text), characters_before(line, place.begin) + 1, characters_before(line, place.end) + 1, std::move(insert)};
+  };
+  const auto at_end = [&](const char* insert) {
+    const auto end = std::uint32_t(without_blanks_behind(line));
+    return change({end, end}, insert,
+                  fmt::format(fmt::runtime(ru ? "Поставить «{}» в конце строки" : "Write '{}' at the end of the line"), insert));
+  };
+  switch (report.alarm.id) {
+    case AlarmId::look_alike_letter: {
+      const std::string latin(report.alarm.args[1].text());
+      if (latin.size() != 1) return std::nullopt;
+      return change(where, latin, fmt::format(fmt::runtime(ru ? "Заменить на латинскую {}" : "Replace it by the Latin {}"), latin));
+    }
+    case AlarmId::comment_not_closed: return at_end(")");
+    case AlarmId::bracket_not_closed: return at_end("]");
+    case AlarmId::word_passed_over:
+    case AlarmId::word_unused:
+    case AlarmId::address_twice:
+      if (const Span word = whole_word(line, where.begin); word.end > word.begin)
+        return change(with_a_blank(line, word), "",
+                      fmt::format(fmt::runtime(ru ? "Удалить {}" : "Remove {}"), line.substr(word.begin, word.end - word.begin)));
+      return std::nullopt;
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace kadr

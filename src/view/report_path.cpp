@@ -1,0 +1,144 @@
+// The path of a report. For view/report; tested by tests/view/report_path_test.cpp.
+
+#include "view/report_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "view/packed_columns.h"
+
+namespace kadr {
+namespace {
+
+constexpr double finest = 0.001;            // mm: what level 0 may be off (docs/panel-protocol.md)
+constexpr std::uint32_t piece_of_path = 1;  // kind of what follows
+constexpr double first_guess = 12;          // bytes of a vertex, packed
+constexpr int most_tries = 4;               // at a guess that holds
+
+/// From nothing left out to what is hardly a path any more: points within blocks go first, for each line of the program keeps its instant
+/// then.
+constexpr std::array<Thinning, 16> ways = {Thinning{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0},   {6, 0},   {7, 0},
+                                           {8, 0},         {8, 2}, {8, 4}, {8, 6}, {8, 8}, {10, 10}, {12, 12}, {15, 15}};
+
+using Column = std::vector<std::int32_t>;
+
+std::size_t kept_by(const std::vector<DrawnPiece>& pieces, const Thinning& thinning) {
+  std::size_t kept = 0;
+  for (const DrawnPiece& drawn : pieces)
+    for (std::size_t i = 0; i < drawn.piece->vertices.size(); ++i) kept += is_left_out(*drawn.piece, i, thinning) ? 0 : 1;
+  return kept;
+}
+
+template <class Value>
+void put(PackedColumns& to, const std::vector<const PathVertex*>& kept, Column& column, const Value& value) {
+  column.clear();
+  for (const PathVertex* const v : kept) column.push_back(value(*v));
+  to.put(column);
+}
+
+std::string packed_piece(const DrawnPiece& drawn, const Thinning& thinning, const ReportQuanta& q) {
+  const ViewPiece& piece = *drawn.piece;
+  std::vector<const PathVertex*> kept;
+  std::vector<const std::array<float, 3>*> leans;
+  for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
+    if (is_left_out(piece, i, thinning)) continue;
+    kept.push_back(&piece.vertices[i]);
+    if (!piece.directions.empty()) leans.push_back(&piece.directions[i]);
+  }
+  PackedColumns to;
+  to.put_u32(std::uint32_t(kept.size()));
+  to.put_u32(drawn.which), to.put_u32(0);  // which, channel
+  to.put_u32(leans.empty() ? 0 : 1);
+  to.put_u32(piece.first);
+  to.put_f64(piece.begins);
+  Column column;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.at[axis]), q.length); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.time), q.time); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.line); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.number); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.feed), q.feed); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.speed), q.feed); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.tool); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.file); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.kind); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.level); });
+  for (std::size_t axis = 0; axis < 3 && !leans.empty(); ++axis) {
+    column.clear();
+    for (const auto* const lean : leans) column.push_back(in_steps(double((*lean)[axis]), q.direction));
+    to.put(column);
+  }
+  return to.bytes();
+}
+
+std::string packed_path(const std::vector<DrawnPiece>& pieces, const Thinning& thinning, const ReportQuanta& quanta) {
+  std::string bytes;
+  for (const DrawnPiece& drawn : pieces) {
+    const std::string packed = packed_piece(drawn, thinning, quanta);
+    PackedColumns head;
+    head.put_u32(piece_of_path);
+    head.put_u32(std::uint32_t(packed.size()));
+    bytes += head.bytes() + packed;
+  }
+  return bytes;
+}
+
+}  // namespace
+
+double Thinning::off() const {
+  const int level = std::max(inner, any);
+  return level == 0 ? 0 : finest * std::pow(2, level);
+}
+
+bool is_left_out(const ViewPiece& piece, std::size_t i, const Thinning& thinning) {
+  const PathVertex& v = piece.vertices[i];
+  if (i == 0 || i + 1 == piece.vertices.size()) return false;  // where pieces hang together
+  return v.level < thinning.any || (v.level < thinning.inner && piece.vertices[i + 1].number == v.number);
+}
+
+std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<ViewPiece>& contour) {
+  std::vector<DrawnPiece> pieces;
+  for (const ViewPiece& piece : path.pieces()) pieces.push_back({&piece, 0});
+  for (const ViewPiece& piece : contour) pieces.push_back({&piece, 2});
+  return pieces;
+}
+
+ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces) {
+  double length = 0, time = 0, feed = 0;
+  for (const DrawnPiece& drawn : pieces)
+    for (const PathVertex& v : drawn.piece->vertices) {
+      for (const float c : v.at) length = std::max(length, std::abs(double(c)));
+      time = std::max(time, double(v.time));
+      feed = std::max({feed, double(v.feed), double(v.speed)});
+    }
+  ReportQuanta q;
+  q.length = unit_for(q.length, length), q.time = unit_for(q.time, time), q.feed = unit_for(q.feed, feed);
+  return q;
+}
+
+tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed) {
+  const auto way_for = [&](double by_vertex) {
+    std::size_t way = 0;
+    while (way + 1 < ways.size() && double(kept_by(pieces, ways[way])) * by_vertex > most_packed) ++way;
+    return way;
+  };
+  std::size_t way = way_for(first_guess), too_long = 0;  // one way beyond the last that was
+  std::optional<ReportPath> made;
+  for (int tries = 0; tries < most_tries || !made; ++tries) {
+    ReportPath path{packed_path(pieces, ways[way], quanta), ways[way]};
+    const auto packed = zlib_packed(path.bytes);
+    if (!packed) return tl::unexpected(packed.error());
+    const bool fits = double(packed->size()) <= most_packed || way + 1 == ways.size();
+    if (fits) made = std::move(path);
+    else too_long = way + 1;
+    const std::size_t by_now = way_for(double(packed->size()) / double(std::max<std::size_t>(kept_by(pieces, ways[way]), 1)));
+    const std::size_t next = std::max(by_now, too_long);
+    if (fits && next >= way) break;
+    way = std::min(fits ? next : std::max(next, way + 1), ways.size() - 1);
+  }
+  return std::move(*made);
+}
+
+}  // namespace kadr

@@ -1,0 +1,77 @@
+// out/text/quick_fix: what it makes of a line, and that the alarm is gone then.
+
+#include "out/text/quick_fix.h"
+
+#include <gtest/gtest.h>
+
+#include "config/control_file.h"
+#include "config/machine_profile.h"
+#include "lang/text/utf16.h"
+#include "session/session.h"
+
+namespace kadr {
+namespace {
+
+/// The first report of an id in a program, past all faults.
+std::optional<AlarmReport> first(const std::string& control, const std::string& text, AlarmId id) {
+  const auto def = std::make_shared<const ControlDef>(load_control(control).value());
+  auto session = Session::open({def, load_machine("generic").value(), {}, {"quick_fix_test", text_source(text), Encoding::utf8}, {}});
+  std::optional<AlarmReport> found;
+  const auto take = [&](const AlarmReport& report) {
+    if (report.alarm.id == id && !found) found = report;
+    return true;
+  };
+  (*session)->outlets().warning = [&](const AlarmReport& report) { (void)take(report); };
+  (*session)->outlets().alarm = take;
+  (void)(*session)->run();
+  return found;
+}
+
+std::string fixed(std::string line, const QuickFix& fix) { return line.replace(fix.from - 1, fix.to - fix.from, fix.insert); }
+
+/// The only line with the fault, mended; the fault must be gone then.
+std::string mended(const std::string& control, const std::string& line, AlarmId id) {
+  const auto report = first(control, line + "\nM30\n", id);
+  if (!report) return "no such alarm";
+  const auto fix = quick_fix(*report, Lang::en);
+  if (!fix) return "no fix";
+  const std::string text = fixed(line, *fix);
+  EXPECT_FALSE(first(control, text + "\nM30\n", id)) << text;
+  return text;
+}
+
+TEST(QuickFix, ClosesWhatIsOpen) {
+  EXPECT_EQ(mended("mach3", "G1 F100 X[1+2", AlarmId::bracket_not_closed), "G1 F100 X[1+2]");
+  EXPECT_EQ(mended("mach3", "G0 X1 (to the side ", AlarmId::comment_not_closed), "G0 X1 (to the side) ");
+}
+
+TEST(QuickFix, RemovesWhatIsTooMuch) { EXPECT_EQ(mended("mach3", "G1 X1 F100 X2", AlarmId::address_twice), "G1 X1 F100"); }
+
+TEST(QuickFix, RemovesAWordThatNothingTakes) {
+  EXPECT_EQ(mended("mach3", "G1 X1 Q7 F100", AlarmId::word_unused), "G1 X1 F100");
+  EXPECT_EQ(mended("mach3", "Q7 G1 X1 F100", AlarmId::word_unused), "G1 X1 F100");
+  EXPECT_EQ(mended("mach3", "G1 X1 Q[1+2] F100", AlarmId::word_unused), "no fix");
+}
+
+TEST(QuickFix, WritesLatinLetters) {
+  const auto report = first("mach3",
+                            "G0 \xD0\xA5"
+                            "1\nM30\n",
+                            AlarmId::look_alike_letter);
+  ASSERT_TRUE(report);
+  const auto fix = quick_fix(*report, Lang::ru);
+  ASSERT_TRUE(fix);
+  EXPECT_EQ(fix->insert, "X");
+  EXPECT_EQ(fix->from, 4U);
+  EXPECT_EQ(fix->to, 5U);
+  EXPECT_EQ(fix->text, "Заменить на латинскую X");
+}
+
+TEST(QuickFix, ThereIsNoneWhereNothingIsCertain) {
+  const auto report = first("mach3", "G2 X1 I5 F100\nM30\n", AlarmId::radius_mismatch);
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(quick_fix(*report, Lang::en));
+}
+
+}  // namespace
+}  // namespace kadr

@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+"""kadr report: one file with everything inside, inert, of a bounded size, never half written; opened in Chromium where there is one.
+
+    report.py --kadr PROGRAM
+
+Prints a line per failure, then `N passed, N failed`. Where the program was built without its page that is what is looked at.
+"""
+import argparse
+import base64
+import html.parser
+import json
+import os
+import shutil
+import signal
+import struct
+import subprocess
+import tempfile
+import time
+import zlib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+EXAMPLES = ROOT / 'examples'
+TIME_LIMIT_S = 120
+EVIL = '</script><img src=x onerror=document.title=1>'
+
+failures = []
+passed = 0
+
+
+def expect(what, name):
+    global passed
+    if what:
+        passed += 1
+    else:
+        failures.append(name)
+        print(f'FAILED: {name}')
+
+
+def run(kadr, *words, **more):
+    return subprocess.run([kadr, 'report', *map(str, words)], capture_output=True, text=True, timeout=TIME_LIMIT_S, **more)
+
+
+class Page(html.parser.HTMLParser):
+    """Addresses, and the texts of the elements that have an id."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.addresses, self.tags, self.held, self.inside, self.policy = [], [], {}, None, ''
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        self.tags.append(tag)
+        self.addresses += [value for name, value in attributes if name in ('src', 'href', 'action', 'data', 'poster')]
+        self.inside = given.get('id', self.inside if tag != 'script' else None)
+        if given.get('http-equiv') == 'Content-Security-Policy':
+            self.policy = given['content']
+
+    def handle_endtag(self, tag):
+        self.inside = None
+
+    def handle_data(self, data):
+        if self.inside:
+            self.held[self.inside] = self.held.get(self.inside, '') + data
+
+
+def content(path):
+    """What stands in a report: JSON, pieces of it by kind."""
+    page = Page(path.read_text(encoding='utf-8'))
+    bytes_ = zlib.decompress(base64.b64decode(page.held['kadr-data'], validate=True))
+    length, = struct.unpack_from('<I', bytes_)
+    pieces, at = [], 4 + length
+    while at < len(bytes_):
+        kind, size = struct.unpack_from('<II', bytes_, at)
+        pieces.append((kind, bytes_[at + 8:at + 8 + size]))
+        at += 8 + size
+    return page, json.loads(bytes_[4:4 + length]), pieces
+
+
+def vertices(pieces):
+    return sum(struct.unpack_from('<I', piece)[0] for kind, piece in pieces if kind == 1)
+
+
+def what_is_inside(kadr, folder):
+    program, out = folder / 'cover.nc', folder / 'cover.html'
+    program.write_text(f'%\nO7 ({EVIL})\n(КРЕПИТЬ ЗА КРАЯ)\nG21 G90 G17 G94\nT1 M6 (ФРЕЗА 10)\nG54 G0 X0. Y0. Z5. S900 M3\nG1 Z-2. F200\nG3 X0. Y0. I10. J0.\n'
+                       'M0 (ПОВЕРНУТЬ)\nG0 Z50.\nM30\n%\n', encoding='utf-8')
+    made = run(kadr, program, '--control', 'fanuc', '--zero', 'G54=X-100,Y-50,Z-30', '--out', out, '--lang', 'ru')
+    expect(made.returncode == 0, f'a report is written: {made.returncode} {made.stderr}')
+    expect('кадр' in made.stdout.lower() or made.stdout, 'the summary is printed')
+    page, data, pieces = content(out)
+    expect(all(not a for a in page.addresses) and not page.addresses, f'no address in a src or href: {page.addresses}')
+    expect("default-src 'none'" in page.policy and 'connect' not in page.policy and "'unsafe" not in page.policy, f'its policy: {page.policy}')
+    expect(page.tags.count('img') == 0 and EVIL not in out.read_text(encoding='utf-8'), 'a comment does not become markup')
+    expect(EVIL in data['sources'][0]['text'], 'the source is inside')
+    expect(data['language'] == 'ru' and data['ru']['sheet']['comments'][1]['text'] == 'КРЕПИТЬ ЗА КРАЯ', 'Russian notes')
+    expect(data['ru']['sheet']['stops'][0]['text'] == 'ПОВЕРНУТЬ', 'the note at a stop')
+    expect(data['en']['sheet']['zeros'][0] == {'name': 'G54', 'values': {'X': -100, 'Y': -50, 'Z': -30}}, f'zeros: {data["en"]["sheet"]["zeros"]}')
+    tool = data['en']['sheet']['tools'][0]
+    expect(tool['number'] == 1 and tool['radius'] == 5 and tool['lines'] == [5] and tool['outline'], f'tools: {tool}')
+    expect(data['en']['done']['state'] == 'ended' and data['en']['done']['seconds'] > 0, 'times')
+    expect(vertices(pieces) > 20 and data['thinned'] == 0, 'the path is whole')
+    expect('three' in data['licences'] and 'MIT' in data['licences'], 'the notices are inside')
+    again = folder / 'again.html'
+    run(kadr, program, '--control', 'fanuc', '--zero', 'G54=X-100,Y-50,Z-30', '--out', again, '--lang', 'ru')
+    expect(again.read_bytes() == out.read_bytes(), 'the same input gives the same bytes')
+    return out
+
+
+def alarms(kadr, folder):
+    program, out = folder / 'wrong.nc', folder / 'wrong.html'
+    program.write_text('G21 G90\nG0 X0\nG1 X10\nM30\n')
+    made = run(kadr, program, '--control', 'fanuc', '--out', out, '--lang', 'en')
+    expect(made.returncode == 1, f'with an alarm status 1: {made.returncode}')
+    _, data, _ = content(out)
+    problem = next((p for p in data['en']['problems'] if p['severity'] == 'alarm'), None)
+    expect(problem and problem['line'] == 3 and problem['text'] and problem['hint'], f'the alarm is in the report, with its hint: {problem}')
+    russian = next((p for p in data['ru']['problems'] if p['severity'] == 'alarm'), {'text': ''})
+    expect(any('а' <= c <= 'я' for c in russian['text']), 'in Russian too')
+    expect(any(m['kind'] == 'alarm' and m['text'] == problem['text'] for m in data['en']['done']['marks']), 'the mark says the same')
+    piped = subprocess.run([kadr, 'report', '-', '--control', 'fanuc', '--out', folder / 'piped.html', '--lang', 'en'], input=program.read_bytes(),
+                           capture_output=True, timeout=TIME_LIMIT_S)
+    _, data, _ = content(folder / 'piped.html')
+    expect(piped.returncode == 1 and data['sources'][0]['text'].startswith('G21 G90\nG0 X0'), 'standard input')
+    printed = subprocess.run([kadr, 'report', program, '--control', 'fanuc', '--out', '-', '--lang', 'en'], capture_output=True, timeout=TIME_LIMIT_S)
+    expect(printed.stdout.startswith(b'<!doctype html>') and printed.stdout.rstrip().endswith(b'</html>'), '--out - is the page alone')
+
+
+def size(kadr, folder):
+    """100,000 blocks with arcs and crooked places stay below 5 MB; below 5 s here, and quicker where nothing else runs."""
+    program, out = folder / 'long.nc', folder / 'long.html'
+    lines, state = ['G21 G90 G17 G94', 'T1 M6', 'G0 X0 Y0 Z5', 'G1 Z-1 F800'], 12345
+    for i in range(100_000):
+        state = (state * 1103515245 + 12345) & 0x7fffffff
+        x, y = (state >> 8) % 200000 / 1000, (state >> 4) % 200000 / 1000
+        lines.append(f'G1 X{x:.3f} Y{y:.3f} F{500 + state % 400}' if i % 5 else f'G3 X{x:.3f} Y{y:.3f} R{300 + i % 50}.5')
+    program.write_text('\n'.join(lines + ['M30', '']))
+    made = run(kadr, program, '--control', 'fanuc', '--out', out, '-q', '--lang', 'en')
+    expect(made.returncode == 0, f'100,000 blocks: {made.returncode} {made.stderr[-300:]}')
+    expect(out.stat().st_size <= 5_000_000, f'100,000 blocks are {out.stat().st_size} bytes')
+    _, data, pieces = content(out)
+    expect(data['en']['done']['blocks'] >= 100_000 and vertices(pieces) > 20_000, 'and hold their path')
+    print(f'100,000 blocks: {out.stat().st_size} bytes, {vertices(pieces)} vertices, thinned by {data["thinned"]} mm')
+    killed(kadr, folder, program)
+    return out
+
+
+def killed(kadr, folder, program):
+    place = folder / 'killed'
+    place.mkdir()
+    for signal_, wait in [(signal.SIGINT, 0.3), (signal.SIGTERM, 0.8), (signal.SIGINT, 1.5)]:
+        process = subprocess.Popen([kadr, 'report', program, '--control', 'fanuc', '--out', place / 'r.html', '-q'], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(wait)
+        process.send_signal(signal_)
+        status = process.wait(timeout=10)
+        if status < 128:  # it was quicker
+            (place / 'r.html').unlink()
+            continue
+        expect(status == 128 + signal_, f'ended by {signal_!r}: {status}')
+        expect(list(place.iterdir()) == [], f'ended by {signal_!r} it leaves nothing: {list(place.iterdir())}')
+
+
+def refused(kadr, folder):
+    program = folder / 'part.nc'
+    program.write_text('G21 G90 G54\nG0 X0\nG1 X10 F100\nM30\n')
+    before = program.read_bytes()
+    made = run(kadr, program, '--control', 'fanuc', '--out', program, '--lang', 'en')
+    expect(made.returncode == 2 and program.read_bytes() == before, f'not over the program: {made.returncode} {made.stderr}')
+    link = folder / 'link.html'
+    link.symlink_to(program)
+    made = run(kadr, program, '--control', 'fanuc', '--out', link, '--lang', 'en')
+    expect(made.returncode == 2 and program.read_bytes() == before, 'nor through a link')
+    made = run(kadr, program, '--control', 'fanuc', '--out', folder / 'none' / 'r.html', '--lang', 'en')
+    expect(made.returncode == 2 and 'none' in made.stderr, f'no such folder: {made.stderr}')
+    if Path('/dev/full').exists():
+        made = run(kadr, program, '--control', 'fanuc', '--out', '/dev/full', '--lang', 'en')
+        expect(made.returncode == 2 and made.stderr.strip(), f'a full disk: {made.returncode} {made.stderr}')
+    shut = folder / 'shut'
+    shut.mkdir(mode=0o555)
+    if os.geteuid() != 0:
+        made = run(kadr, program, '--control', 'fanuc', '--out', shut / 'r.html', '--lang', 'en')
+        expect(made.returncode == 2 and not list(shut.iterdir()), 'a folder that may not be written')
+    old = folder / 'old.html'
+    old.write_text('as it was')
+    made = run(kadr, folder / 'missing.nc', '--control', 'fanuc', '--out', old, '--lang', 'en')
+    expect(made.returncode == 2 and old.read_text() == 'as it was', 'no program: what was there stays')
+    for words in [['--out'], [], ['--out', 'x.html', '--stock', 'box:0,0,0,1,1,1'], ['--out', 'x.html', '--tools', folder / 'none.toml']]:
+        made = run(kadr, program, '--control', 'fanuc', *words, cwd=folder)
+        expect(made.returncode == 2 and not (folder / 'x.html').exists(), f'refused: {words} {made.returncode}')
+
+
+def licences(kadr):
+    for word in ['--licences', '--licenses']:
+        told = subprocess.run([kadr, word], capture_output=True, text=True, timeout=TIME_LIMIT_S)
+        expect(told.returncode == 0 and 'Apache License' in told.stdout and 'Boost Software License' in told.stdout, f'{word}: {told.returncode}')
+    return told.stdout
+
+
+def browser(kadr, reports):
+    web = Path(kadr).resolve().parent / 'web'
+    if not Path('/usr/bin/chromium').exists() or not (web / 'node_modules' / 'playwright-core').is_dir():
+        print('no Chromium or no playwright-core here: reports are not opened')
+        return
+    shown = subprocess.run(['node', 'e2e/report.mjs', *map(str, reports)], cwd=web, capture_output=True, text=True, timeout=280)
+    print(shown.stdout, end='')
+    expect(shown.returncode == 0, f'in Chromium: {shown.stdout[-2000:]}{shown.stderr[-2000:]}')
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument('--kadr', required=True)
+    kadr = os.path.abspath(options.parse_args().kadr)
+    folder = Path(tempfile.mkdtemp(prefix='kadr-report-'))
+    try:
+        told = licences(kadr)
+        if 'three' not in told:
+            made = run(kadr, EXAMPLES / 'cut' / 'plate.nc', '--out', folder / 'r.html', '--lang', 'en')
+            expect(made.returncode == 2 and 'npm' in made.stderr and not (folder / 'r.html').exists(), f'without its page: {made.stderr}')
+        else:
+            small = what_is_inside(kadr, folder)
+            alarms(kadr, folder)
+            refused(kadr, folder)
+            long = size(kadr, folder)
+            browser(kadr, [small, folder / 'wrong.html', long])
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    print(f'{passed} passed, {len(failures)} failed')
+    return 1 if failures else 0
+
+
+if __name__ == '__main__':
+    raise SystemExit(main())

@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+"""kadr diff: what is the same, what is not, where; and a mutation test against `kadr run --trace`, which knows nothing of it.
+
+    run_diff.py --kadr PROGRAM [--mutations N]
+"""
+import argparse
+import json
+import math
+import random
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+EXAMPLES = ROOT / 'examples'
+TOLERANCE = 0.001
+failures = []
+passed = 0
+
+
+def expect(what, name):
+    global passed
+    if what:
+        passed += 1
+    else:
+        failures.append(name)
+        print(f'FAILED: {name}')
+
+
+def run(*command, **more):
+    return subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=60, **more)
+
+
+BASE = 'G21 G90 G17\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nY10\nG2 X0 Y10 I-5 J0\nG0 Z5\nM30\n'
+# what is changed, status, what the output holds
+CASES = [
+    ('itself', [], 0, 'equal: 6 motions, greatest distance 0.0000 mm'),
+    ('a line in two', [('X10\n', 'X4\nX10\n')], 0, 'equal'),
+    ('comments, numbers, order of words', [('X10\n', 'N7 (side) X10 F100\n')], 0, 'equal'),
+    ('the arc by its radius', [('I-5 J0', 'R5')], 0, 'equal'),
+    ('another way', [('Y10\nG2', 'X10.5 Y5\nX10 Y10\nG2')], 1, 'a.nc:6 | b.nc:6-7: another way, up to 0.5 mm apart\n  < Y10\n  > X10.5 Y5\n1 differences, up to 0.5 mm apart'),
+    ('a feed', [('Y10\nG2', 'Y10 F150\nG2')], 1, 'feed: F100 mm/min — F150 mm/min'),
+    ('rapid for feed', [('G1 Z-1 F100\n', 'G0 Z-1\nG1 F100\n')], 1, 'kind of motion: feed — rapid'),
+    ('spindle', [('S1000', 'S1200')], 1, 'spindle: S1000 M3 — S1200 M3'),
+    ('the other way round', [('M3', 'M4')], 1, 'spindle: S1000 M3 — S1000 M4'),
+    ('coolant', [('M3', 'M3 M8')], 1, 'coolant: M9 — M8'),
+    ('a dwell more', [('X10\n', 'X10\nG4 P1.5\n')], 1, 'what is done between: nothing — G4 1.5 s'),
+    ('a stop more', [('Y10\n', 'Y10\nM0\n')], 1, 'what is done between: nothing — M0'),
+    ('another tool', [('S1000', 'T2 M6 S1000')], 1, 'M6 T2'),
+    ('an alarm', [('I-5 J0', 'I-5 J1')], 1, 'another way, up to'),
+    ('an alarm that stops it', [('X10\n', 'X10 X12\n')], 1, 'alarm rs274_form: Multiple x words'),
+    ('far off', [('X0 Y0 Z5', 'X400 Y0 Z5')], 1, 'mm apart'),
+]
+
+
+def cases(kadr, folder):
+    (folder / 'a.nc').write_text(BASE)
+    for name, changes, status, holds in CASES:
+        text = BASE
+        for before, after in changes:
+            assert before in text, name
+            text = text.replace(before, after, 1)
+        (folder / 'b.nc').write_text(text)
+        got = run(kadr, 'diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--lang', 'en', cwd=folder)
+        expect(got.returncode == status and holds in got.stdout + got.stderr, f'{name}: {got.returncode} {got.stdout}{got.stderr}')
+    got = run(kadr, 'diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--lang', 'ru', cwd=folder)
+    expect('расходятся' in got.stdout, 'Russian')
+    (folder / 'b.nc').write_text(BASE.replace('X10\n', 'X10.004\n'))
+    expect(run(kadr, 'diff', 'a.nc', 'b.nc', '--control', 'linuxcnc', '--tolerance', '0.01', cwd=folder).returncode == 0, '--tolerance')
+    (folder / 'b.nc').write_text(BASE.replace('M30', 'M02'))
+    got = run(kadr, 'diff', 'a.nc', 'b.nc', '--control-a', 'linuxcnc', '--control-b', 'mach3', '--lang', 'en', cwd=folder)
+    expect(got.returncode == 0 and 'equal' in got.stdout, f'two controls: {got.stdout}{got.stderr}')
+    for wrong in (['a.nc'], ['a.nc', 'none.nc'], ['a.nc', 'a.nc', '--tolerance', '0'], ['-', '-'], ['a.nc', '/dev']):
+        got = run(kadr, 'diff', *wrong, '--control', 'linuxcnc', cwd=folder, stdin=subprocess.DEVNULL)
+        expect(got.returncode == 2 and got.stderr, f'wrong usage {wrong}: {got.returncode}')
+    (folder / 'empty.nc').write_text('')
+    expect(run(kadr, 'diff', 'empty.nc', 'a.nc', '--control', 'linuxcnc', cwd=folder).returncode == 1, 'an empty file')
+    many = BASE.replace('Y10\nG2', ''.join(f'Y{i} F{100 + i}\n' for i in range(1, 60)) + 'Y10\nG2')
+    (folder / 'b.nc').write_text(many)
+    (folder / 'c.nc').write_text(re.sub(r'F(1\d\d)', lambda m: f'F{int(m[1]) + 1}', many))
+    short, long = (run(kadr, 'diff', 'b.nc', 'c.nc', '--control', 'linuxcnc', '--lang', 'en', *o, cwd=folder).stdout for o in ([], ['--all']))
+    expect(short.count('feed:') == 20 and 'more: --all' in short and long.count('feed:') > 50, 'the first twenty, or all')
+    (folder / 'endless.nc').write_text('G21 G90 F1000\no100 while [1]\nG1 X1\nX0\no100 endwhile\nM2\n')
+    process = subprocess.Popen([kadr, 'diff', 'endless.nc', 'endless.nc', '--control', 'linuxcnc', '--max-blocks', '1000000000000'], cwd=folder,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    time.sleep(0.5)
+    begun = time.monotonic()
+    process.send_signal(signal.SIGINT)
+    expect(process.wait(timeout=10) == 130 and time.monotonic() - begun < 1, 'Ctrl-C')
+
+
+def programs():
+    """(file, control, other options) of examples that run to their end."""
+    for control in ('mach3', 'linuxcnc', 'nct', 's2c42', 'gost', 'correctors', 'fanuc', 'haas', 'grbl'):
+        for file in sorted((EXAMPLES / control).glob('*')):
+            if file.suffix not in ('.json', '.toml', '.md', '.tbl', '.txt'):
+                setup = file.with_suffix('.json')
+                yield file, control, (['--setup', setup] if setup.exists() else [])
+
+
+def actions_of(kadr, file, control, options):
+    got = run(kadr, 'run', file, '--control', control, '--trace', '-', '--quiet', *options)
+    if got.returncode != 0:
+        return None
+    return [json.loads(line) for line in got.stdout.splitlines()]
+
+
+LOOKED_AT = {'do', 'machine', 'feed', 'unit', 'center', 'turns', 'rpm', 'dir', 'tool', 'seconds', 'what', 'text', 'code'}
+NOT_DONE = {'tool', 'frame', 'end'}  # a tool is called, not changed; the frame of what follows; how all stands then
+
+
+def kept(actions):
+    """What a comparison looks at: without its place in the text."""
+    return [{k: v for k, v in a.items() if k in LOOKED_AT} for a in actions if a['do'] not in NOT_DONE]
+
+
+def mutate(text, random_):
+    """One number of the text changed by more than the tolerance."""
+    numbers = [m for m in re.finditer(r'(?<=[XYZF])-?\d+(\.\d+)?', text)]
+    if not numbers:
+        return None
+    m = random_.choice(numbers)
+    value = float(m[0]) + random_.choice((-1, 1)) * random_.choice((0.02, 0.5, 3))
+    return text[:m.start()] + (f'{value:.3f}' if '.' in m[0] else f'{round(value + random_.choice((-20, 20)))}') + text[m.end():]
+
+
+def places(actions):
+    """Points of the ways that a trace tells, machine coordinates, and what is done between."""
+    points, doings, at = [], [], None
+    for action in kept(actions):
+        if 'machine' not in action:
+            doings.append(action)
+            continue
+        full = action['machine']
+        to = tuple(full.get(a, 0.0) for a in 'XYZ')
+        row = next(r for r in actions if r.get('machine') is full)
+        if at is not None and action['do'].startswith('arc'):
+            first, second = row['plane']
+            shift = {a: full[a] - row['to'][a] for a in 'XYZ'}
+            names = 'XYZ'
+            centre = (row['center'][first] + shift[first], row['center'][second] + shift[second])
+            begin = math.atan2(at[names.index(second)] - centre[1], at[names.index(first)] - centre[0])
+            radius = math.hypot(at[names.index(second)] - centre[1], at[names.index(first)] - centre[0])
+            sweep = row['turns'] * 2 * math.pi * (1 if action['do'] == 'arc_ccw' else -1)
+            for k in range(1, 100):
+                p = [a + (b - a) * k / 100 for a, b in zip(at, to)]
+                p[names.index(first)] = centre[0] + radius * math.cos(begin + sweep * k / 100)
+                p[names.index(second)] = centre[1] + radius * math.sin(begin + sweep * k / 100)
+                points.append(tuple(p))
+        points.append(to)
+        doings.append((action['do'], action.get('feed'), action.get('unit')))
+        at = to
+    return points, doings
+
+
+def farthest(points, way):
+    """Of the points from the lines of the way, mm."""
+    most = 0
+    for p in points:
+        least = math.dist(p, way[0])
+        for a, b in zip(way, way[1:]):
+            ab = [y - x for x, y in zip(a, b)]
+            square = sum(x * x for x in ab)
+            t = min(1, max(0, sum((q - x) * d for q, x, d in zip(p, a, ab)) / square)) if square else 0
+            least = min(least, math.dist(p, [x + t * d for x, d in zip(a, ab)]))
+            if least < TOLERANCE:
+                break
+        most = max(most, least)
+    return most
+
+
+def is_the_same_way(before, after):
+    """An arc that goes on into its tangent may end anywhere on it: the slow way to see that nothing has moved."""
+    (points, doings), (other, others) = places(before), places(after)
+    return doings == others and farthest(points, other) < 2 * TOLERANCE and farthest(other, points) < 2 * TOLERANCE
+
+
+def mutations(kadr, folder, count):
+    random_ = random.Random(20261125)
+    found = missed = same = 0
+    all_of_them = [(f, c, o, actions_of(kadr, f, c, o)) for f, c, o in programs()]
+    usable = [p for p in all_of_them if p[3] is not None]
+    expect(len(usable) > 20, f'examples that run: {len(usable)}')
+    for file, control, options, _ in usable:
+        got = run(kadr, 'diff', file, file, '--control', control, *options)
+        expect(got.returncode == 0, f'{file.name} and itself: {got.stdout[-300:]}{got.stderr[-300:]}')
+    while found + missed + same < count:
+        file, control, options, before = random_.choice(usable)
+        try:
+            text = mutate(file.read_text(), random_)
+        except UnicodeDecodeError:
+            continue
+        if text is None:
+            continue
+        other = folder / f'mutant{file.suffix}'
+        other.write_text(text)
+        after = actions_of(kadr, other, control, options)
+        if after is None:
+            continue
+        got = run(kadr, 'diff', file, other, '--control', control, *options)
+        moved = kept(before) != kept(after)
+        if not moved:
+            same += 1
+            expect(got.returncode == 0, f'{file.name}: the same trace, yet {got.stdout[-300:]}')
+        elif got.returncode == 1:
+            found += 1
+        elif is_the_same_way(before, after):
+            same += 1
+        else:
+            missed += 1
+            (folder / f'missed{missed}').write_text(text)
+            print(f'not found: {file} {control}\n{"".join(line for line in set(text.splitlines(True)) - set(file.read_text().splitlines(True)))}')
+    print(f'mutations: {found} found, {missed} not found, {same} without effect')
+    return missed
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument('--kadr', required=True)
+    options.add_argument('--mutations', type=int, default=100)
+    args = options.parse_args()
+    args.kadr = str(Path(args.kadr).resolve())
+    with tempfile.TemporaryDirectory() as folder:
+        cases(args.kadr, Path(folder))
+        expect(mutations(args.kadr, Path(folder), args.mutations) == 0, 'each change that moves anything is found')
+    print(f'{passed} passed, {len(failures)} failed')
+    return 1 if failures else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

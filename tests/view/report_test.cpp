@@ -1,0 +1,41 @@
+// A report holds what a program says as base64 alone, in its place in the viewer.
+
+#include "view/report.h"
+
+#include <gtest/gtest.h>
+
+namespace kadr {
+namespace {
+
+constexpr const char* text = "(</script><img src=x onerror=alert(1)>)\nG21 G90 F600\nG0 X0 Y0 Z5\nG1 X20\nM2\n";
+
+tl::expected<std::string, std::string> made(std::string_view viewer, const std::string& licences) {
+  OpeningWish wish;
+  wish.path = "report_test.ngc";
+  wish.control = "linuxcnc";
+  wish.text = text;
+  const auto opened = open_for_page(wish);
+  EXPECT_TRUE(opened) << opened.error();
+  const auto run = ProgramRun::make(*opened, {});
+  EXPECT_TRUE(run);
+  (*run)->carry_out();
+  const SourceText source({text_source(text), Encoding::utf8});
+  return report_html(viewer, {**run, source, "<b>.ngc", "1", Lang::en, {}, {}, nullptr, nullptr, licences});
+}
+
+TEST(Report, StandsInItsPlace) {
+  const auto html = made("<p>@KADR_REPORT_DATA@</p>", "");
+  ASSERT_TRUE(html) << html.error();
+  EXPECT_TRUE(html->starts_with("<p>"));
+  EXPECT_TRUE(html->ends_with("</p>"));
+  const std::string inside = html->substr(3, html->size() - 7);
+  EXPECT_GT(inside.size(), 500U);
+  EXPECT_EQ(inside.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/="), std::string::npos);
+}
+
+TEST(Report, WithoutAPlaceIsRefused) { EXPECT_FALSE(made("<p></p>", "")); }
+
+TEST(Report, IsTheSameForTheSame) { EXPECT_EQ(*made("@KADR_REPORT_DATA@", "x"), *made("@KADR_REPORT_DATA@", "x")); }
+
+}  // namespace
+}  // namespace kadr

@@ -1,0 +1,102 @@
+// A report put together: the page's viewer without a server, with its data inside the file.
+import "uplot/dist/uPlot.min.css";
+import "./style/base.css";
+import "./style/panes.css";
+import "./style/code.css";
+import "./style/print.css";
+import { App } from "./model/app";
+import { keep_nothing_of_tab } from "./model/memory";
+import type { Shape } from "./model/tool_shape";
+import type { Problem } from "./protocol/types";
+import { unpack, type Report } from "./report/data";
+import { FindingsPanel } from "./report/findings";
+import { show_licences } from "./report/licences";
+import { ReportSocket } from "./report/socket";
+import { SourcePane } from "./source/pane";
+import { of_program } from "./source/problems_of";
+import { language, on_language, set_language, t } from "./texts/texts";
+import { fill, h } from "./ui/dom";
+import { show_help } from "./ui/help";
+import { listen_keys, step_mark } from "./ui/keys";
+import { layout, next_pane, Tabs } from "./ui/layout";
+import { Player } from "./ui/player";
+import { ProblemsPanel } from "./ui/problems_panel";
+import { ScenePane } from "./ui/scene_pane";
+import { show_sheet } from "./ui/sheet";
+import { StatePane } from "./ui/state_pane";
+import { SummaryPanel } from "./ui/summary";
+import { timeline } from "./ui/timeline";
+import { toast } from "./ui/toast";
+import { Topbar } from "./ui/topbar";
+import { WorstPanel } from "./ui/worst_panel";
+
+keep_nothing_of_tab(); // the tab may hold another report next
+set_language(language());
+const held = document.getElementById("kadr-data")?.textContent ?? "";
+unpack(held).then(show, (e: unknown) => {
+  document.body.append(h("p", { class: "banner", role: "alert" }, `${t("report_damaged")} ${e instanceof Error ? e.message : String(e)}`));
+});
+
+function show(report: Report): void {
+  const { data } = report;
+  const app = new App(() => new ReportSocket(report));
+  const player = new Player(app);
+  const shapes: Shape[] = data.en.sheet.tools.map((x) => ({ number: x.number, cutting: x.outline ?? [], shank: [], holder: [] }));
+  const scene_pane = new ScenePane(app, (v) => { app.seek(v.time); if (v.file === 0) source.show(v.line); });
+  const { scene } = scene_pane;
+  const source = new SourcePane(app, (line, file) => void go_to_line(line, file));
+  const state = new StatePane(app, (line, file) => void go_to_line(line, file));
+  const problems = new ProblemsPanel(app, jump_to, () => undefined);
+  const tabs = new Tabs([
+    { name: "summary", element: new SummaryPanel(app).element },
+    { name: "problems", element: problems.element, badge: () => String(app.problems.length || "") },
+    { name: "worst", element: new WorstPanel(app, (line, file) => { if (file === 0) source.show(line); }).element },
+    ...(data.en.cut ? [{ name: "part" as const, element: new FindingsPanel(app, (line) => source.show(line)).element, badge: () => String(app.findings.length || "") }] : []),
+  ]);
+  const top = new Topbar(app, {
+    sheet: () => void show_sheet(app, () => scene_pane.picture(), shapes),
+    licences: () => show_licences(data.licences),
+    help: show_help,
+    theme: (dark) => scene?.setTheme(dark),
+  });
+  const told = h("div", { class: "report-told note" });
+  const tell = (): void => fill(told, t("report_of", { file: data.file, date: data.made, version: data.version }), data.thinned > 0 && ` ${t("report_thinned", { by: data.thinned })}`, data.part && ` ${t("report_part", { off: Number(data.part.off.toFixed(3)) })}`);
+  on_language(tell);
+  tell();
+  document.body.append(layout({
+    top: top.element, banner: told, files: h("div", { hidden: true }), source: source.element, scene: scene_pane.element, state: state.element, tabs: tabs.element,
+    bottom: timeline(app, player, (way) => step_mark(app, ["tool"], way)),
+  }));
+
+  app.on_path.on((frame) => scene?.addPath(frame));
+  app.on_part.on((frame) => scene?.setPart(frame));
+  app.on_opening.on(() => { scene?.clearPath(); scene?.setPart(null); scene?.setBoxes([]); });
+  let fitted = false;
+  app.on_done.on((done) => {
+    scene?.setZero(done.zero);
+    scene?.setTools(shapes);
+    if (done.extents.cutting) scene?.setBoxes([{ name: t("extents"), kind: "extents", box: done.extents.cutting }]);
+    if (!fitted) scene?.view("fit");
+    fitted = true;
+  });
+  app.on_instant.on((at) => scene?.setInstant(at));
+  app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
+  for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
+  app.on_opened.on((o) => { document.title = `${o.file} · Kadr`; });
+  app.on_error.on((text) => toast(text, true));
+  listen_keys(app, player, {
+    view: (name) => scene?.view(name), measure: () => scene_pane.toggle_measure(), rapids: () => scene_pane.toggle_rapids(), help: show_help,
+    save: () => undefined, leave: () => scene_pane.leave(), next_pane,
+  });
+  app.client.connect();
+
+  /// To the pass of a line that is nearest to where the slider stands.
+  async function go_to_line(line: number, file: number): Promise<void> {
+    scene?.highlight(line, file);
+    if (app.done) await app.seek_line(line, file);
+  }
+  function jump_to(p: Problem): void {
+    if (p.at !== undefined) app.seek(p.at);
+    if (of_program(p, app.opened?.file ?? "")) source.show(p.line);
+  }
+}

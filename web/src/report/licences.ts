@@ -1,0 +1,8 @@
+// The notices of what a report has inside.
+import { t } from "../texts/texts";
+import { open_dialog } from "../ui/dialog";
+import { h } from "../ui/dom";
+
+export function show_licences(text: string): void {
+  open_dialog(t("licences"), h("pre", { class: "licences", tabindex: "0" }, text), { wide: true });
+}
