@@ -129,15 +129,17 @@ int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_jo
 /// Who watches the bodies of the machine, nullptr where it has none; nothing: complained of.
 std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options, const Session& session, const CutJob& cut) {
   std::vector<std::string> notes;
-  auto watch = watch_bodies(session, cut, work_of(cut, options.stock, options.fixtures, options.fixtures), options.max_memory * bytes_of_mb,
-                            notes);
+  auto watch =
+      watch_bodies(session, cut, work_of(cut, options.stock, options.fixtures, options.fixtures), options.max_memory * bytes_of_mb, notes);
   for (const std::string& note : notes) say(note + "\n");
   if (!watch) return complain(watch.error()), std::nullopt;
   return std::move(*watch);
 }
 
 void tell_on_terminal(const CutOptions& options, const Job& job, std::FILE* blocks, CutRun& run) {
-  const auto tell = [&job, lang = language(options.run)](const AlarmReport& report) { say(alarm_text(report, job.texts(), lang, colours())); };
+  const auto tell = [&job, lang = language(options.run)](const AlarmReport& report) {
+    say(alarm_text(report, job.texts(), lang, colours()));
+  };
   run.on_report = tell;
   run.on_finding = [tell](const CutFinding&, const AlarmReport& report) { tell(report); };
   run.on_note = [](const std::string& note) { say(note + "\n"); };

@@ -1,5 +1,6 @@
 #pragma once
-// ToolProposals: what the comments of a program say of its tools. For the templates of kadr setup and for the page; nobody uses them unseen.
+// ToolProposals: what the comments of a program say of its tools. For the templates of kadr setup and for the page; nobody uses them
+// unseen.
 
 #include <cstdint>
 #include <map>

@@ -296,8 +296,8 @@ bool Stock::cuts_anything(std::size_t sweep) const {
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }
 
 std::size_t Stock::bytes() const {
-  std::size_t sum =
-      sweeps_.bytes() + lean_ends_.size() * sizeof(LeanEnds) + shortened_.size() * sizeof(Shortened) + bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
+  std::size_t sum = sweeps_.bytes() + lean_ends_.size() * sizeof(LeanEnds) + shortened_.size() * sizeof(Shortened) +
+                    bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
   for (const auto& b : bricks_)
     if (b) sum += bytes_of(*b);
   return sum;

@@ -182,10 +182,10 @@ class Stock {
   std::vector<std::vector<SweptBody>> swept_;  // for each body of each tool
   std::vector<std::vector<LeanBody>> leaning_;
   KeptSweeps sweeps_;
-  std::deque<LeanEnds> lean_ends_;  // in the order of the sweeps; a million grow without being moved
+  std::deque<LeanEnds> lean_ends_;   // in the order of the sweeps; a million grow without being moved
   std::deque<Shortened> shortened_;  // in the order of the sweeps; where a past is kept
-  std::size_t done_ = 0;            // of sweeps_
-  std::size_t first_ = 0;           // of the last cut()
+  std::size_t done_ = 0;             // of sweeps_
+  std::size_t first_ = 0;            // of the last cut()
   std::vector<std::vector<std::int32_t>> bins_;
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;

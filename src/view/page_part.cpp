@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_fixtures = 100;
-constexpr std::size_t most_tools_files = 32;                      // that are looked into for proposals …
+constexpr std::size_t most_tools_files = 32;                        // that are looked into for proposals …
 constexpr std::uint64_t most_tools_bytes = std::uint64_t{1} << 20;  // … each no longer than this
 
 tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }

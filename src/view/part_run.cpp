@@ -23,11 +23,11 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double bytes_per_mb = 1 << 20;
-constexpr double cells_seen = 200;              // along the longest side: some hundred thousand triangles
-constexpr double share_for_past = 0.25;         // of the memory
+constexpr double cells_seen = 200;                     // along the longest side: some hundred thousand triangles
+constexpr double share_for_past = 0.25;                // of the memory
 constexpr double least_cell = 1e-3, most_cell = 1000;  // mm
-constexpr std::int64_t told_every = 100;        // ms
-constexpr std::uint16_t of_no_tool = 65535;     // in a frame
+constexpr std::int64_t told_every = 100;               // ms
+constexpr std::uint16_t of_no_tool = 65535;            // in a frame
 
 std::int64_t now_ms() {
   using namespace std::chrono;
@@ -39,10 +39,11 @@ double longest_side(const Box3& box) {
   return std::max({size.x, size.y, size.z});
 }
 
-/// Tools that the program needs and nobody has described are told when they are met.
 std::string told_memory(double bytes) {
-  return fmt::format("{}: {:.0f} MB", told("at this resolution the material may take too much memory", "с таким шагом материал может занять слишком много памяти"),
-                     bytes / bytes_per_mb);
+  return fmt::format(
+      "{}: {:.0f} MB",
+      told("at this resolution the material may take too much memory", "с таким шагом материал может занять слишком много памяти"),
+      bytes / bytes_per_mb);
 }
 
 }  // namespace
@@ -95,7 +96,8 @@ tl::expected<void, std::string> PartRun::open_session(const PartWish& wish) {
   return {};
 }
 
-tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedProgram& opened, const PartWish& wish, const StopToken& stop) {
+tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedProgram& opened, const PartWish& wish,
+                                                                  const StopToken& stop) {
   std::unique_ptr<PartRun> run(new PartRun(opened, stop));
   run->job_.tools = wish.tools;
   run->notes_ = wish.tools.notes;
@@ -120,7 +122,8 @@ void PartRun::tell_progress() {
 tl::expected<void, std::string> PartRun::fault() const {
   if (stop_.asked()) return Failed(told("stopped", "остановлено"));
   if (too_much_)
-    return Failed(told("the cut takes too much memory: a coarser resolution, or a shorter program", "съём материала занимает слишком много памяти: нужен шаг крупнее или УП короче"));
+    return Failed(told("the cut takes too much memory: a coarser resolution, or a shorter program",
+                       "съём материала занимает слишком много памяти: нужен шаг крупнее или УП короче"));
   if (const auto& report = run_->without_shape()) {
     const Finding f = finding_of(*report, *opened_.texts, told_lang());
     return Failed(fmt::format("{} {}: {}", told("line", "строка"), f.line, f.text));

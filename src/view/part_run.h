@@ -31,8 +31,8 @@ struct PartThen {
   double seconds = 0;  // the instant, within the program
   double stock = 0;    // mm³ of the blank
   double left = 0;
-  double cell = 0;     // mm: of what is shown
-  Surface surface;     // in the work system of the blank
+  double cell = 0;  // mm: of what is shown
+  Surface surface;  // in the work system of the blank
 };
 
 class PartRun {

@@ -79,15 +79,15 @@ std::vector<std::uint32_t> tools_cutting(const ProgramRun& run) {
   std::vector<std::uint32_t> numbers;
   for (const Statistics::ToolUse& use : run.statistics().tools())
     if (use.cutting_s > 0) numbers.push_back(use.tool);
+  if (numbers.empty() && run.statistics().cutting_mm() > 0) numbers.push_back(std::uint32_t(std::max(run.opened().setup.tool, 0)));
   return numbers;
 }
 
 const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const ProgramRun& run) {
   const std::vector<std::uint32_t> numbers = tools_cutting(run);
   const auto describes = [&](const KnownTools& file) {
-    return std::all_of(numbers.begin(), numbers.end(), [&](std::uint32_t n) {
-      return file.tools.find(n) != nullptr || (n == 0 && file.tools.tools.size() == 1);
-    });
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [&](std::uint32_t n) { return file.tools.find(n) != nullptr || (n == 0 && file.tools.tools.size() == 1); });
   };
   std::vector<const KnownTools*> all;
   for (const KnownTools& file : files)

@@ -10,18 +10,19 @@
 namespace kadr {
 namespace {
 
-constexpr double level_height = 0.25;          // mm
-constexpr std::size_t most_levels = 100'000;   // what lies higher or lower than so many is no part
-constexpr double mostly = 0.1;                 // of the way sideways may lie above a zero that is the top of the blank
-constexpr double above = 0.01;                 // mm that lie in it
+constexpr double level_height = 0.25;         // mm
+constexpr std::size_t most_levels = 100'000;  // what lies higher or lower than so many is no part
+constexpr double mostly = 0.1;                // of the way sideways may lie above a zero that is the top of the blank
+constexpr double above = 0.01;                // mm that lie in it
 constexpr double margin_share = 0.05, least_margin = 1, most_margin = 5;  // of the longest side; mm
-constexpr std::size_t most_places = 1000;      // that are looked at one by one
-constexpr double same_place = 0.5;             // mm
-constexpr double turned_face = 1;              // mm that a face at Z0 is cleaned of
-constexpr double in_plane = 1e-3;              // mm
+constexpr std::size_t most_places = 1000;                                 // that are looked at one by one
+constexpr double same_place = 0.5;                                        // mm
+constexpr double turned_face = 1;                                         // mm that a face at Z0 is cleaned of
+constexpr double in_plane = 1e-3;                                         // mm
 
 bool at_feed(PathKind kind) {
-  return kind == PathKind::feed || kind == PathKind::arc_cw || kind == PathKind::arc_ccw || kind == PathKind::thread || kind == PathKind::spline;
+  return kind == PathKind::feed || kind == PathKind::arc_cw || kind == PathKind::arc_ccw || kind == PathKind::thread ||
+         kind == PathKind::spline;
 }
 
 Vec3 place(const PathVertex& v) { return {double(v.at[0]), double(v.at[1]), double(v.at[2])}; }
@@ -105,7 +106,8 @@ double StockGuess::top_of(double zero) const {
 bool StockGuess::is_flat(Vec3 zero) const {
   if (!all_) return false;
   const Vec3 least = all_->least - zero, most = all_->most - zero;
-  return std::fabs(least.y) < in_plane && std::fabs(most.y) < in_plane && most.z > least.z && (least.x > -most_margin || most.x < most_margin);
+  return std::fabs(least.y) < in_plane && std::fabs(most.y) < in_plane && most.z > least.z &&
+         (least.x > -most_margin || most.x < most_margin);
 }
 
 std::string StockGuess::text(Vec3 zero, bool turned) const {

@@ -19,9 +19,9 @@ TEST(NamedBody, BoxAndCylinder) {
 }
 
 TEST(NamedBody, WhatIsNoneIsRefused) {
-  for (const char* text : {"", "box", "box:", "box:0,0,0,1,1", "box:0,0,0,1,1,1,1", "box:0,0,0,-1,1,1", "box:0,0,0,1,1,nan", "box:0,0,0,1,1,inf",
-                           "box:0,0,0,1,1,1e300", "box:0,0,0,1,1,1 ", "cylinder:0,0,1,0,5", "cylinder:0,0,0,1,0", "cylinder:0,0,0,1,nan",
-                           "ball:1", "/etc/passwd", "nothing.stl", "box:0,0,0,1e6,1,1"})
+  for (const char* text : {"", "box", "box:", "box:0,0,0,1,1", "box:0,0,0,1,1,1,1", "box:0,0,0,-1,1,1", "box:0,0,0,1,1,nan",
+                           "box:0,0,0,1,1,inf", "box:0,0,0,1,1,1e300", "box:0,0,0,1,1,1 ", "cylinder:0,0,1,0,5", "cylinder:0,0,0,1,0",
+                           "cylinder:0,0,0,1,nan", "ball:1", "/etc/passwd", "nothing.stl", "box:0,0,0,1e6,1,1"})
     EXPECT_FALSE(body_of(text, most)) << text;
 }
 

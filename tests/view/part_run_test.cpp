@@ -138,7 +138,9 @@ TEST(PartRun, TheFrameSaysWhoMadeEachPoint) {
   std::vector<std::uint16_t> tool(2 * points);
   std::vector<std::uint32_t> lines(points), corners(3 * triangles);
   const char* from = frame.data() + 16;
-  const auto take = [&](auto& column) { std::memcpy(column.data(), from, column.size() * sizeof column[0]), from += column.size() * sizeof column[0]; };
+  const auto take = [&](auto& column) {
+    std::memcpy(column.data(), from, column.size() * sizeof column[0]), from += column.size() * sizeof column[0];
+  };
   take(at), take(corners), take(tool), take(lines);
   for (const std::uint32_t corner : corners) ASSERT_LT(corner, points);
   std::size_t of_blank_points = 0, of_groove = 0;

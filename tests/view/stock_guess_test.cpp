@@ -50,16 +50,34 @@ TEST(StockGuess, OfAPartThatTurns) {
 
 TEST(StockGuess, WaysInFromBesideDoNotCount) {
   const auto contour = [](float start) {
-    return Path().rapid(0, -20, 50).rapid(0, -20, start).feed(0, 0, start).feed(0, 40, -2).feed(60, 40, -2).feed(60, 0, -2).feed(0, 0, -2).feed(0, -20, -2).rapid(0, -20, 50);
+    return Path()
+        .rapid(0, -20, 50)
+        .rapid(0, -20, start)
+        .feed(0, 0, start)
+        .feed(0, 40, -2)
+        .feed(60, 40, -2)
+        .feed(60, 0, -2)
+        .feed(0, 0, -2)
+        .feed(0, -20, -2)
+        .rapid(0, -20, 50);
   };
   EXPECT_EQ(contour(-2).text(), "box:-3,-3,-5,63,43,0");
   EXPECT_EQ(contour(2).text(), "box:-3,-23,-5,63,43,0") << "from above the top the way may be cut";
-  EXPECT_EQ(Path().rapid(0, 0, 2).feed(0, 0, -2).feed(60, 0, -2).rapid(60, 0, 50).text(), "box:-3,-3,-5,63,3,0") << "a groove that ends in the part";
+  EXPECT_EQ(Path().rapid(0, 0, 2).feed(0, 0, -2).feed(60, 0, -2).rapid(60, 0, 50).text(), "box:-3,-3,-5,63,3,0")
+      << "a groove that ends in the part";
   EXPECT_EQ(Path().rapid(0, 0, -2).feed(60, 0, -2).rapid(60, 0, 50).text().substr(0, 4), "box:") << "nothing else is known";
 }
 
 TEST(StockGuess, OfPiecesAsOfTheWhole) {
-  const Path whole = Path().rapid(0, -20, 50).rapid(0, -20, -2).feed(0, 0, -2).feed(0, 40, -2).feed(60, 40, -2).rapid(60, 40, 50).feed(60, 40, 9).rapid(0, 0, 0);
+  const Path whole = Path()
+                         .rapid(0, -20, 50)
+                         .rapid(0, -20, -2)
+                         .feed(0, 0, -2)
+                         .feed(0, 40, -2)
+                         .feed(60, 40, -2)
+                         .rapid(60, 40, 50)
+                         .feed(60, 40, 9)
+                         .rapid(0, 0, 0);
   for (std::size_t cut = 1; cut + 1 < whole.piece.vertices.size(); ++cut) {
     StockGuess guess;
     ViewPiece first, second;

@@ -59,7 +59,8 @@ tl::expected<std::unique_ptr<MachineWatch>, std::string> watch_bodies(const Sess
   std::vector<WorkBody> bodies;
   for (const NamedWork& one : work) bodies.push_back(work_body(one));
   for (const WorkBody& body : bodies)
-    if (const std::string fault = body.mesh != nullptr ? files.take(body.name, *body.mesh) : ""; !fault.empty()) return tl::unexpected(fault);
+    if (const std::string fault = body.mesh != nullptr ? files.take(body.name, *body.mesh) : ""; !fault.empty())
+      return tl::unexpected(fault);
   const Control& control = session.control();
   return MachineWatch::of(session.machine(), control.axes(), AxisRoles::of(control.axes(), control.rotary()), cut, bodies,
                           [&](const std::string& path) { return files.read(path); });

@@ -100,7 +100,7 @@ class Cutting {
     AlarmId fault = AlarmId::count;  // of its cutting part, if that takes anything away; count: none
     bool cuts = false, lacks_coolant = false;
     double begins = 0, seconds = 0, length = 0, flat = 0;
-    double whole = 0;  // s of the motion, all of it
+    double whole = 0;                // s of the motion, all of it
     double diameter = 0, teeth = 0;  // of CutMotion
     Vec3 at;
     Vec2 radius;  // of a turning tool: along its radius, towards it; else 0
