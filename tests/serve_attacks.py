@@ -6,7 +6,6 @@ files beyond the folder, a page that takes nothing off.
 """
 import argparse
 import os
-import re
 import socket
 import struct
 import tempfile
@@ -233,30 +232,44 @@ def unread(server):
     page = greeted(server)
     page.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 16)
     opened = page.begin('open', file='endless.nc', control='linuxcnc')
-    time.sleep(3)
-    began = memory(server)
-    time.sleep(1)
-    expect(memory(server) - began < 2, 'the run waits for the page')
+    waits = standing(server)
+    expect(waits, 'the run waits for the page')
     stop = page.begin('stop')
-    time.sleep(0.3)
-    began = time.monotonic()
+    expect(standing(server), 'and is over')
     page.answer(opened)
-    taken = page.until('done')
+    last, taken = time.monotonic(), None
+    while taken is None:  # what had been sent before
+        message = page.take()
+        if message is None:
+            last = time.monotonic()
+        elif message.get('event') == 'done':
+            taken = message
+    expect(time.monotonic() - last < 0.3, f'behind what had been sent it says so at once ({time.monotonic() - last:.2f} s)')
     page.answer(stop)
-    expect(taken['state'] == 'cancelled', 'it is stopped')
-    expect(time.monotonic() - began < 0.2 + len(page.frames) * 0.02, f'when the page reads again it is over ({time.monotonic() - began:.2f} s)')
+    expect(taken['state'] == 'cancelled' and len(page.frames) < 100, f'it is stopped ({len(page.frames)} frames)')
     _, done = page.open('part.nc', control='mach3')
     expect(done['state'] == 'ended', 'and the session goes on')
     for _ in range(3):
         greeted(server).begin('open', file='endless.nc', control='linuxcnc')
-    time.sleep(2)
+    standing(server)
     began = time.monotonic()
     expect(server.end() == 130 and time.monotonic() - began < 0.5, f'Ctrl-C while sessions wait ({time.monotonic() - began:.2f} s)')
 
 
-def memory(server):
-    """MB that it holds now."""
-    return int(re.search(r'VmRSS:\s*(\d+)', Path(f'/proc/{server.process.pid}/status').read_text())[1]) / 1024
+def standing(server):
+    """It does nothing any more: waits for that, half a minute at most."""
+    def spent():
+        return sum(map(int, Path(f'/proc/{server.process.pid}/stat').read_text().rsplit(')', 1)[1].split()[11:13]))
+
+    before, since = spent(), time.monotonic()
+    for _ in range(60):
+        time.sleep(0.5)
+        now = spent()
+        if now != before:
+            before, since = now, time.monotonic()
+        elif time.monotonic() - since >= 2:
+            return True
+    return False
 
 
 def main():
