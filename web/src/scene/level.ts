@@ -11,6 +11,13 @@ export function level_for(mm_per_pixel: number): number {
   return Math.min(levels - 1, Math.floor(Math.log2(error / finest)));
 }
 
+const few = 20_000; // segments that are drawn as they are, so that nothing need be said of them
+
+/// The level for these pieces at that size of a pixel.
+export function level_of(pieces: readonly Piece[], mm_per_pixel: number, budget: number): number {
+  return segments_at(pieces, 0) <= Math.min(few, budget) ? 0 : level_within(pieces, level_for(mm_per_pixel), budget);
+}
+
 /// From the level the screen asks for, up to the first one at which the pieces together keep to the budget.
 export function level_within(pieces: readonly Piece[], wanted: number, budget: number): number {
   for (let level = wanted; level < levels - 1; level++)

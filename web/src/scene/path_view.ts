@@ -3,7 +3,7 @@ import { Box3, BufferAttribute, BufferGeometry, Frustum, Group, LineBasicMateria
 import { is_ramp, light, no_ranges, ranges_of, widen_ranges, type Ranges, type Theme } from "./colours";
 import type { Eye } from "./camera";
 import { decode_leans, decode_path, type Piece } from "./frame";
-import { level_for, level_within, segments_at } from "./level";
+import { level_of, segments_at } from "./level";
 import { first_from, place_at, type Place } from "./place";
 import { no_segments, piece_shown, segments_of, type Segments } from "./segments";
 import type { ColourBy, Point, SceneFilter } from "./types";
@@ -98,7 +98,7 @@ export class PathView {
   /// Builds what is missing at the level of this view, until `deadline`. Gives how many segments are drawn, and how many there are.
   refresh(eye: Eye, budget: number, deadline = Infinity): Refreshed {
     const seen = this.seen(eye), pieces = seen.map((d) => d.piece);
-    const level = level_within(pieces, level_for(eye.mm_per_pixel), budget), wanted = `${this.stamp}:${level}`;
+    const level = level_of(pieces, eye.mm_per_pixel, budget), wanted = `${this.stamp}:${level}`;
     let drawn = 0, finished = true, built = 0;
     for (const d of seen) {
       if (d.now?.built !== wanted) {
