@@ -15,6 +15,7 @@ import { toast } from "./toast";
 import { ViewCube } from "./view_cube";
 
 const colours: ColourBy[] = ["kind", "tool", "feed", "speed", "time", "depth"];
+const worth_telling = 5000; // segments: of a short path nothing that is seen is left out
 const views = ["top", "front", "left", "right", "back", "bottom", "iso", "fit"] as const;
 
 export class ScenePane {
@@ -32,12 +33,13 @@ export class ScenePane {
   private colour = remembered<ColourBy>("colour", "kind");
   private flat = remembered("orthographic", true);
   private measuring = false;
+  private counted: [number, number] = [0, 0]; // segments that are drawn, and all
   private section: { axis: 0 | 1 | 2 | null; part: number; flip: boolean } = { axis: null, part: 0.5, flip: false };
   filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true };
 
   constructor(private app: App, picked: (v: SceneVertex) => void) {
     const host = h("div", { class: "scene-host" });
-    this.element.append(host, this.flags.element, this.legend, this.cube.element, this.bar, this.below, this.told, this.thinned_told, this.tip);
+    this.element.append(host, this.flags.element, this.legend, this.cube.element, this.bar, this.below, this.told, this.tip);
     this.scene = this.make(host, picked);
     for (const s of [app.on_done, app.on_opening, app.on_opened]) s.on(() => this.draw());
     on_language(() => { this.draw(); this.mark(); });
@@ -67,7 +69,7 @@ export class ScenePane {
         hover: (v, x, y) => this.hover(v, x, y),
         measured: (m) => { this.told.textContent = this.measured(m); },
         turned: (view) => this.turn(view),
-        thinned: (drawn, all) => { this.thinned_told.textContent = drawn < all ? t("thinned", { drawn: short(drawn), all: short(all) }) : ""; this.draw_legend(); },
+        thinned: (drawn, all) => { this.counted = [drawn, all]; this.tell_thinned(); this.draw_legend(); },
       });
     } catch {
       host.append(h("p", { class: "note no-webgl" }, t("no_webgl"))); // source, state and times work without it
@@ -75,7 +77,14 @@ export class ScenePane {
     }
   }
 
+  private tell_thinned(): void {
+    const [drawn, all] = this.counted;
+    this.thinned_told.textContent = drawn < all && all >= worth_telling ? t("thinned", { drawn: short(drawn), all: short(all) }) : "";
+    this.thinned_told.title = t("thinned_long");
+  }
+
   private turn(view: View): void {
+    this.legend.style.top = `${this.bar.offsetTop + this.bar.offsetHeight + 8}px`;
     this.cube.turn(view);
     const { box } = this;
     if (box) this.flags.set("figures", figure_places(box, (p) => view.place(p)?.[1] ?? -Infinity).map((at, k) => ({ kind: "figure" as const, at, text: coordinate(box[1][k]! - box[0][k]!) })));
@@ -130,7 +139,7 @@ export class ScenePane {
     fill(this.bar, ...views.map((v) => button(t(`view_${v}`), () => this.scene?.view(v), { title: t(`view_${v}_long`) })), look,
       button(t(this.flat ? "orthographic" : "perspective"), () => { this.flat = !this.flat; remember("orthographic", this.flat); this.scene?.setProjection(this.flat); this.draw(); }, { title: t("projection") }),
       filter_form(this.app, this.filter, (f) => this.set_filter(f)));
-    this.thinned_told.title = t("thinned_long");
+    this.tell_thinned();
     this.draw_section();
   }
 
@@ -141,7 +150,7 @@ export class ScenePane {
       option("", t("section_none"), section.axis === null), ...[0, 1, 2].map((i) => option(String(i), `${t("section")} ${"XYZ"[i]}`, section.axis === i)));
     const at = h("input", { type: "range", min: "0", max: "1", step: "0.002", value: String(section.part), "aria-label": t("section_at"), oninput: () => { section.part = Number(at.value); change(); } });
     fill(this.below, axis, section.axis !== null && box && at, section.axis !== null && button(icon("flip"), () => { section.flip = !section.flip; change(); }, { class: "icon", title: t("section_flip"), "aria-label": t("section_flip") }), section.axis !== null && h("span", { class: "section-told" }),
-      button(t("measure"), () => this.toggle_measure(), { "aria-pressed": this.measuring, title: `${t("measure")} (M)` }), button("PNG", () => void this.save_picture(), { title: t("save_picture") }));
+      button(t("measure"), () => this.toggle_measure(), { "aria-pressed": this.measuring, title: `${t("measure")} (M)` }), button("PNG", () => void this.save_picture(), { title: t("save_picture") }), this.thinned_told);
     change();
   }
 

@@ -35,7 +35,7 @@ export class ViewCube {
   private face(f: Face, view: View, at: (p: Point) => string): SVGElement {
     const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([k, l]) => at(sum(f.normal, f.right, f.up, k!, l!))).join(" ");
     const [a, b, c, d] = [dot(f.right, view.right), -dot(f.right, view.up), -dot(f.up, view.right), dot(f.up, view.up)];
-    const name = t(`view_${f.view}`), size = Math.min(15, (2 * half - 6) / (0.62 * name.length)); // so that the longest word stays on its face
+    const name = t(`view_${f.view}`), size = Math.min(15, (2 * half - 6) / (0.72 * name.length)); // so that the longest word stays on its face
     return svg("g", { class: "cube-face", onclick: () => this.look(f.view), role: "button", "aria-label": t(`view_${f.view}_long` as TextKey) },
       svg("title", null, t(`view_${f.view}_long` as TextKey)), svg("polygon", { points: corners }),
       svg("text", { transform: `matrix(${[a, b, c, d].map((v) => v.toFixed(4)).join()},${at(f.normal)})`, "font-size": size.toFixed(1), "text-anchor": "middle", dy: "0.35em" }, name));
