@@ -193,14 +193,13 @@ std::string report_examples() {
       "Examples:\n"
       "  kadr report flange.nc --out flange.html\n"
       "  kadr report pocket.ngc --setup shop.json --stock box:0,0,-20,100,100,0 --tools tools.toml --out pocket.html\n"
-      "The file opens in any browser, without a network. Exit status: 0 all well, 1 an alarm or a collision (the report is written), 2 "
-      "wrong usage.",
+      "The file opens in any browser, without a network.\n"
+      "Exit status: 0 all well, 1 an alarm or a collision (the report is written), 2 wrong usage.",
       "Примеры:\n"
       "  kadr report flange.nc --out flange.html\n"
       "  kadr report pocket.ngc --setup shop.json --stock box:0,0,-20,100,100,0 --tools tools.toml --out pocket.html\n"
-      "Файл открывается в любом браузере, без сети. Код возврата: 0 — всё в порядке, 1 — ошибка УП или столкновение (отчёт записан), 2 — "
-      "неверная "
-      "команда.");
+      "Файл открывается в любом браузере, без сети.\n"
+      "Код возврата: 0 — всё в порядке, 1 — ошибка УП или столкновение (отчёт записан), 2 — неверная команда.");
 }
 
 std::string man_examples() {

@@ -206,7 +206,7 @@ export class Scene {
   thinned(): { drawn: number; all: number } { return { drawn: this.counted[0], all: this.counted[1] }; }
 
   picture(): Promise<Blob> {
-    this.render(true); // the canvas keeps its picture only until this task ends
+    this.render(true, Infinity); // whole; the canvas keeps its picture only until this task ends
     return new Promise((yes, no) => this.canvas.element.toBlob((b) => (b ? yes(b) : no(new Error("no picture"))), "image/png"));
   }
 
@@ -294,14 +294,15 @@ export class Scene {
     this.events.hover(v, x, y);
   }
 
-  private render(fine: boolean): void {
+  /// `until`: lines are made no longer than that, in ms of performance.now(): the rest in the next pictures.
+  private render(fine: boolean, until = performance.now() + slice): void {
     this.dirty = false;
     const all = this.extent(false).union(this.reach);
     if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // the holder stands over the path
     if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point);
     this.eye.update();
     this.lamp.position.copy(this.eye.towards).addScaledVector(this.eye.right, 0.4).addScaledVector(this.eye.up, 0.6); // over the viewer's shoulder
-    const { drawn, all: count, finished } = this.path.refresh(this.eye, this.canvas.budget(fine), performance.now() + slice);
+    const { drawn, all: count, finished } = this.path.refresh(this.eye, this.canvas.budget(fine), until);
     if (!finished) { this.dirty = true; this.ask(); if (fine) return; } // what stands is shown until all of the finer lines are there
     this.canvas.draw(this.stage, this.eye.camera, fine && finished, drawn);
     this.events.turned(this.seen());
