@@ -127,6 +127,20 @@ def alarms(kadr, folder):
     expect(printed.stdout.startswith(b'<!doctype html>') and printed.stdout.rstrip().endswith(b'</html>'), '--out - is the page alone')
 
 
+def part(kadr, folder):
+    out = folder / 'part.html'
+    cut = EXAMPLES / 'cut'
+    made = run(kadr, cut / 'plate.nc', '--control', 'mach3', '--tools', cut / 'tools.toml', '--stock', 'box:-40,-30,-20,40,30,0', '--resolution', 1, '--out', out, '--lang', 'en')
+    expect(made.returncode == 0 and 'removed' in made.stdout, f'the part: {made.returncode} {made.stdout} {made.stderr}')
+    _, data, pieces = content(out)
+    solid = [piece for kind, piece in pieces if kind == 3]
+    expect(len(solid) == 1 and struct.unpack_from('<I', solid[0])[0] > 50, 'its surface is inside')
+    expect(0 < data['en']['cut']['left'] < data['en']['cut']['stock'] == 96000 and data['part']['off'] > 0, f'its volumes: {data["en"]["cut"]}')
+    crash = run(kadr, cut / 'crash.nc', '--control', 'mach3', '--tools', cut / 'tools.toml', '--stock', 'box:-40,-30,-20,40,30,0', '--resolution', 1, '--out', out, '--lang', 'en')
+    _, data, _ = content(out)
+    expect(crash.returncode == 1 and data['en']['findings'] and data['ru']['findings'][0]['text'] != data['en']['findings'][0]['text'], f'what is hit: {crash.returncode} {crash.stderr[-300:]}')
+
+
 def size(kadr, folder):
     """100,000 blocks with arcs and crooked places stay below 5 MB; below 5 s here, and quicker where nothing else runs."""
     program, out = folder / 'long.nc', folder / 'long.html'
@@ -221,6 +235,7 @@ def main():
             small = what_is_inside(kadr, folder)
             alarms(kadr, folder)
             refused(kadr, folder)
+            part(kadr, folder)
             long = size(kadr, folder)
             browser(kadr, [small, folder / 'wrong.html', long])
     finally:

@@ -146,7 +146,10 @@ int write(const ReportOptions& options, const ReportRun& report, const std::stri
   if (std::fwrite(html.data(), 1, html.size(), file) != html.size())
     return complain(fmt::format("{}: {}", options.out, told_errno(errno))), wrong_usage;
   const ProgramRun& run = report.run();
-  if (!options.cut.run.quiet && options.out != "-") fmt::print("{}", run.statistics().text(run.blocks(), language(options.cut.run)));
+  if (!options.cut.run.quiet && options.out != "-") {
+    const Lang lang = language(options.cut.run);
+    fmt::print("{}{}", run.statistics().text(run.blocks(), lang), report.cut() ? cut_summary(*report.cut(), lang) : std::string());
+  }
   if (interrupted()) return interrupted_status();
   if (!outputs.keep(run.control().files_read())) return wrong_usage;
   const bool hit = report.cut() && !report.cut()->collisions.empty();
