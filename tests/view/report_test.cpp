@@ -19,7 +19,7 @@ tl::expected<std::string, std::string> made(std::string_view viewer, const std::
   const auto run = ProgramRun::make(*opened, {});
   EXPECT_TRUE(run);
   (*run)->carry_out();
-  const SourceText source({text_source(text), Encoding::utf8});
+  const SourceText source(OpenedText{text_source(text), Encoding::utf8});
   return report_html(viewer, {**run, source, "<b>.ngc", "1", Lang::en, {}, {}, nullptr, nullptr, licences});
 }
 
