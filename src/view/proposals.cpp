@@ -11,6 +11,7 @@
 #include "config/told.h"
 #include "out/program/tools_template.h"
 #include "session/tool_proposals.h"
+#include "view/instant.h"
 
 namespace kadr {
 namespace {
@@ -118,8 +119,8 @@ std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools
 bool is_turning(const ProgramRun& run) {
   const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
   if (roles.xyz[1] < 0) return true;
-  const Ending ending = run.control().ending();
-  return std::find(ending.modal.begin(), ending.modal.end(), "G18") != ending.modal.end();
+  const auto last = Instants(run).at(run.seconds(), {});  // before the program's end puts the plane back
+  return last && std::any_of(last->after.begin(), last->after.end(), [](const InForce& one) { return one.code == "G18"; });
 }
 
 }  // namespace kadr

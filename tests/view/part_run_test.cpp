@@ -28,6 +28,7 @@ constexpr const char* text =
     "G0 X20 Y10\n"
     "G1 Z-8 F100\n"
     "G0 Z5\n"
+    "G0 X30\n"
     "G0 Z-1\n"
     "M30\n";
 constexpr const char* tools = R"([{"number": 1, "kind": "flat", "diameter": 8, "flutes": 20}, {"number": 2, "kind": "drill", "diameter": 5,
@@ -89,7 +90,7 @@ TEST(PartRun, AnyInstantIsAsIfCutUntilThen) {
     EXPECT_NEAR(then.left, left_until(program, instant, 0.5), 0.05) << instant << " s";
   }
   ASSERT_EQ(found.size(), 1U) << "the rapid into the part";
-  EXPECT_EQ(found[0].origin.line, 15U);
+  EXPECT_EQ(found[0].origin.line, 16U);
   EXPECT_EQ(found[0].id, AlarmId::rapid_in_stock);
 }
 

@@ -54,6 +54,7 @@ TEST(StockGuess, WaysInFromBesideDoNotCount) {
         .rapid(0, -20, 50)
         .rapid(0, -20, start)
         .feed(0, 0, start)
+        .feed(0, 0, -2)
         .feed(0, 40, -2)
         .feed(60, 40, -2)
         .feed(60, 0, -2)
