@@ -102,17 +102,18 @@ class Page:
         self.socket.sendall(head + mask + body)
 
     def exactly(self, n):
-        got = b''
-        while len(got) < n:
-            piece = self.socket.recv(n - len(got))
-            if not piece:
+        got = bytearray(n)
+        rest = memoryview(got)
+        while rest:
+            count = self.socket.recv_into(rest)
+            if not count:
                 raise ConnectionError
-            got += piece
-        return got
+            rest = rest[count:]
+        return bytes(got)
 
     def receive(self):
         """(opcode, bytes) of the next message, its fragments put together."""
-        message, kind = b'', 0
+        message, kind = bytearray(), 0
         while True:
             first, second = self.exactly(2)
             n = second & 127
@@ -129,7 +130,7 @@ class Page:
             kind = kind or opcode
             message += data
             if first & 0x80:
-                return kind, message
+                return kind, bytes(message)
 
     def take(self):
         """The next message; None: a frame."""
