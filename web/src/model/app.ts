@@ -54,6 +54,7 @@ export class App {
 
   private wanted = remembered<{ question: OpenQuestion; at: number } | null>("open", null, "tab");
   private last_cut: CutQuestion | null = null;
+  private wishes = 0; // to be elsewhere: the last one counts, however late an answer comes
   private states = new Latest<{ at: number } | { number: number }>((w) => this.fetch_state(w));
   private parts = new Latest<number>((at) => this.fetch_part(at));
   private want_part = debounce(120, () => { if (this.cut_ready) this.parts.want(this.instant); }, longest_without_part);
@@ -122,6 +123,7 @@ export class App {
   stop(): void { this.client.ask("stop", {}).catch((e) => this.tell(e)); }
 
   seek(at: number): void {
+    this.wishes++;
     this.target = 0;
     this.move_to(clamp(at, 0, this.seconds));
     this.states.want({ at: this.instant });
@@ -130,16 +132,18 @@ export class App {
   /// To a block by its number in the run; the instant comes with the answer.
   seek_block(number: number): void {
     const last = this.done?.blocks ?? Infinity;
+    this.wishes++;
     this.target = clamp(number, 1, last);
     this.states.want({ number: this.target });
   }
   /// To the pass of a line that is nearest to where the slider stands.
   async seek_line(line: number, file: number): Promise<void> {
+    const wish = ++this.wishes;
     try {
       const { passes } = await this.client.ask("passes", file ? { line, file } : { line });
       const off = (p: { from: number; to: number }): number => (this.instant < p.from ? p.from - this.instant : this.instant > p.to ? this.instant - p.to : 0);
       const nearest = passes.reduce<(typeof passes)[0] | null>((best, p) => (!best || off(p) < off(best) ? p : best), null);
-      if (nearest) this.seek_block(nearest.number);
+      if (nearest && wish === this.wishes) this.seek_block(nearest.number);
     } catch (e) { this.tell(e); }
   }
   step(blocks: number): void {
@@ -282,9 +286,10 @@ export class App {
 
   private async fetch_state(wish: { at: number } | { number: number }): Promise<void> {
     const state = await this.client.ask("state", wish);
-    if (this.states.stale) { if ("number" in wish) this.move_to(state.at); return; }
+    const moves = "number" in wish && this.target !== 0; // the slider may have been taken elsewhere meanwhile
+    if (this.states.stale) { if (moves) this.move_to(state.at); return; }
     this.state = state;
-    if ("number" in wish) this.move_to(state.at);
+    if (moves) this.move_to(state.at);
     this.on_state.emit(state);
   }
 

@@ -1,0 +1,70 @@
+// What the page holds of a program, on a socket made of nothing: the last wish counts, however late an answer comes.
+import { expect, test, vi } from "vitest";
+import { App } from "../src/model/app";
+import type { Socket } from "../src/protocol/client";
+
+class Fake implements Socket {
+  binaryType = ""; readyState = 0; sent: { id: number; do: string; [key: string]: unknown }[] = [];
+  onopen: ((e: unknown) => void) | null = null; onclose: ((e: unknown) => void) | null = null; onmessage: ((e: { data: unknown }) => void) | null = null;
+  send(text: string): void { this.sent.push(JSON.parse(text)); }
+  close(): void { this.readyState = 3; }
+  say(message: unknown): void { this.onmessage?.({ data: JSON.stringify(message) }); }
+}
+
+vi.mock("../src/protocol/token", () => ({ token: () => undefined }));
+const settle = async (): Promise<void> => { for (let i = 0; i < 20; i++) await Promise.resolve(); };
+/// An App whose program has run for 100 s in 50 blocks. `answer(what, body)` answers the newest question of that kind.
+async function run_over(): Promise<{ app: App; answer: (what: string, body: object) => Promise<void> }> {
+  const socket = new Fake();
+  const app = new App(() => socket);
+  const answer = async (what: string, body: object): Promise<void> => {
+    const asked = socket.sent.filter((q) => q.do === what).at(-1);
+    if (!asked) throw new Error(`nobody asked ${what}`);
+    socket.say({ re: asked.id, ...body });
+    await settle();
+  };
+  app.client.connect();
+  socket.readyState = 1;
+  socket.onopen?.({});
+  await settle();
+  await answer("hello", { version: "1", controls: [], machines: [] });
+  void app.open({ file: "a.nc" });
+  await answer("open", { file: "a.nc", text: "G1 X1", digest: "1" });
+  socket.say({ event: "done", seconds: 100, blocks: 50, marks: [] });
+  await settle();
+  return { app, answer };
+}
+
+test("an answer to an older wish does not take the slider back", async () => {
+  const { app, answer } = await run_over();
+  await answer("state", { number: 1, at: 0 });
+  app.step(10);
+  app.seek(50);
+  await answer("state", { number: 11, at: 20 });
+  expect(app.instant).toBe(50);
+  await answer("state", { number: 30, at: 50 });
+  expect([app.instant, app.state?.number]).toEqual([50, 30]);
+});
+
+test("stepping while answers are under way goes on from where it aims", async () => {
+  const { app, answer } = await run_over();
+  await answer("state", { number: 1, at: 0 });
+  app.step(10);
+  app.step(10);
+  await answer("state", { number: 11, at: 20 });
+  expect(app.instant).toBe(20);
+  await answer("state", { number: 21, at: 40 });
+  expect([app.instant, app.state?.number]).toEqual([40, 21]);
+});
+
+test("a click on a line counts no more once the slider was taken", async () => {
+  const { app, answer } = await run_over();
+  await answer("state", { number: 1, at: 0 });
+  const clicked = app.seek_line(7, 0);
+  await settle();
+  app.seek(50);
+  await answer("passes", { passes: [{ number: 7, from: 10, to: 12 }] });
+  await clicked;
+  await answer("state", { number: 30, at: 50 });
+  expect(app.instant).toBe(50);
+});
