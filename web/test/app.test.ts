@@ -14,7 +14,7 @@ class Fake implements Socket {
 vi.mock("../src/protocol/token", () => ({ token: () => undefined }));
 const settle = async (): Promise<void> => { for (let i = 0; i < 20; i++) await Promise.resolve(); };
 /// An App whose program has run for 100 s in 50 blocks. `answer(what, body)` answers the newest question of that kind.
-async function run_over(): Promise<{ app: App; answer: (what: string, body: object) => Promise<void> }> {
+async function run_over(): Promise<{ app: App; socket: Fake; answer: (what: string, body: object) => Promise<void> }> {
   const socket = new Fake();
   const app = new App(() => socket);
   const answer = async (what: string, body: object): Promise<void> => {
@@ -32,7 +32,7 @@ async function run_over(): Promise<{ app: App; answer: (what: string, body: obje
   await answer("open", { file: "a.nc", text: "G1 X1", digest: "1" });
   socket.say({ event: "done", seconds: 100, blocks: 50, marks: [] });
   await settle();
-  return { app, answer };
+  return { app, socket, answer };
 }
 
 test("an answer to an older wish does not take the slider back", async () => {
@@ -58,7 +58,7 @@ test("stepping while answers are under way goes on from where it aims", async ()
 });
 
 test("a click on a line counts no more once the slider was taken", async () => {
-  const { app, answer } = await run_over();
+  const { app, socket, answer } = await run_over();
   await answer("state", { number: 1, at: 0 });
   const clicked = app.seek_line(7, 0);
   await settle();
@@ -66,5 +66,5 @@ test("a click on a line counts no more once the slider was taken", async () => {
   await answer("passes", { passes: [{ number: 7, from: 10, to: 12 }] });
   await clicked;
   await answer("state", { number: 30, at: 50 });
-  expect(app.instant).toBe(50);
+  expect([app.instant, socket.sent.filter((q) => q.do === "state").at(-1)!.at]).toEqual([50, 50]);
 });
