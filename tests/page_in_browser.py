@@ -10,6 +10,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+most_seconds = 420  # of one round; some 100 s on two idle cores
+
 
 def main():
     options = argparse.ArgumentParser()
@@ -17,9 +19,6 @@ def main():
     kadr = Path(options.parse_args().kadr).resolve()
     web, root = kadr.parent / 'web', Path(__file__).resolve().parent.parent
     chromium = os.environ.get('CHROMIUM') or shutil.which('chromium') or shutil.which('chromium-browser')
-    if not os.environ.get('KADR_BROWSER'):  # not steady enough yet on a busy machine
-        print('0 passed, 0 failed: with KADR_BROWSER=1 only')
-        return 0
     missing = ('there is no chromium (dev/setup installs it)' if not chromium
                else 'there is no node' if not shutil.which('node')
                else 'the page was not built here' if not (web / 'node_modules' / 'playwright-core').is_dir() or not (web / 'dist' / 'index.html').exists() else '')
@@ -28,7 +27,16 @@ def main():
         return 0
     with tempfile.TemporaryDirectory(prefix='kadr-page-') as pictures:
         place = {**os.environ, 'KADR': str(kadr), 'CHROMIUM': chromium}
-        return subprocess.run(['node', 'e2e/page.mjs', str(root / 'examples'), pictures], cwd=web, env=place, timeout=590).returncode
+        command = ['node', 'e2e/page.mjs', str(root / 'examples'), pictures]
+        for again in (True, False):  # a browser that draws by the processor on a busy machine: one failure may be its own, two are ours
+            try:
+                status = subprocess.run(command, cwd=web, env=place, timeout=most_seconds, check=False).returncode
+            except subprocess.TimeoutExpired:
+                print(f'not over after {most_seconds} s')
+                status = 1
+            if status == 0 or not again:
+                return status
+            print('once more')
 
 
 if __name__ == '__main__':

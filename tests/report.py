@@ -212,9 +212,6 @@ def licences(kadr):
 
 
 def browser(kadr, reports):
-    if not os.environ.get('KADR_BROWSER'):  # not steady enough yet on a busy machine
-        print('reports are opened in Chromium with KADR_BROWSER=1 only')
-        return
     web = Path(kadr).resolve().parent / 'web'
     if not Path('/usr/bin/chromium').exists() or not (web / 'node_modules' / 'playwright-core').is_dir():
         print('no Chromium or no playwright-core here: reports are not opened')

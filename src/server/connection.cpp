@@ -27,6 +27,7 @@ void Connection::accept(const PageRequest& request) {
   beast::get_lowest_layer(socket_).expires_never();
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(PageSession::most_message);
+  socket_.auto_fragment(false);  // else a long frame goes out 4 KiB at a time
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return self->lost();
     std::thread([self] { self->answer_all(); }).detach();

@@ -101,7 +101,7 @@ const steps = {
     await page.locator(".cube-face", { hasText: "Top" }).first().click();
     await until("the cube has turned", async () => (await count(".cube-face")) === 1);
     await page.keyboard.press("6");
-    for (const [value, told] of [["speed", /mm\/min/], ["depth", /mm/], ["time", /\d:\d\d/], ["tool", /T1/], ["kind", /feed/]]) {
+    for (const [value, told] of [["speed", /mm\/min/], ["depth", /mm/], ["slowed", /100/], ["time", /\d:\d\d/], ["tool", /T1/], ["kind", /feed/]]) {
       await page.selectOption(".scene-bar:not(.below) select", value);
       await until(`the legend of ${value}`, async () => told.test((await page.locator(".scene-legend").textContent()) ?? ""));
     }

@@ -63,7 +63,7 @@ expect(/three/.test(await text(".licences")), "the licences are shown");
 await page.keyboard.press("Escape");
 await page.getByRole("button", { name: "РУ" }).click();
 await until("Russian", async () => /Карта наладки/.test(await text(".topbar")));
-expect(await until("the Russian source", async () => /КРЕПИТЬ/.test(await text(".virtual-rows"))).catch(() => false), "Russian source");
+expect(await until("the Russian source", async () => /КРЕПИТЬ/.test(await text(".virtual-rows"))).catch(() => false), `Russian source: ${await page.locator(".source-host").innerText()}`);
 
 await open(wrong);
 await page.locator("[data-tab=problems]").click();

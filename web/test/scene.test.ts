@@ -1,7 +1,7 @@
 // The 3D view's arithmetic: frames that lie, levels, what is drawn at them, where the tool is.
 import { describe, expect, it } from "vitest";
 import { Eye } from "../src/scene/camera";
-import { dark, light, packed, ramp, ranges_of } from "../src/scene/colours";
+import { dark, light, packed, ramp, ranges_of, slowed } from "../src/scene/colours";
 import { decode_leans, decode_part, decode_path, type Piece } from "../src/scene/frame";
 import { level_for, level_within, segments_at } from "../src/scene/level";
 import { draws_softly, Pace } from "../src/scene/pace";
@@ -187,4 +187,10 @@ describe("colours, circles, the eye", () => {
     expect(pivot.clone().sub(eye.target).dot(eye.right)).toBeCloseTo(30, 6);
     expect(pivot.clone().sub(eye.target).dot(eye.up)).toBeCloseTo(20, 6);
   });
+});
+
+it("what limits take of the feed is told in per cent", () => {
+  expect(slowed(1000, 250)).toBe(75);
+  expect(slowed(1000, 1000)).toBe(0);
+  expect(slowed(0, 8000)).toBe(0); // rapid
 });

@@ -19,10 +19,10 @@ export const by_tool = [0x0b7ad6, 0xd2691e, 0x2e9e5b, 0xa44bd0, 0xc93a55, 0x1a9a
 export const colour_of_tool = (tool: number): Rgba => by_tool[tool % by_tool.length]!;
 
 export type Range = [number, number];
-export interface Ranges { feed: Range; speed: Range; time: Range; depth: Range }
+export interface Ranges { feed: Range; speed: Range; slowed: Range; time: Range; depth: Range }
 export type RampBy = keyof Ranges;
 export const is_ramp = (by: ColourBy): by is RampBy => by !== "kind" && by !== "tool";
-export const no_ranges = (): Ranges => ({ feed: [Infinity, -Infinity], speed: [Infinity, -Infinity], time: [Infinity, -Infinity], depth: [Infinity, -Infinity] });
+export const no_ranges = (): Ranges => ({ feed: [Infinity, -Infinity], speed: [Infinity, -Infinity], slowed: [Infinity, -Infinity], time: [Infinity, -Infinity], depth: [Infinity, -Infinity] });
 
 /// The least and greatest of each quantity over the whole path, between which the ramp runs.
 export function ranges_of(pieces: readonly Piece[]): Ranges {
@@ -35,6 +35,7 @@ export function widen_ranges(r: Ranges, p: Piece): void {
   const widen = (to: Range, from: readonly [number, number]): void => { to[0] = Math.min(to[0], from[0]); to[1] = Math.max(to[1], from[1]); };
   widen(r.feed, p.feed_range);
   widen(r.speed, p.speed_range);
+  r.slowed = [0, 100];
   widen(r.time, [p.start, p.start + p.times[p.count - 1]!]);
   if (p.cut) widen(r.depth, [p.cut[0][2], p.cut[1][2]]);
 }
@@ -56,10 +57,14 @@ function cutting_painter(p: Piece, by: ColourBy, r: Ranges, theme: Theme): (i: n
   switch (by) {
     case "feed": return (i) => shade(p.feeds[i]!);
     case "speed": return (i) => shade(p.speeds[i]!);
+    case "slowed": return (i) => shade(slowed(p.feeds[i]!, p.speeds[i]!));
     case "time": return (i) => shade(p.start + p.times[i]!);
     case "depth": return (i) => shade(p.at[3 * i + 2]!);
   }
 }
+
+/// How much of the feed a limit of the machine has taken, %: corners, acceleration, speeds of axes.
+export const slowed = (feed: number, speed: number): number => (feed > speed ? 100 * (1 - speed / feed) : 0);
 
 export const packed = (c: Rgba): number => (c[0] | (c[1] << 8) | (c[2] << 16) | (c[3] << 24)) >>> 0;
 

@@ -3,7 +3,7 @@ import type { Bounds, Box } from "../protocol/types";
 import type { Anchor, Distance } from "./measure";
 
 export type Point = [number, number, number];
-export type ColourBy = "kind" | "tool" | "feed" | "speed" | "time" | "depth";
+export type ColourBy = "kind" | "tool" | "feed" | "speed" | "slowed" | "time" | "depth";
 export type ViewName = "top" | "front" | "left" | "right" | "back" | "bottom" | "iso" | "fit";
 export interface SceneVertex { which: number; at: Point; time: number; line: number; file: number; number: number; kind: number; tool: number; feed: number; speed: number; radius?: number; length?: number }
 export interface SceneFilter {

@@ -73,6 +73,7 @@ export const en = {
   colour_tool: "by tool",
   colour_feed: "by feed set",
   colour_speed: "by speed reached",
+  colour_slowed: "by feed lost to limits",
   colour_time: "by time",
   colour_depth: "by depth",
   orthographic: "Ortho",

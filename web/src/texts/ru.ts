@@ -75,6 +75,7 @@ export const ru: Record<TextKey, string> = {
   colour_tool: "по инструменту",
   colour_feed: "по подаче",
   colour_speed: "по скорости",
+  colour_slowed: "по потере подачи",
   colour_time: "по времени",
   colour_depth: "по глубине",
   orthographic: "Орто",

@@ -25,10 +25,12 @@ export function ramp_figures(by: ColourBy, [low, high]: Range): string[] {
   return Array.from({ length: ticks }, (_, i) => told(low + ((high - low) * i) / (ticks - 1)));
 }
 
+const units_of = (by: ColourBy): string => (by === "time" ? "" : by === "depth" ? t("mm") : by === "slowed" ? "%" : t("mm_min"));
+
 function ramp_legend(by: ColourBy, range: Range | null): HTMLElement | null {
   const figures = range ? ramp_figures(by, range) : [];
   if (!figures.length) return null;
-  const shades = Array.from({ length: 13 }, (_, i) => css(ramp(i, [0, 12]))).reverse().join(", "), unit = by === "time" ? "" : by === "depth" ? t("mm") : t("mm_min");
+  const shades = Array.from({ length: 13 }, (_, i) => css(ramp(i, [0, 12]))).reverse().join(", "), unit = units_of(by);
   const strip = h("div", { class: "legend-ramp" });
   strip.style.background = figures.length > 1 ? `linear-gradient(${shades})` : css(ramp(0, [0, 0]));
   return h("div", { class: "legend" }, h("div", { class: "dim" }, `${t(`colour_${by}`)}${unit ? `, ${unit}` : ""}`),

@@ -14,7 +14,7 @@ import { icon } from "./icons";
 import { toast } from "./toast";
 import { ViewCube } from "./view_cube";
 
-const colours: ColourBy[] = ["kind", "tool", "feed", "speed", "time", "depth"];
+const colours: ColourBy[] = ["kind", "tool", "feed", "speed", "slowed", "time", "depth"];
 const worth_telling = 5000; // segments: of a short path nothing that is seen is left out
 const views = ["top", "front", "left", "right", "back", "bottom", "iso", "fit"] as const;
 
