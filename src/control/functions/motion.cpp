@@ -64,6 +64,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.side = 0;
   motion.side_step = SideStep::none;
   motion.tool_radius = 0;
+  motion.nose = 0;
   motion.join_corner = CornerJoin::extended;
   motion.entry = ContourEntry::by_corner;
   motion.corner_speed = CornerSpeed::limited;

@@ -80,6 +80,7 @@ struct Modal : MotionModal {
   std::uint32_t corrector = 0;  // of T0404
   std::uint32_t tool = 0;       // in the spindle
   double radius_by_word = -1;   // G41 P…; -1: from the table
+  std::uint8_t nose = 0;        // with it: orientation of a turning tool (spec/linuxcnc 9)
   double blend_tolerance = 0;   // G64 P…, mm
   double rpm = 0;
   double rpm_waiting = -1;     // S without M3, M4: for the next of them (2С42 6.4.3); -1: none
