@@ -93,6 +93,8 @@ ACCEPTED = [
     ("mach3", '[behaviour]\nfixtures = 6\n'),
     ("gost", '[cycle.G81]\nsteps = ["feed_bottom", "retract"]\nneeds = "ZR"\n[groups]\nown = {}\n[g]\n"81" = { group = "own", does = "cycle", takes = "XYZR" }\n'),
     ("nct", "[behaviour]\narc_radius_difference = 0.02\n"),
+    ("nct", '[behaviour]\nfurther_systems = 300\n'),
+    ("fanuc", '[[variables]]\nis = "modal_group"\nranges = [[4012, 1]]\nfirst = 14\naccess = "R"\nen = "work system"\nru = "система координат"\n'),
     ("s2c42", "[grammar]\nblock_number_required = false\n"),
 ]
 

@@ -256,7 +256,9 @@ struct Behaviour {
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;
+  std::uint32_t further_systems = 99;  // highest P of G54.1 (nct 10.2.2, spec/fanuc 6.1)
 };
+inline constexpr std::uint32_t most_further_systems = 300;
 
 struct AlarmText {
   std::string number;  // the control's own, may be empty

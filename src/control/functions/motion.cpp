@@ -74,7 +74,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.center = {};
   motion.inch = modal.inch;
   motion.as_programmed = false;
-  motion.system = has_fixtures ? static_cast<std::uint8_t>(modal.fixture) : modal.work_zero;
+  motion.system = has_fixtures ? static_cast<std::uint16_t>(modal.fixture) : modal.work_zero;
   if (dialect) dialect->note_motion(*this, motion);
   else if (modal.contour != ContourPhase::off) note_contour(*this, motion, moved_from);
   return motion;

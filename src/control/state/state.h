@@ -72,7 +72,7 @@ struct Modal : MotionModal {
   bool flood = false;
   bool override_enabled = true;
   std::uint8_t override_permission = 3;  // feed_permission, 2 spindle
-  std::uint8_t work_zero = 0;            // 0: none
+  std::uint16_t work_zero = 0;           // 0: none
   std::uint32_t fixture = 1;
   std::uint32_t offset_number = 0;  // D
   std::uint32_t length_number = 0;  // H, where it is a word of its own
