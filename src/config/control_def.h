@@ -127,7 +127,7 @@ struct CycleRow {
   X(zero_common) X(zero) X(rotation) X(zero_extended) X(rotation_extended)                                  \
   X(zero_dynamic_number) X(zero_dynamic_value) X(zero_dynamic)                                              \
   /* spec/fanuc 5.1, spec/haas 2.4 */                                                                         \
-  X(common_further) X(common_again) X(timer) X(tool_in_spindle) X(spindle_speed)                            \
+  X(common_further) X(common_again) X(timer) X(tool_in_spindle) X(spindle_speed) X(operator_switch)        \
   X(tool_magazine) X(tool_data) X(pallet_place) X(pallet_data) X(probe_position_5d)
 // clang-format on
 enum class VariableKind : std::uint8_t {
