@@ -69,6 +69,8 @@ REFUSED = [
     ("gost", '[axes]\nname = ["X"]\n', ["own.toml:5: ", "unknown key 'name'", "names"]),
     # What is said already, or by nobody asked.
     ("gost", '[g]\n"04" = { takes = "P" }\n', ["own.toml:5: ", "[g] 04 has no effect", "says the same"]),
+    ("gost", '[g]\n"90" = { takes = "P" }\n', ["own.toml:5: ", "G90: `takes` has no effect", "'absolute'"]),
+    ("fanuc", '[g]\n"80" = { takes = "*" }\n', ["own.toml:5: ", "G80: `takes` has no effect", "'drilling_off'"]),
     ("s2c42", "[grammar]\nblock_number_required = true\n", ["own.toml:5: ", "[grammar] block_number_required has no effect"]),
     ("mach3", "[behaviour]\ndwell_in_milliseconds = true\n", ["own.toml:5: ", "`dwell_in_milliseconds` has no effect", "machine of the NCT"]),
     ("correctors", "[behaviour]\nprobe_in_inverse_time = true\n", ["own.toml:5: ", "probe_in_inverse_time has no effect", "'probe'"]),
@@ -91,6 +93,8 @@ ACCEPTED = [
     ("gost", '[grammar]\nexpressions = true\nvariables = 999\n'),
     ("gost", '[m]\n"51" = { does = "machine_function", phase = "clamp", en = "on", ru = "вкл" }\n'),
     ("mach3", '[behaviour]\nfixtures = 6\n'),
+    ("nct", '[behaviour]\nfurther_systems = 300\n'),
+    ("fanuc", '[[variables]]\nis = "modal_group"\nranges = [[4012, 1]]\nfirst = 14\naccess = "R"\nen = "work system"\nru = "система координат"\n'),
     ("gost", '[cycle.G81]\nsteps = ["feed_bottom", "retract"]\nneeds = "ZR"\n[groups]\nown = {}\n[g]\n"81" = { group = "own", does = "cycle", takes = "XYZR" }\n'),
     ("nct", "[behaviour]\narc_radius_difference = 0.02\n"),
     ("s2c42", "[grammar]\nblock_number_required = false\n"),

@@ -171,7 +171,8 @@ struct MotionModes {
   CornerJoin join_corner = CornerJoin::extended;  // with the next motion
   CornerSpeed corner_speed = CornerSpeed::limited;
   ContourEntry entry = ContourEntry::by_corner;  // where it begins compensation
-  std::uint8_t system = 0;                       // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
+  std::uint8_t nose = 0;                         // orientation of a turning tool: whose tip is led, spec/linuxcnc 9; 0, 9: its centre is
+  std::uint16_t system = 0;                      // work system in force: row of the table of zeros or fixtures, config/setup_names; 0: none
   bool inch = false;                             // its block was read in inches
   bool as_programmed = false;                    // its end is what the program's words say: told where frames in space may be (nct 25)
   double tool_radius = 0;                        // mm, at its end

@@ -114,7 +114,7 @@ bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
   return true;
 }
 
-bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint8_t>& system) {
+bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint16_t>& system) {
   if (options.stock_zero.empty()) return true;
   const std::vector<std::string> names = system_names(*job.def);
   const auto found = std::find(names.begin(), names.end(), options.stock_zero);
@@ -122,7 +122,7 @@ bool find_system(const CutOptions& options, const Job& job, std::optional<std::u
     return complain(fmt::format("--stock-zero {}: {}", options.stock_zero,
                                 told("this control has no such work system", "у этого УЧПУ нет такой системы координат"))),
            false;
-  system = std::uint8_t(found - names.begin());
+  system = std::uint16_t(found - names.begin());
   return true;
 }
 

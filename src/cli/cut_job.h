@@ -16,6 +16,6 @@ namespace kadr::cli {
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
 
 /// The row of the work system that --stock-zero names; complains.
-bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint8_t>& system);
+bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint16_t>& system);
 
 }  // namespace kadr::cli

@@ -127,7 +127,7 @@ struct CycleRow {
   X(zero_common) X(zero) X(rotation) X(zero_extended) X(rotation_extended)                                  \
   X(zero_dynamic_number) X(zero_dynamic_value) X(zero_dynamic)                                              \
   /* spec/fanuc 5.1, spec/haas 2.4 */                                                                         \
-  X(common_further) X(common_again) X(timer) X(tool_in_spindle) X(spindle_speed)                            \
+  X(common_further) X(common_again) X(timer) X(tool_in_spindle) X(spindle_speed) X(operator_switch)        \
   X(tool_magazine) X(tool_data) X(pallet_place) X(pallet_data) X(probe_position_5d)
 // clang-format on
 enum class VariableKind : std::uint8_t {
@@ -256,7 +256,9 @@ struct Behaviour {
   std::uint32_t call_depth = 16;
   std::uint32_t offsets = 99;  // highest offset number
   std::uint32_t fixtures = 6;
+  std::uint32_t further_systems = 99;  // highest P of G54.1 (nct 10.2.2, spec/fanuc 6.1)
 };
+inline constexpr std::uint32_t most_further_systems = 300;
 
 struct AlarmText {
   std::string number;  // the control's own, may be empty

@@ -90,6 +90,7 @@ Done ControlLoader::behaviour() {
   count("call_depth", b.call_depth, 255);
   count("offsets", b.offsets, 9999);
   count("fixtures", b.fixtures, 1000);
+  count("further_systems", b.further_systems, most_further_systems);
   const std::string centers = text(*t, "arc_centers");
   if (centers == "by_code") b.arc_centers = ArcCenters::by_code;
   else if (centers == "as_distance") b.arc_centers = ArcCenters::as_distance;

@@ -80,6 +80,17 @@ constexpr ArgRow args[] = {
     {Function::stored_position, 1, 2},
 };
 
+/// Modes that no word belongs to: whoever has one take a word would only hide it.
+constexpr Function wordless[] = {
+    Function::plane_xy,          Function::plane_zx,         Function::plane_yz,           Function::absolute,
+    Function::incremental,       Function::centers_absolute, Function::centers_incremental, Function::inch,
+    Function::millimetre,        Function::exact_stop_block, Function::exact_stop_mode,    Function::corner_arc,
+    Function::corner_line,       Function::polar_off,        Function::rotation_off,       Function::scale_off,
+    Function::retract_initial,   Function::retract_level,    Function::length_off,         Function::work_zero,
+    Function::polar_surface_off, Function::scaling_off,      Function::plane_rotation_off, Function::drilling_off,
+    Function::feed_control,      Function::work_area_off,    Function::polar_data_on,      Function::tool_length_off,
+};
+
 /// Addresses whose letter the engine looks for; G and M alone are codes.
 struct LetterRow {
   Function function;
@@ -199,6 +210,8 @@ Done ControlLoader::check_code(const toml::table& row, const CodeRow& c) const {
   const auto of_function = [&](const ArgRow& a) { return a.function == c.function; };
   const bool has_arg = std::any_of(std::begin(args), std::end(args), of_function);
   if (!has_arg) KADR_LOAD(no_effect(row, "arg", who + say("`arg` has no effect: {} has none", quoted(c.function))));
+  if ((c.takes != 0 || c.takes_all_axes) && std::find(std::begin(wordless), std::end(wordless), c.function) != std::end(wordless))
+    KADR_LOAD(no_effect(row, "takes", who + say("`takes` has no effect: {} uses no words", quoted(c.function))));
   const auto fits = [&](const ArgRow& a) { return of_function(a) && c.arg >= a.least && c.arg <= a.most; };
   if (has_arg && !std::any_of(std::begin(args), std::end(args), fits)) {
     std::string numbers;

@@ -85,6 +85,7 @@ constexpr std::string_view only_of_nct[] = {"last_word_counts",
                                             "offset_numbers_checked",
                                             "rounds_words",
                                             "repeats_keep_locals",
+                                            "further_systems",
                                             "alarm_base"};
 
 /// Functions that work in a plane, or along the axis across it.

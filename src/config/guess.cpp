@@ -51,6 +51,7 @@ class Traits {
       case TextTrait::few_numbered: return 2 * numbered_ < lines_;
       case TextTrait::decimal_points: return points_ > 0;
       case TextTrait::long_integers: return long_integers_ > 0 && points_ == 0;
+      case TextTrait::whole_lengths: return short_lengths_ > 0 && pointed_lengths_ == 0 && long_integers_ == 0;
       case TextTrait::plus_signs: return plus_signs_ > 0 && one_digit_codes_ == 0;
       case TextTrait::two_digit_codes: return all_numbered && two_digit_codes_ > 0 && one_digit_codes_ == 0;
       case TextTrait::program_number: return numbered_program_ && (one_digit_codes_ != 0 || !all_numbered);
@@ -69,18 +70,22 @@ class Traits {
     const bool digit_behind = i + 2 < line.size() && is_digit(line[i + 2]);
     if ((c == 'G' || c == 'M') && is_digit(next)) ++(digit_behind ? two_digit_codes_ : one_digit_codes_);
     if (std::string_view("XYZIJK").find(c) != std::string_view::npos && next == '+' && digit_behind) ++plus_signs_;
-    if ((c == 'X' || c == 'Y' || c == 'Z') && long_integer(line, i + 1)) ++long_integers_;
+    const bool argument = line.find("G65") != std::string_view::npos || line.find("G66") != std::string_view::npos;  // often a mere number
+    if (!argument && std::string_view("XYZIJKR").find(c) != std::string_view::npos) length(line, i + 1, c == 'X' || c == 'Y' || c == 'Z');
   }
 
-  /// `X8000`: four digits or more and no point: increments of 0.001 mm.
-  static bool long_integer(std::string_view line, std::size_t at) {
+  /// `X8000`: four digits or more and no point: increments of 0.001 mm. `X10` may be 10 mm, `X0` is the same on all controls.
+  void length(std::string_view line, std::size_t at, bool of_axis) {
     if (line[at] == '+' || line[at] == '-') ++at;
     const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());
-    return end - at >= 4 && (end == line.size() || line[end] != '.');
+    if (end < line.size() && line[end] == '.') ++pointed_lengths_;
+    else if (of_axis && end - at >= 4) ++long_integers_;
+    else if (of_axis && line.substr(at, end - at).find_first_not_of('0') != std::string_view::npos) ++short_lengths_;
   }
 
   bool behind_percent_ = false, numbered_program_ = false;
-  std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, long_integers_ = 0, two_digit_codes_ = 0, one_digit_codes_ = 0, plus_signs_ = 0;
+  std::uint64_t lines_ = 0, numbered_ = 0, points_ = 0, two_digit_codes_ = 0, one_digit_codes_ = 0, plus_signs_ = 0;
+  std::uint64_t long_integers_ = 0, short_lengths_ = 0, pointed_lengths_ = 0;
 };
 
 /// A control and what of its rows has been found so far.

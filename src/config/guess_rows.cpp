@@ -21,6 +21,7 @@ constexpr std::array<TraitText, static_cast<std::size_t>(TextTrait::count)> trai
     {"few_numbered", "few block numbers", "мало номеров кадров"},
     {"decimal_points", "decimal points", "десятичные точки"},
     {"long_integers", "numbers without points", "числа без точки"},
+    {"whole_lengths", "short lengths without points", "короткие размеры без точек"},
     {"plus_signs", "plus signs", "знаки «плюс»"},
     {"two_digit_codes", "codes of two digits", "коды из двух цифр"},
     {"program_number", "a program number behind %", "номер программы после %"},

@@ -17,6 +17,7 @@ enum class TextTrait : std::uint8_t {
   few_numbered,     // less than half
   decimal_points,   // some number has one
   long_integers,    // coordinates of four digits and more, and no point anywhere
+  whole_lengths,    // X10, Y-5: of one to three digits, and no length has a point
   plus_signs,       // `X+10.`, and no code of one digit
   two_digit_codes,  // G01, and no code of one digit; every block numbered
   program_number,   // `%`, then O0001; not where every block is numbered, with codes of two digits only

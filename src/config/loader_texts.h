@@ -155,6 +155,7 @@ inline constexpr Row rows[] = {
     {"from must not be more than to", "from не может быть больше to"},
     {"other: only 'machine_function'", "other: только 'machine_function'"},
     {"`arg` has no effect: {} has none", "`arg` не действует: у {} его нет"},
+    {"`takes` has no effect: {} uses no words", "`takes` не действует: {} слов не использует"},
     {"arg of {} must be {}", "arg функции {}: должно быть {}"},
     {"{} to {}", "от {} до {}"},
     {"'drilling' is G73 to G89, or an `arg` says which of them: 730, 740, 760",

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int most_row = 999'999'999;                          // as the name of a row
 constexpr int turning_zeros = 9;                               // G92 /A/ of the 2С42's turning machines
-constexpr int extended_systems = 99;                           // G54.1 P1 … P99 (nct 10.2.2)
 constexpr int dynamic_systems = 8;                             // G54.2 P1 … P8 (nct 25.4)
 constexpr std::int32_t first_system = 540, last_system = 593;  // tenths: G54 … G59, G59.3
 
@@ -116,8 +115,8 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
     const bool usual = row.tenth >= first_system && row.tenth <= last_system;
     if (row.letter != 'G' || (row.takes & letter_bit('P')) == 0 || !(usual || row.function == Function::work_system_extended)) continue;
     if (row.function == Function::fixture) add(row, 1, static_cast<int>(def.behaviour.fixtures), 0);
-    if (row.function == Function::work_system_extended) add(row, 1, extended_systems, plain);
-    if (row.function == Function::dynamic_zero) add(row, 1, dynamic_systems, plain + extended_systems);
+    if (row.function == Function::work_system_extended) add(row, 1, static_cast<int>(def.behaviour.further_systems), plain);
+    if (row.function == Function::dynamic_zero) add(row, 1, dynamic_systems, plain + most_further_systems);
   }
   return systems;
 }

@@ -90,6 +90,8 @@ TEST(guess, of_small_samples) {
       {"#1=5\nWHILE[#1GT0]DO1\nG1X#1\n#1=#1-1\nEND1\nM30\n", "fanuc"},
       {"N10 IF [#1 EQ 0] GOTO 100\nN20 G0 X1.5\nN100 M30\n", "fanuc"},
       {"G65 P9100 X10 Y20\nM30\n", "fanuc"},
+      {"#1=5\nWHILE[#1GT0]DO1\nG1 X10\n#1=#1-1\nEND1\nM30\n", "nct"},
+      {"#1=5\nWHILE[#1GT0]DO1\nG1 X10.\n#1=#1-1\nEND1\nM30\n", "fanuc"},
       {"#100=#_ABSIO[1]\nG0 X#100\n", "nct"},
       {"N1 G54.1 P3\nN2 G0 X0\nN3 G84.2 Z-10 R2 F1\nN4 M30\n", "nct"},
       {"G1 X50 F100 ,A30\nY20\n", "nct"},
@@ -113,7 +115,7 @@ TEST(guess, tells_what_it_found_and_where) {
   EXPECT_EQ(guess.reason_ru, "строка 4: ПС, строка 3: R0+60, строка 3: R1-5000, строка 3: L81, числа без точки");
   EXPECT_TRUE(guess.decisive);
   const Guess weak = guess_control("(a)\nG0 X1\n\nWHILE[#1 LT 2]DO1\nEND1\n");
-  EXPECT_EQ(weak.reason_en, "line 4: WHILE[, line 4: #1");
+  EXPECT_EQ(weak.reason_en, "line 4: WHILE[, line 4: #1, short lengths without points");
   EXPECT_FALSE(weak.decisive);
 }
 

@@ -82,7 +82,7 @@ Statistics moved(const std::vector<Motion>& motions, AxisMask rotary = 0) {
   return run.s;
 }
 
-Motion in_system(Motion motion, std::uint8_t system, bool inch = false) {
+Motion in_system(Motion motion, std::uint16_t system, bool inch = false) {
   motion.system = system;
   motion.inch = inch;
   return motion;

@@ -132,6 +132,43 @@ RC_GTEST_PROP(queued_compensation, what_it_remembers_is_a_value, ()) {
     if (const auto* const m = std::get_if<Motion>(&plain.actions[i].what)) RC_ASSERT(m->to == motion_of(again.actions[i]).to);
 }
 
+/// A turning tool's tip: the centre's way, shifted as a whole by the radius along one axis or both; the same alarms.
+RC_GTEST_PROP(queued_compensation, a_tip_goes_beside_the_centre, ()) {
+  const auto side = *rc::gen::element<std::int8_t>(1, -1);
+  const double radius = any_number(1, 3);
+  Contour c;
+  c.line(20, side, radius).side_step = SideStep::begins;
+  for (int i = *rc::gen::inRange(1, 8); i > 0; --i) {
+    c.direction = rotated(c.direction, any_number(-60, 60));
+    if (*rc::gen::arbitrary<bool>()) c.line(any_number(10, 60), side, radius);
+    else c.arc(any_number(5, 60), any_number(-300, 300) / 1000, side, radius);
+  }
+  std::vector<Action> of_centre, of_tip;
+  const auto nose = static_cast<std::uint8_t>(*rc::gen::inRange(1, 9));
+  for (Motion& m : c.motions) {
+    of_centre.push_back(action_of(m));
+    m.nose = nose;
+    of_tip.push_back(action_of(m));
+  }
+  of_centre.push_back(action_of(ContourBreak{true}));
+  of_tip.push_back(action_of(ContourBreak{true}));
+  const Taken centre = taken(of_centre, false), tip = taken(of_tip, true);
+  RC_ASSERT(centre.fault.has_value() == tip.fault.has_value());
+  RC_ASSERT(centre.actions.size() == tip.actions.size());
+  std::optional<Vec2> shift;
+  for (std::size_t i = 0; i < centre.actions.size(); ++i) {
+    const auto* const a = std::get_if<Motion>(&centre.actions[i].what);
+    if (a == nullptr) continue;
+    const Motion& b = motion_of(tip.actions[i]);
+    const Vec2 now{b.to[0] - a->to[0], b.to[1] - a->to[1]};
+    if (!shift) shift = now;
+    RC_ASSERT(length(now - *shift) < 1e-9);
+    for (const double part : {now.x, now.y}) RC_ASSERT(std::fabs(part) < 1e-9 || std::fabs(std::fabs(part) - radius) < 1e-9);
+    if (is_arc(a->kind)) RC_ASSERT(length(b.center - a->center - now) < 1e-9 && std::fabs(a->turns - b.turns) < 1e-6);
+  }
+  if (shift) RC_ASSERT(length(*shift) > radius / 2);
+}
+
 TEST(queued_compensation, without_a_side_nothing_changes) {
   Contour c;
   c.line(20, 0, 0);

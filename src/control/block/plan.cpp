@@ -137,6 +137,7 @@ class Planner {
   void acting(const Word& word, std::uint8_t index) {
     if ((plan_.taken & letter_bit(word.address)) != 0) return;
     const AddressRow& row = def_.address(word.address);
+    if (row.function == Function::speed_of_spindle) plan_.taken |= letters_.spindles;
     add(row.phase, index, -1, word.address);
   }
 
@@ -280,6 +281,11 @@ LetterSets::LetterSets(const ControlDef& def) {
         center_letter[row.axis] = row.letter;
         break;
       case Function::corrector_word: break;
+      case Function::speed_of_spindle:
+        for (const AddressName& name : def.grammar.names)
+          if (name.text == "$") spindles |= letter_bit(name.address);
+        acting |= bit;
+        break;
       case Function::spindle_word: spindles |= bit; [[fallthrough]];
       default: acting |= bit;
     }

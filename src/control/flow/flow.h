@@ -29,7 +29,7 @@ struct CallFrame {
   std::uint32_t done = 0;  // passes begun
   bool repeating = false;  // beyond its first pass
   Origin caller;
-  std::uint8_t work_zero = 0;  // of the caller (2С42: comes back)
+  std::uint16_t work_zero = 0;  // of the caller (2С42: comes back)
   Axes zero_shift{};
   std::int16_t zero_row = -1;
   std::array<std::int16_t, 3> then{-1, -1, -1};  // rows of the calling block carried out on return: M17, M20, M2

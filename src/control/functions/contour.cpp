@@ -68,6 +68,7 @@ void note_queued(Interpreter& m, Motion& motion, const Axes& from) {
   const bool mirrored = (radius < 0) != m.transform.reverses(modal.axes);
   motion.side = static_cast<std::int8_t>(mirrored ? modal.radius_side : -modal.radius_side);
   motion.tool_radius = std::fabs(radius);
+  motion.nose = modal.nose;
   if (modal.contour == ContourPhase::on) motion.side_step = SideStep::begins;
   modal.contour = ContourPhase::following;
   modal.contour_axes = modal.axes;

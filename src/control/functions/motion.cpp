@@ -64,6 +64,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.side = 0;
   motion.side_step = SideStep::none;
   motion.tool_radius = 0;
+  motion.nose = 0;
   motion.join_corner = CornerJoin::extended;
   motion.entry = ContourEntry::by_corner;
   motion.corner_speed = CornerSpeed::limited;
@@ -73,7 +74,7 @@ Motion& Interpreter::add_motion(MotionKind kind, AxisMask named) {
   motion.center = {};
   motion.inch = modal.inch;
   motion.as_programmed = false;
-  motion.system = has_fixtures ? static_cast<std::uint8_t>(modal.fixture) : modal.work_zero;
+  motion.system = has_fixtures ? static_cast<std::uint16_t>(modal.fixture) : modal.work_zero;
   if (dialect) dialect->note_motion(*this, motion);
   else if (modal.contour != ContourPhase::off) note_contour(*this, motion, moved_from);
   return motion;

@@ -144,7 +144,7 @@ Status work_zero(Interpreter& m, const Call& call) {
   note_work_zero(m, static_cast<std::uint32_t>(call.row->arg));
   if (m.modal.work_zero == call.row->arg) return {};
   KADR_TRY(check_zero_change(m, call.where));
-  m.modal.work_zero = static_cast<std::uint8_t>(call.row->arg);
+  m.modal.work_zero = static_cast<std::uint16_t>(call.row->arg);
   m.zero_shift = {};
   m.change_frames();
   return {};
@@ -173,7 +173,7 @@ Status zero_shift(Interpreter& m, const Call& call) {
   if (m.has('A')) {
     const auto number = m.whole('A', 1, 9);
     if (!number) return fail(number.error());
-    m.modal.work_zero = static_cast<std::uint8_t>(*number);
+    m.modal.work_zero = static_cast<std::uint16_t>(*number);
     note_work_zero(m, *number);
     m.zero_shift = {};
   }

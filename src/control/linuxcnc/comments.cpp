@@ -62,6 +62,16 @@ class Filled {
     return false;
   }
 
+  /// #5420 … while compensating: an expression may not read them, a comment shows what #<_x> … are (the source looks into its table).
+  double beside_contour(double number) const {
+    constexpr std::string_view letters = "xyzabcuvw";
+    constexpr double first = 5420;
+    const double axis = number - first;
+    if (m_.modal.radius_side == 0 || !(axis >= 0 && axis < static_cast<double>(letters.size()))) return number;
+    const std::string name{'_', letters[static_cast<std::size_t>(axis)]};
+    return m_.def.grammar.named_variables->number_of(name).value_or(number);
+  }
+
   Status parameter() {
     const std::size_t hash = at_++;
     const auto open = [&] { return linuxcnc_of(m_).fault(AlarmId::rs274_parameter, m_.block->where, "Named parameter not terminated"); };
@@ -76,7 +86,7 @@ class Filled {
     } else if (is_digit(text_[at_])) {
       double number = 0;
       for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) number = number * 10 + (text_[at_] - '0');
-      if (const auto read = linuxcnc_of(m_).read_variable(m_, number, {})) value = *read;
+      if (const auto read = linuxcnc_of(m_).read_variable(m_, beside_contour(number), {})) value = *read;
     } else {
       out_ += text_.substr(hash, 1);
       return {};

@@ -10,6 +10,11 @@
 #include "control/linuxcnc/linuxcnc.h"
 
 namespace kadr::functions {
+namespace {
+
+constexpr std::uint8_t unknown_nose = 10;  // no table has it: its centre is led, by a way of its own before an arc
+
+}  // namespace
 
 /// arg: 41, 42 by the table; 411, 421 by D as a diameter.
 Status tool_side(Interpreter& m, const Call& call) {
@@ -19,10 +24,12 @@ Status tool_side(Interpreter& m, const Call& call) {
   const auto wrong = [&](std::string text) { return control.fault(AlarmId::rs274_compensation, call.where, std::move(text)); };
   if (m.modal.plane == Plane::yz || linuxcnc::is_plane_of_uvw(m)) return wrong("Cutter radius compensation allowed only in XY, XZ planes");
   if (m.modal.radius_side != 0) return wrong("Cannot turn cutter radius comp on when on");
-  double diameter = 0;
+  double diameter = 0, orientation = 0;
   if (by_word) {
     if (!m.has('D')) return wrong(fmt::format("G{}.1 with no D word", code / 10));
+    if (m.has('L') && m.modal.plane != Plane::zx) return wrong(fmt::format("G{}.1 with L word, but plane is not G18", code / 10));
     diameter = m.length_value('D');
+    orientation = m.has('L') ? std::round(m.value('L')) : 0;
   } else {
     const double d = m.has('D') ? m.value('D') : 0;
     if (d < 0 || std::fabs(d - std::round(d)) > 1e-4) return wrong(fmt::format("G{} requires D word to be a whole number", code));
@@ -30,7 +37,8 @@ Status tool_side(Interpreter& m, const Call& call) {
     const linuxcnc::Tool* const tool = control.tool(number);
     if (tool == nullptr && number != 0)
       return control.fault(AlarmId::rs274_tool, call.where, fmt::format("Requested tool {:.0f} not found in the tool table", number));
-    if (tool != nullptr && tool->orientation != 0 && tool->orientation != 9 && m.modal.plane == Plane::xy)
+    orientation = tool == nullptr ? 0 : tool->orientation;
+    if (orientation != 0 && orientation != 9 && m.modal.plane == Plane::xy)
       return wrong(fmt::format("G{} with lathe tool, but plane is not G18", code));
     diameter = tool == nullptr ? 0 : tool->diameter;
     m.modal.offset_number = static_cast<std::uint32_t>(number);
@@ -38,6 +46,7 @@ Status tool_side(Interpreter& m, const Call& call) {
   const bool left = code == 41 || code == 411;
   const double radius = diameter / 2;
   m.modal.radius_by_word = std::fabs(radius);
+  m.modal.nose = orientation < 0 || orientation > 9 ? unknown_nose : static_cast<std::uint8_t>(orientation);
   return begin_contour(m, call, static_cast<std::int8_t>((radius < 0) != left ? -1 : +1));
 }
 

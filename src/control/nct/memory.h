@@ -103,7 +103,7 @@ struct Volatile : MotionMemory {
 };
 
 inline constexpr std::string_view interrupt_signal = "CP_MINT";
-inline constexpr std::size_t basic_systems = 6, extended_systems = 99;  // G54 … G59, G54.1 P1 … P99
+inline constexpr std::size_t basic_systems = 6, extended_systems = most_further_systems;  // G54 … G59, G54.1 P1 …
 inline constexpr std::size_t all_systems = 1 + basic_systems + extended_systems;
 inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: rows of the tables of zeros and rotations behind the others
 

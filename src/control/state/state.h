@@ -72,7 +72,7 @@ struct Modal : MotionModal {
   bool flood = false;
   bool override_enabled = true;
   std::uint8_t override_permission = 3;  // feed_permission, 2 spindle
-  std::uint8_t work_zero = 0;            // 0: none
+  std::uint16_t work_zero = 0;           // 0: none
   std::uint32_t fixture = 1;
   std::uint32_t offset_number = 0;  // D
   std::uint32_t length_number = 0;  // H, where it is a word of its own
@@ -80,6 +80,7 @@ struct Modal : MotionModal {
   std::uint32_t corrector = 0;  // of T0404
   std::uint32_t tool = 0;       // in the spindle
   double radius_by_word = -1;   // G41 P…; -1: from the table
+  std::uint8_t nose = 0;        // with it: orientation of a turning tool (spec/linuxcnc 9)
   double blend_tolerance = 0;   // G64 P…, mm
   double rpm = 0;
   double rpm_waiting = -1;     // S without M3, M4: for the next of them (2С42 6.4.3); -1: none

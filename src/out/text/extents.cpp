@@ -57,7 +57,7 @@ Reach SystemExtents::all() const {
   return reach;
 }
 
-void RunExtents::enter(std::uint8_t system) {
+void RunExtents::enter(std::uint16_t system) {
   lift();
   const auto found = std::find_if(systems_.begin(), systems_.end(), [&](const SystemExtents& s) { return s.system == system; });
   now_ = static_cast<std::size_t>(found - systems_.begin());

@@ -56,7 +56,7 @@ struct Reach {
 
 /// Of one work system, in its coordinates.
 struct SystemExtents {
-  std::uint8_t system = 0;  // Motion::system
+  std::uint16_t system = 0;  // Motion::system
   Reach cutting, other;
   Reach all() const;
 };
@@ -82,7 +82,7 @@ class RunExtents {
   std::vector<std::string> texts(Of of, const std::vector<std::string>& names) const;
 
  private:
-  void enter(std::uint8_t system);
+  void enter(std::uint16_t system);
   std::string text(const Reach& reach) const;
   static constexpr std::size_t nowhere = ~std::size_t{0};
 

@@ -19,6 +19,9 @@ int turn_of(const Motion& m) {
   return m.kind == MotionKind::arc_ccw ? begun : -begun;
 }
 
+/// A turning tool with a tip beside the centre of its nose.
+bool has_tip(const Motion& m) { return m.nose != 0 && m.nose != 9; }
+
 /// From a point of the contour to the tool beside it, where the tangent is that.
 Vec2 beside_line(Vec2 way, const Motion& m) {
   const double angle = std::atan2(way.y, way.x) + (m.side > 0 ? pi / 2 : -pi / 2);
@@ -138,6 +141,7 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
     queued.arc = *way;
     queued.swept = swept_by(from, way->center, way->turn, way->end);
     queued.end = way->end;
+    if (has_tip(m)) lead_tip_in(queued, from);
   } else {
     if (std::hypot(to.x - from.x, to.y - from.y) <= m.tool_radius) return void(fault(alarm(AlarmId::entry_line_within_tool, {})));
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
@@ -149,6 +153,24 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   now_.on = true;
   now_.tool = queued.end;
   push(queued);
+}
+
+/// Before an arc the centre goes there where the tip stands, else it would be no arc; queued before it (convert_arc_comp1).
+void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
+  Queued way;
+  way.action = arc.action;
+  way.moves = true;
+  way.end = from;
+  way.speed = arc.speed;
+  auto& m = std::get<Motion>(way.action.what);
+  for (const std::size_t axis : {now_.first, now_.second, third()}) {
+    m.to[axis] = now_.at.work[axis];
+    m.machine[axis] = now_.at.machine[axis];
+  }
+  m.kind = MotionKind::feed;
+  m.detail.reset();
+  now_.start = from;
+  push(way);
 }
 
 void QueuedCompensation::line(Queued& queued, const Motion& m) {

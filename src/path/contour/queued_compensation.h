@@ -86,6 +86,7 @@ class QueuedCompensation {
   void motion(Action& action);
   void outside_contour(Action& action);
   void enter(Queued& queued, const Motion& m);
+  void lead_tip_in(const Queued& arc, Vec2 from);
   void line(Queued& queued, const Motion& m);
   void arc(Queued& queued, const Motion& m);
   CornerPlace place_before(const Motion& m) const;

@@ -14,6 +14,15 @@ constexpr double more_swept_mm = 0.0254;   // rad, where the block is read in mm
 constexpr double more_swept_inch = 0.001;  // … in inches: the source converts the angle like a length
 constexpr double no_arc = 1e-9;            // rad: an arc of no more is a whole turn
 
+/// From the centre of the nose to its programmed tip, Z before X (latheorigin_z, latheorigin_x).
+//       +X
+//    3  8  4       the tip lies where its number stands from the centre (0, 9)
+//    7  9  5 +Z
+//    2  6  1
+constexpr std::size_t orientations = 10;
+constexpr Vec2 tips[orientations] = {{0, 0}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 1}, {0, 0}};
+Vec2 tip_of(const Motion& m) { return m.side == 0 || m.nose >= orientations ? Vec2{} : m.tool_radius * tips[m.nose]; }
+
 double plane_way(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
@@ -98,7 +107,7 @@ void QueuedCompensation::hand_out(Queued& queued) {
 }
 
 void QueuedCompensation::move_tool(const Queued& queued, Motion& m) {
-  const Vec2 from = in_plane(now_.stands), to = queued.end;
+  const Vec2 tip = tip_of(m), from = in_plane(now_.stands) - tip, to = queued.end;
   double way = plane_way(from, to);
   if (queued.arc) {
     m.center = queued.arc->center;
@@ -117,7 +126,8 @@ void QueuedCompensation::move_tool(const Queued& queued, Motion& m) {
     const auto piece = [&] { return queued.arc ? PlanePiece::arc(from, to, m.center, turns) : PlanePiece::line(from, to); };
     now_.watch.path(piece, m.tool_radius, queued.action.origin, queued.known);
   }
-  now_.beside = to - in_plane(m.to);
+  if (queued.arc) m.center = m.center + tip;
+  now_.beside = to + tip - in_plane(m.to);
   shift_in_plane(m, now_.first, now_.second, now_.beside, now_.at.turn.get());
   now_.stands = m.to;
   now_.dropped = false;

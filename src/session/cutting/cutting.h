@@ -45,7 +45,7 @@ struct CutJob {
   double seen_cell = 0;                        // mm: of what is cut once more, coarser, to be shown as it was at any instant; 0: nothing is
   std::size_t past_bytes = 0;                  // of Stock::keep_past() for that
   int threads = 1;
-  std::optional<std::uint8_t> system;  // of ToolWay
+  std::optional<std::uint16_t> system;  // of ToolWay
   std::optional<Axes> apart;           // of ToolWay
   bool wants_coolant = false;          // cutting without it is a warning
   std::uint32_t tool = 0;              // in the spindle at the start

@@ -42,7 +42,7 @@ bool is_nowhere(const WayPiece& p) { return length(p.to - p.from) <= same_place 
 
 bool is_cutting(MotionKind kind) { return kind != MotionKind::rapid && kind != MotionKind::home && kind != MotionKind::probe; }
 
-ToolWay::ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint8_t> system, std::shared_ptr<const MachineTree> tree,
+ToolWay::ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint16_t> system, std::shared_ptr<const MachineTree> tree,
                  const std::optional<Axes>& apart)
     : chain_(roles), chord_(chord), system_(system), apart_(apart) {
   if (tree != nullptr && has_rotary_axis(*tree)) tree_ = std::move(tree);

@@ -25,7 +25,7 @@ class ToolWay {
   /// `chord`: mm by which a piece may miss an arc. `system`: row of the table of zeros whose work system is meant; nothing: that of the
   /// first motion at feed. `tree`: the machine, if its file says how its axes carry each other. `apart`: rapid rates of the machine's axes
   /// where each goes at its own (DogLeg); nothing: rapid motions are lines.
-  ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint8_t> system, std::shared_ptr<const MachineTree> tree = nullptr,
+  ToolWay(const AxisRoles& roles, double chord, std::optional<std::uint16_t> system, std::shared_ptr<const MachineTree> tree = nullptr,
           const std::optional<Axes>& apart = {});
 
   /// Takes the step.
@@ -50,7 +50,7 @@ class ToolWay {
   std::shared_ptr<const MachineTree> tree_;  // nullptr: no rotary axis of it is in the channel
   Chain chain_;
   double chord_;
-  std::optional<std::uint8_t> system_;
+  std::optional<std::uint16_t> system_;
   std::optional<Axes> apart_;
   Placement placement_;
   double length_ = 0;

@@ -221,7 +221,7 @@ Status dynamic_zero(Interpreter& m, const Call& call) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, dynamic_systems);
   if (!number) return fail(number.error());
-  const auto row = static_cast<std::uint8_t>(all_systems - 1 + *number);
+  const auto row = static_cast<std::uint16_t>(all_systems - 1 + *number);
   nct_of(m).state.five_axis.positioned = 0;
   m.modal.work_zero = row;
   note_work_zero(m, row);

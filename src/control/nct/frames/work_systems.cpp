@@ -84,19 +84,19 @@ Status work_system(Interpreter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   const bool extended = call.row->arg == 1 && m.has('P') && (call.row->takes & letter_bit('P')) != 0;  // spec/fanuc 6.1: G54 P3
   if (extended) return work_system_extended(m, call);
-  m.modal.work_zero = static_cast<std::uint8_t>(call.row->arg);
+  m.modal.work_zero = static_cast<std::uint16_t>(call.row->arg);
   note_work_zero(m, m.modal.work_zero);
   m.change_frames();
   return {};
 }
 
-/// G54.1 P1 … P99 (10.2.2).
+/// G54.1 P1 … P99 (10.2.2), P300 (spec/fanuc 6.1).
 Status work_system_extended(Interpreter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
-  const auto number = m.whole('P', 1, nct::extended_systems);
+  const auto number = m.whole('P', 1, m.def.behaviour.further_systems);
   if (!number) return fail(number.error());
-  m.modal.work_zero = static_cast<std::uint8_t>(nct::basic_systems + *number);
+  m.modal.work_zero = static_cast<std::uint16_t>(nct::basic_systems + *number);
   note_work_zero(m, m.modal.work_zero);
   m.change_frames();
   return {};

@@ -1,5 +1,9 @@
-// Engraved text G47 P0 (spec/haas 7.2). INFERRED: the letters, and the way between them: at rapid at R; each stroke is plunged into.
+// Engraved text G47: P0 that of the comment, P1 the serial number of #599, P32 to P126 one character (spec/haas 7.2). INFERRED: the letters,
+// and the way between them: at rapid at R; each stroke is plunged into. Tested by tests/cases/haas/cycles.cases.
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 
 #include "control/functions/functions.h"
@@ -11,6 +15,9 @@ namespace kadr::functions {
 namespace {
 
 constexpr double usual_height = mm_per_inch;  // without J
+constexpr double text_itself = 0, serial_number = 1, first_character = 32, last_character = 126;  // P
+constexpr int serial_variable = 599;
+constexpr std::size_t most_digits = 15;  // what a variable holds exactly
 
 /// One text along a line.
 class EngravedText {
@@ -18,6 +25,8 @@ class EngravedText {
   EngravedText(Interpreter& m, const Call& call) : m_(m), call_(call) {}
 
   Status run() {
+    KADR_TRY(choose_text());
+    if (only_counts_) return {};
     KADR_TRY(words());
     KADR_TRY(m_.feed_known(call_.where));
     m_.warn(warning(AlarmId::engraving_font, call_.where, call_.row->code));
@@ -26,20 +35,58 @@ class EngravedText {
       for (const auto& stroke : *strokes) KADR_TRY(draw(stroke, static_cast<double>(i) * nct::letter_advance));
     }
     KADR_TRY(over({static_cast<double>(text_.size()) * nct::letter_advance, 0}));
+    if (p_ == serial_number) set_serial(serial_ + 1);
     return to_level(level_, MotionKind::rapid);
   }
 
  private:
-  /// alarms  not_available (a serial number, a letter that the font has not), word_missing, value_out_of_range
-  Status words() {
-    if (m_.has('P') && m_.value('P') != 0) return fail(alarm(AlarmId::not_available, m_.where('P'), m_.block->text_of(m_.where('P'))));
-    for (const char letter : {'R', 'Z'})
-      if (!m_.has(letter)) return fail(alarm(AlarmId::word_missing, call_.where, letter, call_.row->code));
+  /// What P says.
+  ///   alarms  value_out_of_range, word_missing: no comment
+  Status choose_text() {
+    p_ = m_.has('P') ? m_.value('P') : text_itself;
+    if (p_ >= first_character && p_ <= last_character && p_ == std::floor(p_)) {
+      text_ = static_cast<char>(p_);
+      return {};
+    }
+    if (p_ != text_itself && p_ != serial_number) return fail(alarm(AlarmId::value_out_of_range, m_.where('P'), 'P', p_));
     if (m_.block->comments.empty()) return fail(alarm(AlarmId::word_missing, call_.where, '(', call_.row->code));
     text_ = std::string(m_.block->text_of(m_.block->comments.front()));
+    return p_ == serial_number ? choose_serial() : Status();
+  }
+
+  /// `(####)`: that many digits of #599, the last ones where it has more, zeros before it where it has fewer; then it counts on. `(1234)` sets
+  /// it and engraves nothing.
+  ///   alarms  not_available: other signs
+  Status choose_serial() {
+    const auto consists_of = [&](std::string_view signs) {
+      return !text_.empty() && text_.size() <= most_digits && text_.find_first_not_of(signs) == std::string::npos;
+    };
+    only_counts_ = consists_of("0123456789");
+    if (only_counts_) {
+      set_serial(std::stod(text_));
+      return {};
+    }
+    if (!consists_of("#")) return fail(alarm(AlarmId::not_available, m_.block->comments.front(), std::string_view(text_)));
+    const double stored = nct_of(m_).variables.common(serial_variable);
+    serial_ = is_vacant(stored) ? 0 : std::round(std::fabs(stored));
+    const double shown = std::fmod(serial_, std::pow(10.0, static_cast<double>(text_.size())));
+    text_ = fmt::format("{:0{}.0f}", shown, text_.size());
+    return {};
+  }
+
+  void set_serial(double number) {
+    nct_of(m_).endless.note_change();
+    nct_of(m_).variables.set_common(serial_variable, number);
+  }
+
+  /// alarms  not_available (a letter that the font has not), word_missing, value_out_of_range
+  Status words() {
+    for (const char letter : {'R', 'Z'})
+      if (!m_.has(letter)) return fail(alarm(AlarmId::word_missing, call_.where, letter, call_.row->code));
+    const Span where = m_.block->comments.empty() ? call_.where : m_.block->comments.front();
     for (const char letter : text_) {
       const std::string shown = std::string(call_.row->code) + " '" + letter + "'";
-      if (!nct::strokes_of(letter)) return fail(alarm(AlarmId::not_available, m_.block->comments.front(), std::string_view(shown)));
+      if (!nct::strokes_of(letter)) return fail(alarm(AlarmId::not_available, where, std::string_view(shown)));
     }
     const double height = m_.has('J') ? m_.length_value('J') : usual_height;
     if (!(height > 0)) return fail(alarm(AlarmId::value_out_of_range, m_.where('J'), 'J', height));
@@ -85,6 +132,8 @@ class EngravedText {
   Interpreter& m_;
   const Call& call_;
   PlaneAxes plane_ = m_.modal.axes;
+  double p_ = text_itself, serial_ = 0;
+  bool only_counts_ = false;
   std::string text_;
   Vec2 start_;
   SinCos along_{};

@@ -3,6 +3,7 @@
 
 #include "control/nct/variables/further_variables.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "control/interpreter.h"
@@ -16,6 +17,9 @@ constexpr double ms_of_second = 1000;
 
 /// Of a row of timers by its `arg`.
 enum class TimerOf { power_on = 20, cycle_start = 21, feed = 22, this_part = 23 };
+
+/// Of a row of switches by its `arg`; pallet, single block and dry run are off.
+constexpr int block_delete = 32, stop_at_m1 = 33;
 
 }  // namespace
 
@@ -73,6 +77,14 @@ double timer(const Interpreter& m, const VariableRow& row) {
     case TimerOf::cycle_start:
     case TimerOf::this_part: return nct_of(m).now_ms / ms_of_second;
     case TimerOf::feed: return nct_of(m).cutting_ms / ms_of_second;
+    default: return 0;
+  }
+}
+
+double operator_switch(const Interpreter& m, const VariableRow& row) {
+  switch (row.arg) {
+    case block_delete: return std::any_of(m.skip_switches.begin(), m.skip_switches.end(), [](bool on) { return on; });
+    case stop_at_m1: return m.optional_stop_on;
     default: return 0;
   }
 }

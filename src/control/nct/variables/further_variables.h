@@ -36,5 +36,7 @@ double cutting_unit(const VariableRow& row);
 double cutting_unit(const ControlDef& def);
 /// #3020 to #3025 (spec/haas 2.4), in seconds.
 double timer(const Interpreter& m, const VariableRow& row);
+/// #3028, #3030 to #3033 (spec/haas 2.4): block delete and optional stop as the set-up has them, 1 or 0; the others are 0 in a run.
+double operator_switch(const Interpreter& m, const VariableRow& row);
 
 }  // namespace kadr::nct

@@ -183,6 +183,7 @@ double read_plain(const Interpreter& m, const Found& f) {
     case VariableKind::cutting_clock: return n.cutting_ms / cutting_unit(row);
     case VariableKind::timer: return timer(m, row);
     case VariableKind::tool_in_spindle: return m.modal.tool;
+    case VariableKind::operator_switch: return operator_switch(m, row);
     case VariableKind::spindle_speed: return n.spindle_rpm(m);
     case VariableKind::date: return date_number(n.clock);
     case VariableKind::time: return time_number(n.clock, n.now_ms);
