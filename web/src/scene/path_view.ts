@@ -1,5 +1,6 @@
 // The pieces of the path as lines on the screen: which are in view, how finely, and rebuilt only where that changed, a few milliseconds' worth in a picture.
 import { Box3, BufferAttribute, BufferGeometry, Frustum, Group, LineBasicMaterial, LineDashedMaterial, LineSegments, Matrix4, Vector3, type Material } from "three";
+import { Bundle, most_pieces, type Part } from "./bundle";
 import { is_ramp, light, no_ranges, ranges_of, widen_ranges, type Ranges, type Theme } from "./colours";
 import type { Eye } from "./camera";
 import { decode_leans, decode_path, type Piece } from "./frame";
@@ -9,8 +10,8 @@ import { no_segments, piece_shown, segments_of, type Segments } from "./segments
 import type { ColourBy, Point, SceneFilter } from "./types";
 
 /// `built` tells of which look and level the lines are.
-interface Made { built: string; geometry: BufferGeometry; segments: Segments }
-export interface Drawn { piece: Piece; lines: LineSegments; box: Box3; segments: Segments; now: Made | null; spare: Made | null }
+interface Made { built: string; segments: Segments }
+export interface Drawn extends Part { piece: Piece; box: Box3; now: Made | null; spare: Made | null }
 export interface Refreshed { drawn: number; all: number; finished: boolean }
 
 const most_held = 2_000_000; // segments that are built, in view or not
@@ -25,6 +26,8 @@ export class PathView {
   kinds = new Set<number>();        // that the program's own path has
   private main: Piece[] = [];       // the program itself, channel 0, in order of time
   private last = new Map<string, Piece>(); // of each path and channel
+  private bundles: Bundle<Drawn>[] = [];
+  private open = new Map<string, Bundle<Drawn>>(); // of each path and channel the one that takes more pieces
   private stamp = 0;                // counts what changes the lines of every piece
   private held = 0;
   private whole = new Box3();       // of what the filter shows; machine coordinates
@@ -46,17 +49,24 @@ export class PathView {
   add(frame: ArrayBuffer): boolean {
     const piece = decode_path(frame);
     if (!piece) return this.add_leans(frame);
-    const lines = new LineSegments(new BufferGeometry(), (piece.which & 2 ? this.dashes : this.material) as Material);
-    lines.matrixAutoUpdate = false;
-    lines.frustumCulled = false; // culled here, before anything is built
-    lines.visible = false;
-    this.group.add(lines);
-    this.drawn.push({ piece, lines, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, now: null, spare: null });
+    const d: Drawn = { piece, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, from: 0, visible: false, now: null, spare: null };
+    this.drawn.push(d);
+    this.bundle_for(piece).parts.push(d);
     this.last.set(`${piece.which} ${piece.channel}`, piece);
     if (piece.which === 0 && piece.channel === 0) this.main.push(piece);
     if (!(piece.which & 1)) { widen_ranges(this.ranges, piece); for (const k of piece.kinds_seen) this.kinds.add(k); }
     this.widen(piece);
     return true;
+  }
+
+  private bundle_for(piece: Piece): Bundle<Drawn> {
+    const whose = `${piece.which} ${piece.channel}`, open = this.open.get(whose);
+    if (open && open.parts.length < most_pieces) return open;
+    const dashed = (piece.which & 2) !== 0, bundle = new Bundle<Drawn>((dashed ? this.dashes : this.material) as Material, dashed);
+    this.bundles.push(bundle);
+    this.open.set(whose, bundle);
+    this.group.add(bundle.lines);
+    return bundle;
   }
 
   private add_leans(frame: ArrayBuffer): boolean {
@@ -70,9 +80,13 @@ export class PathView {
   /// Without `which` all goes; 1: the path that the program was compared with.
   clear(which?: number): void {
     const goes = (d: Drawn): boolean => which === undefined || (d.piece.which & 1) === which;
-    for (const d of this.drawn.filter(goes)) { this.drop(d); this.group.remove(d.lines); }
+    const of_those = (b: Bundle<Drawn>): boolean => goes(b.parts[0]!);
+    for (const d of this.drawn.filter(goes)) this.drop(d);
+    for (const b of this.bundles.filter(of_those)) { b.drop(); this.group.remove(b.lines); }
     this.drawn = this.drawn.filter((d) => !goes(d));
+    this.bundles = this.bundles.filter((b) => !of_those(b));
     this.last.clear();
+    this.open.clear();
     if (which !== 1) { this.main = []; this.kinds.clear(); }
     this.measure();
   }
@@ -105,12 +119,13 @@ export class PathView {
         if (built > 0 && performance.now() > deadline) finished = false;
         else if (this.take_spare(d, wanted) || this.build(d, level, wanted)) built++;
       }
-      d.lines.visible = d.now !== null;
+      d.visible = d.now !== null;
       drawn += d.segments.ends.length;
       this.hide_done(d);
     }
-    this.dash(eye);
     if (this.held > most_held) this.drop_unseen();
+    for (const b of this.bundles) b.refresh();
+    this.dash(eye);
     const all = segments_at(pieces, 0), kept = segments_at(pieces, level);
     return { drawn: kept < all || !finished ? Math.min(drawn, all) : all, all, finished };
   }
@@ -120,7 +135,7 @@ export class PathView {
     view.setFromProjectionMatrix(projection);
     return this.drawn.filter((d) => {
       const is_seen = piece_shown(d.piece, this.filter) && view.intersectsBox(d.box);
-      if (!is_seen) d.lines.visible = false;
+      if (!is_seen) d.visible = false;
       return is_seen;
     });
   }
@@ -129,46 +144,37 @@ export class PathView {
   private take_spare(d: Drawn, wanted: string): boolean {
     if (d.spare?.built !== wanted) return false;
     [d.now, d.spare] = [d.spare, d.now];
-    this.show(d);
+    d.segments = d.now!.segments;
     return true;
   }
 
   private build(d: Drawn, level: number, built: string): boolean {
     const segments = segments_of(d.piece, { level, filter: this.filter, by: this.by, ranges: this.ranges, theme: this.theme, zero_z: this.zero[2] });
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(segments.points, 3));
-    geometry.setAttribute("color", new BufferAttribute(new Uint8Array(segments.colours.buffer), 4, true));
     this.forget(d.spare);
     const stamp = built.slice(0, built.indexOf(":") + 1);
     d.spare = d.now?.built.startsWith(stamp) ? d.now : (this.forget(d.now), null);
-    d.now = { built, geometry, segments };
+    d.now = { built, segments };
     this.held += segments.ends.length;
-    this.show(d);
-    if (d.piece.which & 2) d.lines.computeLineDistances();
+    d.segments = segments;
     return true;
   }
 
-  private show(d: Drawn): void {
-    d.lines.geometry = d.now!.geometry;
-    d.segments = d.now!.segments;
-  }
-  private forget(made: Made | null): void {
-    if (!made) return;
-    this.held -= made.segments.ends.length;
-    made.geometry.dispose();
-  }
+  private forget(made: Made | null): void { if (made) this.held -= made.segments.ends.length; }
   private drop(d: Drawn): void {
     this.forget(d.now);
     this.forget(d.spare);
     d.now = d.spare = null;
     d.segments = no_segments;
-    d.lines.visible = false;
+    d.visible = false;
   }
-  private drop_unseen(): void { for (const d of this.drawn) if (!d.lines.visible) this.drop(d); }
+  private drop_unseen(): void {
+    for (const d of this.drawn) if (!d.visible) this.drop(d);
+    for (const b of this.bundles) if (!b.lines.visible) b.drop();
+  }
 
-  private hide_done({ piece: p, segments, lines }: Drawn): void {
-    const from = this.filter.hideDone && p.which !== 1 ? first_from(segments.ends.length, (i) => p.start + p.times[segments.ends[i]!]!, this.instant) : 0;
-    lines.geometry.setDrawRange(2 * from, Infinity);
+  private hide_done(d: Drawn): void {
+    const { piece: p, segments } = d;
+    d.from = this.filter.hideDone && p.which !== 1 ? first_from(segments.ends.length, (i) => p.start + p.times[segments.ends[i]!]!, this.instant) : 0;
   }
 
   /// Dashes keep their length on the screen, in steps, so that they do not swim while somebody zooms.

@@ -55,9 +55,9 @@ const corner = new Vector3();
 export function pick(all: readonly Drawn[], eye: Eye, x: number, y: number, width: number, height: number, zero: Point): Hit | null {
   const screen = new Screen(eye, zero, x, y, width, height), best: Best = { off: reach, depth: Infinity, d: null, segment: 0, part: 0, length: 0 };
   for (const d of all) {
-    if (!d.lines.visible || !screen.may_hit(d.box)) continue;
+    if (!d.visible || !screen.may_hit(d.box)) continue;
     const { points, ends } = d.segments;
-    for (let s = d.lines.geometry.drawRange.start / 2; s < ends.length; s++) screen.near(points, 6 * s, 6 * s + 3, best, d, s);
+    for (let s = d.from; s < ends.length; s++) screen.near(points, 6 * s, 6 * s + 3, best, d, s);
   }
   return best.d && finely(screen, best.d, best.segment, zero);
 }
