@@ -68,3 +68,12 @@ test("a click on a line counts no more once the slider was taken", async () => {
   await answer("state", { number: 30, at: 50 });
   expect([app.instant, socket.sent.filter((q) => q.do === "state").at(-1)!.at]).toEqual([50, 50]);
 });
+
+test("steps go on from where the slider stands, whatever was told before", async () => {
+  const { app, socket, answer } = await run_over();
+  await answer("state", { number: 50, at: 100 });
+  app.seek(0);
+  app.step(10); // its state is not there yet
+  await answer("state", { number: 1, at: 0 });
+  expect(socket.sent.filter((q) => q.do === "state").at(-1)!.number).toBe(10);
+});

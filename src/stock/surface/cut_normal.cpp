@@ -121,48 +121,30 @@ std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const 
 /// How the distance grows along the way.
 double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
 
-/// The distance at a part of the way, a convex function of it: the value, how it grows there, the normal of the farthest face.
-struct OnWay {
-  double part, distance, grows;
-  Vec3 normal;
-
-  double tangent_at(double other) const { return distance + grows * (other - part); }
-};
-
-OnWay on_way(const BodyFaces& body, const Way& way, const Vec3& at, double part) {
-  const Seen seen = way.seen(at, part);
-  const Near face = farthest(body, seen);
-  const Vec3 normal = in_space(face, seen);
-  return {part, face.distance, growth(normal, way.along), normal};
-}
-
-/// Between two ends of which the first still falls and the last rises: where the tangents meet, which finds kinks; by the straight line
-/// between both slopes, which finds what is smooth; by halves, which always ends.
-double next_part(const OnWay& low, const OnWay& high, int step) {
-  if (step % 3 == 2) return 0.5 * (low.part + high.part);
-  const double steeper = high.grows - low.grows;
-  const double part = step % 3 == 0 ? low.part + (low.distance - high.tangent_at(low.part)) / steeper
-                                    : low.part - (high.part - low.part) * low.grows / steeper;
-  return std::clamp(part, low.part, high.part);
-}
-
 Touching touching(const BodyFaces& body, const Way& way, const PlaceSeen& place) {
   if (const auto part = part_at_once(body, way, place.at)) return at_part(body, way, place, *part);
-  OnWay low = on_way(body, way, place.at, 0), high = on_way(body, way, place.at, 1);
-  if (low.grows >= 0) return at_part(body, way, place, 0);
-  if (high.grows <= 0) return at_part(body, way, place, 1);
-  const double size = std::sqrt(dot(way.along, way.along));
-  double lowest = std::min(low.distance, high.distance);
-  for (int i = 0; i < most_steps && (high.part - low.part) * size > same_part; ++i) {
-    const OnWay middle = on_way(body, way, place.at, next_part(low, high, i));
-    if (std::fabs(middle.grows) < level * size) return at_part(body, way, place, middle.part);
-    lowest = std::min(lowest, middle.distance);
-    // On both tangents, a convex function is nothing but these: a kink.
-    if (middle.distance - std::max(low.tangent_at(middle.part), high.tangent_at(middle.part)) < on_axis) break;
-    (middle.grows < 0 ? low : high) = middle;
+  double low = 0, high = 1;
+  Vec3 before, after;
+  const auto normal_at = [&](double part) {
+    const Seen seen = way.seen(place.at, part);
+    return in_space(farthest(body, seen), seen);
+  };
+  before = normal_at(0), after = normal_at(1);
+  if (growth(before, way.along) >= 0) return at_part(body, way, place, 0);
+  if (growth(after, way.along) <= 0) return at_part(body, way, place, 1);
+  const double size = std::sqrt(way.along.x * way.along.x + way.along.y * way.along.y + way.along.z * way.along.z);
+  double down = growth(before, way.along), up = growth(after, way.along);
+  for (int i = 0; i < most_steps && (high - low) * size > same_part; ++i) {
+    // By the straight line between both ends, which finds what is smooth soon, and by halves, which finds kinks.
+    const double middle = i % 2 == 0 ? low + (high - low) * down / (down - up) : 0.5 * (low + high);
+    const Vec3 normal = normal_at(middle);
+    const double grows = growth(normal, way.along);
+    if (std::fabs(grows) < level * size) return at_part(body, way, place, middle);
+    if (grows < 0) low = middle, before = normal, down = grows;
+    else high = middle, after = normal, up = grows;
   }
-  const double steeper = high.grows - low.grows;
-  return {lowest, (high.grows / steeper) * low.normal + (-low.grows / steeper) * high.normal};
+  const Seen seen = way.seen(place.at, 0.5 * (low + high));
+  return {farthest(body, seen).distance, (up / (up - down)) * before + (down / (down - up)) * after};
 }
 
 Vec3 as_unit(const Vec3& v, const Vec3& otherwise) {

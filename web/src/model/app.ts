@@ -147,7 +147,8 @@ export class App {
     } catch (e) { this.tell(e); }
   }
   step(blocks: number): void {
-    const here = this.target || this.state?.number || this.path.number_at(this.instant);
+    const told = this.state?.at === this.instant ? this.state.number : this.path.number_at(this.instant); // what was told last may be of elsewhere
+    const here = this.target || told;
     this.seek_block(here + blocks);
   }
 
