@@ -3,10 +3,10 @@ import { describe, expect, it } from "vitest";
 import { Eye } from "../src/scene/camera";
 import { dark, light, packed, ramp, ranges_of, slowed } from "../src/scene/colours";
 import { decode_leans, decode_part, decode_path, type Piece } from "../src/scene/frame";
-import { level_for, level_within, segments_at } from "../src/scene/level";
+import { every_of, level_for, level_within, segments_at } from "../src/scene/level";
 import { draws_softly, Pace } from "../src/scene/pace";
 import { place_at } from "../src/scene/place";
-import { segments_of, type Look } from "../src/scene/segments";
+import { run, segments_of, type Look } from "../src/scene/segments";
 import type { SceneFilter } from "../src/scene/types";
 
 interface V { x: number; y?: number; z?: number; t?: number; line?: number; tool?: number; kind?: number; level?: number; feed?: number }
@@ -193,4 +193,15 @@ it("what limits take of the feed is told in per cent", () => {
   expect(slowed(1000, 250)).toBe(75);
   expect(slowed(1000, 1000)).toBe(0);
   expect(slowed(0, 8000)).toBe(0); // rapid
+});
+
+it("where lines lie too thick, each so manieth run is drawn, an odd one, as finely as ever", () => {
+  expect([0.5, 1, 1.5, 2, 5, 1e9].map((over) => every_of(over * 1000, 1000))).toEqual([1, 1, 3, 3, 9, 129]);
+  const p = piece([{ x: 0, kind: 0 }, ...Array.from({ length: 4 * run }, (_, i) => ({ x: i + 1 }))]);
+  const drawn = (every: number, runs_before = 0): number[] => [...new Set([...segments_of(p, { ...look(0), every, runs_before }).ends].map((i) => Math.floor((i - 1) / run)))];
+  expect(drawn(1)).toEqual([0, 1, 2, 3]);
+  expect(drawn(3)).toEqual([0, 3]);
+  expect(drawn(3, 1)).toEqual([2]);
+  expect(segments_of(p, { ...look(0), every: 3 }).ends.length).toBe(2 * run);
+  expect(p.length).toBe(4 * run);
 });

@@ -1,6 +1,6 @@
 // The canvas and how a picture gets onto it. Without a graphics card edges are smoothed only while nothing moves: that costs three times the time.
 import { LinearSRGBColorSpace, Mesh, OrthographicCamera, PlaneGeometry, Scene as Stage, ShaderMaterial, WebGLRenderer, WebGLRenderTarget, type Camera, type Object3D } from "three";
-import { card_moving, card_resting, draws_softly, Pace, soft_moving, soft_resting, Stopwatch } from "./pace";
+import { card_moving, card_resting, draws_softly, Pace, soft_moving, soft_pixels, soft_resting, Stopwatch } from "./pace";
 import { NoWebGl } from "./types";
 
 const samples = 4; // of each pixel, where edges are smoothed
@@ -38,6 +38,8 @@ export class Canvas {
     this.copy.add(sheet);
   }
 
+  /// How many pixels of a line cost as much as a segment: nothing worth counting where there is a graphics card.
+  get pixels(): number { return this.soft ? soft_pixels : Infinity; }
   budget(fine: boolean): number { return (fine ? this.resting : this.moving).budget; }
 
   size(width: number, height: number): void {
@@ -55,7 +57,7 @@ export class Canvas {
   }
 
   /// `fine`: nothing moves, the picture may take longer.
-  draw(stage: Stage, camera: Camera, fine: boolean, segments: number): void {
+  draw(stage: Stage, camera: Camera, fine: boolean, cost: number): void {
     const { renderer } = this;
     if (fine || !this.soft) {
       renderer.setRenderTarget(this.smooth);
@@ -63,7 +65,7 @@ export class Canvas {
       renderer.setRenderTarget(null);
       renderer.render(this.copy, this.flat);
     } else renderer.render(stage, camera);
-    this.watch.start(segments, fine);
+    this.watch.start(cost, fine);
   }
 }
 

@@ -10,6 +10,7 @@ export interface Piece {
   least: Point; greatest: Point;   // of all vertices, machine coordinates
   cut: [Point, Point] | null;      // of the ways that are no rapids
   kept: Uint16Array;               // vertices at each level
+  length: number;                  // of what is drawn of it, mm
   at: Float32Array; times: Float32Array; lines: Uint32Array; numbers: Uint32Array; feeds: Float32Array; speeds: Float32Array;
   tools: Uint16Array;              // tool and file by turns
   kinds: Uint8Array;               // kind, level, 0, 0
@@ -29,7 +30,7 @@ export function decode_path(frame: ArrayBuffer): Piece | null {
   const corner = (at: number): Point => [v.getFloat32(at, true), v.getFloat32(at + 4, true), v.getFloat32(at + 8, true)];
   const piece: Piece = {
     which: head.which, channel: head.more, count: n, start: v.getFloat64(head_bytes, true), least: corner(24), greatest: corner(36), cut: null,
-    kept: new Uint16Array(frame, 56, levels), at: new Float32Array(frame, first, 3 * n), times: new Float32Array(frame, column(0), n),
+    kept: new Uint16Array(frame, 56, levels), length: 0, at: new Float32Array(frame, first, 3 * n), times: new Float32Array(frame, column(0), n),
     lines: new Uint32Array(frame, column(1), n), numbers: new Uint32Array(frame, column(2), n), feeds: new Float32Array(frame, column(3), n),
     speeds: new Float32Array(frame, column(4), n), tools: new Uint16Array(frame, column(5), 2 * n), kinds: new Uint8Array(frame, column(6), 4 * n),
     line_range: [Infinity, -Infinity], feed_range: [Infinity, -Infinity], speed_range: [Infinity, -Infinity], kinds_seen: new Set(),
@@ -56,6 +57,8 @@ function measure(p: Piece): void {
     if (kind !== last_kind) p.kinds_seen.add((last_kind = kind));
     if (line < lines[0]) lines[0] = line;
     if (line > lines[1]) lines[1] = line;
+    const x = at[3 * i]! - at[3 * i - 3]!, y = at[3 * i + 1]! - at[3 * i - 2]!, z = at[3 * i + 2]! - at[3 * i - 1]!;
+    p.length += Math.sqrt(x * x + y * y + z * z);
     if (is_rapid(kind)) continue;
     const feed = p.feeds[i]!, speed = p.speeds[i]!;
     if (feed < feeds[0]) feeds[0] = feed;

@@ -11,11 +11,12 @@ export function level_for(mm_per_pixel: number): number {
   return Math.min(levels - 1, Math.floor(Math.log2(error / finest)));
 }
 
+const coarsest = 8; // times as far off as what is not seen: what would be coarser is drawn in part, and true
 const few = 20_000; // segments that are drawn as they are, so that nothing need be said of them
 
 /// The level for these pieces at that size of a pixel.
 export function level_of(pieces: readonly Piece[], mm_per_pixel: number, budget: number): number {
-  return segments_at(pieces, 0) <= Math.min(few, budget) ? 0 : level_within(pieces, level_for(mm_per_pixel), budget);
+  return segments_at(pieces, 0) <= Math.min(few, budget) ? 0 : Math.min(level_within(pieces, level_for(mm_per_pixel), budget), level_for(coarsest * mm_per_pixel));
 }
 
 /// From the level the screen asks for, up to the first one at which the pieces together keep to the budget.
@@ -24,6 +25,14 @@ export function level_within(pieces: readonly Piece[], wanted: number, budget: n
     if (segments_at(pieces, level) <= budget) return level;
   return levels - 1;
 }
+
+/// Where lines lie so thick upon each other that drawing them all costs more than the budget: of the runs of a piece only each so manieth is drawn. Odd,
+/// as ways there and back take turns.
+export function every_of(cost: number, budget: number): number {
+  if (cost <= budget) return 1;
+  return Math.min(most_apart, 2 ** Math.ceil(Math.log2(cost / budget)) + 1);
+}
+const most_apart = 129;
 
 export function segments_at(pieces: readonly Piece[], level: number): number {
   let sum = 0;

@@ -2,8 +2,9 @@
 export interface Bounds { least: number; first: number; most: number; wanted: number } // segments; ms a picture may take
 
 // Without a graphics card a segment costs some thousand times what it costs with one.
-export const soft_moving: Bounds = { least: 8_000, first: 40_000, most: 200_000, wanted: 35 };
+export const soft_moving: Bounds = { least: 20_000, first: 40_000, most: 200_000, wanted: 35 };
 export const soft_resting: Bounds = { least: 30_000, first: 120_000, most: 300_000, wanted: 90 };
+export const soft_pixels = 50; // of a line that take as long as a segment: SwiftShader on two cores, 0.9 µs and 17 ns
 export const card_moving: Bounds = { least: 50_000, first: 500_000, most: 2_000_000, wanted: 14 };
 export const card_resting: Bounds = { least: 200_000, first: 1_500_000, most: 3_000_000, wanted: 50 };
 

@@ -4,18 +4,18 @@ import { Bundle, most_pieces, type Part } from "./bundle";
 import { is_ramp, light, no_ranges, ranges_of, widen_ranges, type Ranges, type Theme } from "./colours";
 import type { Eye } from "./camera";
 import { decode_leans, decode_path, type Piece } from "./frame";
-import { level_of, segments_at } from "./level";
+import { every_of, level_of, segments_at } from "./level";
 import { first_from, place_at, type Place } from "./place";
-import { no_segments, piece_shown, segments_of, type Segments } from "./segments";
+import { no_segments, piece_shown, runs, segments_of, type Segments } from "./segments";
 import type { ColourBy, Point, SceneFilter } from "./types";
 
 /// `built` tells of which look and level the lines are.
 interface Made { built: string; segments: Segments }
-export interface Drawn extends Part { piece: Piece; box: Box3; now: Made | null; spare: Made | null }
-export interface Refreshed { drawn: number; all: number; finished: boolean }
+export interface Drawn extends Part { piece: Piece; ordinal: number; box: Box3; now: Made | null; spare: Made | null }
+export interface Refreshed { drawn: number; all: number; finished: boolean; cost: number } // `cost`: in segments, as a budget counts
 
 const most_held = 2_000_000; // segments that are built, in view or not
-const view = new Frustum(), projection = new Matrix4();
+const view = new Frustum(), projection = new Matrix4(), screen = new Box3(), corner = new Vector3();
 
 export class PathView {
   readonly group = new Group();
@@ -49,7 +49,7 @@ export class PathView {
   add(frame: ArrayBuffer): boolean {
     const piece = decode_path(frame);
     if (!piece) return this.add_leans(frame);
-    const d: Drawn = { piece, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, from: 0, visible: false, now: null, spare: null };
+    const d: Drawn = { piece, ordinal: this.drawn.length, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, from: 0, visible: false, now: null, spare: null };
     this.drawn.push(d);
     this.bundle_for(piece).parts.push(d);
     this.last.set(`${piece.which} ${piece.channel}`, piece);
@@ -110,14 +110,17 @@ export class PathView {
   }
 
   /// Builds what is missing at the level of this view, until `deadline`. Gives how many segments are drawn, and how many there are.
-  refresh(eye: Eye, budget: number, deadline = Infinity): Refreshed {
+  /// `pixels`: of a line that cost as much as a segment.
+  refresh(eye: Eye, budget: number, pixels: number, deadline = Infinity): Refreshed {
     const seen = this.seen(eye), pieces = seen.map((d) => d.piece);
-    const level = level_of(pieces, eye.mm_per_pixel, budget), wanted = `${this.stamp}:${level}`;
+    const level = level_of(pieces, eye.mm_per_pixel, budget), all = segments_at(pieces, 0), kept = segments_at(pieces, level);
+    const length = Number.isFinite(pixels) ? seen.reduce((sum, d) => sum + d.piece.length * this.part_seen(d.box), 0) : 0;
+    const full = kept + length / eye.mm_per_pixel / pixels, every = every_of(full, budget), wanted = `${this.stamp}:${level}:${every}`;
     let drawn = 0, finished = true, built = 0;
     for (const d of seen) {
       if (d.now?.built !== wanted) {
         if (built > 0 && performance.now() > deadline) finished = false;
-        else if (this.take_spare(d, wanted) || this.build(d, level, wanted)) built++;
+        else if (this.take_spare(d, wanted) || this.build(d, level, every, wanted)) built++;
       }
       d.visible = d.now !== null;
       drawn += d.segments.ends.length;
@@ -126,8 +129,15 @@ export class PathView {
     if (this.held > most_held) this.drop_unseen();
     for (const b of this.bundles) b.refresh();
     this.dash(eye);
-    const all = segments_at(pieces, 0), kept = segments_at(pieces, level);
-    return { drawn: kept < all || !finished ? Math.min(drawn, all) : all, all, finished };
+    return { drawn: kept < all || every > 1 || !finished ? Math.min(drawn, all) : all, all, finished, cost: full / every };
+  }
+
+  /// How much of a box is on the screen; after seen().
+  private part_seen(box: Box3): number {
+    screen.makeEmpty();
+    for (let i = 0; i < 8; i++) screen.expandByPoint(corner.set(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z).applyMatrix4(projection));
+    const along = (least: number, most: number): number => (most - least > 1e-6 ? Math.max(0, Math.min(1, most) - Math.max(-1, least)) / (most - least) : 1);
+    return along(screen.min.x, screen.max.x) * along(screen.min.y, screen.max.y);
   }
 
   private seen(eye: Eye): Drawn[] {
@@ -148,8 +158,8 @@ export class PathView {
     return true;
   }
 
-  private build(d: Drawn, level: number, built: string): boolean {
-    const segments = segments_of(d.piece, { level, filter: this.filter, by: this.by, ranges: this.ranges, theme: this.theme, zero_z: this.zero[2] });
+  private build(d: Drawn, level: number, every: number, built: string): boolean {
+    const segments = segments_of(d.piece, { level, every, runs_before: d.ordinal * runs, filter: this.filter, by: this.by, ranges: this.ranges, theme: this.theme, zero_z: this.zero[2] });
     this.forget(d.spare);
     const stamp = built.slice(0, built.indexOf(":") + 1);
     d.spare = d.now?.built.startsWith(stamp) ? d.now : (this.forget(d.now), null);

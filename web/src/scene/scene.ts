@@ -302,9 +302,9 @@ export class Scene {
     if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point);
     this.eye.update();
     this.lamp.position.copy(this.eye.towards).addScaledVector(this.eye.right, 0.4).addScaledVector(this.eye.up, 0.6); // over the viewer's shoulder
-    const { drawn, all: count, finished } = this.path.refresh(this.eye, this.canvas.budget(fine), until);
+    const { drawn, all: count, finished, cost } = this.path.refresh(this.eye, this.canvas.budget(fine), this.canvas.pixels, until);
     if (!finished) { this.dirty = true; this.ask(); if (fine) return; } // what stands is shown until all of the finer lines are there
-    this.canvas.draw(this.stage, this.eye.camera, fine && finished, drawn);
+    this.canvas.draw(this.stage, this.eye.camera, fine && finished, cost);
     this.events.turned(this.seen());
     if (drawn === this.counted[0] && count === this.counted[1]) return;
     this.counted = [drawn, count];

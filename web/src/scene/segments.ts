@@ -3,18 +3,20 @@ import { painter, type Ranges, type Theme } from "./colours";
 import { most_vertices, type Piece } from "./frame";
 import { is_rapid, jump, type ColourBy, type SceneFilter } from "./types";
 
-export interface Look { level: number; filter: SceneFilter; by: ColourBy; ranges: Ranges; theme: Theme; zero_z: number }
+export interface Look { level: number; filter: SceneFilter; by: ColourBy; ranges: Ranges; theme: Theme; zero_z: number; every?: number; runs_before?: number } // `every`: of the runs only each so manieth; how many runs are before the piece
 export interface Segments { points: Float32Array; colours: Uint32Array; starts: Uint32Array; ends: Uint32Array } // colours: of both ends; starts, ends: vertices
 export const no_segments: Segments = { points: new Float32Array(), colours: new Uint32Array(), starts: new Uint32Array(), ends: new Uint32Array() };
 
+export const run = 256, runs = Math.ceil(most_vertices / run); // vertices that are drawn together, or not
 const from_to = new Uint32Array(2 * most_vertices); // of the piece at work: pairs of vertices
 
 export function segments_of(p: Piece, look: Look): Segments {
   const { kinds, count } = p, { level } = look, all = shows_all(look.filter);
+  const every = look.every ?? 1, runs_before = look.runs_before ?? 0;
   let before = 0, n = 0;
   for (let i = 1; i < count; i++) {
     if (kinds[4 * i + 1]! < level && i < count - 1) continue;
-    if (kinds[4 * i] !== jump && (all || shown(p, i, look.filter, look.zero_z))) { from_to[n] = before; from_to[n + 1] = i; n += 2; }
+    if (kinds[4 * i] !== jump && (all || shown(p, i, look.filter, look.zero_z)) && (every === 1 || (runs_before + Math.floor((i - 1) / run)) % every === 0)) { from_to[n] = before; from_to[n + 1] = i; n += 2; }
     before = i;
   }
   return copied(p, n / 2, look);
