@@ -95,6 +95,16 @@ const steps = {
     await until(`line ${wanted}`, async () => (await text(".state .block-told .dim")).startsWith(`line ${wanted}`));
     await until("its line in the text", line_shown);
   },
+  async "a long block does not push the figures out of the pane"() {
+    const wide = await page.evaluate(() => {
+      const block = document.querySelector(".block-text"), pane = block.closest(".pane-body"), was = block.textContent;
+      block.textContent = "G1 X[#5*COS[#121]-#101*#2] Y[#5*SIN[#121]-#101*#3] ".repeat(4);
+      const over = pane.scrollWidth - pane.clientWidth;
+      block.textContent = was;
+      return over;
+    });
+    must(wide <= 0, `${wide} px beyond the pane`);
+  },
   async "views, cube, perspective, colours with their figures"() {
     await page.keyboard.press("6");
     await until("three faces", async () => (await count(".cube-face")) === 3);
