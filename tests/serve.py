@@ -5,6 +5,7 @@
 """
 import argparse
 import json
+import math
 import os
 import re
 import struct
@@ -277,6 +278,44 @@ def channels(kadr):
     server.end()
 
 
+def turned(point, joint, position):
+    """A point carried by a joint (docs/panel-protocol.md, frames of kind 4)."""
+    if not joint['turns']:
+        return [p + position * d for p, d in zip(point, joint['direction'])]
+    angle, k = math.radians(position), joint['direction']
+    v = [p - t for p, t in zip(point, joint['through'])]
+    along = sum(a * b for a, b in zip(k, v))
+    across = [k[1] * v[2] - k[2] * v[1], k[2] * v[0] - k[0] * v[2], k[0] * v[1] - k[1] * v[0]]
+    return [t + math.cos(angle) * a + math.sin(angle) * b + (1 - math.cos(angle)) * along * c for t, a, b, c in zip(joint['through'], v, across, k)]
+
+
+def five_axes(kadr):
+    """Rotary tables: put back onto the machine, the tool's tip is below where X and Y are."""
+    server = Server(kadr, Path(__file__).resolve().parent.parent / 'examples' / 'five-axes')
+    page = Page(server)
+    page.ask('hello', token=server.token, lang='en')
+    _, done = page.open('trunnion_drilling.nct', control='nct', machine='table-table', setup='trunnion_drilling.json')
+    joints = done['joints']
+    expect([j['axis'] for j in joints] == ['A', 'C'] and all(j['turns'] for j in joints), f'five axes: joints {joints}')
+    heads = [struct.unpack_from('<4I', frame) for frame in page.frames]
+    expect([h[0] for h in heads[:3]] == [1, 2, 4] and heads[2][2] == heads[0][2] and len(page.frames[2]) == 16 + 8 * heads[0][2], f'five axes: positions of each vertex {heads}')
+    rows, positions = vertices(page.frames[0]), [struct.unpack_from('<2f', page.frames[2], 16 + 8 * i) for i in range(heads[2][2])]
+    leant = 0
+    for i in range(1, len(rows)):
+        if rows[i][1] <= rows[i - 1][1] or (i + 1 < len(rows) and rows[i + 1][1] <= rows[i][1]):
+            continue
+        state, point = page.ask('state', at=rows[i][1]), rows[i][0]
+        for joint, position in list(zip(joints, positions[i]))[::-1]:
+            point = turned(point, joint, position)
+        machine = state['machine']
+        if abs(machine['A'] - positions[i][0]) > 1e-3 or abs(machine['C'] - positions[i][1]) > 1e-3:
+            continue  # the state is that at the end of its block, which goes on
+        expect(math.hypot(point[0] - machine['X'], point[1] - machine['Y']) < 0.01, f'five axes: vertex {i} is at {point} on the machine, the axes at {machine}')
+        leant += abs(positions[i][0]) > 1
+    expect(leant > 10, f'five axes: only {leant} places with a turned part were looked at')
+    server.end()
+
+
 def extents(server, folder):
     """Of a program with two work offsets: as the picture shows them."""
     (folder / 'two.nc').write_text('G21 G90 F1000\nG10 L2 P2 X100 Y0 Z0\nG54 G1 X10\nG55 X10 Y5\nM2\n')
@@ -329,6 +368,7 @@ def main():
         expect(server.process.poll() is None, 'the server still stands')
         expect(server.end() == 130, 'Ctrl-C')
         channels(kadr)
+        five_axes(kadr)
         wrong = subprocess.run([kadr, 'serve', str(folder / 'nothing'), '--no-browser'], capture_output=True, text=True, timeout=10)
         expect(wrong.returncode == 2 and wrong.stderr, 'a folder that is not there')
         remote = Server(kadr, folder, '--host', '0.0.0.0')

@@ -174,6 +174,21 @@ PageJson bounds_json(const MachineBounds& space) {
   return {{"limits", box(space.limits)}, {"zones", std::move(zones)}};
 }
 
+namespace {
+
+PageJson joints_json(const ProgramRun& run) {
+  PageJson joints = PageJson::array();
+  for (const PartJoint& j : run.path().joints())
+    joints.push_back({{"axis", run.control().axes()[std::size_t(j.axis)]},
+                      {"turns", j.turns},
+                      {"direction", vec(j.direction)},
+                      {"through", vec(j.through)},
+                      {"from", j.from}});
+  return joints;
+}
+
+}  // namespace
+
 PageJson done_json(const ProgramRun& run, Lang lang) {
   const Statistics& s = run.statistics();
   const char* const state = run.end() == ProgramRun::End::ended ? "ended" : run.end() == ProgramRun::End::stopped ? "stopped" : "cancelled";
@@ -188,6 +203,7 @@ PageJson done_json(const ProgramRun& run, Lang lang) {
           {"vertices", run.path().vertices()},
           {"complete", !run.path().is_full()},
           {"zero", vec(run.path().zero())},
+          {"joints", joints_json(run)},
           {"extents",
            {{"cutting", box_json(shown_box(s.cutting_box(), run.path().cutting_reach()))},
             {"all", box_json(shown_box(s.box(), run.path().reach()))}}},

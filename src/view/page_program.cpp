@@ -75,8 +75,9 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
 
 void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel) {
   if (gone) return;
-  gone =
-      !line.frame(path_frame(piece, which, channel)) || (!piece.directions.empty() && !line.frame(directions_frame(piece, which, channel)));
+  gone = !line.frame(path_frame(piece, which, channel)) ||
+         (!piece.directions.empty() && !line.frame(directions_frame(piece, which, channel))) ||
+         (!piece.positions.empty() && !line.frame(positions_frame(piece, which, channel)));
   if (gone) stops = true;
 }
 

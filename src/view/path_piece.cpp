@@ -114,4 +114,10 @@ std::string directions_frame(const ViewPiece& piece, std::uint32_t which, std::u
   return frame.take();
 }
 
+std::string positions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel) {
+  FrameBytes frame(4, which, std::uint32_t(piece.vertices.size()), channel);
+  frame.put_all(piece.positions.data(), piece.positions.size());
+  return frame.take();
+}
+
 }  // namespace kadr

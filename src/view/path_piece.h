@@ -1,5 +1,5 @@
 #pragma once
-// ViewPiece: some thousand vertices of a path as the page gets them (docs/panel-protocol.md, frames of kind 1 and 2).
+// ViewPiece: some thousand vertices of a path as the page gets them (docs/panel-protocol.md, frames of kind 1, 2 and 4).
 
 #include <array>
 #include <cstdint>
@@ -33,6 +33,9 @@ struct ViewPiece {
   std::uint32_t first = 0;                       // number of its first vertex in the path
   std::vector<PathVertex> vertices;              // the first is the last one of the piece before
   std::vector<std::array<float, 3>> directions;  // of the tool at each; empty: it stands upright all along
+  std::vector<float> positions;                  // of the joints that turn the part, at each vertex in turn; empty: there are none
+
+  std::size_t joints() const { return vertices.empty() ? 0 : positions.size() / vertices.size(); }
 };
 
 /// Says at which level each vertex may go: leaving out those below level L the path is off by at most 0.001 · 2^L mm. Vertices where tool,
@@ -45,5 +48,7 @@ void set_levels(ViewPiece& piece);
 std::string path_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
 /// A frame of kind 2.
 std::string directions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
+/// A frame of kind 4.
+std::string positions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
 
 }  // namespace kadr

@@ -10,6 +10,7 @@ namespace {
 constexpr double chord = 0.002;      // mm that a chord may miss an arc
 constexpr double same_place = 1e-6;  // mm
 constexpr double seconds_a_minute = 60;
+constexpr double shortest_stand = 1e-3;  // s: of a dwell that is a vertex of its own
 
 PathKind kind_of(MotionKind kind) {
   switch (kind) {
@@ -24,13 +25,20 @@ PathKind kind_of(MotionKind kind) {
   }
 }
 
+/// The control knows better than the machine's file, where it leads the tip.
+std::vector<PartJoint> joints_at(const Step& step, const MachineTree* tree) {
+  const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
+  if (space != nullptr && space->has_rotary()) return part_joints(space->data());
+  return tree != nullptr ? part_joints(*tree) : std::vector<PartJoint>();
+}
+
 std::array<float, 3> single(Vec3 v) { return {float(v.x), float(v.y), float(v.z)}; }
 
 }  // namespace
 
 PathRecord::PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart,
                        std::uint32_t tool)
-    : roles_(roles), way_(roles, chord, {}, std::move(tree), apart), tool_(tool) {}
+    : roles_(roles), tree_(std::move(tree)), way_(roles, chord, {}, tree_, apart), tool_(tool) {}
 
 void PathRecord::begin_piece() {
   ViewPiece& piece = pieces_.emplace_back();
@@ -51,6 +59,7 @@ void PathRecord::add(const PathVertex& vertex, Vec3 at, Vec3 direction, double t
     if (!first) {
       pieces_.back().vertices.push_back(before);
       pieces_.back().vertices.back().time = 0;
+      pieces_.back().positions = last_stand_;
       if (leant) pieces_.back().directions.push_back(single(last_direction_));
     }
   }
@@ -62,6 +71,8 @@ void PathRecord::add(const PathVertex& vertex, Vec3 at, Vec3 direction, double t
   piece.vertices.back().at = single(at);
   piece.vertices.back().time = float(time - piece.begins);
   if (leans) piece.directions.push_back(single(direction));
+  piece.positions.insert(piece.positions.end(), stand_.begin(), stand_.end());
+  last_stand_ = stand_;
   ++vertices_;
   last_time_ = time;
   last_ = at;
@@ -72,14 +83,18 @@ void PathRecord::consume(const Step& step, double later, double longer) {
   if (const auto* const change = std::get_if<ToolChange>(&step.action.what)) tool_ = change->tool;
   way_.take(step, ways_);
   const Motion* const motion = step.motion();
-  if (motion == nullptr || ways_.empty()) return;
-  note_reach(*motion);
   const double begins = step.begins + later, seconds = step.time.seconds + longer;
   PathVertex vertex;
   vertex.line = step.action.origin.line;
   vertex.number = step.action.origin.number;
   vertex.file = step.action.origin.file;
   vertex.tool = std::uint16_t(std::min<std::uint32_t>(tool_, 65535));
+  if (motion == nullptr && begun_ && step.pause > shortest_stand) add(vertex, last_, last_direction_, begins + step.pause);
+  if (motion == nullptr) return;
+  if (!begun_) joints_ = joints_at(step, tree_.get());
+  if (ways_.empty()) turn_on_the_spot(step);
+  if (ways_.empty()) return;
+  note_reach(*motion);
   vertex.kind = kind_of(motion->kind);
   const bool rapid = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home;
   vertex.feed = rapid ? 0 : float(step.time.feed);
@@ -88,10 +103,28 @@ void PathRecord::consume(const Step& step, double later, double longer) {
   if (!begun_ || length(start.from - last_) > same_place) {
     PathVertex there = vertex;
     there.kind = PathKind::jump;
+    stand_at(step, 0);
     add(there, start.from, start.from_direction, begins);
     begun_ = true;
   }
-  for (const WayPiece& w : ways_) add(vertex, w.to, w.to_direction, begins + seconds * w.ends);
+  for (const WayPiece& w : ways_) {
+    stand_at(step, w.ends);
+    add(vertex, w.to, w.to_direction, begins + seconds * w.ends);
+  }
+}
+
+/// The part turns about the tool, which stays where it is in the part.
+void PathRecord::turn_on_the_spot(const Step& step) {
+  if (!begun_ || joints_.empty()) return;
+  stand_at(step, 1);
+  if (stand_ != last_stand_) ways_.push_back({last_, last_, 0, 1, last_direction_, last_direction_});
+}
+
+void PathRecord::stand_at(const Step& step, double part) {
+  if (joints_.empty()) return;
+  const Axes axes = ToolWay::axes_at(step, part);
+  stand_.clear();
+  for (const PartJoint& joint : joints_) stand_.push_back(float(axes[std::size_t(joint.axis)]));
 }
 
 void PathRecord::note_reach(const Motion& motion) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "kinematics/part_joints.h"
 #include "out/text/extents.h"
 #include "session/cutting/tool_way.h"
 #include "view/path_piece.h"
@@ -38,6 +39,8 @@ class PathRecord {
   /// What the path reaches, from the picture's zero; arcs by their chords.
   Box reach() const { return moved(all_); }
   Box cutting_reach() const { return moved(cutting_); }
+  /// Whose positions the vertices have.
+  const std::vector<PartJoint>& joints() const { return joints_; }
   /// The vertex at which the tool arrives at or after an instant; nullptr: the path is over before.
   const PathVertex* at(double instant) const;
   /// Its time, s.
@@ -47,11 +50,16 @@ class PathRecord {
   static constexpr std::size_t most_vertices = 20'000'000;
   void add(const PathVertex& vertex, Vec3 at, Vec3 direction, double time);
   void begin_piece();
+  void stand_at(const Step& step, double part);
+  void turn_on_the_spot(const Step& step);
   void note_reach(const Motion& motion);
   Box moved(Box box) const;
 
   AxisRoles roles_;
+  std::shared_ptr<const MachineTree> tree_;
   ToolWay way_;
+  std::vector<PartJoint> joints_;  // from the first motion on
+  std::vector<float> stand_, last_stand_;  // where they are at the vertex that is added, at the one before
   std::uint32_t tool_;
   std::vector<WayPiece> ways_;
   std::deque<ViewPiece> pieces_;  // the last one is being filled, unless flushed

@@ -168,7 +168,7 @@ double most_bytes(const ProgramRun& run) {
 
 PageJson head_json(const ReportContent& c, const ReportQuanta& q) {
   PageJson json = {{"version", c.version}, {"file", c.file}, {"language", c.lang == Lang::ru ? "ru" : "en"}};
-  json["quanta"] = {{"length", q.length}, {"time", q.time}, {"feed", q.feed}, {"direction", q.direction}};
+  json["quanta"] = {{"length", q.length}, {"time", q.time}, {"feed", q.feed}, {"direction", q.direction}, {"position", q.position}};
   json["en"] = told_in(c, Lang::en);
   json["ru"] = told_in(c, Lang::ru);
   json["made"] = json["en"]["sheet"]["date"];

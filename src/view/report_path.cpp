@@ -41,16 +41,16 @@ void put(PackedColumns& to, const std::vector<const PathVertex*>& kept, Column& 
 std::string packed_piece(const DrawnPiece& drawn, const Thinning& thinning, const ReportQuanta& q) {
   const ViewPiece& piece = *drawn.piece;
   std::vector<const PathVertex*> kept;
-  std::vector<const std::array<float, 3>*> leans;
+  std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
     if (is_left_out(piece, i, thinning)) continue;
     kept.push_back(&piece.vertices[i]);
-    if (!piece.directions.empty()) leans.push_back(&piece.directions[i]);
+    indices.push_back(i);
   }
   PackedColumns to;
   to.put_u32(std::uint32_t(kept.size()));
   to.put_u32(drawn.which), to.put_u32(0);  // which, channel
-  to.put_u32(leans.empty() ? 0 : 1);
+  to.put_u32((piece.directions.empty() ? 0 : 1) + 2 * std::uint32_t(piece.joints()));
   to.put_u32(piece.first);
   to.put_f64(piece.begins);
   Column column;
@@ -65,9 +65,14 @@ std::string packed_piece(const DrawnPiece& drawn, const Thinning& thinning, cons
   put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.file); });
   put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.kind); });
   put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.level); });
-  for (std::size_t axis = 0; axis < 3 && !leans.empty(); ++axis) {
+  for (std::size_t axis = 0; axis < 3 && !piece.directions.empty(); ++axis) {
     column.clear();
-    for (const auto* const lean : leans) column.push_back(in_steps(double((*lean)[axis]), q.direction));
+    for (const std::size_t i : indices) column.push_back(in_steps(double(piece.directions[i][axis]), q.direction));
+    to.put(column);
+  }
+  for (std::size_t joint = 0; joint < piece.joints(); ++joint) {
+    column.clear();
+    for (const std::size_t i : indices) column.push_back(in_steps(double(piece.positions[i * piece.joints() + joint]), q.position));
     to.put(column);
   }
   return to.bytes();
@@ -106,15 +111,18 @@ std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<V
 }
 
 ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces) {
-  double length = 0, time = 0, feed = 0;
-  for (const DrawnPiece& drawn : pieces)
+  double length = 0, time = 0, feed = 0, position = 0;
+  for (const DrawnPiece& drawn : pieces) {
+    for (const float p : drawn.piece->positions) position = std::max(position, std::abs(double(p)));
     for (const PathVertex& v : drawn.piece->vertices) {
       for (const float c : v.at) length = std::max(length, std::abs(double(c)));
       time = std::max(time, double(v.time));
       feed = std::max({feed, double(v.feed), double(v.speed)});
     }
+  }
   ReportQuanta q;
   q.length = unit_for(q.length, length), q.time = unit_for(q.time, time), q.feed = unit_for(q.feed, feed);
+  q.position = unit_for(q.position, position);
   return q;
 }
 

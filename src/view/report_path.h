@@ -15,6 +15,7 @@ struct ReportQuanta {
   double time = 1e-4;     // s
   double feed = 0.1;      // mm/min
   double direction = 1e-5;
+  double position = 1e-4;  // of a joint, degrees or mm
 };
 
 /// Which vertices are left out: those below a level.

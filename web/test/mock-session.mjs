@@ -16,7 +16,7 @@ export function session(send) {
     for (let i = 1; i <= 4 && !stopped; i++) { event("progress", { part: i / 4, blocks: i * 10, seconds: i * 8 }); await new Promise((r) => setTimeout(r, 30)); }
     send(path.frame.slice(0));
     for (let k = 0; k < 3; k++) event("alarm", { at: path.seconds * 0.4 + k, problem: problem(9, { id: "deep_plunge", severity: "warning", number: 0, text: "Plunges at full feed", hint: "Use a helix or a ramp" }) });
-    event("done", { state: stopped ? "cancelled" : "ended", seconds: path.seconds, blocks: path.blocks, vertices: path.all.length, zero: [0, 0, 0], extents: { cutting: box, all: [[-20, -20, -15], [20, 20, 100]] }, distances: { cutting: 402.3, rapid: 812.4 },
+    event("done", { state: stopped ? "cancelled" : "ended", seconds: path.seconds, blocks: path.blocks, vertices: path.all.length, zero: [0, 0, 0], joints: [], extents: { cutting: box, all: [[-20, -20, -15], [20, 20, 100]] }, distances: { cutting: 402.3, rapid: 812.4 },
       times: { cutting: 30.1, rapid: 4.4, dwell: 0, tools: 6 }, tools: [{ tool: 1, from: 0, seconds: path.seconds * 0.6, name: "END MILL 10", radius: 5, length: 82.5 }, { tool: 2, from: path.seconds * 0.6, seconds: path.seconds * 0.4, name: "DRILL 6.8", radius: 3.4, length: 120.25 }],
       marks: marks(), axes: ["X", "Y", "Z"], units: "mm" });
   }

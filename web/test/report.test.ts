@@ -6,7 +6,7 @@ import { path_columns } from "../src/protocol/frames";
 import { read, unpack, type ReportData } from "../src/report/data";
 import { ReportPath } from "../src/report/path";
 import { ReportSocket } from "../src/report/socket";
-import { decode_part, decode_path } from "../src/scene/frame";
+import { decode_leans, decode_part, decode_path, decode_positions } from "../src/scene/frame";
 
 class Bytes {
   list: number[] = [];
@@ -22,19 +22,20 @@ class Bytes {
 
 const told = {
   opened: { file: "a.nc", lines: 3 }, problems: [{ id: "x", severity: "warning", text: "W", line: 2, at: 1 }], sheet: { program: "a.nc", tools: [] }, findings: [], cut: { stock: 10, left: 8, removed: 2 },
-  done: { seconds: 5, zero: [1, 2, 3], axes: ["X", "Y", "Z"], marks: [], tools: [], extents: { cutting: null, all: null } },
+  done: { seconds: 5, zero: [1, 2, 3], joints: [], axes: ["X", "Y", "Z"], marks: [], tools: [], extents: { cutting: null, all: null } },
 };
 const data = {
-  version: "1", made: "2026-11-25", file: "a.nc", language: "en", quanta: { length: 0.001, time: 0.0001, feed: 0.1, direction: 1e-5 }, thinned: 0, licences: "MIT",
+  version: "1", made: "2026-11-25", file: "a.nc", language: "en", quanta: { length: 0.001, time: 0.0001, feed: 0.1, direction: 1e-5, position: 1e-3 }, thinned: 0, licences: "MIT",
   sources: [{ file: 0, name: "a.nc", text: "T1\nG1 X1\n(</script><img src=x onerror=alert(1)>)" }], en: told, ru: { ...told, problems: [{ id: "x", severity: "warning", text: "П", line: 2, at: 1 }] }, part: { cell: 0.5, off: 0.01 },
 } as unknown as ReportData;
 
 /// Line 2 comes twice; x to -2.5 and back; the last way leans.
 function sample(): Uint8Array {
-  const path = new Bytes().u32(4).u32(0).u32(0).u32(1).u32(0).f64(0.5)
+  const path = new Bytes().u32(4).u32(0).u32(0).u32(5).u32(0).f64(0.5)
     .ints([1000, 11000, -1500, 2147483]).ints([2000, 2000, 2000, 2000]).ints([3000, 3000, 3000, -7])
     .ints([0, 10000, 20000, 45000]).ints([1, 2, 3, 2]).ints([1, 2, 3, 4]).ints([0, 6000, 6000, 6000]).ints([0, 6000, 3000, 6000])
-    .ints([0, 1, 1, 2]).ints([0, 0, 0, 0]).ints([0, 2, 2, 2]).ints([15, 0, 0, 15]).ints([0, 0, 0, 60000]).ints([0, 0, 0, 0]).ints([100000, 100000, 100000, 80000]);
+    .ints([0, 1, 1, 2]).ints([0, 0, 0, 0]).ints([0, 2, 2, 2]).ints([15, 0, 0, 15]).ints([0, 0, 0, 60000]).ints([0, 0, 0, 0]).ints([100000, 100000, 100000, 80000])
+    .ints([0, 0, 90000, -45500]).ints([0, 1000, 2000, 3000]);
   const part = new Bytes().u32(3).u32(1).ints([0, 1000, 0]).ints([0, 0, 1000]).ints([0, 0, 0]).ints([0, 1, 2]).ints([65535, 1, 1]).ints([0, 2, 3]);
   const json = [...new TextEncoder().encode(JSON.stringify(data))];
   return new Uint8Array([...new Bytes().u32(json.length).list, ...json, ...new Bytes().u32(1).u32(path.list.length).list, ...path.list, ...new Bytes().u32(3).u32(part.list.length).list, ...part.list]);
@@ -44,12 +45,14 @@ const report = () => read(sample().buffer as ArrayBuffer);
 describe("the data of a report", () => {
   it("gives the frames that the scene reads", () => {
     const r = report();
-    expect(r.path.length).toBe(2);
+    expect(r.path.length).toBe(3);
     const piece = decode_path(r.path[0]!)!;
     expect([...piece.at].map((v) => +v.toFixed(3))).toEqual([1, 2, 3, 11, 2, 3, -1.5, 2, 3, 2147.483, 2, -0.007]);
     expect(piece.start).toBe(0.5);
     expect([...piece.times].map((v) => +v.toFixed(4))).toEqual([0, 1, 2, 4.5]);
     expect([...piece.tools]).toEqual([0, 0, 1, 0, 1, 0, 2, 0]);
+    expect(decode_leans(r.path[1]!, piece)![11]).toBeCloseTo(0.8, 5);
+    expect([...decode_positions(r.path[2]!, piece)!].map((v) => +v.toFixed(3))).toEqual([0, 0, 0, 1, 90, 2, -45.5, 3]);
     expect(piece.kept[0]).toBe(4);
     expect(piece.kept[1]).toBe(2);
     expect(piece.greatest[0]).toBeCloseTo(2147.483, 3);
@@ -105,7 +108,7 @@ describe("the socket of a report", () => {
     await new Promise<void>((yes) => client.line.on((l) => { if (l === "open") yes(); }));
     expect((await client.ask("open", { file: "other.nc" })).file).toBe("a.nc");
     await new Promise((r) => setTimeout(r, 5));
-    expect(frames).toHaveLength(2);
+    expect(frames).toHaveLength(3);
     expect(events).toEqual(["alarm П", "done", "cut"]);
     expect((await client.ask("source", { from: 2, count: 9 })).lines[0]).toBe("G1 X1");
     const state = await client.ask("state", { at: 1 });
@@ -113,7 +116,7 @@ describe("the socket of a report", () => {
     expect(state.text).toBe("G1 X1");
     await client.ask("part", { at: 1 });
     await client.ask("part", { at: 2 });
-    expect(frames).toHaveLength(3);
+    expect(frames).toHaveLength(4);
     await expect(client.ask("check", { text: "" })).rejects.toThrow();
     await client.ask("language", { lang: "en" });
     expect((await client.ask("open", { file: "a.nc" })).file).toBe("a.nc");

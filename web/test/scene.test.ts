@@ -29,7 +29,7 @@ function path_frame(vertices: V[], start = 0, which = 0): ArrayBuffer {
   return frame;
 }
 const piece = (vertices: V[], start = 0): Piece => decode_path(path_frame(vertices, start))!;
-const all: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: true, other: true, bounds: true };
+const all: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: true, other: true, bounds: true, turned: true };
 const look = (level: number, filter: Partial<SceneFilter> = {}): Look => ({ level, filter: { ...all, ...filter }, by: "kind", ranges: ranges_of([]), theme: light, zero_z: 0 });
 const ends = (p: Piece, level: number, filter?: Partial<SceneFilter>): number[] => [...segments_of(p, look(level, filter)).ends];
 

@@ -79,8 +79,14 @@ Pose ToolWay::pose_of(const Step& step, const Axes& work, double part) const {
   return {chain_.tip(tip), {0, 0, 1}};
 }
 
-Pose ToolWay::pose_at(const Step& step, double part) const {
-  return pose_of(step, part >= 1 ? step.motion()->to : part <= 0 ? step.from.work : step.curve().at(part), part);
+Axes ToolWay::work_at(const Step& step, double part) {
+  return part >= 1 ? step.motion()->to : part <= 0 ? step.from.work : step.curve().at(part);
+}
+
+Pose ToolWay::pose_at(const Step& step, double part) const { return pose_of(step, work_at(step, part), part); }
+
+Axes ToolWay::axes_at(const Step& step, double part) {
+  return machine_along(step.roles, step.from, *step.motion(), work_at(step, part), part);
 }
 
 /// Halves it until the tool, straight and evenly turned from end to end, is where it ought to be in the middle.

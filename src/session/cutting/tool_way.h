@@ -32,6 +32,10 @@ class ToolWay {
   ///   pieces  of its motion; none where the tool stays
   void take(const Step& step, std::vector<WayPiece>& pieces);
 
+  /// Where the machine's axes stand at a part of its motion.
+  ///   pre  step.motion()
+  static Axes axes_at(const Step& step, double part);
+
   /// Zero of the work system, in the coordinates of the pieces; nothing before it is in force.
   const std::optional<Vec3>& zero() const { return zero_; }
   /// Of the tool along itself, as the control reckons with it on the last motion, mm.
@@ -43,6 +47,7 @@ class ToolWay {
   bool turns(const Step& step) const;
   double length_on(const Step& step) const;
   Pose pose_of(const Step& step, const Axes& work, double part) const;
+  static Axes work_at(const Step& step, double part);
   Pose pose_at(const Step& step, double part) const;
   void divide(const Step& step, const WayPiece& piece, int depth, std::vector<WayPiece>& pieces) const;
   bool bent(const Step& step, std::vector<WayPiece>& pieces) const;

@@ -1,5 +1,5 @@
 // The head and columns of a binary frame (docs/panel-protocol.md, Frames). Views into the frame, nothing is copied.
-export const frame_path = 1, frame_directions = 2, frame_part = 3;
+export const frame_path = 1, frame_directions = 2, frame_part = 3, frame_positions = 4;
 const head_bytes = 16, path_head_bytes = 80;
 
 export interface Head { kind: number; which: number; count: number; more: number }

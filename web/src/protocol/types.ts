@@ -42,8 +42,10 @@ export interface Passes { passes: Pass[]; count: number }
 export type MarkKind = "tool" | "alarm" | "warning" | "stop" | "optional_stop" | "message" | "zero" | "dwell" | "end";
 export interface Mark { at: number; kind: MarkKind; line: number; text: string }
 export interface ToolTime { tool: number; from: number; seconds: number; name?: string; radius?: number; length?: number }
+/// What turns the part, from the bed to it: right-handed about the line through `through`, or along it; drawn as it lies at `from`.
+export interface Joint { axis: string; turns: boolean; direction: [number, number, number]; through: [number, number, number]; from: number }
 export interface Done {
-  state: "ended" | "stopped" | "cancelled"; seconds: number; blocks: number; vertices: number; zero: [number, number, number];
+  state: "ended" | "stopped" | "cancelled"; seconds: number; blocks: number; vertices: number; zero: [number, number, number]; joints: Joint[];
   extents: { cutting: Box | null; all: Box | null }; distances: { cutting: number; rapid: number };
   times: { cutting: number; rapid: number; dwell: number; tools: number }; tools: ToolTime[]; marks: Mark[]; axes: string[]; units: "mm" | "inch"; unstated?: string;
 }

@@ -1,12 +1,12 @@
 // What a report holds (docs/panel-protocol.md, A report): JSON, and pieces of path and part as packed columns. Here they become the frames that
 // a session would have sent.
-import { frame_directions, frame_part, frame_path } from "../protocol/frames";
+import { frame_directions, frame_part, frame_path, frame_positions } from "../protocol/frames";
 import type { CutResult, Done, Finding, Language, Opened, Problem, Sheet } from "../protocol/types";
 
 /// Texts in one language.
 export interface Told { opened: Opened; done: Done; problems: Problem[]; sheet: Sheet; findings: Finding[]; cut: CutResult | null }
 export interface ReportData {
-  version: string; made: string; file: string; language: Language; quanta: { length: number; time: number; feed: number; direction: number };
+  version: string; made: string; file: string; language: Language; quanta: { length: number; time: number; feed: number; direction: number; position: number };
   sources: { file: number; name: string; text: string }[]; thinned: number; licences: string; en: Told; ru: Told;
   part: { cell: number; off: number } | null;
 }
@@ -60,7 +60,7 @@ class Columns {
 }
 
 function path_frames(c: Columns, data: ReportData): ArrayBuffer[] {
-  const q = data.quanta, count = c.u32(), which = c.u32(), channel = c.u32(), leans = c.u32() !== 0, first = c.u32(), begins = c.f64();
+  const q = data.quanta, count = c.u32(), which = c.u32(), channel = c.u32(), besides = c.u32(), first = c.u32(), begins = c.f64();
   const xyz = [c.ints(count), c.ints(count), c.ints(count)], time = c.ints(count), line = c.ints(count), number = c.ints(count);
   const feed = c.ints(count), speed = c.ints(count), tool = c.ints(count), file = c.ints(count), kind = c.ints(count), level = c.ints(count);
   const frame = new ArrayBuffer(16 + 80 + 40 * count), view = new DataView(frame);
@@ -85,14 +85,18 @@ function path_frames(c: Columns, data: ReportData): ArrayBuffer[] {
   column((i) => view.setFloat32(at, speed[i]! * q.feed, true));
   column((i) => { view.setUint16(at, tool[i]!, true); view.setUint16(at + 2, file[i]!, true); });
   column((i) => { view.setUint8(at, kind[i]!); view.setUint8(at + 1, level[i]!); });
-  return leans ? [frame, directions_frame(c, count, which, channel, q.direction)] : [frame];
+  const leans = besides & 1, joints = besides >>> 1, frames = [frame]; // the directions first
+  if (leans) frames.push(rows_frame(c, frame_directions, [which, count, channel], 3, q.direction));
+  if (joints) frames.push(rows_frame(c, frame_positions, [which, count, channel], joints, q.position));
+  return frames;
 }
 
-function directions_frame(c: Columns, count: number, which: number, channel: number, unit: number): ArrayBuffer {
-  const xyz = [c.ints(count), c.ints(count), c.ints(count)];
-  const frame = new ArrayBuffer(16 + 12 * count), view = new DataView(frame);
-  [frame_directions, which, count, channel].forEach((v, i) => view.setUint32(4 * i, v, true));
-  for (let i = 0; i < count; i++) for (let a = 0; a < 3; a++) view.setFloat32(16 + 12 * i + 4 * a, xyz[a]![i]! * unit, true);
+/// As many columns become rows.
+function rows_frame(c: Columns, kind: number, head: [which: number, count: number, channel: number], each: number, unit: number): ArrayBuffer {
+  const count = head[1], columns = Array.from({ length: each }, () => c.ints(count));
+  const frame = new ArrayBuffer(16 + 4 * each * count), view = new DataView(frame);
+  [kind, ...head].forEach((v, i) => view.setUint32(4 * i, v, true));
+  for (let i = 0; i < count; i++) for (let a = 0; a < each; a++) view.setFloat32(16 + 4 * (each * i + a), columns[a]![i]! * unit, true);
   return frame;
 }
 

@@ -1,12 +1,15 @@
 // Where the view looks from: a target, two angles, half the height of the picture in mm. Z is up.
-import { OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
+import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 import type { Point } from "./types";
 
 const fov = 30, quarter = Math.PI / 2, iso_pitch = Math.atan(1 / Math.SQRT2);
 const directions: Record<string, [number, number]> = { front: [0, 0], right: [quarter, 0], back: [2 * quarter, 0], left: [-quarter, 0], top: [0, quarter], bottom: [0, -quarter], iso: [quarter / 2, iso_pitch] };
 
+/// Target, angles and box are those of the machine; the camera looks from the part's frame, in which all is drawn.
 export class Eye {
   readonly target = new Vector3();
+  readonly carry = new Matrix4();      // from the part's frame to the machine's (carry.ts)
+  readonly carry_back = new Matrix4();
   half = 100;
   flat = true;
   private yaw = quarter / 2;
@@ -24,8 +27,11 @@ export class Eye {
   get towards(): Vector3 { return new Vector3(Math.cos(this.pitch) * Math.sin(this.yaw), -Math.cos(this.pitch) * Math.cos(this.yaw), Math.sin(this.pitch)); }
   get up(): Vector3 { return this.towards.cross(this.right); }
 
+  set_carry(carry: Matrix4): void { this.carry_back.copy(this.carry.copy(carry)).invert(); }
   size(width: number, height: number): void { this.width = Math.max(1, width); this.height = Math.max(1, height); }
-  around(least: Point, greatest: Point): void { this.least.set(...least); this.greatest.set(...greatest); }
+  /// A box of the part's frame, as all others that come in here, and one of the machine's.
+  around(least: Point, greatest: Point, also: Box3): void { const b = this.on_machine(least, greatest).union(also); this.least.copy(b.min); this.greatest.copy(b.max); }
+  private on_machine(least: Point, greatest: Point): Box3 { return new Box3(new Vector3(...least), new Vector3(...greatest)).applyMatrix4(this.carry); }
   look(view: string): void { [this.yaw, this.pitch] = directions[view] ?? [this.yaw, this.pitch]; }
   /// From the side that `towards` points to.
   look_from([x, y, z]: Point): void {
@@ -56,7 +62,7 @@ export class Eye {
 
   /// The box fills the picture, with a margin for the tool bars.
   fit(least: Point, greatest: Point): void {
-    const a = new Vector3(...least), b = new Vector3(...greatest), size = b.clone().sub(a);
+    const { min: a, max: b } = this.on_machine(least, greatest), size = b.clone().sub(a);
     const spread = (axis: Vector3): number => (Math.abs(axis.x * size.x) + Math.abs(axis.y * size.y) + Math.abs(axis.z * size.z)) / 2;
     this.target.copy(a).add(b).multiplyScalar(0.5);
     this.half = Math.max(0.5, 1.25 * Math.max(spread(this.up), (spread(this.right) * this.height) / this.width));
@@ -69,6 +75,7 @@ export class Eye {
     const away = this.flat ? reach : this.half / Math.tan((fov / 2) * (Math.PI / 180));
     c.position.copy(this.target).addScaledVector(this.towards, away);
     c.up.copy(this.up);
+    c.matrixAutoUpdate = true; // lookAt() reckons from where the camera is by its matrix
     c.lookAt(this.target);
     c.near = this.flat ? 0 : Math.max(away / 200, away - reach);
     c.far = away + reach;
@@ -76,6 +83,9 @@ export class Eye {
     if (c instanceof OrthographicCamera) { c.left = -this.half * aspect; c.right = this.half * aspect; c.top = this.half; c.bottom = -this.half; }
     else c.aspect = aspect;
     c.updateProjectionMatrix();
+    c.matrixAutoUpdate = false;
+    c.updateMatrix();
+    c.matrix.premultiply(this.carry_back);
     c.updateMatrixWorld(true);
   }
 }

@@ -1,5 +1,5 @@
 // Binary frames as the scene needs them (docs/panel-protocol.md, Frames): views into the frame, each length checked before it is believed.
-import { frame_directions, frame_part, frame_path, head_of } from "../protocol/frames";
+import { frame_directions, frame_part, frame_path, frame_positions, head_of } from "../protocol/frames";
 import { is_rapid, jump, type Point } from "./types";
 
 export const levels = 16, most_vertices = 8192;
@@ -17,6 +17,7 @@ export interface Piece {
   line_range: [number, number]; feed_range: [number, number]; speed_range: [number, number];
   kinds_seen: Set<number>;
   leans?: Float32Array;            // from the tip into the tool, where it leans
+  positions?: Float32Array;        // of the joints that turn the part, vertex by vertex
 }
 export interface PartMesh { points: Float32Array; triangles: Uint32Array; made_by: Uint16Array; lines: Uint32Array }
 
@@ -81,6 +82,14 @@ export function decode_leans(frame: ArrayBuffer, piece: Piece): Float32Array | n
   const head = head_of(frame);
   if (!head || head.kind !== frame_directions || head.count !== piece.count || frame.byteLength < head_bytes + 12 * head.count) return null;
   return new Float32Array(frame, head_bytes, 3 * head.count);
+}
+
+/// Positions of the joints that turn the part; null where they do not belong to `piece`.
+export function decode_positions(frame: ArrayBuffer, piece: Piece): Float32Array | null {
+  const head = head_of(frame), values = (frame.byteLength - head_bytes) / 4;
+  if (!head || head.kind !== frame_positions || head.count !== piece.count || values < 1 || values % head.count !== 0) return null;
+  const positions = new Float32Array(frame, head_bytes, values);
+  return all_finite(positions) ? positions : null;
 }
 
 /// The part; null where a triangle names a point that is not there.

@@ -3,7 +3,7 @@ import { Box3, BufferAttribute, BufferGeometry, Frustum, Group, LineBasicMateria
 import { Bundle, most_pieces, type Part } from "./bundle";
 import { is_ramp, light, no_ranges, ranges_of, widen_ranges, type Ranges, type Theme } from "./colours";
 import type { Eye } from "./camera";
-import { decode_leans, decode_path, type Piece } from "./frame";
+import { decode_leans, decode_path, decode_positions, type Piece } from "./frame";
 import { every_of, level_of, segments_at } from "./level";
 import { first_from, place_at, type Place } from "./place";
 import { no_segments, piece_shown, runs, segments_of, type Segments } from "./segments";
@@ -36,7 +36,7 @@ export class PathView {
   private dashes = new LineDashedMaterial({ vertexColors: true, transparent: true, depthWrite: false, dashSize: 1, gapSize: 0.7 });
   private by: ColourBy = "kind";
   private theme: Theme = light;
-  private filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true };
+  private filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true, turned: true };
 
   constructor() { this.group.matrixAutoUpdate = false; }
 
@@ -48,7 +48,7 @@ export class PathView {
 
   add(frame: ArrayBuffer): boolean {
     const piece = decode_path(frame);
-    if (!piece) return this.add_leans(frame);
+    if (!piece) return this.add_to_last(frame);
     const d: Drawn = { piece, ordinal: this.drawn.length, box: new Box3(new Vector3(...piece.least), new Vector3(...piece.greatest)), segments: no_segments, from: 0, visible: false, now: null, spare: null };
     this.drawn.push(d);
     this.bundle_for(piece).parts.push(d);
@@ -69,12 +69,15 @@ export class PathView {
     return bundle;
   }
 
-  private add_leans(frame: ArrayBuffer): boolean {
+  /// Directions of the tool, positions of what turns the part: of the piece that came before.
+  private add_to_last(frame: ArrayBuffer): boolean {
     const head = frame.byteLength >= 16 ? new Uint32Array(frame, 0, 4) : null;
     const last = head && this.last.get(`${head[1]} ${head[3]}`);
-    const leans = last && decode_leans(frame, last);
+    if (!last) return false;
+    const leans = decode_leans(frame, last), positions = leans ? null : decode_positions(frame, last);
     if (leans) last.leans = leans;
-    return Boolean(leans);
+    if (positions) last.positions = positions;
+    return Boolean(leans ?? positions);
   }
 
   /// Without `which` all goes; 1: the path that the program was compared with.
@@ -102,6 +105,7 @@ export class PathView {
   set_theme(theme: Theme): void { this.theme = theme; this.stamp++; }
   place(time: number): Place | null { return place_at(this.main, time); }
   get shows_bounds(): boolean { return this.filter.bounds; }
+  get turns_part(): boolean { return this.filter.turned; }
 
   /// What cuts, or where nothing cuts all of the path; from the picture's zero.
   extent(cut: boolean): Box3 {

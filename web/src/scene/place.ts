@@ -2,7 +2,7 @@
 import type { Piece } from "./frame";
 import { jump, type Point } from "./types";
 
-export interface Place { at: Point; tool: number; lean: Point | null }
+export interface Place { at: Point; tool: number; lean: Point | null; positions: number[] | null } // positions: of the joints that turn the part
 
 /// The first of `count` ordered values that is not below `wanted`; `count` where there is none.
 export function first_from(count: number, value: (i: number) => number, wanted: number): number {
@@ -23,10 +23,11 @@ export function place_at(pieces: readonly Piece[], time: number): Place | null {
   const before = Math.max(0, i - 1), span = p.times[i]! - p.times[before]!;
   let part = span > 0 ? Math.min(1, Math.max(0, (t - p.times[before]!) / span)) : 1;
   if (p.kinds[4 * i] === jump && part < 1) part = 0; // nothing is known of the way of a jump
-  return { at: between(p.at, before, i, part), tool: p.tools[2 * i]!, lean: p.leans ? between(p.leans, before, i, part) : null };
+  const of = (values: Float32Array): number[] => between(values, values.length / p.count, before, i, part);
+  return { at: of(p.at) as Point, tool: p.tools[2 * i]!, lean: p.leans ? (of(p.leans) as Point) : null, positions: p.positions ? of(p.positions) : null };
 }
 
-function between(values: Float32Array, a: number, b: number, part: number): Point {
-  const one = (k: number): number => values[3 * a + k]! + part * (values[3 * b + k]! - values[3 * a + k]!);
-  return [one(0), one(1), one(2)];
+/// Of `each` values a vertex.
+function between(values: Float32Array, each: number, a: number, b: number, part: number): number[] {
+  return Array.from({ length: each }, (_, k) => values[each * a + k]! + part * (values[each * b + k]! - values[each * a + k]!));
 }

@@ -11,8 +11,10 @@ import { bounded, box_lines, goes_beyond } from "./boxes";
 import { axes, empty, lit_points, put_tool, tool_mesh } from "./marks";
 import { distance_between, type Anchor } from "./measure";
 import { part_material, part_mesh } from "./part_view";
+import { carry_of } from "./carry";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
+import type { Joint } from "../protocol/types";
 import { type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
 
 export * from "./types";
@@ -59,6 +61,7 @@ export class Scene {
   private fine = false;              // nothing has changed for a while
   private fitted_at = 0;
   private own_view = false;          // the user has turned, moved or zoomed since the last fit
+  private joints: Joint[] = [];      // that turn the part
 
   constructor(private host: HTMLElement, private events: SceneEvents) {
     this.canvas = new Canvas();
@@ -68,7 +71,7 @@ export class Scene {
     for (const o of [this.lit, this.lit_thin]) { o.renderOrder = 2; o.frustumCulled = false; o.visible = false; }
     this.stage.add(this.path.group, this.boxes, this.machine, this.tool, this.part, this.origin, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
     new Controls(canvas, this.eye, {
-      changed: () => { this.own_view = true; this.touch(); }, click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place); },
+      changed: () => { this.own_view = true; this.touch(); }, click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place).applyMatrix4(this.eye.carry); },
       hover: (x, y) => { this.pointer = [x, y]; this.ask(); }, leave: () => { this.pointer = null; this.events.hover(null, 0, 0); },
     });
     new ResizeObserver(() => this.resize()).observe(host);
@@ -99,7 +102,7 @@ export class Scene {
   }
 
   setColour(by: ColourBy): void { this.path.set_colour(by); this.touch(); }
-  setFilter(f: SceneFilter): void { this.path.set_filter(f); this.draw_machine(); }
+  setFilter(f: SceneFilter): void { this.path.set_filter(f); this.draw_machine(); this.setInstant(this.path.instant); }
   setProjection(flat: boolean): void { this.eye.flat = flat; this.touch(); }
   setMode(mode: "orbit" | "measure"): void { this.mode = mode; this.measure_from([]); }
   setTools(shapes: ToolShape[]): void { this.shapes = shapes; this.tool_drawn = ""; this.setInstant(this.path.instant); }
@@ -116,9 +119,13 @@ export class Scene {
     this.setInstant(this.path.instant);
   }
 
+  /// What turns the part; the path is drawn in the part's frame all the same.
+  setJoints(joints: Joint[]): void { this.joints = joints; this.setInstant(this.path.instant); }
+
   setInstant(at: number): void {
     this.path.instant = at;
     const place = this.path.place(at);
+    this.eye.set_carry(this.path.turns_part && place?.positions ? carry_of(this.joints, place.positions, this.path.zero) : new Matrix4());
     this.tool.visible = Boolean(place);
     if (place) {
       this.draw_tool(place.tool);
@@ -152,10 +159,10 @@ export class Scene {
     };
     if (this.path.shows_bounds && this.bounds) {
       const { limits, zones } = this.bounds;
-      if (limits.some((side) => side.some((v) => v !== null))) draw({ name: "", kind: "limits", box: bounded(limits, all), over: goes_beyond(path, limits) });
+      if (limits.some((side) => side.some((v) => v !== null))) draw({ name: "", kind: "limits", box: bounded(limits, all), over: !this.joints.length && goes_beyond(path, limits) });
       for (const zone of zones) draw({ name: String(zone.number), kind: "zone", box: bounded(zone.box, all) });
     }
-    this.machine.position.copy(z).negate();
+    this.machine.matrixAutoUpdate = false; // it stands where it is, while the part turns
     this.touch();
   }
 
@@ -297,11 +304,13 @@ export class Scene {
   /// `until`: lines are made no longer than that, in ms of performance.now(): the rest in the next pictures.
   private render(fine: boolean, until = performance.now() + slice): void {
     this.dirty = false;
-    const all = this.extent(false).union(this.reach);
+    const all = this.extent(false);
     if (this.tool.visible) all.expandByPoint(this.tool.position).expandByScalar(150); // the holder stands over the path
-    if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point);
+    if (!all.isEmpty()) this.eye.around(all.min.toArray() as Point, all.max.toArray() as Point, this.reach);
     this.eye.update();
-    this.lamp.position.copy(this.eye.towards).addScaledVector(this.eye.right, 0.4).addScaledVector(this.eye.up, 0.6); // over the viewer's shoulder
+    this.lamp.position.copy(this.eye.towards).addScaledVector(this.eye.right, 0.4).addScaledVector(this.eye.up, 0.6).transformDirection(this.eye.carry_back); // over the viewer's shoulder
+    this.machine.matrix.makeTranslation(new Vector3(...this.path.zero).negate()).premultiply(this.eye.carry_back);
+    this.machine.matrixWorldNeedsUpdate = true;
     const { drawn, all: count, finished, cost } = this.path.refresh(this.eye, this.canvas.budget(fine), this.canvas.pixels, until);
     if (!finished) { this.dirty = true; this.ask(); if (fine) return; } // what stands is shown until all of the finer lines are there
     this.canvas.draw(this.stage, this.eye.camera, fine && finished, cost);

@@ -8,7 +8,7 @@ export type ViewName = "top" | "front" | "left" | "right" | "back" | "bottom" | 
 export interface SceneVertex { which: number; at: Point; time: number; line: number; file: number; number: number; kind: number; tool: number; feed: number; speed: number; radius?: number; length?: number }
 export interface SceneFilter {
   rapids: boolean; tools: number[] | null; depth: [number, number] | null; lines: [number, number] | null;
-  hideDone: boolean; programmed: boolean; other: boolean; bounds: boolean;
+  hideDone: boolean; programmed: boolean; other: boolean; bounds: boolean; turned: boolean; // turned: the part as it stands on the machine
 }
 export interface SceneBox { name: string; kind: "stock" | "extents" | "limits" | "zone"; box: Box; over?: boolean }
 export type SceneBounds = Bounds;

@@ -103,6 +103,7 @@ export const en = {
   filter_programmed: "Programmed contour",
   filter_other: "The other version",
   filter_bounds: "Limits and zones of the machine",
+  filter_turned: "The part turns as on the machine",
   filter_depth: "Z",
   filter_lines: "Lines",
   motion_0: "jump",

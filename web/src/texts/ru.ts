@@ -105,6 +105,7 @@ export const ru: Record<TextKey, string> = {
   filter_programmed: "Контур без коррекции",
   filter_other: "Другая версия",
   filter_bounds: "Пределы и зоны станка",
+  filter_turned: "Деталь поворачивается, как на станке",
   filter_depth: "Z",
   filter_lines: "Строки",
   motion_0: "скачок",

@@ -23,6 +23,7 @@ export class CutPanel {
   private resolution = "";
   private known = false;
   private of: string | null = null;   // the program that blank and tools are of
+  private touched = false;            // by a person
   private start = h("div", { class: "row cut-start" });
   private form = h("div");
   private told = h("div", { "aria-live": "polite" });
@@ -30,6 +31,7 @@ export class CutPanel {
 
   constructor(private app: App, private shown: (stock: Box | null, tools: Tool[]) => void, private jump: (line: number) => void) {
     this.element.append(this.start, this.told, this.form);
+    this.element.addEventListener("change", () => { this.touched = true; });
     app.on_opening.on(() => { this.known = false; this.part = null; this.draw(); });
     app.on_done.on(() => void this.propose());
     app.on_cut.on((part) => { if (part === null) this.part = app.cut_ready ? this.part : null; this.draw_told(part); if (part === null || part === 0) this.draw_run(); });
@@ -42,7 +44,8 @@ export class CutPanel {
     try {
       const p = await this.app.client.ask("proposals", {});
       const opened = this.app.opened?.file ?? null;
-      if (opened === null || opened !== this.of) { // what a person has changed stays while the program is edited
+      if (opened === null || opened !== this.of || !this.touched) { // what a person has changed stays while the program is edited
+        this.touched = false;
         this.stock = p.stock ?? "";
         this.tools = p.tools ?? [];
         this.fixtures = [];
@@ -64,7 +67,7 @@ export class CutPanel {
   private draw(): void {
     if (!this.known) fill(this.form, h("p", { class: "note" }, this.app.opened ? t("running") : t("open_a_program")));
     else fill(this.form, h("h3", null, t("stock")), this.stock_form(), this.fixtures_form(), h("h3", null, t("tools")), this.files_form(), ...this.tools.map((x) => this.tool_form(x)),
-      button(t("add_tool"), () => { this.tools.push({ number: Math.max(0, ...this.tools.map((x) => x.number)) + 1, kind: "flat", diameter: 10, flutes: 20, length: 50 }); this.draw(); }));
+      button(t("add_tool"), () => { this.touched = true; this.tools.push({ number: Math.max(0, ...this.tools.map((x) => x.number)) + 1, kind: "flat", diameter: 10, flutes: 20, length: 50 }); this.draw(); }));
     fill(this.start, this.known && h("div", { class: "cut-run" }), this.known && h("label", { class: "field" }, h("span", null, t("resolution")), this.input(this.resolution, (v) => { this.resolution = v; }, { placeholder: t("auto"), inputmode: "decimal" }), h("span", { class: "dim" }, t("mm"))));
     this.draw_run();
     this.draw_told(null);

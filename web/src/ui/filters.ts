@@ -6,13 +6,13 @@ import { button, h } from "./dom";
 import { icon } from "./icons";
 
 export function filter_form(app: App, now: SceneFilter, change: (f: Partial<SceneFilter>) => void): HTMLElement {
-  const tick = (key: "rapids" | "hideDone" | "programmed" | "other" | "bounds"): HTMLElement => {
+  const tick = (key: "rapids" | "hideDone" | "programmed" | "other" | "bounds" | "turned"): HTMLElement => {
     const box = h("input", { type: "checkbox", onchange: () => change({ [key]: box.checked }) });
     box.checked = now[key];
     return h("label", { class: "tick" }, box, t(`filter_${key}`));
   };
   return h("details", { class: "filters" }, h("summary", null, t("filters")), h("div", { class: "filter-body" },
-    tick("rapids"), tick("hideDone"), tick("programmed"), tick("other"), tick("bounds"),
+    tick("rapids"), tick("hideDone"), tick("programmed"), tick("other"), tick("bounds"), Boolean(app.done?.joints.length) && tick("turned"),
     range(t("filter_depth"), now.depth, (depth) => change({ depth })), range(t("filter_lines"), now.lines, (lines) => change({ lines })), tools(app, now, change)));
 }
 

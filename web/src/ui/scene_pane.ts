@@ -35,7 +35,7 @@ export class ScenePane {
   private measuring = false;
   private counted: [number, number] = [0, 0]; // segments that are drawn, and all
   private section: { axis: 0 | 1 | 2 | null; part: number; flip: boolean } = { axis: null, part: 0.5, flip: false };
-  filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true };
+  filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true, turned: true };
 
   constructor(private app: App, picked: (v: SceneVertex) => void) {
     const host = h("div", { class: "scene-host" });
@@ -45,6 +45,8 @@ export class ScenePane {
     on_language(() => { this.draw(); this.mark(); });
     for (const s of [app.on_done, app.on_cut]) s.on(() => this.mark());
     app.on_opening.on(() => this.mark());
+    app.on_opening.on(() => this.scene?.setJoints([]));
+    app.on_done.on((done) => this.scene?.setJoints(done.joints));
     app.on_opened.on((o) => this.scene?.setBounds(o.bounds ?? null));
     this.scene?.setColour(this.colour);
     this.scene?.setProjection(this.flat);
