@@ -6,6 +6,7 @@ files beyond the folder, a page that takes nothing off.
 """
 import argparse
 import os
+import shutil
 import socket
 import struct
 import tempfile
@@ -225,6 +226,26 @@ def beyond(server, above, folder):
     (inside / 'own.toml').write_text('id = "own"\nname = {en = "Own", ru = "Своя"}\nextends = "mach3"\n')
     answer, _ = run('a control of its own', 'G1 X1 F100\nM30\n', 'calls/own.toml')
     expect(answer.get('control', {}).get('id') == 'own', 'a control file of the folder')
+    bodies_beyond(page, above, inside)
+
+
+def bodies_beyond(page, above, inside):
+    """Meshes of a machine's bodies, and what a cut names."""
+    example = Path(__file__).resolve().parent.parent / 'examples' / 'cut'
+    shutil.copy(example / 'step.stl', above / 'outside.stl')
+    shutil.copy(example / 'step.stl', inside / 'good.stl')
+    (inside / 'link.stl').symlink_to(above / 'outside.stl')
+    (inside / 'tools.toml').write_text('[[tool]]\nnumber = 1\nkind = "flat"\ndiameter = 8\nflutes = 20\nlength = 30\n')
+    (inside / 'cut.nc').write_text('G21 G90\nT1 M6\nM3 S1000\nG0 X0 Y0 Z5\nG1 Z-1 F300\nX5\nG0 Z50\nM30\n')
+    machine = (example / 'trunnion.toml').read_text().replace('cylinder = [0, 0, -420, -400, 300]', 'file = "%s"')
+    for mesh, reads in {'good.stl': True, '../../outside.stl': False, str(above / 'outside.stl'): False, 'link.stl': False}.items():
+        (inside / 'machine.toml').write_text(machine % mesh)
+        answer, _ = page.open('calls/cut.nc', control='mach3', machine='calls/machine.toml')
+        expect('error' not in answer, f'a machine with a body of {mesh} is opened ({answer.get("error")})')
+        cut = page.ask('cut', stock='box:-5,-5,-5,15,15,0', tools='calls/tools.toml')
+        expect(('error' not in cut) == reads, f'a body of {mesh}: {cut}')
+        if reads:
+            page.until('cut')
 
 
 def unread(server):

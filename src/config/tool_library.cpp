@@ -229,8 +229,8 @@ tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, cons
   return library;
 }
 
-tl::expected<ToolLibrary, std::string> load_tools(const std::string& path) {
-  const auto text = read_file(path);
+tl::expected<ToolLibrary, std::string> load_tools(const std::string& path, const FileDoor* door) {
+  const auto text = read_file(path, limits::config_file_bytes, door);
   if (!text) return Failed(text.error());
   switch (tool_format_of(*text, path)) {
     case ToolFormat::toml: return tools_of_toml(*text, path);

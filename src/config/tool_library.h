@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/file_door.h"
 #include "config/tool_geometry.h"
 
 namespace kadr {
@@ -37,7 +38,7 @@ tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, cons
 
 /// Any of the known forms, by the ending of the name and what stands in the file.
 ///   returns  an error sentence with the file
-tl::expected<ToolLibrary, std::string> load_tools(const std::string& path);
+tl::expected<ToolLibrary, std::string> load_tools(const std::string& path, const FileDoor* door = nullptr);
 
 std::string_view name_of(ToolKind kind);
 

@@ -29,6 +29,7 @@ tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const
 tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const PageJson& question) {
   const auto found = question.find("tools");
   if (found != question.end() && found->is_array()) {
+    if (found->empty()) return refused(told("no tool is given: add the one that cuts", "не указан ни один инструмент: добавьте тот, что режет"));
     PageJson list = *found;
     for (PageJson& tool : list)
       if (tool.is_object()) tool.erase("from"), tool.erase("known");  // of a proposal
@@ -41,7 +42,7 @@ tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const Pa
   const std::string name = found->get<std::string>();
   const auto path = folder.path_of(name);
   if (!path) return refused(path.error());
-  auto tools = load_tools(*path);
+  auto tools = load_tools(*path, &folder);
   if (!tools) return refused(tools.error());
   return std::move(*tools);
 }
@@ -51,6 +52,8 @@ tl::expected<PartWish, Refusal> part_wish(const ServedFolder& folder, const Page
   auto stock = placed_body(folder, value_in<std::string>(question, "stock", ""));
   if (!stock) return tl::unexpected(stock.error());
   wish.stock = *stock;
+  if (wish.stock.empty())
+    return refused(told("the blank is not given: a box, a cylinder, a file .stl or .3mf", "не указана заготовка: box, cylinder или файл .stl, .3mf"));
   const auto fixtures = question.find("fixtures");
   if (fixtures != question.end()) {
     if (!fixtures->is_array() || fixtures->size() > most_fixtures)
@@ -106,7 +109,7 @@ std::vector<KnownTools> known_tools(const ServedFolder& folder, const std::strin
   std::vector<KnownTools> known;
   for (const std::string& name : tools_files(folder, program)) {
     const auto path = folder.path_of(name);
-    auto tools = path ? load_tools(*path) : tl::unexpected(std::string());
+    auto tools = path ? load_tools(*path, &folder) : tl::unexpected(std::string());
     if (tools) known.push_back({name, std::move(*tools)});
   }
   return known;

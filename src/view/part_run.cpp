@@ -49,7 +49,7 @@ std::string told_memory(double bytes) {
 }  // namespace
 
 tl::expected<std::shared_ptr<const Blank>, std::string> PartRun::body(const std::string& text) {
-  auto named = body_of(text, most_bytes);
+  auto named = body_of(text, most_bytes, opened_.door);
   if (!named) return Failed(named.error());
   notes_.insert(notes_.end(), named->notes.begin(), named->notes.end());
   return named->body;
@@ -85,7 +85,7 @@ tl::expected<void, std::string> PartRun::open_session(const PartWish& wish) {
   session_ = std::move(*session);
   session_->control().watch_calls();
   take_session(*session_, opened_.stated.contains("start"), job_);
-  auto watch = watch_bodies(*session_, job_, work_of(job_, wish.stock, wish.fixtures, wish.fixture_names), most_bytes, notes_);
+  auto watch = watch_bodies(*session_, job_, work_of(job_, wish.stock, wish.fixtures, wish.fixture_names), most_bytes, notes_, opened_.door);
   if (!watch) return Failed(watch.error());
   watch_ = std::move(*watch);
   run_ = std::make_unique<CutRun>(*session_, job_, watch_.get());

@@ -17,7 +17,7 @@ WorkBody work_body(const NamedWork& work) { return {work.name, shape_of_words(wo
 /// Reads the files of the machine's bodies, as long as there is memory for what becomes of them.
 class BodyFiles {
  public:
-  BodyFiles(double most, std::vector<std::string>& notes) : left_(most), notes_(notes) {}
+  BodyFiles(double most, std::vector<std::string>& notes, const FileDoor* door) : left_(most), notes_(notes), door_(door) {}
   /// Empty: there is; else an error sentence.
   std::string take(const std::string& name, const Mesh& mesh) {
     left_ -= bytes_per_triangle * double(mesh.triangle_count());
@@ -29,7 +29,7 @@ class BodyFiles {
   tl::expected<Mesh, std::string> read(const std::string& path) {
     MeshRules rules;
     rules.memory = std::size_t(left_);
-    auto solid = read_mesh_file(path, rules);
+    auto solid = read_mesh_file(path, rules, door_);
     if (!solid) return tl::unexpected(solid.error());
     notes_.insert(notes_.end(), solid->notes.begin(), solid->notes.end());
     if (const std::string fault = take(path, solid->mesh); !fault.empty()) return tl::unexpected(fault);
@@ -39,6 +39,7 @@ class BodyFiles {
  private:
   double left_;  // bytes
   std::vector<std::string>& notes_;
+  const FileDoor* door_;
 };
 
 }  // namespace
@@ -53,9 +54,9 @@ std::vector<NamedWork> work_of(const CutJob& cut, const std::string& stock, cons
 
 tl::expected<std::unique_ptr<MachineWatch>, std::string> watch_bodies(const Session& session, const CutJob& cut,
                                                                       const std::vector<NamedWork>& work, double most_bytes,
-                                                                      std::vector<std::string>& notes) {
+                                                                      std::vector<std::string>& notes, const FileDoor* door) {
   if (session.machine().bodies.empty()) return nullptr;
-  BodyFiles files(most_bytes, notes);
+  BodyFiles files(most_bytes, notes, door);
   std::vector<WorkBody> bodies;
   for (const NamedWork& one : work) bodies.push_back(work_body(one));
   for (const WorkBody& body : bodies)

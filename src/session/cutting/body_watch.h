@@ -27,9 +27,10 @@ std::vector<NamedWork> work_of(const CutJob& cut, const std::string& stock, cons
 /// Who watches the bodies of the session's machine; nullptr: it has none.
 ///   most_bytes  that their meshes may take
 ///   notes       gets what of their files had to be repaired
+///   door        opens their files
 ///   returns     an error sentence: they cannot be watched
 tl::expected<std::unique_ptr<MachineWatch>, std::string> watch_bodies(const Session& session, const CutJob& cut,
                                                                       const std::vector<NamedWork>& work, double most_bytes,
-                                                                      std::vector<std::string>& notes);
+                                                                      std::vector<std::string>& notes, const FileDoor* door = nullptr);
 
 }  // namespace kadr

@@ -34,10 +34,10 @@ std::optional<std::vector<double>> numbers_of(std::string_view text) {
   }
 }
 
-tl::expected<NamedBody, std::string> body_of_file(const std::string& path, double most_bytes) {
+tl::expected<NamedBody, std::string> body_of_file(const std::string& path, double most_bytes, const FileDoor* door) {
   MeshRules rules;
   rules.memory = std::size_t(most_bytes);
-  auto solid = read_mesh_file(path, rules);
+  auto solid = read_mesh_file(path, rules, door);
   if (!solid) return Failed(solid.error());
   NamedBody body{nullptr, std::move(solid->notes)};
   body.body = mesh_blank(std::move(solid->mesh));
@@ -68,8 +68,8 @@ bool names_mesh_file(const std::string& text) {
   return small.ends_with(".stl") || small.ends_with(".3mf");
 }
 
-tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes) {
-  if (names_mesh_file(text)) return body_of_file(text, most_bytes);
+tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes, const FileDoor* door) {
+  if (names_mesh_file(text)) return body_of_file(text, most_bytes, door);
   if (const auto shape = shape_of_words(text)) {
     if (shape->form == BodyShape::Form::box) return NamedBody{box_blank({shape->least, shape->most}), {}};
     return NamedBody{cylinder_blank(shape->centre, shape->bottom, shape->top, shape->diameter), {}};

@@ -7,6 +7,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/file_door.h"
 #include "config/machine_bodies.h"
 #include "stock/blank/blank.h"
 
@@ -20,7 +21,7 @@ struct NamedBody {
 /// box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl or .3mf, in mm.
 ///   most_bytes  that reading a file may take
 ///   returns     an error sentence
-tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes);
+tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes, const FileDoor* door = nullptr);
 
 /// They name a file, by their ending.
 bool names_mesh_file(const std::string& text);
