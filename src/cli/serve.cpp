@@ -10,6 +10,7 @@
 #include "cli/help_text.h"
 #include "cli/option_values.h"
 #include "config/told.h"
+#include "panel/panel_hub.h"
 #include "server/http_server.h"
 #include "server/page_files.h"
 #include "view/served_folder.h"
@@ -57,7 +58,8 @@ int serve(const ServeOptions& options) {
   if (!folder) return complain(folder.error()), wrong_usage;
   ServedAddress wanted{options.host, std::uint16_t(options.port)};
   LastOpened last;
-  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION, &last};
+  PanelHub hub;
+  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION, &last, &hub};
   const auto server = HttpServer::listen(wanted, page);
   if (!server) return complain(server.error()), wrong_usage;
   const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);

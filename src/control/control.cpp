@@ -64,6 +64,7 @@ void Control::note_lines(LineMarks* marks, std::uint64_t most) {
   interpreter_->line_marks = marks;
   interpreter_->most_unseen = most;
 }
+void Control::stand_at(const Axes& machine) { interpreter_->stand_at(machine); }
 bool Control::in_block() const { return interpreter_->in_block(); }
 void Control::enter(const std::string& line) {
   interpreter_->block = &interpreter_->first_block;  // that of the line before is going
@@ -117,6 +118,7 @@ void Control::set_signal(const std::string& name, double value) {
   if (on_signal) on_signal(name, value != 0);
   if (side->waiting_suspended()) interpreter_->waiting.meeting.reset();
 }
+void Control::set_optional_stop(bool on) { interpreter_->optional_stop_on = on; }
 void Control::set_skip(int number, bool on) {
   if (number >= 1 && number < 10) interpreter_->skip_switches[static_cast<std::size_t>(number)] = on;
 }

@@ -65,6 +65,9 @@ class Control {
   void enter(const std::string& line);
   /// It is not over.
   bool in_entered() const;
+  /// The axes have been moved by hand: they stand there now.
+  ///   pre  !in_block()
+  void stand_at(const Axes& machine);
   /// The value of an expression, written as a program would write it, now: `#100+1`, `R2`.
   ///   alarms  expression_syntax and what else an expression may be refused for
   Result<double> evaluate(std::string_view expression) const;
@@ -117,6 +120,7 @@ class Control {
   /// The machine's logic and its operator (nct): a signal, a skip switch, the answer to a message box (#3107).
   void set_signal(const std::string& name, double value);
   void set_skip(int number, bool on);
+  void set_optional_stop(bool on);
   void set_answer(double answer);
   /// Spindle `slave` follows `master` (nct 11.7.4); 0: no more. `slave` 0: all spindles.
   void synchronise(int slave, int master);

@@ -139,6 +139,8 @@ class Interpreter : public ControlState, public RunMemory {
   Status within_reach(const Axes& work) const;
   /// A straight motion to a machine position on the named axes.
   Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed);
+  /// The axes have been moved by hand.
+  void stand_at(const Axes& machine);
   /// The tool stands where `position.programmed` says, on these axes, where work coordinates are the programmed ones and the frame is not
   /// turned.
   void place_plainly(AxisMask named) {

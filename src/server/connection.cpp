@@ -54,6 +54,7 @@ void Connection::take_message() {
       hurries_ = true;
       if (session_) session_->stop();
     }
+    if (session_ && PageSession::asks_for_emergency(text)) session_->emergency();
     question_bytes_ += text.size();
     questions_.push_back({std::move(text)});
     flood = questions_.size() > most_questions || question_bytes_ > most_question_bytes;

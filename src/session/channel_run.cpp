@@ -195,6 +195,14 @@ bool ChannelRun::goes_on_after(const std::optional<CompensationFault>& fault) {
   return false;
 }
 
+void ChannelRun::stand_at(const Axes& machine) {
+  settled().stand_at(machine);
+  ToolPosition stand = machine_.position();
+  stand.machine = machine;
+  stand.work = control_.tool_position().work;
+  machine_.go_back(stand);
+}
+
 void ChannelRun::change_clock() {
   const double at = now();
   if (outlets_.clock != nullptr && clock_ != outlets_.clock) {

@@ -109,6 +109,7 @@ class ChannelRun {
   Control& settled();
   /// Where the machine stands.
   const ToolPosition& position() const { return machine_.position(); }
+  void stand_at(const Axes& machine);
   /// From here on the clock of the outlets counts; it goes on as the one before stood, but for the times spent so far.
   void change_clock();
   /// The alarm that stopped it is answered for: it may go on.

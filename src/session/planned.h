@@ -38,6 +38,11 @@ class Planned {
   /// Gets the cells as they are planned (session/player).
   std::function<void(const TimedCells&)> on_cells{};
 
+  /// Called for each motion before it is planned: Playback::motion() of its positions.
+  void number_motions(std::function<void(std::uint64_t motion)> on_motion) {
+    motion_.on_motion = [tell = std::move(on_motion)](std::uint64_t motion, double) { tell(motion); };
+  }
+
   void consume(const Step& step) { motion_.consume(step); }
   const MotionLimits& limits() const { return limits_; }
 

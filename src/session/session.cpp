@@ -136,6 +136,11 @@ Control& Session::settled_control() { return alone_ ? alone_->settled() : contro
 
 ToolPosition Session::stand() const { return alone_ ? alone_->position() : control().tool_position(); }
 
+void Session::stand_at(const Axes& machine) {
+  if (!begun_) begin();
+  if (alone_) alone_->stand_at(machine);
+}
+
 void Session::change_outlets() {
   if (!begun_) return;
   attach_planners();

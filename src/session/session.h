@@ -98,6 +98,9 @@ class Session {
   void enter(const std::string& line);
   /// Where the machine of a channel alone stands; of several: where its control is.
   ToolPosition stand() const;
+  /// The axes of a channel alone have been moved by hand: they stand there now, machine coordinates.
+  ///   pre  no block is open
+  void stand_at(const Axes& machine);
   /// Who looks has changed in mid program: the outlets' clock counts from here, plan() and look_ahead() begin here.
   void change_outlets();
   /// Blocks that the control of a channel alone has carried out, as far as the rooms after it have come.

@@ -103,18 +103,31 @@ bool Stepping::asked(const Origin& origin) {
   hit_ = 0;
   for (const auto& [number, point] : points_)
     if (!same_line && matches(point, origin, begins_call)) hit_ = number;
-  const bool is_held = target_ ? ends_at_target(origin, same_line, begins_call) : hit_ != 0 || asks_for(origin, same_line);
+  const bool must = std::exchange(hold_asked_, false);
+  const bool is_held = must || (target_ ? ends_at_target(origin, same_line, begins_call) : hit_ != 0 || asks_for(origin, same_line));
   if (past_ != 0 && origin.file == 0 && origin.line == past_ && !past_at_) past_at_ = origin.depth;
   if (is_held) next_ = origin;
   return is_held;
 }
 
-Session::State Stepping::run() {
+void Stepping::set_out() {
   again_ = next_.has_value();
   depth_ = next_ ? next_->depth : 0;
   next_.reset();
   hit_ = 0;
+  hold_asked_ = false;
+}
+
+Session::State Stepping::run() {
+  set_out();
   return session_.run();
+}
+
+void Stepping::begin(How how) {
+  how_ = how;
+  target_.reset();
+  past_ = 0;
+  set_out();
 }
 
 Session::State Stepping::begin_block() {
@@ -127,10 +140,8 @@ Session::State Stepping::begin_block() {
 }
 
 Session::State Stepping::go(How how) {
-  how_ = how;
-  target_.reset();
-  past_ = 0;
-  return run();
+  begin(how);
+  return session_.run();
 }
 
 Session::State Stepping::go_to(const StopPoint& target, std::uint64_t most_blocks) {
@@ -154,19 +165,27 @@ Session::State Stepping::go_past(std::uint32_t line) {
   return state;
 }
 
-Session::State Stepping::enter(const std::string& line) {
-  const std::optional<Origin> stood = next_;
+void Stepping::begin_entering(const std::string& line) {
+  stood_ = next_;
   hit_ = 0;
   entered_ = true;
   again_ = false;
   session_.enter(line);
-  const Session::State state = session_.run();
-  if (state == Session::State::stopped) {
+}
+
+void Stepping::end_entering(Session::State came_to) {
+  if (came_to == Session::State::stopped) {
     session_.acknowledge();
     (void)session_.run();
   }
   entered_ = false;
-  if (!next_) next_ = stood;
+  if (!next_) next_ = stood_;
+}
+
+Session::State Stepping::enter(const std::string& line) {
+  begin_entering(line);
+  const Session::State state = session_.run();
+  end_entering(state);
   return state;
 }
 

@@ -49,6 +49,14 @@ class Stepping {
   /// After the block that line `line` of the main program holds, the calls that it makes included.
   Session::State go_past(std::uint32_t line);
 
+  /// go() and enter() bit by bit, for whoever has more to do meanwhile: after begin(), begin_entering() Session::go_on() until it is not
+  /// running; then, where a line was entered, end_entering().
+  void begin(How how);
+  void begin_entering(const std::string& line);
+  void end_entering(Session::State came_to);
+  /// On the way of begin(): held before the next block that comes, whatever it is.
+  void hold_next() { hold_asked_ = true; }
+
   /// The block that comes next; nothing: it is not held.
   const std::optional<Origin>& next() const { return next_; }
   /// Its line, as it is shown.
@@ -93,6 +101,7 @@ class Stepping {
   bool matches(const StopPoint& point, const Origin& origin, bool begins_call) const;
   bool is_file(const std::string& file, std::uint16_t reader) const;
   Session::State run();
+  void set_out();
 
   Session& session_;
   How how_ = How::block;
@@ -104,6 +113,8 @@ class Stepping {
   std::uint64_t most_ = ~std::uint64_t{0};  // of go_to: blocks asked for
   bool ran_out_ = false;
   bool entered_ = false;  // a line of the operator is being carried out
+  bool hold_asked_ = false;
+  std::optional<Origin> stood_;  // before a line was entered
   std::size_t hit_ = 0;
   std::optional<Origin> next_;
   Origin last_;  // asked for

@@ -25,7 +25,7 @@ PageSession::Inside::Answer PageSession::Inside::hello(const PageJson& question)
     if (const auto def = load_control(control))
       controls.push_back({{"id", control}, {"name", lang == Lang::ru ? def->name.ru : def->name.en}});
   return PageJson{{"version", server.version},       {"folder", server.folder.name()},
-                  {"may_change", may_change},        {"last", last.empty() ? PageJson() : PageJson(last)},
+                  {"may_change", may_change.load()},        {"last", last.empty() ? PageJson() : PageJson(last)},
                   {"controls", std::move(controls)}, {"machines", built_in_machines()}};
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "config/told.h"
+#include "panel/panel_hub.h"
 #include "view/page_json.h"
 #include "view/page_session.h"
 #include "view/part_run.h"
@@ -72,6 +73,19 @@ struct PageSession::Inside {
   Answer sheet(const PageJson& question);
   // page_compare.cpp
   Answer compare(const PageJson& question);
+  // page_panel.cpp
+  Answer machines(const PageJson& question);
+  Answer machine(const PageJson& question);
+  Answer panel(const PageJson& question);
+  Answer press(const PageJson& question);
+  Answer switches(const PageJson& question);
+  Answer enter(const PageJson& question);
+  Answer undo(const PageJson& question);
+  Answer jog(const PageJson& question);
+  Answer stops_at(const PageJson& question);
+  void leave_machine();
+  void stop_machine();
+  tl::expected<PanelMachine*, Refusal> held_machine() const;
 
   tl::expected<OpeningWish, Refusal> wish_of(const PageJson& question) const;
   void carry_out();
@@ -94,7 +108,8 @@ struct PageSession::Inside {
   Lang lang;
   std::atomic<bool> stops = false;
   std::function<void()> afterwards;  // of the answer: what it has begun, gone on with when it is sent
-  bool greeted = false, may_change = false, gone = false;
+  bool greeted = false, gone = false;
+  std::atomic<bool> may_change = false;
   int mistakes = 0;
   std::set<std::string> opened_names;  // files that were opened: what may be saved over
   OpeningWish opened_wish;
@@ -104,6 +119,9 @@ struct PageSession::Inside {
   std::unique_ptr<Instants> instants;
   StockGuess guess;
   std::unique_ptr<PartRun> part_run;  // nullptr: nothing has been cut
+  std::uint64_t page = 0;             // of the hub; 0: it has looked at no machine
+  std::mutex place_lock;              // of the next one's value: an emergency stop comes from another thread
+  std::shared_ptr<PanelHub::Place> panel_place;
 };
 
 }  // namespace kadr

@@ -65,7 +65,7 @@ PageSession::Inside::Answer PageSession::Inside::open(const PageJson& question) 
                    {"control", std::move(control)},
                    {"machine", opened->machine.id},
                    {"setup", value_in<std::string>(question, "setup", "")},
-                   {"editable", whole && may_change && source->encoding() == Encoding::utf8},
+                   {"editable", whole && may_change.load() && source->encoding() == Encoding::utf8},
                    {"lines", source->lines()},
                    {"bounds", bounds_json(machine_bounds(*opened, run->control()))}};
   if (whole) json["text"] = source->whole();

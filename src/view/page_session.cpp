@@ -12,7 +12,7 @@
 namespace kadr {
 
 PageSession::PageSession(const PageServer& server, PageLine& line) : inside_(std::make_unique<Inside>(server, line)) {}
-PageSession::~PageSession() = default;
+PageSession::~PageSession() { inside_->leave_machine(); }
 
 void PageSession::begin(bool stopped) { inside_->stops = stopped; }
 void PageSession::stop() { inside_->stops = true; }
@@ -22,6 +22,14 @@ bool PageSession::asks_to_stop(std::string_view message) {
   const auto json = PageJson::parse(message, nullptr, false);
   return json.is_object() && value_in<std::string>(json, "do", "") == "stop";
 }
+
+bool PageSession::asks_for_emergency(std::string_view message) {
+  if (message.size() > 200) return false;
+  const auto json = PageJson::parse(message, nullptr, false);
+  return json.is_object() && value_in<std::string>(json, "do", "") == "press" && value_in<std::string>(json, "key", "") == "emergency";
+}
+
+void PageSession::emergency() { inside_->stop_machine(); }
 
 bool PageSession::take(std::string_view message) {
   Inside& in = *inside_;
@@ -62,7 +70,10 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"read", &Inside::read, false},    {"source", &Inside::source_lines, true}, {"state", &Inside::state, true},
       {"passes", &Inside::passes, true}, {"check", &Inside::check, true},         {"explain", &Inside::explain, true},
       {"cut", &Inside::cut, true},       {"part", &Inside::part, true},           {"proposals", &Inside::proposals, true},
-      {"sheet", &Inside::sheet, true},   {"compare", &Inside::compare, true},
+      {"sheet", &Inside::sheet, true},   {"compare", &Inside::compare, true},     {"machines", &Inside::machines, false},
+      {"machine", &Inside::machine, false}, {"panel", &Inside::panel, false},     {"press", &Inside::press, false},
+      {"switches", &Inside::switches, false}, {"enter", &Inside::enter, false},   {"undo", &Inside::undo, false},
+      {"jog", &Inside::jog, false},      {"stops", &Inside::stops_at, false},
   };
   const auto* const known = std::find_if(std::begin(all), std::end(all), [&](const Known& k) { return k.name == what; });
   if (known == std::end(all)) return tl::unexpected(Refusal{});

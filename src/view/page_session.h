@@ -11,6 +11,7 @@
 
 namespace kadr {
 
+class PanelHub;
 class ServedFolder;
 
 /// Where what is said goes. Called by the thread that answers.
@@ -47,6 +48,7 @@ struct PageServer {
   Lang lang = Lang::en;
   std::string version;         // of Kadr
   LastOpened* last = nullptr;  // nullptr: nobody asks
+  PanelHub* hub = nullptr;     // nullptr: there are no machines
 };
 
 class PageSession {
@@ -68,6 +70,9 @@ class PageSession {
   void stop();
   /// The message asks for nothing but that. It is to be given to take() all the same.
   static bool asks_to_stop(std::string_view message);
+  /// … for an emergency stop: emergency() is to be called at once, from any thread.
+  static bool asks_for_emergency(std::string_view message);
+  void emergency();
 
  private:
   struct Inside;

@@ -137,6 +137,13 @@ double Interpreter::feed_by_axes(const Motion& motion) const {
   return time > 0 ? feed_limited(std::sqrt(all) / time) : motion.feed;
 }
 
+void Interpreter::stand_at(const Axes& machine) {
+  position.machine = machine;
+  for (std::size_t a = 0; a < axis_count && frames.is_plain(); ++a) position.work[a] = machine[a] - frames.origin[a] - frames.length[a];
+  if (!frames.is_plain()) position.work = frames.work_of(machine);
+  position.programmed = transform.to_programmed(position.work);
+}
+
 Status Interpreter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed) {
   if (dialect) KADR_TRY(dialect->may_move(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {

@@ -34,6 +34,9 @@ class Playback {
   /// No more cells come.
   void finish() { ring_.finish(); }
 
+  /// s on the plan, of all cells offered so far.
+  double offered() const { return ring_.offered(); }
+
   // who operates: any thread
 
   /// 0 … 1 of the planned speed; 0 is feed hold. More than 1 is 1: the plan itself has to be faster then.
@@ -57,8 +60,10 @@ class Playback {
   std::uint64_t motion() const { return now_.motion; }
   /// The spindle's angle at the last instant, degrees.
   double spindle() const { return now_.spindle; }
-  /// s on the plan that can still be played without more cells.
-  double ahead() const { return ring_.offered() - now_.played - now_.at.t; }
+  /// s on the plan that are through.
+  double played() const { return now_.played + now_.at.t; }
+  /// … that can still be played without more cells.
+  double ahead() const { return ring_.offered() - played(); }
   /// Less than this ahead, s on the plan, and it brakes.
   static constexpr double reserve = 1;
   /// Instants at which it had to stand at once for want of cells: none unless braking takes longer than the reserve.

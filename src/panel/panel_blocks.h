@@ -1,0 +1,52 @@
+#pragma once
+// PanelBlocks: the motions that the control has carried out and the machine has not: to which block an instant of the servo clock belongs,
+// and what is in force then.
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "action/in_force.h"
+#include "action/step.h"
+
+namespace kadr {
+
+/// When a block has been carried out.
+struct PanelModes {
+  std::vector<InForce> in_force;
+  std::vector<AlarmReport::Call> calls;
+};
+
+/// A motion that the machine is on.
+struct PanelBlock {
+  Origin origin;
+  std::uint64_t motion = 0;  // as AxisMotion counts them, from 1 in each stretch; 0: none
+  Axes work{}, machine{};    // coordinates at its end
+  Placement placement;       // of the work coordinates
+  double feed = 0;           // as programmed, mm/min; 0 at rapid
+  std::shared_ptr<const PanelModes> modes;
+
+  /// Work coordinates on the way there.
+  Axes work_of(const Axes& at) const {
+    if (!placement.is_plain()) return placement.work_of(at);
+    Axes now = work;
+    for (std::size_t a = 0; a < max_axes; ++a) now[a] -= machine[a] - at[a];
+    return now;
+  }
+};
+
+class PanelBlocks {
+ public:
+  void clear() { blocks_.clear(); }
+  void add(PanelBlock block) { blocks_.push_back(std::move(block)); }
+  /// That of the motion; those before are forgotten. nullptr: none is known.
+  const PanelBlock* at(std::uint64_t motion) {
+    while (blocks_.size() > 1 && blocks_[1].motion <= motion) blocks_.pop_front();
+    return blocks_.empty() || motion == 0 ? nullptr : &blocks_.front();
+  }
+
+ private:
+  std::deque<PanelBlock> blocks_;
+};
+
+}  // namespace kadr

@@ -1,0 +1,311 @@
+// A machine before its operator: its thread, and what is asked of it. For view/page_panel; tested by tests/panel/panel_machine_test.cpp.
+
+#include "panel/panel_machine.h"
+
+#include <chrono>
+#include <utility>
+
+#include "config/told.h"
+
+namespace kadr {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+
+constexpr auto look_every = std::chrono::milliseconds(4);    // after the stretch under way
+constexpr auto answers_within = std::chrono::seconds(2);     // else it is busy: what was asked is done when it comes to it
+
+}  // namespace
+
+tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(Opens opens) {
+  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens)));
+  if (const Answer opened = machine->open(std::nullopt); !opened) return Failed(opened.error());
+  machine->thread_ = std::thread([m = machine.get()] { m->live(); });
+  return machine;
+}
+
+PanelMachine::~PanelMachine() {
+  stops_ = true;
+  {
+    const std::lock_guard hold(lock_);
+    ends_ = true;
+  }
+  wakes_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+/// The program from its beginning.
+PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
+  stops_ = false;
+  auto opened = opens_(start, StopToken(stops_));
+  if (!opened) return Failed(opened.error());
+  stepping_.reset();
+  session_ = std::move(*opened);
+  if (session_->channels().size() > 1) return Failed(told("programs of several channels are not for the panel yet", "УП нескольких каналов на пульте пока не запускаются"));
+  Control& control = session_->control();
+  control.hand_over_each_block();  // a stop holds before the very next one
+  control.watch_calls();
+  stepping_ = std::make_unique<Stepping>(*session_);
+  for (const auto& [number, point] : kept_.stops) stepping_->add(point);
+  for (const int number : kept_.skip) control.set_skip(number, true);
+  control.set_optional_stop(kept_.optional_stop);
+  Outlets& outlets = session_->outlets();
+  outlets.warning = [this](const AlarmReport& report) { kept_.alarm = report; };
+  outlets.alarm = [this](const AlarmReport& report) { return kept_.alarm = report, false; };
+  outlets.stop = StopToken(stops_);
+  outlets.step = [this](const Step& step) { look(step); };
+  axes_ = control.axes();
+  roles_ = AxisRoles::of(axes_, control.rotary());
+  kept_.alarm.reset();
+  before_.clear();
+  on_ = pending_ = {};
+  modes_of_ = ~0u;
+  const Session::State state = stepping_->go(Stepping::How::block);
+  kept_.mode = state == Session::State::held ? PanelMode::standing : state == Session::State::stopped ? PanelMode::alarm : PanelMode::ended;
+  if (!clock_) clock_ = std::make_unique<ServoClock>(rate, session_->stand().machine, roles_);
+  show();
+  return {};
+}
+
+PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
+  std::future<Answer> answer;
+  {
+    const std::lock_guard hold(lock_);
+    asked_.push_back({std::move(what), {}});
+    answer = asked_.back().answer.get_future();
+  }
+  wakes_.notify_all();
+  if (answer.wait_for(answers_within) == std::future_status::ready) return answer.get();
+  return Failed(told("the control is busy with a block", "УЧПУ занято кадром"));
+}
+
+void PanelMachine::carry_out_asked() {
+  while (true) {
+    Asked next;
+    {
+      const std::lock_guard hold(lock_);
+      if (asked_.empty()) return;
+      next = std::move(asked_.front());
+      asked_.pop_front();
+    }
+    const Answer answer = next.what();
+    show();
+    next.answer.set_value(answer);
+  }
+}
+
+void PanelMachine::live() {
+  while (true) {
+    if (must_stop()) stand_still();
+    carry_out_asked();
+    if (stretch_ && !must_stop()) look_after_stretch();
+    std::unique_lock hold(lock_);
+    if (ends_) break;
+    const auto is_asked = [this] { return ends_ || !asked_.empty() || must_stop(); };
+    if (stretch_) wakes_.wait_for(hold, look_every, is_asked);
+    else wakes_.wait(hold, is_asked);
+  }
+  drop_stretch();
+  while (!asked_.empty()) asked_.front().answer.set_value({}), asked_.pop_front();
+}
+
+void PanelMachine::stand_still() {
+  drop_stretch();
+  kept_.mode = PanelMode::emergency;
+  kept_.told = told("emergency stop", "аварийный останов");
+  show();
+}
+
+void PanelMachine::look_after_stretch() {
+  provide();
+  const ServoSample sample = clock_->sample();
+  if (resets_ && (sample.held || !sample.plays)) {
+    drop_stretch();
+    if (const Answer opened = open(sample.machine); !opened) kept_.told = opened.error();
+    return;
+  }
+  kept_.mode = sample.held ? PanelMode::held : PanelMode::running;
+  if (!sample.plays && stretch_->planned_all) end_stretch();
+  show();
+}
+
+void PanelMachine::show() {
+  PanelState now = kept_;
+  now.sample = clock_ ? clock_->sample() : ServoSample();
+  if (const PanelBlock* const block = blocks_.at(now.sample.motion)) on_ = *block;
+  now.block = on_;
+  now.entered = stretch_ && stretch_->of == Stretch::Of::line;
+  now.line = stretch_ && stretch_->of == Stretch::Of::program ? session_->control().line_at(on_.origin) : stepping_->line();
+  now.hit = stepping_->hit();
+  now.can_undo = before_.size();
+  now.blocks = session_->blocks();
+  const std::lock_guard hold(lock_);
+  shown_ = std::move(now);
+}
+
+PanelState PanelMachine::state() {
+  const std::lock_guard hold(lock_);
+  PanelState now = shown_;
+  now.sample = clock_->sample();
+  return now;
+}
+
+PanelMachine::Answer PanelMachine::may_begin() const {
+  switch (kept_.mode) {
+    case PanelMode::standing:
+    case PanelMode::ended: return {};
+    case PanelMode::running:
+    case PanelMode::held: return Failed(told("the machine is running", "станок работает"));
+    case PanelMode::alarm: return Failed(told("an alarm stands: reset first", "стоит ошибка: сначала сброс"));
+    case PanelMode::emergency: return Failed(told("emergency stop: reset first", "аварийный останов: сначала сброс"));
+  }
+  return {};
+}
+
+void PanelMachine::set_share() {
+  if (stretch_) stretch_->playback->override_to(holds_ || resets_ ? 0 : kept_.override_share);
+}
+
+PanelMachine::Answer PanelMachine::run() {
+  return ask([this]() -> Answer {
+    if (stretch_) return holds_ = false, set_share(), Answer();
+    if (const Answer may = may_begin(); !may) return may;
+    if (kept_.mode == PanelMode::ended)
+      if (const Answer opened = open(clock_->sample().machine); !opened) return opened;
+    kept_.told.clear();
+    kept_.alarm.reset();
+    begin(Stretch::Of::program);
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::hold() {
+  return ask([this]() -> Answer {
+    holds_ = stretch_.has_value();
+    set_share();
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::reset() {
+  stops_ = true;  // a block without an end is over
+  return ask([this]() -> Answer {
+    kept_.told.clear();
+    clock_->release();
+    if (!stretch_) return open(clock_->sample().machine);
+    resets_ = true;
+    set_share();
+    return {};
+  });
+}
+
+void PanelMachine::stop_at_once() {
+  clock_->stop_at_once();
+  stops_ = true;
+  const std::lock_guard hold(lock_);  // its thread is waiting or looks once more before it does
+  wakes_.notify_all();
+}
+
+PanelMachine::Answer PanelMachine::set_single(bool on) {
+  return ask([this, on]() -> Answer {
+    kept_.single = on;
+    if (on && stretch_ && stretch_->of == Stretch::Of::program) stepping_->hold_next();
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::set_optional_stop(bool on) {
+  return ask([this, on]() -> Answer {
+    kept_.optional_stop = on;
+    session_->control().set_optional_stop(on);
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::set_skip(int number, bool on) {
+  if (number < 1 || number > 9) return Failed(told("skip: want 1 to 9", "пропуск кадров: нужно от 1 до 9"));
+  return ask([this, number, on]() -> Answer {
+    if (on) kept_.skip.insert(number);
+    else kept_.skip.erase(number);
+    session_->control().set_skip(number, on);
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::override_to(double share) {
+  if (!(share >= 0 && share <= 1)) return Failed(told("override: want 0 to 100 %", "коррекция подачи: нужно от 0 до 100 %"));
+  return ask([this, share]() -> Answer {
+    kept_.override_share = share;
+    set_share();
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::enter(const std::string& line) {
+  if (line.empty() || line.size() > most_entered || line.find_first_of("\n\r") != std::string::npos)
+    return Failed(told("want one line, not longer than 1000 bytes", "нужна одна строка не длиннее 1000 байт"));
+  return ask([this, line]() -> Answer {
+    if (const Answer may = may_begin(); !may) return may;
+    if (session_->control().in_block()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+    auto memory = stepping_->snapshot();
+    if (!memory) return Failed(told("a probe is waited for", "ожидается касание щупа"));
+    if (before_.size() == most_undone) before_.erase(before_.begin());
+    before_.push_back({std::move(*memory), clock_->sample().machine, placement_});
+    kept_.told.clear();
+    kept_.alarm.reset();
+    stepping_->begin_entering(line);
+    begin(Stretch::Of::line);
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::undo() {
+  return ask([this]() -> Answer {
+    if (const Answer may = may_begin(); !may) return may;
+    if (before_.empty()) return Failed(told("nothing was entered", "ничего не введено"));
+    const Before before = std::move(before_.back());
+    before_.pop_back();
+    if (const Status back = stepping_->restore(before.stepping); !back) return Failed(std::string(name_of(back.error().id)));
+    clock_->stand_at(before.machine);
+    placement_ = before.placement;
+    kept_.mode = stepping_->next() ? PanelMode::standing : PanelMode::ended;
+    kept_.alarm.reset();
+    blocks_.clear();
+    on_.origin = stepping_->next().value_or(Origin());
+    on_.work = session_->stand().work, on_.machine = before.machine, on_.placement = placement_;
+    on_.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}});
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, double feed) {
+  return ask([this, axis, way, feed]() -> Answer {
+    if (const Answer may = may_begin(); !may) return may;
+    return move_by_hand(axis, way, feed);
+  });
+}
+
+tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
+  std::size_t number = 0;
+  const Answer answer = ask([this, &number, point = std::move(point)]() -> Answer {
+    if (kept_.stops.size() == most_stops) return Failed(told("too many stop points", "слишком много точек останова"));
+    if (!point.condition.empty())
+      if (const auto holds = stepping_->holds(point.condition); !holds)
+        return Failed(told("the condition cannot be understood: want something as #100 > 5", "условие не понято: нужно, например, #100 > 5"));
+    number = stepping_->add(point);
+    kept_.stops.emplace(number, point);
+    return {};
+  });
+  if (!answer) return Failed(answer.error());
+  return number;
+}
+
+PanelMachine::Answer PanelMachine::remove_stop(std::size_t number) {
+  return ask([this, number]() -> Answer {
+    if (!stepping_->remove(number)) return Failed(told("there is no stop point of that number", "точки останова с таким номером нет"));
+    kept_.stops.erase(number);
+    return {};
+  });
+}
+
+}  // namespace kadr

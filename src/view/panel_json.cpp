@@ -1,0 +1,91 @@
+// For view/page_panel; the shape is held against docs/panel-protocol.md by tests/panel.py.
+
+#include "view/panel_json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace kadr {
+namespace {
+
+/// JSON has no number that is none.
+PageJson finite(double value) { return std::isfinite(value) ? PageJson(value) : PageJson(); }
+
+PageJson axes_json(const std::vector<std::string>& names, const Axes& values) {
+  PageJson json = PageJson::object();
+  for (std::size_t a = 0; a < std::min(names.size(), max_axes); ++a) json[names[a]] = finite(values[a]);
+  return json;
+}
+
+PageJson stops_json(const std::map<std::size_t, StopPoint>& stops) {
+  PageJson list = PageJson::array();
+  for (const auto& [number, p] : stops)
+    list.push_back({{"number", number}, {"line", p.line}, {"pass", p.pass}, {"call", p.call}, {"condition", p.condition}});
+  return list;
+}
+
+/// Codes in force, and values of everything that is none of the axes'.
+void put_modes(PageJson& json, const PanelModes& modes) {
+  PageJson codes = PageJson::array();
+  for (const InForce& one : modes.in_force)
+    if (!one.code.empty()) codes.push_back({{"group", one.name}, {"code", one.code}});
+  json["modal"] = std::move(codes);
+  const auto value = [&](InForce::Kind kind) {
+    const auto found = std::find_if(modes.in_force.begin(), modes.in_force.end(), [&](const InForce& one) { return one.kind == kind; });
+    return found == modes.in_force.end() ? PageJson() : finite(found->value);
+  };
+  json["rpm"] = value(InForce::Kind::speed);
+  json["tool"] = value(InForce::Kind::tool);
+  json["offsets"] = {{"T", value(InForce::Kind::selected)}, {"D", value(InForce::Kind::offset)}, {"H", value(InForce::Kind::length_offset)}};
+  PageJson zero = PageJson::object();
+  for (const InForce& one : modes.in_force)
+    if (one.kind == InForce::Kind::origin) zero[one.name] = finite(one.value);
+  json["zero"] = std::move(zero);
+  PageJson calls = PageJson::array();
+  for (const AlarmReport::Call& call : modes.calls)
+    calls.push_back({{"what", call.what}, {"line", call.line}, {"block", call.has_block ? PageJson(call.block) : PageJson()},
+                     {"file", call.file.empty() ? PageJson() : PageJson(call.file)}});
+  json["calls"] = std::move(calls);
+}
+
+}  // namespace
+
+const char* name_of(PanelMode mode) {
+  constexpr std::array names = {"standing", "running", "held", "ended", "alarm", "emergency"};
+  return names[std::size_t(mode)];
+}
+
+PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes) {
+  const Axes work = s.block.work_of(s.sample.machine);
+  Axes left{};
+  for (std::size_t a = 0; a < max_axes; ++a) left[a] = s.sample.plays ? s.block.work[a] - work[a] : 0;
+  PageJson json = {{"mode", name_of(s.mode)},
+                   {"instant", s.sample.instant},
+                   {"position", axes_json(axes, work)},
+                   {"machine", axes_json(axes, s.sample.machine)},
+                   {"togo", axes_json(axes, left)},
+                   {"feed", finite(s.block.feed)},
+                   {"speed", finite(s.sample.speed)},
+                   {"share", finite(s.sample.share)},
+                   {"override", s.override_share},
+                   {"line", s.line.number},
+                   {"file", s.mode == PanelMode::running || s.mode == PanelMode::held ? s.block.origin.file : 0},
+                   {"text", s.line.text},
+                   {"number", s.block.origin.number},
+                   {"entered", s.entered},
+                   {"single", s.single},
+                   {"optional_stop", s.optional_stop},
+                   {"skip", s.skip},
+                   {"stops", stops_json(s.stops)},
+                   {"hit", s.hit},
+                   {"told", s.told},
+                   {"can_undo", s.can_undo},
+                   {"blocks", s.blocks}};
+  static const PanelModes none;
+  put_modes(json, s.block.modes ? *s.block.modes : none);
+  return json;
+}
+
+}  // namespace kadr

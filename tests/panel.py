@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""kadr serve: a machine at its panel, as a page drives it (docs/panel-protocol.md, The panel).
+
+    tests/panel.py --kadr build/release/kadr
+"""
+import argparse
+import tempfile
+import time
+from pathlib import Path
+
+from page_client.client import SCHEMA, Page, Server, expect, result, seen
+
+FAST = """id = "fast"
+tool_change = 0
+[axes]
+X = {rapid = 60000, limits = [-500, 500], acceleration = 5000, jerk = 1000000}
+Y = {rapid = 60000, limits = [-500, 500], acceleration = 5000, jerk = 1000000}
+Z = {rapid = 60000, limits = [-500, 500], acceleration = 5000, jerk = 1000000}
+"""
+PROGRAM = 'G21 G90 G94\nG0 X10\nG1 X200 F3000\nM0\nG1 Y50\nM30\n'
+WITH = {'control': 'mach3', 'machine': 'fast.toml'}
+
+
+def until(page, wanted, seconds=60):
+    """The panel when that is so; a busy machine is no fault."""
+    end = time.monotonic() + seconds
+    while True:
+        panel = page.ask('panel')
+        if wanted(panel) or time.monotonic() > end:
+            expect(wanted(panel), f'the panel comes to it: {panel}')
+            return panel
+        time.sleep(0.005)
+
+
+def stands(page, mode='standing'):
+    return until(page, lambda p: p['mode'] == mode)
+
+
+def looker(server, token=True):
+    page = Page(server)
+    page.ask('hello', lang='en', **({'token': server.token} if token else {}))
+    return page
+
+
+def operator(server):
+    page = looker(server)
+    expect('error' in page.ask('panel') and 'error' in page.ask('press', key='run'), 'no machine is looked at')
+    on = page.ask('machine', file='part.nc', **WITH)
+    expect('error' not in on, f'it is on: {on}')
+    expect(on['holds'] and on['axes'][:3] == ['X', 'Y', 'Z'] and on['machine'] == 'fast', f'it is on: {on}')
+    panel = page.ask('panel')
+    expect(panel['mode'] == 'standing' and panel['line'] == 1 and panel['holds'], 'it stands before the first block')
+
+    expect('error' not in page.ask('press', key='run'), 'run')
+    moving = until(page, lambda p: p['mode'] == 'running' and p['line'] == 3 and p['machine']['X'] > 20)
+    expect(abs(moving['togo']['X'] + moving['position']['X'] - 200) < 1e-6 and moving['speed'] > 0 and moving['feed'] == 3000, f'on its way {moving}')
+    expect(any(m['code'] == 'G1' for m in moving['modal']), 'codes in force')
+    expect('error' in page.ask('enter', line='G0 X0') and 'error' in page.ask('jog', axis='X', way=1.0), 'nothing else while it runs')
+    page.ask('press', key='hold')
+    held = stands(page, 'held')
+    time.sleep(0.05)
+    again = page.ask('panel')
+    expect(again['machine'] == held['machine'] and again['speed'] == 0 and 20 < held['machine']['X'] < 200, 'a feed hold stands')
+    page.ask('switches', override=0.5)
+    page.ask('press', key='run')
+    stopped = until(page, lambda p: p['mode'] == 'standing' and p['line'] == 5)
+    expect(stopped['machine']['X'] == 200 and stopped['told'], 'M0 stands')
+    page.ask('switches', override=1.0, single=True, optional_stop=True)
+    page.ask('switches', skip=3, on=True)
+    expect(page.ask('panel')['skip'] == [3], 'skip')
+    page.ask('press', key='run')
+    until(page, lambda p: p['mode'] == 'standing' and p['line'] == 6 and p['machine']['Y'] == 50)
+
+    page.ask('enter', line='G91 G0 Z-4')
+    until(page, lambda p: p['mode'] == 'standing' and p['machine']['Z'] == -4 and p['can_undo'] == 1)
+    page.ask('undo')
+    back = page.ask('panel')
+    expect(back['machine']['Z'] == 0 and back['can_undo'] == 0 and any(m['code'] == 'G90' for m in back['modal']), 'undone')
+    page.ask('enter', line='G0 X5 X6')
+    alarm = until(page, lambda p: p['alarm'] is not None and p['mode'] == 'standing')
+    expect(alarm['alarm']['hint'] and alarm['mode'] == 'standing', f'a faulty line is told {alarm["alarm"]}')
+    expect(all('error' in page.ask('enter', wrong=None, line=line) for line in ('', 'G0 X1\nG0 X2', 'X' * 2000, 7)), 'what is no line')
+    page.ask('jog', axis='Y', way=-10.0, feed=6000.0)
+    until(page, lambda p: p['mode'] == 'standing' and p['machine']['Y'] == 40 and p['position']['Y'] == 40)
+    expect(all('error' in page.ask('jog', wrong=None, **{'axis': 'X', **bad}) for bad in ({'way': 1e9}, {'way': 400.0}, {'axis': 'Q', 'way': 1.0}, {'way': 'x'}, {})), 'jogs that are none')
+
+    page.ask('press', key='reset')
+    fresh = until(page, lambda p: p['mode'] == 'standing' and p['line'] == 1)
+    expect(fresh['machine']['Y'] == 40 and fresh['single'], 'a reset leaves the axes and the switches')
+    page.ask('switches', single=False)
+    number = page.ask('stops', condition='#5221 < 1')
+    expect('error' in page.ask('stops', condition='#1 >') and 'error' in page.ask('stops', wrong=None) and 'error' in page.ask('stops', remove=99), 'stop points that are none')
+    expect(page.ask('panel')['stops'][0]['condition'] == '#5221 < 1', 'a stop point')
+    page.ask('stops', remove=number['number'])
+    line = page.ask('stops', line=5)
+    page.ask('press', key='run')
+    until(page, lambda p: p['mode'] == 'standing' and p['line'] == 5)
+    expect('error' not in line and 'error' in page.ask('press', wrong=None, key='dance'), 'keys')
+    return page
+
+
+def many(server, first):
+    """Two pages on one machine, one that may only look, and the emergency stop."""
+    second = looker(server)
+    on = second.ask('machine', file='part.nc')
+    expect(not on['holds'] and second.ask('panel')['line'] == 5, 'another page sees the same machine')
+    expect('controls' in second.ask('press', key='run')['error']['text'], 'and has no hand on it')
+    second.ask('press', key='take')
+    expect(second.ask('panel')['holds'] and not first.ask('panel')['holds'] and 'error' in first.ask('press', key='run'), 'unless it takes the controls')
+    third = looker(server, token=False)
+    expect('error' not in third.ask('machine', file='part.nc') and 'error' in third.ask('press', key='take') and 'error' in third.ask('press', key='run'), 'without the token it looks')
+    expect('error' in third.ask('machine', file='other.nc', **WITH), 'and switches nothing on')
+
+    second.ask('press', key='reset')
+    until(second, lambda p: p['mode'] == 'standing' and p['line'] == 1)
+    second.ask('enter', line='G0 X0 Y0')
+    until(second, lambda p: p['mode'] == 'standing' and p['machine']['X'] == 0)
+    second.ask('press', key='run')
+    until(second, lambda p: p['machine']['X'] > 30)
+    first.ask('press', key='emergency')  # whoever has the controls
+    there = stands(second, 'emergency')
+    expect(there['machine']['X'] < 200 and 'error' in second.ask('press', key='run') and 'error' in second.ask('enter', line='G0 X0'), 'an emergency stop stands')
+    second.ask('press', key='reset')
+    expect(stands(second)['machine'] == there['machine'], 'until the reset')
+    second.ask('press', key='run')
+    for page in (first, second, third):
+        page.socket.close()
+    page = looker(server)
+    expect(page.ask('machines')['machines'][0]['name'] == 'part.nc', 'it is on though nobody looks')
+    expect(page.ask('machine', file='part.nc')['holds'], 'the controls are free again')
+    until(page, lambda p: p['mode'] == 'standing' and p['line'] == 4 or p['line'] == 5)
+    page.ask('press', key='off')
+    expect(page.ask('machines')['machines'] == [] and 'error' in page.ask('panel'), 'off')
+
+
+def endless(server):
+    page = looker(server)
+    page.ask('machine', file='endless.nc', control='linuxcnc', machine='fast.toml')
+    page.begin('press', key='run')
+    started = time.monotonic()
+    page.ask('press', key='emergency')
+    expect(time.monotonic() - started < 3, 'an emergency stop does not wait for a busy control')
+    stands(page, 'emergency')
+    page.ask('press', key='reset')
+    stands(page)
+    expect('error' in page.ask('machine', file='nothing.nc', **WITH), 'a program that is not there')
+    expect('error' in page.ask('machine', file='../outside.nc', **WITH), 'a program beyond the folder')
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument('--kadr', required=True)
+    kadr = options.parse_args().kadr
+    with tempfile.TemporaryDirectory() as above:
+        folder = Path(above) / 'programs'
+        folder.mkdir()
+        (folder / 'part.nc').write_text(PROGRAM)
+        (folder / 'other.nc').write_text(PROGRAM)
+        (folder / 'fast.toml').write_text(FAST)
+        (folder / 'endless.nc').write_text('G90 G21\no100 while [1]\n#1=[#1+1]\no100 endwhile\nM2\n')
+        (Path(above) / 'outside.nc').write_text(PROGRAM)
+        server = Server(kadr, folder)
+        many(server, operator(server))
+        endless(server)
+        expect(server.process.poll() is None and server.end() == 130, 'the server still stands, and ends with machines that are on')
+    said = {name for name in seen if '.' in name}
+    named = {n for n in SCHEMA['$defs'] if n.split('.')[-1] in ('machines', 'machine', 'panel', 'press', 'switches', 'enter', 'undo', 'jog', 'stops') and '.' in n}
+    expect(not named - said, f'of the schema never said: {sorted(named - said)}')
+    return result()
+
+
+if __name__ == '__main__':
+    raise SystemExit(main())

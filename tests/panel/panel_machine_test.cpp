@@ -1,0 +1,286 @@
+// panel/panel_machine: what an operator does with a machine, in its own time.
+
+#include "panel/panel_machine.h"
+
+#include <gtest/gtest.h>
+
+#include "session/a_session.h"
+
+namespace kadr {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A machine with a program of Mach3 that has a lathe's fast axes, so that nobody waits long.
+class APanel {
+ public:
+  explicit APanel(const std::string& program, const std::string& control = "mach3", Setup setup = {}) {
+    MachineProfile machine = test::generic_machine();
+    for (const char* const axis : {"X", "Y", "Z"}) {
+      machine.axes[axis].rapid = 60'000, machine.axes[axis].acceleration = 5'000, machine.axes[axis].jerk = 1e6;
+      machine.axes[axis].least = -500, machine.axes[axis].most = 500;
+    }
+    machine.tool_change_s = 0;
+    machine.planner = PlannerMode::optimal;
+    auto made = PanelMachine::make([=](const std::optional<Axes>& start, const StopToken& stop)
+                                       -> tl::expected<std::unique_ptr<Session>, std::string> {
+      Setup with = setup;
+      RunLimits limits;
+      limits.stop = stop;
+      const char* const names[] = {"X", "Y", "Z"};
+      for (std::size_t a = 0; start && a < 3; ++a) with.start[names[a]] = (*start)[a];
+      auto session = Session::open({test::shared_control(control), machine, with, {"main.nc", text_source(program), {}}, limits});
+      if (!session) return tl::unexpected(session.error().fault.en);
+      return std::move(*session);
+    });
+    EXPECT_TRUE(made) << made.error();
+    machine_ = std::move(*made);
+  }
+  PanelMachine* operator->() const { return machine_.get(); }
+
+  /// Waits; a machine that is too busy is no fault.
+  bool until(const std::function<bool(const PanelState&)>& is) const {
+    const auto end = std::chrono::steady_clock::now() + 60s;
+    while (!is(machine_->state())) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(1ms);
+    }
+    return true;
+  }
+  bool stands(PanelMode mode) const {
+    return until([mode](const PanelState& s) { return s.mode == mode; });
+  }
+  Vec3 at() const {
+    const Axes& a = machine_->state().sample.machine;
+    return {a[0], a[1], a[2]};
+  }
+  std::uint32_t line() const { return machine_->state().line.number; }
+
+ private:
+  std::unique_ptr<PanelMachine> machine_;
+};
+
+void expect_at(const APanel& panel, Vec3 wanted) {
+  const Vec3 at = panel.at();
+  EXPECT_LT(length(at - wanted), 1e-9) << at.x << ' ' << at.y << ' ' << at.z;
+}
+
+const char* const square = "G21 G90 G94 G17\nG0 X10 Y0 Z5\nG1 Z0 F6000\nX50\nG3 X60 Y10 I0 J10\nG1 Y40\nG0 Z20\nM30\n";
+
+TEST(PanelMachine, RunsToTheEndInItsOwnTime) {
+  const APanel panel(square);
+  EXPECT_EQ(panel->state().mode, PanelMode::standing);
+  EXPECT_EQ(panel.line(), 1u);
+  ASSERT_TRUE(panel->run());
+  EXPECT_TRUE(panel.until([](const PanelState& s) { return s.sample.plays && s.block.origin.line == 5 && s.sample.speed > 100; }));
+  EXPECT_FALSE(panel->run() && panel->enter("G0 X0")) << "an entered line while it runs";
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {60, 40, 20});
+  EXPECT_EQ(panel->state().sample.speed, 0);
+}
+
+TEST(PanelMachine, RunsAgainFromWhereItStands) {
+  const APanel panel("G21 G91\nG0 X10\nM30\n");
+  for (int i = 1; i <= 3; ++i) {
+    ASSERT_TRUE(panel->run());
+    ASSERT_TRUE(panel.until([&](const PanelState& s) { return s.mode == PanelMode::ended && s.sample.machine[0] > 10 * i - 1e-9; }));
+    expect_at(panel, {10. * i, 0, 0});
+  }
+}
+
+TEST(PanelMachine, GoesBlockByBlock) {
+  const APanel panel(square);
+  ASSERT_TRUE(panel->set_single(true));
+  const double z[] = {0, 5, 0, 0};
+  for (std::uint32_t line = 1; line <= 4; ++line) {
+    EXPECT_EQ(panel.line(), line);
+    ASSERT_TRUE(panel->run());
+    ASSERT_TRUE(panel.until([&](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == line + 1; }));
+    EXPECT_NEAR(panel.at().z, z[line - 1], 1e-9);
+  }
+  expect_at(panel, {50, 0, 0});
+  ASSERT_TRUE(panel->set_single(false));
+  ASSERT_TRUE(panel->run());
+  EXPECT_TRUE(panel.stands(PanelMode::ended));
+}
+
+TEST(PanelMachine, HoldsAndGoesOn) {
+  const APanel panel("G21 G91 G94\nG1 X200 F3000\nG1 Y10\nM30\n");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.sample.machine[0] > 2; }));
+  ASSERT_TRUE(panel->hold());
+  ASSERT_TRUE(panel.stands(PanelMode::held));
+  const Vec3 there = panel.at();
+  EXPECT_LT(there.x, 200);
+  EXPECT_EQ(there.y, 0);
+  std::this_thread::sleep_for(20ms);
+  expect_at(panel, {there.x, 0, 0});
+  EXPECT_FALSE(panel->enter("G0 X0"));
+  ASSERT_TRUE(panel->override_to(0.5));
+  EXPECT_EQ(panel->state().mode, PanelMode::held) << "an override is no run";
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {200, 10, 0});
+}
+
+TEST(PanelMachine, AnOverrideOfZeroStandsAndGoesOnByItself) {
+  const APanel panel("G21 G91 G94\nG1 X60 F3000\nM30\n");
+  ASSERT_TRUE(panel->override_to(0));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::held));
+  EXPECT_LT(panel.at().x, 60);
+  ASSERT_TRUE(panel->override_to(1));
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {60, 0, 0});
+  for (const double share : {-0.1, 1.1, double(NAN)}) EXPECT_FALSE(panel->override_to(share));
+}
+
+TEST(PanelMachine, AResetBrakesOnThePathAndIsAtTheBeginning) {
+  const APanel panel("G21 G90 G94\nG1 X200 F3000\nM30\n");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.sample.machine[0] > 2; }));
+  ASSERT_TRUE(panel->reset());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 1; }));
+  const Vec3 there = panel.at();
+  EXPECT_GT(there.x, 2);
+  EXPECT_LT(there.x, 200);
+  EXPECT_EQ(there.y, 0);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {200, 0, 0});
+}
+
+TEST(PanelMachine, AnEmergencyStopStandsUntilTheReset) {
+  const APanel panel("G21 G90 G94\nG1 X200 F3000\nM30\n");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.sample.machine[0] > 2; }));
+  panel->stop_at_once();
+  const std::uint64_t instant = panel->state().sample.instant;
+  ASSERT_TRUE(panel.stands(PanelMode::emergency));
+  EXPECT_LE(panel->state().sample.instant, instant + 2) << "an instant of the clock or two";
+  EXPECT_FALSE(panel->run());
+  EXPECT_FALSE(panel->enter("G0 X0"));
+  EXPECT_FALSE(panel->jog("X", 1, 0));
+  const Vec3 there = panel.at();
+  ASSERT_TRUE(panel->reset());
+  ASSERT_TRUE(panel.stands(PanelMode::standing));
+  expect_at(panel, {there.x, 0, 0});
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {200, 0, 0});
+  panel->stop_at_once();
+  ASSERT_TRUE(panel.stands(PanelMode::emergency)) << "while it stands, too";
+}
+
+TEST(PanelMachine, M0HoldsAndM1IfItIsAskedFor) {
+  const char* const program = "G21 G91\nG0 X10\nM0\nG0 X10\nM1\nG0 X10\nM30\n";
+  const APanel panel(program);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 4; }));
+  expect_at(panel, {10, 0, 0});
+  EXPECT_FALSE(panel->state().told.empty());
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {30, 0, 0});
+
+  const APanel stopping(program);
+  ASSERT_TRUE(stopping->set_optional_stop(true));
+  ASSERT_TRUE(stopping->run());
+  ASSERT_TRUE(stopping.stands(PanelMode::standing));
+  ASSERT_TRUE(stopping->run());
+  ASSERT_TRUE(stopping.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 6; }));
+  expect_at(stopping, {20, 0, 0});
+}
+
+TEST(PanelMachine, StopsAtALineAndByACondition) {
+  const APanel panel("G21 G91\n#1=0\nM98 P7 L8\nM30\nO7\n#1=[#1+1]\nG0 X10\nM99\n");
+  const auto condition = panel->add_stop({0, {}, 0, {}, "#1 > 4"});
+  ASSERT_TRUE(condition);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.hit != 0; }));
+  expect_at(panel, {40, 0, 0});
+  EXPECT_EQ(panel->state().hit, *condition);
+  ASSERT_TRUE(panel->remove_stop(*condition));
+  EXPECT_FALSE(panel->remove_stop(*condition));
+  const auto line = panel->add_stop({4, {}, 0, {}, {}});
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 4; }));
+  expect_at(panel, {80, 0, 0});
+  EXPECT_TRUE(line);
+  EXPECT_FALSE(panel->add_stop({0, {}, 0, {}, "#1 >"}));
+}
+
+TEST(PanelMachine, LinesThatAreEnteredAreUndone) {
+  const APanel panel("G21 G90\nG0 X10\nM30\n");
+  ASSERT_TRUE(panel->enter("#5=7 G0 Y20"));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[1] > 19.9999; }));
+  ASSERT_TRUE(panel->enter("G91 G0 Z#5"));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[2] > 6.9999; }));
+  expect_at(panel, {0, 20, 7});
+  EXPECT_EQ(panel->state().can_undo, 2u);
+  ASSERT_TRUE(panel->undo());
+  expect_at(panel, {0, 20, 0});
+  ASSERT_TRUE(panel->undo());
+  expect_at(panel, {0, 0, 0});
+  EXPECT_FALSE(panel->undo());
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {10, 0, 0});  // G91 was undone
+  ASSERT_TRUE(panel->enter("G0 X1"));
+  ASSERT_TRUE(panel.stands(PanelMode::ended)) << "after the program's end";
+}
+
+TEST(PanelMachine, AFaultyLineIsToldAndNothingMoves) {
+  const APanel panel("G21 G90\nG0 X10\nM30\n");
+  ASSERT_TRUE(panel->enter("G0 X5 X6"));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.alarm; }));
+  expect_at(panel, {0, 0, 0});
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  EXPECT_FALSE(panel->state().alarm);
+  for (const std::string& bad : {std::string(), std::string("G0 X1\nG0 X2"), std::string(2000, 'X')}) EXPECT_FALSE(panel->enter(bad));
+}
+
+TEST(PanelMachine, AnAlarmOfTheProgramStandsUntilTheReset) {
+  const APanel panel("G21 G90\nG0 X10\nG1 X20 X30\nM30\n");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::alarm));
+  expect_at(panel, {10, 0, 0});
+  ASSERT_TRUE(panel->state().alarm);
+  EXPECT_EQ(panel->state().alarm->origin.line, 3u);
+  EXPECT_FALSE(panel->run());
+  ASSERT_TRUE(panel->reset());
+  EXPECT_EQ(panel->state().mode, PanelMode::standing);
+}
+
+TEST(PanelMachine, AxesGoByHandAndTheControlKnows) {
+  kadr::Setup setup;
+  setup.work_offsets["G54"] = {{"X", 100}, {"Y", 0}, {"Z", 0}};
+  const APanel panel("G21 G91\nG0 X10\nM30\n", "mach3", setup);
+  ASSERT_TRUE(panel->jog("X", 25, 6000));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[0] > 24.9999; }));
+  ASSERT_TRUE(panel->jog("Z", -3, 0));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[2] < -2.9999; }));
+  expect_at(panel, {25, 0, -3});
+  ASSERT_TRUE(panel->enter("G90 G0 Y1"));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[1] > 0.9999; }));
+  expect_at(panel, {25, 1, -3});  // the line knows where they are
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {35, 1, -3});
+  EXPECT_FALSE(panel->jog("X", 1000, 0)) << "beyond the end of its way";
+  EXPECT_FALSE(panel->jog("Q", 1, 0));
+  EXPECT_FALSE(panel->jog("X", NAN, 0));
+}
+
+TEST(PanelMachine, AProgramWithoutAnEndIsReset) {
+  const APanel panel("G90 G21\no100 while [1]\n#1=[#1+1]\no100 endwhile\nM2\n", "linuxcnc");
+  (void)panel->run();
+  std::this_thread::sleep_for(50ms);
+  ASSERT_TRUE(panel->reset());
+  ASSERT_TRUE(panel.stands(PanelMode::standing));
+  EXPECT_EQ(panel.line(), 1u);
+}
+
+}  // namespace
+}  // namespace kadr
