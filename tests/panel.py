@@ -64,7 +64,7 @@ def operator(server):
     page.ask('switches', override=0.5)
     page.ask('press', key='run')
     stopped = until(page, lambda p: p['mode'] == 'standing' and p['line'] == 5)
-    expect(stopped['machine']['X'] == 200 and stopped['told'], 'M0 stands')
+    expect(stopped['machine']['X'] == 200 and stopped['why'] == 'M0', 'M0 stands')
     page.ask('switches', override=1.0, single=True, optional_stop=True)
     page.ask('switches', skip=3, on=True)
     expect(page.ask('panel')['skip'] == [3], 'skip')

@@ -24,6 +24,7 @@ struct PanelBlock {
   Axes work{}, machine{};    // coordinates at its end
   Placement placement;       // of the work coordinates
   double feed = 0;           // as programmed, mm/min; 0 at rapid
+  bool entered = false;      // of a line of the operator, which stands in no file
   std::shared_ptr<const PanelModes> modes;
 
   /// Work coordinates on the way there.

@@ -71,7 +71,11 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
   {
     const std::lock_guard hold(lock_);
-    asked_.push_back({std::move(what), {}});
+    asked_.push_back({[what = std::move(what), lang = told_lang()] {
+                        tell_here_in(lang);  // of whoever asks
+                        return what();
+                      },
+                      {}});
     answer = asked_.back().answer.get_future();
   }
   wakes_.notify_all();
@@ -112,7 +116,6 @@ void PanelMachine::live() {
 void PanelMachine::stand_still() {
   drop_stretch();
   kept_.mode = PanelMode::emergency;
-  kept_.told = told("emergency stop", "аварийный останов");
   show();
 }
 
@@ -129,13 +132,22 @@ void PanelMachine::look_after_stretch() {
   show();
 }
 
+/// Of the block that the machine is on, where it is one of the program; else of the one that comes next.
+AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
+  const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
+  if (!runs && stepping_->next()) return stepping_->line();
+  Origin origin = on_.entered ? Origin() : on_.origin;
+  if (const Spent at = Spent::of(sample.tag); runs && sample.motion == 0 && at.line != 0) origin.line = at.line, origin.file = at.file;
+  return origin.line == 0 ? AlarmReport::Line() : session_->control().line_at(origin);
+}
+
 void PanelMachine::show() {
   PanelState now = kept_;
   now.sample = clock_ ? clock_->sample() : ServoSample();
   if (const PanelBlock* const block = blocks_.at(now.sample.motion)) on_ = *block;
   now.block = on_;
   now.entered = stretch_ && stretch_->of == Stretch::Of::line;
-  now.line = stretch_ && stretch_->of == Stretch::Of::program ? session_->control().line_at(on_.origin) : stepping_->line();
+  now.line = line_of(now.sample);
   now.hit = stepping_->hit();
   now.can_undo = before_.size();
   now.blocks = session_->blocks();
@@ -172,7 +184,7 @@ PanelMachine::Answer PanelMachine::run() {
     if (const Answer may = may_begin(); !may) return may;
     if (kept_.mode == PanelMode::ended)
       if (const Answer opened = open(clock_->sample().machine); !opened) return opened;
-    kept_.told.clear();
+    kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
     begin(Stretch::Of::program);
     return {};
@@ -190,7 +202,7 @@ PanelMachine::Answer PanelMachine::hold() {
 PanelMachine::Answer PanelMachine::reset() {
   stops_ = true;  // a block without an end is over
   return ask([this]() -> Answer {
-    kept_.told.clear();
+    kept_.told.clear(), kept_.why.clear();
     clock_->release();
     if (!stretch_) return open(clock_->sample().machine);
     resets_ = true;
@@ -251,7 +263,7 @@ PanelMachine::Answer PanelMachine::enter(const std::string& line) {
     if (!memory) return Failed(told("a probe is waited for", "ожидается касание щупа"));
     if (before_.size() == most_undone) before_.erase(before_.begin());
     before_.push_back({std::move(*memory), clock_->sample().machine, placement_});
-    kept_.told.clear();
+    kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
     stepping_->begin_entering(line);
     begin(Stretch::Of::line);
@@ -271,7 +283,7 @@ PanelMachine::Answer PanelMachine::undo() {
     kept_.mode = stepping_->next() ? PanelMode::standing : PanelMode::ended;
     kept_.alarm.reset();
     blocks_.clear();
-    on_.origin = stepping_->next().value_or(Origin());
+    on_.origin = stepping_->next().value_or(Origin()), on_.entered = false;
     on_.work = session_->stand().work, on_.machine = before.machine, on_.placement = placement_;
     on_.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}});
     return {};

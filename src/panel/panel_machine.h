@@ -48,7 +48,8 @@ struct PanelState {
   std::set<int> skip;
   std::map<std::size_t, StopPoint> stops;
   std::size_t hit = 0;        // the stop point that it is held by; 0: none
-  std::string told;           // a message of the program, or why it stands
+  std::string told;           // a message of the program
+  std::string why;            // it stands by "M0", "M1"; empty: by something else
   std::optional<AlarmReport> alarm;
   std::size_t can_undo = 0;   // lines that were entered
   std::uint64_t blocks = 0;   // carried out by the control, ahead of the machine
@@ -136,6 +137,7 @@ class PanelMachine {
   Answer may_begin() const;
   void set_share();
   void show();
+  AlarmReport::Line line_of(const ServoSample& sample) const;
   // panel_stretch.cpp
   void look(const Step& step);
   void begin(Stretch::Of of);

@@ -24,7 +24,7 @@ void PanelMachine::look(const Step& step) {
   if (const auto* const message = std::get_if<Message>(&what)) kept_.told = message->text;
   if (const auto* const stop = std::get_if<Stop>(&what); stop != nullptr && (!stop->optional || kept_.optional_stop)) {
     stepping_->hold_next();
-    if (kept_.told.empty()) kept_.told = stop->optional ? "M1" : told("the program stops here: M0", "останов по программе: M0");
+    kept_.why = stop->optional ? "M1" : "M0";
   }
   const Motion* const motion = step.motion();
   if (motion == nullptr) return;
@@ -37,6 +37,7 @@ void PanelMachine::look(const Step& step) {
   pending_.origin = origin;
   pending_.work = motion->to, pending_.machine = motion->machine;
   pending_.placement = placement_;
+  pending_.entered = stretch_ && stretch_->of == Stretch::Of::line;
   pending_.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
 }
 
@@ -59,7 +60,7 @@ void PanelMachine::begin(Stretch::Of of) {
   stretch.planned = &session_->plan(session_->own());
   session_->change_outlets();
   set_up(stretch);
-  on_.origin = stepping_->next().value_or(Origin());  // a line that was entered before stands in no file any more
+  on_.origin = stepping_->next().value_or(Origin()), on_.entered = false;
   if (of == Stretch::Of::program) stepping_->begin(kept_.single ? Stepping::How::block : Stepping::How::free);
   kept_.mode = PanelMode::running;
   provide();

@@ -71,7 +71,7 @@ PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes) {
                    {"share", finite(s.sample.share)},
                    {"override", s.override_share},
                    {"line", s.line.number},
-                   {"file", s.mode == PanelMode::running || s.mode == PanelMode::held ? s.block.origin.file : 0},
+                   {"file", !s.entered && (s.mode == PanelMode::running || s.mode == PanelMode::held) ? s.block.origin.file : 0},
                    {"text", s.line.text},
                    {"number", s.block.origin.number},
                    {"entered", s.entered},
@@ -81,6 +81,7 @@ PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes) {
                    {"stops", stops_json(s.stops)},
                    {"hit", s.hit},
                    {"told", s.told},
+                   {"why", s.why},
                    {"can_undo", s.can_undo},
                    {"blocks", s.blocks}};
   static const PanelModes none;

@@ -178,7 +178,7 @@ TEST(PanelMachine, M0HoldsAndM1IfItIsAskedFor) {
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == 4; }));
   expect_at(panel, {10, 0, 0});
-  EXPECT_FALSE(panel->state().told.empty());
+  EXPECT_EQ(panel->state().why, "M0");
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.stands(PanelMode::ended));
   expect_at(panel, {30, 0, 0});

@@ -383,6 +383,40 @@ const steps = {
     await page.waitForTimeout(1500);
     await page.screenshot({ path: join(pictures, "turned_cut.png") });
   },
+  async "a machine at its panel: runs, holds, a line by hand, the emergency stop"() {
+    if (!process.env.KADR) return "skipped: the made-up session has no machine";
+    await page.goto(`${new URL(kadr.address()).origin}/`);
+    await until("the files", () => count(".file-row"));
+    if (!only) await ended();
+    await page.click(".crumbs button >> nth=0");
+    for (const name of ["cut", "step.nc"]) await page.click(`.file-row:has-text('${name}')`);
+    await ended();
+    await page.click("[data-tab=panel]");
+    await page.click(".operator button:has-text('Switch on')");
+    const mode = (wanted) => until(`the machine ${wanted}`, () => count(`.operator .mode.${wanted}`), 60_000);
+    const x = async () => Number((await page.locator(".operator .positions tbody tr >> nth=0").locator("td >> nth=0").textContent()).replace("\u2212", "-"));
+    await mode("standing");
+    await page.fill(".operator .mdi", "G0 X17.5");
+    await page.press(".operator .mdi", "Enter");
+    await until("X 17.5", async () => Math.abs((await x()) - 17.5) < 1e-6, 60_000);
+    await mode("standing");
+    await page.click(".operator button:has-text('Undo')");
+    await until("X as before", async () => Math.abs(await x()) < 1e-6);
+    await page.click(".operator-keys button:has-text('Start')");
+    await mode("running");
+    await until("a motion", async () => (await line_shown()).includes("G"), 60_000);
+    await page.click(".operator-keys button:has-text('Hold')");
+    await mode("held");
+    await page.screenshot({ path: join(pictures, "panel.png") });
+    await page.click(".operator-keys button:has-text('Start')");
+    await mode("running");
+    await page.click("button.emergency");
+    await mode("emergency");
+    await page.click(".operator-keys button:has-text('Reset')");
+    await mode("standing");
+    await page.click(".operator-keys button:has-text('Switch off')");
+    await until("it is off", () => count(".operator button:has-text('Switch on')"));
+  },
 };
 
 let passed = 0, failed = 0, skipped = 0;

@@ -23,6 +23,8 @@ import { FilesDrawer } from "./ui/files";
 import { show_help } from "./ui/help";
 import { listen_keys, step_mark } from "./ui/keys";
 import { layout, next_pane, Tabs } from "./ui/layout";
+import { Operator } from "./model/operator";
+import { OperatorPanel } from "./ui/operator_panel";
 import { Player } from "./ui/player";
 import { ProblemsPanel } from "./ui/problems_panel";
 import { ScenePane } from "./ui/scene_pane";
@@ -38,6 +40,7 @@ set_language(language());
 const address = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/session`;
 const app = new App(() => new WebSocket(address) as unknown as Socket);
 const player = new Player(app);
+const operator = new Operator(() => new WebSocket(address) as unknown as Socket);
 let shapes: Shape[] = [], stock: SceneBox[] = [], shown_file = "";
 
 const scene_pane = new ScenePane(app, (v) => {
@@ -59,6 +62,7 @@ const tabs = new Tabs([
   { name: "problems", element: problems.element, badge: () => String(ProblemsPanel.all(app).length || "") },
   { name: "summary", element: new SummaryPanel(app).element },
   { name: "cut_tab", element: cut.element, badge: () => String(app.findings.length || "") },
+  { name: "panel", element: new OperatorPanel(app, operator).element, badge: () => (operator.panel ? "●" : "") },
 ]);
 const files = new FilesDrawer(app);
 const top = new Topbar(app, {
@@ -90,6 +94,19 @@ app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
 for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
 app.on_opened.on((o) => { document.title = `${o.file} · Kadr`; });
 app.on_error.on((text) => toast(text, true));
+operator.on_error.on((text) => toast(text, true));
+let was_on = false, panel_line = 0;
+operator.on_panel.on((p) => {
+  if (Boolean(p) !== was_on) { was_on = Boolean(p); tabs.draw(); }
+  const here = p && app.done && app.opened?.file === operator.name;
+  if (!here) return scene?.showMachine(null);
+  const at = (axis: string): number => (p.position[axis] ?? 0) + (p.zero[axis] ?? 0);
+  scene?.showMachine({ at: [at("X"), at("Y"), at("Z")], tool: p.tool ?? 0 });
+  if (p.line === panel_line || p.file !== 0) return;
+  panel_line = p.line;
+  scene?.highlight(p.line, 0);
+  source.show(p.line);
+});
 
 /// To the pass of a line that is nearest to where the slider stands.
 async function go_to_line(line: number, file: number): Promise<void> {

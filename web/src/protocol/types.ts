@@ -77,6 +77,17 @@ export interface Compared {
 }
 
 /// Each question, with what goes along and what comes back.
+export type PanelMode = "standing" | "running" | "held" | "ended" | "alarm" | "emergency";
+export type PanelKey = "run" | "hold" | "reset" | "emergency" | "take" | "off";
+export interface StopPoint { number: number; line: number; pass: number; call: string; condition: string }
+/// A machine at its panel: positions are a sample of the servo clock.
+export interface Panel {
+  mode: PanelMode; instant: number; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; share: number; override: number;
+  line: number; file: number; text: string; number: number; entered: boolean; single: boolean; optional_stop: boolean; skip: number[]; stops: StopPoint[];
+  hit: number; told: string; why: "" | "M0" | "M1"; can_undo: number; blocks: number; modal: Modal[]; rpm: number | null; tool: number | null;
+  offsets: { T?: number | null; D?: number | null; H?: number | null }; zero: Axes; calls: Call[]; alarm: Problem | null; holds: boolean; held: boolean;
+}
+
 export interface Questions {
   hello: [{ token?: string; lang: Language }, Hello];
   language: [{ lang: Language }, object];
@@ -95,6 +106,15 @@ export interface Questions {
   compare: [{ file?: string; text?: string; control?: string; tolerance?: number }, Compared];
   save: [{ file: string; text: string; digest: string | null }, { digest: string }];
   stop: [object, object];
+  machines: [object, { machines: { name: string; mode: PanelMode; held: boolean }[] }];
+  machine: [OpenQuestion, { name: string; axes: string[]; control: string; machine: string; holds: boolean }];
+  panel: [object, Panel];
+  press: [{ key: PanelKey }, object];
+  switches: [{ single?: boolean; optional_stop?: boolean; skip?: number; on?: boolean; override?: number }, object];
+  enter: [{ line: string }, object];
+  undo: [object, object];
+  jog: [{ axis: string; way: number; feed?: number }, object];
+  stops: [{ line?: number; pass?: number; call?: string; condition?: string; remove?: number }, { number?: number }];
 }
 
 export interface Events {

@@ -62,6 +62,7 @@ export class Scene {
   private fitted_at = 0;
   private own_view = false;          // the user has turned, moved or zoomed since the last fit
   private joints: Joint[] = [];      // that turn the part
+  private machine_at: { at: Point; tool: number } | null = null; // of a machine that is on
 
   constructor(private host: HTMLElement, private events: SceneEvents) {
     this.canvas = new Canvas();
@@ -124,7 +125,7 @@ export class Scene {
 
   setInstant(at: number): void {
     this.path.instant = at;
-    const place = this.path.place(at);
+    const place = this.machine_at ? { ...this.machine_at, lean: null, positions: null } : this.path.place(at);
     this.eye.set_carry(this.path.turns_part && place?.positions ? carry_of(this.joints, place.positions, this.path.zero) : new Matrix4());
     this.tool.visible = Boolean(place);
     if (place) {
@@ -132,6 +133,13 @@ export class Scene {
       put_tool(this.tool, this.from_zero(place.at), place.lean);
     }
     this.touch();
+  }
+
+  /// The tool where a machine is, machine coordinates of the tip; null: where the slider is.
+  showMachine(machine: { at: Point; tool: number } | null): void {
+    if (!machine && !this.machine_at) return;
+    this.machine_at = machine;
+    this.setInstant(this.path.instant);
   }
 
   /// Where the tool's tip is at an instant, from the picture's zero; null where there is no path.

@@ -1,0 +1,85 @@
+// A machine at its panel: a line of its own to the server, so that no cut and no long run keeps it waiting, and what it shows, as often as pictures are drawn.
+import { Client, Lost, type LineState, type Socket } from "../protocol/client";
+import { token } from "../protocol/token";
+import type { OpenQuestion, Panel, PanelKey, Questions } from "../protocol/types";
+import { language } from "../texts/texts";
+import { Signal } from "./signal";
+
+const moving = 30, standing = 250; // ms between two looks
+
+export class Operator {
+  panel: Panel | null = null;          // null: no machine is on
+  axes: string[] = [];
+  readonly on_panel = new Signal<Panel | null>();
+  readonly on_error = new Signal<string>();
+  private client: Client | null = null;
+  private question: OpenQuestion | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private looking = false;
+
+  constructor(private make: () => Socket) {}
+
+  get name(): string | null { return this.question?.file ?? null; }
+
+  /// Switches the machine of a program on, or looks at it if it is on.
+  async switch_on(question: OpenQuestion): Promise<void> {
+    const { text: _, ...of_disk } = question;
+    this.question = of_disk;
+    if (!this.client) {
+      this.client = new Client(this.make, async (c) => { const t = token(); await c.ask("hello", t ? { token: t, lang: language() } : { lang: language() }); });
+      this.client.line.on((l) => void this.line_changed(l));
+      return this.client.connect();
+    }
+    await this.attach();
+  }
+
+  press(key: PanelKey): void { void this.ask("press", { key }).then(() => { if (key === "off") this.leave(); }); }
+
+  /// Refusals are told; the panel shows at once what came of it.
+  async ask<K extends keyof Questions>(what: K, body: Questions[K][0]): Promise<Questions[K][1] | null> {
+    if (!this.client) return null;
+    try {
+      const answer = await this.client.ask(what, body);
+      this.look_soon(0);
+      return answer;
+    } catch (e) {
+      if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e));
+      return null;
+    }
+  }
+
+  private async line_changed(line: LineState): Promise<void> {
+    if (line === "open") return this.attach();
+    if (line === "lost") { this.panel = null; this.on_panel.emit(null); }
+  }
+
+  private async attach(): Promise<void> {
+    if (!this.question) return;
+    const on = await this.ask("machine", this.question);
+    if (!on) return this.leave();
+    this.axes = on.axes;
+    this.look_soon(0);
+  }
+
+  private leave(): void {
+    clearTimeout(this.timer);
+    this.question = this.panel = null;
+    this.on_panel.emit(null);
+  }
+
+  private look_soon(ms: number): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.look(), ms);
+  }
+
+  private async look(): Promise<void> {
+    if (this.looking || !this.client || !this.question) return;
+    this.looking = true;
+    try {
+      this.panel = await this.client.ask("panel", {});
+      this.on_panel.emit(this.panel);
+    } catch { /* lost: it comes back by itself; off: nothing to see */ }
+    this.looking = false;
+    if (this.panel) this.look_soon(this.panel.mode === "running" ? moving : standing);
+  }
+}

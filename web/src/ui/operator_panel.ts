@@ -1,0 +1,116 @@
+// The panel of a machine: positions, keys, switches, lines by hand (MDI), axes by hand, stop points.
+import type { App } from "../model/app";
+import { remember, remembered } from "../model/memory";
+import type { Operator } from "../model/operator";
+import type { Panel } from "../protocol/types";
+import { on_language, t } from "../texts/texts";
+import { button, fill, h, option } from "./dom";
+import { coordinate, short } from "./figures";
+
+const steps = [0.01, 0.1, 1, 10, 100], most_history = 50;
+
+export class OperatorPanel {
+  readonly element = h("div", { class: "operator" });
+  private head = h("div", { class: "operator-head", "aria-live": "polite" });
+  private keys = h("div", { class: "operator-keys", role: "toolbar" });
+  private figures = h("div", { class: "operator-figures" });
+  private hands = h("div");
+  private drawn = ""; // what keys and hands were drawn for
+  private step = 1;
+  private history = remembered<string[]>("mdi", []);
+  private at = -1;    // in the history; -1: a new line
+
+  constructor(private app: App, private operator: Operator) {
+    this.element.append(this.head, this.keys, this.figures, this.hands);
+    operator.on_panel.on(() => this.draw());
+    for (const s of [app.on_opened, app.on_done]) s.on(() => this.draw());
+    on_language(() => { this.drawn = ""; this.draw(); });
+    this.draw();
+  }
+
+  private draw(): void {
+    const p = this.operator.panel;
+    if (!p) {
+      const o = this.app.opened, file = o?.file;
+      this.drawn = "";
+      fill(this.head, h("p", { class: "note" }, t("panel_off")), button(t("switch_on"), () => { if (file) void this.operator.switch_on({ file, ...this.app.choice }); }, { class: "main", disabled: !file, title: t("switch_on_long") }));
+      return fill(this.keys), fill(this.figures), fill(this.hands);
+    }
+    this.draw_head(p);
+    this.draw_figures(p);
+    const wanted = JSON.stringify([p.mode, p.holds, p.single, p.optional_stop, p.skip, p.override, p.stops, p.can_undo, this.step]);
+    if (wanted === this.drawn) return;
+    this.drawn = wanted;
+    this.draw_keys(p);
+    this.draw_hands(p);
+  }
+
+  private draw_head(p: Panel): void {
+    fill(this.head, h("div", { class: "row" }, h("span", { class: `mode ${p.mode}` }, t(`mode_${p.mode}`)), h("b", { class: "grow" }, this.operator.name), h("span", { class: "dim" }, t("line_n", { line: p.line }))),
+      h("code", { class: "block-text" }, p.text),
+      p.why && p.mode === "standing" && h("p", { class: "told" }, t("stands_by", { code: p.why })),
+      p.told && h("p", { class: "told" }, p.told),
+      p.alarm && h("p", { class: "told alarm" }, `${p.alarm.text}${p.alarm.hint ? ` ${p.alarm.hint}` : ""}`),
+      !p.holds && h("p", { class: "note" }, t("others_hold"), " ", button(t("take_controls"), () => this.operator.press("take"))));
+  }
+
+  private draw_keys(p: Panel): void {
+    const { operator } = this, off = !p.holds, can_run = !off && !["alarm", "emergency"].includes(p.mode);
+    this.keys.setAttribute("aria-label", t("panel"));
+    const toggle = (text: string, on: boolean, set: (on: boolean) => void, title: string): HTMLElement => button(text, () => set(!on), { "aria-pressed": on, disabled: off, title });
+    const share = h("input", { type: "range", min: "0", max: "100", step: "5", value: String(Math.round(100 * p.override)), disabled: off, "aria-label": t("override"), oninput: () => void operator.ask("switches", { override: Number(share.value) / 100 }) });
+    fill(this.keys,
+      button(t("press_run"), () => operator.press("run"), { class: "main", disabled: !can_run || (p.mode === "running") }), button(t("press_hold"), () => operator.press("hold"), { disabled: off || p.mode !== "running" }),
+      button(t("press_reset"), () => operator.press("reset"), { disabled: off, title: t("press_reset_long") }), button(t("press_emergency"), () => operator.press("emergency"), { class: "emergency" }),
+      toggle(t("single"), p.single, (single) => void operator.ask("switches", { single }), t("single_long")), toggle("M1", p.optional_stop, (optional_stop) => void operator.ask("switches", { optional_stop }), t("optional_stop_long")),
+      h("label", { class: "field" }, h("span", null, t("override")), share, h("span", { class: "dim override" }, `${Math.round(100 * p.override)} %`)),
+      h("details", { class: "skips" }, h("summary", null, `${t("skip")} ${p.skip.join(" ")}`), h("div", { class: "row" }, ...[1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => toggle(`/${n}`, p.skip.includes(n), (on) => void operator.ask("switches", { skip: n, on }), t("skip"))))),
+      button(t("switch_off"), () => operator.press("off"), { disabled: off }));
+  }
+
+  private draw_figures(p: Panel): void {
+    const cell = (v: number | null | undefined): HTMLElement => h("td", null, coordinate(v ?? undefined));
+    fill(this.figures, h("table", { class: "positions big" }, h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("work")), h("th", { scope: "col" }, t("machine_position")), h("th", { scope: "col" }, t("to_go")))),
+      h("tbody", null, ...this.operator.axes.map((a) => h("tr", null, h("th", { scope: "row" }, a), cell(p.position[a]), cell(p.machine[a]), cell(p.togo[a]))))),
+      h("div", { class: "row wrap" }, ...([["F", short(p.feed, 1)], ["V", short(p.speed, 0)], ["S", p.rpm === null ? "–" : short(p.rpm)], ["T", p.tool ?? "–"], ["D", p.offsets.D ?? "–"], ["H", p.offsets.H ?? "–"]] as const).map(([name, v]) => h("span", null, h("b", null, name), ` ${v}`)),
+        h("span", { class: "dim" }, `${Math.round(100 * p.share)} %`)),
+      h("div", { class: "modal", role: "list", "aria-label": t("modal") }, ...p.modal.map((m) => h("span", { class: "code", role: "listitem", title: m.group }, m.code))));
+  }
+
+  private draw_hands(p: Panel): void {
+    const { operator } = this, off = !p.holds || !["standing", "ended"].includes(p.mode);
+    const had_focus = document.activeElement === this.hands.querySelector(".mdi"), before = this.hands.querySelector<HTMLInputElement>(".mdi")?.value ?? "";
+    const line = h("input", { class: "mdi wide", value: before, placeholder: "G0 X10", "aria-label": t("mdi"), spellcheck: "false", autocapitalize: "characters", onkeydown: (e: KeyboardEvent) => this.mdi_key(e, line, off) });
+    const feed = h("input", { value: remembered("jog_feed", "1000"), size: "6", inputmode: "decimal", "aria-label": t("jog_feed"), onchange: () => remember("jog_feed", feed.value) });
+    const go = (axis: string, way: number): void => void operator.ask("jog", { axis, way: way * this.step, feed: Number(feed.value.replace(",", ".")) || 0 });
+    const step = h("select", { "aria-label": t("jog_step"), onchange: () => { this.step = Number(step.value); this.draw(); } }, ...steps.map((s) => option(String(s), String(s), s === this.step)));
+    const at_line = h("input", { size: "6", inputmode: "numeric", "aria-label": t("stop_line"), placeholder: t("stop_line") }), when = h("input", { size: "10", "aria-label": t("stop_condition"), placeholder: "#100 > 5" });
+    const add = (): void => { const n = Number(at_line.value), condition = when.value.trim(); if (n > 0 || condition) void operator.ask("stops", { ...(n > 0 ? { line: n } : {}), ...(condition ? { condition } : {}) }); };
+    fill(this.hands,
+      h("h3", null, t("mdi")), h("div", { class: "row" }, line, button(t("enter_line"), () => this.enter(line), { disabled: off }), button(`${t("undo_line")}${p.can_undo ? ` (${p.can_undo})` : ""}`, () => void operator.ask("undo", {}), { disabled: off || !p.can_undo, title: t("undo_line_long") })),
+      h("h3", null, t("by_hand")), h("div", { class: "row wrap" }, h("label", { class: "field" }, h("span", null, t("jog_step")), step), h("label", { class: "field" }, h("span", null, t("jog_feed")), feed, h("span", { class: "dim" }, t("mm_min")))),
+      h("div", { class: "jog-keys" }, ...operator.axes.flatMap((a) => [button(`${a}−`, () => go(a, -1), { disabled: off, "aria-label": `${a} −` }), button(`${a}+`, () => go(a, 1), { disabled: off, "aria-label": `${a} +` })])),
+      h("h3", null, t("stop_points")), h("div", { class: "row wrap" }, at_line, when, button(t("add_stop"), add, { disabled: !p.holds })),
+      h("ul", { class: "stop-points" }, ...p.stops.map((s) => h("li", { class: "row" }, h("span", { class: "grow" }, [s.line ? t("line_n", { line: s.line }) : "", s.call, s.condition].filter(Boolean).join(" · ")), button("×", () => void operator.ask("stops", { remove: s.number }), { class: "icon", disabled: !p.holds, "aria-label": t("remove_stop") })))));
+    if (had_focus) line.focus();
+  }
+
+  private mdi_key(e: KeyboardEvent, line: HTMLInputElement, off: boolean): void {
+    if (e.key === "Enter" && !off) return this.enter(line);
+    const way = e.key === "ArrowUp" ? 1 : e.key === "ArrowDown" ? -1 : 0;
+    if (!way) return;
+    e.preventDefault();
+    this.at = Math.min(this.history.length - 1, Math.max(-1, this.at + way));
+    line.value = this.at < 0 ? "" : this.history[this.at]!;
+  }
+
+  private enter(line: HTMLInputElement): void {
+    const text = line.value.trim();
+    if (!text) return;
+    this.history = [text, ...this.history.filter((x) => x !== text)].slice(0, most_history);
+    remember("mdi", this.history);
+    this.at = -1;
+    line.value = "";
+    void this.operator.ask("enter", { line: text });
+  }
+}
