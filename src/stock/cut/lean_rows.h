@@ -85,7 +85,7 @@ KADR_IN_LANES V end_of_rounded(const LeanLines<V>& l, const LeanBody& b, const V
     const Slope<V> at_first = slope_at(first), at_last = slope_at(last);
     const MarksOf<V> begins = at_first.value <= 0.f, ends = ~begins & (at_last.value >= 0.f), between = open & ~begins & ~ends;
     V t = choose(begins, first, last);
-    if (any(between)) t = choose(between, farthest_place(first, last, at_first, at_last, between, b.place_error, slope_at), t);
+    if (any(between)) t = choose(between, smooth_farthest_place(first, last, at_first, at_last, between, b.place_error, slope_at), t);
     const FromShaft<V> from = from_shaft(l, b, here, t);
     const V far = square_root(from.beside * from.beside + from.below * from.below), distance = far - b.corner;
     V grows = from.beside * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
