@@ -171,6 +171,16 @@ TEST(LeanSweep, ALineAllButInTheSideOfABullNose) {
   expect_ends(g, sweep, 2, {2.25, 1.75, 6.02344643}, along_side);
 }
 
+// The line all but lies along the way: how far the ball is from it hardly grows, and the place of the way where it is nearest must be found
+// the more closely.
+TEST(LeanSweep, ALineAllButAlongTheWayOfABallOfShortFlutes) {
+  ToolGeometry g;
+  g.kind = ToolKind::ball, g.diameter = 2 * 1.3191593285946681, g.flutes = 2.0012710986066544;
+  const Vec3 from{3.8095767255833444, 8.4344127609283621, 7.4661087052720827}, direction{0.52430622860008358, 0, 0.85152978729528706};
+  const Sweep sweep{from, from + Vec3{0.29313846309983305, -8.0186267668552702, 0.00095436046129115937}, 0, false, direction, direction};
+  expect_ends(g, sweep, 1, {3.25, 8.0677425119939699, 8.25}, law + bend);
+}
+
 // The line leaves the turning face over its rim, half a brick from where it enters it.
 TEST(LeanSweep, ALineAllButInAFaceOfAFormTool) {
   ToolGeometry g;

@@ -56,7 +56,7 @@ KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const aut
   const V room = b.radius_square * b.square - apart * apart, half = root(room) * b.per_square;
   const V nearest = gone * (b.along_line * b.per_square);
   Swept<V> tube{nearest - half, nearest + half};
-  clip_between(tube, gone, spread<V>(b.length), Slant<V>{spread<V>(b.along_line), spread<V>(b.per_line)});
+  clip_between(tube, gone, spread<V>(b.length), b.per_line);
   return either(ends, where((room > 0.f) & (tube.from <= tube.to), tube.from + b.line[0], tube.to + b.line[0]));
 }
 

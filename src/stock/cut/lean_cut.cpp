@@ -75,6 +75,8 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       half_(scale.edge / 2),
       around_(bounds_of(cut.body, cut.sweep)),
       near_(faces_near()),
+      shifts_little_(half_shift(cut.sweep) < 2 * scale.cell),
+      around_columns_(bounds_of(around_square_, cut.sweep)),
       widest_(cut.body.widest() + 2 * cut.sweep.guess_error() + margin()),
       ball_(ball_way(cut.body.corner)),
       below_shaft_(is_below_shaft()) {}

@@ -18,10 +18,8 @@ namespace kadr {
 /// The lines of a family, seen from the tool in the middle of its way.
 template <class V>
 struct LeanFamily {
-  Vec3Of<V> axis;
-  Slant<V> rise;
-  LeanLines<V> even;   // as it shifts in the middle of the brick
-  LeanLines<V> exact;  // with their directions at the ends of the way
+  LeanLines<V> even;    // as it shifts in the middle of the brick
+  Heading first, last;  // as they are at the ends of the way
   /// How far a line goes past the tool's axis, to one side of it, times the sine of the angle between them: of the brick's middle, for each
   /// mm of lane and of row; `reach`: of lines that come near.
   float aside, aside_lane, aside_row, reach;
@@ -51,19 +49,19 @@ class LeanCutter : public Cutter {
     float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
   };
   template <class V>
-  Reached reached() const;
+  Reached reached(const WayPast<V>& past) const;
   template <class V>
-  LeanFamily<V> lines_of(int family) const;
+  Swept<V> over_squares(const WayPast<V>& past, const V& x, const V& y) const;
   template <class V>
-  LeanLines<V> evenly_shifted(int family) const;
+  LeanFamily<V> lines_of(int family, const WayPast<V>& past) const;
   template <class V>
   LeanPlace<V> evenly_shifted_place(const LeanLines<V>& lines, const Vec3Of<V>& at) const;
   template <class V>
   Vec3Of<V> line_value(const float (&middle)[3], const float (&grows)[3][3], int family, const V& lanes, float row) const;
   template <class V, LeanBody::Kind kind>
-  void cut_kind(const Reached& reached);
+  void cut_kind(const Reached& reached, const WayPast<V>& past);
   template <class V, LeanBody::Kind kind, int family>
-  void cut_family(const Reached& reached);
+  void cut_family(const Reached& reached, const WayPast<V>& past);
   template <class V, LeanBody::Kind kind, int family>
   Swept<V> ends_in(const LeanFamily<V>& all, const LeanRow<V>& line, const Swept<V>& guess, const Swept<V>& material) const;
   template <class V, LeanBody::Kind kind, int family>
@@ -90,8 +88,10 @@ class LeanCutter : public Cutter {
   float half_;
   Frustum around_;
   FacesNear near_;
-  float widest_;  // of the body, with room for the same
-  BallWay ball_;  // of a ball end
+  bool shifts_little_;
+  Frustum around_columns_;  // where it does: as around_, of squares of columns; a ball end's shaft
+  float widest_;            // of the body, with room for the same
+  BallWay ball_;            // of a ball end
   bool below_shaft_;
 };
 
@@ -117,22 +117,16 @@ KADR_IN_LANES Vec3Of<V> LeanCutter::line_value(const float (&middle)[3], const f
   return {lanes * u[0] + (row * v[0] + middle[0]), lanes * u[1] + (row * v[1] + middle[1]), lanes * u[2] + (row * v[2] + middle[2])};
 }
 
-/// Lines as the tool sees them that shifts in the whole brick as in its middle.
+/// `past`: as the tool shifts in the middle of the brick.
 template <class V>
-KADR_IN_LANES LeanLines<V> LeanCutter::evenly_shifted(int family) const {
-  const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
-  return lean_lines(axis, axis, axis, vector_of<V>({-lean_.shift[0], -lean_.shift[1], -lean_.shift[2]}));
-}
-template <class V>
-KADR_IN_LANES LeanFamily<V> LeanCutter::lines_of(int family) const {
+KADR_IN_LANES LeanFamily<V> LeanCutter::lines_of(int family, const WayPast<V>& past) const {
   const float* const e = lean_.axes[family];
   const auto aside = [&](const float* v) { return v[0] * e[1] - v[1] * e[0]; };
   const float sine = std::sqrt(e[0] * e[0] + e[1] * e[1]), reach = widest_ * sine + std::fabs(aside(lean_.shift)) / 2 + shortest_way;
-  const Vec3Of<V> axis = vector_of<V>(lean_.axes[family]);
-  return {axis,
-          slant(axis.z),
-          evenly_shifted<V>(family),
-          lean_lines(axis, vector_of<V>(lean_.axes_first[family]), vector_of<V>(lean_.axes_last[family]), axis),
+  const Heading heading(lean_.axes[family]);
+  return {{heading, heading, heading, past},
+          Heading(lean_.axes_first[family]),
+          Heading(lean_.axes_last[family]),
           aside(lean_.middle),
           aside(lean_.axes[(family + 1) % 3]),
           aside(lean_.axes[(family + 2) % 3]),
@@ -140,13 +134,31 @@ KADR_IN_LANES LeanFamily<V> LeanCutter::lines_of(int family) const {
 }
 template <class V>
 KADR_IN_LANES LeanPlace<V> LeanCutter::evenly_shifted_place(const LeanLines<V>& l, const Vec3Of<V>& at) const {
-  const Vec3Of<V> first = plus(at, spread<V>(0.5f), l.way), last = plus(at, spread<V>(-0.5f), l.way);
+  const Vec3Of<V> first = plus(at, spread<V>(0.5f), l.past.way), last = plus(at, spread<V>(-0.5f), l.past.way);
   return {first, first, last};
 }
 
 /// By the columns through the middles of squares, and a body as much larger as the squares reach from there.
 template <class V>
-KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
+KADR_IN_LANES Swept<V> LeanCutter::over_squares(const WayPast<V>& past, const V& x, const V& y) const {
+  const auto& a = lean_.axes;
+  const Vec3Of<V> at{x * a[0][0] + y * a[1][0] + lean_.middle[0], x * a[0][1] + y * a[1][1] + lean_.middle[1],
+                     x * a[0][2] + y * a[1][2] + lean_.middle[2]};
+  const Heading heading(lean_.axes[2]);
+  const LeanLines<V> lines{heading, heading, heading, past};
+  const LeanPlace<V> start = evenly_shifted_place(lines, at);
+  const auto by_shaft = [&] {
+    if (shifts_little_) return in_cylinder(at, heading, around_columns_);
+    return in_shifted_frustum<V, Side::straight>(lines, start, around_square_.shaft, near_);
+  };
+  if (around_square_.kind == LeanBody::Kind::cone) return lean_swept<V, LeanBody::Kind::cone>(lines, around_square_, start, near_);
+  if (around_square_.kind != LeanBody::Kind::ball) return by_shaft();
+  const Swept<V> ball = in_ball_tube(BallTube(ball_way(around_square_.corner), 2), x, y);
+  return below_shaft_ ? ball : either(ball, by_shaft());
+}
+
+template <class V>
+KADR_IN_LANES LeanCutter::Reached LeanCutter::reached(const WayPast<V>& past) const {
   static constexpr float middles[16] = {2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14};
   Reached r;
   std::fill(r.top_x, r.top_x + squares_along, -1.f), std::fill(r.top_y, r.top_y + squares_along, -1.f);
@@ -155,23 +167,7 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached() const {
     alignas(32) float x_of[lane_count], y_of[lane_count], low_of[lane_count], high_of[lane_count];
     for (int i = 0; i < lane_count; ++i)
       x_of[i] = middles[part + i] * scale_.cell - half_, y_of[i] = float((part + i) / 4 * 4 + 2) * scale_.cell - half_;
-    const V x = lanes_at<V>(x_of), y = lanes_at<V>(y_of);
-    Vec3Of<V> at;
-    const auto& a = lean_.axes;
-    at = {x * a[0][0] + y * a[1][0] + lean_.middle[0], x * a[0][1] + y * a[1][1] + lean_.middle[1],
-          x * a[0][2] + y * a[1][2] + lean_.middle[2]};
-    const LeanLines<V> lines = evenly_shifted<V>(2);
-    const LeanPlace<V> start = evenly_shifted_place(lines, at);
-    Swept<V> s{};
-    switch (around_square_.kind) {
-      case LeanBody::Kind::ball:
-        s = in_ball_tube(BallTube(ball_way(around_square_.corner), 2), x, y);
-        if (!below_shaft_) s = either(s, in_shifted_frustum(lines, start, around_square_.shaft, near_));
-        break;
-      case LeanBody::Kind::cone: s = lean_swept<V, LeanBody::Kind::cone>(lines, around_square_, start, near_); break;
-      case LeanBody::Kind::cylinder:
-      case LeanBody::Kind::rounded: s = lean_swept<V, LeanBody::Kind::cylinder>(lines, around_square_, start, near_); break;
-    }
+    const Swept<V> s = over_squares(past, lanes_at<V>(x_of), lanes_at<V>(y_of));
     store(low_of, s.from), store(high_of, s.to);
     for (int i = 0; i < lane_count; ++i) {
       const int square = part + i;
@@ -202,21 +198,22 @@ inline LeanCutter::RowRange LeanCutter::rows_of(const Reached& r, int family, in
 
 template <class V>
 KADR_IN_LANES void LeanCutter::cut() {
-  const Reached r = reached<V>();
+  const WayPast<V> past = way_past(vector_of<V>({-lean_.shift[0], -lean_.shift[1], -lean_.shift[2]}));
+  const Reached r = reached<V>(past);
   if (r.squares == 0) return;
   switch (body_leaning_.kind) {
-    case LeanBody::Kind::cylinder: return cut_kind<V, LeanBody::Kind::cylinder>(r);
-    case LeanBody::Kind::cone: return cut_kind<V, LeanBody::Kind::cone>(r);
-    case LeanBody::Kind::ball: return cut_kind<V, LeanBody::Kind::ball>(r);
-    case LeanBody::Kind::rounded: return cut_kind<V, LeanBody::Kind::rounded>(r);
+    case LeanBody::Kind::cylinder: return cut_kind<V, LeanBody::Kind::cylinder>(r, past);
+    case LeanBody::Kind::cone: return cut_kind<V, LeanBody::Kind::cone>(r, past);
+    case LeanBody::Kind::ball: return cut_kind<V, LeanBody::Kind::ball>(r, past);
+    case LeanBody::Kind::rounded: return cut_kind<V, LeanBody::Kind::rounded>(r, past);
   }
 }
 
 template <class V, LeanBody::Kind kind>
-KADR_IN_LANES void LeanCutter::cut_kind(const Reached& r) {
-  cut_family<V, kind, 2>(r);
-  cut_family<V, kind, 1>(r);
-  cut_family<V, kind, 0>(r);
+KADR_IN_LANES void LeanCutter::cut_kind(const Reached& r, const WayPast<V>& past) {
+  cut_family<V, kind, 2>(r, past);
+  cut_family<V, kind, 1>(r, past);
+  cut_family<V, kind, 0>(r, past);
 }
 
 /// One end of each line that is wanted: `by_from` that where the tool enters it, else where it leaves it. A place is within what the tool
@@ -227,12 +224,12 @@ KADR_IN_LANES Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, const LeanRo
                                           const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
   const V half = spread<V>(half_);
   const Vec3Of<V> grows = vector_of<V>(lean_.shift_grows[family]);
-  LeanLines<V> lines = all.exact;
+  LeanLines<V> lines{all.even.heading, all.first, all.last, all.even.past};
   V low = -half, high = half, place = within(choose(by_from, guess.from, guess.to) - half, low, high);
   Swept<V> found;
   for (int i = 0;; ++i) {
     const Vec3Of<V> here = plus(line.shift, place, grows);
-    set_way(lines, {-here.x, -here.y, -here.z});
+    lines.past = way_past<V>({-here.x, -here.y, -here.z});
     found = either(line.at_ends,
                    lean_between<V, kind>(lines, body_leaning_, {plus(line.at, spread<V>(-0.5f), here), line.first, line.last}, near_));
     const V end = choose(by_from, found.from, found.to), moved = most(end - place, place - end);
@@ -279,7 +276,7 @@ KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lan
   LeanRow<V> line;
   line.at = line_value(lean_.middle, lean_.axes, family, places, row_place);
   // In the middle of the way, of a body as much larger as it shifts from there.
-  const Swept<V> nearly = in_frustum(line.at, all.axis, all.rise, around_, 0.f);
+  const Swept<V> nearly = in_cylinder(line.at, all.even.heading, around_);
   const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
   line.shift = line_value(lean_.shift, lean_.shift_grows, family, places, row_place);
@@ -293,7 +290,8 @@ KADR_IN_LANES bool LeanCutter::sweeps(const LeanFamily<V>& all, int row, int lan
     if (!any(reached)) return false;
     swept = guess;
     if (lean_.half_turn == 0) return true;
-    line.at_ends = lean_at_ends<V, kind>(all.exact, body_leaning_, {line.first, line.first, line.last});
+    line.at_ends =
+        lean_at_ends<V, kind>({all.even.heading, all.first, all.last, all.even.past}, body_leaning_, {line.first, line.first, line.last});
     swept = {line.at_ends.from + half_, line.at_ends.to + half_};
     if (any(reached & ((swept.from > material.from) | (swept.to < material.to))))
       swept = ends_in<V, kind, family>(all, line, guess, material);
@@ -307,8 +305,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, LeanRow
                                                Swept<V>& swept) const {
   constexpr auto cylinder = LeanBody::Kind::cylinder;
   const Frustum& f = body_leaning_.shaft;
-  const Pose<V> first = in_pose(line.first, all.exact.first_direction, all.exact.first_rise, f),
-                last = in_pose(line.last, all.exact.last_direction, all.exact.last_rise, f);
+  const Pose<V> first = in_pose(line.first, all.first, f), last = in_pose(line.last, all.last, f);
   line.at_ends = either(where(first.in.from <= first.in.to, first.in.from, first.in.to), last.in);
   swept = {line.at_ends.from + half_, line.at_ends.to + half_};
   const PastTool<V> past{line.shift, vector_of<V>(lean_.shift_grows[family]), f.low_radius, 4 * lean_.half_turn};
@@ -361,7 +358,7 @@ inline void LeanCutter::material_of_all(const BrickLines& lines, float* from, fl
 }
 
 template <class V, LeanBody::Kind kind, int family>
-KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
+KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached, const WayPast<V>& past) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const bool several = !lines.further.empty();
   alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines], first[brick_lines], last[brick_lines];
@@ -372,8 +369,11 @@ KADR_IN_LANES void LeanCutter::cut_family(const Reached& reached) {
   }
   const V none = spread<V>(0.f);
   Taken<V> taken{none, none, none, spread<V>(missed)};  // of a tool that leans no depth is told
-  const LeanFamily<V> all = lines_of<V>(family);
-  const BallTube tube(ball_, family);
+  const LeanFamily<V> all = lines_of<V>(family, past);
+  [[maybe_unused]] const auto tube = [&] {
+    if constexpr (kind == LeanBody::Kind::ball) return BallTube(ball_, family);
+    else return 0;
+  }();
   for (int part = 0; part < squares_along * brick_edge / lane_count; ++part) {
     const int lane = part % (brick_edge / lane_count) * lane_count;
     const RowRange rows = rows_of(reached, family, part * lane_count / brick_edge, lane, scale_);

@@ -11,16 +11,17 @@ namespace kadr::lanes {
 
 template <class V>
 struct Pose {
-  Vec3Of<V> at, direction;  // of a line
-  Swept<V> side, in;        // by the side alone, were it endless; by the cylinder
+  Vec3Of<V> at;  // of a line
+  Heading heading;
+  Swept<V> side, in;  // by the side alone, were it endless; by the cylinder
 };
 
 template <class V>
-KADR_IN_LANES Pose<V> in_pose(const Vec3Of<V>& at, const Vec3Of<V>& e, const Slant<V>& rise, const Frustum& f) {
-  const Swept<V> side = in_circle(at.x, at.y, e.x, e.y, e.x * e.x + e.y * e.y, spread<V>(f.low_radius));
+KADR_IN_LANES Pose<V> in_pose(const Vec3Of<V>& at, const Heading& h, const Frustum& f) {
+  const Swept<V> side = in_circle(at.x, at.y, h, f.low_radius);
   Swept<V> in = side;
-  clip_between(in, at.z - f.low, spread<V>(f.high - f.low), rise);
-  return {at, e, side, in};
+  clip_between(in, at.z - f.low, spread<V>(f.high - f.low), h.per_z);
+  return {at, h, side, in};
 }
 
 /// How the places of a line move past the tool on its way.
@@ -34,13 +35,13 @@ struct PastTool {
 /// The place where a line enters or leaves the cylinder moves out of it; `by_face`: it lies in a flat face, which is the upper one or not.
 template <class V>
 KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const PastTool<V>& past, float forth, const MarksOf<V>& by_face,
-                                   const MarksOf<V>& face_is_upper) {
-  const Vec3Of<V>& e = pose.direction;
+                                   bool face_is_upper) {
+  const Heading& e = pose.heading;
   const V up = forth * (past.shift.z + place * past.grows.z);
   const V x = pose.at.x + place * e.x, y = pose.at.y + place * e.y, through = x * e.x + y * e.y;
   const V beside = forth * (x * (past.shift.x + place * past.grows.x) + y * (past.shift.y + place * past.grows.y));
   const MarksOf<V> side = (beside >= 0.f) & (most(through, -through) >= past.steep * past.radius);
-  const MarksOf<V> face = (choose(face_is_upper, up, -up) >= 0.f) & (most(e.z, -e.z) >= past.steep);
+  const MarksOf<V> face = (face_is_upper ? up : -up) >= (std::fabs(e.z) >= past.steep ? 0.f : missed);
   return choose(by_face, face, side);
 }
 
@@ -48,14 +49,14 @@ KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const Pa
 template <class V>
 KADR_IN_LANES MarksOf<V> is_farthest_back(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
   const auto at = [&](const Pose<V>& p, float forth) {
-    return (p.in.from <= p.in.to) & moves_out(p, p.in.from, past, forth, p.in.from > p.side.from, p.direction.z < 0.f);
+    return (p.in.from <= p.in.to) & moves_out(p, p.in.from, past, forth, p.in.from > p.side.from, p.heading.z < 0.f);
   };
   return at(first, 1.f) | at(last, -1.f);
 }
 template <class V>
 KADR_IN_LANES MarksOf<V> is_farthest_on(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
   const auto at = [&](const Pose<V>& p, float forth) {
-    return (p.in.from <= p.in.to) & moves_out(p, p.in.to, past, forth, p.in.to<p.side.to, p.direction.z> 0.f);
+    return (p.in.from <= p.in.to) & moves_out(p, p.in.to, past, forth, p.in.to<p.side.to, p.heading.z> 0.f);
   };
   return at(first, 1.f) | at(last, -1.f);
 }

@@ -57,13 +57,14 @@ inline WayPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec
 /// From the brick's corner; `edge`: of the brick.
 inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double edge) {
   Vec3 way = to - from;
-  double all = length(way);
+  const double of_way = length(way);
+  double all = of_way;
   LocalSweep s{};
   if (all > clipped_above * (edge + 2 * tool.beside)) {
     const WayPart part = part_that_reaches(from, way, tool, {edge, edge, edge});
     from = from + part.first * way, all = all * (part.last - part.first);
   }
-  const double per = all > 0 ? 1 / length(way) : 0;
+  const double per = all > 0 ? 1 / of_way : 0;
   way = all > 0 ? per * way : Vec3{1, 0, 0};
   for (int d = 0; d < 3; ++d) s.from[d] = float(along(from, d)), s.way[d] = float(along(way, d));
   s.length = float(all), s.rise = float(all * way.z);

@@ -19,10 +19,17 @@ struct Slope {
 
 inline constexpr int steady_steps = 2, most_steps = 48;
 
+/// Where the farthest place lies between.
+template <class V>
+struct Bracket {
+  V first, last;
+  Slope<V> at_first, at_last;
+};
+
 /// `slope_at(place)` gives the Slope. At `first` it is above 0, at `last` below 0 in the `sought` lanes; others are of no account.
 template <class V>
-KADR_IN_LANES V farthest_place(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
-                               const MarksOf<V>& sought, float error, const auto& slope_at) {
+KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
+                                   const MarksOf<V>& sought, float error, const auto& slope_at) {
   V first = way_first, last = way_last;
   Slope<V> at_first = slope_first, at_last = slope_last;
   const V half = spread<V>(0.5f), none = spread<V>(0.f), beyond = spread<V>(0.5f * error);
@@ -41,7 +48,23 @@ KADR_IN_LANES V farthest_place(const V& way_first, const V& way_last, const Slop
     at_first.smooth = choose(farther, here.smooth, at_first.smooth), at_last.smooth = choose(farther, at_last.smooth, here.smooth);
     if (step >= steady_steps) slow = (last - first) > half * width;
   }
-  return half * (first + last);
+  return {first, last, at_first, at_last};
+}
+
+template <class V>
+KADR_IN_LANES V farthest_place(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
+                               const MarksOf<V>& sought, float error, const auto& slope_at) {
+  const Bracket<V> b = bracketed(way_first, way_last, slope_first, slope_last, sought, error, slope_at);
+  return 0.5f * (b.first + b.last);
+}
+
+/// The same where the slope is smooth everywhere: by the chord through the last two, far nearer than `error`.
+template <class V>
+KADR_IN_LANES V smooth_farthest_place(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
+                                      const MarksOf<V>& sought, float error, const auto& slope_at) {
+  const Bracket<V> b = bracketed(way_first, way_last, slope_first, slope_last, sought, error, slope_at);
+  const V place = b.first + (b.last - b.first) * (b.at_first.value / (b.at_first.value - b.at_last.value));
+  return choose(sought, within(place, b.first, b.last), b.first);
 }
 
 }  // namespace kadr::lanes

@@ -121,30 +121,43 @@ std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const 
 /// How the distance grows along the way.
 double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
 
+/// How far the tool is from the place at a part of its way.
+struct Probe {
+  double part;
+  Touching touching;
+  double grows;
+};
+
+/// Between two of them, of which one comes nearer on the way and the other goes away: where the tangents meet, which finds kinks, by the
+/// straight line between both slopes, which finds what is smooth, and by halves, in turn. Not nearer than `apart` to either.
+double part_between(const Probe& before, const Probe& after, int step, double apart) {
+  const double wide = after.part - before.part, bends = after.grows - before.grows;
+  double part = before.part + 0.5 * wide;
+  if (step % 3 == 0) part = before.part + (before.touching.distance - after.touching.distance + after.grows * wide) / bends;
+  if (step % 3 == 1) part = before.part - wide * before.grows / bends;
+  return std::clamp(part, before.part + apart, after.part - apart);
+}
+
 Touching touching(const BodyFaces& body, const Way& way, const PlaceSeen& place) {
   if (const auto part = part_at_once(body, way, place.at)) return at_part(body, way, place, *part);
-  double low = 0, high = 1;
-  Vec3 before, after;
-  const auto normal_at = [&](double part) {
+  const auto probe = [&](double part) -> Probe {
     const Seen seen = way.seen(place.at, part);
-    return in_space(farthest(body, seen), seen);
+    const Near face = farthest(body, seen);
+    const Vec3 normal = in_space(face, seen);
+    return {part, {face.distance, normal}, growth(normal, way.along)};
   };
-  before = normal_at(0), after = normal_at(1);
-  if (growth(before, way.along) >= 0) return at_part(body, way, place, 0);
-  if (growth(after, way.along) <= 0) return at_part(body, way, place, 1);
-  const double size = std::sqrt(way.along.x * way.along.x + way.along.y * way.along.y + way.along.z * way.along.z);
-  double down = growth(before, way.along), up = growth(after, way.along);
-  for (int i = 0; i < most_steps && (high - low) * size > same_part; ++i) {
-    // By the straight line between both ends, which finds what is smooth soon, and by halves, which finds kinks.
-    const double middle = i % 2 == 0 ? low + (high - low) * down / (down - up) : 0.5 * (low + high);
-    const Vec3 normal = normal_at(middle);
-    const double grows = growth(normal, way.along);
-    if (std::fabs(grows) < level * size) return at_part(body, way, place, middle);
-    if (grows < 0) low = middle, before = normal, down = grows;
-    else high = middle, after = normal, up = grows;
+  Probe before = probe(0), after = probe(1);
+  if (before.grows >= 0) return at_part(body, way, place, 0);
+  if (after.grows <= 0) return at_part(body, way, place, 1);
+  const double size = std::sqrt(dot(way.along, way.along));
+  for (int i = 0; i < most_steps && (after.part - before.part) * size > same_part; ++i) {
+    const Probe here = probe(part_between(before, after, i, 0.4 * same_part / size));
+    if (std::fabs(here.grows) < level * size) return at_part(body, way, place, here.part);
+    (here.grows < 0 ? before : after) = here;
   }
-  const Seen seen = way.seen(place.at, 0.5 * (low + high));
-  return {farthest(body, seen).distance, (up / (up - down)) * before + (down / (down - up)) * after};
+  const double bends = after.grows - before.grows;
+  return {probe(0.5 * (before.part + after.part)).touching.distance,
+          (after.grows / bends) * before.touching.normal + (-before.grows / bends) * after.touching.normal};
 }
 
 Vec3 as_unit(const Vec3& v, const Vec3& otherwise) {

@@ -1,0 +1,273 @@
+#pragma once
+// Where lines lie within a cylinder or a cone without its point of a tool that leans, and within what such a one sweeps. For
+// stock/cut/lean_rows.
+
+#include "stock/cut/lean_body.h"
+#include "stock/cut/sweep_search.h"
+#include "stock/cut/upright_rows.h"
+
+namespace kadr::lanes {
+
+template <class V>
+struct Vec3Of {
+  V x, y, z;
+};
+template <class V>
+KADR_IN_LANES V dot(const Vec3Of<V>& a, const Vec3Of<V>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class V>
+KADR_IN_LANES Vec3Of<V> across(const Vec3Of<V>& a, const Vec3Of<V>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class V>
+KADR_IN_LANES Vec3Of<V> plus(const Vec3Of<V>& a, const V& by, const Vec3Of<V>& b) {
+  return {a.x + by * b.x, a.y + by * b.y, a.z + by * b.z};
+}
+
+inline constexpr float nearly_along = 1e-11f;  // of a sine²: a line along an axis
+inline constexpr float shortest_way = 1e-6f;   // mm
+
+/// Away from 0, so that it can be divided by.
+template <class V>
+KADR_IN_LANES V guarded(const V& v, float by = nearly_none) {
+  return choose(v < 0.f, least(v, spread<V>(-by)), most(v, spread<V>(by)));
+}
+
+template <class V>
+KADR_IN_LANES V inverse(const V& slope) {
+  return 1.f / guarded(slope);
+}
+
+/// A direction of length 1 that all lines have, seen from the tool.
+struct Heading {
+  explicit Heading(const float (&e)[3])
+      : x(e[0]),
+        y(e[1]),
+        z(e[2]),
+        per_z(1 / (std::fabs(z) < nearly_none ? nearly_none : z)),
+        square(x * x + y * y),
+        per_square(1 / std::max(square, nearly_along)) {}
+  bool along_axis() const { return square < nearly_along; }
+
+  float x, y, z;
+  float per_z;
+  float square, per_square;  // of what lies across the axis
+};
+template <class V>
+KADR_IN_LANES Vec3Of<V> vector_of(const Heading& h) {
+  return {spread<V>(h.x), spread<V>(h.y), spread<V>(h.z)};
+}
+
+/// The way of the tool past lines, to the end of its shift.
+template <class V>
+struct WayPast {
+  Vec3Of<V> way, forth;  // forth: of length 1
+  V length, per_flat;
+  MarksOf<V> moves, moves_flat;
+};
+
+/// Lines in one direction, and the way of the tool past each of them.
+template <class V>
+struct LeanLines {
+  Heading heading, first, last;  // in the middle of the way, and at its ends
+  WayPast<V> past;
+};
+template <class V>
+KADR_IN_LANES WayPast<V> way_past(const Vec3Of<V>& way) {
+  WayPast<V> l;
+  const V flat_square = way.x * way.x + way.y * way.y, square = flat_square + way.z * way.z, flat = square_root(flat_square);
+  l.way = way, l.length = square_root(square);
+  const V per = 1.f / most(l.length, spread<V>(shortest_way));
+  l.forth = {way.x * per, way.y * per, way.z * per};
+  l.per_flat = 1.f / most(flat, spread<V>(shortest_way));
+  l.moves = square > shortest_way * shortest_way, l.moves_flat = flat > shortest_way;
+  return l;
+}
+
+/// The middle of a line, seen from the tool at both ends of its way; `at`: with which it shifts by the way, as if it did not turn.
+template <class V>
+struct LeanPlace {
+  Vec3Of<V> at, first, last;
+};
+
+template <class V>
+KADR_IN_LANES Swept<V> everywhere() {
+  return {spread<V>(-missed), spread<V>(missed)};
+}
+template <class V>
+KADR_IN_LANES Swept<V> both(const Swept<V>& a, const Swept<V>& b) {
+  return {most(a.from, b.from), least(a.to, b.to)};
+}
+/// Of two pieces of the whole.
+template <class V>
+KADR_IN_LANES Swept<V> either(const Swept<V>& a, const Swept<V>& b) {
+  const MarksOf<V> meets = b.from <= b.to;
+  return {choose(meets, least(a.from, b.from), a.from), choose(meets, most(a.to, b.to), a.to)};
+}
+
+/// Where start + place * slope is not below 0.
+template <class V>
+KADR_IN_LANES void clip(Swept<V>& s, const V& start, const V& slope) {
+  const V at = -start / guarded(slope);
+  const MarksOf<V> rises = slope >= 0.f;
+  s = {choose(rises, most(s.from, at), s.from), choose(rises, s.to, least(s.to, at))};
+}
+/// Where it is from 0 to `most_value`; `per`: 1 / slope.
+template <class V>
+KADR_IN_LANES void clip_between(Swept<V>& s, const V& start, const V& most_value, const auto& per) {
+  const V a = -start * per, b = (most_value - start) * per;
+  s = {most(s.from, least(a, b)), least(s.to, most(a, b))};
+}
+
+/// Within a circle about the axis: of places `start` + t `way` in a plane, and the way's length².
+template <class V>
+KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& way_x, const V& way_y, const V& square, const V& radius) {
+  const V cross = x * way_y - y * way_x, room = radius * radius * square - cross * cross, per = 1.f / most(square, spread<V>(nearly_along));
+  const V middle = -(x * way_x + y * way_y) * per, half = root(room) * per;
+  const MarksOf<V> along = square < nearly_along, inside = x * x + y * y < radius * radius;
+  return {choose(along, choose(inside, spread<V>(-missed), spread<V>(missed)), choose(room > 0.f, middle - half, spread<V>(missed))),
+          choose(along, choose(inside, spread<V>(missed), spread<V>(-missed)), choose(room > 0.f, middle + half, spread<V>(-missed)))};
+}
+
+/// Within a circle about the axis, or an endless cylinder.
+template <class V>
+KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const Heading& h, float radius) {
+  if (h.along_axis()) {
+    const MarksOf<V> inside = x * x + y * y < radius * radius;
+    return {choose(inside, spread<V>(-missed), spread<V>(missed)), choose(inside, spread<V>(missed), spread<V>(-missed))};
+  }
+  const V cross = x * h.y - y * h.x, room = radius * radius * h.square - cross * cross;
+  const V middle = -(x * h.x + y * h.y) * h.per_square, half = root(room) * h.per_square;
+  return where(room > 0.f, middle - half, middle + half);
+}
+
+template <class V>
+KADR_IN_LANES Swept<V> in_cylinder(const Vec3Of<V>& at, const Heading& h, const Frustum& f) {
+  Swept<V> s = in_circle(at.x, at.y, h, f.low_radius);
+  clip_between(s, at.z - f.low, spread<V>(f.high - f.low), h.per_z);
+  return s;
+}
+
+/// Where the line is not farther from the axis than a cone's side, which widens by `widens` for each mm of height.
+template <class V>
+KADR_IN_LANES Swept<V> in_cone(const Vec3Of<V>& at, const Vec3Of<V>& e, float radius, float bottom, float widens) {
+  const V here = spread<V>(radius) + (at.z - bottom) * widens, grows = e.z * widens;
+  const V a = e.x * e.x + e.y * e.y - grows * grows, b = at.x * e.x + at.y * e.y - here * grows;
+  // Of the three products b² - a c, with what they have in common left out.
+  const V cross = at.x * e.y - at.y * e.x, u = at.x * grows - here * e.x, v = at.y * grows - here * e.y;
+  const V room = u * u + v * v - cross * cross, r = root(room);
+  const V c = at.x * at.x + at.y * at.y - here * here, q = -(b + choose(b < 0.f, -r, r));
+  const V one = q / guarded(a), other = c / guarded(q), first = least(one, other), last = most(one, other);
+  const MarksOf<V> narrow = a > 0.f, grows_on = grows > 0.f, meets = (room >= 0.f) | (a < 0.f);
+  const V from = choose(narrow, first, choose(grows_on, last, spread<V>(-missed)));
+  const V to = choose(narrow, last, choose(grows_on, spread<V>(missed), first));
+  return where(meets, from, to);
+}
+
+/// The side of a frustum.
+enum class Side { straight, any };
+
+inline float widens(const Frustum& f) { return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low); }
+
+template <class V, Side side>
+KADR_IN_LANES Swept<V> in_frustum(const Vec3Of<V>& at, const Heading& h, const Frustum& f) {
+  if (side == Side::straight || widens(f) == 0.f) return in_cylinder(at, h, f);
+  Swept<V> s = in_cone(at, vector_of<V>(h), f.low_radius, f.low, widens(f));
+  clip_between(s, at.z - f.low, spread<V>(f.high - f.low), h.per_z);
+  return s;
+}
+
+/// A flat face that shifts: at every height one circle.
+template <class V>
+KADR_IN_LANES Swept<V> in_shifted_disc(const LeanLines<V>& l, const Vec3Of<V>& at, float height, float radius) {
+  // Places s on the line and t of the way where the face is at the line: s h.z - t way.z = height - at.z; the foot, and from there.
+  const Heading& h = l.heading;
+  const Vec3Of<V>& way = l.past.way;
+  const V square = way.z * way.z + h.z * h.z, per = 1.f / most(square, spread<V>(nearly_none)), up = (height - at.z) * per;
+  const V s = h.z * up, t = -way.z * up;
+  const V x = at.x + s * h.x - t * way.x, y = at.y + s * h.y - t * way.y;
+  const V way_x = way.z * h.x - h.z * way.x, way_y = way.z * h.y - h.z * way.y;
+  Swept<V> in = in_circle(x, y, way_x, way_y, way_x * way_x + way_y * way_y, spread<V>(radius));
+  clip_between(in, t, spread<V>(1.f), h.per_z);
+  const V a = s + in.from * way.z, b = s + in.to * way.z;
+  return where((in.from <= in.to) & (square > nearly_none) & l.past.moves, least(a, b), most(a, b));
+}
+
+/// What the outline of the side, seen along the way, sweeps: two straight lines of the side.
+template <class V>
+KADR_IN_LANES Swept<V> in_shifted_outline(const LeanLines<V>& l, const Vec3Of<V>& at, const Frustum& f) {
+  const Heading& e = l.heading;
+  const WayPast<V>& p = l.past;
+  const V ux = p.way.x * p.per_flat, uy = p.way.y * p.per_flat;
+  // Their plane is at the part t of the way where the place is beside the axis.
+  const V part = (at.x * ux + at.y * uy) * p.per_flat, part_slope = (e.x * ux + e.y * uy) * p.per_flat;
+  const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
+  const V height = at.z - part * p.way.z, height_slope = e.z - part_slope * p.way.z;
+  Swept<V> s = everywhere<V>();
+  clip_between(s, part, spread<V>(1.f), inverse(part_slope));
+  clip_between(s, side + f.low_radius, spread<V>(2 * f.low_radius), inverse(side_slope));
+  clip_between(s, height - f.low, spread<V>(f.high - f.low), inverse(height_slope));
+  return where((s.from <= s.to) & p.moves_flat, s.from, s.to);
+}
+
+/// The same of a cone.
+template <class V>
+KADR_IN_LANES Swept<V> in_shifted_cone_outline(const LeanLines<V>& l, const Vec3Of<V>& at, const Frustum& f, float widens) {
+  const Heading& e = l.heading;
+  const WayPast<V>& p = l.past;
+  const V ux = p.way.x * p.per_flat, uy = p.way.y * p.per_flat, one = spread<V>(1.f);
+  const V facing = p.way.z * p.per_flat * widens, beside_square = one - facing * facing, beside = root(beside_square);
+  const V per = p.per_flat / most(beside_square, spread<V>(shortest_way));
+  // Their plane is at the part t of the way where along - facing * radius(height) = 0.
+  const V radius = spread<V>(f.low_radius) + (at.z - f.low) * widens;
+  const V part = (at.x * ux + at.y * uy - facing * radius) * per, part_slope = (e.x * ux + e.y * uy - facing * (e.z * widens)) * per;
+  const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
+  const V height = at.z - part * p.way.z, height_slope = e.z - part_slope * p.way.z;
+  const V wide = beside * (spread<V>(f.low_radius) + (height - f.low) * widens), wide_slope = beside * height_slope * widens;
+  Swept<V> s = everywhere<V>();
+  clip_between(s, part, one, inverse(part_slope));
+  clip(s, wide - side, wide_slope - side_slope);
+  clip(s, wide + side, wide_slope + side_slope);
+  clip_between(s, height - f.low, spread<V>(f.high - f.low), inverse(height_slope));
+  return where((s.from <= s.to) & p.moves_flat & (beside_square > shortest_way), s.from, s.to);
+}
+
+/// Lines that are not farther from the axis than this, on one side of it, on all of the way.
+template <class V>
+KADR_IN_LANES MarksOf<V> come_near(const LeanLines<V>& l, const Vec3Of<V>& at, float radius) {
+  const Heading& h = l.heading;
+  const V first = at.x * h.y - at.y * h.x, last = first - (l.past.way.x * h.y - l.past.way.y * h.x);
+  const float reach = radius * std::sqrt(h.square) + shortest_way;
+  return (least(first, last) <= reach) & (most(first, last) >= -reach);
+}
+
+/// Which faces can lie in the brick.
+struct FacesNear {
+  bool low = true, high = true;
+};
+
+template <class V, Side side>
+KADR_IN_LANES Swept<V> in_frustum_at_ends(const LeanLines<V>& l, const LeanPlace<V>& place, const Frustum& f) {
+  const Swept<V> first = in_frustum<V, side>(place.first, l.first, f);
+  return either(where(first.from <= first.to, first.from, first.to), in_frustum<V, side>(place.last, l.last, f));
+}
+
+/// What else it sweeps between the ends of its way.
+template <class V, Side side>
+KADR_IN_LANES Swept<V> in_frustum_between(const LeanLines<V>& l, const Vec3Of<V>& at, const Frustum& f, FacesNear near) {
+  Swept<V> s;
+  if (side == Side::straight || widens(f) == 0.f) s = in_shifted_outline(l, at, f);
+  else s = in_shifted_cone_outline(l, at, f, widens(f));
+  if (near.low) s = either(s, in_shifted_disc(l, at, f.low, f.low_radius));
+  if (near.high) s = either(s, in_shifted_disc(l, at, f.high, f.high_radius));
+  return s;
+}
+
+template <class V, Side side>
+KADR_IN_LANES Swept<V> in_shifted_frustum(const LeanLines<V>& l, const LeanPlace<V>& place, const Frustum& f, FacesNear near) {
+  if (!any(come_near(l, place.at, std::max(f.low_radius, f.high_radius)))) return {spread<V>(missed), spread<V>(-missed)};
+  return either(in_frustum_at_ends<V, side>(l, place, f), in_frustum_between<V, side>(l, place.at, f, near));
+}
+
+}  // namespace kadr::lanes
