@@ -102,7 +102,7 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
 AlarmReport::Line Control::line_at(const Origin& origin) const {
   AlarmReport::Line line{origin.line, interpreter_->flow.file(), {}, {}};
   constexpr std::uint16_t bodies = 1;  // of cycles: they stand in no file
-  if (origin.file == bodies || origin.line == 0) return line;
+  if (origin.file == bodies || origin.line == 0 || !interpreter_->flow.has_file(origin.file)) return line;
   line.file = file_name(origin.file);
   line.text = interpreter_->flow.file(origin.file).text_of(origin.line);
   const std::size_t first = line.text.find_first_not_of(" \t"), last = line.text.find_last_not_of(" \t\r");

@@ -33,7 +33,7 @@ void ServoClock::play(Playback* playback) {
   playback_.store(nullptr, std::memory_order_release);
   idles_.wait(hold, [this] { return idle_; });  // within an instant
   if (playback == nullptr) return;
-  now_.played = 0, now_.motion = 0;
+  now_.played = 0, now_.motion = 0, now_.tag = 0;  // a line that was entered stands in a file that is there no more
   now_.plays = true;
   show();
   playback_.store(playback, std::memory_order_release);

@@ -65,7 +65,7 @@ void expect_at(const APanel& panel, Vec3 wanted) {
   EXPECT_LT(length(at - wanted), 1e-9) << at.x << ' ' << at.y << ' ' << at.z;
 }
 
-const char* const square = "G21 G90 G94 G17\nG0 X10 Y0 Z5\nG1 Z0 F6000\nX50\nG3 X60 Y10 I0 J10\nG1 Y40\nG0 Z20\nM30\n";
+const char* const square = "G21 G90 G94 G17\nG0 X10 Y0 Z5\nG1 Z0 F6000\nX50\nG3 X60 Y10 I0 J10 F900\nG1 Y40 F6000\nG0 Z20\nM30\n";
 
 TEST(PanelMachine, RunsToTheEndInItsOwnTime) {
   const APanel panel(square);
