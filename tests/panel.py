@@ -9,31 +9,10 @@ import time
 from pathlib import Path
 
 from page_client.client import SCHEMA, Page, Server, expect, result, seen
+from page_client.machine import FAST, stands, until
 
-FAST = """id = "fast"
-tool_change = 0
-[axes]
-X = {rapid = 60000, limits = [-500, 500], acceleration = 5000, jerk = 1000000}
-Y = {rapid = 60000, limits = [-500, 500], acceleration = 5000, jerk = 1000000}
-Z = {rapid = 60000, limits = [-500, 500], acceleration = 5000, jerk = 1000000}
-"""
 PROGRAM = 'G21 G90 G94\nG0 X10\nG1 X200 F3000\nM0\nG1 Y50\nM30\n'
 WITH = {'control': 'mach3', 'machine': 'fast.toml'}
-
-
-def until(page, wanted, seconds=60):
-    """The panel when that is so; a busy machine is no fault."""
-    end = time.monotonic() + seconds
-    while True:
-        panel = page.ask('panel')
-        if wanted(panel) or time.monotonic() > end:
-            expect(wanted(panel), f'the panel comes to it: {panel}')
-            return panel
-        time.sleep(0.005)
-
-
-def stands(page, mode='standing'):
-    return until(page, lambda p: p['mode'] == mode)
 
 
 def looker(server, token=True):

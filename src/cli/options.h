@@ -97,6 +97,7 @@ int report(const ReportOptions& options);
 int print_licences();
 
 struct ServeOptions {
+  std::string state{};  // file in which machines at their panels are kept; empty: none
   std::string folder = ".";
   std::string host = "127.0.0.1";
   int port = 8437;  // 0: a free one

@@ -11,6 +11,7 @@
 #include "cli/option_values.h"
 #include "config/told.h"
 #include "panel/panel_hub.h"
+#include "panel/panel_journal.h"
 #include "server/http_server.h"
 #include "server/page_files.h"
 #include "view/served_folder.h"
@@ -48,6 +49,10 @@ void add_serve(CLI::App& app, Commands& c) {
                                "адрес; для любого, кроме адреса этой машины, нужен напечатанный ключ"))
             ->capture_default_str(),
         "ADDRESS", "АДРЕС");
+  takes(serve->add_option("--state", o.state,
+                          told("what happens at the panels of machines is kept there, at every block",
+                               "хранить здесь, что происходит у пультов станков, после каждого кадра")),
+        "FILE", "ФАЙЛ");
   serve->add_flag("--no-browser", o.no_browser, told("the browser is not opened", "не открывать браузер"));
   language_option(*serve, o.lang);
   serve->footer(serve_examples());
@@ -58,8 +63,14 @@ int serve(const ServeOptions& options) {
   if (!folder) return complain(folder.error()), wrong_usage;
   ServedAddress wanted{options.host, std::uint16_t(options.port)};
   LastOpened last;
+  std::unique_ptr<PanelJournal> journal = std::make_unique<PanelJournal>();
+  if (!options.state.empty()) {
+    auto kept = PanelJournal::open(options.state);
+    if (!kept) return complain(kept.error()), wrong_usage;
+    journal = std::move(*kept);
+  }
   PanelHub hub;
-  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION, &last, &hub};
+  const PageServer page{*folder, new_token(), wanted.is_open(), options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION, &last, &hub, journal.get()};
   const auto server = HttpServer::listen(wanted, page);
   if (!server) return complain(server.error()), wrong_usage;
   const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);

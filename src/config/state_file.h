@@ -25,18 +25,18 @@
 namespace kadr {
 
 /// What a row belongs to. A new one makes a new minor version of the file; an older Kadr keeps rows that it does not know.
-enum class StateTable : std::uint8_t { offsets, work_offsets, variables, parameters, tool_table, place_table, form_table };
+enum class StateTable : std::uint8_t { offsets, work_offsets, variables, parameters, tool_table, place_table, form_table, panel };
 
 /// Their names in the file, those of the set-up, by StateTable.
-inline constexpr std::array<std::string_view, 7> state_table_names = {"offsets",    "work_offsets", "variables", "parameters",
-                                                                      "tool_table", "place_table",  "form_table"};
+inline constexpr std::array<std::string_view, 8> state_table_names = {"offsets",    "work_offsets", "variables",  "parameters",
+                                                                      "tool_table", "place_table",  "form_table", "panel"};
 
 using StateValue = std::variant<std::monostate, double, std::string>;  // monostate: the row is removed
 
 /// One value. Keys, with the names of the set-up:
 ///   offsets "5/length_wear" · work_offsets "G54.1 P2/X", "G54/G17" · variables "#500", the counters "#3901" and "#3902", the cutting
 ///   time "#3002" · parameters "N0107.4#0" · tool_table "2/T", "2/info" (letters or a number), "2/user/1" · place_table "10/1" · form_table
-///   "5/left"
+///   "5/left" · panel: what panel/panel_journal keeps, in a file of its own
 struct StateRow {
   StateTable table = StateTable::variables;
   std::string key;

@@ -160,6 +160,7 @@ const WrittenFiles& Control::files_written() const {
 }
 const std::string& Control::file_name(std::uint16_t file) const { return interpreter_->flow.file(file).path(); }
 ToolPosition Control::tool_position() const { return {interpreter_->position.work, interpreter_->position.machine}; }
+const Placement& Control::placement() const { return interpreter_->frames; }
 Ending Control::ending() const { return interpreter_->ending(); }
 void Control::watch_states() { interpreter_->watch_states(); }
 std::optional<BlockState> Control::state_of(const Origin& origin) const { return interpreter_->state_of(origin); }

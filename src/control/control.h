@@ -178,6 +178,8 @@ class Control {
   Ending ending() const;
   /// Where the tool stands, all blocks carried out; its frame is the first of the actions.
   ToolPosition tool_position() const;
+  /// How work coordinates lie on the machine, all blocks carried out.
+  const Placement& placement() const;
   /// From now on state_of() can tell; a block costs a comparison, one that changes a mode a copy of the state.
   void watch_states();
   /// What was in force when the block that an action comes from had been carried out: the control may be far ahead. Nothing where

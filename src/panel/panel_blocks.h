@@ -24,6 +24,8 @@ struct PanelBlock {
   Axes work{}, machine{};    // coordinates at its end
   Placement placement;       // of the work coordinates
   double feed = 0;           // as programmed, mm/min; 0 at rapid
+  bool by_turn = false;      // the feed is one of the spindle's revolution
+  std::uint32_t number = 0;  // of the block in a run without lines of the operator; 0: it is none of the program
   bool entered = false;      // of a line of the operator, which stands in no file
   std::shared_ptr<const PanelModes> modes;
 

@@ -22,6 +22,7 @@ class PanelHub {
     std::shared_ptr<void> content;           // what the machine's program is made of: outlives it
     std::unique_ptr<PanelMachine> machine;
     std::atomic<std::uint64_t> holder{0};    // page; 0: nobody
+    std::string stood;                       // where it stood in mid program when the server ended, as that was kept; empty: nowhere
   };
 
   /// A number of its own for each page that looks.

@@ -2,6 +2,9 @@
 
 #include "panel/panel_machine.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -17,9 +20,12 @@ constexpr auto answers_within = std::chrono::seconds(2);     // else it is busy:
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(Opens opens) {
-  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens)));
-  if (const Answer opened = machine->open(std::nullopt); !opened) return Failed(opened.error());
+tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(PanelOpens opens, PanelKeeper keeper,
+                                                                            const std::optional<Axes>& start) {
+  std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper)));
+  if (const Answer opened = machine->open(start); !opened) return Failed(opened.error());
+  machine->search_ = std::make_unique<PanelSearch>(machine->opens_);
+  machine->search_->begin({start, machine->kept_.skip, machine->kept_.optional_stop});
   machine->thread_ = std::thread([m = machine.get()] { m->live(); });
   return machine;
 }
@@ -35,37 +41,63 @@ PanelMachine::~PanelMachine() {
 }
 
 /// The program from its beginning.
-PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
+PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& start) {
   stops_ = false;
   auto opened = opens_(start, StopToken(stops_));
   if (!opened) return Failed(opened.error());
   stepping_.reset();
   session_ = std::move(*opened);
   if (session_->channels().size() > 1) return Failed(told("programs of several channels are not for the panel yet", "УП нескольких каналов на пульте пока не запускаются"));
+  if (!clock_) kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
+  start_ = start;
   Control& control = session_->control();
   control.hand_over_each_block();  // a stop holds before the very next one
   control.watch_calls();
   stepping_ = std::make_unique<Stepping>(*session_);
   for (const auto& [number, point] : kept_.stops) stepping_->add(point);
-  for (const int number : kept_.skip) control.set_skip(number, true);
+  stepping_->on_asked = [this](const Origin& origin) {
+    note_variables(last_line_);
+    last_line_ = origin.line;
+  };
+  for (int number = 1; number <= 9; ++number) control.set_skip(number, kept_.skip.contains(number));
   control.set_optional_stop(kept_.optional_stop);
   Outlets& outlets = session_->outlets();
-  outlets.warning = [this](const AlarmReport& report) { kept_.alarm = report; };
-  outlets.alarm = [this](const AlarmReport& report) { return kept_.alarm = report, false; };
+  const auto take = [this](const AlarmReport& report) {
+    kept_.alarm = report;
+    if (keeper_.alarm) keeper_.alarm(report);
+  };
+  outlets.warning = take;
+  outlets.alarm = [take](const AlarmReport& report) { return take(report), false; };
   outlets.stop = StopToken(stops_);
   outlets.step = [this](const Step& step) { look(step); };
   axes_ = control.axes();
   roles_ = AxisRoles::of(axes_, control.rotary());
   kept_.alarm.reset();
   before_.clear();
+  retables_.reset();
   on_ = pending_ = {};
   modes_of_ = ~0u;
+  entered_ = 0;
+  last_line_ = 0;
+  variables_.clear(), set_by_.clear();
+  note_variables(0);
+  return {};
+}
+
+PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
+  if (const Answer begun = begin_session(start); !begun) return begun;
+  if (search_) begin_search();
   const Session::State state = stepping_->go(Stepping::How::block);
+  kept_.asks = false;
+  stand_here();
   kept_.mode = state == Session::State::held ? PanelMode::standing : state == Session::State::stopped ? PanelMode::alarm : PanelMode::ended;
   if (!clock_) clock_ = std::make_unique<ServoClock>(rate, session_->stand().machine, roles_);
   show();
   return {};
 }
+
+/// The run that places are asked of is this one.
+void PanelMachine::begin_search() { search_->begin({start_, kept_.skip, kept_.optional_stop}); }
 
 PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
@@ -103,10 +135,11 @@ void PanelMachine::live() {
     if (must_stop()) stand_still();
     carry_out_asked();
     if (stretch_ && !must_stop()) look_after_stretch();
+    if (retables_) look_after_tables();
     std::unique_lock hold(lock_);
     if (ends_) break;
     const auto is_asked = [this] { return ends_ || !asked_.empty() || must_stop(); };
-    if (stretch_) wakes_.wait_for(hold, look_every, is_asked);
+    if (stretch_ || retables_) wakes_.wait_for(hold, look_every, is_asked);
     else wakes_.wait(hold, is_asked);
   }
   drop_stretch();
@@ -115,7 +148,9 @@ void PanelMachine::live() {
 
 void PanelMachine::stand_still() {
   drop_stretch();
+  retables_.reset();
   kept_.mode = PanelMode::emergency;
+  tell("emergency");
   show();
 }
 
@@ -147,10 +182,15 @@ void PanelMachine::show() {
   if (const PanelBlock* const block = blocks_.at(now.sample.motion)) on_ = *block;
   now.block = on_;
   now.entered = stretch_ && stretch_->of == Stretch::Of::line;
+  now.goes_there = going_.has_value();
+  now.takes_tables = retables_.has_value();
   now.line = line_of(now.sample);
   now.hit = stepping_->hit();
   now.can_undo = before_.size();
   now.blocks = session_->blocks();
+  keep_spot(now);
+  now.not_kept = kept_.not_kept;
+  set_share();
   const std::lock_guard hold(lock_);
   shown_ = std::move(now);
 }
@@ -163,6 +203,7 @@ PanelState PanelMachine::state() {
 }
 
 PanelMachine::Answer PanelMachine::may_begin() const {
+  if (retables_) return Failed(told("tables are being taken over", "таблицы принимаются"));
   switch (kept_.mode) {
     case PanelMode::standing:
     case PanelMode::ended: return {};
@@ -174,18 +215,40 @@ PanelMachine::Answer PanelMachine::may_begin() const {
   return {};
 }
 
+/// Of the motion that the machine is on: some thousandths of a second late, where it goes from rapid to feed.
 void PanelMachine::set_share() {
-  if (stretch_) stretch_->playback->override_to(holds_ || resets_ ? 0 : kept_.override_share);
+  if (!stretch_) return;
+  const PanelShares& shares = kept_.shares;
+  const double spindle = on_.by_turn ? std::min(1.0, shares.spindle) : 1;
+  const double share = on_.feed > 0 ? shares.feed * spindle : std::min(shares.rapid, shares.feed > 0 ? 1.0 : 0.0);
+  stretch_->playback->override_to(holds_ || resets_ ? 0 : share);
 }
 
-PanelMachine::Answer PanelMachine::run() {
-  return ask([this]() -> Answer {
+PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
+  return ask([this, how]() -> Answer {
     if (stretch_) return holds_ = false, set_share(), Answer();
     if (const Answer may = may_begin(); !may) return may;
+    if (kept_.asks) return Failed(told("the program waits for an answer", "УП ждёт ответа"));
     if (kept_.mode == PanelMode::ended)
       if (const Answer opened = open(clock_->sample().machine); !opened) return opened;
     kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
+    tell("run", {}, stepping_->line().number);
+    how_ = how;
+    begin(Stretch::Of::program);
+    return {};
+  });
+}
+
+PanelMachine::Answer PanelMachine::answer(double answer) {
+  if (!(answer >= 0 && answer <= 3)) return Failed(told("answer: want 0 to 3", "ответ: нужно от 0 до 3"));
+  return ask([this, answer]() -> Answer {
+    if (const Answer may = may_begin(); !may) return may;
+    if (!kept_.asks) return Failed(told("nothing is asked", "вопроса нет"));
+    session_->control().set_answer(answer);
+    kept_.asks = false;
+    kept_.told.clear(), kept_.why.clear();
+    how_.reset();
     begin(Stretch::Of::program);
     return {};
   });
@@ -194,6 +257,7 @@ PanelMachine::Answer PanelMachine::run() {
 PanelMachine::Answer PanelMachine::hold() {
   return ask([this]() -> Answer {
     holds_ = stretch_.has_value();
+    if (holds_) tell("hold", {}, on_.origin.line);
     set_share();
     return {};
   });
@@ -204,6 +268,7 @@ PanelMachine::Answer PanelMachine::reset() {
   return ask([this]() -> Answer {
     kept_.told.clear(), kept_.why.clear();
     clock_->release();
+    tell("reset");
     if (!stretch_) return open(clock_->sample().machine);
     resets_ = true;
     set_share();
@@ -228,8 +293,10 @@ PanelMachine::Answer PanelMachine::set_single(bool on) {
 
 PanelMachine::Answer PanelMachine::set_optional_stop(bool on) {
   return ask([this, on]() -> Answer {
+    if (kept_.optional_stop == on) return {};
     kept_.optional_stop = on;
     session_->control().set_optional_stop(on);
+    begin_search();
     return {};
   });
 }
@@ -240,14 +307,21 @@ PanelMachine::Answer PanelMachine::set_skip(int number, bool on) {
     if (on) kept_.skip.insert(number);
     else kept_.skip.erase(number);
     session_->control().set_skip(number, on);
+    begin_search();
     return {};
   });
 }
 
-PanelMachine::Answer PanelMachine::override_to(double share) {
-  if (!(share >= 0 && share <= 1)) return Failed(told("override: want 0 to 100 %", "коррекция подачи: нужно от 0 до 100 %"));
-  return ask([this, share]() -> Answer {
-    kept_.override_share = share;
+PanelMachine::Answer PanelMachine::set_shares(const PanelShares& shares) {
+  const auto is_share = [](double share) { return share >= 0 && share <= 1; };
+  if (!is_share(shares.feed) || !is_share(shares.rapid)) return Failed(told("override: want 0 to 100 %", "коррекция: нужно от 0 до 100 %"));
+  if (!(shares.spindle >= PanelShares::least_spindle && shares.spindle <= PanelShares::most_spindle))
+    return Failed(told("override of the spindle: want 50 to 120 %", "коррекция шпинделя: нужно от 50 до 120 %"));
+  if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5)) return Failed(told("dry run: want a feed up to 100000", "пробный прогон: нужна подача до 100000"));
+  return ask([this, shares]() -> Answer {
+    kept_.shares = shares;
+    tell("override", fmt::format("F {:.0f} % G0 {:.0f} % S {:.0f} %{}", 100 * shares.feed, 100 * shares.rapid, 100 * shares.spindle,
+                                 shares.dry_feed > 0 ? fmt::format(" dry {:.0f}", shares.dry_feed) : std::string()));
     set_share();
     return {};
   });
@@ -262,11 +336,11 @@ PanelMachine::Answer PanelMachine::enter(const std::string& line) {
     auto memory = stepping_->snapshot();
     if (!memory) return Failed(told("a probe is waited for", "ожидается касание щупа"));
     if (before_.size() == most_undone) before_.erase(before_.begin());
-    before_.push_back({std::move(*memory), clock_->sample().machine, placement_});
+    before_.push_back({std::move(*memory), clock_->sample().machine, placement_, entered_});
     kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
-    stepping_->begin_entering(line);
-    begin(Stretch::Of::line);
+    tell("line", line);
+    begin_line(line);
     return {};
   });
 }
@@ -280,6 +354,8 @@ PanelMachine::Answer PanelMachine::undo() {
     if (const Status back = stepping_->restore(before.stepping); !back) return Failed(std::string(name_of(back.error().id)));
     clock_->stand_at(before.machine);
     placement_ = before.placement;
+    entered_ = before.entered;
+    note_variables(0);
     kept_.mode = stepping_->next() ? PanelMode::standing : PanelMode::ended;
     kept_.alarm.reset();
     blocks_.clear();
@@ -298,18 +374,18 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
 }
 
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
-  std::size_t number = 0;
-  const Answer answer = ask([this, &number, point = std::move(point)]() -> Answer {
+  const auto number = std::make_shared<std::size_t>(0);  // it may come when nobody waits any more
+  const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
     if (kept_.stops.size() == most_stops) return Failed(told("too many stop points", "слишком много точек останова"));
     if (!point.condition.empty())
       if (const auto holds = stepping_->holds(point.condition); !holds)
         return Failed(told("the condition cannot be understood: want something as #100 > 5", "условие не понято: нужно, например, #100 > 5"));
-    number = stepping_->add(point);
-    kept_.stops.emplace(number, point);
+    *number = stepping_->add(point);
+    kept_.stops.emplace(*number, point);
     return {};
   });
   if (!answer) return Failed(answer.error());
-  return number;
+  return *number;
 }
 
 PanelMachine::Answer PanelMachine::remove_stop(std::size_t number) {

@@ -21,6 +21,9 @@
 #include <vector>
 
 #include "panel/panel_blocks.h"
+#include "panel/panel_opens.h"
+#include "panel/panel_search.h"
+#include "panel/panel_sheet.h"
 #include "panel/servo_clock.h"
 #include "session/planned.h"
 #include "session/stepping.h"
@@ -36,11 +39,20 @@ enum class PanelMode : std::uint8_t {
   emergency,  // stop; reset() leaves it
 };
 
+/// How fast, by the operator's switches.
+struct PanelShares {
+  static constexpr double least_spindle = 0.5, most_spindle = 1.2;
+  double feed = 1, rapid = 1;  // 0 … 1 of the planned speed
+  double spindle = 1;          // of the speed of the spindle
+  double dry_feed = 0;         // mm/min of all feeds but threads, from the next stretch on; 0: as programmed
+  friend bool operator==(const PanelShares&, const PanelShares&) = default;
+};
+
 /// What an operator sees.
 struct PanelState {
   PanelMode mode = PanelMode::standing;
   ServoSample sample;
-  double override_share = 1;  // as it is set
+  PanelShares shares;         // as they are set
   PanelBlock block;           // that the machine is on, or was on last
   AlarmReport::Line line;     // of it while it runs, else of the one that comes next
   bool entered = false;       // a line of the operator is carried out
@@ -49,10 +61,53 @@ struct PanelState {
   std::map<std::size_t, StopPoint> stops;
   std::size_t hit = 0;        // the stop point that it is held by; 0: none
   std::string told;           // a message of the program
-  std::string why;            // it stands by "M0", "M1"; empty: by something else
+  std::string why;            // it stands by "M0", "M1", "restart"; empty: by something else
+  bool asks = false;          // it waits for answer()
+  bool takes_tables = false;  // tables that were edited are being taken over
+  std::string not_kept;       // why what happens is not kept; empty: it is
+  bool goes_there = false;    // it is led to where the program is to go on
   std::optional<AlarmReport> alarm;
   std::size_t can_undo = 0;   // lines that were entered
   std::uint64_t blocks = 0;   // carried out by the control, ahead of the machine
+};
+
+/// Where a machine is in its program.
+struct PanelSpot {
+  PanelMode mode = PanelMode::standing;
+  Axes machine{};
+  std::uint32_t number = 0;  // PanelBlock::number of the block that it is on, or stands before; 0: of none
+  std::uint32_t line = 0;
+  std::string file{};        // that the line stands in; empty: the program itself
+  std::string text{};        // of the line
+};
+
+/// Who keeps what happens. Called in the machine's thread.
+struct PanelKeeper {
+  /// At each block.
+  ///   returns  an error sentence: it is not kept
+  std::function<std::string(const PanelSpot&)> spot;
+  /// For the log of the shift: "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
+  std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
+  std::function<void(const AlarmReport&)> alarm;
+};
+
+/// A variable that is set.
+struct PanelVariable {
+  std::string name;
+  double value = 0;
+  std::uint32_t line = 0;  // of the program that set it last; 0: the set-up, or a line of the operator
+};
+
+/// Tables as the control has them now.
+struct PanelTables {
+  std::optional<RunState> state;  // nothing: the control does not show them
+  std::vector<PanelVariable> variables;
+};
+
+/// An expression that is watched, and its value now.
+struct PanelWatch {
+  std::string text;
+  std::optional<double> value;  // nothing: it cannot be understood, or is vacant
 };
 
 /// From where the axes stand to where they stand again.
@@ -68,23 +123,32 @@ struct PanelStretch {
   Session::State came_to = Session::State::running;
 };
 
+/// On its way to where the program is to go on.
+struct PanelGoing {
+  std::shared_ptr<const PanelPlace> place;
+  std::deque<std::string> before;  // lines, to be carried out here
+  std::vector<WayPoint> way;
+  std::deque<std::string> after;   // lines, to be carried out there
+  bool is_there = false;
+};
+
 class PanelMachine {
  public:
   static constexpr double rate = 1000;  // Hz, of the servo clock
   static constexpr std::size_t most_entered = 1000, most_undone = 50, most_stops = 100;
 
-  /// `spec`: makes a session of the program from its beginning, with `start` as machine coordinates where the axes stand (nothing: those of
-  /// the set-up).
-  using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::optional<Axes>& start, const StopToken& stop)>;
   ///   returns  an error sentence
-  static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(Opens opens);
+  ///   start    machine coordinates where the axes stand; nothing: where the set-up says
+  static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(PanelOpens opens, PanelKeeper keeper = {},
+                                                                       const std::optional<Axes>& start = {});
   ~PanelMachine();
   PanelMachine(const PanelMachine&) = delete;
   PanelMachine& operator=(const PanelMachine&) = delete;
 
   using Answer = tl::expected<void, std::string>;  // an error sentence: why not
   /// The program goes on from where it is held, or from a feed hold.
-  Answer run();
+  ///   how  nothing: a block, or to the next stop, by the switch
+  Answer run(std::optional<Stepping::How> how = {});
   /// Feed hold: the axes come to rest on their path.
   Answer hold();
   /// The program is at its beginning, the axes are where they stand. Ends an alarm and an emergency stop.
@@ -96,8 +160,9 @@ class PanelMachine {
   /// M1 holds.
   Answer set_optional_stop(bool on);
   Answer set_skip(int number, bool on);
-  /// 0 … 1 of the planned speed.
-  Answer override_to(double share);
+  Answer set_shares(const PanelShares& shares);
+  /// To a question of the program (#3107 of the NCT): 0 cancel, 1 OK, 2 yes, 3 no; it goes on.
+  Answer answer(double answer);
   /// A line of the operator (MDI), carried out at once.
   Answer enter(const std::string& line);
   /// The control and the virtual machine are as they were before the last line that was entered: not for a machine of iron.
@@ -107,6 +172,31 @@ class PanelMachine {
   ///   returns  its number
   tl::expected<std::size_t, std::string> add_stop(StopPoint point);
   Answer remove_stop(std::size_t number);
+
+  /// Values of expressions as the program would write them.
+  tl::expected<std::vector<PanelWatch>, std::string> watch_values(const std::vector<std::string>& expressions);
+  tl::expected<PanelTables, std::string> tables();
+  /// It stands, so that take_tables() can be called.
+  Answer may_take_tables();
+  /// The set-up that PanelOpens gives is another one: it is in force from here on, wherever the program stands. What lines of the operator
+  /// have changed in the control is lost.
+  Answer take_tables();
+
+  /// A place where the program could go on, as far as it has been found.
+  PanelSearch::Answer find(const PanelSearch::Wish& wish) {
+    if (state().takes_tables) return {};  // it is being searched for that
+    return search_->find(wish);
+  }
+  /// What leads there from where the machine stands.
+  tl::expected<PanelSheet, std::string> sheet(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules);
+  /// The machine is led there, then stands before the block as if the program had run.
+  ///   left  keys (key_of) of what stays as it is now
+  ///   way   of the sheet, or another one that ends there
+  Answer go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<WayPoint> way);
+
+  /// Called in its thread with each step that the control carries out, of program, lines and axes by hand, in their order; ahead of the
+  /// machine. Before the first run().
+  void watch(std::function<void(const Step&)> look) { looks_on_ = std::move(look); }
 
   PanelState state();
   const std::vector<std::string>& axes() const { return axes_; }
@@ -118,13 +208,14 @@ class PanelMachine {
     Stepping::Memory stepping;
     Axes machine;
     Placement placement;
+    std::uint64_t entered;
   };
   struct Asked {
     std::function<Answer()> what;
     std::promise<Answer> answer;
   };
 
-  explicit PanelMachine(Opens opens) : opens_(std::move(opens)) {}
+  PanelMachine(PanelOpens opens, PanelKeeper keeper) : opens_(std::move(opens)), keeper_(std::move(keeper)) {}
   // panel_machine.cpp: its thread, and what is asked of it
   Answer ask(std::function<Answer()> what);
   void live();
@@ -134,31 +225,54 @@ class PanelMachine {
   bool must_stop() const { return clock_->was_stopped() && kept_.mode != PanelMode::emergency; }
   void stand_still();
   Answer open(const std::optional<Axes>& start);
+  void stand_here();
+  Answer begin_session(const std::optional<Axes>& start);
   Answer may_begin() const;
   void set_share();
+  void begin_search();
   void show();
+  // panel_keeping.cpp
+  void keep_spot(const PanelState& now);
+  void tell(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
+  void note_variables(std::uint32_t line);
+  void look_after_tables();
   AlarmReport::Line line_of(const ServoSample& sample) const;
   // panel_stretch.cpp
   void look(const Step& step);
   void begin(Stretch::Of of);
+  void begin_line(const std::string& line);
   void set_up(Stretch& stretch);
   void provide();
   bool offer();
   void go_on();
   void end_stretch();
   void drop_stretch();
+  ToolPosition standing_plainly() const;
+  void begin_by_hand(const std::vector<Motion>& motions);
   Answer move_by_hand(const std::string& axis, double way, double feed);
+  // panel_restart.cpp
+  Answer may_go_there() const;
+  Answer is_way(const std::vector<WayPoint>& way, const PanelPlace& place) const;
+  Answer go_on_there();
+  Answer carry_out(std::deque<std::string>& lines);
+  Answer arrive(const PanelPlace& place);
+  Answer remember(const PanelPlace& place);
 
-  const Opens opens_;
+  const PanelOpens opens_;
+  const PanelKeeper keeper_;
+  std::function<void(const Step&)> looks_on_;
+  std::unique_ptr<PanelSearch> search_;
   std::vector<std::string> axes_;
   AxisRoles roles_;
 
   // of its thread
   std::atomic<bool> stops_{false};  // the session, from any thread
+  std::optional<Axes> start_;       // of the run: Opens
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
   std::unique_ptr<ServoClock> clock_;
   std::optional<Stretch> stretch_;
+  std::optional<Stepping::How> how_;  // of the stretch that run() begins; nothing: by the switch
   bool holds_ = false;   // by a feed hold
   bool resets_ = false;  // as soon as the axes stand
   PanelBlocks blocks_;
@@ -167,6 +281,14 @@ class PanelMachine {
   Placement placement_;
   std::uint32_t modes_of_ = 0;  // Origin::number of pending_.modes
   std::vector<Before> before_;
+  std::optional<PanelGoing> going_;
+  std::uint64_t entered_ = 0, entering_from_ = 0;  // blocks of lines of the operator; carried out before the one under way
+  std::optional<PanelSearch::Wish> retables_;      // where it stands, with other tables
+  PanelSpot kept_spot_;
+  bool has_moved_ = false;  // else what is kept is where it stood when it was switched on
+  std::map<std::string, double> variables_;
+  std::map<std::string, std::uint32_t> set_by_;    // line; of those that the program has set
+  std::uint32_t last_line_ = 0;                    // of the block under way
   PanelState kept_;      // what of the state lasts: switches, stop points, what was told
 
   // between threads

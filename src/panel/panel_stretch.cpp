@@ -19,9 +19,13 @@ constexpr double farthest = 1e5;                  // mm, degrees by hand at a ti
 
 /// Before the planner gets it.
 void PanelMachine::look(const Step& step) {
+  if (looks_on_) looks_on_(step);
   const auto& what = step.action.what;
   if (const auto* const frame = std::get_if<FrameChange>(&what)) placement_ = frame->placement;
-  if (const auto* const message = std::get_if<Message>(&what)) kept_.told = message->text;
+  if (const auto* const message = std::get_if<Message>(&what)) {
+    kept_.told = message->text;
+    if (message->asks) kept_.asks = true, stepping_->hold_next();
+  }
   if (const auto* const stop = std::get_if<Stop>(&what); stop != nullptr && (!stop->optional || kept_.optional_stop)) {
     stepping_->hold_next();
     kept_.why = stop->optional ? "M1" : "M0";
@@ -38,6 +42,8 @@ void PanelMachine::look(const Step& step) {
   pending_.work = motion->to, pending_.machine = motion->machine;
   pending_.placement = placement_;
   pending_.entered = stretch_ && stretch_->of == Stretch::Of::line;
+  pending_.by_turn = motion->unit == FeedUnit::mm_per_rev;
+  pending_.number = pending_.entered ? 0 : origin.number - std::uint32_t(entered_);
   pending_.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
 }
 
@@ -49,8 +55,9 @@ void PanelMachine::set_up(Stretch& stretch) {
     pending_.motion = motion;
     blocks_.add(pending_);
   });
+  has_moved_ = true;
   stretch.playback = std::make_unique<Playback>(stretch.planned->limits(), rate);
-  stretch.playback->override_to(kept_.override_share);
+  stretch.playback->override_to(kept_.shares.feed);
 }
 
 void PanelMachine::begin(Stretch::Of of) {
@@ -60,11 +67,20 @@ void PanelMachine::begin(Stretch::Of of) {
   stretch.planned = &session_->plan(session_->own());
   session_->change_outlets();
   set_up(stretch);
+  stretch.planned->run_dry(kept_.shares.dry_feed);
   on_.origin = stepping_->next().value_or(Origin()), on_.entered = false;
-  if (of == Stretch::Of::program) stepping_->begin(kept_.single ? Stepping::How::block : Stepping::How::free);
+  if (of == Stretch::Of::program) stepping_->begin(how_.value_or(kept_.single ? Stepping::How::block : Stepping::How::free));
   kept_.mode = PanelMode::running;
   provide();
   clock_->play(stretch.playback.get());
+}
+
+/// A line of the operator.
+void PanelMachine::begin_line(const std::string& line) {
+  note_variables(last_line_);
+  entering_from_ = session_->control().blocks();
+  stepping_->begin_entering(line);
+  begin(Stretch::Of::line);
 }
 
 PanelMachine::Answer PanelMachine::move_by_hand(const std::string& axis, double way, double feed) {
@@ -73,13 +89,10 @@ PanelMachine::Answer PanelMachine::move_by_hand(const std::string& axis, double 
   if (!(std::fabs(way) <= farthest) || !(feed >= 0 && feed <= farthest) || way == 0)
     return Failed(told("want a way and a feed up to 100000", "нужны путь и подача до 100000"));
   if (session_->control().in_block()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
-  const Channel& channel = session_->channels()[session_->own()];
   const std::size_t a = std::size_t(found - axes_.begin());
-  ToolPosition stand = session_->stand();
-  stand.turn.reset(), stand.space.reset();  // along the axis of the machine, however the frame lies
-  const auto [least, most] = limits_of(session_->machine(), channel.setup, axis);
-  Action action;
-  Motion& motion = action.what.emplace<Motion>();
+  const ToolPosition stand = standing_plainly();
+  const auto [least, most] = limits_of(session_->machine(), session_->channels()[session_->own()].setup, axis);
+  Motion motion;
   motion.kind = feed > 0 ? MotionKind::feed : MotionKind::rapid;
   motion.feed = feed;
   motion.named = AxisMask{1} << a;
@@ -88,21 +101,42 @@ PanelMachine::Answer PanelMachine::move_by_hand(const std::string& axis, double 
   motion.to[a] += way, motion.machine[a] += way;
   if (motion.machine[a] < least || motion.machine[a] > most)
     return Failed(axis + told(": beyond the end of its way", ": за пределом хода"));
+  begin_by_hand({motion});
+  return {};
+}
+
+/// Along the axes of the machine, however the frame lies.
+ToolPosition PanelMachine::standing_plainly() const {
+  ToolPosition stand = session_->stand();
+  stand.turn.reset(), stand.space.reset();
+  return stand;
+}
+
+void PanelMachine::begin_by_hand(const std::vector<Motion>& motions) {
+  const Channel& channel = session_->channels()[session_->own()];
+  const ToolPosition stand = standing_plainly();
   Stretch& stretch = stretch_.emplace();
   stretch.of = Stretch::Of::hand;
   stretch.by_hand = std::make_unique<Planned>(channel, session_->machine(), stand);
   stretch.planned = stretch.by_hand.get();
   set_up(stretch);
-  pending_ = on_;
-  pending_.work = motion.to, pending_.machine = motion.machine;
   TimeEstimate times(roles_, rates_of(session_->machine(), channel.setup, axes_));
-  Steps(roles_, stand, &times).give(action, [&](const Step& step) { stretch.planned->consume(step); });
+  Steps steps(roles_, stand, &times);
+  for (const Motion& motion : motions) {
+    pending_ = on_;
+    pending_.work = motion.to, pending_.machine = motion.machine, pending_.feed = motion.feed;
+    Action action;
+    action.what = motion;
+    steps.give(action, [&](const Step& step) {
+      if (looks_on_) looks_on_(step);
+      stretch.planned->consume(step);
+    });
+  }
   (void)stretch.planned->finish();
   stretch.planned_all = true;
   kept_.mode = PanelMode::running;
   provide();
   clock_->play(stretch.playback.get());
-  return {};
 }
 
 /// The cells that were planned next. False: not all of them have room.
@@ -143,23 +177,36 @@ void PanelMachine::end_stretch() {
   clock_->play(nullptr);
   const Stretch::Of of = stretch_->of;
   const Session::State came_to = stretch_->came_to;
-  if (of == Stretch::Of::line) stepping_->end_entering(came_to);
+  if (of == Stretch::Of::line) {
+    stepping_->end_entering(came_to);
+    entered_ += session_->control().blocks() - entering_from_;
+    note_variables(0);
+  }
   if (of == Stretch::Of::hand) session_->stand_at(clock_->sample().machine);
   stretch_.reset();
   holds_ = false;
   const Axes stand = session_->stand().machine, at = clock_->sample().machine;
-  bool there = true;
-  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) there = there && std::fabs(stand[a] - at[a]) < nearly_there;
-  if (there) clock_->stand_at(stand);  // what the planner's sums have left
+  bool is_there = true;
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) is_there = is_there && std::fabs(stand[a] - at[a]) < nearly_there;
+  if (is_there) clock_->stand_at(stand);  // what the planner's sums have left
+  if (going_ && came_to != Session::State::stopped) {
+    if (const Answer there = go_on_there(); !there) kept_.told = there.error(), kept_.mode = PanelMode::standing;
+    return;
+  }
+  going_.reset();
   const bool stopped = came_to == Session::State::stopped && of == Stretch::Of::program;
   if (stopped) kept_.mode = PanelMode::alarm;
   else kept_.mode = stepping_->next() ? PanelMode::standing : PanelMode::ended;
+  if (of != Stretch::Of::program) return;
+  if (kept_.mode == PanelMode::ended) tell("ended");
+  else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
 }
 
 /// The axes stay where they are.
 void PanelMachine::drop_stretch() {
   clock_->play(nullptr);
   stretch_.reset();
+  going_.reset();
   holds_ = resets_ = false;
 }
 

@@ -35,7 +35,7 @@ void Checkpoints::keep() {
   if (!all_.empty()) all_.back().marks = marks_;
   marks_ = {};
   if (all_.size() >= most_) thin_out();
-  all_.push_back({std::move(*now), {}});
+  all_.push_back({std::move(*now), {}, session_.control().blocks()});
 }
 
 void Checkpoints::thin_out() {
@@ -59,6 +59,7 @@ Result<Session::State> Checkpoints::reach(Stepping& stepping, const StopPoint& t
   Session::State state = Session::State::ended;
   for (std::size_t i = 0; i < all_.size(); ++i) {
     if (!may_hold(all_[i].marks, target)) continue;
+    if (target.number != 0 && i + 1 < all_.size() && all_[i + 1].blocks < target.number) continue;
     KADR_TRY(stepping.restore(all_[i].snapshot, target, passed));
     const std::uint64_t blocks = all_[i].marks.blocks();
     const bool last = i + 1 == all_.size();

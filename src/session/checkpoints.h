@@ -40,6 +40,7 @@ class Checkpoints {
   struct Checkpoint {
     SessionSnapshot snapshot;
     LineMarks marks;  // of the stretch that follows
+    std::uint64_t blocks = 0;  // that the control has carried out before it
   };
   void keep();
   void thin_out();

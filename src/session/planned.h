@@ -43,6 +43,9 @@ class Planned {
     motion_.on_motion = [tell = std::move(on_motion)](std::uint64_t motion, double) { tell(motion); };
   }
 
+  /// AxisMotion::run_dry().
+  void run_dry(double feed) { motion_.run_dry(feed); }
+
   void consume(const Step& step) { motion_.consume(step); }
   const MotionLimits& limits() const { return limits_; }
 

@@ -23,8 +23,14 @@ bool is_beside(const Axes& a, const Axes& b, std::size_t axes, std::size_t norma
   return false;
 }
 
-/// Carries the cycle's block out until the tool is over its n-th hole. False: it has not so many.
-bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole) {
+}  // namespace
+
+std::optional<Restart> restart_here(Session& session, const Stepping& stepping) {
+  if (!stepping.next()) return std::nullopt;
+  return Restart{*stepping.next(), session.control().in_force(), session.stand(), session.control().plane_normal()};
+}
+
+bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart) {
   Control& control = session.control();
   control.hand_over_each_block();  // a cycle hands over a motion at a time then
   const std::size_t axes = control.axes().size(), normal = control.plane_normal();
@@ -39,27 +45,22 @@ bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole) {
     if (!over && !moved_down) over = now, holes = 1;
     if (moved_down && over) went_down = true;
     if (went_down && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
-    if (holes == hole) return true;
+    if (holes == hole) {
+      restart.in_force = control.in_force();
+      restart.stand = session.stand();
+      return true;
+    }
     last = now;
     state = session.go_on();
   }
   return false;
 }
 
-}  // namespace
-
-std::optional<Restart> restart_here(Session& session, const Stepping& stepping) {
-  if (!stepping.next()) return std::nullopt;
-  return Restart{*stepping.next(), session.control().in_force(), session.stand(), session.control().plane_normal()};
-}
-
 std::optional<Restart> restart_at(Session& session, Stepping& stepping, const StopPoint& target, std::uint32_t hole) {
   if (stepping.go_to(target) != Session::State::held) return std::nullopt;
   auto restart = restart_here(session, stepping);
   if (!restart || hole == 0) return restart;
-  if (!go_over_hole(session, stepping, hole)) return std::nullopt;
-  restart->in_force = session.control().in_force();
-  restart->stand = session.stand();
+  if (!go_over_hole(session, stepping, hole, *restart)) return std::nullopt;
   return restart;
 }
 

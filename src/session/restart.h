@@ -26,6 +26,11 @@ std::optional<Restart> restart_at(Session& session, Stepping& stepping, const St
 /// The session is held: what goes on from here.
 std::optional<Restart> restart_here(Session& session, const Stepping& stepping);
 
+/// Carries the block that it is held before out, until the tool is over the n-th hole of its cycle, counted from 1; `restart` gets what is
+/// in force there.
+///   returns  false: it has not so many
+bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart);
+
 /// Something that is not as it must be.
 struct Difference {
   std::optional<InForce> wanted;  // nothing: it is set and must not be (a variable)

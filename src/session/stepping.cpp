@@ -61,6 +61,8 @@ bool Stepping::is_file(const std::string& file, std::uint16_t reader) const {
 
 bool Stepping::matches(const StopPoint& point, const Origin& origin, bool begins_call) const {
   if (point.line != 0 && (origin.line != point.line || !is_file(point.file, origin.file))) return false;
+  if (point.tool != 0 && (tool_ != point.tool || tool_before_ == point.tool)) return false;
+  if (point.number != 0 && origin.number != point.number) return false;
   if (point.pass != 0 && passes(point.line, point.file) != point.pass) return false;
   if (!point.call.empty() && (!begins_call || session_.control().calls().back().what != point.call)) return false;
   if (point.condition.empty()) return true;
@@ -85,6 +87,13 @@ bool Stepping::asks_for(const Origin& origin, bool same_line) const {
   }
 }
 
+/// In the spindle, where somebody asks for that.
+void Stepping::note_tool() {
+  const auto asks = [](const StopPoint& point) { return point.tool != 0; };
+  if (!(target_ && asks(*target_)) && std::none_of(points_.begin(), points_.end(), [&](const auto& p) { return asks(p.second); })) return;
+  tool_before_ = std::exchange(tool_, session_.control().state_now().tool);
+}
+
 /// Is it held before this block?
 bool Stepping::asked(const Origin& origin) {
   if (std::exchange(again_, false)) return false;
@@ -101,6 +110,8 @@ bool Stepping::asked(const Origin& origin) {
                       std::any_of(points_.begin(), points_.end(), [&](const auto& p) { return is_asked_for(p.second); });
   if (counts && !same_line) ++seen_[{origin.file, origin.line}];
   hit_ = 0;
+  note_tool();
+  if (on_asked) on_asked(origin);
   for (const auto& [number, point] : points_)
     if (!same_line && matches(point, origin, begins_call)) hit_ = number;
   const bool must = std::exchange(hold_asked_, false);
@@ -111,7 +122,7 @@ bool Stepping::asked(const Origin& origin) {
 }
 
 void Stepping::set_out() {
-  again_ = next_.has_value();
+  again_ = next_.has_value() && !session_.control().in_block();  // in the middle of one: that has been asked for
   depth_ = next_ ? next_->depth : 0;
   next_.reset();
   hit_ = 0;

@@ -7,6 +7,7 @@
 // Of several channels the program's own is stepped; the others go on in virtual time beside it.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,6 +24,9 @@ struct StopPoint {
   std::uint32_t pass = 0;   // that the line comes for so many times since stepping began; 0: each time
   std::string call{};       // the first block of a call: "O100", "L02" as Control::calls() names it
   std::string condition{};  // "#100 > 5", or a value that is not 0
+  std::uint32_t number = 0;  // of the block in the run (Origin::number); 0: any
+  std::uint32_t tool = 0;    // comes into the spindle; 0: any
+  friend bool operator==(const StopPoint&, const StopPoint&) = default;
 };
 
 class Stepping {
@@ -56,6 +60,9 @@ class Stepping {
   void end_entering(Session::State came_to);
   /// On the way of begin(): held before the next block that comes, whatever it is.
   void hold_next() { hold_asked_ = true; }
+
+  /// Called before each block of the program, held or not.
+  std::function<void(const Origin&)> on_asked;
 
   /// The block that comes next; nothing: it is not held.
   const std::optional<Origin>& next() const { return next_; }
@@ -102,6 +109,7 @@ class Stepping {
   bool is_file(const std::string& file, std::uint16_t reader) const;
   Session::State run();
   void set_out();
+  void note_tool();
 
   Session& session_;
   How how_ = How::block;
@@ -118,6 +126,7 @@ class Stepping {
   std::size_t hit_ = 0;
   std::optional<Origin> next_;
   Origin last_;  // asked for
+  std::uint32_t tool_ = 0, tool_before_ = 0;  // in the spindle then, and the block before; where a stop point asks for one
   std::map<std::size_t, StopPoint> points_;
   std::map<std::pair<std::uint16_t, std::uint32_t>, std::uint32_t> seen_;  // by file and line: how often it came, of lines asked for
 };

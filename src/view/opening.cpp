@@ -52,6 +52,17 @@ tl::expected<Program, std::string> program_in(const OpenedProgram& opened, Opene
 
 }  // namespace
 
+tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningWish& wish, const ControlDef& def) {
+  std::vector<SetupSource> sources;
+  if (!wish.setup.empty()) {
+    auto file = setup_source(wish.setup, wish.door);
+    if (!file) return wrong(file.error());
+    sources.push_back(std::move(*file));
+  }
+  if (!wish.tables.empty()) sources.push_back({told("tables", "таблицы"), wish.tables});
+  return read_setup(sources, &def, wish.lang);
+}
+
 tl::expected<Program, std::string> OpenedProgram::program() const { return program_in(*this, text_of(*this)); }
 
 tl::expected<Program, std::string> OpenedProgram::program_of(const std::string& other) const {
@@ -92,10 +103,8 @@ tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) 
   auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine, wish.door);
   if (!machine) return wrong(machine.error());
   opened.machine = std::move(*machine);
-  if (wish.setup.empty()) return opened;
-  auto file = setup_source(wish.setup, wish.door);
-  if (!file) return wrong(file.error());
-  auto setup = read_setup({std::move(*file)}, opened.def.get(), wish.lang);
+  if (wish.setup.empty() && wish.tables.empty()) return opened;
+  auto setup = read_with_tables(wish, *opened.def);
   if (!setup) return wrong(setup.error());
   opened.setup = std::move(setup->setup);
   opened.stated = std::move(setup->stated);

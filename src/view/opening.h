@@ -8,6 +8,7 @@
 
 #include "config/alarm_texts.h"
 #include "config/guess.h"
+#include "config/setup_file.h"
 #include "lang/text/utf16.h"
 #include "session/session.h"
 
@@ -18,6 +19,7 @@ struct OpeningWish {
   std::string path;
   std::string control, machine, setup, encoding;
   std::optional<std::string> text;  // UTF-8, run in the place of what the file holds
+  std::string tables{};             // JSON in the form of a set-up, laid over that; empty: none
   Lang lang = Lang::en;
   const FileDoor* door = nullptr;  // opens them all, and what they name; it outlives the run
 };
@@ -43,6 +45,9 @@ struct OpenedProgram {
   tl::expected<Program, std::string> program_of(const std::string& other) const;
   SessionSpec spec(Program program, const StopToken& stop) const;
 };
+
+/// Its set-up file with the tables laid over it.
+tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningWish& wish, const ControlDef& def);
 
 /// returns  an error sentence: it cannot be read, is no program of a control that Kadr knows, the set-up is wrong
 tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish);

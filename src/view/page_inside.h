@@ -44,6 +44,9 @@ inline PageAnswer not_served(const std::string& what) {
   return tl::unexpected(Refusal{what + ": " + told("not served yet", "пока не отвечает")});
 }
 
+/// Where a program is to be held, as a question says it.
+StopPoint stop_point_of(const PageJson& question);
+
 struct PageSession::Inside {
   Inside(const PageServer& its_server, PageLine& its_line) : server(its_server), line(its_line), lang(its_server.lang) {}
 
@@ -83,6 +86,20 @@ struct PageSession::Inside {
   Answer undo(const PageJson& question);
   Answer jog(const PageJson& question);
   Answer stops_at(const PageJson& question);
+  Answer answer_to_machine(const PageJson& question);
+  Answer watch(const PageJson& question);
+  void note(const char* kind, const std::string& text, std::uint32_t line) const;
+  std::string keep(const char* what, const std::string& text) const;
+  tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> switch_on(const std::string& file, const PageJson& question);
+  // page_tables.cpp
+  Answer tables(const PageJson& question);
+  Answer edit(const PageJson& question);
+  Answer keep_tables(const PageJson& question);
+  Answer shift(const PageJson& question);
+  // page_restart.cpp
+  Answer restart(const PageJson& question);
+  Answer go_there(const PageJson& question);
+  tl::expected<PanelSearch::Answer, Refusal> find_place(PanelMachine& machine, const PageJson& question) const;
   void leave_machine();
   void stop_machine();
   tl::expected<PanelMachine*, Refusal> held_machine() const;
@@ -97,6 +114,8 @@ struct PageSession::Inside {
     if (report.origin.file != 0) json["file_name"] = server.folder.shown(report.file);
     return json;
   }
+  /// Paths of calls as the folder's people know them.
+  void show_files(PageJson& calls) const;
   PageJson problem_of_channel(const AlarmReport& report, int channel) const;
   void speak(const PageJson& question) {
     lang = value_in<std::string>(question, "lang", lang == Lang::ru ? "ru" : "en") == "ru" ? Lang::ru : Lang::en;

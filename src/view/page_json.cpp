@@ -76,16 +76,6 @@ double value_of(const std::vector<InForce>& all, InForce::Kind kind) {
   return 0;
 }
 
-PageJson calls_json(const std::vector<AlarmReport::Call>& calls) {
-  PageJson list = PageJson::array();
-  for (const AlarmReport::Call& call : calls)
-    list.push_back({{"what", call.what},
-                    {"line", call.line},
-                    {"block", call.has_block ? PageJson(call.block) : PageJson()},
-                    {"file", call.file.empty() ? PageJson() : PageJson(call.file)}});
-  return list;
-}
-
 /// The instant at which a tool comes into the spindle first; 0: it is there at the start.
 double first_use(const ProgramRun& run, std::uint32_t tool) {
   const std::string name = "T" + std::to_string(tool);
@@ -110,6 +100,16 @@ void put_position(PageJson& json, const InstantState& s, const ProgramRun& run) 
 }
 
 }  // namespace
+
+PageJson call_list_json(const std::vector<AlarmReport::Call>& calls) {
+  PageJson list = PageJson::array();
+  for (const AlarmReport::Call& call : calls)
+    list.push_back({{"what", call.what},
+                    {"line", call.line},
+                    {"block", call.has_block ? PageJson(call.block) : PageJson()},
+                    {"file", call.file.empty() ? PageJson() : PageJson(call.file)}});
+  return list;
+}
 
 std::string dumped(const PageJson& json) { return json.dump(-1, ' ', false, PageJson::error_handler_t::replace); }
 
@@ -140,7 +140,7 @@ PageJson state_json(const InstantState& s, const ProgramRun& run) {
                    {"text", s.line.text},
                    {"pass", s.pass},
                    {"depth", s.calls.size()},
-                   {"calls", calls_json(s.calls)}};
+                   {"calls", call_list_json(s.calls)}};
   put_position(json, s, run);
   json["feed"] = s.vertex.feed;
   json["speed"] = s.moves ? s.vertex.speed : 0;

@@ -18,6 +18,7 @@ using PageJson = nlohmann::ordered_json;
 PageJson files_json(const FolderList& list);
 /// `fix`: nothing: none is certain.
 PageJson problem_json(const Finding& finding, std::uint16_t file, const std::optional<QuickFix>& fix);
+PageJson call_list_json(const std::vector<AlarmReport::Call>& calls);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
 /// Boxes of what is cut and of all that is gone through.
 PageJson extents_json(const Statistics& statistics);

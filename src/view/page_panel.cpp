@@ -3,11 +3,16 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "view/page_inside.h"
+#include "view/panel_content.h"
 #include "view/panel_json.h"
 
 namespace kadr {
 namespace {
+
+constexpr std::size_t most_expression = 200, most_watched = 50;
 
 tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
@@ -16,63 +21,89 @@ PageAnswer answer_of(const PanelMachine::Answer& answer) {
   return PageJson::object();
 }
 
-/// Where the axes stand when the program begins anew; the tables are those of the set-up.
-Setup standing_at(const Setup& setup, const std::vector<std::string>& axes, const Axes& start) {
-  Setup with = setup;
-  with.start_in_work = false;
-  for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a) with.start[axes[a]] = start[a];
-  return with;
-}
-
-/// What a machine's sessions are made of.
-struct PanelProgram {
-  OpenedProgram opened;
-  std::vector<std::string> axes;  // of its control, once it is known
-};
-
-PanelMachine::Opens opens_of(const std::shared_ptr<PanelProgram>& program) {
-  return [program = program.get()](const std::optional<Axes>& start, const StopToken& stop) -> tl::expected<std::unique_ptr<Session>, std::string> {
-    auto text = program->opened.program();
-    if (!text) return tl::unexpected(text.error());
-    SessionSpec spec = program->opened.spec(std::move(*text), stop);
-    if (start) spec.setup = standing_at(spec.setup, program->axes, *start);
-    auto session = Session::open(std::move(spec));
-    if (!session) return tl::unexpected(told(session.error().fault.en, session.error().fault.ru));
-    program->axes = (*session)->control().axes();
-    return std::move(*session);
+/// What happens at a machine goes into the journal; `problems`: how alarms are told.
+PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, std::shared_ptr<const AlarmTexts> texts, Lang lang) {
+  PanelKeeper keeper;
+  keeper.spot = [&journal, name](const PanelSpot& spot) {
+    const auto kept = journal.keep("spot", name, spot_text(spot));
+    return kept ? std::string() : kept.error();
   };
+  keeper.event = [&journal, name](const char* kind, const std::string& text, std::uint32_t line) {
+    (void)journal.log(name, log_entry(kind, text, line));  // what cannot be kept is told by the spot
+  };
+  keeper.alarm = [&journal, name, texts = std::move(texts), lang](const AlarmReport& report) {
+    const Finding finding = finding_of(report, *texts, lang);
+    (void)journal.log(name, log_entry("alarm", finding.text, finding.line));
+  };
+  return keeper;
 }
+
+/// How it was switched on: what of the question says that.
+std::string machine_text(const PageJson& question) {
+  PageJson kept = PageJson::object();
+  for (const char* const key : {"file", "control", "machine", "setup", "encoding"})
+    if (question.contains(key)) kept[key] = question[key];
+  return dumped(kept);
+}
+
+/// Where a kept machine stood, and whether there is anything to go on with.
+PageJson spot_json(const std::string& text) { return PageJson::parse(text, nullptr, false); }
 
 }  // namespace
 
 PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
   PageJson list = PageJson::array();
-  for (const auto& place : server.hub != nullptr ? server.hub->all() : std::vector<std::shared_ptr<PanelHub::Place>>())
+  std::set<std::string> on;
+  for (const auto& place : server.hub != nullptr ? server.hub->all() : std::vector<std::shared_ptr<PanelHub::Place>>()) {
+    on.insert(place->name);
     list.push_back({{"name", place->name}, {"mode", name_of(place->machine->state().mode)}, {"held", place->holder != 0}});
+  }
+  if (server.journal != nullptr)
+    for (const std::string& name : server.journal->machines())
+      if (!on.contains(name)) list.push_back({{"name", name}, {"mode", "kept"}, {"held", false}});
   return PageJson{{"machines", std::move(list)}};
+}
+
+/// With the tables that were edited; its axes stand where they stood.
+tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::switch_on(const std::string& file, const PageJson& question) {
+  if (!may_change) return refused(told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
+  PanelJournal& journal = *server.journal;
+  PageJson as_kept = PageJson::parse(journal.value("machine", file).value_or("{}"), nullptr, false);
+  if (as_kept.is_object()) as_kept.update(question);
+  auto wish = wish_of(as_kept.is_object() ? as_kept : question);
+  if (!wish) return tl::unexpected(wish.error());
+  wish->text.reset();  // a machine runs what lies on the disk
+  wish->tables = journal.value("tables", file).value_or("");
+  auto opened = open_for_page(*wish);
+  if (!opened) return refused(opened.error());
+  const auto texts = opened->texts;
+  const auto content = std::make_shared<PanelContent>(std::move(*opened), std::move(*wish));
+  const std::string stood = journal.value("spot", file).value_or("");
+  const auto spot = spot_of(stood);
+  const auto opens = [program = &content->program](const std::optional<Axes>& start, const StopToken& stop) { return program->open(start, stop); };
+  auto made = PanelMachine::make(opens, keeper_of(journal, file, texts, lang), spot ? std::optional(spot->machine) : std::nullopt);
+  if (!made) return refused(made.error());
+  if (const auto kept = journal.keep("machine", file, machine_text(as_kept)); !kept) return refused(kept.error());
+  auto place = std::make_shared<PanelHub::Place>();
+  place->name = file, place->content = content, place->machine = std::move(*made);
+  place->stood = spot && spot->number > 1 ? stood : std::string();
+  (void)journal.log(file, log_entry("on", content->program.opened().def->id, 0));
+  if (!server.hub->add(place)) {
+    place = server.hub->find(file);
+    if (!place) return refused(told("too many machines are on", "включено слишком много станков"));
+  }
+  return place;
 }
 
 /// Switches the machine of a program on, or looks at one that is on. It is named by its program.
 PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& question) {
-  if (server.hub == nullptr) return not_served("machine");
+  if (server.hub == nullptr || server.journal == nullptr) return not_served("machine");
   const std::string file = value_in<std::string>(question, "file", "");
   auto place = server.hub->find(file);
   if (!place) {
-    if (!may_change) return refused(told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
-    auto wish = wish_of(question);
-    if (!wish) return tl::unexpected(wish.error());
-    wish->text.reset();  // a machine runs what lies on the disk
-    auto opened = open_for_page(*wish);
-    if (!opened) return refused(opened.error());
-    const auto program = std::make_shared<PanelProgram>(PanelProgram{std::move(*opened), {}});
-    auto made = PanelMachine::make(opens_of(program));
-    if (!made) return refused(made.error());
-    place = std::make_shared<PanelHub::Place>();
-    place->name = file, place->content = program, place->machine = std::move(*made);
-    if (!server.hub->add(place)) {
-      place = server.hub->find(file);
-      if (!place) return refused(told("too many machines are on", "включено слишком много станков"));
-    }
+    auto made = switch_on(file, question);
+    if (!made) return tl::unexpected(made.error());
+    place = std::move(*made);
   }
   if (page == 0) page = server.hub->new_page();
   leave_machine();
@@ -82,8 +113,21 @@ PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& questio
   }
   std::uint64_t nobody = 0;
   const bool holds = may_change && place->holder.compare_exchange_strong(nobody, page);
-  const auto& its = static_cast<const PanelProgram*>(place->content.get())->opened;
-  return PageJson{{"name", place->name}, {"axes", place->machine->axes()}, {"control", its.def->id}, {"machine", its.machine.id}, {"holds", holds}};
+  const OpenedProgram& its = content_of(*place).program.opened();
+  const PageJson stood = place->stood.empty() ? PageJson() : spot_json(place->stood);
+  return PageJson{{"name", place->name}, {"axes", place->machine->axes()}, {"control", its.def->id}, {"machine", its.machine.id}, {"holds", holds},
+                  {"stood", stood}, {"lasts", server.journal->lasts()}};
+}
+
+/// Into its log.
+void PageSession::Inside::note(const char* kind, const std::string& text, std::uint32_t at_line) const {
+  (void)server.journal->log(panel_place->name, log_entry(kind, text, at_line));
+}
+
+/// An error sentence: it is not kept.
+std::string PageSession::Inside::keep(const char* what, const std::string& text) const {
+  const auto kept = server.journal->keep(what, panel_place->name, text);
+  return kept ? std::string() : kept.error();
 }
 
 /// Its controls are for others to take.
@@ -109,9 +153,10 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   const PanelState state = panel_place->machine->state();
   PageJson json = panel_json(state, panel_place->machine->axes());
-  const auto& opened = static_cast<const PanelProgram*>(panel_place->content.get())->opened;
+  const OpenedProgram& opened = content_of(*panel_place).program.opened();
   json["alarm"] = PageJson();
   if (state.alarm) json["alarm"] = problem_json(finding_of(*state.alarm, *opened.texts, lang), state.alarm->origin.file, std::nullopt);
+  show_files(json["calls"]);
   json["holds"] = may_change && panel_place->holder == page;
   json["held"] = panel_place->holder != 0;
   return json;
@@ -124,12 +169,18 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
   if (key == "run") return answer_of((*machine)->run());
+  if (key == "block") return answer_of((*machine)->run(Stepping::How::block));
+  if (key == "over") return answer_of((*machine)->run(Stepping::How::over));
+  if (key == "out") return answer_of((*machine)->run(Stepping::How::out));
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
   if (key != "off") return refused(key + told(": there is no such key", ": такой клавиши нет"));
   (*machine)->stop_at_once();
+  note("off", {}, 0);
+  const auto forgotten = server.journal->forget(panel_place->name);
   server.hub->remove(panel_place->name);
   leave_machine();
+  if (!forgotten) return refused(forgotten.error());
   return PageJson::object();
 }
 
@@ -144,7 +195,13 @@ PageSession::Inside::Answer PageSession::Inside::switches(const PageJson& questi
   if (const auto on = flag("single")) answer = (*machine)->set_single(*on);
   if (const auto on = flag("optional_stop"); on && answer) answer = (*machine)->set_optional_stop(*on);
   if (const auto on = flag("on"); on && answer) answer = (*machine)->set_skip(int(count_in(question, "skip", 0)), *on);
-  if (question.contains("override") && answer) answer = (*machine)->override_to(value_in<double>(question, "override", -1));
+  PanelShares shares = (*machine)->state().shares;
+  const PanelShares before = shares;
+  if (question.contains("override")) shares.feed = value_in<double>(question, "override", -1);
+  if (question.contains("rapid")) shares.rapid = value_in<double>(question, "rapid", -1);
+  if (question.contains("spindle")) shares.spindle = value_in<double>(question, "spindle", -1);
+  if (question.contains("dry_feed")) shares.dry_feed = value_in<double>(question, "dry_feed", -1);
+  if (answer && !(shares == before)) answer = (*machine)->set_shares(shares);
   return answer_of(answer);
 }
 
@@ -166,15 +223,34 @@ PageSession::Inside::Answer PageSession::Inside::jog(const PageJson& question) {
   return answer_of((*machine)->jog(value_in<std::string>(question, "axis", ""), value_in<double>(question, "way", 0), value_in<double>(question, "feed", 0)));
 }
 
+/// To a question of the program.
+PageSession::Inside::Answer PageSession::Inside::answer_to_machine(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  return answer_of((*machine)->answer(value_in<double>(question, "answer", -1)));
+}
+
+/// Values of expressions, a page's own.
+PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question) {
+  if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
+  std::vector<std::string> expressions;
+  if (const auto list = question.find("expressions"); list != question.end() && list->is_array())
+    for (const PageJson& one : *list)
+      if (one.is_string() && one.get_ref<const std::string&>().size() <= most_expression && expressions.size() < most_watched) expressions.push_back(one.get<std::string>());
+  const auto values = panel_place->machine->watch_values(expressions);
+  if (!values) return refused(values.error());
+  PageJson list = PageJson::array();
+  for (const PanelWatch& one : *values) list.push_back({{"text", one.text}, {"value", one.value && std::isfinite(*one.value) ? PageJson(*one.value) : PageJson()}});
+  return PageJson{{"values", std::move(list)}};
+}
+
 /// `remove`: the number of one; else one more.
 PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
   if (question.contains("remove")) return answer_of((*machine)->remove_stop(count_in(question, "remove", 0)));
-  StopPoint point;
-  point.line = count_in(question, "line", 0), point.pass = count_in(question, "pass", 0);
-  point.call = value_in<std::string>(question, "call", ""), point.condition = value_in<std::string>(question, "condition", "");
-  if (point.line == 0 && point.call.empty() && point.condition.empty())
+  StopPoint point = stop_point_of(question);
+  if (point == StopPoint{})
     return refused(told("want a line, a call or a condition", "нужна строка, вызов или условие"));
   const auto number = (*machine)->add_stop(std::move(point));
   if (!number) return refused(number.error());

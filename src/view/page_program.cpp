@@ -31,6 +31,7 @@ tl::expected<OpeningWish, Refusal> PageSession::Inside::wish_of(const PageJson& 
     if (!fault.empty()) return tl::unexpected(Refusal{fault});
   if (wish.path.empty()) return tl::unexpected(Refusal{told("open: no file is named", "open: файл не назван")});
   if (question.contains("text") && question["text"].is_string()) wish.text = question["text"].get<std::string>();
+  if (const auto tables = question.find("tables"); tables != question.end() && tables->is_object() && !tables->empty()) wish.tables = dumped(*tables);
   return wish;
 }
 
@@ -135,8 +136,7 @@ PageSession::Inside::Answer PageSession::Inside::state(const PageJson& question)
   if (!state) return tl::unexpected(Refusal{state.error()});
   PageJson json = state_json(*state, *run);
   json["file_name"] = server.folder.shown(state->line.file);
-  for (PageJson& call : json["calls"])
-    if (call["file"].is_string()) call["file"] = server.folder.shown(call["file"].get<std::string>());
+  show_files(json["calls"]);
   return json;
 }
 

@@ -73,12 +73,20 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"sheet", &Inside::sheet, true},   {"compare", &Inside::compare, true},     {"machines", &Inside::machines, false},
       {"machine", &Inside::machine, false}, {"panel", &Inside::panel, false},     {"press", &Inside::press, false},
       {"switches", &Inside::switches, false}, {"enter", &Inside::enter, false},   {"undo", &Inside::undo, false},
-      {"jog", &Inside::jog, false},      {"stops", &Inside::stops_at, false},
+      {"jog", &Inside::jog, false},      {"stops", &Inside::stops_at, false},     {"restart", &Inside::restart, false},
+      {"go_there", &Inside::go_there, false}, {"tables", &Inside::tables, false}, {"edit", &Inside::edit, false},
+      {"keep_tables", &Inside::keep_tables, false}, {"shift", &Inside::shift, false}, {"answer", &Inside::answer_to_machine, false},
+      {"watch", &Inside::watch, false},
   };
   const auto* const known = std::find_if(std::begin(all), std::end(all), [&](const Known& k) { return k.name == what; });
   if (known == std::end(all)) return tl::unexpected(Refusal{});
   if (known->of_program && !run) return tl::unexpected(Refusal{told("no program is open", "программа не открыта")});
   return (this->*known->answer)(question);
+}
+
+void PageSession::Inside::show_files(PageJson& calls) const {
+  for (PageJson& call : calls)
+    if (call["file"].is_string()) call["file"] = server.folder.shown(call["file"].get<std::string>());
 }
 
 PageSession::Inside::Answer PageSession::Inside::language(const PageJson& question) {

@@ -12,6 +12,7 @@
 namespace kadr {
 
 class PanelHub;
+class PanelJournal;
 class ServedFolder;
 
 /// Where what is said goes. Called by the thread that answers.
@@ -49,6 +50,7 @@ struct PageServer {
   std::string version;         // of Kadr
   LastOpened* last = nullptr;  // nullptr: nobody asks
   PanelHub* hub = nullptr;     // nullptr: there are no machines
+  PanelJournal* journal = nullptr;  // of theirs; there where the hub is
 };
 
 class PageSession {

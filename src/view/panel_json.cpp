@@ -22,7 +22,7 @@ PageJson axes_json(const std::vector<std::string>& names, const Axes& values) {
 PageJson stops_json(const std::map<std::size_t, StopPoint>& stops) {
   PageJson list = PageJson::array();
   for (const auto& [number, p] : stops)
-    list.push_back({{"number", number}, {"line", p.line}, {"pass", p.pass}, {"call", p.call}, {"condition", p.condition}});
+    list.push_back({{"number", number}, {"line", p.line}, {"pass", p.pass}, {"call", p.call}, {"condition", p.condition}, {"tool", p.tool}});
   return list;
 }
 
@@ -43,11 +43,7 @@ void put_modes(PageJson& json, const PanelModes& modes) {
   for (const InForce& one : modes.in_force)
     if (one.kind == InForce::Kind::origin) zero[one.name] = finite(one.value);
   json["zero"] = std::move(zero);
-  PageJson calls = PageJson::array();
-  for (const AlarmReport::Call& call : modes.calls)
-    calls.push_back({{"what", call.what}, {"line", call.line}, {"block", call.has_block ? PageJson(call.block) : PageJson()},
-                     {"file", call.file.empty() ? PageJson() : PageJson(call.file)}});
-  json["calls"] = std::move(calls);
+  json["calls"] = call_list_json(modes.calls);
 }
 
 }  // namespace
@@ -69,7 +65,10 @@ PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes) {
                    {"feed", finite(s.block.feed)},
                    {"speed", finite(s.sample.speed)},
                    {"share", finite(s.sample.share)},
-                   {"override", s.override_share},
+                   {"override", s.shares.feed},
+                   {"rapid", s.shares.rapid},
+                   {"spindle", s.shares.spindle},
+                   {"dry_feed", s.shares.dry_feed},
                    {"line", s.line.number},
                    {"file", !s.entered && (s.mode == PanelMode::running || s.mode == PanelMode::held) ? s.block.origin.file : 0},
                    {"text", s.line.text},
@@ -82,10 +81,15 @@ PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes) {
                    {"hit", s.hit},
                    {"told", s.told},
                    {"why", s.why},
+                   {"goes_there", s.goes_there},
+                   {"asks", s.asks},
+                   {"takes_tables", s.takes_tables},
+                   {"not_kept", s.not_kept},
                    {"can_undo", s.can_undo},
                    {"blocks", s.blocks}};
   static const PanelModes none;
   put_modes(json, s.block.modes ? *s.block.modes : none);
+  if (json["rpm"].is_number()) json["rpm"] = json["rpm"].get<double>() * s.shares.spindle;
   return json;
 }
 

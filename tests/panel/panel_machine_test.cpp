@@ -2,67 +2,19 @@
 
 #include "panel/panel_machine.h"
 
-#include <gtest/gtest.h>
-
-#include "session/a_session.h"
+#include "panel/a_panel.h"
 
 namespace kadr {
 namespace {
 
 using namespace std::chrono_literals;
+using test::APanel;
+using test::expect_at;
 
-/// A machine with a program of Mach3 that has a lathe's fast axes, so that nobody waits long.
-class APanel {
- public:
-  explicit APanel(const std::string& program, const std::string& control = "mach3", Setup setup = {}) {
-    MachineProfile machine = test::generic_machine();
-    for (const char* const axis : {"X", "Y", "Z"}) {
-      machine.axes[axis].rapid = 60'000, machine.axes[axis].acceleration = 5'000, machine.axes[axis].jerk = 1e6;
-      machine.axes[axis].least = -500, machine.axes[axis].most = 500;
-    }
-    machine.tool_change_s = 0;
-    machine.planner = PlannerMode::optimal;
-    auto made = PanelMachine::make([=](const std::optional<Axes>& start, const StopToken& stop)
-                                       -> tl::expected<std::unique_ptr<Session>, std::string> {
-      Setup with = setup;
-      RunLimits limits;
-      limits.stop = stop;
-      const char* const names[] = {"X", "Y", "Z"};
-      for (std::size_t a = 0; start && a < 3; ++a) with.start[names[a]] = (*start)[a];
-      auto session = Session::open({test::shared_control(control), machine, with, {"main.nc", text_source(program), {}}, limits});
-      if (!session) return tl::unexpected(session.error().fault.en);
-      return std::move(*session);
-    });
-    EXPECT_TRUE(made) << made.error();
-    machine_ = std::move(*made);
-  }
-  PanelMachine* operator->() const { return machine_.get(); }
-
-  /// Waits; a machine that is too busy is no fault.
-  bool until(const std::function<bool(const PanelState&)>& is) const {
-    const auto end = std::chrono::steady_clock::now() + 60s;
-    while (!is(machine_->state())) {
-      if (std::chrono::steady_clock::now() > end) return false;
-      std::this_thread::sleep_for(1ms);
-    }
-    return true;
-  }
-  bool stands(PanelMode mode) const {
-    return until([mode](const PanelState& s) { return s.mode == mode; });
-  }
-  Vec3 at() const {
-    const Axes& a = machine_->state().sample.machine;
-    return {a[0], a[1], a[2]};
-  }
-  std::uint32_t line() const { return machine_->state().line.number; }
-
- private:
-  std::unique_ptr<PanelMachine> machine_;
-};
-
-void expect_at(const APanel& panel, Vec3 wanted) {
-  const Vec3 at = panel.at();
-  EXPECT_LT(length(at - wanted), 1e-9) << at.x << ' ' << at.y << ' ' << at.z;
+PanelShares feed_share(double share) {
+  PanelShares shares;
+  shares.feed = share;
+  return shares;
 }
 
 const char* const square = "G21 G90 G94 G17\nG0 X10 Y0 Z5\nG1 Z0 F6000\nX50\nG3 X60 Y10 I0 J10 F900\nG1 Y40 F6000\nG0 Z20\nM30\n";
@@ -116,7 +68,7 @@ TEST(PanelMachine, HoldsAndGoesOn) {
   std::this_thread::sleep_for(20ms);
   expect_at(panel, {there.x, 0, 0});
   EXPECT_FALSE(panel->enter("G0 X0"));
-  ASSERT_TRUE(panel->override_to(0.5));
+  ASSERT_TRUE(panel->set_shares(feed_share(0.5)));
   EXPECT_EQ(panel->state().mode, PanelMode::held) << "an override is no run";
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.stands(PanelMode::ended));
@@ -125,14 +77,14 @@ TEST(PanelMachine, HoldsAndGoesOn) {
 
 TEST(PanelMachine, AnOverrideOfZeroStandsAndGoesOnByItself) {
   const APanel panel("G21 G91 G94\nG1 X60 F3000\nM30\n");
-  ASSERT_TRUE(panel->override_to(0));
+  ASSERT_TRUE(panel->set_shares(feed_share(0)));
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.stands(PanelMode::held));
   EXPECT_LT(panel.at().x, 60);
-  ASSERT_TRUE(panel->override_to(1));
+  ASSERT_TRUE(panel->set_shares(feed_share(1)));
   ASSERT_TRUE(panel.stands(PanelMode::ended));
   expect_at(panel, {60, 0, 0});
-  for (const double share : {-0.1, 1.1, double(NAN)}) EXPECT_FALSE(panel->override_to(share));
+  for (const double share : {-0.1, 1.1, double(NAN)}) EXPECT_FALSE(panel->set_shares(feed_share(share)));
 }
 
 TEST(PanelMachine, AResetBrakesOnThePathAndIsAtTheBeginning) {

@@ -58,11 +58,12 @@ const cut = new CutPanel(app, (box, tools) => {
   stock = box ? [{ name: t("stock"), kind: "stock", box }] : [];
   show_boxes();
 }, (line) => source.show(line));
+const operator_panel = new OperatorPanel(app, operator, (line) => source.show(line));
 const tabs = new Tabs([
   { name: "problems", element: problems.element, badge: () => String(ProblemsPanel.all(app).length || "") },
   { name: "summary", element: new SummaryPanel(app).element },
   { name: "cut_tab", element: cut.element, badge: () => String(app.findings.length || "") },
-  { name: "panel", element: new OperatorPanel(app, operator).element, badge: () => (operator.panel ? "●" : "") },
+  { name: "panel", element: operator_panel.element, badge: () => (operator.panel ? "●" : "") },
 ]);
 const files = new FilesDrawer(app);
 const top = new Topbar(app, {
@@ -94,6 +95,7 @@ app.on_state.on((s) => { if (s) scene?.highlight(s.line, s.file ?? 0); });
 for (const s of [app.on_problems, app.on_cut]) s.on(() => tabs.draw());
 app.on_opened.on((o) => { document.title = `${o.file} · Kadr`; });
 app.on_error.on((text) => toast(text, true));
+operator_panel.restart.restart.on_change.on(() => scene?.showWay(app.opened?.file === operator.name ? operator_panel.restart.restart.tips() : []));
 operator.on_error.on((text) => toast(text, true));
 let was_on = false, panel_line = 0;
 operator.on_panel.on((p) => {

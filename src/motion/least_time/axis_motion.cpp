@@ -315,7 +315,8 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
   const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // between the chords of a curve
   const double junction = now_.exact ? 0 : tolerance;
-  const Pace pace(roles_, curve, motion, step.time.feed, rapid_, now_.spindle.turning());
+  const bool dry = dry_feed_ > 0 && (motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline);
+  const Pace pace(roles_, curve, motion, dry ? dry_feed_ : step.time.feed, rapid_, now_.spindle.turning());
   const int pieces = std::max(path.pieces(chord_of_tolerance * rounding), pace.pieces());
   const auto [length, speeds] = feeds(pace, path, step.time, pieces);
   if (on_motion) on_motion(number, length);

@@ -67,6 +67,9 @@ class AxisMotion {
   /// The axes come to rest.
   void finish() { rest(); }
 
+  /// All feeds but those of threads are this one, mm/min; 0: as programmed.
+  void run_dry(double feed) { dry_feed_ = feed; }
+
   /// Asked by all that may take long.
   void stop_by(StopToken stop);
   /// Why nothing more is handed out; from then on actions are passed over.
@@ -138,6 +141,7 @@ class AxisMotion {
 
   AxisRoles roles_;
   double tolerance_;
+  double dry_feed_ = 0;  // mm/min; 0: as programmed
   Axes rapid_{};  // mm/min or degrees/min
   Memory now_;
   Planner::Sink sink_;

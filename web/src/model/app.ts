@@ -2,7 +2,7 @@
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
 import { head_of, frame_part, frame_path } from "../protocol/frames";
 import { token } from "../protocol/token";
-import type { CutQuestion, CutResult, Done, Finding, Hello, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
+import type { CutQuestion, CutResult, Done, Finding, Hello, JsonTable, Language, Mark, OpenQuestion, Opened, PartAnswer, Problem, Progress, State } from "../protocol/types";
 import { language } from "../texts/texts";
 import { Latest, debounce, spaced } from "./latest";
 import { remember, remembered } from "./memory";
@@ -20,6 +20,7 @@ export class App {
   hello: Hello | null = null;
   opened: Opened | null = null;
   choice: Choice = {};
+  tables: { file: string; edited: JsonTable } | null = null; // of the machine of that program: laid over its set-up
   text: string | null = null;          // as edited; null where the file is not held here
   saved_text: string | null = null;
   digest: string | null = null;        // of what lies on the disk: saving names what it replaces
@@ -116,6 +117,7 @@ export class App {
   async run_again(choice: Choice = this.choice): Promise<void> {
     if (!this.opened) return;
     const question: OpenQuestion = { file: this.opened.file, ...choice };
+    if (this.tables?.file === this.opened.file && Object.keys(this.tables.edited).length) question.tables = this.tables.edited;
     if (this.dirty && this.text !== null) question.text = this.text;
     await this.open(question, this.instant);
   }

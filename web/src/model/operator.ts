@@ -1,7 +1,7 @@
 // A machine at its panel: a line of its own to the server, so that no cut and no long run keeps it waiting, and what it shows, as often as pictures are drawn.
 import { Client, Lost, type LineState, type Socket } from "../protocol/client";
 import { token } from "../protocol/token";
-import type { OpenQuestion, Panel, PanelKey, Questions } from "../protocol/types";
+import type { OpenQuestion, Panel, PanelKey, Questions, Stood } from "../protocol/types";
 import { language } from "../texts/texts";
 import { Signal } from "./signal";
 
@@ -10,8 +10,10 @@ const moving = 30, standing = 250; // ms between two looks
 export class Operator {
   panel: Panel | null = null;          // null: no machine is on
   axes: string[] = [];
+  stood: Stood | null = null;          // in mid program, when the server ended
   readonly on_panel = new Signal<Panel | null>();
   readonly on_error = new Signal<string>();
+  readonly on_stood = new Signal<void>(); // it has come to stand
   private client: Client | null = null;
   private question: OpenQuestion | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -35,12 +37,12 @@ export class Operator {
 
   press(key: PanelKey): void { void this.ask("press", { key }).then(() => { if (key === "off") this.leave(); }); }
 
-  /// Refusals are told; the panel shows at once what came of it.
-  async ask<K extends keyof Questions>(what: K, body: Questions[K][0]): Promise<Questions[K][1] | null> {
+  /// Refusals are told; the panel shows at once what came of it, unless it is only looked at.
+  async ask<K extends keyof Questions>(what: K, body: Questions[K][0], acts = true): Promise<Questions[K][1] | null> {
     if (!this.client) return null;
     try {
       const answer = await this.client.ask(what, body);
-      this.look_soon(0);
+      if (acts) this.look_soon(0);
       return answer;
     } catch (e) {
       if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e));
@@ -58,6 +60,7 @@ export class Operator {
     const on = await this.ask("machine", this.question);
     if (!on) return this.leave();
     this.axes = on.axes;
+    this.stood = on.stood;
     this.look_soon(0);
   }
 
@@ -76,8 +79,12 @@ export class Operator {
     if (this.looking || !this.client || !this.question) return;
     this.looking = true;
     try {
+      const before = this.panel;
       this.panel = await this.client.ask("panel", {});
       this.on_panel.emit(this.panel);
+      const { mode, takes_tables } = this.panel;
+      if (before && (before.mode !== mode || before.takes_tables !== takes_tables) && mode !== "running" && !takes_tables) this.on_stood.emit();
+      if (mode === "running") this.stood = null;
     } catch { /* lost: it comes back by itself; off: nothing to see */ }
     this.looking = false;
     if (this.panel) this.look_soon(this.panel.mode === "running" ? moving : standing);

@@ -3,11 +3,14 @@ export type Language = "en" | "ru";
 export type Box = [number[], number[]];
 export type Axes = Record<string, number>;
 
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+export type JsonTable = { [key: string]: Json };
+
 export interface Hello { version: string; folder: string; may_change: boolean; last: string | null; controls: { id: string; name: string }[]; machines: string[] }
 export interface FileEntry { name: string; kind: "folder" | "program" | "setup" | "tools" | "other"; size: number; modified: number | string }
 export interface Files { entries: FileEntry[]; more?: boolean }
 
-export interface OpenQuestion { file: string; control?: string; machine?: string; setup?: string; encoding?: string; text?: string }
+export interface OpenQuestion { file: string; control?: string; machine?: string; setup?: string; encoding?: string; text?: string; tables?: JsonTable }
 /// Machine coordinates; null: no limit there.
 export type Open = (number | null)[];
 export interface Bounds { limits: [Open, Open]; zones: { number: number; inside: boolean; box: [Open, Open] }[] }
@@ -78,15 +81,33 @@ export interface Compared {
 
 /// Each question, with what goes along and what comes back.
 export type PanelMode = "standing" | "running" | "held" | "ended" | "alarm" | "emergency";
-export type PanelKey = "run" | "hold" | "reset" | "emergency" | "take" | "off";
-export interface StopPoint { number: number; line: number; pass: number; call: string; condition: string }
+export type PanelKey = "run" | "hold" | "reset" | "emergency" | "take" | "off" | "block" | "over" | "out";
+export interface StopPoint { number: number; line: number; pass: number; call: string; condition: string; tool: number }
 /// A machine at its panel: positions are a sample of the servo clock.
 export interface Panel {
-  mode: PanelMode; instant: number; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; share: number; override: number;
+  mode: PanelMode; instant: number; position: Axes; machine: Axes; togo: Axes; feed: number; speed: number; share: number; override: number; rapid: number; spindle: number; dry_feed: number; asks: boolean; takes_tables: boolean; not_kept: string;
   line: number; file: number; text: string; number: number; entered: boolean; single: boolean; optional_stop: boolean; skip: number[]; stops: StopPoint[];
-  hit: number; told: string; why: "" | "M0" | "M1"; can_undo: number; blocks: number; modal: Modal[]; rpm: number | null; tool: number | null;
+  hit: number; told: string; why: "" | "M0" | "M1" | "restart"; goes_there: boolean; can_undo: number; blocks: number; modal: Modal[]; rpm: number | null; tool: number | null;
   offsets: { T?: number | null; D?: number | null; H?: number | null }; zero: Axes; calls: Call[]; alarm: Problem | null; holds: boolean; held: boolean;
 }
+
+/// Where a program is to go on; `number` of the block in the run, `hole` of a cycle.
+export interface RestartPlace { line?: number; pass?: number; of_file?: string; call?: string; condition?: string; number?: number; hole?: number }
+export type ForceKind = "position" | "machine" | "code" | "feed" | "speed" | "spindle" | "coolant" | "tool" | "selected" | "offset" | "length_offset" | "origin" | "length" | "rotation" | "scale" | "variable";
+export interface RestartRow { key: string; kind: ForceKind; name: string; wanted: string | number | null; now: string | number | null; by: "" | "way" | "line" | "memory"; may_be_left: boolean }
+/// To machine coordinates of the axes that move.
+export interface WayPoint { rapid: boolean; to: Axes; feed: number }
+export interface SearchCode { text: string; line: number }
+/// `zero`: machine coordinates less work coordinates at the place; `search`: the control's own.
+export interface RestartSheet {
+  ready: true; line: number; file: string; text: string; calls: Call[]; rows: RestartRow[]; way: WayPoint[]; normal: string; zero: Axes; blocks: string[]; by_hand: string;
+  search: { carried_out: SearchCode[]; of_no_group: SearchCode[]; forgotten: string } | null;
+}
+
+/// Of what the set-up file says, what was edited, what the control has made of it; variables with the line that set them (0: none of the program).
+export interface Tables { sections: string[]; setup: string; file: JsonTable; edited: JsonTable; now: JsonTable; variables: { name: string; value: number | null; line: number }[]; lasts: boolean }
+export interface LogEntry { at: string; kind: string; text: string; line: number }
+export interface Stood { mode: PanelMode; number: number; line: number; file: string; text: string; machine: number[] }
 
 export interface Questions {
   hello: [{ token?: string; lang: Language }, Hello];
@@ -106,15 +127,23 @@ export interface Questions {
   compare: [{ file?: string; text?: string; control?: string; tolerance?: number }, Compared];
   save: [{ file: string; text: string; digest: string | null }, { digest: string }];
   stop: [object, object];
-  machines: [object, { machines: { name: string; mode: PanelMode; held: boolean }[] }];
-  machine: [OpenQuestion, { name: string; axes: string[]; control: string; machine: string; holds: boolean }];
+  machines: [object, { machines: { name: string; mode: PanelMode | "kept"; held: boolean }[] }];
+  machine: [OpenQuestion, { name: string; axes: string[]; control: string; machine: string; holds: boolean; stood: Stood | null; lasts: boolean }];
   panel: [object, Panel];
   press: [{ key: PanelKey }, object];
-  switches: [{ single?: boolean; optional_stop?: boolean; skip?: number; on?: boolean; override?: number }, object];
+  switches: [{ single?: boolean; optional_stop?: boolean; skip?: number; on?: boolean; override?: number; rapid?: number; spindle?: number; dry_feed?: number }, object];
   enter: [{ line: string }, object];
   undo: [object, object];
   jog: [{ axis: string; way: number; feed?: number }, object];
-  stops: [{ line?: number; pass?: number; call?: string; condition?: string; remove?: number }, { number?: number }];
+  restart: [RestartPlace & { by_control?: boolean; clearance?: number; above?: number; feed?: number }, RestartSheet | { ready: false }];
+  go_there: [RestartPlace & { by_control?: boolean; leave?: string[]; way: WayPoint[] }, object];
+  tables: [object, Tables];
+  edit: [{ tables: JsonTable }, { edited: JsonTable }];
+  keep_tables: [{ setup: string }, { digest: string }];
+  shift: [{ file?: string; count?: number }, { log: LogEntry[]; lasts: boolean }];
+  answer: [{ answer: number }, object];
+  watch: [{ expressions: string[] }, { values: { text: string; value: number | null }[] }];
+  stops: [{ line?: number; pass?: number; call?: string; condition?: string; tool?: number; remove?: number }, { number?: number }];
 }
 
 export interface Events {

@@ -36,6 +36,7 @@ export class Scene {
   private tool = new Group();
   private part = new Group();
   private origin = new Group();
+  private way = new Group();         // that a machine is to be led along
   private ruler = new Group();
   private lamp = new DirectionalLight(0xffffff, 1.6);
   private lit = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 2.5, depthTest: false, transparent: true }));
@@ -70,7 +71,7 @@ export class Scene {
     canvas.tabIndex = 0;
     host.append(canvas);
     for (const o of [this.lit, this.lit_thin]) { o.renderOrder = 2; o.frustumCulled = false; o.visible = false; }
-    this.stage.add(this.path.group, this.boxes, this.machine, this.tool, this.part, this.origin, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
+    this.stage.add(this.path.group, this.boxes, this.machine, this.tool, this.part, this.origin, this.way, this.ruler, this.lit, this.lit_thin, new AmbientLight(0xffffff, 1.6), this.lamp);
     new Controls(canvas, this.eye, {
       changed: () => { this.own_view = true; this.touch(); }, click: (x, y) => this.click(x, y), pivot: (x, y) => { const h = this.pick(x, y); return h && new Vector3(...h.place).applyMatrix4(this.eye.carry); },
       hover: (x, y) => { this.pointer = [x, y]; this.ask(); }, leave: () => { this.pointer = null; this.events.hover(null, 0, 0); },
@@ -140,6 +141,15 @@ export class Scene {
     if (!machine && !this.machine_at) return;
     this.machine_at = machine;
     this.setInstant(this.path.instant);
+  }
+
+  /// A way that is to be gone, machine coordinates of the tip; its end is marked.
+  showWay(tips: Point[]): void {
+    empty(this.way);
+    const at = tips.map((p) => this.from_zero(p));
+    for (let i = 1; i < at.length; i++) this.way.add(thick([...at[i - 1]!, ...at[i]!], 3, this.theme.bright));
+    if (at.length) this.way.add(thick([...at[at.length - 1]!, ...at[at.length - 1]!], 10, this.theme.bright));
+    this.touch();
   }
 
   /// Where the tool's tip is at an instant, from the picture's zero; null where there is no path.

@@ -6,6 +6,10 @@ import type { Panel } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { coordinate, short } from "./figures";
+import { RestartPanel } from "./restart_panel";
+import { ShiftPanel } from "./shift_panel";
+import { TablesPanel } from "./tables_panel";
+import { WatchPanel } from "./watch_panel";
 
 const steps = [0.01, 0.1, 1, 10, 100], most_history = 50;
 
@@ -15,13 +19,21 @@ export class OperatorPanel {
   private keys = h("div", { class: "operator-keys", role: "toolbar" });
   private figures = h("div", { class: "operator-figures" });
   private hands = h("div");
+  readonly restart: RestartPanel;
+  readonly tables: TablesPanel;
   private drawn = ""; // what keys and hands were drawn for
   private step = 1;
   private history = remembered<string[]>("mdi", []);
   private at = -1;    // in the history; -1: a new line
 
-  constructor(private app: App, private operator: Operator) {
-    this.element.append(this.head, this.keys, this.figures, this.hands);
+  constructor(private app: App, private operator: Operator, show_line: (line: number) => void) {
+    this.restart = new RestartPanel(app, operator);
+    this.tables = new TablesPanel(app, operator, (edited) => {
+      if (!operator.name || (Object.keys(edited).length === 0 && app.tables?.file !== operator.name)) return;
+      app.tables = { file: operator.name, edited };
+      if (app.opened?.file === operator.name) void app.run_again();
+    });
+    this.element.append(this.head, this.keys, this.figures, this.hands, this.restart.element, this.tables.element, new WatchPanel(operator, show_line).element, new ShiftPanel(operator).element);
     operator.on_panel.on(() => this.draw());
     for (const s of [app.on_opened, app.on_done]) s.on(() => this.draw());
     on_language(() => { this.drawn = ""; this.draw(); });
@@ -38,7 +50,7 @@ export class OperatorPanel {
     }
     this.draw_head(p);
     this.draw_figures(p);
-    const wanted = JSON.stringify([p.mode, p.holds, p.single, p.optional_stop, p.skip, p.override, p.stops, p.can_undo, this.step]);
+    const wanted = JSON.stringify([p.mode, p.holds, p.single, p.optional_stop, p.skip, p.override, p.rapid, p.spindle, p.dry_feed, p.can_undo, p.asks, this.step]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
     this.draw_keys(p);
@@ -48,22 +60,39 @@ export class OperatorPanel {
   private draw_head(p: Panel): void {
     fill(this.head, h("div", { class: "row" }, h("span", { class: `mode ${p.mode}` }, t(`mode_${p.mode}`)), h("b", { class: "grow" }, this.operator.name), h("span", { class: "dim" }, t("line_n", { line: p.line }))),
       h("code", { class: "block-text" }, p.text),
-      p.why && p.mode === "standing" && h("p", { class: "told" }, t("stands_by", { code: p.why })),
+      p.why && p.mode === "standing" && h("p", { class: "told" }, p.why === "restart" ? t("why_restart") : t("stands_by", { code: p.why })), p.goes_there && h("p", { class: "told" }, t("goes_there")),
       p.told && h("p", { class: "told" }, p.told),
+      p.asks && h("div", { class: "row" }, ...([["answer_ok", 1], ["answer_yes", 2], ["answer_no", 3], ["answer_cancel", 0]] as const).map(([text, answer]) => button(t(text), () => void this.operator.ask("answer", { answer }), { disabled: !p.holds }))),
+      p.takes_tables && h("p", { class: "note" }, t("takes_tables")), p.not_kept && h("p", { class: "told alarm" }, t("not_kept", { why: p.not_kept })),
+      this.stood(p),
       p.alarm && h("p", { class: "told alarm" }, `${p.alarm.text}${p.alarm.hint ? ` ${p.alarm.hint}` : ""}`),
       !p.holds && h("p", { class: "note" }, t("others_hold"), " ", button(t("take_controls"), () => this.operator.press("take"))));
+  }
+
+  /// After the server was ended in mid program.
+  private stood(p: Panel): HTMLElement | null {
+    const s = this.operator.stood;
+    if (!s || p.mode !== "standing") return null;
+    const go = (): void => { this.restart.element.open = true; void this.restart.find({ number: s.number, line: s.line, ...(s.file ? { of_file: s.file } : {}) }); };
+    return h("p", { class: "told" }, t("stood_at", { line: s.line, text: s.text.trim() }), " ", button(t("stood_go"), go, { disabled: !p.holds, class: "main" }), " ", button(t("restart_forget"), () => { this.operator.stood = null; this.draw(); }));
+  }
+
+  private share(name: "override" | "rapid" | "spindle", p: Panel, most: number, least = 0): HTMLElement {
+    const input = h("input", { type: "range", min: String(least), max: String(most), step: "5", value: String(Math.round(100 * p[name])), disabled: !p.holds, "aria-label": t(`share_${name}`), oninput: () => void this.operator.ask("switches", { [name]: Number(input.value) / 100 }) });
+    return h("label", { class: "field" }, h("span", null, t(`share_${name}`)), input, h("span", { class: "dim override" }, `${Math.round(100 * p[name])} %`));
   }
 
   private draw_keys(p: Panel): void {
     const { operator } = this, off = !p.holds, can_run = !off && !["alarm", "emergency"].includes(p.mode);
     this.keys.setAttribute("aria-label", t("panel"));
     const toggle = (text: string, on: boolean, set: (on: boolean) => void, title: string): HTMLElement => button(text, () => set(!on), { "aria-pressed": on, disabled: off, title });
-    const share = h("input", { type: "range", min: "0", max: "100", step: "5", value: String(Math.round(100 * p.override)), disabled: off, "aria-label": t("override"), oninput: () => void operator.ask("switches", { override: Number(share.value) / 100 }) });
+    const dry = h("input", { size: "6", inputmode: "decimal", value: p.dry_feed ? String(p.dry_feed) : "", placeholder: "0", disabled: off, "aria-label": t("dry_run"), title: t("dry_run_long"), onchange: () => void operator.ask("switches", { dry_feed: Number(dry.value.replace(",", ".")) || 0 }) });
     fill(this.keys,
       button(t("press_run"), () => operator.press("run"), { class: "main", disabled: !can_run || (p.mode === "running") }), button(t("press_hold"), () => operator.press("hold"), { disabled: off || p.mode !== "running" }),
       button(t("press_reset"), () => operator.press("reset"), { disabled: off, title: t("press_reset_long") }), button(t("press_emergency"), () => operator.press("emergency"), { class: "emergency" }),
       toggle(t("single"), p.single, (single) => void operator.ask("switches", { single }), t("single_long")), toggle("M1", p.optional_stop, (optional_stop) => void operator.ask("switches", { optional_stop }), t("optional_stop_long")),
-      h("label", { class: "field" }, h("span", null, t("override")), share, h("span", { class: "dim override" }, `${Math.round(100 * p.override)} %`)),
+      ...(["block", "over", "out"] as const).map((key) => button(t(`step_${key}`), () => operator.press(key), { disabled: !can_run || !["standing", "ended"].includes(p.mode), title: t(`step_${key}_long`) })),
+      this.share("override", p, 100), this.share("rapid", p, 100), this.share("spindle", p, 120, 50), h("label", { class: "field" }, h("span", null, t("dry_run")), dry),
       h("details", { class: "skips" }, h("summary", null, `${t("skip")} ${p.skip.join(" ")}`), h("div", { class: "row" }, ...[1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => toggle(`/${n}`, p.skip.includes(n), (on) => void operator.ask("switches", { skip: n, on }), t("skip"))))),
       button(t("switch_off"), () => operator.press("off"), { disabled: off }));
   }
@@ -84,14 +113,10 @@ export class OperatorPanel {
     const feed = h("input", { value: remembered("jog_feed", "1000"), size: "6", inputmode: "decimal", "aria-label": t("jog_feed"), onchange: () => remember("jog_feed", feed.value) });
     const go = (axis: string, way: number): void => void operator.ask("jog", { axis, way: way * this.step, feed: Number(feed.value.replace(",", ".")) || 0 });
     const step = h("select", { "aria-label": t("jog_step"), onchange: () => { this.step = Number(step.value); this.draw(); } }, ...steps.map((s) => option(String(s), String(s), s === this.step)));
-    const at_line = h("input", { size: "6", inputmode: "numeric", "aria-label": t("stop_line"), placeholder: t("stop_line") }), when = h("input", { size: "10", "aria-label": t("stop_condition"), placeholder: "#100 > 5" });
-    const add = (): void => { const n = Number(at_line.value), condition = when.value.trim(); if (n > 0 || condition) void operator.ask("stops", { ...(n > 0 ? { line: n } : {}), ...(condition ? { condition } : {}) }); };
     fill(this.hands,
       h("h3", null, t("mdi")), h("div", { class: "row" }, line, button(t("enter_line"), () => this.enter(line), { disabled: off }), button(`${t("undo_line")}${p.can_undo ? ` (${p.can_undo})` : ""}`, () => void operator.ask("undo", {}), { disabled: off || !p.can_undo, title: t("undo_line_long") })),
       h("h3", null, t("by_hand")), h("div", { class: "row wrap" }, h("label", { class: "field" }, h("span", null, t("jog_step")), step), h("label", { class: "field" }, h("span", null, t("jog_feed")), feed, h("span", { class: "dim" }, t("mm_min")))),
-      h("div", { class: "jog-keys" }, ...operator.axes.flatMap((a) => [button(`${a}−`, () => go(a, -1), { disabled: off, "aria-label": `${a} −` }), button(`${a}+`, () => go(a, 1), { disabled: off, "aria-label": `${a} +` })])),
-      h("h3", null, t("stop_points")), h("div", { class: "row wrap" }, at_line, when, button(t("add_stop"), add, { disabled: !p.holds })),
-      h("ul", { class: "stop-points" }, ...p.stops.map((s) => h("li", { class: "row" }, h("span", { class: "grow" }, [s.line ? t("line_n", { line: s.line }) : "", s.call, s.condition].filter(Boolean).join(" · ")), button("×", () => void operator.ask("stops", { remove: s.number }), { class: "icon", disabled: !p.holds, "aria-label": t("remove_stop") })))));
+      h("div", { class: "jog-keys" }, ...operator.axes.flatMap((a) => [button(`${a}−`, () => go(a, -1), { disabled: off, "aria-label": `${a} −` }), button(`${a}+`, () => go(a, 1), { disabled: off, "aria-label": `${a} +` })])));
     if (had_focus) line.focus();
   }
 

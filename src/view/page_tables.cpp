@@ -1,0 +1,110 @@
+// Questions about the tables of a machine at its panel: tables, edit, keep_tables; and its log: shift. For view/page_session; tested by
+// tests/panel_tables.py.
+
+#include "config/state_json.h"
+#include "view/page_inside.h"
+#include "view/panel_content.h"
+
+namespace kadr {
+namespace {
+
+tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
+
+constexpr std::size_t most_variables = 5000;
+
+PageJson variables_json(const std::vector<PanelVariable>& variables) {
+  PageJson list = PageJson::array();
+  for (const PanelVariable& one : variables) {
+    if (list.size() == most_variables) break;
+    list.push_back({{"name", one.name}, {"value", std::isfinite(one.value) ? PageJson(one.value) : PageJson()}, {"line", one.line}});
+  }
+  return list;
+}
+
+/// Those that a program may change.
+PageJson tables_of(const std::optional<RunState>& state) {
+  PageJson tables = PageJson::object();
+  if (!state) return tables;
+  const PageJson all = PageJson::parse(state_json(*state), nullptr, false);
+  for (const char* const name : {"work_offsets", "offsets"})
+    if (all.is_object() && all.contains(name)) tables[name] = all[name];
+  return tables;
+}
+
+}  // namespace
+
+PageSession::Inside::Answer PageSession::Inside::tables(const PageJson&) {
+  if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
+  const PanelProgram& program = content_of(*panel_place).program;
+  const auto file = program.of_file();
+  if (!file) return refused(file.error());
+  const auto now = panel_place->machine->tables();
+  if (!now) return refused(now.error());
+  PageJson of_file = PageJson::object();
+  const auto sections = program.sections();
+  for (const std::string& name : sections)
+    if (file->contains(name)) of_file[name] = (*file)[name];
+  return PageJson{{"sections", sections},
+                  {"setup", program.setup_file().empty() ? std::string() : server.folder.shown(program.setup_file())},
+                  {"file", std::move(of_file)},
+                  {"edited", program.edited()},
+                  {"now", tables_of(now->state)},
+                  {"variables", variables_json(now->variables)},
+                  {"lasts", server.journal != nullptr && server.journal->lasts()}};
+}
+
+/// Checked, kept, taken over: in this order, so that what is confirmed is kept.
+PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  const auto patch = question.find("tables");
+  if (patch == question.end() || !patch->is_object()) return refused(told("want tables", "нужны таблицы"));
+  PanelProgram& program = content_of(*panel_place).program;
+  const std::lock_guard one_at_a_time(content_of(*panel_place).edits);
+  auto changed = program.changed(*patch);
+  if (!changed) return refused(changed.error());
+  if (const auto may = (*machine)->may_take_tables(); !may) return refused(may.error());
+  if (const std::string fault = keep("tables", dumped(changed->edited)); !fault.empty()) return refused(fault);
+  program.take(std::move(*changed));
+  note("edit", dumped(*patch), 0);
+  const auto taken = (*machine)->take_tables();
+  if (!taken) return refused(taken.error());
+  return PageJson{{"edited", program.edited()}};
+}
+
+/// What was edited goes into the set-up file; where there is none, into a new one.
+PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  const PanelProgram& program = content_of(*panel_place).program;
+  const std::string file = value_in<std::string>(question, "setup", "");
+  if (!file.ends_with(".json")) return refused(told("want the name of a set-up file: NAME.json", "нужно имя файла наладки: ИМЯ.json"));
+  const bool is_own = !program.setup_file().empty() && file == server.folder.shown(program.setup_file());
+  auto whole = is_own ? program.of_file() : PageJson::object();
+  if (!whole) return refused(whole.error());
+  std::optional<FileDigest> replaces;
+  if (is_own) {
+    const auto digest = server.folder.digest(file);
+    if (!digest) return refused(digest.error());
+    replaces = *digest;
+  }
+  whole->merge_patch(program.edited());
+  const auto saved = server.folder.save(file, whole->dump(2) + "\n", replaces);
+  if (!saved) return tl::unexpected(Refusal{saved.error().text, saved.error().changed});
+  note("keep", file, 0);
+  return PageJson{{"digest", *saved}};
+}
+
+/// The log of the machine, the latest last.
+PageSession::Inside::Answer PageSession::Inside::shift(const PageJson& question) {
+  const std::string name = value_in<std::string>(question, "file", panel_place ? panel_place->name : "");
+  if (server.journal == nullptr || name.empty()) return refused(told("no machine is looked at", "станок не выбран"));
+  const std::vector<std::string> log = server.journal->log_of(name);
+  const std::size_t most = std::max<std::uint32_t>(1, count_in(question, "count", 10'000));
+  PageJson list = PageJson::array();
+  for (std::size_t i = log.size() > most ? log.size() - most : 0; i < log.size(); ++i)
+    if (PageJson entry = PageJson::parse(log[i], nullptr, false); entry.is_object()) list.push_back(std::move(entry));
+  return PageJson{{"log", std::move(list)}, {"lasts", server.journal->lasts()}};
+}
+
+}  // namespace kadr

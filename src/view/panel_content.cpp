@@ -1,0 +1,37 @@
+// What happens at a machine, as it is kept. For view/page_panel, view/page_tables; tested by tests/panel_kills.py.
+
+#include "view/panel_content.h"
+
+#include <fmt/chrono.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "view/panel_json.h"
+
+namespace kadr {
+
+std::string log_entry(const std::string& kind, const std::string& text, std::uint32_t line) {
+  const auto now = std::chrono::system_clock::now();
+  const std::string at = fmt::format("{:%FT%T}Z", fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
+  return dumped({{"at", at}, {"kind", kind}, {"text", text}, {"line", line}});
+}
+
+std::string spot_text(const PanelSpot& spot) {
+  PageJson machine = PageJson::array();
+  for (const double value : spot.machine) machine.push_back(std::isfinite(value) ? PageJson(value) : PageJson(0));
+  return dumped({{"mode", name_of(spot.mode)}, {"number", spot.number}, {"line", spot.line}, {"file", spot.file}, {"text", spot.text}, {"machine", std::move(machine)}});
+}
+
+std::optional<PanelSpot> spot_of(const std::string& text) {
+  const PageJson json = PageJson::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("machine") || !json["machine"].is_array()) return std::nullopt;
+  PanelSpot spot;
+  spot.number = json.value("number", 0u), spot.line = json.value("line", 0u);
+  spot.file = json.value("file", ""), spot.text = json.value("text", "");
+  for (std::size_t a = 0; a < std::min(max_axes, json["machine"].size()); ++a)
+    if (json["machine"][a].is_number()) spot.machine[a] = json["machine"][a].get<double>();
+  return spot;
+}
+
+}  // namespace kadr

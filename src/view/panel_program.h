@@ -1,0 +1,51 @@
+#pragma once
+// PanelProgram: what the sessions of a machine at its panel are made of: the program, and its tables as they have been edited.
+
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "panel/panel_opens.h"
+#include "view/opening.h"
+#include "view/page_json.h"
+
+namespace kadr {
+
+class PanelProgram {
+ public:
+  /// `wish`: as it was opened, its tables too.
+  PanelProgram(OpenedProgram opened, OpeningWish wish);
+
+  const OpenedProgram& opened() const { return opened_; }
+  const std::string& setup_file() const { return wish_.setup; }
+
+  // From any thread.
+  /// PanelOpens.
+  tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
+
+  struct Tables {
+    PageJson edited;  // in the form of a set-up, laid over the file
+    Setup setup;      // both together
+  };
+  /// What would come of a change (JSON merge patch, RFC 7386: null takes an edit back), checked as set-ups are.
+  ///   returns  an error sentence
+  tl::expected<Tables, std::string> changed(const PageJson& patch) const;
+  void take(Tables tables);
+  PageJson edited() const;
+  /// Of the set-up file; empty: there is none.
+  ///   returns  an error sentence
+  tl::expected<PageJson, std::string> of_file() const;
+  /// Tables that a set-up of this control may have.
+  std::vector<std::string> sections() const;
+
+ private:
+  const OpenedProgram opened_;
+  OpeningWish wish_;
+  std::vector<std::string> axes_;  // of its control, from the first session on
+  mutable std::mutex lock_;
+  PageJson edited_;
+  Setup setup_;
+};
+
+}  // namespace kadr

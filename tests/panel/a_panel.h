@@ -1,0 +1,72 @@
+#pragma once
+// A machine at its panel whose axes are fast, so that nobody waits long.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "panel/panel_machine.h"
+#include "session/a_session.h"
+
+namespace kadr::test {
+
+class APanel {
+ public:
+  explicit APanel(const std::string& program, const std::string& control = "mach3", const Setup& its_setup = {}, PanelKeeper keeper = {}) {
+    *setup = its_setup;
+    MachineProfile machine = generic_machine();
+    for (const char* const axis : {"X", "Y", "Z"}) {
+      machine.axes[axis].rapid = 60'000, machine.axes[axis].acceleration = 5'000, machine.axes[axis].jerk = 1e6;
+      machine.axes[axis].least = -500, machine.axes[axis].most = 500;
+    }
+    machine.tool_change_s = 0;
+    machine.planner = PlannerMode::optimal;
+    auto made = PanelMachine::make([=, setup = setup](const std::optional<Axes>& start, const StopToken& stop)
+                                       -> tl::expected<std::unique_ptr<Session>, std::string> {
+      Setup with = *setup;
+      RunLimits limits;
+      limits.stop = stop;
+      const char* const names[] = {"X", "Y", "Z"};
+      for (std::size_t a = 0; start && a < 3; ++a) with.start[names[a]] = (*start)[a];
+      auto session = Session::open({shared_control(control), machine, with, {"main.nc", text_source(program), {}}, limits});
+      if (!session) return tl::unexpected(session.error().fault.en);
+      return std::move(*session);
+    }, std::move(keeper));
+    EXPECT_TRUE(made) << made.error();
+    machine_ = std::move(*made);
+  }
+  std::shared_ptr<Setup> setup = std::make_shared<Setup>();  // of the next session
+  PanelMachine* operator->() const { return machine_.get(); }
+
+  /// Waits; a machine that is too busy is no fault.
+  bool until(const std::function<bool(const PanelState&)>& is) const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!is(machine_->state())) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+  }
+  bool stands(PanelMode mode) const {
+    return until([mode](const PanelState& s) { return s.mode == mode; });
+  }
+  Vec3 at() const {
+    const Axes& a = machine_->state().sample.machine;
+    return {a[0], a[1], a[2]};
+  }
+  std::uint32_t line() const { return machine_->state().line.number; }
+
+ private:
+  std::unique_ptr<PanelMachine> machine_;
+};
+
+inline void expect_at(const APanel& panel, Vec3 wanted) {
+  const Vec3 at = panel.at();
+  EXPECT_LT(length(at - wanted), 1e-9) << at.x << ' ' << at.y << ' ' << at.z;
+}
+
+}  // namespace kadr::test

@@ -1,0 +1,187 @@
+// panel/panel_machine, panel_keeping: tables that are edited, variables, watches, switches, questions of the program, what is kept.
+
+#include <cmath>
+
+#include "panel/a_panel.h"
+
+namespace kadr {
+namespace {
+
+using test::APanel;
+using test::expect_at;
+
+bool stands_at(const APanel& panel, std::uint32_t line) {
+  return panel.until([=](const PanelState& s) { return s.mode == PanelMode::standing && s.line.number == line && !s.takes_tables; });
+}
+
+TEST(PanelTables, AZeroIsTakenOverAtTheBeginning) {
+  const APanel panel("G21 G90 G54\nG0 X10\nM30\n", "nct");
+  panel.setup->work_offsets["G54"]["X"] = 100;
+  ASSERT_TRUE(panel->take_tables());
+  ASSERT_TRUE(stands_at(panel, 1));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {110, 0, 0});
+}
+
+/// In mid program the axes stay; the next motions are by the new tables, in the same pass of a call.
+TEST(PanelTables, AnOffsetIsTakenOverInMidProgram) {
+  const APanel panel("G21 G90 G54\n#1=0\nM98 P7 L3\nM30\nO7\n#1=#1+1\nG0 X#1\nM0\nG0 Y#1\nM99\n", "nct");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(stands_at(panel, 9));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[0] == 2; }));
+  panel.setup->work_offsets["G54"]["X"] = 50;
+  panel.setup->work_offsets["G54"]["Y"] = -20;
+  ASSERT_TRUE(panel->take_tables());
+  ASSERT_TRUE(stands_at(panel, 9));
+  expect_at(panel, {2, 1, 0});
+  EXPECT_NEAR(panel->state().block.work_of(panel->state().sample.machine)[0], 2 - 50, 1e-9);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.sample.machine[0] == 53; }));
+  expect_at(panel, {53, -18, 0});
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {53, -17, 0});
+}
+
+TEST(PanelTables, TablesThatLeadElsewhereAreTold) {
+  kadr::Setup setup;
+  setup.variables["#100"] = 1;
+  const APanel panel("G21 G90\nIF[#100EQ1] GOTO 5\nG0 X1\nM30\nN5 G0 Y1\nM0\nG0 Y2\nM30\n", "nct", setup);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(stands_at(panel, 7));
+  panel.setup->variables["#100"] = 2;
+  ASSERT_TRUE(panel->take_tables());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.takes_tables; }));
+  EXPECT_FALSE(panel->state().told.empty());
+  expect_at(panel, {0, 1, 0});
+}
+
+TEST(PanelTables, NotWhileItRuns) {
+  const APanel panel("G21 G91\nG1 X200 F600\nM30\n");
+  ASSERT_TRUE(panel->run());
+  EXPECT_FALSE(panel->may_take_tables());
+  EXPECT_FALSE(panel->take_tables());
+  panel->stop_at_once();
+}
+
+TEST(PanelTables, VariablesTellTheLineThatSetThem) {
+  kadr::Setup setup;
+  setup.variables["#500"] = 3;
+  const APanel panel("G21 G90\n#100=5\nG0 X1\n#101=#100+1\n#100=6\nM0\nM30\n", "nct", setup);
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(stands_at(panel, 7));
+  ASSERT_TRUE(panel->enter("#102=9"));
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.can_undo == 1; }));
+  const auto tables = panel->tables();
+  ASSERT_TRUE(tables);
+  std::map<std::string, std::pair<double, std::uint32_t>> found;
+  for (const PanelVariable& one : tables->variables) found[one.name] = {one.value, one.line};
+  EXPECT_EQ(found["#100"], std::pair(6.0, 5u));
+  EXPECT_EQ(found["#101"], std::pair(6.0, 4u));
+  EXPECT_EQ(found["#102"], std::pair(9.0, 0u));
+  EXPECT_EQ(found["#500"], std::pair(3.0, 0u));
+  const auto values = panel->watch_values({"#100*2", "#100+", "#777"});
+  ASSERT_TRUE(values);
+  EXPECT_EQ((*values)[0].value, 12);
+  EXPECT_FALSE((*values)[1].value);
+  EXPECT_FALSE((*values)[2].value);
+}
+
+TEST(PanelQuestions, AProgramWaitsForItsAnswer) {
+  const APanel panel("G21 G90\n#3107=200(GO ON? YES NO)\n#100=#3107\nIF[#100EQ3] GOTO 9\nG0 X10\nM30\nN9 G0 Y10\nM30\n", "nct");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.asks; })) << panel->state().told;
+  EXPECT_FALSE(panel->state().told.empty());
+  EXPECT_FALSE(panel->run()) << "it waits for an answer";
+  EXPECT_FALSE(panel->answer(4));
+  ASSERT_TRUE(panel->answer(3));
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {0, 10, 0});
+  EXPECT_FALSE(panel->answer(1)) << "nothing is asked";
+}
+
+TEST(PanelSwitches, RapidAndDryRunAndSpindle) {
+  const APanel panel("G21 G90 G94 M3 S1000\nG0 X100\nG1 X101 F10\nM30\n");
+  PanelShares shares;
+  shares.rapid = 0.05, shares.dry_feed = 6000;
+  ASSERT_TRUE(panel->set_shares(shares));
+  ASSERT_TRUE(panel->run());
+  double fastest = 0;
+  ASSERT_TRUE(panel.until([&](const PanelState& s) {
+    if (s.block.origin.line == 2 && s.sample.machine[0] > 20) fastest = std::max(fastest, s.sample.speed);
+    return s.mode == PanelMode::ended;  // at F10 it would take six seconds
+  }));
+  EXPECT_GT(fastest, 100);
+  EXPECT_LT(fastest, 0.06 * 60'000);
+  for (PanelShares bad : {PanelShares{2, 1, 1, 0}, PanelShares{1, -1, 1, 0}, PanelShares{1, 1, 0.4, 0}, PanelShares{1, 1, 1.3, 0}, PanelShares{1, 1, 1, -1}})
+    EXPECT_FALSE(panel->set_shares(bad));
+}
+
+TEST(PanelSwitches, StopsWhenAToolComes) {
+  const APanel panel("G21 G90\nT1 M6\nG0 X1\nT2 M6\nG0 X2\nT1 M6\nG0 X3\nM30\n");
+  StopPoint point;
+  point.tool = 1;
+  ASSERT_TRUE(panel->add_stop(point));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(stands_at(panel, 3));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(stands_at(panel, 7));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+}
+
+TEST(PanelSwitches, StepsOverAndOutOfCalls) {
+  const APanel panel("G21 G90\nM98 P7\nG0 X2\nM30\nO7\nG0 X1\nG0 Y1\nM99\n");
+  ASSERT_TRUE(panel->run(Stepping::How::block));
+  ASSERT_TRUE(stands_at(panel, 2));
+  ASSERT_TRUE(panel->run(Stepping::How::over));
+  ASSERT_TRUE(stands_at(panel, 3));
+  expect_at(panel, {1, 1, 0});
+  ASSERT_TRUE(panel->reset());
+  ASSERT_TRUE(stands_at(panel, 1));
+  for (const std::uint32_t line : {2u, 6u}) {
+    ASSERT_TRUE(panel->run(Stepping::How::block));
+    ASSERT_TRUE(panel.until([=](const PanelState& s) { return s.mode == PanelMode::standing && (s.line.number == line || s.line.number == 5); }));
+  }
+  ASSERT_TRUE(panel->run(Stepping::How::out));
+  ASSERT_TRUE(stands_at(panel, 3));
+}
+
+TEST(PanelKeeping, EachBlockAndEachEvent) {
+  std::mutex lock;
+  std::vector<PanelSpot> spots;
+  std::vector<std::string> events;
+  PanelKeeper keeper;
+  keeper.spot = [&](const PanelSpot& spot) {
+    const std::lock_guard hold(lock);
+    spots.push_back(spot);
+    return std::string(spot.number == 3 ? "the disk is full" : "");
+  };
+  keeper.event = [&](const char* kind, const std::string& text, std::uint32_t line) {
+    const std::lock_guard hold(lock);
+    events.push_back(std::string(kind) + " " + text + " " + std::to_string(line));
+  };
+  {
+    const APanel panel("G21 G91 G94\nG1 X20 F1500\nG1 X20\nM0\nG1 X20\nM30\n", "mach3", {}, keeper);
+    ASSERT_TRUE(panel->enter("G0 Z1"));  // does not count
+    ASSERT_TRUE(panel.until([](const PanelState& s) { return s.can_undo == 1 && s.mode == PanelMode::standing; }));
+    ASSERT_TRUE(panel->run());
+    ASSERT_TRUE(panel.until([](const PanelState& s) { return !s.not_kept.empty(); }));
+    ASSERT_TRUE(stands_at(panel, 5));
+    EXPECT_TRUE(panel->state().not_kept.empty()) << "it is kept again";
+    ASSERT_TRUE(panel->run());
+    ASSERT_TRUE(panel.stands(PanelMode::ended));
+  }
+  std::vector<std::uint32_t> running;
+  for (const PanelSpot& spot : spots)
+    if (spot.mode == PanelMode::running && spot.number != 0 && (running.empty() || running.back() != spot.number)) running.push_back(spot.number);
+  EXPECT_EQ(running, (std::vector<std::uint32_t>{1, 2, 3, 5}));
+  EXPECT_EQ(spots.back().number, 0u);
+  EXPECT_EQ(spots.back().mode, PanelMode::ended);
+  EXPECT_EQ(events, (std::vector<std::string>{"line G0 Z1 0", "run  1", "stopped M0 5", "run  5", "ended  0"}));
+}
+
+}  // namespace
+}  // namespace kadr

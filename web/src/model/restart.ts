@@ -1,0 +1,94 @@
+// Going on in mid program: the place is found by the server, what leads there is looked at, changed, and carried out.
+import type { Axes, RestartPlace, RestartSheet, WayPoint } from "../protocol/types";
+import type { Operator } from "./operator";
+import { Signal } from "./signal";
+
+const ask_again = 100; // ms while it is being looked for
+
+export interface WayRules { clearance?: number; above: number; feed: number }
+
+export class Restart {
+  sheet: RestartSheet | null = null;
+  way: WayPoint[] = [];                 // as it will be gone
+  leave = new Set<string>();            // keys of what stays as it is
+  searching = false;
+  place: RestartPlace | null = null;
+  rules: WayRules = { above: 2, feed: 300 };
+  readonly on_change = new Signal<void>();
+  private search = 0;                   // a new one puts an end to the one before
+
+  constructor(private operator: Operator) {
+    operator.on_panel.on((p) => { if (!p && (this.sheet || this.searching)) this.forget(); });
+  }
+
+  /// `by_control`: the control's own block search too.
+  async find(place: RestartPlace, by_control = false): Promise<void> {
+    const mine = ++this.search;
+    this.place = place;
+    this.searching = true;
+    this.on_change.emit();
+    while (true) {
+      const answer = await this.operator.ask("restart", { ...place, ...this.rules, ...(by_control || this.sheet?.search ? { by_control: true } : {}) });
+      if (mine !== this.search) return;
+      if (answer && !answer.ready) { await new Promise((go) => setTimeout(go, ask_again)); continue; }
+      this.searching = false;
+      if (answer?.ready) this.take(answer as RestartSheet);
+      return this.on_change.emit();
+    }
+  }
+
+  /// Where the way goes is looked at anew.
+  set_rules(rules: Partial<WayRules>): void {
+    this.rules = { ...this.rules, ...rules };
+    if (this.place) void this.find(this.place);
+  }
+
+  set_point(i: number, axis: string, work: number): void {
+    const point = this.way[i];
+    if (!point || !this.sheet || !Number.isFinite(work)) return;
+    point.to[axis] = work + (this.sheet.zero[axis] ?? 0);
+    this.on_change.emit();
+  }
+
+  set_leave(key: string, leaves: boolean): void {
+    if (leaves) this.leave.add(key); else this.leave.delete(key);
+    this.on_change.emit();
+  }
+
+  async go(): Promise<void> {
+    if (!this.place || !this.sheet) return;
+    const went = await this.operator.ask("go_there", { ...this.place, ...(this.sheet.search ? { by_control: true } : {}), leave: [...this.leave], way: this.way });
+    if (went) this.forget();
+  }
+
+  forget(): void {
+    this.search++;
+    this.sheet = this.place = null;
+    this.searching = false;
+    this.way = [];
+    this.leave.clear();
+    this.on_change.emit();
+  }
+
+  /// Places of the tool's tip along the way, in the coordinates of the path's frames.
+  tips(): [number, number, number][] {
+    const { sheet } = this, from = this.operator.panel?.machine;
+    if (!sheet || !from || !this.way.length) return [];
+    const origin: Axes = {};
+    for (const r of sheet.rows) if (r.kind === "origin" && typeof r.wanted === "number") origin[r.name] = r.wanted;
+    const at = { ...from };
+    const tip = (axis: string): number => (at[axis] ?? 0) - (sheet.zero[axis] ?? 0) + (origin[axis] ?? 0);
+    const tips: [number, number, number][] = [[tip("X"), tip("Y"), tip("Z")]];
+    for (const p of this.way) {
+      Object.assign(at, p.to);
+      tips.push([tip("X"), tip("Y"), tip("Z")]);
+    }
+    return tips;
+  }
+
+  private take(sheet: RestartSheet): void {
+    this.sheet = sheet;
+    this.way = sheet.way.map((p) => ({ ...p, to: { ...p.to } }));
+    for (const key of [...this.leave]) if (!sheet.rows.some((r) => r.key === key && r.may_be_left)) this.leave.delete(key);
+  }
+}
