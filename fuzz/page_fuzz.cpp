@@ -14,6 +14,8 @@
 #include <string_view>
 #include <thread>
 
+#include "panel/panel_hub.h"
+#include "panel/panel_journal.h"
 #include "require.h"
 #include "view/page_session.h"
 #include "view/served_folder.h"
@@ -55,7 +57,7 @@ fs::path make_folder() {
   return folder;
 }
 
-class Line : public PageLine {
+class Taker : public PageLine {
  public:
   bool text(std::string message) override {
     const auto json = nlohmann::json::parse(message, nullptr, false);
@@ -106,9 +108,11 @@ class Watch {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fs::path place = make_folder();
   static const auto folder = ServedFolder::open(place.string());
-  static const PageServer server{*folder, "t", false, Lang::en, "0"};
+  PanelJournal journal;
+  PanelHub hub;  // its machines are switched off with the input
+  const PageServer server{*folder, "t", false, Lang::en, "0", nullptr, &hub, &journal};
   std::string_view text(reinterpret_cast<const char*>(data), size);
-  Line line;
+  Taker line;
   {
     PageSession session(server, line);
     session.begin(false);
@@ -118,6 +122,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const std::string message(text.substr(0, end));
       text.remove_prefix(std::min(end + 1, text.size()));
       session.begin(PageSession::asks_to_stop(message));
+      if (PageSession::asks_for_emergency(message)) session.emergency();
       const Watch watch(session);
       const std::size_t before = line.answers;
       goes_on = session.take(message);

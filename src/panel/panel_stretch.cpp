@@ -12,6 +12,7 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double enough = 3 * Playback::reserve;  // s ahead of the clock
+constexpr double planned_each = 1;                // s of motion: the first long ones begin at once
 constexpr double nearly_there = 1e-6;             // mm, degrees
 constexpr double farthest = 1e5;                  // mm, degrees by hand at a time
 
@@ -56,6 +57,7 @@ void PanelMachine::set_up(Stretch& stretch) {
     blocks_.add(pending_);
   });
   has_moved_ = true;
+  stretch.planned->plan_each(planned_each);
   stretch.playback = std::make_unique<Playback>(stretch.planned->limits(), rate);
   stretch.playback->override_to(kept_.shares.feed);
 }

@@ -2,6 +2,7 @@
 
 #include "panel/servo_clock.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -69,6 +70,7 @@ void ServoClock::run() {
     else tick(*playback);
     next += period;
     std::this_thread::sleep_until(next);
+    now_.late = std::max(now_.late, std::chrono::duration<double>(Clock::now() - next).count());
   }
 }
 

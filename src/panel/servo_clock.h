@@ -26,6 +26,7 @@ struct ServoSample {
   double speed = 0;           // of X, Y, Z together, mm/min
   bool plays = false;         // motion is to come
   bool held = false;          // by an override of 0
+  double late = 0;            // s by which an instant came too late, the greatest so far
 };
 
 class ServoClock {

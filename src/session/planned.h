@@ -43,6 +43,8 @@ class Planned {
     motion_.on_motion = [tell = std::move(on_motion)](std::uint64_t motion, double) { tell(motion); };
   }
 
+  /// Planner::plan_each().
+  void plan_each(double seconds) { motion_.plan_each(seconds); }
   /// AxisMotion::run_dry().
   void run_dry(double feed) { motion_.run_dry(feed); }
 

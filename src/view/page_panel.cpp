@@ -150,6 +150,7 @@ tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
 }
 
 PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
+  if (panel_place && server.hub->find(panel_place->name) != panel_place) leave_machine();  // another page has switched it off
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   const PanelState state = panel_place->machine->state();
   PageJson json = panel_json(state, panel_place->machine->axes());

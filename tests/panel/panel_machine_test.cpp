@@ -31,6 +31,17 @@ TEST(PanelMachine, RunsToTheEndInItsOwnTime) {
   EXPECT_EQ(panel->state().sample.speed, 0);
 }
 
+/// The first motion does not wait until hundreds of long ones are planned.
+TEST(PanelMachine, BeginsBeforeMuchIsPlanned) {
+  std::string program = "G21 G90 G94\nG1 F3000\n";
+  for (int i = 0; i < 2000; ++i) program += i % 2 == 0 ? "X100 Y7\n" : "X0 Y0\n";
+  const APanel panel(program + "M30\n");
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.until([](const PanelState& s) { return s.sample.machine[0] > 0.01; }));
+  EXPECT_LT(panel->state().blocks, 100u);
+  panel->stop_at_once();
+}
+
 TEST(PanelMachine, RunsAgainFromWhereItStands) {
   const APanel panel("G21 G91\nG0 X10\nM30\n");
   for (int i = 1; i <= 3; ++i) {

@@ -62,7 +62,7 @@ inline Sweep some_way(Chance& chance) {
 }
 
 /// The greatest of distances in all directions from the planes that the hull of the corners, swept, lies behind: looked for in steps, then
-/// by golden sections.
+/// about each peak by golden sections.
 inline double from_hull(const InsertBody& body, const Sweep& sweep, double x, double z) {
   constexpr int steps = 720;
   constexpr double golden = 0.6180339887498949;
@@ -73,19 +73,26 @@ inline double from_hull(const InsertBody& body, const Sweep& sweep, double x, do
     most += std::max(sweep.from.x * c + sweep.from.z * s, sweep.to.x * c + sweep.to.z * s);
     return x * c + z * s - most;
   };
-  double best = -1e30, at = 0;
-  const auto see = [&](double angle) {
-    if (const double d = beyond(angle); d > best) best = d, at = angle;
+  // Each peak: that of a thin body's other side may stand higher on the steps, and lower in truth.
+  const double step = 2 * pi / steps;
+  double best = -1e30;
+  const auto climb = [&](double at) {
+    double low = at - step, high = at + step;
+    for (int i = 0; i < 60; ++i) {
+      const double a = high - golden * (high - low), b = low + golden * (high - low);
+      (beyond(a) > beyond(b) ? high : low) = beyond(a) > beyond(b) ? b : a;
+    }
+    best = std::max({best, beyond(at), beyond(0.5 * (low + high))});
   };
-  for (int i = 0; i < steps; ++i) see(i * 2 * pi / steps);
-  const double across = std::atan2(sweep.to.z - sweep.from.z, sweep.to.x - sweep.from.x) + pi / 2;  // steep where the way is long
-  see(across), see(across + pi);
-  double low = at - 2 * pi / steps, high = at + 2 * pi / steps;
-  for (int i = 0; i < 60; ++i) {
-    const double a = high - golden * (high - low), b = low + golden * (high - low);
-    (beyond(a) > beyond(b) ? high : low) = beyond(a) > beyond(b) ? b : a;
+  double before = beyond(-step), here = beyond(0);
+  for (int i = 0; i < steps; ++i) {
+    const double next = beyond((i + 1) * step);
+    if (here >= before && here >= next) climb(i * step);
+    before = here, here = next;
   }
-  return std::max(best, beyond(0.5 * (low + high)));
+  const double across = std::atan2(sweep.to.z - sweep.from.z, sweep.to.x - sweep.from.x) + pi / 2;  // steep where the way is long
+  climb(across), climb(across + pi);
+  return best;
 }
 
 /// Of a place from the rings; below 0: within one.

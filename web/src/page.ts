@@ -63,7 +63,7 @@ const tabs = new Tabs([
   { name: "problems", element: problems.element, badge: () => String(ProblemsPanel.all(app).length || "") },
   { name: "summary", element: new SummaryPanel(app).element },
   { name: "cut_tab", element: cut.element, badge: () => String(app.findings.length || "") },
-  { name: "panel", element: operator_panel.element, badge: () => (operator.panel ? "●" : "") },
+  { name: "panel", element: operator_panel.element, badge: () => (operator.panel ? "●" : ""), whole: () => Boolean(operator.panel) },
 ]);
 const files = new FilesDrawer(app);
 const top = new Topbar(app, {

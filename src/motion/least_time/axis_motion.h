@@ -67,6 +67,8 @@ class AxisMotion {
   /// The axes come to rest.
   void finish() { rest(); }
 
+  /// Planner::plan_each().
+  void plan_each(double seconds) { planner_.plan_each(seconds); }
   /// All feeds but those of threads are this one, mm/min; 0: as programmed.
   void run_dry(double feed) { dry_feed_ = feed; }
 

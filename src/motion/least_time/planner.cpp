@@ -57,6 +57,7 @@ void Planner::begin(const double* at) {
   now_.cut = 0;
   now_.has_knot = false;
   now_.piece = now_.fresh = 0;
+  now_.fresh_s = 0;
   now_.ends = {};
 }
 
@@ -82,8 +83,12 @@ void Planner::line_to(const double* to, double feed, double tolerance, bool on_c
   now_.way.resize(now_.cells.axes);
   for (std::size_t a = 0; a < now_.cells.axes; ++a) now_.way[a] = (to[a] - now_.at[a]) / std::sqrt(squares);
   now_.at.assign(to, to + now_.cells.axes);
-  if (++now_.fresh >= planned_at) plan(false);
+  ++now_.fresh;
+  now_.fresh_s += std::sqrt(squares) / feed;
+  if (is_due()) plan(false);
 }
+
+bool Planner::is_due() const { return now_.fresh >= planned_at || (plan_each_ > 0 && now_.fresh_s >= plan_each_); }
 
 void Planner::stop() {
   if (!halted() && !now_.path.empty()) plan(true);
@@ -97,7 +102,7 @@ bool Planner::halted() {
 }
 
 void Planner::plan(bool last) {
-  now_.fresh = 0;
+  now_.fresh = 0, now_.fresh_s = 0;
   if (last && now_.cells.cells() == 0 && now_.ends.from_stop && now_.path.is_one_line()) return straight_line();
   now_.path.settle(last, stop_);
   if (halted()) return;

@@ -46,6 +46,9 @@ class Planner {
   /// The axes come to rest; all is handed out.
   void stop();
 
+  /// Plans whenever so many seconds of motion at the commanded feeds have come in, not only after some hundred pieces: for whoever waits for
+  /// the first cells of long pieces. It costs some more plans.
+  void plan_each(double seconds) { plan_each_ = seconds; }
   /// Asked by all that may take long.
   void stop_by(StopToken stop) { stop_ = stop; }
   /// From then on whatever comes in is passed over.
@@ -73,6 +76,7 @@ class Planner {
     std::vector<double> at;   // the end of the last piece
     std::vector<double> way;  // of the last piece: its unit vector; empty: none yet
     std::size_t fresh = 0;    // pieces since the last plan
+    double fresh_s = 0;       // s of them, at the commanded feeds
     // cells not yet handed out
     TimedPath cells;
     std::vector<double> shapes;  // their polynomials
@@ -93,6 +97,7 @@ class Planner {
 
  private:
   bool turns(const double* to) const;
+  bool is_due() const;
   void plan(bool last);
   void cut_cells(bool last);
   double ramp_s(double speed) const;
@@ -124,6 +129,7 @@ class Planner {
   LeastTime least_;
   TimedCells out_;
   StopToken stop_;
+  double plan_each_ = 0;  // s; 0: by pieces alone
 };
 
 }  // namespace kadr

@@ -85,7 +85,9 @@ export class Operator {
       const { mode, takes_tables } = this.panel;
       if (before && (before.mode !== mode || before.takes_tables !== takes_tables) && mode !== "running" && !takes_tables) this.on_stood.emit();
       if (mode === "running") this.stood = null;
-    } catch { /* lost: it comes back by itself; off: nothing to see */ }
+    } catch (e) {
+      if (!(e instanceof Lost)) this.leave(); // off; one that is lost comes back by itself
+    }
     this.looking = false;
     if (this.panel) this.look_soon(this.panel.mode === "running" ? moving : standing);
   }

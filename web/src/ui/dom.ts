@@ -43,3 +43,13 @@ export function option(value: string, text: string, chosen: boolean): HTMLOption
   o.selected = chosen;
   return o;
 }
+
+/// Draws anew; what is being typed in fields of `root` stays, so does the place of the cursor. Fields are known by their names.
+export function redraw(root: HTMLElement, draw: () => void): void {
+  const name = (i: Element): string => i.getAttribute("aria-label") ?? "", active = document.activeElement;
+  const typed = new Map([...root.querySelectorAll("input")].filter((i) => i.type !== "range" && i.value !== i.defaultValue).map((i) => [name(i), i.value]));
+  const focused = active && active !== root && root.contains(active) ? `${active.tagName} ${name(active)}` : null;
+  draw();
+  for (const i of root.querySelectorAll("input")) if (typed.has(name(i))) i.value = typed.get(name(i))!;
+  if (focused) [...root.querySelectorAll<HTMLElement>("input, select, button")].find((e) => `${e.tagName} ${name(e)}` === focused)?.focus();
+}

@@ -40,7 +40,7 @@ function bar(name: string, direction: "x" | "y", way: 1 | -1): HTMLElement {
   return e;
 }
 
-export interface Tab { name: TextKey; element: HTMLElement; badge?: () => string }
+export interface Tab { name: TextKey; element: HTMLElement; badge?: () => string; whole?: () => boolean } // whole: it takes the place of the pane above
 
 /// Tabs as ARIA knows them: one is in the tab order, arrows go between them.
 export class Tabs {
@@ -73,6 +73,7 @@ export class Tabs {
       return h("button", { type: "button", role: "tab", "aria-selected": String(on), tabindex: on ? "0" : "-1", "data-tab": x.name, onclick: () => this.choose(x.name) }, t(x.name), badge ? h("span", { class: "count" }, badge) : null);
     }));
     const tab = this.tabs.find((x) => x.name === this.chosen)!;
+    this.element.classList.toggle("whole", Boolean(tab.whole?.()));
     if (this.host.firstChild !== tab.element) this.host.replaceChildren(tab.element);
     this.host.setAttribute("aria-label", t(tab.name));
   }

@@ -4,7 +4,7 @@ import type { Operator } from "../model/operator";
 import { Restart } from "../model/restart";
 import type { RestartPlace, RestartRow } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
-import { button, fill, h } from "./dom";
+import { button, fill, h, redraw } from "./dom";
 import { coordinate } from "./figures";
 
 const written = (row: RestartRow, v: string | number | null): string => (v === null ? "–" : typeof v === "string" ? v : row.kind === "variable" ? String(v) : ["tool", "selected", "offset", "length_offset"].includes(row.kind) ? String(v) : coordinate(v));
@@ -29,6 +29,7 @@ export class RestartPanel {
     this.restart.leave.clear();
     await this.restart.find(place);
     this.propose_clearance();
+    this.body.querySelector(".restart-sheet")?.scrollIntoView({ block: "nearest" });
   }
 
   private draw(): void {
@@ -39,11 +40,9 @@ export class RestartPanel {
     const wanted = JSON.stringify([may, r.sheet, r.way, [...r.leave], r.searching, this.element.open]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
-    const focused = document.activeElement instanceof HTMLInputElement && this.body.contains(document.activeElement) ? document.activeElement.getAttribute("aria-label") : null;
     fill(this.element, h("summary", null, h("b", null, t("restart"))), this.body);
     if (!this.element.open) return;
-    fill(this.body, this.form(may), r.searching && h("p", { class: "note", "aria-live": "polite" }, t("restart_searching")), r.sheet && this.sheet(may));
-    if (focused) this.body.querySelector<HTMLInputElement>(`input[aria-label="${CSS.escape(focused)}"]`)?.focus();
+    redraw(this.body, () => fill(this.body, this.form(may), r.searching && h("p", { class: "note", "aria-live": "polite" }, t("restart_searching")), r.sheet && this.sheet(may)));
   }
 
   private form(may: boolean): HTMLElement {
@@ -91,13 +90,13 @@ export class RestartPanel {
   private way(may: boolean): HTMLElement {
     const { restart: r } = this, s = r.sheet!, rules = r.rules;
     const rule = (name: "clearance" | "above" | "feed"): HTMLElement => {
-      const input = h("input", { size: "6", inputmode: "decimal", "aria-label": t(`restart_${name}`), disabled: !may, value: rules[name] === undefined ? "" : String(rules[name]), onchange: () => { const v = Number(input.value.replace(",", ".")); if (Number.isFinite(v)) r.set_rules({ [name]: v }); } });
+      const input = h("input", { size: "6", inputmode: "decimal", "aria-label": t(`restart_${name}`), disabled: !may, value: rules[name] === undefined ? "" : String(rules[name]), onchange: () => { const v = Number(input.value.replace(",", ".")); input.value = input.defaultValue; if (Number.isFinite(v)) r.set_rules({ [name]: v }); } });
       return h("label", { class: "field" }, h("span", null, t(`restart_${name}`)), input);
     };
     const point = (i: number): HTMLElement => {
       const p = r.way[i]!;
       return h("li", { class: "row" }, h("b", null, p.rapid ? "G0" : "G1"), ...Object.entries(p.to).map(([axis, v]) => {
-        const input = h("input", { size: "8", inputmode: "decimal", "aria-label": `${t("restart_way")} ${i + 1} ${axis}`, disabled: !may, value: (v - (s.zero[axis] ?? 0)).toFixed(3), onchange: () => r.set_point(i, axis, Number(input.value.replace(",", "."))) });
+        const input = h("input", { size: "8", inputmode: "decimal", "aria-label": `${t("restart_way")} ${i + 1} ${axis}`, disabled: !may, value: (v - (s.zero[axis] ?? 0)).toFixed(3), onchange: () => { const v = Number(input.value.replace(",", ".")); input.value = input.defaultValue; r.set_point(i, axis, v); } });
         return h("label", { class: "field" }, h("span", null, axis), input);
       }), !p.rapid && h("span", { class: "dim" }, `F${p.feed}`));
     };

@@ -3,7 +3,7 @@ import type { App } from "../model/app";
 import type { Operator } from "../model/operator";
 import type { Json, JsonTable, Tables } from "../protocol/types";
 import { on_language, t, type TextKey } from "../texts/texts";
-import { button, fill, h, option } from "./dom";
+import { button, fill, h, option, redraw } from "./dom";
 import { toast } from "./toast";
 
 const offset_columns = ["length", "length_wear", "radius", "radius_wear"];
@@ -45,17 +45,25 @@ export class TablesPanel {
     this.draw();
   }
 
+  /// What was typed; it stands there as the table has it, taken or refused.
+  private async take(input: HTMLInputElement, tables: JsonTable): Promise<void> {
+    input.value = input.defaultValue;
+    await this.edit(tables);
+  }
+
   private async edit(tables: JsonTable): Promise<void> {
     await this.operator.ask("edit", { tables });
     await this.load();
   }
 
-  private draw(): void {
+  private draw(): void { redraw(this.body, () => this.fill_body()); }
+
+  private fill_body(): void {
     const { tables: s } = this, p = this.operator.panel;
     if (!s || !p) return fill(this.body);
     const may = p.holds && ["standing", "ended"].includes(p.mode);
     const choose = h("select", { "aria-label": t("tables"), onchange: () => { this.section = choose.value; this.draw(); } }, ...s.sections.map((n) => option(n, t(`table_${n}` as TextKey), n === this.section)));
-    const edited = Object.keys(s.edited).length > 0, into = s.setup || (this.app.opened?.file ?? "").replace(/\.[^./]*$/, ".json");
+    const edited = Object.keys(s.edited).length > 0, into = s.setup || (this.operator.name ?? "").replace(/\.[^./]*$/, ".json");
     fill(this.body,
       h("div", { class: "row wrap" }, choose, button(t("tables_again"), () => void this.load()), edited && button(t("tables_keep", { file: into }), () => void this.keep(into), { disabled: !may }), edited && button(t("tables_back"), () => void this.edit(Object.fromEntries(Object.keys(s.edited).map((k) => [k, null]))), { disabled: !may })),
       !s.lasts && h("p", { class: "note" }, t("tables_not_kept")),
@@ -74,11 +82,11 @@ export class TablesPanel {
       const value = here ?? from, other = live !== undefined && Number(live) !== Number(value ?? 0);
       const where = other ? t("from_program", { value: shown(live) }) : here !== undefined ? t("from_here", { value: shown(from) || "0" }) : from !== undefined ? t("from_setup") : "";
       const input = h("input", { size: "9", inputmode: "decimal", disabled: !may, class: here !== undefined ? "edited" : other ? "by-program" : "", title: where, "aria-label": `${t(`table_${this.section}` as TextKey)} ${row} ${column ?? ""} ${where}`.trim(), value: shown(value),
-        onchange: () => void this.edit({ [this.section]: { [row]: column === null ? this.read(input.value) : { [column]: this.read(input.value) } } }) });
+        onchange: () => void this.take(input, { [this.section]: { [row]: column === null ? this.read(input.value) : { [column]: this.read(input.value) } } }) });
       return h("td", null, input);
     };
     const name = h("input", { size: "8", "aria-label": t("tables_new_row"), placeholder: t("tables_new_row") });
-    const add = (): void => { const n = name.value.trim(); if (n) void this.edit({ [this.section]: { [n]: by_columns ? { [columns[0] ?? "X"]: 0 } : 0 } }); };
+    const add = (): void => { const n = name.value.trim(); name.value = ""; if (n) void this.edit({ [this.section]: { [n]: by_columns ? { [columns[0] ?? "X"]: 0 } : 0 } }); };
     return h("div", { class: "table-scroll" }, h("table", { class: "table-rows" }, by_columns && h("thead", null, h("tr", null, h("th", null), ...columns.map((c) => h("th", { scope: "col" }, c)))),
       h("tbody", null, ...names.map((n) => h("tr", null, h("th", { scope: "row" }, n), ...(by_columns ? columns.map((c) => cell(n, c)) : [cell(n, null)]))))),
       h("div", { class: "row" }, name, button(t("tables_add"), add, { disabled: !may })));
@@ -89,9 +97,9 @@ export class TablesPanel {
     const names = [...new Set([...live.keys(), ...Object.keys(of_file), ...Object.keys(edited)])].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
     const name = h("input", { size: "8", "aria-label": t("tables_new_row"), placeholder: "#500" }), value = h("input", { size: "8", "aria-label": t("value"), inputmode: "decimal" });
     return h("div", { class: "table-scroll" }, h("table", { class: "table-rows" }, h("tbody", null, ...names.map((n) => {
-      const v = live.get(n), input = h("input", { size: "12", inputmode: "decimal", disabled: !may, "aria-label": `${t("force_variable")} ${n}`, class: edited[n] !== undefined ? "edited" : "", value: shown(v?.value ?? edited[n] ?? of_file[n]), onchange: () => void this.edit({ variables: { [n]: this.read(input.value) } }) });
+      const v = live.get(n), input = h("input", { size: "12", inputmode: "decimal", disabled: !may, "aria-label": `${t("force_variable")} ${n}`, class: edited[n] !== undefined ? "edited" : "", value: shown(v?.value ?? edited[n] ?? of_file[n]), onchange: () => void this.take(input, { variables: { [n]: this.read(input.value) } }) });
       return h("tr", null, h("th", { scope: "row" }, n), h("td", null, input), h("td", { class: "dim" }, v?.line ? t("set_by_line", { line: v.line }) : edited[n] !== undefined ? t("from_here", { value: shown(of_file[n]) || "–" }) : of_file[n] !== undefined ? t("from_setup") : ""));
-    }))), h("div", { class: "row" }, name, value, button(t("tables_add"), () => { if (name.value.trim()) void this.edit({ variables: { [name.value.trim()]: this.read(value.value) ?? 0 } }); }, { disabled: !may })));
+    }))), h("div", { class: "row" }, name, value, button(t("tables_add"), () => { const n = name.value.trim(), v = this.read(value.value) ?? 0; name.value = value.value = ""; if (n) void this.edit({ variables: { [n]: v } }); }, { disabled: !may })));
   }
 
   /// The zero in force is shifted so that the tool's place reads what is wanted.

@@ -3,7 +3,7 @@ import type { Operator } from "../model/operator";
 import { remember, remembered } from "../model/memory";
 import type { Panel } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
-import { button, fill, h } from "./dom";
+import { button, fill, h, redraw } from "./dom";
 
 const each = 500; // ms between looks
 
@@ -37,13 +37,9 @@ export class WatchPanel {
     const wanted = JSON.stringify([this.element.open, p.holds, p.stops, p.hit, p.calls, this.texts, [...this.values]]);
     if (wanted === this.drawn) return;
     this.drawn = wanted;
-    const focused = document.activeElement instanceof HTMLInputElement && this.body.contains(document.activeElement) ? document.activeElement : null;
-    const before = new Map([...this.body.querySelectorAll("input")].map((i) => [i.getAttribute("aria-label"), i.value]));
     fill(this.element, h("summary", null, h("b", null, t("debugging"))), this.body);
     if (!this.element.open) return;
-    fill(this.body, ...this.stops(p), ...this.watches(), p.calls.length > 0 && h("p", null, h("b", null, t("open_calls")), " ", p.calls.map((c) => `${c.what} (${t("line_n", { line: c.line })})`).join(" → ")));
-    for (const i of this.body.querySelectorAll("input")) i.value = before.get(i.getAttribute("aria-label")) ?? i.value;
-    if (focused) this.body.querySelector<HTMLInputElement>(`input[aria-label="${CSS.escape(focused.getAttribute("aria-label") ?? "")}"]`)?.focus();
+    redraw(this.body, () => fill(this.body, ...this.stops(p), ...this.watches(), p.calls.length > 0 && h("p", null, h("b", null, t("open_calls")), " ", p.calls.map((c) => `${c.what} (${t("line_n", { line: c.line })})`).join(" → "))));
   }
 
   private stops(p: Panel): HTMLElement[] {

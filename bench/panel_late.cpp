@@ -1,0 +1,91 @@
+// How late the servo clock of a machine at its panel comes, beside an idle loop of the same period in the same process.
+//
+//     build/bench/bench/panel_late [SECONDS=60]
+//
+// The machine goes round and round in short segments; another thread asks for its state 60 times a second, as a page does. Prints the greatest
+// lateness of both in ms, each ten seconds and at the end. Exit status 1: that of the clock is more than the idle loop's and 1 ms.
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include "config/control_file.h"
+#include "panel/panel_machine.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+/// Rounds of 400 segments, for as long as anybody looks.
+std::string rounds() {
+  std::string text = "G21 G90 G94 G17\nG0 X30 Y0 Z0\nM98 P7 L100000\nM30\nO7\n";
+  for (int i = 1; i <= 400; ++i) {
+    const double angle = 2 * 3.14159265358979 * i / 400;
+    text += fmt::format("G1 X{:.4f} Y{:.4f} F3000\n", 30 * std::cos(angle), 30 * std::sin(angle));
+  }
+  return text + "M99\n";
+}
+
+/// The greatest lateness, s, of a loop that does nothing but sleep to its next instant.
+class IdleLoop {
+ public:
+  ~IdleLoop() {
+    ends_ = true;
+    thread_.join();
+  }
+  double late() const { return late_; }
+
+ private:
+  void run() {
+    constexpr auto period = std::chrono::milliseconds(1);
+    for (auto next = Clock::now(); !ends_;) {
+      next += period;
+      std::this_thread::sleep_until(next);
+      if (const double late = since(next); late > late_) late_ = late;
+    }
+  }
+  std::atomic<bool> ends_{false};
+  std::atomic<double> late_{0};
+  std::thread thread_{[this] { run(); }};
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double seconds = argc > 1 ? std::atof(argv[1]) : 60;
+  const auto def = std::make_shared<const kadr::ControlDef>(kadr::load_control("mach3").value());
+  const kadr::MachineProfile machine = kadr::load_machine("generic").value();
+  const auto opens = [&](const std::optional<kadr::Axes>&, const kadr::StopToken& stop) -> tl::expected<std::unique_ptr<kadr::Session>, std::string> {
+    kadr::RunLimits limits;
+    limits.stop = stop;
+    auto session = kadr::Session::open({def, machine, {}, {"main.nc", kadr::text_source(rounds()), {}}, limits});
+    if (!session) return tl::unexpected(session.error().fault.en);
+    return std::move(*session);
+  };
+  auto made = kadr::PanelMachine::make(opens);
+  if (!made || !(*made)->run()) return fmt::print("the machine does not run\n"), 2;
+  const auto begun = Clock::now();
+  const IdleLoop idle;
+  double told = 10;
+  std::uint64_t first = 0;
+  while (since(begun) < seconds) {
+    const kadr::PanelState state = (*made)->state();
+    if (first == 0) first = state.sample.instant;
+    if (state.mode != kadr::PanelMode::running) return fmt::print("the machine stands\n"), 2;
+    if (since(begun) > told) {
+      fmt::print("{:.0f} s: servo clock {:.3f} ms, idle loop {:.3f} ms\n", told, 1000 * state.sample.late, 1000 * idle.late());
+      told += 10;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(16));
+  }
+  const kadr::ServoSample last = (*made)->state().sample;
+  fmt::print("{:.0f} s, {} instants: greatest lateness of the servo clock {:.3f} ms, of the idle loop {:.3f} ms\n", since(begun), last.instant - first, 1000 * last.late,
+             1000 * idle.late());
+  return last.late > idle.late() + 1e-3 ? 1 : 0;
+}
