@@ -23,6 +23,7 @@ export class OperatorPanel {
   readonly tables: TablesPanel;
   private drawn = ""; // what keys and hands were drawn for
   private step = 1;
+  private codes = { number: -1, now: new Set<string>(), before: new Set<string>() }; // in force at the block, and at the one before
   private history = remembered<string[]>("mdi", []);
   private at = -1;    // in the history; -1: a new line
 
@@ -98,12 +99,14 @@ export class OperatorPanel {
   }
 
   private draw_figures(p: Panel): void {
+    if (p.number !== this.codes.number) this.codes = { number: p.number, now: new Set(p.modal.map((m) => m.code)), before: this.codes.now };
+    const is_new = (code: string): boolean => this.codes.before.size > 0 && !this.codes.before.has(code);
     const cell = (v: number | null | undefined): HTMLElement => h("td", null, coordinate(v ?? undefined));
     fill(this.figures, h("table", { class: "positions big" }, h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("work")), h("th", { scope: "col" }, t("machine_position")), h("th", { scope: "col" }, t("to_go")))),
       h("tbody", null, ...this.operator.axes.map((a) => h("tr", null, h("th", { scope: "row" }, a), cell(p.position[a]), cell(p.machine[a]), cell(p.togo[a]))))),
       h("div", { class: "row wrap" }, ...([["F", short(p.feed, 1)], ["V", short(p.speed, 0)], ["S", p.rpm === null ? "–" : short(p.rpm)], ["T", p.tool ?? "–"], ["D", p.offsets.D ?? "–"], ["H", p.offsets.H ?? "–"]] as const).map(([name, v]) => h("span", null, h("b", null, name), ` ${v}`)),
         h("span", { class: "dim" }, `${Math.round(100 * p.share)} %`)),
-      h("div", { class: "modal", role: "list", "aria-label": t("modal") }, ...p.modal.map((m) => h("span", { class: "code", role: "listitem", title: m.group }, m.code))));
+      h("div", { class: "modal", role: "list", "aria-label": t("modal") }, ...p.modal.map((m) => h("span", { class: is_new(m.code) ? "code changed" : "code", role: "listitem", title: m.group }, m.code))));
   }
 
   private draw_hands(p: Panel): void {
