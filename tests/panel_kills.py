@@ -57,7 +57,8 @@ class Operator:
         if stood is None:
             return
         self.offers += 1
-        expect(stood['number'] >= self.seen, f'where it was seen last, or later: {stood} {self.seen}')
+        held_back = 2  # motions of a compensated contour: after a restart the first that goes is of a block before
+        expect(stood['number'] >= self.seen - held_back, f'where it was seen last, or later: {stood} {self.seen}')
         sheet = find(self.page, number=stood['number'], line=stood['line'], clearance=20.0, feed=9000.0)
         expect(sheet.get('line') == stood['line'], f'the place is found: {sheet}')
         went = self.page.ask('go_there', number=stood['number'], line=stood['line'], way=sheet['way'])
@@ -76,7 +77,7 @@ class Operator:
             done = self.page.ask('edit', tables={'work_offsets': {'G54': {'X': wanted}}})
             if 'error' not in done:
                 self.zero, self.logged = wanted, self.logged + 1
-        expect('error' not in done, f'an edit: {done}')
+        expect('error' not in done or 'contour' in done['error']['text'], f'an edit: {done}')
         until(self.page, lambda p: p['mode'] == 'standing' and not p['takes_tables'])
 
     def run_and_kill(self):
@@ -87,6 +88,7 @@ class Operator:
         while time.monotonic() < end:
             panel = self.page.ask('panel')
             if panel['mode'] != 'running':
+                expect(panel['mode'] == 'standing' and panel['line'] == 1, f'it runs: {panel}')
                 break
             self.seen = max(self.seen, panel['number'])
         self.server.process.kill()

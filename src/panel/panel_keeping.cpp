@@ -12,6 +12,7 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double same_place = 1e-9;  // mm, degrees
+constexpr double beside = 1e-6;      // mm, degrees: of what is programmed
 
 bool is_same(const PanelSpot& a, const PanelSpot& b) {
   if (a.mode != b.mode || a.number != b.number || a.line != b.line || a.file != b.file) return false;
@@ -49,6 +50,8 @@ void PanelMachine::keep_spot(const PanelState& now) {
   const std::uint16_t file = going_ ? going_->place->restart.at.file : runs ? on_.origin.file : stepping_->next() ? stepping_->next()->file : std::uint16_t{0};
   if (file != 0) spot.file = session_->control().file_name(file);
   if (going_) spot.number = going_->place->restart.at.number, spot.line = going_->place->line.number, spot.text = going_->place->line.text;
+  const bool broken = now.mode == PanelMode::alarm || now.mode == PanelMode::emergency;
+  if (broken && spot.number == 0) spot.number = kept_spot_.number, spot.line = kept_spot_.line, spot.text = kept_spot_.text, spot.file = kept_spot_.file;
   if (is_same(spot, kept_spot_)) return;
   if (!has_moved_) return kept_spot_ = std::move(spot), void();
   kept_.not_kept = keeper_.spot(spot);
@@ -96,17 +99,28 @@ tl::expected<std::vector<PanelWatch>, std::string> PanelMachine::watch_values(co
   return std::move(*values);
 }
 
+/// The machine is where the control is: motions of a contour that is being compensated are held back, or lie beside it.
+bool PanelMachine::is_in_contour() const {
+  const Axes stand = session_->stand().machine, programmed = session_->control().tool_position().machine;
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a)
+    if (std::abs(stand[a] - programmed[a]) > beside) return true;
+  return false;
+}
+
+PanelMachine::Answer PanelMachine::may_take_tables_now() const {
+  if (const Answer may = may_begin(); !may) return may;
+  if (session_->control().in_block()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+  if (is_in_contour()) return Failed(told("a contour is being compensated: run it to its end first", "идёт контур с коррекцией: сначала отработайте его до конца"));
+  return {};
+}
+
 PanelMachine::Answer PanelMachine::may_take_tables() {
-  return ask([this]() -> Answer {
-    if (const Answer may = may_begin(); !may) return may;
-    if (session_->control().in_block()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
-    return {};
-  });
+  return ask([this]() -> Answer { return may_take_tables_now(); });
 }
 
 PanelMachine::Answer PanelMachine::take_tables() {
   return ask([this]() -> Answer {
-    if (const Answer may = may_begin(); !may) return may;
+    if (const Answer may = may_take_tables_now(); !may) return may;
     const bool has_run = stepping_->next() && stepping_->next()->number - std::uint32_t(entered_) > 1;
     if (!has_run) return open(clock_->sample().machine);
     StopPoint here;

@@ -236,6 +236,8 @@ class PanelMachine {
   void tell(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
   void note_variables(std::uint32_t line);
   void look_after_tables();
+  bool is_in_contour() const;
+  Answer may_take_tables_now() const;
   AlarmReport::Line line_of(const ServoSample& sample) const;
   // panel_stretch.cpp
   void look(const Step& step);

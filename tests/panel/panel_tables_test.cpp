@@ -58,6 +58,27 @@ TEST(PanelTables, TablesThatLeadElsewhereAreTold) {
   expect_at(panel, {0, 1, 0});
 }
 
+/// The programmed point would be lost: it lies beside where the axes stand.
+TEST(PanelTables, NotInACompensatedContour) {
+  kadr::Setup setup;
+  setup.offsets[1].radius = 3;
+  const APanel panel("G21 G90 G94 G17\nG0 X-20 Y-20\nG42 D1 G1 X0 Y0 F6000\nX20\nY20\nX0\nG40 X-20 Y-20\nM0\nG0 X1\nM30\n", "mach3", setup);
+  ASSERT_TRUE(panel->add_stop({.line = 5}));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(stands_at(panel, 5));
+  EXPECT_FALSE(panel->may_take_tables());
+  EXPECT_FALSE(panel->take_tables());
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(stands_at(panel, 9));
+  EXPECT_TRUE(panel->may_take_tables());
+  panel.setup->offsets[1].radius = 4;
+  ASSERT_TRUE(panel->take_tables());
+  ASSERT_TRUE(stands_at(panel, 9));
+  ASSERT_TRUE(panel->run());
+  ASSERT_TRUE(panel.stands(PanelMode::ended));
+  expect_at(panel, {1, -20, 0});
+}
+
 TEST(PanelTables, NotWhileItRuns) {
   const APanel panel("G21 G91\nG1 X200 F600\nM30\n");
   ASSERT_TRUE(panel->run());
@@ -181,6 +202,33 @@ TEST(PanelKeeping, EachBlockAndEachEvent) {
   EXPECT_EQ(spots.back().number, 0u);
   EXPECT_EQ(spots.back().mode, PanelMode::ended);
   EXPECT_EQ(events, (std::vector<std::string>{"line G0 Z1 0", "run  1", "stopped M0 5", "run  5", "ended  0"}));
+}
+
+/// An emergency stop, an alarm in mid program: where it was stays known.
+TEST(PanelKeeping, WhereItWasBroken) {
+  std::mutex lock;
+  PanelSpot last;
+  PanelKeeper keeper;
+  keeper.spot = [&](const PanelSpot& spot) {
+    const std::lock_guard hold(lock);
+    return last = spot, std::string();
+  };
+  const auto kept = [&] {
+    const std::lock_guard hold(lock);
+    return last;
+  };
+  const APanel stopped("G21 G91 G94\nG1 X100 F1500\nM30\n", "mach3", {}, keeper);
+  ASSERT_TRUE(stopped->run());
+  ASSERT_TRUE(stopped.until([](const PanelState& s) { return s.sample.machine[0] > 1; }));
+  stopped->stop_at_once();
+  ASSERT_TRUE(stopped.stands(PanelMode::emergency));
+  EXPECT_EQ(kept().mode, PanelMode::emergency);
+  EXPECT_EQ(kept().number, 2u);
+  EXPECT_EQ(kept().line, 2u);
+  const APanel faulty("G21 G91 G94\nG1 X10 F1500\nG1 X5 X6\nM30\n", "mach3", {}, keeper);
+  ASSERT_TRUE(faulty->run());
+  ASSERT_TRUE(faulty.stands(PanelMode::alarm));
+  EXPECT_EQ(kept().number, 2u);
 }
 
 }  // namespace
