@@ -18,6 +18,7 @@ export class Operator {
   private question: OpenQuestion | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private looking = false;
+  private again = false; // asked for while it is looking: what comes may be from before
 
   constructor(private make: () => Socket) {}
 
@@ -76,8 +77,9 @@ export class Operator {
   }
 
   private async look(): Promise<void> {
+    if (this.looking) this.again = true;
     if (this.looking || !this.client || !this.question) return;
-    this.looking = true;
+    this.looking = true, this.again = false;
     try {
       const before = this.panel;
       this.panel = await this.client.ask("panel", {});
@@ -89,6 +91,6 @@ export class Operator {
       if (!(e instanceof Lost)) this.leave(); // off; one that is lost comes back by itself
     }
     this.looking = false;
-    if (this.panel) this.look_soon(this.panel.mode === "running" ? moving : standing);
+    if (this.panel) this.look_soon(this.again ? 0 : this.panel.mode === "running" ? moving : standing);
   }
 }
