@@ -21,10 +21,11 @@ for (let i = 0; i < presses; i++) {
   const [key, mode] = i % 2 === 0 ? ["Start", "running"] : ["Hold", "held"];
   const button = await page.locator(`.operator-keys button:has-text('${key}')`).first().elementHandle();
   times.push(await button.evaluate((b, wanted) => new Promise((yes) => {
-    const began = performance.now(), told = document.querySelector(".operator-head"), before = told.textContent;
-    const seen = () => { if (told.querySelector(`.mode.${wanted}`) || told.textContent !== before) { observer.disconnect(); requestAnimationFrame(() => yes(performance.now() - began)); } };
+    const began = performance.now(), panel = document.querySelector(".operator"), share = () => panel.querySelector(".operator-figures .row .dim")?.textContent;
+    // Hold shows as soon as the axes are slower than planned; that they stand takes as long as they brake.
+    const seen = () => { if (wanted === "held" ? share() !== "100 %" : panel.querySelector(".mode.running")) { observer.disconnect(); requestAnimationFrame(() => yes(performance.now() - began)); } };
     const observer = new MutationObserver(seen);
-    observer.observe(told, { childList: true, subtree: true, characterData: true });
+    observer.observe(panel, { childList: true, subtree: true, characterData: true });
     b.click();
   }), mode));
   await until(mode, () => page.locator(`.operator .mode.${mode}`).count());

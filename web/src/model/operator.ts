@@ -6,6 +6,7 @@ import { language } from "../texts/texts";
 import { Signal } from "./signal";
 
 const moving = 30, standing = 250; // ms between two looks
+const after_act = 10, act_lasts = 400; // ms: what a press does shows at once
 
 export class Operator {
   panel: Panel | null = null;          // null: no machine is on
@@ -18,6 +19,7 @@ export class Operator {
   private question: OpenQuestion | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private looking = false;
+  private acted_at = -1e9;
   private again = false; // asked for while it is looking: what comes may be from before
 
   constructor(private make: () => Socket) {}
@@ -43,7 +45,7 @@ export class Operator {
     if (!this.client) return null;
     try {
       const answer = await this.client.ask(what, body);
-      if (acts) this.look_soon(0);
+      if (acts) { this.acted_at = performance.now(); this.look_soon(0); }
       return answer;
     } catch (e) {
       if (!(e instanceof Lost)) this.on_error.emit(e instanceof Error ? e.message : String(e));
@@ -91,6 +93,6 @@ export class Operator {
       if (!(e instanceof Lost)) this.leave(); // off; one that is lost comes back by itself
     }
     this.looking = false;
-    if (this.panel) this.look_soon(this.again ? 0 : this.panel.mode === "running" ? moving : standing);
+    if (this.panel) this.look_soon(this.again ? 0 : performance.now() - this.acted_at < act_lasts ? after_act : this.panel.mode === "running" ? moving : standing);
   }
 }
