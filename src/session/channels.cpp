@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "control/shared_memory.h"
 #include "session/plc_commands.h"
@@ -126,7 +127,7 @@ std::size_t Channels::index_of(int number) const {
 std::optional<std::size_t> Channels::next() {
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < states_.size(); ++i)
-    if (states_[i] == State::running && (!first || now(i) < now(*first))) first = i;
+    if (states_[i] == State::running && (!only_ || only_->channel == i) && (!first || now(i) < now(*first))) first = i;
   return first;
 }
 
@@ -138,8 +139,23 @@ ChannelRun::State Channels::step() {
     return state == ChannelRun::State::held ? state : ChannelRun::State::running;
   }
   if (std::find(states_.begin(), states_.end(), State::waiting) != states_.end() && end_deadlock()) return ChannelRun::State::running;
-  end();
+  if (!only_) end();
   return ChannelRun::State::ended;
+}
+
+void Channels::only(std::size_t channel) {
+  if (only_) all();
+  only_ = Only{channel, states_, std::exchange(stopped_, std::vector<Stopped>(states_.size())), std::exchange(over_, false)};
+  states_[channel] = State::running;
+}
+
+void Channels::all() {
+  if (!only_) return;
+  states_ = only_->states;
+  stopped_ = only_->stopped;
+  stopped_[only_->channel] = {};
+  over_ = only_->over;
+  only_.reset();
 }
 
 void Channels::end() {
@@ -168,11 +184,12 @@ ChannelRun::State Channels::step(std::size_t i) {
     case ChannelRun::State::ended:
       states_[i] = State::ended;
       stopped_[i] = runs_[i]->stopped();
+      if (outlets_.over && !only_) outlets_.over(i);
       break;
     case ChannelRun::State::stopped:
       stopped_[i] = runs_[i]->stopped();
       states_[i] = State::stopped;
-      if (outlets_.stop_together) stop_all(i);
+      if (outlets_.stop_together && !only_) stop_all(i);
       return state;
   }
   wake(now(i));
@@ -205,6 +222,8 @@ void Channels::begin_waiting(std::size_t i) {
   const auto& meeting = channels_[i].control->meeting();
   if (!meeting) return;  // the machine's logic has taken the waiting away already
   states_[i] = State::waiting;
+  if (only_) return;  // nobody else comes
+  if (outlets_.waits) outlets_.waits(i, *meeting);
   rendezvous_.arrive(channels_[i].number, meeting->code, meeting->channels, now(i));
   while (const auto met = rendezvous_.next()) release(*met, i);
 }
@@ -212,12 +231,15 @@ void Channels::begin_waiting(std::size_t i) {
 /// They go on together; one line of the trace for all, of the channel that came last.
 void Channels::release(const Rendezvous::Met& met, std::size_t last) {
   const Origin origin = channels_[last].control->meeting()->origin;
+  std::vector<std::size_t> all;
   for (const std::uint8_t number : met.channels) {
     const std::size_t i = index_of(number);
     runs_[i]->wait_until(met.at);
     channels_[i].control->release();
     states_[i] = State::running;
+    all.push_back(i);
   }
+  if (outlets_.met) outlets_.met(all);
   runs_[last]->show({origin, Sync{met.code, met.channels, met.at}});
 }
 
@@ -228,6 +250,7 @@ void Channels::wake(double at) {
     rendezvous_.leave(channels_[i].number);
     runs_[i]->wait_until(at);
     states_[i] = State::running;
+    if (outlets_.met) outlets_.met({i});
   }
 }
 
@@ -236,7 +259,7 @@ void Channels::wake(double at) {
 bool Channels::end_deadlock() {
   bool goes_on = true;
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i] != State::waiting) continue;
+    if (!waits_in_vain(i)) continue;
     Control& control = *channels_[i].control;
     const Control::Meeting meeting = *control.meeting();
     const std::string code = fmt::format("M{}", meeting.code);
@@ -245,7 +268,7 @@ bool Channels::end_deadlock() {
     goes_on = outlets_.own[i].alarm(*stopped_[i].report) && goes_on;
   }
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i] != State::waiting) continue;
+    if (!waits_in_vain(i)) continue;
     states_[i] = goes_on ? State::running : State::stopped;
     if (!goes_on) continue;
     rendezvous_.leave(channels_[i].number);

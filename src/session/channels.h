@@ -42,6 +42,12 @@ struct ChannelOutlets {
   std::vector<Outlets> own;
   bool stop_together = true;  // an alarm that is not passed over stops all channels (INFERRED), or only its own (checking)
   std::function<void(std::size_t channel, const Step&)> in_order;
+  /// A channel waits for others; all that it has done before is handed out.
+  std::function<void(std::size_t channel, const Control::Meeting&)> waits;
+  /// They go on together: they have met, or the one need not wait any more.
+  std::function<void(const std::vector<std::size_t>& channels)> met;
+  /// The program of a channel is over.
+  std::function<void(std::size_t channel)> over;
 };
 
 /// Steps of several channels, sorted by the time at which they begin. They come later than the machine takes them: each is kept with
@@ -80,6 +86,13 @@ class Channels {
 
   double now(std::size_t channel) { return runs_[channel]->now(); }
   double waited(std::size_t channel) const { return runs_[channel]->waited(); }
+  const ToolPosition& position(std::size_t channel) const { return runs_[channel]->position(); }
+  /// The axes of a channel have been moved by hand.
+  void stand_at(std::size_t channel, const Axes& machine) { runs_[channel]->stand_at(machine); }
+  /// A line has been entered in this channel: it goes on alone, until all() calls.
+  void only(std::size_t channel);
+  /// All go on again; an alarm that stopped the one is answered for.
+  void all();
   /// An outlet's step: it is shown when its time has come.
   void show(std::size_t channel, const Step& step) { order_.put(channel, step); }
 
@@ -110,6 +123,7 @@ class Channels {
   void release(const Rendezvous::Met& met, std::size_t last);
   void wake(double at);
   bool end_deadlock();
+  bool waits_in_vain(std::size_t i) const { return states_[i] == State::waiting && (!only_ || only_->channel == i); }
   void stop_all(std::size_t by);
   void show_past();
   std::size_t index_of(int number) const;
@@ -124,6 +138,14 @@ class Channels {
   InOrder order_;
   std::vector<std::uint64_t> common_;  // versions of what they have in common, as it was when all had the same
   bool over_ = false;
+  /// One that goes on alone, and how all stood before.
+  struct Only {
+    std::size_t channel;
+    std::vector<State> states;
+    std::vector<Stopped> stopped;
+    bool over;
+  };
+  std::optional<Only> only_;
 };
 
 }  // namespace kadr

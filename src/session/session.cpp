@@ -55,7 +55,7 @@ std::optional<SpeedRules> Session::look_ahead() {
 
 Planned& Session::plan(std::size_t channel, const StopToken& stop) {
   const Channel& of = channels_[channel];
-  planned_[channel] = std::make_unique<Planned>(of, spec_.machine, alone_ ? alone_->position() : of.control->tool_position(), stop);
+  planned_[channel] = std::make_unique<Planned>(of, spec_.machine, begun_ ? stand(channel) : of.control->tool_position(), stop);
   attached_[channel] = false;
   return *planned_[channel];
 }
@@ -98,14 +98,19 @@ Session::State Session::go_on() {
   switch (state) {
     case ChannelRun::State::running:
     case ChannelRun::State::waiting: return state_ = State::running;
-    case ChannelRun::State::held: return state_ = State::held;
+    case ChannelRun::State::held: return state_ = alone_ ? State::held : together(state);
     case ChannelRun::State::stopped:
     case ChannelRun::State::ended: break;
   }
-  if (alone_) return state_ = end(state);
+  return state_ = alone_ ? end(state) : together(state);
+}
+
+Session::State Session::together(ChannelRun::State state) {
   const auto& all = channels_run_->stopped();
   const bool stood = std::any_of(all.begin(), all.end(), [](const Stopped& s) { return s.report.has_value(); });
-  return state_ = stood ? State::stopped : State::ended;
+  channels_run_->all();
+  if (state == ChannelRun::State::held) return State::held;
+  return stood ? State::stopped : State::ended;
 }
 
 Session::State Session::run() {
@@ -129,16 +134,26 @@ void Session::acknowledge() {
 void Session::enter(const std::string& line) {
   if (!begun_) begin();
   acknowledge();
+  alone(own_);
   control().enter(line);
+}
+
+void Session::alone(std::size_t channel) {
+  if (!begun_) begin();
+  if (channels_run_) channels_run_->only(channel);
 }
 
 Control& Session::settled_control() { return alone_ ? alone_->settled() : control(); }
 
-ToolPosition Session::stand() const { return alone_ ? alone_->position() : control().tool_position(); }
+ToolPosition Session::stand(std::size_t channel) const {
+  if (channels_run_) return channels_run_->position(channel);
+  return alone_ ? alone_->position() : channels_[channel].control->tool_position();
+}
 
-void Session::stand_at(const Axes& machine) {
+void Session::stand_at(std::size_t channel, const Axes& machine) {
   if (!begun_) begin();
   if (alone_) alone_->stand_at(machine);
+  else channels_run_->stand_at(channel, machine);
 }
 
 void Session::change_outlets() {

@@ -96,11 +96,15 @@ class Session {
   /// The operator enters a line (MDI): it is carried out next, also after the program's end or an alarm; then the program goes on.
   ///   pre  held, stopped or ended; no block is open (Control::in_block)
   void enter(const std::string& line);
-  /// Where the machine of a channel alone stands; of several: where its control is.
-  ToolPosition stand() const;
-  /// The axes of a channel alone have been moved by hand: they stand there now, machine coordinates.
-  ///   pre  no block is open
-  void stand_at(const Axes& machine);
+  /// Of several channels this one alone goes on, until it stands the next time. enter() calls it for the program's own.
+  void alone(std::size_t channel);
+  /// Where the machine stands.
+  ToolPosition stand(std::size_t channel) const;
+  ToolPosition stand() const { return stand(own_); }
+  /// The axes of a channel have been moved by hand: they stand there now, machine coordinates.
+  ///   pre  no block of it is open
+  void stand_at(const Axes& machine) { stand_at(own_, machine); }
+  void stand_at(std::size_t channel, const Axes& machine);
   /// Who looks has changed in mid program: the outlets' clock counts from here, plan() and look_ahead() begin here.
   void change_outlets();
   /// Blocks that the control of a channel alone has carried out, as far as the rooms after it have come.
@@ -124,6 +128,7 @@ class Session {
   void begin();
   void attach_planners();
   State end(ChannelRun::State state);
+  State together(ChannelRun::State state);
 
   SessionSpec spec_;
   std::vector<Channel> channels_;

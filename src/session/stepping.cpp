@@ -187,6 +187,7 @@ void Stepping::begin_entering(const std::string& line) {
 void Stepping::end_entering(Session::State came_to) {
   if (came_to == Session::State::stopped) {
     session_.acknowledge();
+    session_.alone(session_.own());
     (void)session_.run();
   }
   entered_ = false;
