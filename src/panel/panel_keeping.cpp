@@ -28,13 +28,6 @@ void PanelMachine::tell(const char* kind, const std::string& text, std::uint32_t
   if (keeper_.event) keeper_.event(kind, text, line);
 }
 
-/// What is shown while nothing has moved yet.
-void PanelMachine::stand_here() {
-  placement_ = session_->control().placement();
-  on_.work = session_->stand().work, on_.machine = session_->stand().machine, on_.placement = placement_;
-  on_.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}});
-}
-
 /// The block that the machine is on, or stands before, or is led to.
 void PanelMachine::keep_spot(const PanelState& now) {
   if (!keeper_.spot) return;
@@ -43,11 +36,11 @@ void PanelMachine::keep_spot(const PanelState& now) {
   spot.mode = now.mode;
   spot.machine = now.sample.machine;
   const bool leads_elsewhere = stretch_ && stretch_->of == Stretch::Of::line;  // it stands where it stood
-  if (runs) spot.number = on_.number;
+  if (runs) spot.number = lane_->on.number;
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
   if (leads_elsewhere || (runs && spot.number == 0)) spot.number = kept_spot_.number;  // a block without a motion
   spot.line = now.line.number, spot.text = now.line.text;
-  const std::uint16_t file = going_ ? going_->place->restart.at.file : runs ? on_.origin.file : stepping_->next() ? stepping_->next()->file : std::uint16_t{0};
+  const std::uint16_t file = going_ ? going_->place->restart.at.file : runs ? lane_->on.origin.file : stepping_->next() ? stepping_->next()->file : std::uint16_t{0};
   if (file != 0) spot.file = session_->control().file_name(file);
   if (going_) spot.number = going_->place->restart.at.number, spot.line = going_->place->line.number, spot.text = going_->place->line.text;
   const bool broken = now.mode == PanelMode::alarm || now.mode == PanelMode::emergency;
@@ -102,7 +95,7 @@ tl::expected<std::vector<PanelWatch>, std::string> PanelMachine::watch_values(co
 /// The machine is where the control is: motions of a contour that is being compensated are held back, or lie beside it.
 bool PanelMachine::is_in_contour() const {
   const Axes stand = session_->stand().machine, programmed = session_->control().tool_position().machine;
-  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a)
+  for (std::size_t a = 0; a < lane_->axes.size() && a < max_axes; ++a)
     if (std::abs(stand[a] - programmed[a]) > beside) return true;
   return false;
 }
@@ -122,7 +115,8 @@ PanelMachine::Answer PanelMachine::take_tables() {
   return ask([this]() -> Answer {
     if (const Answer may = may_take_tables_now(); !may) return may;
     const bool has_run = stepping_->next() && stepping_->next()->number - std::uint32_t(entered_) > 1;
-    if (!has_run) return open(clock_->sample().machine);
+    if (!has_run) return open(lane_->clock.sample().machine);
+    if (!is_alone()) return Failed(told("in mid program of several channels tables stay as they are: reset", "посреди УП нескольких каналов таблицы не меняются: нужен сброс"));
     StopPoint here;
     here.line = stepping_->next()->line;
     if (stepping_->next()->file != 0) here.file = session_->control().file_name(stepping_->next()->file);
@@ -138,7 +132,7 @@ void PanelMachine::look_after_tables() {
   const PanelSearch::Answer found = search_->find(*retables_);
   if (!found.ready) return;
   retables_.reset();
-  const Axes machine = clock_->sample().machine;
+  const Axes machine = lane_->clock.sample().machine;
   Answer taken = found.place ? Answer() : Failed(told("with these tables the program does not come here: reset", "с этими таблицами УП сюда не приходит: нужен сброс"));
   if (taken) taken = begin_session(start_);
   if (taken) taken = remember(*found.place);
@@ -146,7 +140,7 @@ void PanelMachine::look_after_tables() {
     kept_.told = taken.error();
   } else {
     session_->stand_at(machine);
-    on_.work = session_->stand().work, on_.machine = machine;
+    lane_->on.work = session_->stand().work, lane_->on.machine = machine;
     kept_.mode = PanelMode::standing;
   }
   show();

@@ -25,7 +25,7 @@ tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(Pane
   std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper)));
   if (const Answer opened = machine->open(start); !opened) return Failed(opened.error());
   machine->search_ = std::make_unique<PanelSearch>(machine->opens_);
-  machine->search_->begin({start, machine->kept_.skip, machine->kept_.optional_stop});
+  machine->begin_search();
   machine->thread_ = std::thread([m = machine.get()] { m->live(); });
   return machine;
 }
@@ -39,65 +39,6 @@ PanelMachine::~PanelMachine() {
   wakes_.notify_all();
   if (thread_.joinable()) thread_.join();
 }
-
-/// The program from its beginning.
-PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& start) {
-  stops_ = false;
-  auto opened = opens_(start, StopToken(stops_));
-  if (!opened) return Failed(opened.error());
-  stepping_.reset();
-  session_ = std::move(*opened);
-  if (session_->channels().size() > 1) return Failed(told("programs of several channels are not for the panel yet", "УП нескольких каналов на пульте пока не запускаются"));
-  if (!clock_) kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
-  start_ = start;
-  Control& control = session_->control();
-  control.hand_over_each_block();  // a stop holds before the very next one
-  control.watch_calls();
-  stepping_ = std::make_unique<Stepping>(*session_);
-  for (const auto& [number, point] : kept_.stops) stepping_->add(point);
-  stepping_->on_asked = [this](const Origin& origin) {
-    note_variables(last_line_);
-    last_line_ = origin.line;
-  };
-  for (int number = 1; number <= 9; ++number) control.set_skip(number, kept_.skip.contains(number));
-  control.set_optional_stop(kept_.optional_stop);
-  Outlets& outlets = session_->outlets();
-  const auto take = [this](const AlarmReport& report) {
-    kept_.alarm = report;
-    if (keeper_.alarm) keeper_.alarm(report);
-  };
-  outlets.warning = take;
-  outlets.alarm = [take](const AlarmReport& report) { return take(report), false; };
-  outlets.stop = StopToken(stops_);
-  outlets.step = [this](const Step& step) { look(step); };
-  axes_ = control.axes();
-  roles_ = AxisRoles::of(axes_, control.rotary());
-  kept_.alarm.reset();
-  before_.clear();
-  retables_.reset();
-  on_ = pending_ = {};
-  modes_of_ = ~0u;
-  entered_ = 0;
-  last_line_ = 0;
-  variables_.clear(), set_by_.clear();
-  note_variables(0);
-  return {};
-}
-
-PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
-  if (const Answer begun = begin_session(start); !begun) return begun;
-  if (search_) begin_search();
-  const Session::State state = stepping_->go(Stepping::How::block);
-  kept_.asks = false;
-  stand_here();
-  kept_.mode = state == Session::State::held ? PanelMode::standing : state == Session::State::stopped ? PanelMode::alarm : PanelMode::ended;
-  if (!clock_) clock_ = std::make_unique<ServoClock>(rate, session_->stand().machine, roles_);
-  show();
-  return {};
-}
-
-/// The run that places are asked of is this one.
-void PanelMachine::begin_search() { search_->begin({start_, kept_.skip, kept_.optional_stop}); }
 
 PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
@@ -156,14 +97,15 @@ void PanelMachine::stand_still() {
 
 void PanelMachine::look_after_stretch() {
   provide();
-  const ServoSample sample = clock_->sample();
-  if (resets_ && (sample.held || !sample.plays)) {
+  const bool stand = std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->stands(); });
+  if (resets_ && stand) {
     drop_stretch();
-    if (const Answer opened = open(sample.machine); !opened) kept_.told = opened.error();
+    if (const Answer opened = open(lane_->clock.sample().machine); !opened) kept_.told = opened.error();
     return;
   }
-  kept_.mode = sample.held ? PanelMode::held : PanelMode::running;
-  if (!sample.plays && stretch_->planned_all) end_stretch();
+  const bool held = std::any_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->clock.sample().held; });
+  kept_.mode = stand && held ? PanelMode::held : PanelMode::running;
+  if (is_over()) end_stretch();
   show();
 }
 
@@ -171,16 +113,18 @@ void PanelMachine::look_after_stretch() {
 AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
   if (!runs && stepping_->next()) return stepping_->line();
-  Origin origin = on_.entered ? Origin() : on_.origin;
+  Origin origin = lane_->on.entered ? Origin() : lane_->on.origin;
   if (const Spent at = Spent::of(sample.tag); runs && sample.motion == 0 && at.line != 0) origin.line = at.line, origin.file = at.file;
   return origin.line == 0 ? AlarmReport::Line() : session_->control().line_at(origin);
 }
 
 void PanelMachine::show() {
   PanelState now = kept_;
-  now.sample = clock_ ? clock_->sample() : ServoSample();
-  if (const PanelBlock* const block = blocks_.at(now.sample.motion)) on_ = *block;
-  now.block = on_;
+  for (const auto& lane : lanes_) lane->note_block();
+  now.sample = lane_->clock.sample();
+  now.block = lane_->on;
+  now.limit = lane_->limit();
+  show_channels(now);
   now.entered = stretch_ && stretch_->of == Stretch::Of::line;
   now.goes_there = going_.has_value();
   now.takes_tables = retables_.has_value();
@@ -195,10 +139,22 @@ void PanelMachine::show() {
   shown_ = std::move(now);
 }
 
+void PanelMachine::show_channels(PanelState& now) const {
+  if (is_alone()) return;
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    const PanelLane& lane = *lanes_[i];
+    PanelChannel& shown = now.channels.emplace_back();
+    shown.number = lane.number, shown.axes = lane.axes;
+    shown.sample = lane.clock.sample(), shown.block = lane.on;
+    if (lane.on.origin.line != 0 && !lane.on.entered) shown.line = session_->channels()[i].control->line_at(lane.on.origin);
+    if (const PanelMeeting* const meeting = lane.waits_for()) shown.waits = *meeting;
+  }
+}
+
 PanelState PanelMachine::state() {
   const std::lock_guard hold(lock_);
   PanelState now = shown_;
-  now.sample = clock_->sample();
+  now.sample = lane_->clock.sample();
   return now;
 }
 
@@ -215,13 +171,8 @@ PanelMachine::Answer PanelMachine::may_begin() const {
   return {};
 }
 
-/// Of the motion that the machine is on: some thousandths of a second late, where it goes from rapid to feed.
 void PanelMachine::set_share() {
-  if (!stretch_) return;
-  const PanelShares& shares = kept_.shares;
-  const double spindle = on_.by_turn ? std::min(1.0, shares.spindle) : 1;
-  const double share = on_.feed > 0 ? shares.feed * spindle : std::min(shares.rapid, shares.feed > 0 ? 1.0 : 0.0);
-  stretch_->playback->override_to(holds_ || resets_ ? 0 : share);
+  for (const auto& lane : lanes_) lane->set_share(kept_.shares, holds_ || resets_);
 }
 
 PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
@@ -230,7 +181,7 @@ PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
     if (const Answer may = may_begin(); !may) return may;
     if (kept_.asks) return Failed(told("the program waits for an answer", "УП ждёт ответа"));
     if (kept_.mode == PanelMode::ended)
-      if (const Answer opened = open(clock_->sample().machine); !opened) return opened;
+      if (const Answer opened = open(lane_->clock.sample().machine); !opened) return opened;
     kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
     tell("run", {}, stepping_->line().number);
@@ -245,7 +196,7 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
   return ask([this, answer]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
     if (!kept_.asks) return Failed(told("nothing is asked", "вопроса нет"));
-    session_->control().set_answer(answer);
+    asks_->set_answer(answer);
     kept_.asks = false;
     kept_.told.clear(), kept_.why.clear();
     how_.reset();
@@ -257,7 +208,7 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
 PanelMachine::Answer PanelMachine::hold() {
   return ask([this]() -> Answer {
     holds_ = stretch_.has_value();
-    if (holds_) tell("hold", {}, on_.origin.line);
+    if (holds_) tell("hold", {}, lane_->on.origin.line);
     set_share();
     return {};
   });
@@ -267,9 +218,9 @@ PanelMachine::Answer PanelMachine::reset() {
   stops_ = true;  // a block without an end is over
   return ask([this]() -> Answer {
     kept_.told.clear(), kept_.why.clear();
-    clock_->release();
+    for (const auto& lane : lanes_) lane->clock.release();
     tell("reset");
-    if (!stretch_) return open(clock_->sample().machine);
+    if (!stretch_) return open(lane_->clock.sample().machine);
     resets_ = true;
     set_share();
     return {};
@@ -277,7 +228,7 @@ PanelMachine::Answer PanelMachine::reset() {
 }
 
 void PanelMachine::stop_at_once() {
-  clock_->stop_at_once();
+  for (const auto& lane : lanes_) lane->clock.stop_at_once();
   stops_ = true;
   const std::lock_guard hold(lock_);  // its thread is waiting or looks once more before it does
   wakes_.notify_all();
@@ -295,7 +246,7 @@ PanelMachine::Answer PanelMachine::set_optional_stop(bool on) {
   return ask([this, on]() -> Answer {
     if (kept_.optional_stop == on) return {};
     kept_.optional_stop = on;
-    session_->control().set_optional_stop(on);
+    obey_switches();
     begin_search();
     return {};
   });
@@ -306,7 +257,7 @@ PanelMachine::Answer PanelMachine::set_skip(int number, bool on) {
   return ask([this, number, on]() -> Answer {
     if (on) kept_.skip.insert(number);
     else kept_.skip.erase(number);
-    session_->control().set_skip(number, on);
+    obey_switches();
     begin_search();
     return {};
   });
@@ -332,11 +283,12 @@ PanelMachine::Answer PanelMachine::enter(const std::string& line) {
     return Failed(told("want one line, not longer than 1000 bytes", "нужна одна строка не длиннее 1000 байт"));
   return ask([this, line]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
-    if (session_->control().in_block()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+    if (session_->control().in_block() || (goes_on_ && !stepping_->next()))
+      return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
     auto memory = stepping_->snapshot();
     if (!memory) return Failed(told("a probe is waited for", "ожидается касание щупа"));
     if (before_.size() == most_undone) before_.erase(before_.begin());
-    before_.push_back({std::move(*memory), clock_->sample().machine, placement_, entered_});
+    before_.push_back({std::move(*memory), lane_->clock.sample().machine, lane_->placement, entered_});
     kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
     tell("line", line);
@@ -352,24 +304,26 @@ PanelMachine::Answer PanelMachine::undo() {
     const Before before = std::move(before_.back());
     before_.pop_back();
     if (const Status back = stepping_->restore(before.stepping); !back) return Failed(std::string(name_of(back.error().id)));
-    clock_->stand_at(before.machine);
-    placement_ = before.placement;
+    lane_->clock.stand_at(before.machine);
+    lane_->placement = before.placement;
     entered_ = before.entered;
     note_variables(0);
-    kept_.mode = stepping_->next() ? PanelMode::standing : PanelMode::ended;
+    kept_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
     kept_.alarm.reset();
-    blocks_.clear();
-    on_.origin = stepping_->next().value_or(Origin()), on_.entered = false;
-    on_.work = session_->stand().work, on_.machine = before.machine, on_.placement = placement_;
-    on_.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}});
+    lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
+    lane_->on.work = session_->stand().work, lane_->on.machine = before.machine, lane_->on.placement = lane_->placement;
+    lane_->on.modes = std::make_shared<PanelModes>(PanelModes{session_->control().in_force(), {}});
     return {};
   });
 }
 
-PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, double feed) {
-  return ask([this, axis, way, feed]() -> Answer {
+PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, double feed, int channel) {
+  return ask([this, axis, way, feed, channel]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
-    return move_by_hand(axis, way, feed);
+    const auto is_it = [&](const auto& lane) { return channel == 0 ? lane.get() == lane_ : lane->number == channel; };
+    const auto found = std::find_if(lanes_.begin(), lanes_.end(), is_it);
+    if (found == lanes_.end()) return Failed(told("there is no such channel", "такого канала нет"));
+    return move_by_hand(std::size_t(found - lanes_.begin()), axis, way, feed);
   });
 }
 

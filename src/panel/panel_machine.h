@@ -20,12 +20,10 @@
 #include <thread>
 #include <vector>
 
-#include "panel/panel_blocks.h"
+#include "panel/panel_lane.h"
 #include "panel/panel_opens.h"
 #include "panel/panel_search.h"
 #include "panel/panel_sheet.h"
-#include "panel/servo_clock.h"
-#include "session/planned.h"
 #include "session/stepping.h"
 
 namespace kadr {
@@ -39,13 +37,14 @@ enum class PanelMode : std::uint8_t {
   emergency,  // stop; reset() leaves it
 };
 
-/// How fast, by the operator's switches.
-struct PanelShares {
-  static constexpr double least_spindle = 0.5, most_spindle = 1.2;
-  double feed = 1, rapid = 1;  // 0 … 1 of the planned speed
-  double spindle = 1;          // of the speed of the spindle
-  double dry_feed = 0;         // mm/min of all feeds but threads, from the next stretch on; 0: as programmed
-  friend bool operator==(const PanelShares&, const PanelShares&) = default;
+/// One of several channels.
+struct PanelChannel {
+  int number = 1;
+  std::vector<std::string> axes;
+  ServoSample sample;
+  PanelBlock block;          // that it is on, or was on last
+  AlarmReport::Line line;    // of it
+  std::optional<PanelMeeting> waits;  // with its axes there
 };
 
 /// What an operator sees.
@@ -68,7 +67,9 @@ struct PanelState {
   bool goes_there = false;    // it is led to where the program is to go on
   std::optional<AlarmReport> alarm;
   std::size_t can_undo = 0;   // lines that were entered
+  std::optional<PanelLimit> limit;  // that acts
   std::uint64_t blocks = 0;   // carried out by the control, ahead of the machine
+  std::vector<PanelChannel> channels;  // all, where there are several; what stands above is of the program's own
 };
 
 /// Where a machine is in its program.
@@ -114,11 +115,7 @@ struct PanelWatch {
 struct PanelStretch {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
-  Planned* planned = nullptr;        // of the session, or …
-  std::unique_ptr<Planned> by_hand;  // … of axes by hand
-  std::unique_ptr<Playback> playback;
-  std::deque<TimedCells> to_come;    // planned and not offered yet, but for
-  std::size_t offered = 0;           // so many of the first
+  std::unique_ptr<Planned> by_hand;  // of axes by hand
   bool planned_all = false;
   Session::State came_to = Session::State::running;
 };
@@ -168,7 +165,10 @@ class PanelMachine {
   /// The control and the virtual machine are as they were before the last line that was entered: not for a machine of iron.
   Answer undo();
   /// Axes by hand, relative, in machine coordinates: `way` mm or degrees, `feed` mm/min or degrees/min; 0: as fast as they can.
-  Answer jog(const std::string& axis, double way, double feed);
+  ///   channel  its number; 0: the program's own
+  Answer jog(const std::string& axis, double way, double feed, int channel = 0);
+  /// Axes by hand, motion by motion, of the program's own channel.
+  Answer lead(const std::vector<WayPoint>& way);
   ///   returns  its number
   tl::expected<std::size_t, std::string> add_stop(StopPoint point);
   Answer remove_stop(std::size_t number);
@@ -185,6 +185,7 @@ class PanelMachine {
   /// A place where the program could go on, as far as it has been found.
   PanelSearch::Answer find(const PanelSearch::Wish& wish) {
     if (state().takes_tables) return {};  // it is being searched for that
+    if (!is_alone()) return {true, nullptr, not_for_several()};
     return search_->find(wish);
   }
   /// What leads there from where the machine stands.
@@ -199,7 +200,7 @@ class PanelMachine {
   void watch(std::function<void(const Step&)> look) { looks_on_ = std::move(look); }
 
   PanelState state();
-  const std::vector<std::string>& axes() const { return axes_; }
+  const std::vector<std::string>& axes() const { return lane_->axes; }
 
  private:
   using Stretch = PanelStretch;
@@ -215,6 +216,7 @@ class PanelMachine {
     std::promise<Answer> answer;
   };
 
+  static std::string not_for_several();
   PanelMachine(PanelOpens opens, PanelKeeper keeper) : opens_(std::move(opens)), keeper_(std::move(keeper)) {}
   // panel_machine.cpp: its thread, and what is asked of it
   Answer ask(std::function<Answer()> what);
@@ -222,15 +224,20 @@ class PanelMachine {
   void carry_out_asked();
   void look_after_stretch();
   /// An emergency stop that has not been seen to yet.
-  bool must_stop() const { return clock_->was_stopped() && kept_.mode != PanelMode::emergency; }
+  bool must_stop() const { return lane_->clock.was_stopped() && kept_.mode != PanelMode::emergency; }
   void stand_still();
-  Answer open(const std::optional<Axes>& start);
-  void stand_here();
-  Answer begin_session(const std::optional<Axes>& start);
   Answer may_begin() const;
   void set_share();
-  void begin_search();
+  void show_channels(PanelState& now) const;
+  bool is_alone() const { return lanes_.size() == 1; }
   void show();
+  // panel_opening.cpp
+  Answer make_lanes();
+  Answer begin_session(const std::optional<Axes>& start);
+  void obey_switches();
+  Answer open(const std::optional<Axes>& start);
+  void begin_search();
+  void stand_here();
   // panel_keeping.cpp
   void keep_spot(const PanelState& now);
   void tell(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
@@ -240,21 +247,25 @@ class PanelMachine {
   Answer may_take_tables_now() const;
   AlarmReport::Line line_of(const ServoSample& sample) const;
   // panel_stretch.cpp
-  void look(const Step& step);
+  void look(PanelLane& lane, Control& control, const Step& step);
+  void begin_leg(std::size_t channel);
+  void watch_channels();
   void begin(Stretch::Of of);
   void begin_line(const std::string& line);
-  void set_up(Stretch& stretch);
   void provide();
-  bool offer();
+  void play();
   void go_on();
+  bool is_over() const;
   void end_stretch();
   void drop_stretch();
-  ToolPosition standing_plainly() const;
-  void begin_by_hand(const std::vector<Motion>& motions);
-  Answer move_by_hand(const std::string& axis, double way, double feed);
+  ToolPosition standing_plainly(std::size_t channel) const;
+  void begin_by_hand(PanelLane& lane, const std::vector<Motion>& motions);
+  Answer move_by_hand(std::size_t channel, const std::string& axis, double way, double feed);
   // panel_restart.cpp
   Answer may_go_there() const;
-  Answer is_way(const std::vector<WayPoint>& way, const PanelPlace& place) const;
+  tl::expected<Axes, std::string> end_of(const std::vector<WayPoint>& way) const;
+  Answer leads_to(const std::vector<WayPoint>& way, const PanelPlace& place) const;
+  void go_along(const std::vector<WayPoint>& way);
   Answer go_on_there();
   Answer carry_out(std::deque<std::string>& lines);
   Answer arrive(const PanelPlace& place);
@@ -264,24 +275,20 @@ class PanelMachine {
   const PanelKeeper keeper_;
   std::function<void(const Step&)> looks_on_;
   std::unique_ptr<PanelSearch> search_;
-  std::vector<std::string> axes_;
-  AxisRoles roles_;
+  std::vector<std::unique_ptr<PanelLane>> lanes_;  // of all channels, as long as it lives
+  PanelLane* lane_ = nullptr;                      // of the program's own
 
   // of its thread
   std::atomic<bool> stops_{false};  // the session, from any thread
   std::optional<Axes> start_;       // of the run: Opens
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
-  std::unique_ptr<ServoClock> clock_;
   std::optional<Stretch> stretch_;
   std::optional<Stepping::How> how_;  // of the stretch that run() begins; nothing: by the switch
   bool holds_ = false;   // by a feed hold
   bool resets_ = false;  // as soon as the axes stand
-  PanelBlocks blocks_;
-  PanelBlock pending_;   // the motion that is being planned
-  PanelBlock on_;        // that the machine is on, or was on last
-  Placement placement_;
-  std::uint32_t modes_of_ = 0;  // Origin::number of pending_.modes
+  bool goes_on_ = false;     // the program is not over: held before a block of one of its channels
+  Control* asks_ = nullptr;  // whose program asks
   std::vector<Before> before_;
   std::optional<PanelGoing> going_;
   std::uint64_t entered_ = 0, entering_from_ = 0;  // blocks of lines of the operator; carried out before the one under way

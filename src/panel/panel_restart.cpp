@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "config/told.h"
 #include "panel/panel_machine.h"
@@ -19,8 +20,13 @@ constexpr double at_place = 1e-3;  // mm, degrees: what is led there by a way th
 
 }  // namespace
 
+std::string PanelMachine::not_for_several() {
+  return told("programs of several channels cannot go on in mid program yet", "УП нескольких каналов пока нельзя продолжить с середины");
+}
+
 PanelMachine::Answer PanelMachine::may_go_there() const {
   if (const Answer may = may_begin(); !may) return may;
+  if (!is_alone()) return Failed(not_for_several());
   if (session_->control().in_block()) return Failed(told("a block is not over: reset first", "кадр не закончен: сначала сброс"));
   return {};
 }
@@ -31,7 +37,7 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet(const std::shared_ptr<
     if (const Answer may = may_go_there(); !may) return may;
     Control& control = session_->control();
     ToolPosition stand = session_->stand();
-    stand.machine = clock_->sample().machine;
+    stand.machine = lane_->clock.sample().machine;
     auto made = sheet_of(*place, stand, control.in_force(), rules, control, session_->def());
     if (!made) return Failed(no_room());
     *sheet = std::move(*made);
@@ -41,28 +47,36 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet(const std::shared_ptr<
   return std::move(*sheet);
 }
 
-/// The way ends over the place, within the ways of the axes.
-PanelMachine::Answer PanelMachine::is_way(const std::vector<WayPoint>& way, const PanelPlace& place) const {
-  Axes at = clock_->sample().machine;
+/// Within the ways of the axes.
+///   returns  where it ends, or an error sentence
+tl::expected<Axes, std::string> PanelMachine::end_of(const std::vector<WayPoint>& way) const {
+  Axes at = lane_->clock.sample().machine;
   for (const WayPoint& point : way) {
-    for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    for (std::size_t a = 0; a < lane_->axes.size() && a < max_axes; ++a) {
       if ((point.named >> a & 1U) == 0) continue;
-      const auto [least, most] = limits_of(session_->machine(), session_->channels()[session_->own()].setup, axes_[a]);
+      const auto [least, most] = limits_of(session_->machine(), session_->channels()[session_->own()].setup, lane_->axes[a]);
       at[a] = point.machine[a];
-      if (!(at[a] >= least && at[a] <= most)) return Failed(axes_[a] + told(": beyond the end of its way", ": за пределом хода"));
+      if (!(at[a] >= least && at[a] <= most)) return Failed(lane_->axes[a] + told(": beyond the end of its way", ": за пределом хода"));
     }
     if (!point.rapid && !(point.feed > 0 && point.feed <= 1e5)) return Failed(told("want a feed up to 100000", "нужна подача до 100000"));
   }
-  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a)
+  return at;
+}
+
+PanelMachine::Answer PanelMachine::leads_to(const std::vector<WayPoint>& way, const PanelPlace& place) const {
+  const auto end = end_of(way);
+  if (!end) return Failed(end.error());
+  const Axes& at = *end;
+  for (std::size_t a = 0; a < lane_->axes.size() && a < max_axes; ++a)
     if (!(std::fabs(at[a] - place.restart.stand.machine[a]) <= at_place))
-      return Failed(axes_[a] + told(": the way does not end where the block begins", ": путь не кончается там, где начинается кадр"));
+      return Failed(lane_->axes[a] + told(": the way does not end where the block begins", ": путь не кончается там, где начинается кадр"));
   return {};
 }
 
 PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<WayPoint> way) {
   return ask([this, place = std::move(place), left, way = std::move(way)]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
-    if (const Answer fits = is_way(way, *place); !fits) return fits;
+    if (const Answer fits = leads_to(way, *place); !fits) return fits;
     const ControlDef& def = session_->def();
     const auto sheet = sheet_of(*place, session_->stand(), session_->control().in_force(), {}, session_->control(), def);
     if (!sheet) return Failed(no_room());
@@ -76,28 +90,43 @@ PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const PanelPlace> pl
   });
 }
 
+PanelMachine::Answer PanelMachine::lead(const std::vector<WayPoint>& way) {
+  return ask([this, way]() -> Answer {
+    if (const Answer may = may_begin(); !may) return may;
+    const Control& control = session_->control();
+    if (control.in_block() || control.meeting()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+    if (const auto end = end_of(way); !end) return Failed(end.error());
+    if (way.empty()) return Failed(told("want a way", "нужен путь"));
+    go_along(way);
+    return {};
+  });
+}
+
+void PanelMachine::go_along(const std::vector<WayPoint>& way) {
+  std::vector<Motion> motions;
+  ToolPosition at = standing_plainly(session_->own());
+  for (const WayPoint& point : way) {
+    Motion& motion = motions.emplace_back();
+    motion.kind = point.rapid ? MotionKind::rapid : MotionKind::feed;
+    motion.feed = point.feed;
+    motion.named = point.named;
+    motion.exact = true;
+    for (std::size_t a = 0; a < max_axes; ++a) {
+      if ((point.named >> a & 1U) == 0) continue;
+      at.work[a] += point.machine[a] - at.machine[a];
+      at.machine[a] = point.machine[a];
+    }
+    motion.to = at.work, motion.machine = at.machine;
+  }
+  begin_by_hand(*lane_, motions);
+}
+
 /// The next of what leads there. Called while the axes stand.
 PanelMachine::Answer PanelMachine::go_on_there() {
   PanelGoing& going = *going_;
   if (!going.before.empty()) return carry_out(going.before);
   if (!going.way.empty()) {
-    std::vector<Motion> motions;
-    ToolPosition at = standing_plainly();
-    for (const WayPoint& point : going.way) {
-      Motion& motion = motions.emplace_back();
-      motion.kind = point.rapid ? MotionKind::rapid : MotionKind::feed;
-      motion.feed = point.feed;
-      motion.named = point.named;
-      motion.exact = true;
-      for (std::size_t a = 0; a < max_axes; ++a) {
-        if ((point.named >> a & 1U) == 0) continue;
-        at.work[a] += point.machine[a] - at.machine[a];
-        at.machine[a] = point.machine[a];
-      }
-      motion.to = at.work, motion.machine = at.machine;
-    }
-    going.way.clear();
-    begin_by_hand(motions);
+    go_along(std::exchange(going.way, {}));
     return {};
   }
   if (!going.is_there) {
@@ -121,7 +150,7 @@ PanelMachine::Answer PanelMachine::carry_out(std::deque<std::string>& lines) {
 /// The axes stand at the place: from here on it is as if the program had run.
 PanelMachine::Answer PanelMachine::arrive(const PanelPlace& place) {
   if (const Answer there = remember(place); !there) return there;
-  clock_->stand_at(place.restart.stand.machine);
+  lane_->clock.stand_at(place.restart.stand.machine);
   return {};
 }
 
@@ -129,21 +158,16 @@ PanelMachine::Answer PanelMachine::arrive(const PanelPlace& place) {
 PanelMachine::Answer PanelMachine::remember(const PanelPlace& place) {
   if (const Status restored = stepping_->restore(place.memory); !restored)
     return Failed(told("a file that the program had called is not as it was", "файл, который вызывала УП, изменился"));
-  Control& control = session_->control();
-  for (int number = 1; number <= 9; ++number) control.set_skip(number, kept_.skip.contains(number));
-  control.set_optional_stop(kept_.optional_stop);
+  obey_switches();
   before_.clear();  // nothing leads back behind this
-  blocks_.clear();
   entered_ = 0;
   last_line_ = place.restart.at.line;
   note_variables(0);
-  placement_ = place.placement;
-  pending_ = {};
-  modes_of_ = ~0u;
-  on_ = {};
-  on_.origin = place.restart.at;
-  on_.work = place.restart.stand.work, on_.machine = place.restart.stand.machine, on_.placement = placement_;
-  on_.modes = std::make_shared<PanelModes>(PanelModes{place.restart.in_force, place.calls});
+  lane_->placement = place.placement;
+  lane_->start_over();
+  lane_->on.origin = place.restart.at;
+  lane_->on.work = place.restart.stand.work, lane_->on.machine = place.restart.stand.machine, lane_->on.placement = lane_->placement;
+  lane_->on.modes = std::make_shared<PanelModes>(PanelModes{place.restart.in_force, place.calls});
   return {};
 }
 

@@ -1,5 +1,6 @@
 // A stretch of a panel's machine: what the session makes of the program, in the servo clock's time. For panel/panel_machine.
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/told.h"
@@ -11,70 +12,94 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr double enough = 3 * Playback::reserve;  // s ahead of the clock
-constexpr double planned_each = 1;                // s of motion: the first long ones begin at once
-constexpr double nearly_there = 1e-6;             // mm, degrees
-constexpr double farthest = 1e5;                  // mm, degrees by hand at a time
+constexpr double nearly_there = 1e-6;  // mm, degrees
+constexpr double farthest = 1e5;       // mm, degrees by hand at a time
 
 }  // namespace
 
 /// Before the planner gets it.
-void PanelMachine::look(const Step& step) {
+void PanelMachine::look(PanelLane& lane, Control& control, const Step& step) {
   if (looks_on_) looks_on_(step);
+  const bool is_own = &lane == lane_;
+  const auto hold_next = [&] { is_own ? stepping_->hold_next() : void(lane.holds_next = true); };
   const auto& what = step.action.what;
-  if (const auto* const frame = std::get_if<FrameChange>(&what)) placement_ = frame->placement;
+  if (const auto* const frame = std::get_if<FrameChange>(&what)) lane.placement = frame->placement;
   if (const auto* const message = std::get_if<Message>(&what)) {
     kept_.told = message->text;
-    if (message->asks) kept_.asks = true, stepping_->hold_next();
+    if (message->asks) kept_.asks = true, asks_ = &control, hold_next();
   }
   if (const auto* const stop = std::get_if<Stop>(&what); stop != nullptr && (!stop->optional || kept_.optional_stop)) {
-    stepping_->hold_next();
+    hold_next();
     kept_.why = stop->optional ? "M1" : "M0";
   }
   const Motion* const motion = step.motion();
   if (motion == nullptr) return;
   const Origin& origin = step.action.origin;
-  if (origin.number != modes_of_ || !pending_.modes) {
-    const Control& control = session_->control();
-    pending_.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls_of(origin)});
-    modes_of_ = origin.number;
+  PanelBlock& pending = lane.pending;
+  if (origin.number != lane.modes_of || !pending.modes) {
+    pending.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls_of(origin)});
+    lane.modes_of = origin.number;
   }
-  pending_.origin = origin;
-  pending_.work = motion->to, pending_.machine = motion->machine;
-  pending_.placement = placement_;
-  pending_.entered = stretch_ && stretch_->of == Stretch::Of::line;
-  pending_.by_turn = motion->unit == FeedUnit::mm_per_rev;
-  pending_.number = pending_.entered ? 0 : origin.number - std::uint32_t(entered_);
-  pending_.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
+  pending.origin = origin;
+  pending.work = motion->to, pending.machine = motion->machine;
+  pending.placement = lane.placement;
+  pending.entered = stretch_ && stretch_->of == Stretch::Of::line;
+  pending.by_turn = motion->unit == FeedUnit::mm_per_rev;
+  pending.number = pending.entered || !is_own ? 0 : origin.number - std::uint32_t(entered_);
+  pending.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
 }
 
-/// The planner begins where the axes stand.
-void PanelMachine::set_up(Stretch& stretch) {
-  blocks_.clear();
-  stretch.planned->on_cells = [this](const TimedCells& cells) { stretch_->to_come.push_back(cells); };
-  stretch.planned->number_motions([this](std::uint64_t motion) {
-    pending_.motion = motion;
-    blocks_.add(pending_);
-  });
-  has_moved_ = true;
-  stretch.planned->plan_each(planned_each);
-  stretch.playback = std::make_unique<Playback>(stretch.planned->limits(), rate);
-  stretch.playback->override_to(kept_.shares.feed);
+/// The planner of a channel begins where its axes will stand.
+void PanelMachine::begin_leg(std::size_t channel) {
+  PanelLane& lane = *lanes_[channel];
+  Control& control = *session_->channels()[channel].control;
+  session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };  // without the planner before
+  lane.plan(session_->plan(channel), kept_.shares.dry_feed);
+  session_->change_outlets();
+}
+
+/// Waiting codes: legs of motion end there, and begin anew.
+void PanelMachine::watch_channels() {
+  if (is_alone()) return;
+  ChannelOutlets& together = session_->together();
+  together.waits = [this](std::size_t channel, const Control::Meeting& meeting) {
+    const auto waits = std::make_shared<PanelMeeting>();
+    waits->code = meeting.code;
+    for (const auto& lane : lanes_)
+      if ((meeting.channels >> lane->number & 1U) != 0) waits->channels.insert(lane->number);
+    lanes_[channel]->end_leg(waits);
+  };
+  together.over = [this](std::size_t channel) { lanes_[channel]->end_leg(); };
+  together.met = [this](const std::vector<std::size_t>& channels) {
+    const auto met = std::make_shared<PanelMeeting>();
+    met->is_met = true;
+    for (const std::size_t channel : channels) met->channels.insert(lanes_[channel]->number);
+    for (const std::size_t channel : channels) {
+      if (const PanelMeeting* const before = lanes_[channel]->meeting()) met->code = before->code;
+      lanes_[channel]->meet(met);
+      begin_leg(channel);
+    }
+  };
+  for (std::size_t i = 0; i < lanes_.size(); ++i)
+    if (i != session_->own()) session_->channels()[i].control->holds_before = [lane = lanes_[i].get()](const Origin&) { return lane->is_held(); };
 }
 
 void PanelMachine::begin(Stretch::Of of) {
   Stretch& stretch = stretch_.emplace();
   stretch.of = of;
-  session_->outlets().step = [this](const Step& step) { look(step); };  // without the planner of the stretch before
-  stretch.planned = &session_->plan(session_->own());
-  session_->change_outlets();
-  set_up(stretch);
-  stretch.planned->run_dry(kept_.shares.dry_feed);
-  on_.origin = stepping_->next().value_or(Origin()), on_.entered = false;
+  has_moved_ = true;
+  for (std::size_t i = 0; i < lanes_.size(); ++i)
+    if (lanes_[i]->waits() || (of == Stretch::Of::line && i != session_->own())) continue;
+    else begin_leg(i);
+  lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
   if (of == Stretch::Of::program) stepping_->begin(how_.value_or(kept_.single ? Stepping::How::block : Stepping::How::free));
+  play();
+}
+
+void PanelMachine::play() {
   kept_.mode = PanelMode::running;
+  set_share();
   provide();
-  clock_->play(stretch.playback.get());
 }
 
 /// A line of the operator.
@@ -85,15 +110,17 @@ void PanelMachine::begin_line(const std::string& line) {
   begin(Stretch::Of::line);
 }
 
-PanelMachine::Answer PanelMachine::move_by_hand(const std::string& axis, double way, double feed) {
-  const auto found = std::find(axes_.begin(), axes_.end(), axis);
-  if (found == axes_.end()) return Failed(axis + told(": there is no such axis", ": такой оси нет"));
+PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::string& axis, double way, double feed) {
+  PanelLane& lane = *lanes_[channel];
+  const auto found = std::find(lane.axes.begin(), lane.axes.end(), axis);
+  if (found == lane.axes.end()) return Failed(axis + told(": there is no such axis", ": такой оси нет"));
   if (!(std::fabs(way) <= farthest) || !(feed >= 0 && feed <= farthest) || way == 0)
     return Failed(told("want a way and a feed up to 100000", "нужны путь и подача до 100000"));
-  if (session_->control().in_block()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
-  const std::size_t a = std::size_t(found - axes_.begin());
-  const ToolPosition stand = standing_plainly();
-  const auto [least, most] = limits_of(session_->machine(), session_->channels()[session_->own()].setup, axis);
+  const Channel& its = session_->channels()[channel];
+  if (its.control->in_block() || its.control->meeting()) return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+  const std::size_t a = std::size_t(found - lane.axes.begin());
+  const ToolPosition stand = standing_plainly(channel);
+  const auto [least, most] = limits_of(session_->machine(), its.setup, axis);
   Motion motion;
   motion.kind = feed > 0 ? MotionKind::feed : MotionKind::rapid;
   motion.feed = feed;
@@ -103,80 +130,65 @@ PanelMachine::Answer PanelMachine::move_by_hand(const std::string& axis, double 
   motion.to[a] += way, motion.machine[a] += way;
   if (motion.machine[a] < least || motion.machine[a] > most)
     return Failed(axis + told(": beyond the end of its way", ": за пределом хода"));
-  begin_by_hand({motion});
+  begin_by_hand(lane, {motion});
   return {};
 }
 
 /// Along the axes of the machine, however the frame lies.
-ToolPosition PanelMachine::standing_plainly() const {
-  ToolPosition stand = session_->stand();
+ToolPosition PanelMachine::standing_plainly(std::size_t channel) const {
+  ToolPosition stand = session_->stand(channel);
   stand.turn.reset(), stand.space.reset();
   return stand;
 }
 
-void PanelMachine::begin_by_hand(const std::vector<Motion>& motions) {
-  const Channel& channel = session_->channels()[session_->own()];
-  const ToolPosition stand = standing_plainly();
+void PanelMachine::begin_by_hand(PanelLane& lane, const std::vector<Motion>& motions) {
+  const std::size_t number = std::size_t(std::find_if(lanes_.begin(), lanes_.end(), [&](const auto& one) { return one.get() == &lane; }) - lanes_.begin());
+  const Channel& channel = session_->channels()[number];
+  const ToolPosition stand = standing_plainly(number);
   Stretch& stretch = stretch_.emplace();
   stretch.of = Stretch::Of::hand;
   stretch.by_hand = std::make_unique<Planned>(channel, session_->machine(), stand);
-  stretch.planned = stretch.by_hand.get();
-  set_up(stretch);
-  TimeEstimate times(roles_, rates_of(session_->machine(), channel.setup, axes_));
-  Steps steps(roles_, stand, &times);
+  stretch.planned_all = true;
+  has_moved_ = true;
+  lane.plan(*stretch.by_hand, 0);
+  TimeEstimate times(lane.roles, rates_of(session_->machine(), channel.setup, lane.axes));
+  Steps steps(lane.roles, stand, &times);
   for (const Motion& motion : motions) {
-    pending_ = on_;
-    pending_.work = motion.to, pending_.machine = motion.machine, pending_.feed = motion.feed;
+    lane.pending = lane.on;
+    lane.pending.work = motion.to, lane.pending.machine = motion.machine, lane.pending.feed = motion.feed;
     Action action;
     action.what = motion;
     steps.give(action, [&](const Step& step) {
       if (looks_on_) looks_on_(step);
-      stretch.planned->consume(step);
+      stretch.by_hand->consume(step);
     });
   }
-  (void)stretch.planned->finish();
-  stretch.planned_all = true;
-  kept_.mode = PanelMode::running;
-  provide();
-  clock_->play(stretch.playback.get());
+  lane.end_leg();
+  play();
 }
 
-/// The cells that were planned next. False: not all of them have room.
-bool PanelMachine::offer() {
-  Stretch& s = *stretch_;
-  const TimedCells& cells = s.to_come.front();
-  s.offered += s.playback->offer(cells, s.offered);
-  if (s.offered < cells.laws.size()) return false;
-  s.to_come.pop_front();
-  s.offered = 0;
-  return true;
-}
-
+/// So much is planned that no clock comes to its end before more is.
 void PanelMachine::provide() {
-  Stretch& s = *stretch_;
-  const double played = clock_->sample().plays ? clock_->sample().played : 0;
-  while (s.playback->offered() - played < enough) {
-    if (!s.to_come.empty()) {
-      if (!offer()) return;
-    } else if (s.planned_all) {
-      return s.playback->finish();
-    } else {
-      go_on();
-    }
-  }
+  const auto any = [this](bool (PanelLane::*is)() const) { return std::any_of(lanes_.begin(), lanes_.end(), [is](const auto& lane) { return ((*lane).*is)(); }); };
+  const auto must_go_on = [&] { return any(&PanelLane::wants_more) || !any(&PanelLane::is_planned); };  // else it waits, or is over: for what comes of it
+  while (!stretch_->planned_all && must_go_on() && !any(&PanelLane::is_full)) go_on();
+  for (const auto& lane : lanes_) lane->go_on();
 }
 
 void PanelMachine::go_on() {
-  Stretch& s = *stretch_;
-  s.came_to = session_->go_on();
-  if (s.came_to == Session::State::running) return;
-  (void)s.planned->finish();
-  s.planned_all = true;
+  stretch_->came_to = session_->go_on();
+  if (stretch_->came_to == Session::State::running) return;
+  for (const auto& lane : lanes_) lane->end_leg();
+  stretch_->planned_all = true;
+}
+
+bool PanelMachine::is_over() const {
+  return stretch_->planned_all && std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->is_over(); });
 }
 
 /// The axes stand at its end.
 void PanelMachine::end_stretch() {
-  clock_->play(nullptr);
+  for (const auto& lane : lanes_) lane->settle();
   const Stretch::Of of = stretch_->of;
   const Session::State came_to = stretch_->came_to;
   if (of == Stretch::Of::line) {
@@ -184,13 +196,18 @@ void PanelMachine::end_stretch() {
     entered_ += session_->control().blocks() - entering_from_;
     note_variables(0);
   }
-  if (of == Stretch::Of::hand) session_->stand_at(clock_->sample().machine);
   stretch_.reset();
   holds_ = false;
-  const Axes stand = session_->stand().machine, at = clock_->sample().machine;
-  bool is_there = true;
-  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) is_there = is_there && std::fabs(stand[a] - at[a]) < nearly_there;
-  if (is_there) clock_->stand_at(stand);  // what the planner's sums have left
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    ServoClock& clock = lanes_[i]->clock;
+    const Axes at = clock.sample().machine;
+    if (of == Stretch::Of::hand && !session_->channels()[i].control->meeting()) session_->stand_at(i, at);
+    const Axes stand = session_->stand(i).machine;
+    bool is_there = true;
+    for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is_there = is_there && std::fabs(stand[a] - at[a]) < nearly_there;
+    if (is_there) clock.stand_at(stand);  // what the planner's sums have left
+  }
+  if (of == Stretch::Of::program) goes_on_ = came_to == Session::State::held;
   if (going_ && came_to != Session::State::stopped) {
     if (const Answer there = go_on_there(); !there) kept_.told = there.error(), kept_.mode = PanelMode::standing;
     return;
@@ -198,7 +215,7 @@ void PanelMachine::end_stretch() {
   going_.reset();
   const bool stopped = came_to == Session::State::stopped && of == Stretch::Of::program;
   if (stopped) kept_.mode = PanelMode::alarm;
-  else kept_.mode = stepping_->next() ? PanelMode::standing : PanelMode::ended;
+  else kept_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
   if (of != Stretch::Of::program) return;
   if (kept_.mode == PanelMode::ended) tell("ended");
   else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
@@ -206,7 +223,7 @@ void PanelMachine::end_stretch() {
 
 /// The axes stay where they are.
 void PanelMachine::drop_stretch() {
-  clock_->play(nullptr);
+  for (const auto& lane : lanes_) lane->drop();
   stretch_.reset();
   going_.reset();
   holds_ = resets_ = false;

@@ -99,6 +99,7 @@ struct PageSession::Inside {
   // page_restart.cpp
   Answer restart(const PageJson& question);
   Answer go_there(const PageJson& question);
+  Answer lead(const PageJson& question);
   tl::expected<PanelSearch::Answer, Refusal> find_place(PanelMachine& machine, const PageJson& question) const;
   void leave_machine();
   void stop_machine();

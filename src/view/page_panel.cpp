@@ -153,7 +153,7 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   if (panel_place && server.hub->find(panel_place->name) != panel_place) leave_machine();  // another page has switched it off
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   const PanelState state = panel_place->machine->state();
-  PageJson json = panel_json(state, panel_place->machine->axes());
+  PageJson json = panel_json(state, panel_place->machine->axes(), lang);
   const OpenedProgram& opened = content_of(*panel_place).program.opened();
   json["alarm"] = PageJson();
   if (state.alarm) json["alarm"] = problem_json(finding_of(*state.alarm, *opened.texts, lang), state.alarm->origin.file, std::nullopt);
@@ -221,7 +221,7 @@ PageSession::Inside::Answer PageSession::Inside::undo(const PageJson&) {
 PageSession::Inside::Answer PageSession::Inside::jog(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
-  return answer_of((*machine)->jog(value_in<std::string>(question, "axis", ""), value_in<double>(question, "way", 0), value_in<double>(question, "feed", 0)));
+  return answer_of((*machine)->jog(value_in<std::string>(question, "axis", ""), value_in<double>(question, "way", 0), value_in<double>(question, "feed", 0), int(count_in(question, "channel", 0))));
 }
 
 /// To a question of the program.

@@ -1,4 +1,4 @@
-// Questions about going on in mid program: restart, go_there. For view/page_session; tested by tests/panel_restart.py.
+// Questions about going on in mid program: restart, go_there; and a way by hand: lead. For view/page_session; tested by tests/panel_restart.py.
 
 #include "out/text/in_force_text.h"
 #include "view/page_inside.h"
@@ -152,6 +152,17 @@ PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& questio
                   {"blocks", sheet->blocks.blocks},
                   {"by_hand", in_force_text(sheet->blocks.by_hand, lang, "")},
                   {"search", search_json(place.by_control, lang)}};
+}
+
+/// Along a way by hand.
+PageSession::Inside::Answer PageSession::Inside::lead(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  const auto way = way_of(question, (*machine)->axes());
+  if (!way) return refused(way.error());
+  const auto went = (*machine)->lead(*way);
+  if (!went) return refused(went.error());
+  return PageJson::object();
 }
 
 PageSession::Inside::Answer PageSession::Inside::go_there(const PageJson& question) {

@@ -74,7 +74,7 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
       {"machine", &Inside::machine, false}, {"panel", &Inside::panel, false},     {"press", &Inside::press, false},
       {"switches", &Inside::switches, false}, {"enter", &Inside::enter, false},   {"undo", &Inside::undo, false},
       {"jog", &Inside::jog, false},      {"stops", &Inside::stops_at, false},     {"restart", &Inside::restart, false},
-      {"go_there", &Inside::go_there, false}, {"tables", &Inside::tables, false}, {"edit", &Inside::edit, false},
+      {"go_there", &Inside::go_there, false}, {"lead", &Inside::lead, false}, {"tables", &Inside::tables, false}, {"edit", &Inside::edit, false},
       {"keep_tables", &Inside::keep_tables, false}, {"shift", &Inside::shift, false}, {"answer", &Inside::answer_to_machine, false},
       {"watch", &Inside::watch, false},
   };

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "out/text/limit_text.h"
+
 namespace kadr {
 namespace {
 
@@ -23,6 +25,20 @@ PageJson stops_json(const std::map<std::size_t, StopPoint>& stops) {
   PageJson list = PageJson::array();
   for (const auto& [number, p] : stops)
     list.push_back({{"number", number}, {"line", p.line}, {"pass", p.pass}, {"call", p.call}, {"condition", p.condition}, {"tool", p.tool}});
+  return list;
+}
+
+/// Several side by side; empty: there is one.
+PageJson channels_json(const std::vector<PanelChannel>& channels) {
+  PageJson list = PageJson::array();
+  for (const PanelChannel& one : channels) {
+    const Axes work = one.block.work_of(one.sample.machine);
+    PageJson waits;
+    if (one.waits) waits = {{"code", one.waits->code}, {"channels", one.waits->channels}, {"here", one.waits->here}};
+    list.push_back({{"number", one.number}, {"axes", one.axes}, {"position", axes_json(one.axes, work)}, {"machine", axes_json(one.axes, one.sample.machine)},
+                    {"feed", finite(one.block.feed)}, {"speed", finite(one.sample.speed)}, {"moves", one.sample.plays && !one.sample.held},
+                    {"line", one.line.number}, {"text", one.line.text}, {"waits", std::move(waits)}});
+  }
   return list;
 }
 
@@ -53,7 +69,7 @@ const char* name_of(PanelMode mode) {
   return names[std::size_t(mode)];
 }
 
-PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes) {
+PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes, Lang lang) {
   const Axes work = s.block.work_of(s.sample.machine);
   Axes left{};
   for (std::size_t a = 0; a < max_axes; ++a) left[a] = s.sample.plays ? s.block.work[a] - work[a] : 0;
@@ -86,6 +102,8 @@ PageJson panel_json(const PanelState& s, const std::vector<std::string>& axes) {
                    {"takes_tables", s.takes_tables},
                    {"not_kept", s.not_kept},
                    {"can_undo", s.can_undo},
+                   {"limit", s.limit ? limit_text(s.limit->by, s.limit->rapid, axes, lang) : std::string()},
+                   {"channels", channels_json(s.channels)},
                    {"blocks", s.blocks}};
   static const PanelModes none;
   put_modes(json, s.block.modes ? *s.block.modes : none);

@@ -9,6 +9,6 @@ namespace kadr {
 /// A name of the protocol.
 const char* name_of(PanelMode mode);
 /// But for the alarm and who holds the controls.
-PageJson panel_json(const PanelState& state, const std::vector<std::string>& axes);
+PageJson panel_json(const PanelState& state, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

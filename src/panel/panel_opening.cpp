@@ -1,0 +1,108 @@
+// A machine's program from its beginning: its session, and what of the machine obeys it. For panel/panel_machine; tested by
+// tests/panel/panel_machine_test.cpp, tests/panel/panel_channels_test.cpp.
+
+#include "config/told.h"
+#include "panel/panel_machine.h"
+
+namespace kadr {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+
+}  // namespace
+
+/// Once; a program has as many channels as it had.
+PanelMachine::Answer PanelMachine::make_lanes() {
+  const std::vector<Channel>& channels = session_->channels();
+  for (std::size_t i = lanes_.size(); lane_ == nullptr && i < channels.size(); ++i) {
+    const Control& control = *channels[i].control;
+    lanes_.push_back(std::make_unique<PanelLane>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()), rate, session_->stand(i).machine));
+  }
+  if (lanes_.size() != channels.size()) return Failed(told("another number of channels: switch off and on", "другое число каналов: выключите и включите станок"));
+  lane_ = lanes_[session_->own()].get();
+  return {};
+}
+
+void PanelMachine::obey_switches() {
+  for (const Channel& channel : session_->channels()) {
+    for (int number = 1; number <= 9; ++number) channel.control->set_skip(number, kept_.skip.contains(number));
+    channel.control->set_optional_stop(kept_.optional_stop);
+  }
+}
+
+/// The program from its beginning.
+PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& start) {
+  stops_ = false;
+  auto opened = opens_(start, StopToken(stops_));
+  if (!opened) return Failed(opened.error());
+  stepping_.reset();
+  session_ = std::move(*opened);
+  if (lane_ == nullptr) kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
+  start_ = start;
+  Control& control = session_->control();
+  control.hand_over_each_block();  // a stop holds before the very next one
+  control.watch_calls();
+  stepping_ = std::make_unique<Stepping>(*session_);
+  for (const auto& [number, point] : kept_.stops) stepping_->add(point);
+  stepping_->on_asked = [this](const Origin& origin) {
+    note_variables(last_line_);
+    last_line_ = origin.line;
+  };
+  if (const Answer made = make_lanes(); !made) return made;
+  obey_switches();
+  const auto take = [this](const AlarmReport& report) {
+    kept_.alarm = report;
+    if (keeper_.alarm) keeper_.alarm(report);
+  };
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    Outlets& outlets = session_->outlets(i);
+    outlets.warning = take;
+    outlets.alarm = [take](const AlarmReport& report) { return take(report), false; };
+    outlets.stop = StopToken(stops_);
+    outlets.step = [this, i](const Step& step) { look(*lanes_[i], *session_->channels()[i].control, step); };
+    lanes_[i]->start_over();
+  }
+  watch_channels();
+  kept_.alarm.reset();
+  before_.clear();
+  retables_.reset();
+  goes_on_ = false;
+  entered_ = 0;
+  last_line_ = 0;
+  variables_.clear(), set_by_.clear();
+  note_variables(0);
+  return {};
+}
+
+PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
+  if (const Answer begun = begin_session(start); !begun) return begun;
+  if (search_) begin_search();
+  for (std::size_t i = 0; start && i < lanes_.size(); ++i)
+    if (i != session_->own()) session_->stand_at(i, lanes_[i]->clock.sample().machine);
+  session_->alone(session_->own());  // the others begin with the first run()
+  const Session::State state = stepping_->go(Stepping::How::block);
+  kept_.asks = false;
+  stand_here();
+  goes_on_ = state == Session::State::held;
+  kept_.mode = goes_on_ ? PanelMode::standing : state == Session::State::stopped ? PanelMode::alarm : PanelMode::ended;
+  show();
+  return {};
+}
+
+/// The run that places are asked of is this one.
+void PanelMachine::begin_search() {
+  if (is_alone()) search_->begin({start_, kept_.skip, kept_.optional_stop});
+}
+
+/// What is shown while nothing has moved yet.
+void PanelMachine::stand_here() {
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    const Control& control = *session_->channels()[i].control;
+    PanelLane& lane = *lanes_[i];
+    lane.placement = control.placement();
+    lane.on.work = session_->stand(i).work, lane.on.machine = session_->stand(i).machine, lane.on.placement = lane.placement;
+    lane.on.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), {}});
+  }
+}
+
+}  // namespace kadr
