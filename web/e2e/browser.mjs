@@ -28,3 +28,12 @@ export async function until(name, what, ms = 25000) {
     await new Promise((r) => setTimeout(r, 50));
   }
 }
+
+export const must = (yes, what) => { if (!yes) throw new Error(what); };
+/// Of the page that `of` gives at the moment.
+export function looks_at(of) {
+  const count = (what) => of().locator(what).count();
+  const text = (what) => of().locator(what).first().textContent();
+  const ended = () => until("the run's end", () => count(".run-told.ended, .run-told.stopped"), 60000);
+  return { count, text, ended };
+}

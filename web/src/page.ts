@@ -58,7 +58,7 @@ const cut = new CutPanel(app, (box, tools) => {
   stock = box ? [{ name: t("stock"), kind: "stock", box }] : [];
   show_boxes();
 }, (line) => source.show(line));
-const operator_panel = new OperatorPanel(app, operator, (line) => source.show(line));
+const operator_panel = new OperatorPanel(app, operator, (line) => source.show(line), (touched) => scene_pane.ask_touch(touched));
 const tabs = new Tabs([
   { name: "problems", element: problems.element, badge: () => String(ProblemsPanel.all(app).length || "") },
   { name: "summary", element: new SummaryPanel(app).element },

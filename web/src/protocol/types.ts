@@ -89,6 +89,12 @@ export interface Panel {
   line: number; file: number; text: string; number: number; entered: boolean; single: boolean; optional_stop: boolean; skip: number[]; stops: StopPoint[];
   hit: number; told: string; why: "" | "M0" | "M1" | "restart"; goes_there: boolean; can_undo: number; blocks: number; modal: Modal[]; rpm: number | null; tool: number | null;
   offsets: { T?: number | null; D?: number | null; H?: number | null }; zero: Axes; calls: Call[]; alarm: Problem | null; holds: boolean; held: boolean;
+  limit: string; channels: PanelChannel[];
+}
+/// One of several; `waits`: its axes have come to a waiting code, who else has (`here`) of those who must (`channels`).
+export interface PanelChannel {
+  number: number; axes: string[]; position: Axes; machine: Axes; feed: number; speed: number; moves: boolean; line: number; text: string;
+  waits: { code: number; channels: number[]; here: number[] } | null;
 }
 
 /// Where a program is to go on; `number` of the block in the run, `hole` of a cycle.
@@ -134,8 +140,9 @@ export interface Questions {
   switches: [{ single?: boolean; optional_stop?: boolean; skip?: number; on?: boolean; override?: number; rapid?: number; spindle?: number; dry_feed?: number }, object];
   enter: [{ line: string }, object];
   undo: [object, object];
-  jog: [{ axis: string; way: number; feed?: number }, object];
+  jog: [{ axis: string; way: number; feed?: number; channel?: number }, object];
   restart: [RestartPlace & { by_control?: boolean; clearance?: number; above?: number; feed?: number }, RestartSheet | { ready: false }];
+  lead: [{ way: WayPoint[] }, object];
   go_there: [RestartPlace & { by_control?: boolean; leave?: string[]; way: WayPoint[] }, object];
   tables: [object, Tables];
   edit: [{ tables: JsonTable }, { edited: JsonTable }];

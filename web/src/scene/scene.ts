@@ -1,5 +1,5 @@
 // The 3D view: path, tool, part and boxes; it draws only when something has changed.
-import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, Plane, Scene as Stage, Vector3, Vector4 } from "three";
+import { AmbientLight, Box3, BufferAttribute, BufferGeometry, ColorManagement, DirectionalLight, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, Plane, Raycaster, Scene as Stage, Vector2, Vector3, Vector4 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -15,7 +15,7 @@ import { carry_of } from "./carry";
 import { PathView } from "./path_view";
 import { pick, type Hit } from "./pick";
 import type { Joint } from "../protocol/types";
-import { type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
+import { type ColourBy, type Point, type SceneBounds, type SceneBox, type SceneEvents, type SceneFilter, type SceneMode, type SceneVertex, type ToolShape, type View, type ViewName } from "./types";
 
 export * from "./types";
 
@@ -50,7 +50,7 @@ export class Scene {
   private part_frame: ArrayBuffer | null = null;
   private lit_line: [number, number] | null = null;
   private tool_drawn = "";
-  private mode: "orbit" | "measure" = "orbit";
+  private mode: SceneMode = "orbit";
   private ends: Anchor[] = [];
   private asked = 0;
   private pointer: [number, number] | null = null;
@@ -106,7 +106,7 @@ export class Scene {
   setColour(by: ColourBy): void { this.path.set_colour(by); this.touch(); }
   setFilter(f: SceneFilter): void { this.path.set_filter(f); this.draw_machine(); this.setInstant(this.path.instant); }
   setProjection(flat: boolean): void { this.eye.flat = flat; this.touch(); }
-  setMode(mode: "orbit" | "measure"): void { this.mode = mode; this.measure_from([]); }
+  setMode(mode: SceneMode): void { this.mode = mode; this.measure_from([]); }
   setTools(shapes: ToolShape[]): void { this.shapes = shapes; this.tool_drawn = ""; this.setInstant(this.path.instant); }
 
   setTheme(is_dark: boolean): void {
@@ -275,7 +275,23 @@ export class Scene {
 
   private pick(x: number, y: number): Hit | null { return pick(this.path.drawn, this.eye, x, y, this.width, this.height, this.path.zero); }
 
+  /// Of the part, as it is seen there.
+  private surface(x: number, y: number): { place: Point; normal: Point } | null {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height), this.eye.camera);
+    const hit = ray.intersectObject(this.part, true)[0];
+    if (!hit?.face) return null;
+    const normal = hit.face.normal.clone();
+    if (normal.dot(ray.ray.direction) > 0) normal.negate();
+    return { place: hit.point.toArray() as Point, normal: normal.toArray() as Point };
+  }
+
   private click(x: number, y: number): void {
+    if (this.mode === "touch") {
+      const at = this.surface(x, y);
+      if (at) this.events.touched(at.place, at.normal);
+      return;
+    }
     const hit = this.pick(x, y);
     if (this.mode === "orbit") return this.events.pick(hit?.vertex ?? null);
     if (hit) this.measure_from(this.ends.length === 1 ? [this.ends[0]!, hit.anchor] : [hit.anchor]);

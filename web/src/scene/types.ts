@@ -4,6 +4,8 @@ import type { Anchor, Distance } from "./measure";
 
 export type Point = [number, number, number];
 export type ColourBy = "kind" | "tool" | "feed" | "speed" | "slowed" | "time" | "depth";
+/// What a click is for.
+export type SceneMode = "orbit" | "measure" | "touch";
 export type ViewName = "top" | "front" | "left" | "right" | "back" | "bottom" | "iso" | "fit";
 export interface SceneVertex { which: number; at: Point; time: number; line: number; file: number; number: number; kind: number; tool: number; feed: number; speed: number; radius?: number; length?: number }
 export interface SceneFilter {
@@ -21,6 +23,7 @@ export interface SceneEvents {
   pick(v: SceneVertex | null): void;
   hover(v: SceneVertex | null, x: number, y: number): void;
   measured(m: Measured): void;
+  touched(place: Point, normal: Point): void; // the part's surface, where the mode asks for it
   thinned(drawn: number, all: number): void;
   turned(view: View): void;            // after each picture
 }

@@ -2,13 +2,14 @@
 import type { App } from "../model/app";
 import { remember, remembered } from "../model/memory";
 import type { Operator } from "../model/operator";
-import type { Panel } from "../protocol/types";
+import type { Panel, PanelChannel } from "../protocol/types";
 import { on_language, t } from "../texts/texts";
 import { button, fill, h, option } from "./dom";
 import { coordinate, short } from "./figures";
 import { RestartPanel } from "./restart_panel";
 import { ShiftPanel } from "./shift_panel";
 import { TablesPanel } from "./tables_panel";
+import { TouchPanel, type TouchDoor } from "./touch_panel";
 import { WatchPanel } from "./watch_panel";
 
 const steps = [0.01, 0.1, 1, 10, 100], most_history = 50;
@@ -27,14 +28,14 @@ export class OperatorPanel {
   private history = remembered<string[]>("mdi", []);
   private at = -1;    // in the history; -1: a new line
 
-  constructor(private app: App, private operator: Operator, show_line: (line: number) => void) {
+  constructor(private app: App, private operator: Operator, show_line: (line: number) => void, ask_touch: TouchDoor["ask"]) {
     this.restart = new RestartPanel(app, operator);
     this.tables = new TablesPanel(app, operator, (edited) => {
       if (!operator.name || (Object.keys(edited).length === 0 && app.tables?.file !== operator.name)) return;
       app.tables = { file: operator.name, edited };
       if (app.opened?.file === operator.name) void app.run_again();
     });
-    this.element.append(this.head, this.keys, this.figures, this.hands, this.restart.element, this.tables.element, new WatchPanel(operator, show_line).element, new ShiftPanel(operator).element);
+    this.element.append(this.head, this.keys, this.figures, this.hands, new TouchPanel(app, operator, { ask: ask_touch, zero: () => this.tables.zero() }).element, this.restart.element, this.tables.element, new WatchPanel(operator, show_line).element, new ShiftPanel(operator).element);
     operator.on_panel.on(() => this.draw());
     for (const s of [app.on_opened, app.on_done]) s.on(() => this.draw());
     on_language(() => { this.drawn = ""; this.draw(); });
@@ -105,8 +106,17 @@ export class OperatorPanel {
     fill(this.figures, h("table", { class: "positions big" }, h("thead", null, h("tr", null, h("th", null), h("th", { scope: "col" }, t("work")), h("th", { scope: "col" }, t("machine_position")), h("th", { scope: "col" }, t("to_go")))),
       h("tbody", null, ...this.operator.axes.map((a) => h("tr", null, h("th", { scope: "row" }, a), cell(p.position[a]), cell(p.machine[a]), cell(p.togo[a]))))),
       h("div", { class: "row wrap" }, ...([["F", short(p.feed, 1)], ["V", short(p.speed, 0)], ["S", p.rpm === null ? "–" : short(p.rpm)], ["T", p.tool ?? "–"], ["D", p.offsets.D ?? "–"], ["H", p.offsets.H ?? "–"]] as const).map(([name, v]) => h("span", null, h("b", null, name), ` ${v}`)),
-        h("span", { class: "dim" }, `${Math.round(100 * p.share)} %`)),
+        h("span", { class: "dim" }, `${Math.round(100 * p.share)} %`), h("span", { class: "dim limit", title: t("limit_long") }, p.limit)),
+      p.channels.length > 1 && this.channels(p.channels),
       h("div", { class: "modal", role: "list", "aria-label": t("modal") }, ...p.modal.map((m) => h("span", { class: is_new(m.code) ? "code changed" : "code", role: "listitem", title: m.group }, m.code))));
+  }
+
+  /// Side by side, with who waits for whom.
+  private channels(all: PanelChannel[]): HTMLElement {
+    const does = (c: PanelChannel): string => (c.waits ? t("waits_for", { code: c.waits.code, channels: c.waits.channels.filter((n) => !c.waits!.here.includes(n)).join(", ") || "–" }) : c.moves ? t("channel_moves") : t("channel_stands"));
+    return h("div", { class: "channels", role: "list" }, ...all.map((c) => h("section", { class: c.waits ? "channel waits" : "channel", role: "listitem" },
+      h("div", { class: "row" }, h("b", null, t("channel_n", { n: c.number })), h("span", { class: "grow" }, does(c)), h("span", { class: "dim" }, c.line ? t("line_n", { line: c.line }) : "")),
+      h("code", { class: "block-text" }, c.text), h("div", { class: "row wrap" }, ...c.axes.map((a) => h("span", null, h("b", null, a), ` ${coordinate(c.position[a])}`))))));
   }
 
   private draw_hands(p: Panel): void {
@@ -114,12 +124,13 @@ export class OperatorPanel {
     const had_focus = document.activeElement === this.hands.querySelector(".mdi"), before = this.hands.querySelector<HTMLInputElement>(".mdi")?.value ?? "";
     const line = h("input", { class: "mdi wide", value: before, placeholder: "G0 X10", "aria-label": t("mdi"), spellcheck: "false", autocapitalize: "characters", onkeydown: (e: KeyboardEvent) => this.mdi_key(e, line, off) });
     const feed = h("input", { value: remembered("jog_feed", "1000"), size: "6", inputmode: "decimal", "aria-label": t("jog_feed"), onchange: () => remember("jog_feed", feed.value) });
-    const go = (axis: string, way: number): void => void operator.ask("jog", { axis, way: way * this.step, feed: Number(feed.value.replace(",", ".")) || 0 });
+    const go = (axis: string, way: number, channel = 0): void => void operator.ask("jog", { axis, way: way * this.step, feed: Number(feed.value.replace(",", ".")) || 0, ...(channel ? { channel } : {}) });
+    const several = p.channels.length > 1, keys = several ? p.channels.flatMap((c) => c.axes.map((axis) => ({ axis, channel: c.number, name: `${c.number}:${axis}` }))) : operator.axes.map((axis) => ({ axis, channel: 0, name: axis }));
     const step = h("select", { "aria-label": t("jog_step"), onchange: () => { this.step = Number(step.value); this.draw(); } }, ...steps.map((s) => option(String(s), String(s), s === this.step)));
     fill(this.hands,
       h("h3", null, t("mdi")), h("div", { class: "row" }, line, button(t("enter_line"), () => this.enter(line), { disabled: off }), button(`${t("undo_line")}${p.can_undo ? ` (${p.can_undo})` : ""}`, () => void operator.ask("undo", {}), { disabled: off || !p.can_undo, title: t("undo_line_long") })),
       h("h3", null, t("by_hand")), h("div", { class: "row wrap" }, h("label", { class: "field" }, h("span", null, t("jog_step")), step), h("label", { class: "field" }, h("span", null, t("jog_feed")), feed, h("span", { class: "dim" }, t("mm_min")))),
-      h("div", { class: "jog-keys" }, ...operator.axes.flatMap((a) => [button(`${a}−`, () => go(a, -1), { disabled: off, "aria-label": `${a} −` }), button(`${a}+`, () => go(a, 1), { disabled: off, "aria-label": `${a} +` })])));
+      h("div", { class: "jog-keys" }, ...keys.flatMap((k) => [button(`${k.name}−`, () => go(k.axis, -1, k.channel), { disabled: off, "aria-label": `${k.name} −` }), button(`${k.name}+`, () => go(k.axis, 1, k.channel), { disabled: off, "aria-label": `${k.name} +` })])));
     if (had_focus) line.focus();
   }
 

@@ -33,6 +33,7 @@ export class ScenePane {
   private colour = remembered<ColourBy>("colour", "kind");
   private flat = remembered("orthographic", true);
   private measuring = false;
+  private touched: ((place: Point, normal: Point) => void) | null = null;
   private counted: [number, number] = [0, 0]; // segments that are drawn, and all
   private section: { axis: 0 | 1 | 2 | null; part: number; flip: boolean } = { axis: null, part: 0.5, flip: false };
   filter: SceneFilter = { rapids: true, tools: null, depth: null, lines: null, hideDone: false, programmed: false, other: true, bounds: true, turned: true };
@@ -54,7 +55,16 @@ export class ScenePane {
     this.draw();
   }
 
+  /// A click on the part is for whoever asks; null: no longer.
+  ask_touch(touched: ((place: Point, normal: Point) => void) | null): void {
+    if (this.measuring) this.toggle_measure();
+    this.touched = touched;
+    this.scene?.setMode(touched ? "touch" : "orbit");
+    this.told.textContent = touched ? t("touch_how") : "";
+  }
+
   toggle_measure(): void {
+    this.touched = null;
     this.measuring = !this.measuring;
     this.scene?.setMode(this.measuring ? "measure" : "orbit");
     this.told.textContent = this.measuring ? t("measure_how") : "";
@@ -69,6 +79,7 @@ export class ScenePane {
       return new Scene(host, {
         pick: (v) => { if (v) picked(v); },
         hover: (v, x, y) => this.hover(v, x, y),
+        touched: (place, normal) => this.touched?.(place, normal),
         measured: (m) => { this.told.textContent = this.measured(m); },
         turned: (view) => this.turn(view),
         thinned: (drawn, all) => { this.counted = [drawn, all]; this.tell_thinned(); this.draw_legend(); },

@@ -69,7 +69,7 @@ export class TablesPanel {
       !s.lasts && h("p", { class: "note" }, t("tables_not_kept")),
       this.section === "variables" ? this.variables(s, may) : this.rows(s, may),
       this.section === "offsets" && h("div", { class: "row" }, button(t("tables_propose"), () => void this.propose(s), { disabled: !may, title: t("tables_propose_long") })),
-      this.section === "work_offsets" && this.touch_off(s, may));
+      this.section === "work_offsets" && this.touch_off(may));
   }
 
   private rows(s: Tables, may: boolean): HTMLElement {
@@ -102,16 +102,27 @@ export class TablesPanel {
     }))), h("div", { class: "row" }, name, value, button(t("tables_add"), () => { const n = name.value.trim(), v = this.read(value.value) ?? 0; name.value = value.value = ""; if (n) void this.edit({ variables: { [n]: v } }); }, { disabled: !may })));
   }
 
+  /// The zero in force, to be shifted; null: there is none in this table.
+  zero(): { code: string; shift(axis: string, by: number): void } | null {
+    const s = this.tables, code = this.operator.panel?.modal.find((m) => /^G5[4-9]$/.test(m.code))?.code;
+    if (!s || !code || !s.sections.includes("work_offsets")) return null;
+    const shift = (axis: string, by: number): void => {
+      const old = table(table(s.edited["work_offsets"])[code])[axis] ?? table(table(s.file["work_offsets"])[code])[axis] ?? 0;
+      void this.edit({ work_offsets: { [code]: { [axis]: Math.round(1e6 * (Number(old) + by)) / 1e6 } } });
+    };
+    return { code, shift };
+  }
+
   /// The zero in force is shifted so that the tool's place reads what is wanted.
-  private touch_off(s: Tables, may: boolean): HTMLElement | false {
-    const p = this.operator.panel!, code = p.modal.find((m) => /^G5[4-9]$/.test(m.code))?.code;
-    if (!code) return false;
+  private touch_off(may: boolean): HTMLElement | false {
+    const p = this.operator.panel!, zero = this.zero();
+    if (!zero) return false;
     const axis = h("select", { "aria-label": t("axis") }, ...this.operator.axes.map((a) => option(a, a, false))), wanted = h("input", { size: "8", value: "0", inputmode: "decimal", "aria-label": t("value") });
     const go = (): void => {
-      const a = axis.value, v = this.read(wanted.value), old = table(table(s.edited["work_offsets"])[code])[a] ?? table(table(s.file["work_offsets"])[code])[a] ?? 0;
-      if (typeof v === "number" && p.position[a] !== undefined) void this.edit({ work_offsets: { [code]: { [a]: Math.round(1e6 * (Number(old) + p.position[a]! - v)) / 1e6 } } });
+      const a = axis.value, v = this.read(wanted.value);
+      if (typeof v === "number" && p.position[a] !== undefined) zero.shift(a, p.position[a]! - v);
     };
-    return h("div", { class: "row" }, h("span", null, t("touch_off", { code })), axis, h("span", null, "="), wanted, button(t("touch_off_set"), go, { disabled: !may || p.takes_tables }));
+    return h("div", { class: "row" }, h("span", null, t("touch_off", { code: zero.code })), axis, h("span", null, "="), wanted, button(t("touch_off_set"), go, { disabled: !may || p.takes_tables }));
   }
 
   /// Radii and lengths by tools files and comments, where the table has none.
