@@ -546,8 +546,13 @@ const steps = {
     await page.keyboard.press("Enter");
     await until("the drawings", () => count("dialog option[value$='cover.txt']"));
     await until("the list of drawings has the focus", async () => (await focused()) === "drawing");
-    await page.keyboard.type(`${folder}cover.txt`);
-    await until("the drawing", async () => (await page.locator("[name=drawing]").inputValue()) === `${folder}cover.txt`);
+    const chosen = () => page.locator("[name=drawing]").inputValue();
+    await until("the drawing", async () => {
+      await page.keyboard.type(`${folder}cover.txt`);
+      if ((await chosen()) === `${folder}cover.txt`) return true;
+      await page.waitForTimeout(1200); // what was typed is forgotten: a busy browser had taken too long over it
+      return false;
+    }, 60_000);
     const field = async (name, value) => {
       for (let i = 0; i < 30 && (await focused()) !== name; i++) await page.keyboard.press("Tab");
       must((await focused()) === name, `Tab does not reach ${name}`);

@@ -7,6 +7,7 @@ import { bytes } from "./figures";
 import { icon } from "./icons";
 import { may_leave } from "./save";
 
+const folder_of = (file: string): string => file.slice(0, Math.max(0, file.lastIndexOf("/")));
 const is_drawing = (name: string): boolean => /\.(dxf|svg)$/i.test(name);
 
 /// `folder`: the one that is shown.
@@ -23,10 +24,10 @@ export class FilesDrawer {
 
   constructor(private app: App, private verbs: FilesVerbs) {
     this.element.append(h("header", { class: "pane-head" }, this.crumbs), this.list, this.verbs_row);
-    app.on_files.on(() => void this.go(this.folder));
+    app.on_files.on((file) => void this.go(folder_of(file)));
     app.on_line.on((l) => { if (l === "open") void this.go(this.folder); });
     app.on_opened.on((o) => {
-      const folder = o.file.includes("/") ? o.file.slice(0, o.file.lastIndexOf("/")) : "";
+      const folder = folder_of(o.file);
       if (this.fresh && folder !== this.folder) void this.go(folder); // what was open before a reload is shown where it lies
       else if (folder === this.folder && !this.names.has(o.file)) void this.go(folder); // it has been saved just now
       this.fresh = false;

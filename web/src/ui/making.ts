@@ -162,6 +162,7 @@ export class MakingDialog {
     this.fault.textContent = fault;
     if (fault) return this.name.select();
     toast(t("saved", { file }));
+    this.app.on_files.emit(file);
     if (!(await may_leave(this.app))) return;
     this.dialog.close();
     await this.app.open({ file, control });

@@ -48,8 +48,8 @@ export function show_to_tape(app: App): void {
     fault.textContent = await save_new(app, file, { bytes: punched.bytes }, () => may_replace(file));
     if (fault.textContent) return name.select();
     toast(t("saved", { file }));
+    app.on_files.emit(file);
     dialog.close();
-    app.on_files.emit();
   };
   const download = (): void => {
     const bytes = Uint8Array.from(atob(punched!.bytes), (c) => c.charCodeAt(0));
@@ -96,6 +96,7 @@ export function show_from_tape(app: App, folder: string): void {
     fault.textContent = await save_new(app, wanted, { text: read.text }, () => may_replace(wanted));
     if (fault.textContent) return name.select();
     toast(t("saved", { file: wanted }));
+    app.on_files.emit(wanted);
     if (!(await may_leave(app))) return;
     dialog.close();
     await app.open({ file: wanted });
